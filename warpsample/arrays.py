@@ -1,0 +1,110 @@
+"""What users hold and get back: NumPy and Warp arrays, checked once and then known by their address."""
+
+from dataclasses import dataclass
+from math import prod
+from typing import Any, TypeAlias
+
+import numpy as np
+import warp as wp
+
+Array: TypeAlias = np.ndarray | wp.array
+
+_DIMENSIONS = {wp.vec2: 2, wp.vec3: 3}
+
+
+@dataclass(frozen=True)
+class Vectors:
+    """An array of float32 vectors, C-contiguous.
+
+    Attributes:
+        owner: the array; holding it keeps the address valid.
+        shape: without the vectors' own axis.
+        width: components of a vector.
+        device: where it lies.
+    """
+
+    owner: Array
+    shape: tuple[int, ...]
+    width: int
+    device: wp.Device
+
+    @property
+    def address(self) -> int:
+        """Of the first component."""
+        return address_of(self.owner)
+
+    @property
+    def count(self) -> int:
+        """How many vectors."""
+        return prod(self.shape)
+
+
+def address_of(array: Array) -> int:
+    """Of the first element, on the array's device."""
+    return array.ptr or 0 if isinstance(array, wp.array) else array.ctypes.data
+
+
+def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") -> Vectors:
+    """`value` as float32 vectors; without a copy where it is C-contiguous float32 already.
+
+    Raises:
+        TypeError: `value` is not an array of real floating-point numbers.
+        ValueError: its last axis is not `width` long.
+    """
+    if isinstance(value, wp.array):
+        return _warp_vectors(value, width, argument)
+    array = np.asarray(value)
+    if array.dtype not in (np.float32, np.float64):
+        raise TypeError(f"{argument}: got dtype {array.dtype}, want float32 (or float64, which is rounded to float32)")
+    if array.ndim == 0 or array.shape[-1] != width:
+        raise ValueError(f"{argument}: got shape {array.shape}, want {shape.format(width)}")
+    with np.errstate(over="ignore"):
+        owner = np.ascontiguousarray(array, dtype=np.float32)
+    return Vectors(owner, owner.shape[:-1], width, wp.get_device("cpu"))
+
+
+def _warp_vectors(array: wp.array, width: int, argument: str) -> Vectors:
+    of_vectors = _DIMENSIONS.get(array.dtype) == width
+    of_floats = array.dtype is wp.float32 and array.ndim > 0 and array.shape[-1] == width
+    if not (of_vectors or of_floats):
+        raise TypeError(
+            f"{argument}: got a wp.array of {array.dtype.__name__} with shape {array.shape}, "
+            f"want vec{width} or float32 with a last axis of {width}"
+        )
+    if not array.is_contiguous:
+        raise ValueError(f"{argument}: got a wp.array that is not contiguous, want a contiguous one (see wp.array.contiguous)")
+    return Vectors(array, array.shape if of_vectors else array.shape[:-1], width, array.device)
+
+
+def new_vectors(like: Vectors, shape: tuple[int, ...], width: int) -> Vectors:
+    """Uninitialised vectors of the same kind and place: NumPy by NumPy, Warp by Warp. Width 1 has no axis of its own."""
+    if isinstance(like.owner, wp.array):
+        kind = {1: wp.float32, 2: wp.vec2, 3: wp.vec3}[width]
+        return Vectors(wp.empty(shape, dtype=kind, device=like.device), shape, width, like.device)
+    return Vectors(np.empty(shape if width == 1 else (*shape, width), np.float32), shape, width, like.device)
+
+
+def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
+    """The caller's own output array, if it can be written to as it is: (*shape, 3) float32, C-contiguous, same kind and place.
+
+    Raises:
+        TypeError: another kind of array than the input, or not float32.
+        ValueError: another shape or device, not contiguous, or read-only.
+    """
+    want = f"a C-contiguous, writeable float32 array of shape {(*shape, 3)}"
+    if isinstance(out, wp.array) and isinstance(like.owner, wp.array):
+        vectors = _warp_vectors(out, 3, "out")
+        if vectors.device != like.device:
+            raise ValueError(f"out: got an array on {vectors.device}, want one on {like.device}, where the normals are")
+    elif isinstance(out, np.ndarray) and isinstance(like.owner, np.ndarray):
+        if out.dtype != np.float32:
+            raise TypeError(f"out: got dtype {out.dtype}, want {want}")
+        if not (out.flags.c_contiguous and out.flags.writeable):
+            flaw = "read-only" if out.flags.c_contiguous else "not C-contiguous"
+            raise ValueError(f"out: got an array that is {flaw}, want {want}")
+        vectors = Vectors(out, out.shape[:-1], out.shape[-1] if out.ndim else 0, like.device)
+    else:
+        raise TypeError(f"out: got {type(out).__name__}, want {type(like.owner).__name__}, the kind of the normals")
+    if (*vectors.shape, vectors.width) != (*shape, 3):
+        raise ValueError(f"out: got shape {(*vectors.shape, vectors.width)}, want {want}")
+    return vectors

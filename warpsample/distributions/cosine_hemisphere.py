@@ -1,0 +1,193 @@
+"""The cosine lobe, by four methods of one density: cos(theta) / pi per steradian above the surface."""
+
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+import warp as wp
+
+from warpsample.distributions.record import Distribution, Maps
+from warpsample.distributions.uniform_sphere import square_to_uniform_sphere
+from warpsample.frames import frame_about, to_world
+from warpsample.kernels import Parameters
+from warpsample.numerics import GRID, clamp_uniform, fma, sincos_eighth, sincos_turns, turns_of
+from warpsample.sequences.hashing import pcg4d
+
+Method = Literal["polar", "concentric", "inversion", "offset"]
+
+_INV_PI = wp.constant(wp.float32(0.3183098861837907))
+_INV_TWO_PI = wp.constant(wp.float32(0.15915494309189535))
+_HALF_CELL = wp.constant(wp.float32(1.0 / GRID))
+_GRID_SIZE = wp.constant(wp.float32(GRID))
+_HALF_RIM = wp.constant(wp.float32(2.0**-7))
+_RIM_PDF = 2.0**-6 * 0.15915494309189535  # abs(n + s) = 2^-6
+_STEP = wp.constant(wp.float32(2.0**-23))
+
+
+@wp.func
+def square_to_cosine_hemisphere(u: wp.vec2) -> wp.vec3:
+    """Malley's method, polar: a uniform point of the disk at radius sqrt(u[0]), lifted.
+
+    cos theta is sqrt(1 - u[0]), exact to an ulp and never 0 on the grid; sqrt(1 - x^2 - y^2) is off by 73 % near the horizon.
+    """
+    r = wp.sqrt(u[0])
+    cs = sincos_turns(u[1])
+    return wp.vec3(r * cs[0], r * cs[1], wp.sqrt(1.0 - u[0]))
+
+
+@wp.func
+def square_to_cosine_hemisphere_pdf(w: wp.vec3) -> wp.float32:
+    """cos(theta) / pi per steradian above the surface, else 0. Cranberry note, equation (5)."""
+    return wp.where(w[2] > 0.0, w[2] * _INV_PI, 0.0)
+
+
+@wp.func
+def cosine_hemisphere_to_square(w: wp.vec3) -> wp.vec2:
+    """u[0] = sin^2 theta = 1 - cos^2 theta, from whichever is smaller; u[1] the azimuth in turns."""
+    small = w[0] * w[0] + w[1] * w[1]
+    return wp.vec2(clamp_uniform(wp.where(small < 0.5, small, 1.0 - w[2] * w[2])), turns_of(w[0], w[1]))
+
+
+@wp.func
+def square_to_cosine_hemisphere_concentric(u: wp.vec2) -> wp.vec3:
+    """Shirley and Chiu's concentric disk, lifted; keeps the square's neighbours neighbours.
+
+    Cells are centred (a = 2 u - 1 + 2^-24, exact), so that the radius stays below 1 and cos theta = sqrt((1 - r)(1 + r))
+    above 0.
+    """
+    a = (2.0 * u[0] - 1.0) + _HALF_CELL
+    b = (2.0 * u[1] - 1.0) + _HALF_CELL
+    a_longer = wp.abs(a) > wp.abs(b)
+    longer = wp.where(a_longer, a, b)
+    ratio = wp.where(a_longer, b, a) / wp.where(longer == 0.0, 1.0, longer)
+    cs = sincos_eighth(0.125 * ratio)
+    r = wp.abs(longer)
+    return wp.vec3(
+        longer * wp.where(a_longer, cs[0], cs[1]),
+        longer * wp.where(a_longer, cs[1], cs[0]),
+        wp.sqrt((1.0 - r) * (1.0 + r)),
+    )
+
+
+@wp.func
+def cosine_hemisphere_to_square_concentric(w: wp.vec3) -> wp.vec2:
+    """The way back: the disk's radius is the longer coordinate, the octant's angle the ratio of the two."""
+    ax = wp.abs(w[0])
+    ay = wp.abs(w[1])
+    longer = wp.sqrt(ax * ax + ay * ay)
+    shorter = 8.0 * longer * turns_of(wp.max(ax, ay), wp.min(ax, ay))
+    a = wp.copysign(wp.where(ax > ay, longer, shorter), w[0])
+    b = wp.copysign(wp.where(ax > ay, shorter, longer), w[1])
+    return wp.vec2(clamp_uniform(0.5 * (a + 1.0 - _HALF_CELL)), clamp_uniform(0.5 * (b + 1.0 - _HALF_CELL)))
+
+
+@wp.func
+def square_to_cosine_hemisphere_inversion(u: wp.vec2) -> wp.vec3:
+    """theta = acos(1 - 2 u[0]) / 2, the Cranberry note's equation (7), by the half-angle formulas.
+
+    With cos 2 theta = 1 - 2 u[0], exact on the grid, cos(acos(.)/2) is a root and keeps the digits that acos drops.
+    """
+    cos_double = 1.0 - 2.0 * u[0]
+    r = wp.sqrt(0.5 * (1.0 - cos_double))
+    cs = sincos_turns(u[1])
+    return wp.vec3(r * cs[0], r * cs[1], wp.sqrt(0.5 * (1.0 + cos_double)))
+
+
+@wp.func
+def square_to_cosine_hemisphere_offset(u: wp.vec2) -> wp.vec3:
+    """Shirley's trick in the local frame: a uniform point of the sphere plus the normal, normalised.
+
+    Here 1 + z = 2 - 2 u[0] is exact, so the sum keeps all its digits down to the horizon.
+    """
+    s = square_to_uniform_sphere(u)
+    z = 2.0 - 2.0 * u[0]
+    inverse = 1.0 / wp.sqrt(fma(s[0], s[0], fma(s[1], s[1], z * z)))
+    return wp.vec3(s[0] * inverse, s[1] * inverse, z * inverse)
+
+
+@wp.func
+def cosine_offset_about(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.vec4:
+    """Shirley's trick about any unit normal, without a tangent frame: (normalize(n + s), pdf).
+
+    abs(n + s) = 2 cos theta (the quick proof's figure 1: theta of s is twice that of the sum), so pdf = abs(n + s) / (2 pi).
+    Where the sum is short the digits of n and s have cancelled: see `cosine_offset_redraw`.
+    """
+    s = square_to_uniform_sphere(u)
+    x = n[0] + s[0]
+    y = n[1] + s[1]
+    z = n[2] + s[2]
+    length = wp.sqrt(fma(x, x, fma(y, y, z * z)))
+    inverse = 1.0 / length
+    return wp.vec4(x * inverse, y * inverse, z * inverse, length * _INV_TWO_PI)
+
+
+@wp.func
+def cosine_offset_redraw(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.vec4:
+    """A direction of the lobe's rim, abs(n + s) < 2^-6 (6 draws of 10^5), drawn anew from a hash of u.
+
+    P(abs(n + s) < r) = r^2 / 4, so cos theta = 2^-7 sqrt(u') for a fresh u' keeps the law exact. Scaling the sphere by
+    0.99999 instead, a published remedy, never samples 2e-5 of the lobe.
+    """
+    bits = pcg4d(wp.uint32(u[0] * _GRID_SIZE), wp.uint32(u[1] * _GRID_SIZE), wp.uint32(0), wp.uint32(0))
+    fresh = (wp.float32(wp.int32(bits[0] >> wp.uint32(9))) + 0.5) * _STEP
+    turns = wp.float32(wp.int32(bits[1] >> wp.uint32(9))) * _STEP
+    cos_theta = _HALF_RIM * wp.sqrt(fresh)
+    sin_theta = wp.sqrt(1.0 - cos_theta * cos_theta)
+    cs = sincos_turns(turns)
+    d = to_world(frame_about(n), wp.vec3(sin_theta * cs[0], sin_theta * cs[1], cos_theta))
+    return wp.vec4(d[0], d[1], d[2], cos_theta * _INV_PI)
+
+
+_POLAR = Maps(square_to_cosine_hemisphere, square_to_cosine_hemisphere_pdf, cosine_hemisphere_to_square)
+_MAPS = {
+    "polar": _POLAR,
+    "concentric": Maps(
+        square_to_cosine_hemisphere_concentric, square_to_cosine_hemisphere_pdf, cosine_hemisphere_to_square_concentric
+    ),
+    "inversion": Maps(
+        square_to_cosine_hemisphere_inversion, square_to_cosine_hemisphere_pdf, cosine_hemisphere_to_square
+    ),
+    "offset": Maps(
+        square_to_cosine_hemisphere_offset,
+        square_to_cosine_hemisphere_pdf,
+        cosine_hemisphere_to_square,
+        about=cosine_offset_about,
+        redraw=cosine_offset_redraw,
+        redraw_below=_RIM_PDF,
+    ),
+}
+
+
+@dataclass(frozen=True)
+class CosineHemisphere(Distribution):
+    """The cosine lobe about the normal: cos(theta) / pi per steradian.
+
+    Attributes:
+        method: "polar" (Malley's disk, lifted), "concentric" (Shirley and Chiu's disk, lifted), "inversion"
+            (theta = acos(1 - 2u) / 2) or "offset" (sphere point + normal, normalised; no tangent frame). One density;
+            they differ in cost, in where neighbouring u land, and, for "offset", by the rim of `cosine_offset_redraw`.
+    """
+
+    method: Method = "polar"
+
+    name = "cosine_hemisphere"
+    density = "cosθ/π"
+    support = "hemisphere"
+    source = "Malley in the NORI note; Cranberry 2020, eq. 5 and 7; Shirley trick proof, eq. 6; Chizhov, section 4.3"
+
+    def __post_init__(self) -> None:
+        """Checks the method's name."""
+        if self.method not in _MAPS:
+            raise ValueError(f"method: got {self.method!r}, want one of {', '.join(get_args(Method))}")
+
+    @classmethod
+    def cases(cls) -> tuple[Distribution, ...]:
+        """All four methods."""
+        return tuple(cls(method) for method in get_args(Method))
+
+    @property
+    def maps(self) -> Maps:
+        """The `wp.func`s to use in kernels of your own."""
+        return _MAPS[self.method]
+
+
+RECORD = CosineHemisphere

@@ -1,0 +1,48 @@
+"""Every direction above the surface equally likely."""
+
+from dataclasses import dataclass
+
+import warp as wp
+
+from warpsample.distributions.record import Distribution, Maps
+from warpsample.numerics import clamp_uniform, sincos_turns, turns_of
+
+_PDF = wp.constant(wp.float32(0.15915494309189535))  # 1 / (2 pi)
+
+
+@wp.func
+def square_to_uniform_hemisphere(u: wp.vec2) -> wp.vec3:
+    """z = 1 - u[0], azimuth 2 pi u[1]; sin theta as sqrt(u (2 - u)), where sqrt(1 - z^2) loses 4e-5 near the pole."""
+    r = wp.sqrt(u[0] * (2.0 - u[0]))
+    cs = sincos_turns(u[1])
+    return wp.vec3(r * cs[0], r * cs[1], 1.0 - u[0])
+
+
+@wp.func
+def square_to_uniform_hemisphere_pdf(w: wp.vec3) -> wp.float32:
+    """1 / (2 pi) per steradian where z >= 0, else 0."""
+    return wp.where(w[2] >= 0.0, _PDF, 0.0)
+
+
+@wp.func
+def uniform_hemisphere_to_square(w: wp.vec3) -> wp.vec2:
+    """1 - z, from sin^2 theta, which does not cancel near the pole."""
+    return wp.vec2(clamp_uniform((w[0] * w[0] + w[1] * w[1]) / (1.0 + w[2])), turns_of(w[0], w[1]))
+
+
+@dataclass(frozen=True)
+class UniformHemisphere(Distribution):
+    """Uniform on the hemisphere about the normal: 1 / (2 pi) per steradian."""
+
+    name = "uniform_hemisphere"
+    density = "1/(2π)"
+    support = "hemisphere"
+    source = "the NORI note, P(θ) = 1 − cosθ; Pharr, Jakob, Humphreys 2023, section A.5.2"
+
+    @property
+    def maps(self) -> Maps:
+        """The `wp.func`s to use in kernels of your own."""
+        return Maps(square_to_uniform_hemisphere, square_to_uniform_hemisphere_pdf, uniform_hemisphere_to_square)
+
+
+RECORD = UniformHemisphere

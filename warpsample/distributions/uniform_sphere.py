@@ -1,0 +1,49 @@
+"""Every direction equally likely."""
+
+from dataclasses import dataclass
+
+import warp as wp
+
+from warpsample.distributions.record import Distribution, Maps
+from warpsample.numerics import clamp_uniform, sincos_turns, turns_of
+
+_PDF = wp.constant(wp.float32(0.07957747154594767))  # 1 / (4 pi)
+
+
+@wp.func
+def square_to_uniform_sphere(u: wp.vec2) -> wp.vec3:
+    """z = 1 - 2 u[0], azimuth 2 pi u[1]; sin theta as 2 sqrt(u (1 - u)), where sqrt(1 - z^2) loses 4e-5 near the poles."""
+    r = 2.0 * wp.sqrt(u[0] * (1.0 - u[0]))
+    cs = sincos_turns(u[1])
+    return wp.vec3(r * cs[0], r * cs[1], 1.0 - 2.0 * u[0])
+
+
+@wp.func
+def square_to_uniform_sphere_pdf(w: wp.vec3) -> wp.float32:
+    """1 / (4 pi) per steradian."""
+    return wp.where(w[2] == w[2], _PDF, 0.0)
+
+
+@wp.func
+def uniform_sphere_to_square(w: wp.vec3) -> wp.vec2:
+    """(1 - z) / 2, from sin^2 theta on the pole's side, where 1 - z would cancel."""
+    near_pole = 0.5 * (w[0] * w[0] + w[1] * w[1]) / (1.0 + wp.abs(w[2]))
+    return wp.vec2(clamp_uniform(wp.where(w[2] > 0.0, near_pole, 1.0 - near_pole)), turns_of(w[0], w[1]))
+
+
+@dataclass(frozen=True)
+class UniformSphere(Distribution):
+    """Uniform on the unit sphere: 1 / (4 pi) per steradian."""
+
+    name = "uniform_sphere"
+    density = "1/(4π)"
+    support = "sphere"
+    source = "Pharr, Jakob, Humphreys 2023, section A.5.2; the NORI note, UniformSphere"
+
+    @property
+    def maps(self) -> Maps:
+        """The `wp.func`s to use in kernels of your own."""
+        return Maps(square_to_uniform_sphere, square_to_uniform_sphere_pdf, uniform_sphere_to_square)
+
+
+RECORD = UniformSphere

@@ -1,0 +1,92 @@
+"""How a kernel is run: over chunks of its tasks, on worker threads, on a device, within the memory that is free."""
+
+import os
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import psutil
+import warp as wp
+
+_CHUNKS_PER_WORKER = 4  # evens out uneven chunks; a recorded launch of one costs 4 us
+_LEAST_WORK = 1 << 17  # directions; below that (0.3 ms) handing work to a thread costs more than it gains
+_MOST_TASKS = (1 << 31) - 1  # wp.tid() is an int32
+
+_pool: ThreadPoolExecutor | None = None
+_pool_size = 0
+_pool_lock = threading.Lock()
+
+
+def check_workers(workers: int | None) -> int:
+    """The number of threads to use: all cores that this process may run on, unless told.
+
+    Raises:
+        ValueError: below 1.
+        TypeError: not a whole number.
+    """
+    if workers is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if isinstance(workers, bool) or not isinstance(workers, int):
+        raise TypeError(f"workers: got {workers!r}, want a whole number of threads or None for all cores")
+    if workers < 1:
+        raise ValueError(f"workers: got {workers}, want at least 1")
+    return workers
+
+
+def check_memory(needed: int, what: str, remedy: str) -> None:
+    """Refuses what would not fit into the memory that is free now.
+
+    Raises:
+        MemoryError: says how much is needed, how much is free and what to do instead.
+    """
+    free = psutil.virtual_memory().available
+    if needed > free:
+        raise MemoryError(f"{what} need {needed / 1e9:.1f} GB and {free / 1e9:.1f} GB are free; {remedy}")
+
+
+def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, workers: int, work: int) -> None:
+    """Runs `kernel(*inputs, first_task)` once for each task; `wp.tid()` counts from first_task, an int64.
+
+    Args:
+        kernel: its last parameter is first_task.
+        tasks: how many; any number, chunks stay below 2^31.
+        inputs: the other parameters.
+        device: on a CPU, `workers` threads share the chunks; on CUDA the launches queue up.
+        workers: at most this many threads.
+        work: directions computed, or the like of it: little work stays on the calling thread.
+    """
+    workers = workers if device.is_cpu and work >= _LEAST_WORK else 1
+    chunk = min(-(-tasks // (workers * _CHUNKS_PER_WORKER if workers > 1 else 1)), _MOST_TASKS)
+    # Recorded in this thread: the first one compiles the kernel, and compiling is once per process and thread.
+    commands = [_record(kernel, chunk, inputs, device) for _ in range(workers)]
+    starts = iter(range(0, tasks, chunk))
+    if workers == 1:
+        _run_chunks(commands[0], starts, chunk, tasks)
+        return
+    futures = [_threads(workers).submit(_run_chunks, command, starts, chunk, tasks) for command in commands]
+    for future in futures:
+        future.result()
+
+
+def _record(kernel: wp.Kernel, chunk: int, inputs: list[Any], device: wp.Device) -> wp.Launch:
+    return wp.launch(kernel, dim=chunk, inputs=[*inputs, 0], device=device, record_tape=False, record_cmd=True)
+
+
+def _run_chunks(command: wp.Launch, starts: Any, chunk: int, tasks: int) -> None:
+    """Takes chunks until none is left; next() on a range's iterator is atomic, so threads can share it."""
+    last = len(command.kernel.adj.args) - 1
+    for start in starts:
+        command.set_param_at_index(last, start)
+        if tasks - start < chunk:
+            command.set_dim(tasks - start)
+        command.launch()
+
+
+def _threads(workers: int) -> ThreadPoolExecutor:
+    """The one pool of this process, grown when more are asked for."""
+    global _pool, _pool_size
+    with _pool_lock:
+        if _pool is None or _pool_size < workers:
+            _pool = ThreadPoolExecutor(workers, thread_name_prefix="warpsample")
+            _pool_size = workers
+        return _pool

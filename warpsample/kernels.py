@@ -1,0 +1,344 @@
+"""The loops around a sequence and a distribution, as cached kernels in two shapes.
+
+*Rows* walk the samples of one point, so all that depends on the point alone (frame, scramble keys) is computed once; for
+the CPU and many samples. *Flat* blocks walk consecutive (point, sample) pairs whatever the count; for few samples, and,
+with blocks of one, for CUDA, where neighbouring threads then store to neighbouring addresses.
+
+What makes the compiler vectorise them (../WARP.md has the measurements): a `while` over one-dimensional views that the
+kernel itself opens from a pointer, scalar stores, no branch and no libm call inside.
+"""
+
+from functools import cache
+
+import warp as wp
+
+from warpsample.frames import frame_about, to_world
+from warpsample.numerics import normalize
+
+OK = 0
+INACTIVE = 1
+ZERO_NORMAL = 2
+NONFINITE_NORMAL = 3
+
+FLAT_BLOCK = 256
+"""Pairs of one flat task on the CPU: long enough to hide its setup, short enough that a rare redraw rereads little."""
+
+_BLOCK = wp.constant(wp.int64(FLAT_BLOCK))
+_BLOCK_FLOATS = wp.constant(3 * FLAT_BLOCK)
+_STATUS_ZERO = wp.constant(wp.int32(ZERO_NORMAL))
+_STATUS_NONFINITE = wp.constant(wp.int32(NONFINITE_NORMAL))
+
+
+@wp.struct
+class Parameters:
+    """The scalars of a distribution, so that a new value compiles nothing."""
+
+    first: wp.float32
+
+
+@wp.func
+def normal_status(n: wp.vec3) -> wp.int32:
+    """OK, ZERO_NORMAL or NONFINITE_NORMAL."""
+    finite = (n[0] - n[0]) + (n[1] - n[1]) + (n[2] - n[2]) == 0.0
+    zero = wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]) == 0.0
+    return wp.where(finite, wp.where(zero, _STATUS_ZERO, 0), _STATUS_NONFINITE)
+
+
+@cache
+def with_parameters(func: wp.Function, argument: type, count: int) -> wp.Function:
+    """`func(x)` or `func(x, first)`, by the number of its parameters, as a wp.func of (x: argument, Parameters)."""
+    if count == 0:
+
+        @wp.func
+        def call(x: argument, parameters: Parameters):
+            return func(x)
+
+    else:
+
+        @wp.func
+        def call(x: argument, parameters: Parameters):
+            return func(x, parameters.first)
+
+    return call
+
+
+@cache
+def about_frame(sample: wp.Function, pdf: wp.Function) -> wp.Function:
+    """A local map (u, Parameters) and its density as a map about a unit normal, (n, u, Parameters) -> (direction, pdf)."""
+
+    @wp.func
+    def about(n: wp.vec3, u: wp.vec2, parameters: Parameters):
+        w = sample(u, parameters)
+        d = to_world(frame_about(n), w)
+        return wp.vec4(d[0], d[1], d[2], pdf(w, parameters))
+
+    return about
+
+
+@wp.func
+def _point_pdf(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.int32, d: wp.vec4):
+    vectors[3 * i] = d[0]
+    vectors[3 * i + 1] = d[1]
+    vectors[3 * i + 2] = d[2]
+    pdf[i] = d[3]
+
+
+@wp.func
+def _point(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.int32, d: wp.vec4):
+    vectors[3 * i] = d[0]
+    vectors[3 * i + 1] = d[1]
+    vectors[3 * i + 2] = d[2]
+
+
+@wp.struct
+class DirectionJob:
+    """One call's scalars and addresses: normals (P, 3), vectors (P, count, 3) and pdf (P, count) float32, status (P,)."""
+
+    seed: wp.uint64
+    first_point: wp.uint64
+    points: wp.int64
+    count: wp.int32
+    block: wp.int32
+    normals: wp.uint64
+    vectors: wp.uint64
+    pdf: wp.uint64
+    status: wp.uint64
+    parameters: Parameters
+
+
+@wp.func
+def _floats(address: wp.uint64, first: wp.int64, count: wp.int32) -> wp.array[wp.float32]:
+    return wp.array(ptr=address + wp.uint64(first) * wp.uint64(4), shape=(count,), dtype=wp.float32)
+
+
+@cache
+def direction_rows(
+    sequence: wp.Function, about: wp.Function, redraw: wp.Function | None, redraw_below: float, with_pdf: bool
+) -> wp.Kernel:
+    """A kernel over parts of `block` samples of one point.
+
+    Args:
+        sequence: (seed, point, sample, count) -> u.
+        about: (unit normal, u, Parameters) -> (direction, pdf).
+        redraw: what replaces `about` where its pdf is below `redraw_below`; rare, so in a second pass over such parts only.
+        with_pdf: whether the pdf is stored.
+    """
+    store = _point_pdf if with_pdf else _point
+    redraws = redraw is not None
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def direction_rows(job: DirectionJob, first_task: wp.int64):
+        task = first_task + wp.int64(wp.tid())
+        parts = wp.int64((job.count + job.block - 1) / job.block)
+        point = task / parts
+        start = wp.int32(task - point * parts) * job.block
+        length = wp.min(job.block, job.count - start)
+        normal = wp.array(ptr=job.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)
+        unit = normalize(normal[0])
+        n = wp.vec3(unit[0], unit[1], unit[2])
+        first = point * wp.int64(job.count) + wp.int64(start)
+        vectors = wp.array(ptr=job.vectors + wp.uint64(first) * wp.uint64(12), shape=(3 * length,), dtype=wp.float32)
+        pdf = wp.array(ptr=job.pdf + wp.uint64(first) * wp.uint64(4), shape=(length,), dtype=wp.float32)
+        id = job.first_point + wp.uint64(point)
+        count = wp.uint32(job.count)
+        rare = wp.int32(0)
+        j = wp.int32(0)
+        if unit[3] > 0.0:
+            while j < length:
+                d = about(n, sequence(job.seed, id, wp.uint32(start + j), count), job.parameters)
+                store(vectors, pdf, j, d)
+                if wp.static(redraws):
+                    rare = rare | wp.where(d[3] < redraw_below, 1, 0)
+                j += 1
+        else:
+            status = wp.array(ptr=job.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)
+            status[0] = wp.uint8(normal_status(normal[0]))
+            while j < length:
+                store(vectors, pdf, j, wp.vec4(0.0))
+                j += 1
+        if wp.static(redraws):
+            if rare != 0:
+                j = wp.int32(0)
+                while j < length:
+                    u = sequence(job.seed, id, wp.uint32(start + j), count)
+                    if about(n, u, job.parameters)[3] < redraw_below:
+                        store(vectors, pdf, j, redraw(n, u, job.parameters))
+                    j += 1
+
+    return direction_rows
+
+
+@cache
+def direction_blocks(
+    sequence: wp.Function,
+    about: wp.Function,
+    redraw: wp.Function | None,
+    redraw_below: float,
+    with_pdf: bool,
+    one_sample: bool,
+) -> wp.Kernel:
+    """A kernel over blocks of FLAT_BLOCK consecutive (point, sample) pairs; bit for bit the results of `direction_rows`.
+
+    Unless each point has one sample, the block's normals are first repeated into a local buffer, pair by pair: a gather
+    from an array that the stores might alias would keep the loop scalar.
+    """
+    store = _point_pdf if with_pdf else _point
+    redraws = redraw is not None
+    buffer = 3 if one_sample else 3 * FLAT_BLOCK
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def direction_blocks(job: DirectionJob, first_task: wp.int64):
+        first = (first_task + wp.int64(wp.tid())) * _BLOCK
+        length = wp.int32(wp.min(_BLOCK, job.points * wp.int64(job.count) - first))
+        point = first / wp.int64(job.count)
+        start = wp.int32(first - point * wp.int64(job.count))
+        span = (start + length - 1) / job.count + 1
+        normals = wp.array(ptr=job.normals + wp.uint64(point) * wp.uint64(12), shape=(3 * span,), dtype=wp.float32)
+        vectors = wp.array(ptr=job.vectors + wp.uint64(first) * wp.uint64(12), shape=(3 * length,), dtype=wp.float32)
+        pdf = wp.array(ptr=job.pdf + wp.uint64(first) * wp.uint64(4), shape=(length,), dtype=wp.float32)
+        status = wp.array(ptr=job.status + wp.uint64(point), shape=(span,), dtype=wp.uint8)
+        repeated = wp.zeros(shape=(buffer,), dtype=wp.float32)
+        if wp.static(not one_sample):
+            i = wp.int32(0)
+            q = wp.int32(0)
+            while q < span:
+                end = wp.min((q + 1) * job.count - start, length)
+                while i < end:
+                    repeated[i] = normals[3 * q]
+                    repeated[FLAT_BLOCK + i] = normals[3 * q + 1]
+                    repeated[2 * FLAT_BLOCK + i] = normals[3 * q + 2]
+                    i += 1
+                q += 1
+        id = job.first_point + wp.uint64(point)
+        per_count = 1.0 / wp.float32(job.count)
+        rare = wp.int32(0)
+        i = wp.int32(0)
+        while i < length:
+            if wp.static(one_sample):
+                q = i
+                given = wp.vec3(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2])
+            else:
+                # Exact: the half keeps the quotient off the integers by more than float32 errs below 2^13.
+                q = wp.int32((wp.float32(start + i) + 0.5) * per_count)
+                given = wp.vec3(repeated[i], repeated[FLAT_BLOCK + i], repeated[2 * FLAT_BLOCK + i])
+            unit = normalize(given)
+            sample = wp.uint32(start + i - q * job.count)
+            u = sequence(job.seed, id + wp.uint64(q), sample, wp.uint32(job.count))
+            d = about(wp.vec3(unit[0], unit[1], unit[2]), u, job.parameters)
+            ok = unit[3] > 0.0
+            d = wp.vec4(wp.where(ok, d[0], 0.0), wp.where(ok, d[1], 0.0), wp.where(ok, d[2], 0.0), wp.where(ok, d[3], 0.0))
+            store(vectors, pdf, i, d)
+            rare = rare | wp.where(ok, 0, 1)
+            if wp.static(redraws):
+                rare = rare | wp.where(d[3] < redraw_below, 1, 0)
+            i += 1
+        if rare != 0:
+            i = wp.int32(0)
+            while i < length:
+                q = (start + i) / job.count
+                given = wp.vec3(normals[3 * q], normals[3 * q + 1], normals[3 * q + 2])
+                code = normal_status(given)
+                if code != 0:
+                    status[q] = wp.uint8(code)
+                elif wp.static(redraws):
+                    unit = normalize(given)
+                    n = wp.vec3(unit[0], unit[1], unit[2])
+                    sample = wp.uint32(start + i - q * job.count)
+                    u = sequence(job.seed, id + wp.uint64(q), sample, wp.uint32(job.count))
+                    if about(n, u, job.parameters)[3] < redraw_below:
+                        store(vectors, pdf, i, redraw(n, u, job.parameters))
+                i += 1
+
+    return direction_blocks
+
+
+@wp.func
+def _read_2(x: wp.array[wp.float32], i: wp.int32) -> wp.vec2:
+    return wp.vec2(x[2 * i], x[2 * i + 1])
+
+
+@wp.func
+def _read_3(x: wp.array[wp.float32], i: wp.int32) -> wp.vec3:
+    return wp.vec3(x[3 * i], x[3 * i + 1], x[3 * i + 2])
+
+
+@wp.func
+def _write_1(y: wp.array[wp.float32], i: wp.int32, value: wp.float32):
+    y[i] = value
+
+
+@wp.func
+def _write_2(y: wp.array[wp.float32], i: wp.int32, value: wp.vec2):
+    y[2 * i] = value[0]
+    y[2 * i + 1] = value[1]
+
+
+@wp.func
+def _write_3(y: wp.array[wp.float32], i: wp.int32, value: wp.vec3):
+    y[3 * i] = value[0]
+    y[3 * i + 1] = value[1]
+    y[3 * i + 2] = value[2]
+
+
+_READ = {2: _read_2, 3: _read_3}
+_WRITE = {1: _write_1, 2: _write_2, 3: _write_3}
+
+
+@cache
+def elementwise(func: wp.Function, width: int, out_width: int) -> wp.Kernel:
+    """A kernel over blocks of a flat array: func(x, Parameters) of each of `total` vectors."""
+    read = _READ[width]
+    write = _WRITE[out_width]
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def elementwise(
+        total: wp.int64,
+        block: wp.int32,
+        source: wp.uint64,
+        target: wp.uint64,
+        parameters: Parameters,
+        first_task: wp.int64,
+    ):
+        first = (first_task + wp.int64(wp.tid())) * wp.int64(block)
+        length = wp.int32(wp.min(wp.int64(block), total - first))
+        x = wp.array(ptr=source + wp.uint64(first * wp.int64(4 * width)), shape=(width * length,), dtype=wp.float32)
+        y = wp.array(ptr=target + wp.uint64(first * wp.int64(4 * out_width)), shape=(out_width * length,), dtype=wp.float32)
+        i = wp.int32(0)
+        while i < length:
+            write(y, i, func(read(x, i), parameters))
+            i += 1
+
+    return elementwise
+
+
+@cache
+def square_blocks(sequence: wp.Function) -> wp.Kernel:
+    """A kernel over blocks of consecutive (point, sample) pairs of a sequence alone."""
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def square_blocks(
+        total: wp.int64,
+        block: wp.int32,
+        count: wp.int32,
+        seed: wp.uint64,
+        first_point: wp.uint64,
+        target: wp.uint64,
+        first_task: wp.int64,
+    ):
+        first = (first_task + wp.int64(wp.tid())) * wp.int64(block)
+        length = wp.int32(wp.min(wp.int64(block), total - first))
+        point = first / wp.int64(count)
+        start = wp.float64(first - point * wp.int64(count)) + wp.float64(0.5)
+        per_count = wp.float64(1.0) / wp.float64(count)
+        y = wp.array(ptr=target + wp.uint64(first * wp.int64(8)), shape=(2 * length,), dtype=wp.float32)
+        i = wp.int32(0)
+        while i < length:
+            # The half keeps the quotient off the integers by more than float64 errs below 2^52.
+            q = wp.int32((start + wp.float64(i)) * per_count)
+            sample = wp.uint32(wp.int32(start) + i - q * count)
+            u = sequence(seed, first_point + wp.uint64(point) + wp.uint64(q), sample, wp.uint32(count))
+            y[2 * i] = u[0]
+            y[2 * i + 1] = u[1]
+            i += 1
+
+    return square_blocks

@@ -1,0 +1,40 @@
+"""pcg4d: four random words from four words, the hash under every sequence here."""
+
+import warp as wp
+
+from warpsample.numerics import high_word, low_word
+
+_MULTIPLIER = wp.constant(wp.uint32(1664525))
+_INCREMENT = wp.constant(wp.uint32(1013904223))
+_SHIFT = wp.constant(wp.uint32(16))
+
+
+@wp.func
+def pcg4d(x: wp.uint32, y: wp.uint32, z: wp.uint32, w: wp.uint32) -> wp.vec4ui:
+    """Four random words; a bijection of 128 bits, so different arguments never give the same four.
+
+    Jarzynski and Olano 2020, "Hash Functions for GPU Rendering", listing 13.
+    """
+    x = x * _MULTIPLIER + _INCREMENT
+    y = y * _MULTIPLIER + _INCREMENT
+    z = z * _MULTIPLIER + _INCREMENT
+    w = w * _MULTIPLIER + _INCREMENT
+    x += y * w
+    y += z * x
+    z += x * y
+    w += y * z
+    x = x ^ (x >> _SHIFT)
+    y = y ^ (y >> _SHIFT)
+    z = z ^ (z >> _SHIFT)
+    w = w ^ (w >> _SHIFT)
+    x += y * w
+    y += z * x
+    z += x * y
+    w += y * z
+    return wp.vec4ui(x, y, z, w)
+
+
+@wp.func
+def point_key(seed: wp.uint64, point: wp.uint64) -> wp.vec4ui:
+    """Four random words of one point of one run: what a sequence scrambles or shifts its points by."""
+    return pcg4d(low_word(point), high_word(point), low_word(seed), high_word(seed))

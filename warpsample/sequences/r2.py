@@ -1,0 +1,29 @@
+"""The R2 sequence: a rotation by the plastic number's powers, shifted at random at every surface point."""
+
+import warp as wp
+
+from warpsample.numerics import uniform_from_bits, weyl
+from warpsample.sequences.hashing import point_key
+from warpsample.sequences.record import Sequence
+
+# 2^64 / g and 2^64 / g^2 for the root g of g^3 = g + 1, rounded to odd.
+_STEP_X = wp.constant(wp.uint64(0xC13FA9A902A6328F))
+_STEP_Y = wp.constant(wp.uint64(0x91E10DA5C79E7B1D))
+
+
+@wp.func
+def r2(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
+    """(sample / g, sample / g^2) mod 1, shifted by this point's own random vector. In integers: exact for any sample."""
+    key = point_key(seed, point)
+    return wp.vec2(
+        uniform_from_bits(weyl(sample, _STEP_X) + key[0]), uniform_from_bits(weyl(sample, _STEP_Y) + key[1])
+    )
+
+
+RECORD = Sequence(
+    name="r2",
+    sample=r2,
+    progressive=True,
+    summary="additive recurrence of the plastic number, cheap and progressive",
+    source="Roberts 2018, The Unreasonable Effectiveness of Quasirandom Sequences",
+)

@@ -1,0 +1,26 @@
+"""What a sequence says of itself."""
+
+from dataclasses import dataclass
+
+import warp as wp
+
+
+@dataclass(frozen=True)
+class Sequence:
+    """Points of the unit square as a pure function of who asks.
+
+    Attributes:
+        name: what users call it by.
+        sample: `wp.func` (seed: uint64, point: uint64, sample: uint32, count: uint32) -> vec2 on the 2^-24 grid of [0, 1):
+            the sample-th of count points at the surface point with that global id. Each point of the square is uniform
+            on its own; how the count of one surface point share the square is what tells the sequences apart.
+        progressive: the first m of n points are those of any other n; else count must be known.
+        summary: one line for tables.
+        source: where it comes from.
+    """
+
+    name: str
+    sample: wp.Function
+    progressive: bool
+    summary: str
+    source: str

@@ -1,0 +1,41 @@
+"""Jittered points: one in each of `count` cells of equal area, for any count."""
+
+import warp as wp
+
+from warpsample.numerics import uniform_from_double
+from warpsample.sequences.independent import independent
+from warpsample.sequences.record import Sequence
+
+
+@wp.func
+def stratified(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
+    """An independent point of the sample-th of `count` cells of area 1/count.
+
+    floor(sqrt(count)) rows of cells; where count is no product, the first rows hold one cell more and are higher by as
+    much, so the cells stay equal in area. Cells are filled in order: to pair two calls of equal count, shuffle one.
+    """
+    n = wp.float64(count)
+    rows = wp.floor(wp.sqrt(n))
+    short_length = wp.floor(n / rows)
+    long_rows = n - rows * short_length
+    j = wp.float64(wp.int32(sample))
+    is_long = j < long_rows * (short_length + wp.float64(1.0))
+    # Counted from where every row is long, or from where every row is short, each row has one length.
+    skipped = wp.where(is_long, wp.float64(0.0), long_rows)
+    length = wp.where(is_long, short_length + wp.float64(1.0), short_length)
+    row = wp.floor((j - skipped + wp.float64(0.5)) / length)
+    column = j - skipped - row * length
+    jitter = independent(seed, point, sample, count)
+    return wp.vec2(
+        uniform_from_double((skipped + (row + wp.float64(jitter[0])) * length) / n),
+        uniform_from_double((column + wp.float64(jitter[1])) / length),
+    )
+
+
+RECORD = Sequence(
+    name="stratified",
+    sample=stratified,
+    progressive=False,
+    summary="one jittered point in each cell of an equal-area grid",
+    source="Pharr, Jakob, Humphreys 2023, section 8.5, with rows of two lengths for any count",
+)
