@@ -5,8 +5,9 @@ import threading
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
-import psutil
 import warp as wp
+
+from warpsample.arguments import check_integer
 
 _CHUNKS_PER_WORKER = 4  # evens out uneven chunks; a recorded launch of one costs 4 us
 _LEAST_WORK = 1 << 17  # directions; below that (0.3 ms) handing work to a thread costs more than it gains
@@ -21,16 +22,12 @@ def check_workers(workers: int | None) -> int:
     """The number of threads to use: all cores that this process may run on, unless told.
 
     Raises:
-        ValueError: below 1.
+        ValueError: not from 1 to 1024.
         TypeError: not a whole number.
     """
     if workers is None:
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    if isinstance(workers, bool) or not isinstance(workers, int):
-        raise TypeError(f"workers: got {workers!r}, want a whole number of threads or None for all cores")
-    if workers < 1:
-        raise ValueError(f"workers: got {workers}, want at least 1")
-    return workers
+    return check_integer(workers, "workers", 1, 1024)
 
 
 def check_memory(needed: int, what: str, remedy: str) -> None:
@@ -39,6 +36,8 @@ def check_memory(needed: int, what: str, remedy: str) -> None:
     Raises:
         MemoryError: says how much is needed, how much is free and what to do instead.
     """
+    import psutil  # noqa: PLC0415  (20 ms that most imports of the package do not need)
+
     free = psutil.virtual_memory().available
     if needed > free:
         raise MemoryError(f"{what} need {needed / 1e9:.1f} GB and {free / 1e9:.1f} GB are free; {remedy}")

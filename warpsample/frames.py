@@ -14,10 +14,11 @@ def frame_about(n: wp.vec3) -> wp.mat33:
     """
     sign = wp.copysign(1.0, n[2])
     a = -1.0 / (sign + n[2])
-    b = n[0] * n[1] * a
+    xa = n[0] * a
+    xya = n[1] * xa
     return wp.mat33(
-        1.0 + sign * n[0] * n[0] * a, b, n[0],
-        sign * b, sign + n[1] * n[1] * a, n[1],
+        fma(sign * n[0], xa, 1.0), xya, n[0],
+        sign * xya, fma(n[1], n[1] * a, sign), n[1],
         -sign * n[0], -n[1], n[2],
     )  # fmt: skip
 

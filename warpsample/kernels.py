@@ -25,6 +25,7 @@ FLAT_BLOCK = 256
 
 _BLOCK = wp.constant(wp.int64(FLAT_BLOCK))
 _BLOCK_FLOATS = wp.constant(3 * FLAT_BLOCK)
+_STATUS_INACTIVE = wp.constant(wp.int32(INACTIVE))
 _STATUS_ZERO = wp.constant(wp.int32(ZERO_NORMAL))
 _STATUS_NONFINITE = wp.constant(wp.int32(NONFINITE_NORMAL))
 
@@ -37,11 +38,12 @@ class Parameters:
 
 
 @wp.func
-def normal_status(n: wp.vec3) -> wp.int32:
-    """OK, ZERO_NORMAL or NONFINITE_NORMAL."""
+def normal_status(n: wp.vec3, weight: wp.float32) -> wp.int32:
+    """INACTIVE where the weight is 0, else OK, ZERO_NORMAL or NONFINITE_NORMAL."""
     finite = (n[0] - n[0]) + (n[1] - n[1]) + (n[2] - n[2]) == 0.0
     zero = wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]) == 0.0
-    return wp.where(finite, wp.where(zero, _STATUS_ZERO, 0), _STATUS_NONFINITE)
+    code = wp.where(finite, wp.where(zero, _STATUS_ZERO, 0), _STATUS_NONFINITE)
+    return wp.where(weight == 0.0, _STATUS_INACTIVE, code)
 
 
 @cache
@@ -76,7 +78,7 @@ def about_frame(sample: wp.Function, pdf: wp.Function) -> wp.Function:
 
 
 @wp.func
-def _point_pdf(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.int32, d: wp.vec4):
+def _store_pdf(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.int32, d: wp.vec4):
     vectors[3 * i] = d[0]
     vectors[3 * i + 1] = d[1]
     vectors[3 * i + 2] = d[2]
@@ -84,15 +86,25 @@ def _point_pdf(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.i
 
 
 @wp.func
-def _point(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.int32, d: wp.vec4):
+def _store(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.int32, d: wp.vec4):
     vectors[3 * i] = d[0]
     vectors[3 * i + 1] = d[1]
     vectors[3 * i + 2] = d[2]
 
 
+@wp.func
+def _weigh(active: wp.array[wp.uint8], i: wp.int32) -> wp.float32:
+    return wp.where(active[i] == wp.uint8(0), 0.0, 1.0)
+
+
+@wp.func
+def _all_active(active: wp.array[wp.uint8], i: wp.int32) -> wp.float32:
+    return 1.0
+
+
 @wp.struct
 class DirectionJob:
-    """One call's scalars and addresses: normals (P, 3), vectors (P, count, 3) and pdf (P, count) float32, status (P,)."""
+    """One call's scalars and addresses: normals (P, 3), vectors (P, count, 3), pdf (P, count) float32; status, active (P,)."""
 
     seed: wp.uint64
     first_point: wp.uint64
@@ -103,6 +115,7 @@ class DirectionJob:
     vectors: wp.uint64
     pdf: wp.uint64
     status: wp.uint64
+    active: wp.uint64
     parameters: Parameters
 
 
@@ -113,7 +126,7 @@ def _floats(address: wp.uint64, first: wp.int64, count: wp.int32) -> wp.array[wp
 
 @cache
 def direction_rows(
-    sequence: wp.Function, about: wp.Function, redraw: wp.Function | None, redraw_below: float, with_pdf: bool
+    sequence: wp.Function, about: wp.Function, redraw: wp.Function | None, redraw_below: float, with_pdf: bool, masked: bool
 ) -> wp.Kernel:
     """A kernel over parts of `block` samples of one point.
 
@@ -122,8 +135,10 @@ def direction_rows(
         about: (unit normal, u, Parameters) -> (direction, pdf).
         redraw: what replaces `about` where its pdf is below `redraw_below`; rare, so in a second pass over such parts only.
         with_pdf: whether the pdf is stored.
+        masked: whether `active` is read.
     """
-    store = _point_pdf if with_pdf else _point
+    store = _store_pdf if with_pdf else _store
+    weigh = _weigh if masked else _all_active
     redraws = redraw is not None
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
@@ -134,7 +149,8 @@ def direction_rows(
         start = wp.int32(task - point * parts) * job.block
         length = wp.min(job.block, job.count - start)
         normal = wp.array(ptr=job.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)
-        unit = normalize(normal[0])
+        active = wp.array(ptr=job.active + wp.uint64(point), shape=(1,), dtype=wp.uint8)
+        unit = normalize(normal[0] * weigh(active, 0))
         n = wp.vec3(unit[0], unit[1], unit[2])
         first = point * wp.int64(job.count) + wp.int64(start)
         vectors = wp.array(ptr=job.vectors + wp.uint64(first) * wp.uint64(12), shape=(3 * length,), dtype=wp.float32)
@@ -152,7 +168,7 @@ def direction_rows(
                 j += 1
         else:
             status = wp.array(ptr=job.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)
-            status[0] = wp.uint8(normal_status(normal[0]))
+            status[0] = wp.uint8(normal_status(normal[0], weigh(active, 0)))
             while j < length:
                 store(vectors, pdf, j, wp.vec4(0.0))
                 j += 1
@@ -175,6 +191,7 @@ def direction_blocks(
     redraw: wp.Function | None,
     redraw_below: float,
     with_pdf: bool,
+    masked: bool,
     one_sample: bool,
 ) -> wp.Kernel:
     """A kernel over blocks of FLAT_BLOCK consecutive (point, sample) pairs; bit for bit the results of `direction_rows`.
@@ -182,7 +199,8 @@ def direction_blocks(
     Unless each point has one sample, the block's normals are first repeated into a local buffer, pair by pair: a gather
     from an array that the stores might alias would keep the loop scalar.
     """
-    store = _point_pdf if with_pdf else _point
+    store = _store_pdf if with_pdf else _store
+    weigh = _weigh if masked else _all_active
     redraws = redraw is not None
     buffer = 3 if one_sample else 3 * FLAT_BLOCK
 
@@ -197,16 +215,18 @@ def direction_blocks(
         vectors = wp.array(ptr=job.vectors + wp.uint64(first) * wp.uint64(12), shape=(3 * length,), dtype=wp.float32)
         pdf = wp.array(ptr=job.pdf + wp.uint64(first) * wp.uint64(4), shape=(length,), dtype=wp.float32)
         status = wp.array(ptr=job.status + wp.uint64(point), shape=(span,), dtype=wp.uint8)
+        active = wp.array(ptr=job.active + wp.uint64(point), shape=(span,), dtype=wp.uint8)
         repeated = wp.zeros(shape=(buffer,), dtype=wp.float32)
         if wp.static(not one_sample):
             i = wp.int32(0)
             q = wp.int32(0)
             while q < span:
                 end = wp.min((q + 1) * job.count - start, length)
+                weight = weigh(active, q)
                 while i < end:
-                    repeated[i] = normals[3 * q]
-                    repeated[FLAT_BLOCK + i] = normals[3 * q + 1]
-                    repeated[2 * FLAT_BLOCK + i] = normals[3 * q + 2]
+                    repeated[i] = weight * normals[3 * q]
+                    repeated[FLAT_BLOCK + i] = weight * normals[3 * q + 1]
+                    repeated[2 * FLAT_BLOCK + i] = weight * normals[3 * q + 2]
                     i += 1
                 q += 1
         id = job.first_point + wp.uint64(point)
@@ -216,7 +236,7 @@ def direction_blocks(
         while i < length:
             if wp.static(one_sample):
                 q = i
-                given = wp.vec3(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2])
+                given = weigh(active, i) * wp.vec3(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2])
             else:
                 # Exact: the half keeps the quotient off the integers by more than float32 errs below 2^13.
                 q = wp.int32((wp.float32(start + i) + 0.5) * per_count)
@@ -237,7 +257,7 @@ def direction_blocks(
             while i < length:
                 q = (start + i) / job.count
                 given = wp.vec3(normals[3 * q], normals[3 * q + 1], normals[3 * q + 2])
-                code = normal_status(given)
+                code = normal_status(given, weigh(active, q))
                 if code != 0:
                     status[q] = wp.uint8(code)
                 elif wp.static(redraws):

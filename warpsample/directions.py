@@ -1,0 +1,241 @@
+"""Directions at points, and the points of the square that they come from."""
+
+from collections import Counter
+from dataclasses import dataclass
+from enum import IntEnum
+from math import prod
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample import kernels, sequences
+from warpsample.arguments import check_first_point, check_integer, check_seed
+from warpsample.arrays import Array, Vectors, address_of, as_vectors, check_out, new_vectors
+from warpsample.distributions import as_distribution
+from warpsample.distributions.cosine_hemisphere import CosineHemisphere
+from warpsample.distributions.record import Distribution
+from warpsample.engine import check_memory, check_workers, run
+from warpsample.sequences.record import Sequence
+from warpsample.surface import SurfacePoints
+
+_CPU = "cpu"
+_PART = 1 << 14  # samples of one row that a task takes: enough to share out one point's million samples
+_UPLOAD = 1 << 28  # bytes a CUDA device holds at a time of a job whose arrays are NumPy's
+_STREAM_HINT = "stream them: slices of the normals with first_point=, or `warpsample directions`"
+
+
+class Status(IntEnum):
+    """Why a point has directions or not."""
+
+    OK = kernels.OK
+    INACTIVE = kernels.INACTIVE
+    ZERO_NORMAL = kernels.ZERO_NORMAL
+    NONFINITE_NORMAL = kernels.NONFINITE_NORMAL
+
+
+@dataclass(frozen=True, eq=False)
+class Directions:
+    """Directions at P points, n each; NumPy or Warp arrays, as the normals were.
+
+    Attributes:
+        vectors: (P, n, 3) float32 (as a wp.array: (P, n) of vec3), unit length, world frame, pointing away from the
+            surface; zero vectors where the status is not 0.
+        pdf: (P, n) float32, in the distribution's measure, 0 where the status is not 0; None unless asked for.
+        status: (P,) uint8, a `Status`.
+    """
+
+    vectors: Array
+    pdf: Array | None
+    status: Array
+
+    def counts(self) -> dict[Status, int]:
+        """How many points have each status; those that occur."""
+        status = self.status.numpy() if isinstance(self.status, wp.array) else self.status
+        return {Status(code): int(n) for code, n in sorted(Counter(status.tolist()).items())}
+
+
+def sample_directions(
+    normals: Any,
+    count: int,
+    distribution: Distribution | str = CosineHemisphere(),  # noqa: B008  (frozen)
+    sequence: str = "sobol",
+    seed: int = 0,
+    first_point: int = 0,
+    pdf: bool = False,
+    active: Any = None,
+    out: Any = None,
+    device: Any = None,
+    workers: int | None = None,
+) -> Directions:
+    """`count` directions about each normal.
+
+    The bits are a pure function of (seed, first_point + row, sample, count): chunks, threads and which points are active
+    do not change them. The first kernel of a process takes about 1.5 s to compile; compiled ones are cached on disk.
+
+    Args:
+        normals: (P, 3) float32 or float64, of any length above 0; or SurfacePoints. NumPy in, NumPy out; wp.array in,
+            wp.array out on its device. A zero or non-finite normal gives zero vectors, pdf 0 and a status.
+        count: directions per point, n, 1 to 2^31 - 1.
+        distribution: an instance, or a name for one with its defaults.
+        sequence: a name of `warpsample.sequences.names()`.
+        seed: of 64 bits.
+        first_point: the global id of row 0.
+        pdf: whether to return the density of each direction.
+        active: (P,) bool; rows that are False give zero vectors and cost next to nothing.
+        out: a float32 array of shape (P, n, 3) to write into, of the same kind as the normals.
+        device: where to compute, by default where the normals are; NumPy arrays go to a CUDA device in parts and back.
+        workers: threads on the CPU, all cores by default.
+
+    Returns:
+        vectors in world coordinates, pdf if asked for, and a status per point.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free; says how much and how to stream.
+    """
+    given = as_vectors(normals.normal if isinstance(normals, SurfacePoints) else normals, 3, "normals", "(P, {})")
+    if len(given.shape) != 1 or given.count == 0:
+        raise ValueError(f"normals: got shape {(*given.shape, 3)}, want (P, 3) with P of at least 1")
+    count = check_integer(count, "count", 1, 2**31 - 1)
+    plan = _Plan(
+        as_distribution(distribution),
+        sequences.get(sequence),
+        count,
+        check_seed(seed),
+        bool(pdf),
+        check_workers(workers),
+    )
+    first_point = check_first_point(first_point, given.count)
+    mask = _check_active(active, given)
+    target = _check_device(device, given)
+    shape = (given.count, count)
+    vectors = None if out is None else check_out(out, given, shape)
+    size = prod(shape) * ((12 if out is None else 0) + (4 if pdf else 0)) + given.count
+    if given.device.is_cpu:
+        check_memory(size, f"{prod(shape):,} directions", _STREAM_HINT)
+    vectors = vectors or new_vectors(given, shape, 3)
+    densities = new_vectors(given, shape, 1) if pdf else None
+    if target == given.device:
+        status = plan.fill(given, vectors, densities, mask, first_point)
+    else:
+        status = plan.fill_by_parts(target, given.owner, vectors.owner, densities and densities.owner, mask, first_point)
+    return Directions(vectors.owner, densities and densities.owner, status)
+
+
+def sample_square(sequence: str, points: int, count: int, seed: int = 0, first_point: int = 0) -> np.ndarray:
+    """The points of the square that `sample_directions` maps to directions.
+
+    Args:
+        sequence: a name of `warpsample.sequences.names()`.
+        points: how many surface points, P.
+        count: points of the square for each, n, 1 to 2^31 - 1.
+        seed: of 64 bits.
+        first_point: the global id of row 0.
+
+    Returns:
+        (P, n, 2) float32, multiples of 2^-24 in [0, 1).
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it.
+        MemoryError: more than is free.
+    """
+    record = sequences.get(sequence)
+    points = check_integer(points, "points", 1, 2**63 - 1)
+    count = check_integer(count, "count", 1, 2**31 - 1)
+    total = points * count
+    check_memory(8 * total, f"{total:,} points of the square", "take them in parts with first_point")
+    square = np.empty((points, count, 2), np.float32)
+    inputs = [total, kernels.FLAT_BLOCK, count, check_seed(seed), check_first_point(first_point, points), square.ctypes.data]
+    tasks = -(-total // kernels.FLAT_BLOCK)
+    run(kernels.square_blocks(record.sample), tasks, inputs, wp.get_device(_CPU), check_workers(None), total)
+    return square
+
+
+@dataclass(frozen=True)
+class _Plan:
+    """A checked call, apart from its arrays."""
+
+    distribution: Distribution
+    sequence: Sequence
+    count: int
+    seed: int
+    pdf: bool
+    workers: int
+
+    def fill(self, normals: Vectors, vectors: Vectors, pdf: Vectors | None, active: Array | None, first_point: int) -> Array:
+        """Writes vectors and pdf, all arrays on one device, and returns the status."""
+        device = normals.device
+        on_host = isinstance(normals.owner, np.ndarray)
+        status = np.zeros(normals.count, np.uint8) if on_host else wp.zeros(normals.count, dtype=wp.uint8, device=device)
+        job = kernels.DirectionJob()
+        job.seed, job.first_point, job.points, job.count = self.seed, first_point, normals.count, self.count
+        job.normals, job.vectors, job.status = normals.address, vectors.address, address_of(status)
+        job.pdf = pdf.address if pdf else 0
+        job.active = 0 if active is None else address_of(active)
+        job.parameters = self.distribution.kernel_parameters()
+        job.block = min(self.count, _PART) if device.is_cpu else 1
+        kernel = self.kernel(device, masked=active is not None)
+        if kernel.key.startswith("direction_rows"):
+            tasks = normals.count * -(-self.count // job.block)
+        else:
+            tasks = -(-normals.count * self.count // kernels.FLAT_BLOCK)
+        run(kernel, tasks, [job], device, self.workers, normals.count * self.count)
+        return status
+
+    def kernel(self, device: wp.Device, masked: bool) -> wp.Kernel:
+        """Rows on CUDA, where a task is one sample, and where a row fills the vector lanes; else flat blocks."""
+        maps = self.distribution.maps
+        slots = (self.sequence.sample, self.distribution.about(), maps.redraw, maps.redraw_below, self.pdf, masked)
+        if device.is_cuda or self.count >= 48 or self.count % 16 == 0:
+            return kernels.direction_rows(*slots)
+        return kernels.direction_blocks(*slots, self.count == 1)
+
+    def fill_by_parts(
+        self,
+        device: wp.Device,
+        normals: np.ndarray,
+        vectors: np.ndarray,
+        pdf: np.ndarray | None,
+        active: np.ndarray | None,
+        first_point: int,
+    ) -> np.ndarray:
+        """As `fill`, for NumPy arrays and another device, in parts of at most _UPLOAD bytes."""
+        status = np.empty(len(normals), np.uint8)
+        step = max(1, _UPLOAD // (16 * self.count + 14))
+        for start in range(0, len(normals), step):
+            rows = slice(start, start + step)
+            there = as_vectors(wp.array(normals[rows], dtype=wp.vec3, device=device), 3, "normals")
+            shape = (there.count, self.count)
+            got, got_pdf = new_vectors(there, shape, 3), new_vectors(there, shape, 1) if self.pdf else None
+            mask = None if active is None else wp.array(active[rows], dtype=wp.uint8, device=device)
+            status[rows] = self.fill(there, got, got_pdf, mask, first_point + start).numpy()
+            vectors[rows] = got.owner.numpy()
+            if pdf is not None and got_pdf is not None:
+                pdf[rows] = got_pdf.owner.numpy()
+        return status
+
+
+def _check_active(active: Any, normals: Vectors) -> Array | None:
+    if active is None:
+        return None
+    mask = active.numpy() if isinstance(active, wp.array) else np.asarray(active)
+    if mask.dtype not in (np.bool_, np.uint8):
+        raise TypeError(f"active: got dtype {mask.dtype}, want bool")
+    if mask.shape != normals.shape:
+        raise ValueError(f"active: got shape {mask.shape}, want {normals.shape}, one for each normal")
+    mask = np.ascontiguousarray(mask).view(np.uint8)
+    return wp.array(mask, dtype=wp.uint8, device=normals.device) if isinstance(normals.owner, wp.array) else mask
+
+
+def _check_device(device: Any, normals: Vectors) -> wp.Device:
+    if device is None:
+        return normals.device
+    try:
+        target = wp.get_device(device)
+    except Exception as error:  # Warp raises several types for a device that does not exist
+        known = ", ".join(str(d) for d in wp.get_devices())
+        raise ValueError(f"device: got {device!r}, want one of {known}") from error
+    if isinstance(normals.owner, wp.array) and target != normals.device:
+        raise ValueError(f"device: got {target}, want {normals.device}, where the normals are")
+    return target

@@ -1,0 +1,243 @@
+"""A validated triangle mesh: from a file or from what users hold, and what was wrong with it."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+SUFFIXES = (".ply", ".obj", ".stl", ".off", ".glb", ".gltf", ".usd", ".usda", ".usdc", ".usdz")
+"""Of the files that `load_mesh` reads."""
+
+_SLIVER = 2.0**-48  # of abs(e1) abs(e2): below 16 roundings of the cross product the normal is noise
+
+
+@dataclass(frozen=True)
+class MeshReport:
+    """What is notable about a mesh.
+
+    Attributes:
+        vertices: how many.
+        faces: how many, degenerate ones included.
+        degenerate_faces: whose area is 0 or lost to rounding; they carry no points and have a zero normal.
+        duplicate_faces: that have the same three vertices as an earlier face, in any order.
+        unreferenced_vertices: that no face uses.
+        boundary_edges: with one face.
+        nonmanifold_edges: with more than two.
+        inconsistent_edges: that two faces run along in the same direction, so one of them is inside out.
+        area: of all faces, in square units of the coordinates.
+        lower: smallest coordinates, (3,).
+        upper: largest coordinates, (3,).
+    """
+
+    vertices: int
+    faces: int
+    degenerate_faces: int
+    duplicate_faces: int
+    unreferenced_vertices: int
+    boundary_edges: int
+    nonmanifold_edges: int
+    inconsistent_edges: int
+    area: float
+    lower: np.ndarray
+    upper: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """A triangle mesh.
+
+    Attributes:
+        vertices: (V, 3) float64, finite, in the user's coordinates and unit.
+        faces: (F, 3) int32 indices of vertices, counter-clockwise seen from outside.
+
+    Raises:
+        TypeError: vertices are not real numbers or faces not whole ones.
+        ValueError: wrong shapes, no faces, an index that no vertex has, a coordinate that is not finite.
+    """
+
+    vertices: np.ndarray
+    faces: np.ndarray
+
+    def __post_init__(self) -> None:
+        """Validates and brings both arrays to their types."""
+        object.__setattr__(self, "vertices", _check_vertices(np.asarray(self.vertices)))
+        object.__setattr__(self, "faces", _check_faces(np.asarray(self.faces), len(self.vertices)))
+
+    @cached_property
+    def cross_products(self) -> np.ndarray:
+        """(F, 3) float64: face normals times twice the area; exactly zero for degenerate faces."""
+        corner, first, second = (self.vertices[self.faces[:, k]] for k in range(3))
+        first -= corner
+        second -= corner
+        crosses = np.cross(first, second)
+        limit = _SLIVER * np.linalg.norm(first, axis=1) * np.linalg.norm(second, axis=1)
+        crosses[np.linalg.norm(crosses, axis=1) <= limit] = 0.0
+        return crosses
+
+    @cached_property
+    def face_areas(self) -> np.ndarray:
+        """(F,) float64, square units; 0 for degenerate faces."""
+        return 0.5 * np.linalg.norm(self.cross_products, axis=1)
+
+    @cached_property
+    def face_normals(self) -> np.ndarray:
+        """(F, 3) float32, unit length; zero for degenerate faces."""
+        return unit_or_zero(self.cross_products)
+
+    @cached_property
+    def vertex_normals(self) -> np.ndarray:
+        """(V, 3) float32, unit length: the face normals around a vertex weighted by area; zero where they cancel or none is."""
+        corners = self.faces.ravel()
+        crosses = np.repeat(self.cross_products, 3, axis=0)
+        return unit_or_zero(np.stack([np.bincount(corners, axis, len(self.vertices)) for axis in crosses.T], axis=1))
+
+    @cached_property
+    def report(self) -> MeshReport:
+        """What is notable about this mesh; takes a sort of all edges."""
+        start = self.faces.ravel().astype(np.int64)
+        end = self.faces[:, [1, 2, 0]].ravel().astype(np.int64)
+        stride = len(self.vertices)
+        _, uses = np.unique(np.minimum(start, end) * stride + np.maximum(start, end), return_counts=True)
+        _, same_way = np.unique(start * stride + end, return_counts=True)
+        return MeshReport(
+            vertices=len(self.vertices),
+            faces=len(self.faces),
+            degenerate_faces=int(np.count_nonzero(self.face_areas == 0.0)),
+            duplicate_faces=len(self.faces) - len(np.unique(np.sort(self.faces, axis=1), axis=0)),
+            unreferenced_vertices=len(self.vertices) - len(np.unique(self.faces)),
+            boundary_edges=int(np.count_nonzero(uses == 1)),
+            nonmanifold_edges=int(np.count_nonzero(uses > 2)),
+            inconsistent_edges=int(np.count_nonzero(same_way > 1)),
+            area=float(self.face_areas.sum()),
+            lower=self.vertices.min(axis=0),
+            upper=self.vertices.max(axis=0),
+        )
+
+
+def load_mesh(path: str | PathLike) -> Mesh:
+    """The triangle mesh in a file: .ply .obj .stl .off .glb .gltf (by trimesh) or .usd* (by usd-core).
+
+    Several meshes in one file become one, each where its scene places it; polygons are split into triangles.
+
+    Raises:
+        FileNotFoundError: no such file.
+        ValueError: another suffix, no mesh in it, or a file that is truncated or damaged; names the path.
+        ModuleNotFoundError: a .usd file without usd-core; says how to install it.
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise FileNotFoundError(f"path: got {str(path)!r}, which is {'a folder' if path.is_dir() else 'missing'}, want a mesh file")
+    suffix = path.suffix.lower()
+    if suffix not in SUFFIXES:
+        raise ValueError(f"path: got {path.name!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
+    read = _read_usd if suffix.startswith(".usd") else _read_trimesh
+    try:
+        return Mesh(*read(path))
+    except ModuleNotFoundError:
+        raise
+    except Exception as error:  # readers of damaged files raise whatever their parsers stumble over
+        reason = str(error).strip().splitlines() or [type(error).__name__]
+        raise ValueError(f"path: got {str(path)!r}, which cannot be read as a mesh: {reason[0]}") from error
+
+
+def as_mesh(value: Any) -> Mesh:
+    """What users hold, as a Mesh: Mesh, (vertices, faces), pyvista.PolyData, trimesh.Trimesh or meshio.Mesh.
+
+    Raises:
+        TypeError: something else.
+        ValueError: what it holds is no valid triangle mesh.
+    """
+    if isinstance(value, Mesh):
+        return value
+    if isinstance(value, tuple) and len(value) == 2:
+        return Mesh(*value)
+    if hasattr(value, "vertices") and hasattr(value, "faces"):
+        return Mesh(value.vertices, value.faces)
+    if hasattr(value, "regular_faces") and hasattr(value, "triangulate"):
+        triangles = value if value.is_all_triangles else value.triangulate()
+        return Mesh(triangles.points, triangles.regular_faces)
+    if hasattr(value, "points") and hasattr(value, "cells_dict"):
+        return Mesh(value.points, value.cells_dict.get("triangle", np.empty((0, 3), np.int32)))
+    raise TypeError(
+        f"mesh: got {type(value).__name__}, want a warpsample.Mesh, a tuple (vertices, faces), "
+        "a pyvista.PolyData, a trimesh.Trimesh or a meshio.Mesh"
+    )
+
+
+def unit_or_zero(vectors: np.ndarray) -> np.ndarray:
+    """(N, 3) float64 vectors as float32 unit ones; zero vectors stay zero."""
+    lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
+    return np.divide(vectors, lengths, out=np.zeros_like(vectors), where=lengths > 0.0).astype(np.float32)
+
+
+def _check_vertices(vertices: np.ndarray) -> np.ndarray:
+    if vertices.dtype.kind not in "fiu":
+        raise TypeError(f"vertices: got dtype {vertices.dtype}, want real numbers")
+    if vertices.ndim != 2 or vertices.shape[1] != 3 or len(vertices) == 0:
+        raise ValueError(f"vertices: got shape {vertices.shape}, want (V, 3) with V of at least 3")
+    vertices = np.ascontiguousarray(vertices, np.float64)
+    broken = ~np.isfinite(vertices).all(axis=1)
+    if broken.any():
+        first = int(np.argmax(broken))
+        raise ValueError(f"vertices: got {broken.sum()} that are not finite, the first being number {first}, {vertices[first]}")
+    return vertices
+
+
+def _check_faces(faces: np.ndarray, vertices: int) -> np.ndarray:
+    if faces.ndim != 2 or faces.shape[1] != 3 or len(faces) == 0:
+        raise ValueError(f"faces: got shape {faces.shape}, want (F, 3) with F of at least 1")
+    if faces.dtype.kind not in "iu":
+        raise TypeError(f"faces: got dtype {faces.dtype}, want whole numbers")
+    outside = (faces < 0) | (faces >= vertices)
+    if outside.any():
+        first = int(np.argmax(outside.any(axis=1)))
+        raise ValueError(
+            f"faces: got {outside.sum()} indices outside 0 to {vertices - 1}, the first in face {first}, {faces[first]}"
+        )
+    return np.ascontiguousarray(faces, np.int32)
+
+
+def _read_trimesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    import trimesh  # noqa: PLC0415  (heavy, and only files need it)
+
+    options = {"skip_materials": True} if path.suffix.lower() == ".obj" else {}
+    mesh = trimesh.load_scene(path, process=False, **options).to_mesh()
+    return mesh.vertices, mesh.faces
+
+
+def _read_usd(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    try:
+        from pxr import Usd, UsdGeom  # noqa: PLC0415  (an extra)
+    except ModuleNotFoundError:
+        raise ModuleNotFoundError(f"path: got {path.name!r}, which needs usd-core: pip install usd-core") from None
+    stage = Usd.Stage.Open(str(path))
+    placements = UsdGeom.XformCache()
+    vertices, faces, offset = [], [], 0
+    for prim in stage.Traverse():
+        if not prim.IsA(UsdGeom.Mesh):
+            continue
+        mesh = UsdGeom.Mesh(prim)
+        points = np.array(mesh.GetPointsAttr().Get(), np.float64).reshape(-1, 3)
+        matrix = np.array(placements.GetLocalToWorldTransform(prim))
+        triangles = _fans(np.array(mesh.GetFaceVertexCountsAttr().Get()), np.array(mesh.GetFaceVertexIndicesAttr().Get()))
+        mirrored = np.linalg.det(matrix[:3, :3]) < 0.0
+        if mirrored != (mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded):
+            triangles = triangles[:, ::-1]
+        vertices.append(points @ matrix[:3, :3] + matrix[3, :3])
+        faces.append(triangles + offset)
+        offset += len(points)
+    if not faces:
+        raise ValueError("there is no mesh in it")
+    return np.concatenate(vertices), np.concatenate(faces)
+
+
+def _fans(counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
+    """Polygons of `counts` corners, one after the other in `indices`, as fans of triangles (F, 3)."""
+    if counts.sum() != len(indices) or (counts < 3).any():
+        raise ValueError(f"its {len(indices)} corner indices do not fill its {len(counts)} polygons")
+    starts = np.repeat(np.cumsum(counts) - counts, counts - 2)
+    step = np.arange(len(starts)) - np.repeat(np.cumsum(counts - 2) - (counts - 2), counts - 2)
+    return np.stack([indices[starts], indices[starts + step + 1], indices[starts + step + 2]], axis=1)

@@ -1,0 +1,172 @@
+"""Points on the surface of a mesh."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample.arguments import check_first_point, check_integer, check_seed
+from warpsample.engine import check_memory, check_workers, run
+from warpsample.mesh import as_mesh
+from warpsample.numerics import high_word, low_word
+from warpsample.sequences.philox import philox4x32_10
+
+_SURFACE_STREAM = wp.constant(wp.uint32(1))  # the fourth counter word; directions use 0
+_WORD_STEP = wp.constant(wp.float64(2.0**-32))
+_BYTES_PER_POINT = 24 + 12 + 4
+
+
+@dataclass(frozen=True, eq=False)
+class SurfacePoints:
+    """Points with normals, one per row.
+
+    Attributes:
+        position: (P, 3) float64 or float32, in the user's coordinates.
+        normal: (P, 3) float32 or float64; need not be of unit length. A zero normal (degenerate face) is skipped and
+            counted wherever directions are asked for.
+        face: (P,) int32, the face a point lies on, -1 where it lies on none (the default).
+        barycentric: (P, 3) float64 weights of the face's corners, or None.
+
+    Raises:
+        ValueError: shapes that do not agree.
+    """
+
+    position: np.ndarray
+    normal: np.ndarray
+    face: np.ndarray | None = None
+    barycentric: np.ndarray | None = None
+
+    def __post_init__(self) -> None:
+        """Checks the shapes and fills in the faces."""
+        position, normal = np.asarray(self.position), np.asarray(self.normal)
+        if position.ndim != 2 or position.shape[1] != 3:
+            raise ValueError(f"position: got shape {position.shape}, want (P, 3)")
+        points = len(position)
+        face = np.full(points, -1, np.int32) if self.face is None else np.asarray(self.face)
+        barycentric = None if self.barycentric is None else np.asarray(self.barycentric)
+        fields = {"position": position, "normal": normal, "face": face, "barycentric": barycentric}
+        shapes = {"normal": (points, 3), "face": (points,), "barycentric": (points, 3)}
+        for name, array in fields.items():
+            if array is not None and array.shape != shapes.get(name, array.shape):
+                raise ValueError(f"{name}: got shape {array.shape}, want {shapes[name]} like position")
+            object.__setattr__(self, name, array)
+
+    def __len__(self) -> int:
+        """How many points."""
+        return len(self.position)
+
+
+def sample_surface(
+    mesh: Any,
+    count: int,
+    seed: int = 0,
+    first_point: int = 0,
+    barycentric: bool = False,
+    workers: int | None = None,
+) -> SurfacePoints:
+    """Points uniform by area: a face by its share of the area, then a uniform point of that triangle.
+
+    Row i is a pure function of (mesh, seed, first_point + i), so a run can be split anywhere. The areas are summed in
+    float64 and drawn from with 64 bits: 10^7 faces keep their shares, where float32 gives 1.7 % of all points to the last.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes. Degenerate faces get no points.
+        count: how many, 1 to 2^31 - 1.
+        seed: of 64 bits.
+        first_point: the global id of row 0.
+        barycentric: whether to keep the weights of the corners.
+        workers: threads, all cores by default.
+
+    Returns:
+        position float64, normal float32 (of the face), face; barycentric if asked for.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used, or a mesh without area; names it.
+        MemoryError: more than is free.
+
+    Source: Turk 1990, "Generating Random Points in Triangles", method 2.
+    """
+    mesh = as_mesh(mesh)
+    count = check_integer(count, "count", 1, 2**31 - 1)
+    seed, first_point, workers = check_seed(seed), check_first_point(first_point, count), check_workers(workers)
+    if not mesh.face_areas.any():
+        raise ValueError(f"mesh: got {len(mesh.faces)} faces without any area, want at least one triangle that has some")
+    size = count * (_BYTES_PER_POINT + (24 if barycentric else 0))
+    check_memory(size, f"{count:,} surface points", "take them in parts with first_point")
+    position, face, weights = np.empty((count, 3)), np.empty(count, np.int32), np.empty((count if barycentric else 0, 3))
+    cumulative = np.cumsum(mesh.face_areas)
+    last = int(np.flatnonzero(mesh.face_areas)[-1])
+    addresses = [a.ctypes.data for a in (mesh.vertices, mesh.faces, cumulative, position, face)]
+    inputs = [seed, first_point, count, len(mesh.vertices), last, *addresses, weights.ctypes.data if barycentric else 0]
+    run(_place_points, count, inputs, wp.get_device("cpu"), workers, 8 * count)
+    return SurfacePoints(position, mesh.face_normals[face], face, weights if barycentric else None)
+
+
+def face_centers(mesh: Any) -> SurfacePoints:
+    """The centroid of every face, row i for face i; degenerate faces keep their row, with a zero normal.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes.
+    """
+    mesh = as_mesh(mesh)
+    position = mesh.vertices[mesh.faces].mean(axis=1)
+    thirds = np.full((len(position), 3), 1.0 / 3.0)
+    return SurfacePoints(position, mesh.face_normals, np.arange(len(position), dtype=np.int32), thirds)
+
+
+def vertex_points(mesh: Any) -> SurfacePoints:
+    """Every vertex with its area-weighted unit normal, row i for vertex i; zero where no face gives one.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes.
+    """
+    mesh = as_mesh(mesh)
+    return SurfacePoints(mesh.vertices, mesh.vertex_normals)
+
+
+@wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+def _place_points(
+    seed: wp.uint64,
+    first_point: wp.uint64,
+    points: wp.int32,
+    vertex_count: wp.int32,
+    last_face: wp.int32,
+    vertices: wp.uint64,
+    faces: wp.uint64,
+    cumulative: wp.uint64,
+    position: wp.uint64,
+    face: wp.uint64,
+    barycentric: wp.uint64,
+    first_task: wp.int64,
+):
+    i = wp.int32(first_task) + wp.tid()
+    corners = wp.array(ptr=vertices, shape=(vertex_count,), dtype=wp.vec3d)
+    triangles = wp.array(ptr=faces, shape=(last_face + 1,), dtype=wp.vec3i)
+    areas = wp.array(ptr=cumulative, shape=(last_face + 1,), dtype=wp.float64)
+    positions = wp.array(ptr=position, shape=(points,), dtype=wp.vec3d)
+    indices = wp.array(ptr=face, shape=(points,), dtype=wp.int32)
+    id = first_point + wp.uint64(i)
+    counter = wp.vec4ui(wp.uint32(0), low_word(id), high_word(id), _SURFACE_STREAM)
+    bits = philox4x32_10(counter, low_word(seed), high_word(seed))
+    share = (wp.float64(bits[0]) + wp.float64(bits[1]) * _WORD_STEP) * _WORD_STEP * areas[last_face]
+    # The first face whose cumulated area exceeds the share; faces without area never are.
+    low = wp.int32(0)
+    high = last_face
+    while low < high:
+        middle = (low + high) / 2
+        if areas[middle] > share:
+            high = middle
+        else:
+            low = middle + 1
+    root = wp.sqrt((wp.float64(bits[2]) + wp.float64(0.5)) * _WORD_STEP)
+    split = (wp.float64(bits[3]) + wp.float64(0.5)) * _WORD_STEP
+    weights = wp.vec3d(wp.float64(1.0) - root, root * (wp.float64(1.0) - split), root * split)
+    triangle = triangles[low]
+    # From the first corner on, so that far from the origin only the edges are weighted.
+    a = corners[triangle[0]]
+    positions[i] = a + weights[1] * (corners[triangle[1]] - a) + weights[2] * (corners[triangle[2]] - a)
+    indices[i] = low
+    if barycentric != wp.uint64(0):
+        kept = wp.array(ptr=barycentric, shape=(points,), dtype=wp.vec3d)
+        kept[i] = weights
