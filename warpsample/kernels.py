@@ -13,7 +13,7 @@ from functools import cache
 import warp as wp
 
 from warpsample.frames import frame_about, to_world
-from warpsample.numerics import normalize
+from warpsample.numerics import normalize, scaled_to_unit
 
 OK = 0
 INACTIVE = 1
@@ -78,18 +78,34 @@ def about_frame(sample: wp.Function, pdf: wp.Function) -> wp.Function:
 
 
 @wp.func
-def _store_pdf(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.int32, d: wp.vec4):
-    vectors[3 * i] = d[0]
-    vectors[3 * i + 1] = d[1]
-    vectors[3 * i + 2] = d[2]
-    pdf[i] = d[3]
+def _store_pdf(
+    vectors: wp.array[wp.float32],
+    pdf: wp.array[wp.float32],
+    i: wp.int32,
+    x: wp.float32,
+    y: wp.float32,
+    z: wp.float32,
+    p: wp.float32,
+):
+    vectors[3 * i] = x
+    vectors[3 * i + 1] = y
+    vectors[3 * i + 2] = z
+    pdf[i] = p
 
 
 @wp.func
-def _store(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.int32, d: wp.vec4):
-    vectors[3 * i] = d[0]
-    vectors[3 * i + 1] = d[1]
-    vectors[3 * i + 2] = d[2]
+def _store(
+    vectors: wp.array[wp.float32],
+    pdf: wp.array[wp.float32],
+    i: wp.int32,
+    x: wp.float32,
+    y: wp.float32,
+    z: wp.float32,
+    p: wp.float32,
+):
+    vectors[3 * i] = x
+    vectors[3 * i + 1] = y
+    vectors[3 * i + 2] = z
 
 
 @wp.func
@@ -141,6 +157,23 @@ def direction_rows(
     weigh = _weigh if masked else _all_active
     redraws = redraw is not None
 
+    @wp.func
+    def redraw_rare(
+        job: DirectionJob,
+        id: wp.uint64,
+        n: wp.vec3,
+        start: wp.int32,
+        length: wp.int32,
+        vectors: wp.array[wp.float32],
+        pdf: wp.array[wp.float32],
+    ):
+        """Redraws; scalar, for the few parts that hold such a sample."""
+        for j in range(length):
+            u = sequence(job.seed, id, wp.uint32(start + j), wp.uint32(job.count))
+            if about(n, u, job.parameters)[3] < redraw_below:
+                d = redraw(n, u, job.parameters)
+                store(vectors, pdf, j, d[0], d[1], d[2], d[3])
+
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def direction_rows(job: DirectionJob, first_task: wp.int64):
         task = first_task + wp.int64(wp.tid())
@@ -150,7 +183,7 @@ def direction_rows(
         length = wp.min(job.block, job.count - start)
         normal = wp.array(ptr=job.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)
         active = wp.array(ptr=job.active + wp.uint64(point), shape=(1,), dtype=wp.uint8)
-        unit = normalize(normal[0] * weigh(active, 0))
+        unit = scaled_to_unit(normal[0] * weigh(active, 0))
         n = wp.vec3(unit[0], unit[1], unit[2])
         first = point * wp.int64(job.count) + wp.int64(start)
         vectors = wp.array(ptr=job.vectors + wp.uint64(first) * wp.uint64(12), shape=(3 * length,), dtype=wp.float32)
@@ -159,10 +192,10 @@ def direction_rows(
         count = wp.uint32(job.count)
         rare = wp.int32(0)
         j = wp.int32(0)
-        if unit[3] > 0.0:
+        if wp.abs(unit[3]) < 0.1:
             while j < length:
                 d = about(n, sequence(job.seed, id, wp.uint32(start + j), count), job.parameters)
-                store(vectors, pdf, j, d)
+                store(vectors, pdf, j, d[0], d[1], d[2], d[3])
                 if wp.static(redraws):
                     rare = rare | wp.where(d[3] < redraw_below, 1, 0)
                 j += 1
@@ -170,16 +203,11 @@ def direction_rows(
             status = wp.array(ptr=job.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)
             status[0] = wp.uint8(normal_status(normal[0], weigh(active, 0)))
             while j < length:
-                store(vectors, pdf, j, wp.vec4(0.0))
+                store(vectors, pdf, j, 0.0, 0.0, 0.0, 0.0)
                 j += 1
         if wp.static(redraws):
             if rare != 0:
-                j = wp.int32(0)
-                while j < length:
-                    u = sequence(job.seed, id, wp.uint32(start + j), count)
-                    if about(n, u, job.parameters)[3] < redraw_below:
-                        store(vectors, pdf, j, redraw(n, u, job.parameters))
-                    j += 1
+                redraw_rare(job, id, n, start, length, vectors, pdf)
 
     return direction_rows
 
@@ -204,6 +232,33 @@ def direction_blocks(
     redraws = redraw is not None
     buffer = 3 if one_sample else 3 * FLAT_BLOCK
 
+    @wp.func
+    def mend(
+        job: DirectionJob,
+        point: wp.int64,
+        start: wp.int32,
+        length: wp.int32,
+        normals: wp.array[wp.float32],
+        active: wp.array[wp.uint8],
+        vectors: wp.array[wp.float32],
+        pdf: wp.array[wp.float32],
+    ):
+        """Says why points have no directions, and redraws; scalar, for the few blocks that hold such a pair."""
+        for i in range(length):
+            q = (start + i) / job.count
+            given = wp.vec3(normals[3 * q], normals[3 * q + 1], normals[3 * q + 2])
+            code = normal_status(given, weigh(active, q))
+            if code != 0:
+                status = wp.array(ptr=job.status + wp.uint64(point) + wp.uint64(q), shape=(1,), dtype=wp.uint8)
+                status[0] = wp.uint8(code)
+            elif wp.static(redraws):
+                n = normalize(given)
+                id = job.first_point + wp.uint64(point) + wp.uint64(q)
+                u = sequence(job.seed, id, wp.uint32(start + i - q * job.count), wp.uint32(job.count))
+                if about(n, u, job.parameters)[3] < redraw_below:
+                    d = redraw(n, u, job.parameters)
+                    store(vectors, pdf, i, d[0], d[1], d[2], d[3])
+
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def direction_blocks(job: DirectionJob, first_task: wp.int64):
         first = (first_task + wp.int64(wp.tid())) * _BLOCK
@@ -214,7 +269,6 @@ def direction_blocks(
         normals = wp.array(ptr=job.normals + wp.uint64(point) * wp.uint64(12), shape=(3 * span,), dtype=wp.float32)
         vectors = wp.array(ptr=job.vectors + wp.uint64(first) * wp.uint64(12), shape=(3 * length,), dtype=wp.float32)
         pdf = wp.array(ptr=job.pdf + wp.uint64(first) * wp.uint64(4), shape=(length,), dtype=wp.float32)
-        status = wp.array(ptr=job.status + wp.uint64(point), shape=(span,), dtype=wp.uint8)
         active = wp.array(ptr=job.active + wp.uint64(point), shape=(span,), dtype=wp.uint8)
         repeated = wp.zeros(shape=(buffer,), dtype=wp.float32)
         if wp.static(not one_sample):
@@ -241,33 +295,21 @@ def direction_blocks(
                 # Exact: the half keeps the quotient off the integers by more than float32 errs below 2^13.
                 q = wp.int32((wp.float32(start + i) + 0.5) * per_count)
                 given = wp.vec3(repeated[i], repeated[FLAT_BLOCK + i], repeated[2 * FLAT_BLOCK + i])
-            unit = normalize(given)
+            unit = scaled_to_unit(given)
             sample = wp.uint32(start + i - q * job.count)
             u = sequence(job.seed, id + wp.uint64(q), sample, wp.uint32(job.count))
             d = about(wp.vec3(unit[0], unit[1], unit[2]), u, job.parameters)
-            ok = unit[3] > 0.0
-            d = wp.vec4(wp.where(ok, d[0], 0.0), wp.where(ok, d[1], 0.0), wp.where(ok, d[2], 0.0), wp.where(ok, d[3], 0.0))
-            store(vectors, pdf, i, d)
+            ok = wp.abs(unit[3]) < 0.1
+            x = wp.where(ok, d[0], 0.0)
+            y = wp.where(ok, d[1], 0.0)
+            z = wp.where(ok, d[2], 0.0)
+            store(vectors, pdf, i, x, y, z, wp.where(ok, d[3], 0.0))
             rare = rare | wp.where(ok, 0, 1)
             if wp.static(redraws):
                 rare = rare | wp.where(d[3] < redraw_below, 1, 0)
             i += 1
         if rare != 0:
-            i = wp.int32(0)
-            while i < length:
-                q = (start + i) / job.count
-                given = wp.vec3(normals[3 * q], normals[3 * q + 1], normals[3 * q + 2])
-                code = normal_status(given, weigh(active, q))
-                if code != 0:
-                    status[q] = wp.uint8(code)
-                elif wp.static(redraws):
-                    unit = normalize(given)
-                    n = wp.vec3(unit[0], unit[1], unit[2])
-                    sample = wp.uint32(start + i - q * job.count)
-                    u = sequence(job.seed, id + wp.uint64(q), sample, wp.uint32(job.count))
-                    if about(n, u, job.parameters)[3] < redraw_below:
-                        store(vectors, pdf, i, redraw(n, u, job.parameters))
-                i += 1
+            mend(job, point, start, length, normals, active, vectors, pdf)
 
     return direction_blocks
 

@@ -159,12 +159,13 @@ def log1p(x: wp.float32) -> wp.float32:
 
 
 @wp.func
-def normalize(v: wp.vec3) -> wp.vec4:
-    """(v / abs(v), 1) for any finite v from 1e-45 to 3e38; (0, 0, 0, 0) where v is zero, NaN or infinite.
+def scaled_to_unit(v: wp.vec3) -> wp.vec4:
+    """(v / abs(v), error) for any finite v from 1e-45 to 3e38; the error is below 0.1 in magnitude just for those.
 
-    A power of two first brings the largest component to about 1, exactly, so no square under- or overflows. The inverse
-    root starts from the bits (Lomont 2003) and takes two Newton steps; a third on the vector itself leaves a length
-    within 9e-8 of 1. That is twice as fast as a root and a division, which do not pipeline.
+    For a zero vector it is 1/2, for one that is not finite NaN, and the direction then means nothing. A power of two
+    first brings the largest component to about 1, exactly, so no square under- or overflows. The inverse root starts from
+    the bits (Lomont 2003) and takes two Newton steps; a third on the vector itself leaves a length within 8e-8 of 1. That
+    is twice as fast as a root and a division, which do not pipeline.
     """
     # The exponents alone, as integers: an integer maximum is one instruction where a float one is four.
     ex = wp.cast(v[0], wp.int32) & _EXPONENT_MASK
@@ -183,11 +184,13 @@ def normalize(v: wp.vec3) -> wp.vec4:
     y = y * inverse
     z = z * inverse
     half_error = 0.5 * fma(-x, x, fma(-y, y, fma(-z, z, 1.0)))
-    # Near 0 for a direction, 1/2 for a zero vector, NaN for a component that is not finite.
-    ok = wp.abs(half_error) < 0.25
-    return wp.vec4(
-        wp.where(ok, fma(x, half_error, x), 0.0),
-        wp.where(ok, fma(y, half_error, y), 0.0),
-        wp.where(ok, fma(z, half_error, z), 0.0),
-        wp.where(ok, 1.0, 0.0),
-    )
+    return wp.vec4(fma(x, half_error, x), fma(y, half_error, y), fma(z, half_error, z), half_error)
+
+
+@wp.func
+def normalize(v: wp.vec3) -> wp.vec3:
+    """v / abs(v) for any finite v from 1e-45 to 3e38; the zero vector where v is zero, NaN or infinite."""
+    unit = scaled_to_unit(v)
+    if wp.abs(unit[3]) < 0.1:
+        return wp.vec3(unit[0], unit[1], unit[2])
+    return wp.vec3(0.0)

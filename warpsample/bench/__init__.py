@@ -1,0 +1,1 @@
+"""Run time against what the machine can do, for `warpsample bench`."""

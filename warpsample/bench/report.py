@@ -1,0 +1,57 @@
+"""What was measured, as tables to read or as JSON lines to keep."""
+
+import json
+import platform
+from dataclasses import asdict
+from importlib.metadata import version
+
+from warpsample.bench.directions import Row
+from warpsample.bench.startup import Startup
+
+
+def machine() -> dict[str, object]:
+    """What the figures depend on."""
+    import warp as wp  # noqa: PLC0415
+
+    versions = {name: version(name) for name in ("warpsample", "warp-lang", "numpy")}
+    return {"cpu": wp.get_device("cpu").name, "python": platform.python_version(), **versions}
+
+
+def show(rows: list[Row], starts: list[Startup], as_json: bool) -> None:
+    """Prints all of it."""
+    if as_json:
+        for record in [{"machine": machine()}, *map(asdict, rows), *map(asdict, starts)]:
+            print(json.dumps(record))  # noqa: T201
+        return
+    from rich.console import Console  # noqa: PLC0415
+    from rich.table import Table  # noqa: PLC0415
+
+    console = Console()
+    console.print(", ".join(f"{key} {value}" for key, value in machine().items()))
+    for samples in sorted({row.samples for row in rows}, reverse=True):
+        chosen = [row for row in rows if row.samples == samples]
+        table = Table(title=f"{chosen[0].points:,} points x {samples}, float32 (x, y, z) into an existing array")
+        for heading in ("case", "workers", "M directions/s", "of fill (spread)", "x built-ins", "x one worker"):
+            table.add_column(heading, justify="left" if heading == "case" else "right")
+        for row in chosen:
+            mid, low, high = row.of_fill
+            table.add_row(
+                row.case,
+                str(row.workers),
+                f"{row.million_per_second:.0f}",
+                f"{mid:.2f} ({low:.2f}-{high:.2f})",
+                f"{row.of_builtins:.1f}",
+                f"{row.of_one_worker:.2f}",
+            )
+        console.print(table)
+    table = Table(title="A new process, seconds")
+    for heading in ("kernel cache", "import warp", "+ import warpsample", "first directions"):
+        table.add_column(heading, justify="left" if heading == "kernel cache" else "right")
+    for start in starts:
+        table.add_row(
+            start.kernel_cache,
+            f"{start.import_warp:.2f}",
+            f"{start.import_warpsample:.3f}",
+            f"{start.first_directions:.2f}",
+        )
+    console.print(table)

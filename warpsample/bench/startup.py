@@ -1,0 +1,50 @@
+"""What a new process waits for: the import, and its first directions with a cold and a warm kernel cache."""
+
+import os
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+
+_CHILD = """
+from time import perf_counter
+t0 = perf_counter()
+import warp
+t1 = perf_counter()
+import warpsample
+t2 = perf_counter()
+import numpy
+warp.config.log_level = warp.LOG_WARNING
+warpsample.sample_directions(numpy.array([[0.0, 0.0, 1.0]], numpy.float32), 64)
+print(t1 - t0, t2 - t1, perf_counter() - t2)
+"""
+
+
+@dataclass(frozen=True)
+class Startup:
+    """Seconds in a new process.
+
+    Attributes:
+        kernel_cache: "cold" or "warm".
+        import_warp: `import warp`.
+        import_warpsample: what `import warpsample` adds.
+        first_directions: the first `sample_directions` after that.
+    """
+
+    kernel_cache: str
+    import_warp: float
+    import_warpsample: float
+    first_directions: float
+
+
+def measure() -> list[Startup]:
+    """Two new processes with a kernel cache of their own: the first finds it cold, the second warm."""
+    with tempfile.TemporaryDirectory(prefix="warpsample-bench-") as cache:
+        environment = {**os.environ, "WARP_CACHE_PATH": cache}
+        return [Startup(state, *_run_child(environment)) for state in ("cold", "warm")]
+
+
+def _run_child(environment: dict[str, str]) -> list[float]:
+    command = [sys.executable, "-c", _CHILD]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    return [float(x) for x in done.stdout.split()[-3:]]

@@ -1,0 +1,101 @@
+"""The `warpsample` command."""
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+import warp as wp
+
+from warpsample import distributions, sequences
+from warpsample.mesh import load_mesh
+
+app = typer.Typer(no_args_is_help=True, add_completion=False, help="Directions around the normals of a mesh.")
+bench_app = typer.Typer(no_args_is_help=True, help="Run time, measured on this machine.")
+app.add_typer(bench_app, name="bench")
+
+MeshFile = Annotated[Path, typer.Argument(help="Mesh file: .ply .obj .stl .off .glb .gltf .usd.", show_default=False)]
+
+
+@contextmanager
+def fail_plainly() -> Iterator[None]:
+    """Turns an error about the input into one line on stderr and exit status 2; anything else keeps its traceback."""
+    try:
+        yield
+    except (ValueError, TypeError, OSError, MemoryError, ModuleNotFoundError, RuntimeError) as error:
+        print(f"error: {error}", file=sys.stderr)  # noqa: T201
+        raise SystemExit(2) from error
+    except KeyboardInterrupt:
+        print("interrupted; nothing was written", file=sys.stderr)  # noqa: T201
+        raise SystemExit(130) from None
+
+
+@app.command()
+def info(mesh: MeshFile) -> None:
+    """Say what is in a mesh file and what is wrong with it."""
+    from rich.console import Console  # noqa: PLC0415
+    from rich.table import Table  # noqa: PLC0415
+
+    report = load_mesh(mesh).report
+    table = Table(title=str(mesh), show_header=False, title_justify="left")
+    table.add_column(style="bold")
+    table.add_column(justify="right")
+    table.add_column(style="dim")
+    rows = [
+        ("vertices", f"{report.vertices:,}", ""),
+        ("faces", f"{report.faces:,}", "triangles"),
+        ("area", f"{report.area:.6g}", "square units of the file"),
+        ("lower corner", " ".join(f"{x:.6g}" for x in report.lower), ""),
+        ("upper corner", " ".join(f"{x:.6g}" for x in report.upper), ""),
+        ("degenerate faces", f"{report.degenerate_faces:,}", "no area: carry no points"),
+        ("duplicate faces", f"{report.duplicate_faces:,}", "the same three vertices again"),
+        ("unused vertices", f"{report.unreferenced_vertices:,}", "no normal"),
+        ("boundary edges", f"{report.boundary_edges:,}", "one face: the mesh is open there"),
+        ("non-manifold edges", f"{report.nonmanifold_edges:,}", "more than two faces"),
+        ("inconsistent edges", f"{report.inconsistent_edges:,}", "two faces wound against each other: a normal points inward"),
+    ]
+    for row in rows:
+        table.add_row(*row)
+    Console().print(table)
+
+
+@app.command("directions")
+def directions_command(
+    mesh: MeshFile,
+    output: Annotated[Path, typer.Option("--output", "-o", help="The .npz file to write.", show_default=False)],
+    count: Annotated[int, typer.Option(help="Surface points; only for the placement 'surface'.")] = 10_000,
+    samples: Annotated[int, typer.Option(help="Directions at each point.")] = 64,
+    distribution: Annotated[str, typer.Option(help=f"One of: {', '.join(distributions.names())}.")] = "cosine_hemisphere",
+    sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "sobol",
+    seed: Annotated[int, typer.Option(help="Seed of points and directions.")] = 0,
+    placement: Annotated[Literal["surface", "faces", "vertices"], typer.Option(help="Where the points are.")] = "surface",
+    workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
+) -> None:
+    """Sample directions at points of a mesh into an .npz file that holds all that is needed to repeat the run."""
+    from warpsample.export import Run, export  # noqa: PLC0415
+
+    summary = export(Run(mesh, output, count, samples, distribution, sequence, seed, placement), workers)
+    print(f"{output}: {summary}")  # noqa: T201
+
+
+@bench_app.command("directions")
+def bench_directions(
+    as_json: Annotated[bool, typer.Option("--json", help="JSON lines instead of tables.")] = False,
+    repeats: Annotated[int, typer.Option(help="Timed runs of each case, after one to warm up.", min=1)] = 9,
+    points: Annotated[int, typer.Option(help="Points, with 64 samples each or 64 times as many with one.", min=1)] = 65_536,
+) -> None:
+    """Directions per second: sequences, methods and workers against NumPy's fill of the same array."""
+    from warpsample.bench import directions, report, startup  # noqa: PLC0415
+
+    rows = list(directions.measure(points, repeats))
+    starts = startup.measure()
+    report.show(rows, starts, as_json)
+
+
+def main() -> None:
+    """Entry point."""
+    wp.config.log_level = wp.LOG_WARNING  # what Warp logs goes to stdout, which belongs to the output
+    with fail_plainly():
+        app()

@@ -1,0 +1,143 @@
+"""Directions at the points of a mesh, streamed into an .npz file."""
+
+import hashlib
+import json
+import os
+import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass
+from importlib.metadata import version
+from pathlib import Path
+
+import numpy as np
+import warp as wp
+
+from warpsample.arguments import check_integer, check_seed
+from warpsample.directions import Status, sample_directions
+from warpsample.distributions import as_distribution
+from warpsample.mesh import Mesh, load_mesh
+from warpsample.sequences import get as get_sequence
+from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+
+_DIRECTIONS_PER_PART = 1 << 22  # 50 MB in memory at a time
+
+
+@dataclass(frozen=True)
+class Run:
+    """What was asked for; stored in the file.
+
+    Attributes:
+        mesh: the mesh file.
+        output: the .npz file.
+        count: surface points; only for the placement "surface".
+        samples: directions at each point.
+        distribution: a name, with its defaults.
+        sequence: a name.
+        seed: of points and directions.
+        placement: "surface" (uniform by area), "faces" (centres) or "vertices".
+    """
+
+    mesh: Path
+    output: Path
+    count: int
+    samples: int
+    distribution: str
+    sequence: str
+    seed: int
+    placement: str
+
+
+def export(run: Run, workers: int | None = None) -> str:
+    """Runs and writes `run.output`: position, normal, face, vectors, status and `run`, a JSON text.
+
+    The file appears when it is complete; an interrupted run leaves none. Memory holds the points and one part of the
+    directions.
+
+    Returns:
+        a sentence about what was written.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is written.
+    """
+    _check(run)
+    mesh = load_mesh(run.mesh)
+    points = _place(mesh, run)
+    status = np.empty(len(points), np.uint8)
+    with _complete_or_absent(run.output) as partial, zipfile.ZipFile(partial, "w", allowZip64=True) as archive:
+        _write_array(archive, "position", points.position)
+        _write_array(archive, "normal", points.normal)
+        _write_array(archive, "face", points.face)
+        header = {"descr": "<f4", "fortran_order": False, "shape": (len(points), run.samples, 3)}
+        with archive.open("vectors.npy", "w", force_zip64=True) as member:
+            np.lib.format.write_array_header_2_0(member, header)
+            for start, directions in _parts(points, run, workers):
+                member.write(directions.vectors.data)
+                status[start : start + len(directions.status)] = directions.status
+        _write_array(archive, "status", status)
+        _write_array(archive, "run", np.array(json.dumps(_record(run))))
+    total = len(points) * run.samples
+    skipped = {Status(code).name.lower(): int(n) for code, n in enumerate(np.bincount(status)) if code and n}
+    return f"{total:,} directions at {len(points):,} points" + "".join(f", {n:,} {name}" for name, n in skipped.items())
+
+
+def _check(run: Run) -> None:
+    if run.output.suffix != ".npz":
+        raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in .npz")
+    if not run.output.resolve().parent.is_dir():
+        raise ValueError(f"--output: got {str(run.output)!r}, whose folder does not exist")
+    check_integer(run.count, "--count", 1, 2**31 - 1)
+    check_integer(run.samples, "--samples", 1, 2**31 - 1)
+    check_seed(run.seed)
+    as_distribution(run.distribution)
+    get_sequence(run.sequence)
+
+
+def _place(mesh: Mesh, run: Run) -> SurfacePoints:
+    if run.placement == "faces":
+        return face_centers(mesh)
+    if run.placement == "vertices":
+        return vertex_points(mesh)
+    return sample_surface(mesh, run.count, run.seed)
+
+
+def _parts(points: SurfacePoints, run: Run, workers: int | None) -> Iterator[tuple[int, object]]:
+    """(first row, directions) of parts that fit into memory, with a progress bar where stderr is a terminal."""
+    from rich.console import Console  # noqa: PLC0415
+    from rich.progress import Progress  # noqa: PLC0415
+
+    step = max(1, _DIRECTIONS_PER_PART // run.samples)
+    console = Console(stderr=True)
+    with Progress(console=console, disable=not console.is_terminal, transient=True) as progress:
+        task = progress.add_task("sampling", total=len(points))
+        for start in range(0, len(points), step):
+            normals = points.normal[start : start + step]
+            yield start, sample_directions(
+                normals, run.samples, run.distribution, run.sequence, run.seed, first_point=start, workers=workers
+            )
+            progress.advance(task, len(normals))
+
+
+def _record(run: Run) -> dict[str, object]:
+    """Everything needed to repeat the run: the arguments, the mesh's digest and the versions that fix the bits."""
+    with run.mesh.open("rb") as file:
+        digest = hashlib.sha256(file.read()).hexdigest()
+    arguments = {key: str(value) if isinstance(value, Path) else value for key, value in asdict(run).items()}
+    versions = {name: version(name) for name in ("warpsample", "warp-lang", "numpy", "trimesh")}
+    return {**arguments, "mesh_sha256": digest, "versions": versions, "cpu": wp.get_device("cpu").name}
+
+
+def _write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None:
+    with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
+        np.lib.format.write_array(member, array)
+
+
+@contextmanager
+def _complete_or_absent(path: Path) -> Iterator[Path]:
+    """A name beside `path` to write to; renamed to `path` at the end, deleted if it does not come to that."""
+    partial = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        yield partial
+        partial.replace(path)
+    finally:
+        partial.unlink(missing_ok=True)

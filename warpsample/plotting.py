@@ -1,0 +1,167 @@
+"""Arrays as PyVista actors and matplotlib figures. Draws what it is given and computes nothing else."""
+
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import pyvista
+    from matplotlib.figure import Figure
+
+    from warpsample.proof.histogram import HistogramTest
+
+MOST_POINTS = 1_000_000
+"""Cloud points that software rendering draws in a second."""
+
+_SURFACE = "#d8d4cc"
+_LOBE = "#d1495b"
+_BARS = "#7aa6c2"
+
+_PROBE = "import pyvista as pv; p = pv.Plotter(off_screen=True, window_size=(16, 16)); p.add_mesh(pv.Sphere()); p.screenshot()"
+_NO_GL = (
+    "pictures need an OpenGL library and none works here. On Debian or Ubuntu: "
+    "apt-get install libegl1 libgl1-mesa-dri"
+)
+
+
+def check_rendering() -> None:
+    """Renders 16 x 16 pixels in a child process, because without a GL library constructing a Plotter kills Python.
+
+    Raises:
+        ModuleNotFoundError: PyVista or matplotlib is missing; says how to install them.
+        RuntimeError: rendering does not work; says what to install.
+    """
+    try:
+        import matplotlib  # noqa: F401, PLC0415
+        import pyvista  # noqa: F401, PLC0415
+    except ModuleNotFoundError as error:
+        raise ModuleNotFoundError(f"pictures need {error.name}: pip install 'warpsample[viz]'") from None
+    probe = subprocess.run([sys.executable, "-c", _PROBE], capture_output=True, check=False)
+    if probe.returncode != 0:
+        raise RuntimeError(_NO_GL)
+
+
+@dataclass(frozen=True, eq=False)
+class Clouds:
+    """Directions at points as one set of coloured points.
+
+    Attributes:
+        position: (N, 3) float, world coordinates, N of all clouds together.
+        value: (N,) what colours them.
+        title: of the colour bar, with its unit.
+        left_out: how many of each cloud's directions the budget did not allow.
+    """
+
+    position: np.ndarray
+    value: np.ndarray
+    title: str
+    left_out: int
+
+
+def budgeted(points: int, count: int, budget: int = MOST_POINTS) -> int:
+    """How many of each point's `count` directions to draw, the first ones, so that all clouds stay within the budget."""
+    return max(1, min(count, budget // max(points, 1)))
+
+
+def draw_clouds(
+    plotter: "pyvista.Plotter",
+    vertices: np.ndarray,
+    faces: np.ndarray,
+    position: np.ndarray,
+    normal: np.ndarray,
+    scale: float,
+    clouds: Clouds,
+) -> None:
+    """The mesh, the points with their normals, and all clouds as one set of points.
+
+    Args:
+        plotter: its current renderer is drawn into.
+        vertices: (V, 3).
+        faces: (F, 3).
+        position: (P, 3).
+        normal: (P, 3), drawn at length `scale`.
+        scale: world units.
+        clouds: what to draw around the points.
+    """
+    import pyvista as pv  # noqa: PLC0415
+
+    surface = pv.PolyData.from_regular_faces(vertices, faces)
+    plotter.add_mesh(surface, color=_SURFACE, smooth_shading=True, split_sharp_edges=True)
+    ends = np.stack([position, position + scale * normal], axis=1).reshape(-1, 3)
+    segments = pv.PolyData(ends, lines=np.insert(np.arange(len(ends)).reshape(-1, 2), 0, 2, axis=1).ravel())
+    plotter.add_mesh(segments, color="black", line_width=2)
+    plotter.add_mesh(pv.PolyData(position), color="black", point_size=5, render_points_as_spheres=True)
+    cloud = pv.PolyData(clouds.position)
+    cloud["pdf"] = clouds.value
+    bar = {"title": clouds.title, "n_labels": 3, "fmt": "%.2f", "vertical": False, "position_x": 0.25, "position_y": 0.02}
+    plotter.add_mesh(cloud, scalars="pdf", cmap="viridis", point_size=3, lighting=False, scalar_bar_args=bar)
+
+
+def lobe_histogram(edges: np.ndarray, test: "HistogramTest", caption: str) -> "Figure":
+    """Counts of theta as bars against the lobe's density, with the residuals below.
+
+    Args:
+        edges: (K + 1,) radians.
+        test: of the K cells.
+        caption: what was drawn, for the axis.
+    """
+    from matplotlib.figure import Figure  # noqa: PLC0415
+
+    figure = Figure(figsize=(6.4, 6.4), layout="constrained")
+    above, below = figure.subplots(2, 1, sharex=True, height_ratios=(3, 1))
+    degrees, widths, total = np.degrees(edges), np.diff(edges), test.observed.sum()
+    above.stairs(test.observed / (total * widths), degrees, fill=True, color=_BARS, label="normalize(sphere + n)")
+    fine = np.linspace(0.0, np.pi / 2, 361)
+    above.plot(np.degrees(fine), np.sin(2 * fine), color=_LOBE, linewidth=2, label="cosine lobe, sin 2θ")
+    above.set_ylabel("density [1/rad]")
+    above.legend(loc="lower center", frameon=False)
+    above.set_title(f"χ² = {test.chi_square:.1f}, dof = {test.dof}, p = {test.p_value:.3f}")
+    below.axhspan(-2, 2, color="0.92")
+    below.stairs(test.residuals, degrees, fill=True, color=_BARS)
+    below.axhline(0, color="0.3", linewidth=0.8)
+    below.set_ylim(-5, 5)
+    below.set_xlim(0, 90)
+    below.set_xticks(range(0, 91, 15))
+    below.set_ylabel("residual [σ]")
+    below.set_xlabel(f"θ from the normal [degrees]\n{caption}")
+    return figure
+
+
+def clouds_beside_histogram(figure: "Figure", off_screen: bool, size: tuple[int, int], **scene: Any) -> "pyvista.Plotter":
+    """A plotter with the clouds on the left and the figure on the right.
+
+    Args:
+        figure: the right half.
+        off_screen: no window.
+        size: of both halves, pixels.
+        scene: the arguments of `draw_clouds` after the plotter.
+    """
+    import pyvista as pv  # noqa: PLC0415
+
+    plotter = pv.Plotter(shape=(1, 2), off_screen=off_screen, window_size=size, border=False)
+    plotter.set_background("white")
+    plotter.subplot(0, 0)
+    draw_clouds(plotter, **scene)
+    clouds = scene["clouds"]
+    if clouds.left_out:
+        plotter.add_text(f"{clouds.left_out:,} directions of each point not drawn", font_size=8, color="black")
+    plotter.enable_anti_aliasing("ssaa")
+    plotter.subplot(0, 1)
+    plotter.add_chart(pv.ChartMPL(figure, size=(1, 1), loc=(0, 0)))
+    return plotter
+
+
+def save_screenshot(plotter: "pyvista.Plotter", path: Path) -> np.ndarray:
+    """Renders into a PNG; a failure leaves no half file. Returns the image, (H, W, 3) uint8."""
+    partial = path.with_name(f".{path.name}.part.png")
+    try:
+        image = plotter.screenshot(partial, return_img=True)
+        partial.replace(path)
+    finally:
+        partial.unlink(missing_ok=True)
+        plotter.close()
+    return image

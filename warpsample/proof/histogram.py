@@ -1,0 +1,69 @@
+"""Counts in cells against the counts a density predicts."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+_LEAST_EXPECTED = 5.0  # below that a count is not near enough to normal for its square to be chi-square (Cochran 1954)
+
+
+@dataclass(frozen=True, eq=False)
+class HistogramTest:
+    """Pearson's test of one histogram.
+
+    Attributes:
+        observed: (K,) counts.
+        expected: (K,) counts under the density.
+        residuals: (K,) observed - expected, in standard deviations of a binomial count.
+        chi_square: Pearson's statistic.
+        dof: degrees of freedom.
+        p_value: chance of at least this statistic under the density.
+    """
+
+    observed: np.ndarray
+    expected: np.ndarray
+    residuals: np.ndarray
+    chi_square: float
+    dof: int
+    p_value: float
+
+
+def histogram_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest:
+    """Pearson's chi-square test of independent draws, all of which fell into the cells.
+
+    Args:
+        observed: (K,) counts.
+        expected: (K,) expected counts, at least 5 each, with the sum of the observed ones.
+
+    Raises:
+        ValueError: an expected count below 5, or sums that differ by more than 1e-3 of a count per count: then the
+            expectation has not been integrated finely enough, and the test would reject a right sampler.
+    """
+    observed, expected = np.asarray(observed, np.float64), np.asarray(expected, np.float64)
+    if not expected.min() >= _LEAST_EXPECTED:
+        raise ValueError(f"expected: got a count of {expected.min():.3g}, want at least {_LEAST_EXPECTED:g}; use wider cells")
+    total = observed.sum()
+    if not abs(expected.sum() - total) <= 1e-3 * total:
+        raise ValueError(f"expected: got a sum of {expected.sum():.6g}, want that of the observed counts, {total:.6g}")
+    from scipy.stats import chi2  # noqa: PLC0415  (slow to import)
+
+    difference = observed - expected
+    statistic = float((difference**2 / expected).sum())
+    dof = len(observed) - 1
+    deviation = np.sqrt(expected * (1.0 - expected / total))
+    return HistogramTest(observed, expected, difference / deviation, statistic, dof, float(chi2.sf(statistic, dof)))
+
+
+def cosine_lobe_angles(theta: np.ndarray, cells: int) -> tuple[np.ndarray, HistogramTest]:
+    """Angles from the normal against sin 2 theta, the density of theta in the cosine lobe.
+
+    Args:
+        theta: (N,) radians, from independent directions. Angles outside [0, pi/2] count in the nearest cell.
+        cells: of equal width over [0, pi/2].
+
+    Returns:
+        the (cells + 1,) edges in radians and the test.
+    """
+    edges = np.linspace(0.0, np.pi / 2, cells + 1)
+    observed, _ = np.histogram(np.clip(theta, 0.0, np.pi / 2), edges)
+    return edges, histogram_test(observed, theta.size * np.diff(np.sin(edges) ** 2))
