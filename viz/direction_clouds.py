@@ -4,10 +4,8 @@ Around each chosen point p the directions w are drawn at p + s cos(theta) w. For
 of diameter s resting on the surface: a wrong density shows at once.
 """
 
-import os
-import sys
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import numpy as np
 import typer
@@ -46,11 +44,12 @@ def main(
     distribution: Annotated[str, typer.Option(help=f"One of: {', '.join(ws.distributions.names())}.")] = "cosine_hemisphere",
     sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(ws.sequences.names())}.")] = "sobol",
     seed: Annotated[int, typer.Option(help="Seed of everything random.")] = 0,
+    up: Annotated[Literal["x", "y", "z"], typer.Option(help="The mesh's axis that points up in the picture.")] = "y",
     screenshot: Annotated[Path | None, typer.Option(help="Save a PNG here instead of opening a window.")] = None,
     size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1600, 800),
 ) -> None:
     """Draw direction clouds on a mesh, beside the histogram of the projected sphere against the cosine lobe."""
-    if screenshot is None and sys.platform == "linux" and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+    if screenshot is None and not plotting.has_screen():
         raise ValueError("there is no screen to open a window on: save a picture with --screenshot FILE")
     if screenshot is not None and not screenshot.resolve().parent.is_dir():
         raise ValueError(f"--screenshot: got {str(screenshot)!r}, whose folder does not exist")
@@ -65,12 +64,15 @@ def main(
     clouds = plotting.Clouds(
         cloud_positions(at, drawn, shown, scale),
         drawn.pdf[:, :shown].ravel(),
-        f"pdf of {distribution} [{chosen.measure.replace('per steradian', '1/sr')}]",
-        samples - shown,
+        "pdf [1/sr]",
     )
+    left_out = f" ({samples - shown:,} more not drawn)" if shown < samples else ""
+    title = f"{distribution}, {sequence}: {points:,} points x {shown:,} directions{left_out}, drawn at p + s cos(theta) w"
     caption = f"{int(test.observed.sum()):,} independent directions about {points} normals, seed {seed}"
     plotter = plotting.clouds_beside_histogram(
         plotting.lobe_histogram(edges, test, caption),
+        title,
+        up,
         off_screen=screenshot is not None,
         size=size,
         vertices=surface.vertices,

@@ -11,7 +11,7 @@ def check_integer(value: Any, argument: str, low: int, high: int, wants: str | N
         TypeError: not a whole number.
         ValueError: outside the range.
     """
-    wants = wants or (f"a whole number of at least {low}" if high >= 2**63 else f"a whole number from {low} to {high}")
+    wants = wants or (f"a whole number of at least {low}" if high >= 2**62 else f"a whole number from {low} to {high}")
     try:
         number = index(value)
     except TypeError:

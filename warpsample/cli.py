@@ -46,15 +46,14 @@ def info(mesh: MeshFile) -> None:
     rows = [
         ("vertices", f"{report.vertices:,}", ""),
         ("faces", f"{report.faces:,}", "triangles"),
-        ("area", f"{report.area:.6g}", "square units of the file"),
-        ("lower corner", " ".join(f"{x:.6g}" for x in report.lower), ""),
-        ("upper corner", " ".join(f"{x:.6g}" for x in report.upper), ""),
-        ("degenerate faces", f"{report.degenerate_faces:,}", "no area: carry no points"),
-        ("duplicate faces", f"{report.duplicate_faces:,}", "the same three vertices again"),
+        ("area", f"{report.area:.6g}", "square units"),
+        *((f"{axis} from, to", f"{low:.6g}, {high:.6g}", "") for axis, low, high in zip("xyz", report.lower, report.upper, strict=True)),
+        ("degenerate faces", f"{report.degenerate_faces:,}", "no area, so no points"),
+        ("duplicate faces", f"{report.duplicate_faces:,}", "same three vertices"),
         ("unused vertices", f"{report.unreferenced_vertices:,}", "no normal"),
-        ("boundary edges", f"{report.boundary_edges:,}", "one face: the mesh is open there"),
-        ("non-manifold edges", f"{report.nonmanifold_edges:,}", "more than two faces"),
-        ("inconsistent edges", f"{report.inconsistent_edges:,}", "two faces wound against each other: a normal points inward"),
+        ("boundary edges", f"{report.boundary_edges:,}", "open there"),
+        ("non-manifold edges", f"{report.nonmanifold_edges:,}", "over two faces"),
+        ("inconsistent edges", f"{report.inconsistent_edges:,}", "wound both ways"),
     ]
     for row in rows:
         table.add_row(*row)

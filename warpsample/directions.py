@@ -21,6 +21,8 @@ from warpsample.surface import SurfacePoints
 
 _CPU = "cpu"
 _PART = 1 << 14  # samples of one row that a task takes: enough to share out one point's million samples
+_LANES = 16  # float32s of the widest vector register; rows of other lengths end in a scalar remainder,
+_LONG_ROW = 48  # which no longer matters from here on
 _UPLOAD = 1 << 28  # bytes a CUDA device holds at a time of a job whose arrays are NumPy's
 _STREAM_HINT = "stream them: slices of the normals with first_point=, or `warpsample directions`"
 
@@ -174,22 +176,19 @@ class _Plan:
         job.pdf = pdf.address if pdf else 0
         job.active = 0 if active is None else address_of(active)
         job.parameters = self.distribution.kernel_parameters()
-        job.block = min(self.count, _PART) if device.is_cpu else 1
-        kernel = self.kernel(device, masked=active is not None)
-        if kernel.key.startswith("direction_rows"):
-            tasks = normals.count * -(-self.count // job.block)
-        else:
-            tasks = -(-normals.count * self.count // kernels.FLAT_BLOCK)
+        kernel, tasks, job.block = self.kernel(device, normals.count, masked=active is not None)
         run(kernel, tasks, [job], device, self.workers, normals.count * self.count)
         return status
 
-    def kernel(self, device: wp.Device, masked: bool) -> wp.Kernel:
-        """Rows on CUDA, where a task is one sample, and where a row fills the vector lanes; else flat blocks."""
+    def kernel(self, device: wp.Device, points: int, masked: bool) -> tuple[wp.Kernel, int, int]:
+        """(kernel, tasks, samples per task): rows on CUDA, a task a sample, and where a row fills the vector lanes."""
         maps = self.distribution.maps
         slots = (self.sequence.sample, self.distribution.about(), maps.redraw, maps.redraw_below, self.pdf, masked)
-        if device.is_cuda or self.count >= 48 or self.count % 16 == 0:
-            return kernels.direction_rows(*slots)
-        return kernels.direction_blocks(*slots, self.count == 1)
+        if device.is_cuda or self.count >= _LONG_ROW or self.count % _LANES == 0:
+            block = min(self.count, _PART) if device.is_cpu else 1
+            return kernels.direction_rows(*slots), points * -(-self.count // block), block
+        block = kernels.FLAT_BLOCK
+        return kernels.direction_blocks(*slots, self.count == 1), -(-points * self.count // block), block
 
     def fill_by_parts(
         self,

@@ -1,5 +1,6 @@
 """Arrays as PyVista actors and matplotlib figures. Draws what it is given and computes nothing else."""
 
+import os
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -21,11 +22,19 @@ _SURFACE = "#d8d4cc"
 _LOBE = "#d1495b"
 _BARS = "#7aa6c2"
 
+_AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+_VIEW = {"x": (0.35, 0.3, 1.0), "y": (0.3, 0.35, 1.0), "z": (0.3, -1.0, 0.35)}
+
 _PROBE = "import pyvista as pv; p = pv.Plotter(off_screen=True, window_size=(16, 16)); p.add_mesh(pv.Sphere()); p.screenshot()"
 _NO_GL = (
     "pictures need an OpenGL library and none works here. On Debian or Ubuntu: "
     "apt-get install libegl1 libgl1-mesa-dri"
 )
+
+
+def has_screen() -> bool:
+    """Whether a window can be opened."""
+    return sys.platform != "linux" or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
 def check_rendering() -> None:
@@ -40,6 +49,9 @@ def check_rendering() -> None:
         import pyvista  # noqa: F401, PLC0415
     except ModuleNotFoundError as error:
         raise ModuleNotFoundError(f"pictures need {error.name}: pip install 'warpsample[viz]'") from None
+    if not has_screen():
+        # Without a screen VTK tries X first and complains on stderr before it takes EGL.
+        os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
     probe = subprocess.run([sys.executable, "-c", _PROBE], capture_output=True, check=False)
     if probe.returncode != 0:
         raise RuntimeError(_NO_GL)
@@ -53,13 +65,11 @@ class Clouds:
         position: (N, 3) float, world coordinates, N of all clouds together.
         value: (N,) what colours them.
         title: of the colour bar, with its unit.
-        left_out: how many of each cloud's directions the budget did not allow.
     """
 
     position: np.ndarray
     value: np.ndarray
     title: str
-    left_out: int
 
 
 def budgeted(points: int, count: int, budget: int = MOST_POINTS) -> int:
@@ -98,6 +108,7 @@ def draw_clouds(
     cloud = pv.PolyData(clouds.position)
     cloud["pdf"] = clouds.value
     bar = {"title": clouds.title, "n_labels": 3, "fmt": "%.2f", "vertical": False, "position_x": 0.25, "position_y": 0.02}
+    bar |= {"title_font_size": 16, "label_font_size": 14, "height": 0.11, "width": 0.5, "color": "black"}
     plotter.add_mesh(cloud, scalars="pdf", cmap="viridis", point_size=3, lighting=False, scalar_bar_args=bar)
 
 
@@ -111,14 +122,15 @@ def lobe_histogram(edges: np.ndarray, test: "HistogramTest", caption: str) -> "F
     """
     from matplotlib.figure import Figure  # noqa: PLC0415
 
-    figure = Figure(figsize=(6.4, 6.4), layout="constrained")
+    figure = Figure(layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=(3, 1))
     degrees, widths, total = np.degrees(edges), np.diff(edges), test.observed.sum()
     above.stairs(test.observed / (total * widths), degrees, fill=True, color=_BARS, label="normalize(sphere + n)")
     fine = np.linspace(0.0, np.pi / 2, 361)
     above.plot(np.degrees(fine), np.sin(2 * fine), color=_LOBE, linewidth=2, label="cosine lobe, sin 2θ")
     above.set_ylabel("density [1/rad]")
-    above.legend(loc="lower center", frameon=False)
+    above.set_ylim(0, 1.2)
+    above.legend(loc="upper center", ncols=2, frameon=False)
     above.set_title(f"χ² = {test.chi_square:.1f}, dof = {test.dof}, p = {test.p_value:.3f}")
     below.axhspan(-2, 2, color="0.92")
     below.stairs(test.residuals, degrees, fill=True, color=_BARS)
@@ -131,11 +143,15 @@ def lobe_histogram(edges: np.ndarray, test: "HistogramTest", caption: str) -> "F
     return figure
 
 
-def clouds_beside_histogram(figure: "Figure", off_screen: bool, size: tuple[int, int], **scene: Any) -> "pyvista.Plotter":
+def clouds_beside_histogram(
+    figure: "Figure", caption: str, up: str, off_screen: bool, size: tuple[int, int], **scene: Any
+) -> "pyvista.Plotter":
     """A plotter with the clouds on the left and the figure on the right.
 
     Args:
         figure: the right half.
+        caption: above the clouds.
+        up: "x", "y" or "z", the axis that points up.
         off_screen: no window.
         size: of both halves, pixels.
         scene: the arguments of `draw_clouds` after the plotter.
@@ -146,13 +162,30 @@ def clouds_beside_histogram(figure: "Figure", off_screen: bool, size: tuple[int,
     plotter.set_background("white")
     plotter.subplot(0, 0)
     draw_clouds(plotter, **scene)
-    clouds = scene["clouds"]
-    if clouds.left_out:
-        plotter.add_text(f"{clouds.left_out:,} directions of each point not drawn", font_size=8, color="black")
-    plotter.enable_anti_aliasing("ssaa")
+    plotter.add_text(caption, font_size=10, color="black")
+    plotter.view_vector(_VIEW[up], viewup=_AXES[up])
+    plotter.camera.zoom(1.25)
     plotter.subplot(0, 1)
-    plotter.add_chart(pv.ChartMPL(figure, size=(1, 1), loc=(0, 0)))
+    _show_figure(plotter, figure, size[0] // 2, size[1])
+    plotter.enable_anti_aliasing("ssaa", all_renderers=True)
     return plotter
+
+
+def _show_figure(plotter: "pyvista.Plotter", figure: "Figure", width: int, height: int) -> None:
+    """The figure as a picture that fills the current renderer and stays put when the mouse turns the other one."""
+    import pyvista as pv  # noqa: PLC0415
+    from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
+
+    figure.set_size_inches(width / figure.dpi, height / figure.dpi)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    pixels = np.asarray(canvas.buffer_rgba())[..., :3].copy()
+    sheet = pv.Plane(i_size=width, j_size=height, i_resolution=1, j_resolution=1)
+    plotter.add_mesh(sheet, texture=pv.Texture(pixels), lighting=False)
+    plotter.view_xy()
+    plotter.enable_parallel_projection()
+    plotter.camera.parallel_scale = height / 2
+    plotter.renderer.SetInteractive(False)
 
 
 def save_screenshot(plotter: "pyvista.Plotter", path: Path) -> np.ndarray:

@@ -27,11 +27,12 @@ def show(rows: list[Row], starts: list[Startup], as_json: bool) -> None:
     from rich.table import Table  # noqa: PLC0415
 
     console = Console()
+    console.print("sample_directions into an existing float32 (x, y, z) array; medians; fill is NumPy's out.fill(0)")
     console.print(", ".join(f"{key} {value}" for key, value in machine().items()))
     for samples in sorted({row.samples for row in rows}, reverse=True):
         chosen = [row for row in rows if row.samples == samples]
-        table = Table(title=f"{chosen[0].points:,} points x {samples}, float32 (x, y, z) into an existing array")
-        for heading in ("case", "workers", "M directions/s", "of fill (spread)", "x built-ins", "x one worker"):
+        table = Table(title=f"{chosen[0].points:,} points x {samples}, million directions per second")
+        for heading in ("case", "workers", "M/s", "of fill (spread)", "x built-ins", "x one worker"):
             table.add_column(heading, justify="left" if heading == "case" else "right")
         for row in chosen:
             mid, low, high = row.of_fill

@@ -12,8 +12,9 @@ class Sequence:
     Attributes:
         name: what users call it by.
         sample: `wp.func` (seed: uint64, point: uint64, sample: uint32, count: uint32) -> vec2 on the 2^-24 grid of [0, 1):
-            the sample-th of count points at the surface point with that global id. Each point of the square is uniform
-            on its own; how the count of one surface point share the square is what tells the sequences apart.
+            the sample-th of count points at the surface point with that global id. Averages over the count points are
+            unbiased, and those of different surface points or seeds independent; how the points of one share the square
+            is what tells the sequences apart.
         progressive: the first m of n points are those of any other n; else count must be known.
         summary: one line for tables.
         source: where it comes from.

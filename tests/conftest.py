@@ -1,0 +1,50 @@
+"""What all tests share. Statistical tests reject at ALPHA, so that a right suite fails by chance once in 10^4 machines."""
+
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+import warp as wp
+
+wp.config.log_level = wp.LOG_WARNING
+wp.init()
+
+STATISTICAL_TESTS = 500  # more than the suite makes; counted below
+ALPHA = 1e-4 / STATISTICAL_TESTS
+_made = []
+
+
+@pytest.fixture
+def plausible():
+    """Asserts that a p-value is not below the suite's level."""
+
+    def check(p_value: float) -> None:
+        _made.append(p_value)
+        assert len(_made) <= STATISTICAL_TESTS
+        assert p_value >= ALPHA
+
+    return check
+
+
+@pytest.fixture(scope="session")
+def bunny_path() -> Path:
+    return Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd"
+
+
+@pytest.fixture
+def normals() -> np.ndarray:
+    """1,000 random directions of random length."""
+    rng = np.random.default_rng(1)
+    return (rng.normal(size=(1000, 3)) * rng.uniform(0.1, 10.0, size=(1000, 1))).astype(np.float32)
+
+
+@pytest.fixture(scope="session")
+def repository() -> Path:
+    return Path(__file__).parents[1]
+
+
+@pytest.fixture
+def child_environment() -> dict[str, str]:
+    """For child processes: no window, plain output."""
+    return {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY", "FORCE_COLOR")}

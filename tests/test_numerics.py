@@ -1,0 +1,139 @@
+"""Each building block over its whole range against float64, and its named corners."""
+
+import numpy as np
+import pytest
+import warp as wp
+
+from warpsample.frames import frame_about, to_local, to_world
+from warpsample.numerics import GRID, log1p, normalize, reverse_bits, sincos_turns, turns_of, weyl
+
+GOLDEN = 0x9E3779B97F4A7C15
+
+
+@wp.kernel(enable_backward=False)
+def _on_grid(out: wp.array2d[wp.float32]):
+    i = wp.tid()
+    u = wp.float32(i) / 16777216.0
+    cs = sincos_turns(u)
+    out[i, 0] = cs[0]
+    out[i, 1] = cs[1]
+    out[i, 2] = turns_of(cs[0], cs[1])
+    out[i, 3] = log1p(-u)
+
+
+@wp.kernel(enable_backward=False)
+def _frames(v: wp.array[wp.vec3], unit: wp.array[wp.vec3], frame: wp.array[wp.mat33], back: wp.array[wp.vec3]):
+    i = wp.tid()
+    n = normalize(v[i])
+    f = frame_about(n)
+    unit[i] = n
+    frame[i] = f
+    back[i] = to_local(f, to_world(f, wp.vec3(0.36, 0.48, 0.8)))
+
+
+@wp.kernel(enable_backward=False)
+def _log1p(x: wp.array[wp.float32], out: wp.array[wp.float32]):
+    i = wp.tid()
+    out[i] = log1p(x[i])
+
+
+@wp.kernel(enable_backward=False)
+def _integers(x: wp.array[wp.uint32], step: wp.uint64, phase: wp.array[wp.uint32], reverse: wp.array[wp.uint32]):
+    i = wp.tid()
+    phase[i] = weyl(x[i], step)
+    reverse[i] = reverse_bits(x[i])
+
+
+def framed(v):
+    v = np.asarray(v, np.float32)
+    outputs = [wp.zeros(len(v), dtype=kind, device="cpu") for kind in (wp.vec3, wp.mat33, wp.vec3)]
+    wp.launch(_frames, len(v), inputs=[wp.array(v, dtype=wp.vec3, device="cpu")], outputs=outputs, device="cpu")
+    return [a.numpy().astype(np.float64) for a in outputs]
+
+
+@pytest.fixture(scope="module")
+def grid():
+    out = wp.zeros((GRID, 4), dtype=wp.float32, device="cpu")
+    wp.launch(_on_grid, GRID, outputs=[out], device="cpu")
+    return np.arange(GRID) / GRID, out.numpy().astype(np.float64)
+
+
+def test_sincos_of_turns_is_right_at_every_variate(grid):
+    u, out = grid
+    # Rounding the result costs 3.0e-8; the polynomials and their evaluation as much again.
+    assert np.abs(out[:, 0] - np.cos(2 * np.pi * u)).max() <= 6e-8
+    assert np.abs(out[:, 1] - np.sin(2 * np.pi * u)).max() <= 6e-8
+
+
+def test_sincos_of_turns_is_exact_at_the_quarters(grid):
+    _, out = grid
+    quarters = out[:: GRID // 4, :2]
+    assert quarters.tolist() == [[1, 0], [0, 1], [-1, 0], [0, -1]]
+
+
+def test_turns_come_back_at_every_variate(grid):
+    u, out = grid
+    difference = out[:, 2] - u
+    # One cell of the grid: near u = 1 that is the spacing of float32.
+    assert np.abs(difference - np.round(difference)).max() <= 2.0**-24
+    assert out[:, 2].min() >= 0.0
+    assert out[:, 2].max() < 1.0
+
+
+def test_log1p_is_right_at_every_variate(grid):
+    u, out = grid
+    exact = np.log1p(-u[1:])
+    assert np.abs(out[1:, 3] / exact - 1.0).max() <= 8.2e-8
+    assert out[0, 3] == 0.0
+
+
+def test_log1p_keeps_its_digits_from_the_smallest_to_the_largest_float():
+    x = np.concatenate([np.geomspace(1e-45, 3e38, 100_001), -np.geomspace(1e-45, 0.999, 10_001)]).astype(np.float32)
+    x = x[x != 0.0]
+    out = wp.zeros(len(x), dtype=wp.float32, device="cpu")
+    wp.launch(_log1p, len(x), inputs=[wp.array(x, device="cpu")], outputs=[out], device="cpu")
+    exact = np.log1p(x.astype(np.float64))
+    normal = np.abs(exact) >= 1.2e-38  # below that a float32 has fewer digits to keep
+    assert np.abs(out.numpy()[normal] / exact[normal] - 1.0).max() <= 1.2e-7
+    assert np.abs(out.numpy()[~normal] - exact[~normal]).max() <= 1.5e-45
+
+
+@pytest.mark.parametrize("scale", [1e-45, 1e-42, 1e-38, 1e-23, 1e-3, 1.0, 1e20, 1e38, 3.4e38])
+def test_normalize_survives(scale):
+    directions = [(1, 0, 0), (0, -1, 0), (0, 0, 1), (1, 1, 0), (-1, 1, 1), (1, -1, -1)]
+    v = (np.array(directions, np.float64) * scale).astype(np.float32)
+    unit, _, _ = framed(v)
+    exact = np.sign(v.astype(np.float64)) / np.sqrt(np.count_nonzero(v, axis=1))[:, None]
+    assert np.abs(unit - exact).max() <= 6e-8
+
+
+@pytest.mark.parametrize(
+    "v", [(0, 0, 0), (-0.0, 0, -0.0), (np.nan, 0, 1), (1, np.nan, 0), (np.inf, 0, 0), (1, -np.inf, np.nan)], ids=str
+)
+def test_normalize_gives_zero_for_what_has_no_direction(v):
+    unit, _, _ = framed([v])
+    assert unit.tolist() == [[0, 0, 0]]
+
+
+def test_frame_is_orthonormal_everywhere():
+    rng = np.random.default_rng(2)
+    v = rng.normal(size=(500_000, 3))
+    v[:100_000, 2] *= 1e4  # near both poles
+    v[100_000:200_000, 2] *= 10.0 ** -rng.uniform(0, 9, 100_000)  # near the sign's switch
+    axes = [(1, 0, 0), (0, 1, 0), (0, 0, 1), (-1, 0, 0), (0, -1, 0), (0, 0, -1), (1, 0, -0.0), (1e-4, 0, -1), (0, 1e-8, -1)]
+    v[: len(axes)] = axes
+    unit, frame, back = framed(v)
+    product = np.einsum("nij,nik->njk", frame, frame)
+    assert np.abs(product - np.eye(3)).max() <= 2.2e-7  # two unit vectors with errors of 8e-8 each, and their sum
+    assert np.abs(np.linalg.det(frame) - 1.0).max() <= 2.2e-7
+    assert np.array_equal(frame[:, :, 2], unit)
+    assert np.abs(back - (0.36, 0.48, 0.8)).max() <= 4e-7
+
+
+def test_integer_phase_and_reversal_are_exact():
+    x = np.array([0, 1, 2, 63, 10**6, 2**24 - 1, 2**31, 2**32 - 1], np.uint32)
+    phase, reverse = (wp.zeros(len(x), dtype=wp.uint32, device="cpu") for _ in range(2))
+    wp.launch(_integers, len(x), inputs=[wp.array(x, device="cpu"), GOLDEN], outputs=[phase, reverse], device="cpu")
+    exact = [(int(i) * GOLDEN % 2**64) >> 32 for i in x]
+    assert phase.numpy().tolist() == exact
+    assert reverse.numpy().tolist() == [int(f"{int(i):032b}"[::-1], 2) for i in x]
