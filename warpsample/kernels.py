@@ -316,7 +316,9 @@ def direction_blocks(
 
 @wp.func
 def _read_2(x: wp.array[wp.float32], i: wp.int32) -> wp.vec2:
-    return wp.vec2(x[2 * i], x[2 * i + 1])
+    # Adding 0 changes nothing but -0.0. Without it LLVM makes one short vector load of the two, and then cannot make a
+    # long one of the loop.
+    return wp.vec2(x[2 * i] + 0.0, x[2 * i + 1] + 0.0)
 
 
 @wp.func

@@ -1,0 +1,213 @@
+"""How kernels are built and run: split, threaded, vectorised, portable to CUDA."""
+
+import mmap
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import warp as wp
+
+import warpsample as ws
+from warpsample import engine, kernels
+from warpsample.distributions.record import Distribution, Maps
+from warpsample.surface import _place_points
+
+CPU = wp.get_device("cpu")
+
+
+@wp.kernel(enable_backward=False, grid_stride=False)
+def _count(out: wp.array[wp.int32], first_task: wp.int64):
+    out[wp.int32(first_task) + wp.tid()] += 1
+
+
+@pytest.mark.parametrize("workers", [1, 2, 5])
+@pytest.mark.parametrize("tasks", [1, 7, 4096, 4097])
+def test_every_task_runs_once(workers, tasks, monkeypatch):
+    monkeypatch.setattr(engine, "_MOST_TASKS", 1000)
+    out = np.zeros(tasks, np.int32)
+    engine.run(_count, tasks, [wp.array(out, device=CPU, copy=False)], CPU, workers, 10**9)
+    assert (out == 1).all()
+
+
+def test_an_error_in_a_worker_reaches_the_caller():
+    with pytest.raises(Exception, match="argument"):
+        engine.run(_count, 10, ["not an array"], CPU, 2, 10**9)
+
+
+@pytest.mark.parametrize("count", [3, 64])
+def test_beyond_two_to_the_31_directions(count):
+    """The last rows of 2^31 + 2^20 directions: 26 GB of addresses, of which only those pages are touched."""
+    points = (2**31 + 2**20) // count
+    size = points * count
+    memory = mmap.mmap(-1, 12 * size + 4096, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS | 0x4000)  # MAP_NORESERVE
+    vectors = np.frombuffer(memory, np.float32, 3 * size)
+    normals = np.frombuffer(mmap.mmap(-1, 12 * points, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS | 0x4000), np.float32)
+    tail = np.random.default_rng(8).normal(size=(1000, 3)).astype(np.float32)
+    normals[-3000:] = tail.ravel()
+    status = np.zeros(points, np.uint8)
+    distribution, sequence = ws.CosineHemisphere(), ws.sequences.get("sobol")
+    slots = (sequence.sample, distribution.about(), None, 0.0, False, False)
+    job = kernels.DirectionJob()
+    job.points, job.count, job.block = points, count, count
+    job.normals, job.vectors, job.status = normals.ctypes.data, vectors.ctypes.data, status.ctypes.data
+    if count == 64:
+        kernel, tasks, last = kernels.direction_rows(*slots), points, 1000
+    else:
+        kernel, tasks, last = kernels.direction_blocks(*slots, False), -(-size // kernels.FLAT_BLOCK), 1000 * count // 256
+    wp.launch(kernel, dim=last, inputs=[job, tasks - last], device=CPU, record_tape=False)
+    expected = ws.sample_directions(tail, count, first_point=points - 1000).vectors.ravel()
+    got = vectors[-len(expected) :]
+    written = last * 256 * 3 if count == 3 else len(expected)
+    assert written > 2000
+    assert np.array_equal(got[-written + 3 * 256 :], expected[-written + 3 * 256 :])
+
+
+def test_threads_are_kept(normals):
+    before = engine._threads(2)
+    ws.sample_directions(np.repeat(normals, 200, axis=0), 16, workers=2)
+    assert engine._threads(2) is before
+
+
+VECTORISED = [
+    *((name, case) for name in ws.sequences.names() for case in (ws.CosineHemisphere("polar"), ws.CosineHemisphere("offset"))),
+    ("sobol", ws.CosineHemisphere("concentric")),
+    ("sobol", ws.CosineHemisphere("inversion")),
+    ("sobol", ws.UniformSphere()),
+    ("sobol", ws.UniformHemisphere()),
+]
+
+_REMARKS = """
+import numpy as np, warp as wp
+wp.config.log_level = wp.LOG_WARNING
+wp.config.cpu_compiler_flags += " -Rpass=loop-vectorize"
+import warpsample as ws
+normals = np.ones((2, 3), np.float32)
+def announce(*what):
+    import sys
+    print("@@", *what, file=sys.stderr, flush=True)
+for name, case in CASES:
+    for count in (1, 3, 64):
+        announce(name, case, count)
+        ws.sample_directions(normals, count, case, name)
+for options in ({"pdf": True}, {"active": [True, False]}, {"pdf": True, "active": [True, False]}):
+    for count in (1, 3, 64):
+        announce(options, count)
+        ws.sample_directions(normals, count, **options)
+for name in ws.sequences.names():
+    announce("square", name)
+    ws.sample_square(name, 1, 1)
+seen = set()
+for _, case in CASES:
+    for kind, x in (("sample", [[0.5, 0.5]]), ("pdf", [[0.0, 0.0, 1.0]]), ("invert", [[0.0, 0.0, 1.0]])):
+        if getattr(case.maps, kind) not in seen:  # methods share maps, and a kernel is compiled once
+            seen.add(getattr(case.maps, kind))
+            announce(kind, case)
+            getattr(case, kind)(x)
+announce("end")
+"""
+
+
+def test_every_loop_of_directions_is_vectorised(tmp_path, child_environment):
+    """By the compiler's own remarks, with a cold cache, in two processes."""
+    halves = [VECTORISED[::2], VECTORISED[1::2]]
+    children = []
+    for i, half in enumerate(halves):
+        cases = "[" + ", ".join(f"({name!r}, ws.{case!r})" for name, case in half) + "]"
+        script = tmp_path / f"remarks_{i}.py"
+        script.write_text(_REMARKS.replace("CASES", cases))
+        environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / f"cache_{i}")}
+        children.append(subprocess.Popen([sys.executable, script], env=environment, stderr=subprocess.PIPE, text=True))
+    for child in children:
+        _, remarks = child.communicate()
+        assert child.returncode == 0, remarks
+        compiled = re.split(r"^@@ ", remarks, flags=re.MULTILINE)[1:-1]
+        assert len(compiled) > 40
+        for one in compiled:
+            title = one.splitlines()[0]
+            widths = [int(w) for w in re.findall(r"vectorized loop \(vectorization width: (\d+)", one)]
+            # A row that stores the pdf has a second loop, for zeros, which must not pass for the first.
+            assert len(widths) >= (2 if "'pdf'" in title and title.endswith(" 64") else 1), title
+            assert min(widths) >= 4, title  # lanes of SSE, the narrowest
+
+
+def slots(sequence, case, with_pdf, masked):
+    maps = case.maps
+    return (ws.sequences.get(sequence).sample, case.about(), maps.redraw, maps.redraw_below, with_pdf, masked)
+
+
+def all_kernels():
+    yield "place_points", _place_points
+    for name in ws.sequences.names():
+        yield f"square {name}", kernels.square_blocks(ws.sequences.get(name).sample)
+        yield f"rows {name}", kernels.direction_rows(*slots(name, ws.CosineHemisphere(), True, True))
+    for case in {case for _, case in VECTORISED}:
+        yield f"rows {case}", kernels.direction_rows(*slots("sobol", case, False, False))
+        yield f"blocks {case}", kernels.direction_blocks(*slots("sobol", case, False, False), False)
+        for func, width, out in ((case.maps.sample, 2, 3), (case.maps.pdf, 3, 1), (case.maps.invert, 3, 2)):
+            bound = kernels.with_parameters(func, wp.vec2 if width == 2 else wp.vec3, 0)
+            yield f"{func.key} {case}", kernels.elementwise(bound, width, out)
+
+
+@pytest.mark.parametrize(("label", "kernel"), [pytest.param(*pair, id=pair[0]) for pair in all_kernels()])
+def test_every_kernel_compiles_for_cuda(label, kernel, tmp_path):
+    """To PTX, by the compiler inside warp-lang; no driver needed."""
+    if kernel.module in _compiled:
+        return
+    _compiled.add(kernel.module)
+    (ptx,) = wp.compile_aot_module(kernel.module, device=None, arch=86, use_ptx=True, module_dir=tmp_path)
+    assert ".visible .entry" in ptx.read_text()
+
+
+_compiled = set()
+
+
+@wp.func
+def _tilted(u: wp.vec2, tilt: wp.float32) -> wp.vec3:
+    return wp.vec3(tilt, 0.0, wp.sqrt(1.0 - tilt * tilt))
+
+
+@wp.func
+def _tilted_pdf(w: wp.vec3, tilt: wp.float32) -> wp.float32:
+    return tilt * w[2]
+
+
+@wp.func
+def _tilted_invert(w: wp.vec3, tilt: wp.float32) -> wp.vec2:
+    return wp.vec2(tilt, 0.0)
+
+
+class Tilted(Distribution):
+    """A made-up distribution with a parameter."""
+
+    name = "tilted"
+    parameters = ("tilt",)
+
+    def __init__(self, tilt):
+        object.__setattr__(self, "tilt", tilt)
+
+    @property
+    def maps(self):
+        return Maps(_tilted, _tilted_pdf, _tilted_invert)
+
+
+def test_a_parameter_reaches_the_kernels_and_a_new_value_compiles_nothing(normals):
+    u = np.zeros((5, 2), np.float32)
+    up = np.array([[0.0, 0.0, 1.0]], np.float32)
+    built = kernels.direction_rows.cache_info().misses
+    for tilt in (0.25, 0.5):
+        distribution = Tilted(tilt)
+        assert (distribution.sample(u)[:, 0] == tilt).all()
+        assert distribution.pdf(up).tolist() == [tilt]
+        assert (distribution.invert(up)[:, 0] == tilt).all()
+        assert np.abs(ws.sample_directions(up, 16, distribution).vectors[0, :, 0] - tilt).max() <= 1e-7
+    assert kernels.direction_rows.cache_info().misses == built + 1
+
+
+def test_kernels_are_built_once_for_equal_jobs(normals):
+    ws.sample_directions(normals, 16)
+    built = kernels.direction_rows.cache_info().misses
+    ws.sample_directions(normals, 32, seed=9)
+    ws.sample_directions(normals, 16, ws.CosineHemisphere("polar"))
+    assert kernels.direction_rows.cache_info().misses == built

@@ -1,0 +1,196 @@
+"""Meshes: every format and kind that users hold, and every way in which one can be wrong."""
+
+import sys
+
+import meshio
+import numpy as np
+import pytest
+import pyvista as pv
+import trimesh
+
+import warpsample as ws
+
+CUBE = trimesh.creation.box()
+FORMATS = ["ply", "obj", "stl", "off", "glb"]
+
+
+def usd_stage(path):
+    from pxr import Gf, Usd, UsdGeom
+
+    stage = Usd.Stage.CreateNew(str(path))
+    quads = UsdGeom.Mesh.Define(stage, "/quads")
+    quads.GetPointsAttr().Set([(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0), (3, 0, 0)])
+    quads.GetFaceVertexCountsAttr().Set([4, 3])
+    quads.GetFaceVertexIndicesAttr().Set([0, 1, 2, 3, 1, 4, 2])
+    quads.AddTranslateOp().Set(Gf.Vec3d(0, 0, 5))
+    mirrored = UsdGeom.Mesh.Define(stage, "/mirrored")
+    mirrored.GetPointsAttr().Set([(0, 0, 0), (1, 0, 0), (0, 1, 0)])
+    mirrored.GetFaceVertexCountsAttr().Set([3])
+    mirrored.GetFaceVertexIndicesAttr().Set([0, 1, 2])
+    mirrored.AddScaleOp().Set(Gf.Vec3f(-1, 1, 1))
+    stage.GetRootLayer().Save()
+
+
+@pytest.mark.parametrize("suffix", FORMATS)
+def test_formats_keep_the_surface(suffix, tmp_path):
+    path = tmp_path / f"cube.{suffix}"
+    CUBE.export(path)
+    mesh = ws.load_mesh(path)
+    assert mesh.faces.dtype == np.int32
+    assert mesh.vertices.dtype == np.float64
+    assert mesh.report.area == pytest.approx(6.0)
+    assert np.allclose(mesh.face_normals[np.argsort(mesh.face_normals[:, 0])][-2:], (1, 0, 0))
+
+
+def test_usd_polygons_placement_and_mirroring(tmp_path):
+    usd_stage(tmp_path / "scene.usda")
+    mesh = ws.load_mesh(tmp_path / "scene.usda")
+    assert mesh.report.faces == 4
+    assert mesh.report.area == pytest.approx(2.0 + 0.5 + 0.5)
+    assert mesh.report.upper[2] == 5.0
+    assert np.allclose(mesh.face_normals, (0, 0, 1))  # the mirrored triangle is turned back
+
+
+def test_bunny(bunny_path):
+    report = ws.load_mesh(bunny_path).report
+    assert (report.faces, report.degenerate_faces, report.boundary_edges, report.inconsistent_edges) == (12_200, 0, 0, 0)
+
+
+def test_several_meshes_of_a_scene_become_one(tmp_path):
+    scene = trimesh.Scene([CUBE])
+    scene.add_geometry(CUBE, transform=trimesh.transformations.translation_matrix((10, 0, 0)))
+    scene.export(tmp_path / "two.glb")
+    report = ws.load_mesh(tmp_path / "two.glb").report
+    assert report.faces == 24
+    assert report.upper[0] == pytest.approx(10.5)
+
+
+def test_what_users_hold():
+    box = pv.Box()  # quads
+    held = [
+        CUBE,
+        (CUBE.vertices, CUBE.faces),
+        (CUBE.vertices.tolist(), CUBE.faces.tolist()),
+        pv.wrap(CUBE),
+        meshio.Mesh(CUBE.vertices, [("triangle", CUBE.faces)]),
+        ws.Mesh(CUBE.vertices, CUBE.faces),
+    ]
+    for value in held:
+        mesh = ws.as_mesh(value)
+        assert mesh.report.area == pytest.approx(6.0)
+        assert mesh.report.faces == 12
+    assert ws.as_mesh(box).report.area == pytest.approx(24.0)
+    assert ws.as_mesh(held[-1]) is held[-1]
+
+
+def test_report_counts_what_is_wrong():
+    v = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0), (0, 0, 1), (9, 9, 9), (0.5, 0, 0)]
+    f = [
+        (0, 1, 2),  # agrees with the next along its diagonal
+        (1, 3, 2),
+        (0, 1, 4),  # runs along 0-1 like the first
+        (2, 0, 1),  # the first again
+        (0, 1, 1),  # no area: a corner twice
+        (0, 6, 1),  # no area: collinear
+    ]
+    report = ws.Mesh(np.array(v, float), np.array(f)).report
+    assert report.degenerate_faces == 2
+    assert report.duplicate_faces == 1
+    assert report.unreferenced_vertices == 1
+    assert report.inconsistent_edges >= 1
+    assert report.nonmanifold_edges >= 1
+    assert report.area == pytest.approx(2.0)
+
+
+def test_closed_cube_is_clean():
+    report = ws.as_mesh(CUBE).report
+    assert (report.boundary_edges, report.nonmanifold_edges, report.inconsistent_edges, report.duplicate_faces) == (0,) * 4
+    flipped = CUBE.faces.copy()
+    flipped[0] = flipped[0, ::-1]
+    assert ws.Mesh(CUBE.vertices, flipped).report.inconsistent_edges == 3
+
+
+@pytest.mark.parametrize("offset", [0.0, 5e6])
+@pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
+def test_normals_and_areas_hold_at_any_scale_and_place(scale, offset):
+    mesh = ws.Mesh(CUBE.vertices * scale + (0.0 if scale < 1 else offset), CUBE.faces)
+    assert mesh.report.area == pytest.approx(6.0 * scale**2, rel=1e-8)
+    assert np.allclose(np.abs(mesh.face_normals).max(axis=1), 1.0)
+    assert mesh.report.degenerate_faces == 0
+
+
+def test_slivers_with_a_meaningless_normal_are_degenerate():
+    x = 1e-3
+    v = np.array([(0, 0, 0), (1, x, 0), (2, 2 * x * (1 + 1e-16), 0), (0, 1e-9, 0)])
+    mesh = ws.Mesh(v, np.array([(0, 1, 2), (0, 1, 3)]))
+    assert (mesh.face_areas == 0.0).tolist() == [True, False]
+    assert mesh.face_normals[0].tolist() == [0, 0, 0]
+
+
+V, F = np.eye(3), np.array([[0, 1, 2]])
+
+
+@pytest.mark.parametrize(
+    ("vertices", "faces", "error", "message"),
+    [
+        (np.eye(3)[:, :2], F, ValueError, r"vertices: got shape \(3, 2\), want \(V, 3\)"),
+        (np.empty((0, 3)), F, ValueError, r"vertices: got shape \(0, 3\)"),
+        (V.astype(complex), F, TypeError, "vertices: got dtype complex128, want real numbers"),
+        (np.array([[0, 0, np.nan], [0, np.inf, 0], [1, 0, 0]]), F, ValueError, "vertices: got 2 that are not finite, the first"),
+        (V, np.empty((0, 3), int), ValueError, r"faces: got shape \(0, 3\), want \(F, 3\) with F of at least 1"),
+        (V, np.array([[0, 1, 2, 0]]), ValueError, r"faces: got shape \(1, 4\)"),
+        (V, F.astype(float), TypeError, "faces: got dtype float64, want whole numbers"),
+        (V, np.array([[0, 1, 3]]), ValueError, "faces: got 1 indices outside 0 to 2, the first in face 0"),
+        (V, np.array([[0, 1, -1]]), ValueError, "faces: got 1 indices outside 0 to 2"),
+    ],
+)
+def test_bad_arrays_are_named(vertices, faces, error, message):
+    with pytest.raises(error, match="^" + message):
+        ws.Mesh(vertices, faces)
+
+
+def test_other_things_are_no_mesh():
+    with pytest.raises(TypeError, match="^mesh: got str, want a warpsample.Mesh, a tuple"):
+        ws.as_mesh("bunny.ply")
+    with pytest.raises(ValueError, match=r"^faces: got shape \(0, 3\)"):
+        ws.as_mesh(meshio.Mesh(CUBE.vertices, [("line", [[0, 1]])]))
+
+
+def test_missing_and_foreign_files_are_named(tmp_path):
+    with pytest.raises(FileNotFoundError, match=r"^path: got .*nothing\.ply', which is missing"):
+        ws.load_mesh(tmp_path / "nothing.ply")
+    with pytest.raises(FileNotFoundError, match="which is a folder, want a mesh file"):
+        ws.load_mesh(tmp_path)
+    (tmp_path / "notes.txt").write_text("hello")
+    with pytest.raises(ValueError, match=r"^path: got 'notes\.txt', want a file that ends in one of \.ply"):
+        ws.load_mesh(tmp_path / "notes.txt")
+
+
+@pytest.mark.filterwarnings("ignore")  # parsers warn in their own ways before they fail
+@pytest.mark.parametrize("suffix", [*FORMATS, "usda", "usdc"])
+@pytest.mark.parametrize("content", ["truncated", "empty", "text"])
+def test_damaged_files_are_named(suffix, content, tmp_path):
+    path = tmp_path / f"damaged.{suffix}"
+    if content == "truncated":
+        if suffix.startswith("usd"):
+            usd_stage(path)
+        else:
+            CUBE.export(path)
+        path.write_bytes(path.read_bytes()[: path.stat().st_size * 6 // 10])
+    else:
+        path.write_text("" if content == "empty" else "this is not a mesh\n" * 20)
+    try:
+        mesh = ws.load_mesh(path)
+    except ValueError as error:
+        assert str(error).startswith(f"path: got '{path}', which cannot be read as a mesh: ")
+        assert "\n" not in str(error)
+    else:
+        # A text format cut at a line's end is a smaller mesh; no reader can tell.
+        assert (suffix, content) == ("obj", "truncated")
+        assert len(mesh.faces) < 12
+
+
+def test_usd_without_usd_core_says_what_to_install(bunny_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pxr", None)
+    with pytest.raises(ModuleNotFoundError, match=r"^path: got 'bunny\.usd', which needs usd-core: pip install usd-core"):
+        ws.load_mesh(bunny_path)
