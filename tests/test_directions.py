@@ -1,5 +1,7 @@
 """sample_directions: the same bits however it is run, right about any normal, and clear about bad input."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 import warp as wp
@@ -32,7 +34,7 @@ def test_same_bits_in_chunks_threads_offsets_and_with_half_inactive(distribution
         threaded = ws.sample_directions(normals, count, distribution, seed=5, first_point=2**32 - 4000, workers=workers)
         assert np.array_equal(whole.vectors, threaded.vectors)
     cuts = [0, 1, 257, 1500, 4000, 4001, 8000, 9001]
-    for start, end in zip(cuts, cuts[1:], strict=False):
+    for start, end in pairwise(cuts):
         part = ws.sample_directions(normals[start:end], count, distribution, seed=5, first_point=2**32 - 4000 + start)
         assert np.array_equal(whole.vectors[start:end], part.vectors)
     active = np.arange(len(normals)) % 2 == 0
@@ -205,7 +207,12 @@ READ_ONLY.setflags(write=False)
 @pytest.mark.parametrize(
     ("normals", "arguments", "error", "message"),
     [
-        (np.empty((0, 3), np.float32), {}, ValueError, r"normals: got shape \(0, 3\), want \(P, 3\) with P of at least 1"),
+        (
+            np.empty((0, 3), np.float32),
+            {},
+            ValueError,
+            r"normals: got shape \(0, 3\), want \(P, 3\) with P of at least 1",
+        ),
         (np.ones((4, 2), np.float32), {}, ValueError, r"normals: got shape \(4, 2\), want \(P, 3\)"),
         (np.ones(3, np.float32), {}, ValueError, r"normals: got shape \(3,\), want \(P, 3\) with P"),
         (np.ones((2, 2, 3), np.float32), {}, ValueError, r"normals: got shape \(2, 2, 3\), want \(P, 3\) with P"),
@@ -220,7 +227,12 @@ READ_ONLY.setflags(write=False)
         (GOOD, {"count": True}, TypeError, "count: got True"),
         (GOOD, {"seed": -1}, ValueError, "seed: got -1, want a whole number of 64 bits"),
         (GOOD, {"seed": 2**64}, ValueError, "seed: got 18446744073709551616"),
-        (GOOD, {"first_point": 2**64 - 3}, ValueError, "first_point: got 18446744073709551613, want an id of 64 bits with"),
+        (
+            GOOD,
+            {"first_point": 2**64 - 3},
+            ValueError,
+            "first_point: got 18446744073709551613, want an id of 64 bits with",
+        ),
         (GOOD, {"sequence": "halton"}, ValueError, "sequence: got 'halton', want one of fibonacci, independent"),
         (GOOD, {"distribution": "lambert"}, ValueError, "distribution: got 'lambert', want one of cosine_hemisphere"),
         (GOOD, {"workers": 0}, ValueError, "workers: got 0, want a whole number from 1"),
@@ -228,8 +240,18 @@ READ_ONLY.setflags(write=False)
         (GOOD, {"active": np.ones(3, bool)}, ValueError, r"active: got shape \(3,\), want \(4,\)"),
         (GOOD, {"active": np.ones(4)}, TypeError, "active: got dtype float64, want bool"),
         (GOOD, {"out": np.zeros((4, 2, 3))}, TypeError, "out: got dtype float64, want a C-contiguous"),
-        (GOOD, {"out": np.zeros((4, 3, 3), np.float32)}, ValueError, r"out: got shape \(4, 3, 3\), want .* \(4, 2, 3\)"),
-        (GOOD, {"out": np.zeros((2, 4, 3), np.float32).swapaxes(0, 1)}, ValueError, "out: got an array that is not C-cont"),
+        (
+            GOOD,
+            {"out": np.zeros((4, 3, 3), np.float32)},
+            ValueError,
+            r"out: got shape \(4, 3, 3\), want .* \(4, 2, 3\)",
+        ),
+        (
+            GOOD,
+            {"out": np.zeros((2, 4, 3), np.float32).swapaxes(0, 1)},
+            ValueError,
+            "out: got an array that is not C-cont",
+        ),
         (GOOD, {"out": READ_ONLY}, ValueError, "out: got an array that is read-only"),
         (GOOD, {"out": [0.0]}, TypeError, "out: got list, want ndarray"),
         (GOOD, {"device": "tpu"}, ValueError, "device: got 'tpu', want one of cpu"),
@@ -248,5 +270,7 @@ def test_nothing_is_written_when_an_argument_is_bad(normals):
 
 
 def test_more_than_memory_is_refused_with_a_way_out(normals):
-    with pytest.raises(MemoryError, match=r"1,000,000,000,000 directions need 12000\.0 GB and .* are free; stream them: slices"):
+    with pytest.raises(
+        MemoryError, match=r"1,000,000,000,000 directions need 12000\.0 GB and .* are free; stream them: slices"
+    ):
         ws.sample_directions(normals, 10**9)

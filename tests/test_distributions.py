@@ -116,7 +116,7 @@ def test_sphere_plus_normal_is_the_cosine_lobe_point_by_point():
     count = 1024
     i = np.arange(count)
     u = np.stack([(i + 0.5) / count, i * 0.6180339887498949 % 1.0], axis=1).astype(np.float32)
-    sphere = ws.UniformSphere().sample(u).astype(np.float64) + (0.0, 0.0, 1.0)
+    sphere = ws.UniformSphere().sample(u).astype(np.float64) + np.array((0.0, 0.0, 1.0))
     projected = sphere / np.linalg.norm(sphere, axis=1, keepdims=True)
     assert np.abs(projected - ws.CosineHemisphere("polar").sample(u)).max() <= 2e-7
     assert np.abs(projected - ws.CosineHemisphere("offset").sample(u)).max() <= 2e-7

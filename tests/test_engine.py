@@ -55,7 +55,11 @@ def test_beyond_two_to_the_31_directions(count):
     if count == 64:
         kernel, tasks, last = kernels.direction_rows(*slots), points, 1000
     else:
-        kernel, tasks, last = kernels.direction_blocks(*slots, False), -(-size // kernels.FLAT_BLOCK), 1000 * count // 256
+        kernel, tasks, last = (
+            kernels.direction_blocks(*slots, False),
+            -(-size // kernels.FLAT_BLOCK),
+            1000 * count // 256,
+        )
     wp.launch(kernel, dim=last, inputs=[job, tasks - last], device=CPU, record_tape=False)
     expected = ws.sample_directions(tail, count, first_point=points - 1000).vectors.ravel()
     got = vectors[-len(expected) :]
@@ -71,7 +75,11 @@ def test_threads_are_kept(normals):
 
 
 VECTORISED = [
-    *((name, case) for name in ws.sequences.names() for case in (ws.CosineHemisphere("polar"), ws.CosineHemisphere("offset"))),
+    *(
+        (name, case)
+        for name in ws.sequences.names()
+        for case in (ws.CosineHemisphere("polar"), ws.CosineHemisphere("offset"))
+    ),
     ("sobol", ws.CosineHemisphere("concentric")),
     ("sobol", ws.CosineHemisphere("inversion")),
     ("sobol", ws.UniformSphere()),

@@ -35,7 +35,7 @@ class Wrong:
 
 
 def plus_normal(sphere):
-    d = sphere + (0.0, 0.0, 1.0)
+    d = sphere + np.array((0.0, 0.0, 1.0))
     return (d / np.linalg.norm(d, axis=-1, keepdims=True)).astype(np.float32)
 
 
@@ -54,7 +54,9 @@ def coarse(bits, u):
 
 
 def ball(u):
-    return spherical(np.arccos((1.0 - u[..., 0].astype(np.float64)) ** 0.25), u[..., 1].astype(np.float64)).astype(np.float32)
+    return spherical(np.arccos((1.0 - u[..., 0].astype(np.float64)) ** 0.25), u[..., 1].astype(np.float64)).astype(
+        np.float32
+    )
 
 
 def gap(u):
@@ -152,7 +154,9 @@ def test_twins_reject(draw):
     [
         pytest.param(Wrong(density=lambda w: RIGHT.pdf(w) * np.float32(1.001)), id="pdf off by 1e-3"),
         pytest.param(Wrong(density=lambda w: np.float32(0.5) * (1 + RIGHT.pdf(w))), id="pdf of another law"),
-        pytest.param(Wrong(density=lambda w: RIGHT.pdf(w) * np.sqrt(1 - w[..., 2] ** 2)), id="per radian called per steradian"),
+        pytest.param(
+            Wrong(density=lambda w: RIGHT.pdf(w) * np.sqrt(1 - w[..., 2] ** 2)), id="per radian called per steradian"
+        ),
         pytest.param(Wrong(draw=ball), id="ball for sphere"),
     ],
 )

@@ -1,5 +1,6 @@
 """Meshes: every format and kind that users hold, and every way in which one can be wrong."""
 
+import re
 import sys
 
 import meshio
@@ -53,7 +54,12 @@ def test_usd_polygons_placement_and_mirroring(tmp_path):
 
 def test_bunny(bunny_path):
     report = ws.load_mesh(bunny_path).report
-    assert (report.faces, report.degenerate_faces, report.boundary_edges, report.inconsistent_edges) == (12_200, 0, 0, 0)
+    assert (report.faces, report.degenerate_faces, report.boundary_edges, report.inconsistent_edges) == (
+        12_200,
+        0,
+        0,
+        0,
+    )
 
 
 def test_several_meshes_of_a_scene_become_one(tmp_path):
@@ -136,7 +142,12 @@ V, F = np.eye(3), np.array([[0, 1, 2]])
         (np.eye(3)[:, :2], F, ValueError, r"vertices: got shape \(3, 2\), want \(V, 3\)"),
         (np.empty((0, 3)), F, ValueError, r"vertices: got shape \(0, 3\)"),
         (V.astype(complex), F, TypeError, "vertices: got dtype complex128, want real numbers"),
-        (np.array([[0, 0, np.nan], [0, np.inf, 0], [1, 0, 0]]), F, ValueError, "vertices: got 2 that are not finite, the first"),
+        (
+            np.array([[0, 0, np.nan], [0, np.inf, 0], [1, 0, 0]]),
+            F,
+            ValueError,
+            "vertices: got 2 that are not finite, the first",
+        ),
         (V, np.empty((0, 3), int), ValueError, r"faces: got shape \(0, 3\), want \(F, 3\) with F of at least 1"),
         (V, np.array([[0, 1, 2, 0]]), ValueError, r"faces: got shape \(1, 4\)"),
         (V, F.astype(float), TypeError, "faces: got dtype float64, want whole numbers"),
@@ -179,15 +190,8 @@ def test_damaged_files_are_named(suffix, content, tmp_path):
         path.write_bytes(path.read_bytes()[: path.stat().st_size * 6 // 10])
     else:
         path.write_text("" if content == "empty" else "this is not a mesh\n" * 20)
-    try:
-        mesh = ws.load_mesh(path)
-    except ValueError as error:
-        assert str(error).startswith(f"path: got '{path}', which cannot be read as a mesh: ")
-        assert "\n" not in str(error)
-    else:
-        # A text format cut at a line's end is a smaller mesh; no reader can tell.
-        assert (suffix, content) == ("obj", "truncated")
-        assert len(mesh.faces) < 12
+    with pytest.raises(ValueError, match=f"^path: got '{re.escape(str(path))}', which cannot be read as a mesh: .+$"):
+        ws.load_mesh(path)
 
 
 def test_usd_without_usd_core_says_what_to_install(bunny_path, monkeypatch):

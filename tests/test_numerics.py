@@ -120,7 +120,17 @@ def test_frame_is_orthonormal_everywhere():
     v = rng.normal(size=(500_000, 3))
     v[:100_000, 2] *= 1e4  # near both poles
     v[100_000:200_000, 2] *= 10.0 ** -rng.uniform(0, 9, 100_000)  # near the sign's switch
-    axes = [(1, 0, 0), (0, 1, 0), (0, 0, 1), (-1, 0, 0), (0, -1, 0), (0, 0, -1), (1, 0, -0.0), (1e-4, 0, -1), (0, 1e-8, -1)]
+    axes = [
+        (1, 0, 0),
+        (0, 1, 0),
+        (0, 0, 1),
+        (-1, 0, 0),
+        (0, -1, 0),
+        (0, 0, -1),
+        (1, 0, -0.0),
+        (1e-4, 0, -1),
+        (0, 1e-8, -1),
+    ]
     v[: len(axes)] = axes
     unit, frame, back = framed(v)
     product = np.einsum("nij,nik->njk", frame, frame)

@@ -52,7 +52,10 @@ def test_independent_is_pcg4d_of_sample_point_and_seed():
     point = np.arange(2**32 - 2, 2**32 + 1)[:, None]
     far = (point >> 32).astype(np.uint32)
     words = pcg4d(
-        np.arange(5)[None], point & 0xFFFFFFFF, np.uint32(9) + far * np.uint32(0x9E3779B9), np.uint32(7) ^ (far * np.uint32(0x85EBCA6B))
+        np.arange(5)[None],
+        point & 0xFFFFFFFF,
+        np.uint32(9) + far * np.uint32(0x9E3779B9),
+        np.uint32(7) ^ (far * np.uint32(0x85EBCA6B)),
     )
     assert np.array_equal(cells(u)[..., 0], words[0] >> 8)
     assert np.array_equal(cells(u)[..., 1], words[1] >> 8)
@@ -92,7 +95,13 @@ def test_coordinates_and_neighbours_are_uncorrelated(name, plausible):
 
     u = ws.sample_square(name, 100_000, 4, seed=4)[:, 1].astype(np.float64) - 0.5
     other = ws.sample_square(name, 100_000, 4, seed=5)[:, 1].astype(np.float64) - 0.5
-    for a, b in [(u[:, 0], u[:, 1]), (u[1:, 0], u[:-1, 0]), (u[1:, 0], u[:-1, 1]), (u[:, 0], other[:, 0]), (u[:, 1], other[:, 1])]:
+    for a, b in [
+        (u[:, 0], u[:, 1]),
+        (u[1:, 0], u[:-1, 0]),
+        (u[1:, 0], u[:-1, 1]),
+        (u[:, 0], other[:, 0]),
+        (u[:, 1], other[:, 1]),
+    ]:
         plausible(2.0 * norm.sf(abs(np.corrcoef(a, b)[0, 1]) * np.sqrt(len(a))))
 
 
@@ -167,7 +176,9 @@ def test_point_ids_are_64_bits_wide(name, first):
     assert len(np.unique(u[:, 0, 1])) == 3
     for row in range(3):
         assert np.array_equal(u[row], ws.sample_square(name, 1, 4, seed=11, first_point=first + row)[0])
-    assert not np.array_equal(u[-1], ws.sample_square(name, 1, 4, seed=11, first_point=(first + 2) % 2**32)[0]) or first < 2**32
+    assert (
+        not np.array_equal(u[-1], ws.sample_square(name, 1, 4, seed=11, first_point=(first + 2) % 2**32)[0]) or first < 2**32
+    )
 
 
 def test_seeds_are_64_bits_wide():

@@ -43,7 +43,9 @@ def test_same_points_in_parts_and_threads(monkeypatch):
     part = ws.sample_surface(CUBE, 4000, seed=3, first_point=2**32 - 1000)
     assert np.array_equal(whole.position[4000:8000], part.position)
     monkeypatch.setattr("warpsample.engine._LEAST_WORK", 1)
-    assert np.array_equal(whole.position, ws.sample_surface(CUBE, 10_000, seed=3, first_point=2**32 - 5000, workers=3).position)
+    assert np.array_equal(
+        whole.position, ws.sample_surface(CUBE, 10_000, seed=3, first_point=2**32 - 5000, workers=3).position
+    )
     assert not np.array_equal(whole.position, ws.sample_surface(CUBE, 10_000, seed=4).position)
 
 
@@ -59,7 +61,9 @@ def test_ten_million_faces_keep_their_shares(plausible):
     x, y = (a.ravel() for a in np.meshgrid(np.arange(side), np.arange(side), indexing="ij"))
     corner = (x[:-1] * side + y[:-1])[y[:-1] < side - 1]
     corner = corner[corner + side + 1 < side * side]
-    faces = np.concatenate([np.stack([corner, corner + side, corner + 1], 1), np.stack([corner + side, corner + side + 1, corner + 1], 1)])
+    faces = np.concatenate(
+        [np.stack([corner, corner + side, corner + 1], 1), np.stack([corner + side, corner + side + 1, corner + 1], 1)]
+    )
     assert len(faces) >= 9_990_000
     points = ws.sample_surface((np.stack([x, y, 0 * x], axis=1).astype(float), faces), 1_000_000)
     plausible(uniform_p_value((points.face + 0.5) / len(faces)))
@@ -108,7 +112,10 @@ def test_own_points():
         ((np.zeros(3), np.zeros(3)), r"position: got shape \(3,\), want \(P, 3\)"),
         ((np.zeros((2, 3)), np.zeros((3, 3))), r"normal: got shape \(3, 3\), want \(2, 3\) like position"),
         ((np.zeros((2, 3)), np.zeros((2, 3)), [0]), r"face: got shape \(1,\), want \(2,\)"),
-        ((np.zeros((2, 3)), np.zeros((2, 3)), [0, 0], np.zeros((2, 2))), r"barycentric: got shape \(2, 2\), want \(2, 3\)"),
+        (
+            (np.zeros((2, 3)), np.zeros((2, 3)), [0, 0], np.zeros((2, 2))),
+            r"barycentric: got shape \(2, 2\), want \(2, 3\)",
+        ),
     ],
 )
 def test_bad_own_points_are_named(arguments, message):

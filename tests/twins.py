@@ -9,9 +9,7 @@ TAU = 2.0 * np.pi
 
 def spherical(theta, turns):
     """Unit vectors from the angle to +z in radians and the azimuth in turns."""
-    return np.stack(
-        [np.sin(theta) * np.cos(TAU * turns), np.sin(theta) * np.sin(TAU * turns), np.cos(theta)], axis=-1
-    )
+    return np.stack([np.sin(theta) * np.cos(TAU * turns), np.sin(theta) * np.sin(TAU * turns), np.cos(theta)], axis=-1)
 
 
 def cosine_polar(u):

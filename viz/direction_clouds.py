@@ -86,7 +86,9 @@ def main(
         plotter.show()
         return
     plotting.save_screenshot(plotter, screenshot)
-    print(f"{screenshot}: {points} points x {shown} of {samples} directions; χ² = {test.chi_square:.1f}, p = {test.p_value:.3f}")
+    print(
+        f"{screenshot}: {points} points x {shown} of {samples} directions; χ² {test.chi_square:.1f}, p = {test.p_value:.3f}"
+    )
 
 
 if __name__ == "__main__":

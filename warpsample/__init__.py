@@ -1,4 +1,4 @@
-"""Directions around surface normals, sampled by NVIDIA Warp kernels: exact densities, good sequences, any number of points."""
+"""Directions around surface normals, sampled by NVIDIA Warp kernels: exact densities, good sequences, many points."""
 
 from warpsample import distributions, sequences
 from warpsample.directions import Directions, Status, sample_directions, sample_square

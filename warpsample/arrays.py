@@ -72,7 +72,9 @@ def _warp_vectors(array: wp.array, width: int, argument: str) -> Vectors:
             f"want vec{width} or float32 with a last axis of {width}"
         )
     if not array.is_contiguous:
-        raise ValueError(f"{argument}: got a wp.array that is not contiguous, want a contiguous one (see wp.array.contiguous)")
+        raise ValueError(
+            f"{argument}: got a wp.array that is not contiguous, want a contiguous one (see wp.array.contiguous)"
+        )
     return Vectors(array, array.shape if of_vectors else array.shape[:-1], width, array.device)
 
 
@@ -85,7 +87,7 @@ def new_vectors(like: Vectors, shape: tuple[int, ...], width: int) -> Vectors:
 
 
 def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
-    """The caller's own output array, if it can be written to as it is: (*shape, 3) float32, C-contiguous, same kind and place.
+    """The caller's own output array, if it can be written as it is: (*shape, 3) float32, C-contiguous, same kind and place.
 
     Raises:
         TypeError: another kind of array than the input, or not float32.

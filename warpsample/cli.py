@@ -33,6 +33,7 @@ def fail_plainly() -> Iterator[None]:
 
 
 @app.command()
+@fail_plainly()
 def info(mesh: MeshFile) -> None:
     """Say what is in a mesh file and what is wrong with it."""
     from rich.console import Console  # noqa: PLC0415
@@ -47,7 +48,10 @@ def info(mesh: MeshFile) -> None:
         ("vertices", f"{report.vertices:,}", ""),
         ("faces", f"{report.faces:,}", "triangles"),
         ("area", f"{report.area:.6g}", "square units"),
-        *((f"{axis} from, to", f"{low:.6g}, {high:.6g}", "") for axis, low, high in zip("xyz", report.lower, report.upper, strict=True)),
+        *(
+            (f"{axis} from, to", f"{low:.6g}, {high:.6g}", "")
+            for axis, low, high in zip("xyz", report.lower, report.upper, strict=True)
+        ),
         ("degenerate faces", f"{report.degenerate_faces:,}", "no area, so no points"),
         ("duplicate faces", f"{report.duplicate_faces:,}", "same three vertices"),
         ("unused vertices", f"{report.unreferenced_vertices:,}", "no normal"),
@@ -61,6 +65,7 @@ def info(mesh: MeshFile) -> None:
 
 
 @app.command("directions")
+@fail_plainly()
 def directions_command(
     mesh: MeshFile,
     output: Annotated[Path, typer.Option("--output", "-o", help="The .npz file to write.", show_default=False)],
@@ -80,6 +85,7 @@ def directions_command(
 
 
 @bench_app.command("directions")
+@fail_plainly()
 def bench_directions(
     as_json: Annotated[bool, typer.Option("--json", help="JSON lines instead of tables.")] = False,
     repeats: Annotated[int, typer.Option(help="Timed runs of each case, after one to warm up.", min=1)] = 9,
@@ -96,5 +102,8 @@ def bench_directions(
 def main() -> None:
     """Entry point."""
     wp.config.log_level = wp.LOG_WARNING  # what Warp logs goes to stdout, which belongs to the output
-    with fail_plainly():
-        app()
+    app()
+
+
+if __name__ == "__main__":
+    main()

@@ -148,7 +148,14 @@ def sample_square(sequence: str, points: int, count: int, seed: int = 0, first_p
     total = points * count
     check_memory(8 * total, f"{total:,} points of the square", "take them in parts with first_point")
     square = np.empty((points, count, 2), np.float32)
-    inputs = [total, kernels.FLAT_BLOCK, count, check_seed(seed), check_first_point(first_point, points), square.ctypes.data]
+    inputs = [
+        total,
+        kernels.FLAT_BLOCK,
+        count,
+        check_seed(seed),
+        check_first_point(first_point, points),
+        square.ctypes.data,
+    ]
     tasks = -(-total // kernels.FLAT_BLOCK)
     run(kernels.square_blocks(record.sample), tasks, inputs, wp.get_device(_CPU), check_workers(None), total)
     return square

@@ -83,7 +83,7 @@ def _run_chunks(command: wp.Launch, starts: Any, chunk: int, tasks: int) -> None
 
 def _threads(workers: int) -> ThreadPoolExecutor:
     """The one pool of this process, grown when more are asked for."""
-    global _pool, _pool_size
+    global _pool, _pool_size  # noqa: PLW0603  (threads belong to the process)
     with _pool_lock:
         if _pool is None or _pool_size < workers:
             _pool = ThreadPoolExecutor(workers, thread_name_prefix="warpsample")

@@ -112,8 +112,11 @@ def _parts(points: SurfacePoints, run: Run, workers: int | None) -> Iterator[tup
         task = progress.add_task("sampling", total=len(points))
         for start in range(0, len(points), step):
             normals = points.normal[start : start + step]
-            yield start, sample_directions(
-                normals, run.samples, run.distribution, run.sequence, run.seed, first_point=start, workers=workers
+            yield (
+                start,
+                sample_directions(
+                    normals, run.samples, run.distribution, run.sequence, run.seed, first_point=start, workers=workers
+                ),
             )
             progress.advance(task, len(normals))
 

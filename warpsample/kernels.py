@@ -120,7 +120,7 @@ def _all_active(active: wp.array[wp.uint8], i: wp.int32) -> wp.float32:
 
 @wp.struct
 class DirectionJob:
-    """One call's scalars and addresses: normals (P, 3), vectors (P, count, 3), pdf (P, count) float32; status, active (P,)."""
+    """A call's scalars and addresses: normals (P, 3), vectors (P, count, 3), pdf (P, count) float32; status, active (P,)."""
 
     seed: wp.uint64
     first_point: wp.uint64
@@ -142,14 +142,20 @@ def _floats(address: wp.uint64, first: wp.int64, count: wp.int32) -> wp.array[wp
 
 @cache
 def direction_rows(
-    sequence: wp.Function, about: wp.Function, redraw: wp.Function | None, redraw_below: float, with_pdf: bool, masked: bool
+    sequence: wp.Function,
+    about: wp.Function,
+    redraw: wp.Function | None,
+    redraw_below: float,
+    with_pdf: bool,
+    masked: bool,
 ) -> wp.Kernel:
     """A kernel over parts of `block` samples of one point.
 
     Args:
         sequence: (seed, point, sample, count) -> u.
         about: (unit normal, u, Parameters) -> (direction, pdf).
-        redraw: what replaces `about` where its pdf is below `redraw_below`; rare, so in a second pass over such parts only.
+        redraw: what replaces `about` where it loses its digits; rare, so in a second pass over such parts only.
+        redraw_below: the pdf below which it does.
         with_pdf: whether the pdf is stored.
         masked: whether `active` is read.
     """
@@ -205,7 +211,7 @@ def direction_rows(
             while j < length:
                 store(vectors, pdf, j, 0.0, 0.0, 0.0, 0.0)
                 j += 1
-        if wp.static(redraws):
+        if wp.static(redraws):  # noqa: SIM102  (one is decided when the kernel is built, the other when it runs)
             if rare != 0:
                 redraw_rare(job, id, n, start, length, vectors, pdf)
 

@@ -89,7 +89,7 @@ class Mesh:
 
     @cached_property
     def vertex_normals(self) -> np.ndarray:
-        """(V, 3) float32, unit length: the face normals around a vertex weighted by area; zero where they cancel or none is."""
+        """(V, 3) float32, unit length: the normals of its faces weighted by area; zero where they cancel or none is."""
         corners = self.faces.ravel()
         crosses = np.repeat(self.cross_products, 3, axis=0)
         return unit_or_zero(np.stack([np.bincount(corners, axis, len(self.vertices)) for axis in crosses.T], axis=1))
@@ -129,7 +129,9 @@ def load_mesh(path: str | PathLike) -> Mesh:
     """
     path = Path(path)
     if not path.is_file():
-        raise FileNotFoundError(f"path: got {str(path)!r}, which is {'a folder' if path.is_dir() else 'missing'}, want a mesh file")
+        raise FileNotFoundError(
+            f"path: got {str(path)!r}, which is {'a folder' if path.is_dir() else 'missing'}, want a mesh file"
+        )
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise ValueError(f"path: got {path.name!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
@@ -182,7 +184,9 @@ def _check_vertices(vertices: np.ndarray) -> np.ndarray:
     broken = ~np.isfinite(vertices).all(axis=1)
     if broken.any():
         first = int(np.argmax(broken))
-        raise ValueError(f"vertices: got {broken.sum()} that are not finite, the first being number {first}, {vertices[first]}")
+        raise ValueError(
+            f"vertices: got {broken.sum()} that are not finite, the first being number {first}, {vertices[first]}"
+        )
     return vertices
 
 

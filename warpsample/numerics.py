@@ -1,8 +1,8 @@
 """Building blocks in float32 and uint32 that the compiler turns into vector instructions.
 
 Each is a `wp.func` of plain arithmetic: no libm call, no branch, no table, so a loop around it runs 8 lanes wide on
-AVX2 and 16 on AVX-512. Without fused multiply-add the bits are the same in scalar and vector code. Worst errors are
-over every float32 of the stated range (uniform variates: all 2^24), against float64.
+AVX2 and 16 on AVX-512. The compiler fuses nothing on its own (`fma` says where), so scalar and vector code give the same
+bits. Worst errors are over every float32 of the stated range (uniform variates: all 2^24), against float64.
 """
 
 import warp as wp
@@ -28,18 +28,25 @@ _EVEN_BYTES = wp.constant(wp.uint32(0x00FF00FF))
 
 
 @wp.func_native(
-    """
+    snippet="""
 #if defined(__CUDA_ARCH__)
     return fmaf(a, b, c);
 #else
     return __builtin_fmaf(a, b, c);
 #endif
-"""
+""",
+    adj_snippet="""
+    adj_a += b * adj_ret;
+    adj_b += a * adj_ret;
+    adj_c += adj_ret;
+""",
 )
 def fma(a: wp.float32, b: wp.float32, c: wp.float32) -> wp.float32:
-    """a * b + c, rounded once. Native because Warp has no such builtin, and letting the compiler fuse what it likes would
-    make the bits depend on the loop around it: said here, they are the same in every kernel and on every device."""
-    ...
+    """a * b + c, rounded once.
+
+    Native because Warp has no such builtin. Leaving it to the compiler to fuse what it likes would make the bits depend on
+    the loop around; said here, they are the same in every kernel.
+    """
 
 
 @wp.func
@@ -84,7 +91,7 @@ def reverse_bits(x: wp.uint32) -> wp.uint32:
 
 @wp.func
 def weyl(index: wp.uint32, step: wp.uint64) -> wp.uint32:
-    """The fractional part of index * step / 2^64, as its top 32 bits: an irrational rotation exact to 2^-32 for any index."""
+    """The fractional part of index * step / 2^64, its top 32 bits: an irrational rotation exact to 2^-32 for any index."""
     carry = high_word(wp.uint64(index) * wp.uint64(low_word(step)))
     return index * high_word(step) + carry
 

@@ -25,11 +25,10 @@ _BARS = "#7aa6c2"
 _AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 _VIEW = {"x": (0.35, 0.3, 1.0), "y": (0.3, 0.35, 1.0), "z": (0.3, -1.0, 0.35)}
 
-_PROBE = "import pyvista as pv; p = pv.Plotter(off_screen=True, window_size=(16, 16)); p.add_mesh(pv.Sphere()); p.screenshot()"
-_NO_GL = (
-    "pictures need an OpenGL library and none works here. On Debian or Ubuntu: "
-    "apt-get install libegl1 libgl1-mesa-dri"
+_PROBE = (
+    "import pyvista as pv; p = pv.Plotter(off_screen=True, window_size=(16, 16)); p.add_mesh(pv.Sphere()); p.screenshot()"
 )
+_NO_GL = "pictures need an OpenGL library and none works here. On Debian or Ubuntu: apt-get install libegl1 libgl1-mesa-dri"
 
 
 def has_screen() -> bool:
@@ -45,7 +44,7 @@ def check_rendering() -> None:
         RuntimeError: rendering does not work; says what to install.
     """
     try:
-        import matplotlib  # noqa: F401, PLC0415
+        import matplotlib  # noqa: F401, ICN001, PLC0415
         import pyvista  # noqa: F401, PLC0415
     except ModuleNotFoundError as error:
         raise ModuleNotFoundError(f"pictures need {error.name}: pip install 'warpsample[viz]'") from None
@@ -107,7 +106,14 @@ def draw_clouds(
     plotter.add_mesh(pv.PolyData(position), color="black", point_size=5, render_points_as_spheres=True)
     cloud = pv.PolyData(clouds.position)
     cloud["pdf"] = clouds.value
-    bar = {"title": clouds.title, "n_labels": 3, "fmt": "%.2f", "vertical": False, "position_x": 0.25, "position_y": 0.02}
+    bar = {
+        "title": clouds.title,
+        "n_labels": 3,
+        "fmt": "%.2f",
+        "vertical": False,
+        "position_x": 0.25,
+        "position_y": 0.02,
+    }
     bar |= {"title_font_size": 16, "label_font_size": 14, "height": 0.11, "width": 0.5, "color": "black"}
     plotter.add_mesh(cloud, scalars="pdf", cmap="viridis", point_size=3, lighting=False, scalar_bar_args=bar)
 

@@ -94,7 +94,11 @@ def sample_surface(
         raise ValueError(f"mesh: got {len(mesh.faces)} faces without any area, want at least one triangle that has some")
     size = count * (_BYTES_PER_POINT + (24 if barycentric else 0))
     check_memory(size, f"{count:,} surface points", "take them in parts with first_point")
-    position, face, weights = np.empty((count, 3)), np.empty(count, np.int32), np.empty((count if barycentric else 0, 3))
+    position, face, weights = (
+        np.empty((count, 3)),
+        np.empty(count, np.int32),
+        np.empty((count if barycentric else 0, 3)),
+    )
     cumulative = np.cumsum(mesh.face_areas)
     last = int(np.flatnonzero(mesh.face_areas)[-1])
     addresses = [a.ctypes.data for a in (mesh.vertices, mesh.faces, cumulative, position, face)]

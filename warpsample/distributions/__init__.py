@@ -38,4 +38,6 @@ def as_distribution(value: Any) -> Distribution:
     try:
         return kind()
     except TypeError:
-        raise TypeError(f"distribution: {value!r} has no defaults, want {kind.__name__}({', '.join(kind.parameters)})") from None
+        raise TypeError(
+            f"distribution: {value!r} has no defaults, want {kind.__name__}({', '.join(kind.parameters)})"
+        ) from None

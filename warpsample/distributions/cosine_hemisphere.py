@@ -27,7 +27,7 @@ _STEP = wp.constant(wp.float32(2.0**-23))
 def square_to_cosine_hemisphere(u: wp.vec2) -> wp.vec3:
     """Malley's method, polar: a uniform point of the disk at radius sqrt(u[0]), lifted.
 
-    cos theta is sqrt(1 - u[0]), exact to an ulp and never 0 on the grid; sqrt(1 - x^2 - y^2) is off by 73 % near the horizon.
+    cos theta is sqrt(1 - u[0]), exact to an ulp and never 0 on the grid; sqrt(1 - x^2 - y^2) is off by 73 % at the horizon.
     """
     r = wp.sqrt(u[0])
     cs = sincos_turns(u[1])
@@ -143,9 +143,7 @@ _MAPS = {
     "concentric": Maps(
         square_to_cosine_hemisphere_concentric, square_to_cosine_hemisphere_pdf, cosine_hemisphere_to_square_concentric
     ),
-    "inversion": Maps(
-        square_to_cosine_hemisphere_inversion, square_to_cosine_hemisphere_pdf, cosine_hemisphere_to_square
-    ),
+    "inversion": Maps(square_to_cosine_hemisphere_inversion, square_to_cosine_hemisphere_pdf, cosine_hemisphere_to_square),
     "offset": Maps(
         square_to_cosine_hemisphere_offset,
         square_to_cosine_hemisphere_pdf,

@@ -41,7 +41,9 @@ def histogram_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest:
     """
     observed, expected = np.asarray(observed, np.float64), np.asarray(expected, np.float64)
     if not expected.min() >= _LEAST_EXPECTED:
-        raise ValueError(f"expected: got a count of {expected.min():.3g}, want at least {_LEAST_EXPECTED:g}; use wider cells")
+        raise ValueError(
+            f"expected: got a count of {expected.min():.3g}, want at least {_LEAST_EXPECTED:g}; use wider cells"
+        )
     total = observed.sum()
     if not abs(expected.sum() - total) <= 1e-3 * total:
         raise ValueError(f"expected: got a sum of {expected.sum():.6g}, want that of the observed counts, {total:.6g}")

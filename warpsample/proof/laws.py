@@ -14,8 +14,10 @@ _SPREAD = 0x9E3779B1  # odd, so k -> k * _SPREAD mod 2^24 meets every value once
 
 
 def corner_grid() -> np.ndarray:
-    """(N, 2) float32: all pairs of the values of u where maps break: ends, middle, quarters, eighths and their neighbours."""
-    edges = np.array([0, 1, 2, 1 << 8, 1 << 16, GRID // 8, GRID // 4, 3 * GRID // 8, GRID // 2, 5 * GRID // 8, 3 * GRID // 4])
+    """(N, 2) float32: all pairs of values of u where maps break: ends, middle, quarters, eighths and their neighbours."""
+    edges = np.array(
+        [0, 1, 2, 1 << 8, 1 << 16, GRID // 8, GRID // 4, 3 * GRID // 8, GRID // 2, 5 * GRID // 8, 3 * GRID // 4]
+    )
     near = np.unique(np.concatenate([edges + step for step in (-1, 0, 1)] + [[GRID - 1, GRID - 2, GRID - 257]]))
     values = near[(near >= 0) & (near < GRID)] / GRID
     return np.stack(np.meshgrid(values, values), axis=-1).reshape(-1, 2).astype(np.float32)

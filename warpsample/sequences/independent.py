@@ -18,9 +18,7 @@ def independent(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.
     points no two arguments share a stream; above, two seeds could only by both words meeting (chance 2^-64).
     """
     far = high_word(point)
-    bits = pcg4d(
-        sample, low_word(point), low_word(seed) + far * _POINT_STEP, high_word(seed) ^ (far * _POINT_MASK)
-    )
+    bits = pcg4d(sample, low_word(point), low_word(seed) + far * _POINT_STEP, high_word(seed) ^ (far * _POINT_MASK))
     return wp.vec2(uniform_from_bits(bits[0]), uniform_from_bits(bits[1]))
 
 

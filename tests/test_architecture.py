@@ -1,0 +1,111 @@
+"""The rooms of DESIGN.md, section 2: a room imports only from rooms above it, and importing the package is light."""
+
+import ast
+import subprocess
+import sys
+
+ROOMS = [
+    "arguments",
+    "registry",
+    "numerics",
+    "frames",
+    "sequences",
+    "arrays",
+    "kernels",
+    "engine",
+    "distributions",
+    "mesh",
+    "surface",
+    "directions",
+    "proof",
+    "export",
+    "bench",
+    "plotting",
+    "cli",
+    "__init__",
+]
+UNRELATED = [
+    ("distributions", "mesh"),
+    ("mesh", "distributions"),
+    ("surface", "distributions"),
+    ("plotting", "directions"),
+]
+
+
+def imports(path):
+    """(module, whether it happens when the file is imported) of each import."""
+    tree = ast.parse(path.read_text())
+    typing_only = {
+        id(child)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.If) and getattr(node.test, "id", "") == "TYPE_CHECKING"
+        for child in ast.walk(node)
+    }
+    top = {id(node) for node in tree.body}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{path}: relative import"
+            names = [node.module] + ([f"warpsample.{a.name}" for a in node.names] if node.module == "warpsample" else [])
+        else:
+            continue
+        for name in names:
+            yield name, id(node) in top and id(node) not in typing_only
+
+
+def room_of(module):
+    parts = module.split(".")
+    return parts[1] if parts[0] == "warpsample" and len(parts) > 1 else None
+
+
+def test_rooms_import_only_from_rooms_above(repository):
+    package = repository / "warpsample"
+    files = sorted(package.rglob("*.py"))
+    assert len(files) > 20
+    for path in files:
+        room = path.relative_to(package).parts[0].removesuffix(".py")
+        assert room in ROOMS, f"{path.name} is in no room"
+        for module, _ in imports(path):
+            other = room_of(module)
+            if other in ROOMS and other != room:
+                assert ROOMS.index(other) < ROOMS.index(room), f"{path} imports {module}, which is below it"
+                assert (room, other) not in UNRELATED, f"{path} imports {module}"
+
+
+def test_heavy_libraries_are_imported_where_they_are_used(repository):
+    heavy = {"pyvista", "matplotlib", "scipy", "trimesh", "pxr", "psutil", "rich"}
+    for path in sorted((repository / "warpsample").rglob("*.py")):
+        for module, at_top in imports(path):
+            assert not (at_top and module.split(".")[0] in heavy), f"{path} imports {module} when it is imported"
+
+
+def test_files_with_kernels_keep_their_annotations(repository):
+    for path in sorted((repository / "warpsample").rglob("*.py")):
+        assert "from __future__ import annotations" not in path.read_text()
+
+
+def test_nothing_is_called_utils(repository):
+    for path in (repository / "warpsample").rglob("*.py"):
+        assert path.stem not in ("utils", "common", "misc", "helpers")
+
+
+def test_import_compiles_nothing_and_touches_no_file(tmp_path, child_environment):
+    code = (
+        "import sys, warpsample; heavy = {'pyvista', 'matplotlib', 'scipy', 'trimesh', 'pxr', 'typer'}; "
+        "print(sorted(heavy & set(sys.modules)))"
+    )
+    environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / "cache"), "PYTHONDONTWRITEBYTECODE": "1"}
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True, cwd=tmp_path
+    )
+    assert done.stdout.split("\n")[-2] == "[]"
+    assert list(tmp_path.rglob("*.o")) == []
+
+
+def test_public_names_are_documented():
+    import warpsample as ws
+
+    assert sorted(ws.__all__, key=str) == sorted(n for n in ws.__all__ if hasattr(ws, n))
+    for name in ws.__all__:
+        assert getattr(ws, name).__doc__, name

@@ -1,0 +1,143 @@
+"""The command line: what it prints, what it writes, and what it leaves behind when it fails."""
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import trimesh
+
+import warpsample as ws
+from warpsample import cli, export
+
+
+@pytest.fixture
+def cube(tmp_path):
+    path = tmp_path / "cube.ply"
+    trimesh.creation.box().export(path)
+    return path
+
+
+@pytest.fixture
+def call(monkeypatch, capsys):
+    """Runs `warpsample ...`; gives (exit status, stdout, stderr)."""
+
+    def run(*arguments):
+        monkeypatch.setattr(sys, "argv", ["warpsample", *map(str, arguments)])
+        with pytest.raises(SystemExit) as stop:
+            cli.main()
+        return stop.value.code, *capsys.readouterr()
+
+    return run
+
+
+def test_info_counts_and_explains(call, tmp_path):
+    path = tmp_path / "flawed.off"
+    path.write_text("OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n3 0 1 2\n3 0 1 1\n3 0 1 2\n")
+    status, out, err = call("info", path)
+    assert (status, err) == (0, "")
+    assert [line for line in out.splitlines() if "degenerate faces" in line and " 1 " in line and "no points" in line]
+    assert [line for line in out.splitlines() if "duplicate faces" in line and " 1 " in line]
+    assert max(map(len, out.splitlines())) <= 80
+
+
+@pytest.mark.parametrize(("placement", "rows"), [("surface", 777), ("faces", 12), ("vertices", 8)])
+def test_directions_file_holds_the_run(call, cube, tmp_path, placement, rows, monkeypatch):
+    monkeypatch.setattr(export, "_DIRECTIONS_PER_PART", 100)  # several parts
+    output = tmp_path / "d.npz"
+    options = ["--samples", 5, "--sequence", "r2", "--seed", 3, "--placement", placement, "--count", 777]
+    status, out, err = call("directions", cube, "-o", output, *options)
+    assert (status, err) == (0, "")
+    assert out == f"{output}: {5 * rows:,} directions at {rows:,} points\n"
+    with np.load(output) as file:
+        run = json.loads(str(file["run"]))
+        kept = {name: file[name] for name in ("position", "normal", "face", "vectors", "status")}
+    mesh = ws.load_mesh(run["mesh"])
+    points = {
+        "surface": lambda: ws.sample_surface(mesh, run["count"], run["seed"]),
+        "faces": lambda: ws.face_centers(mesh),
+        "vertices": lambda: ws.vertex_points(mesh),
+    }[run["placement"]]()
+    again = ws.sample_directions(points, run["samples"], run["distribution"], run["sequence"], run["seed"])
+    assert np.array_equal(kept["position"], points.position)
+    assert np.array_equal(kept["normal"], points.normal)
+    assert np.array_equal(kept["face"], points.face)
+    assert np.array_equal(kept["vectors"], again.vectors)
+    assert np.array_equal(kept["status"], again.status)
+    assert set(run["versions"]) == {"warpsample", "warp-lang", "numpy", "trimesh"}
+    assert len(run["mesh_sha256"]) == 64
+    assert list(tmp_path.iterdir()) == [cube, output] or set(tmp_path.iterdir()) == {cube, output}
+
+
+def test_skipped_points_are_counted_in_the_summary(call, tmp_path):
+    path = tmp_path / "flat.off"
+    path.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n")
+    _, out, _ = call("directions", path, "-o", tmp_path / "d.npz", "--placement", "faces")
+    assert out.endswith("128 directions at 2 points, 1 zero_normal\n")
+
+
+@pytest.mark.parametrize("stop", [KeyboardInterrupt, MemoryError("no room")])
+def test_an_interrupted_run_leaves_the_old_file_and_no_half_one(call, cube, tmp_path, monkeypatch, stop):
+    output = tmp_path / "d.npz"
+    output.write_text("old")
+    sample = export.sample_directions
+
+    def interrupted(*arguments, first_point, **rest):
+        if first_point:
+            raise stop
+        return sample(*arguments, first_point=first_point, **rest)
+
+    monkeypatch.setattr(export, "sample_directions", interrupted)
+    monkeypatch.setattr(export, "_DIRECTIONS_PER_PART", 640)
+    status, _, err = call("directions", cube, "-o", output)
+    assert status == (130 if stop is KeyboardInterrupt else 2)
+    assert err.startswith("interrupted; nothing was written" if stop is KeyboardInterrupt else "error: no room")
+    assert output.read_text() == "old"
+    assert set(tmp_path.iterdir()) == {cube, output}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["info", "nothing.ply"], "error: path: got 'nothing.ply', which is missing, want a mesh file"),
+        (["directions", "CUBE", "-o", "d.txt"], "error: --output: got 'd.txt', want a file that ends in .npz"),
+        (["directions", "CUBE", "-o", "no/d.npz"], "error: --output: got 'no/d.npz', whose folder does not exist"),
+        (["directions", "CUBE", "-o", "d.npz", "--count", "0"], "error: --count: got 0, want a whole number from 1"),
+        (["directions", "CUBE", "-o", "d.npz", "--samples", "-3"], "error: --samples: got -3"),
+        (["directions", "CUBE", "-o", "d.npz", "--seed", "-1"], "error: seed: got -1, want a whole number of 64 bits"),
+        (
+            ["directions", "CUBE", "-o", "d.npz", "--sequence", "halton"],
+            "error: sequence: got 'halton', want one of fib",
+        ),
+        (
+            ["directions", "CUBE", "-o", "d.npz", "--distribution", "x"],
+            "error: distribution: got 'x', want one of cosine",
+        ),
+    ],
+)
+def test_bad_input_is_one_line_and_writes_nothing(call, cube, tmp_path, monkeypatch, arguments, message):
+    monkeypatch.chdir(tmp_path)
+    status, out, err = call(*[cube if a == "CUBE" else a for a in arguments])
+    assert status == 2
+    assert out == ""
+    assert err.startswith(message)
+    assert err.count("\n") == 1
+    assert set(tmp_path.iterdir()) == {cube}
+
+
+def test_unknown_placement_lists_the_known_ones(call, cube):
+    status, _, err = call("directions", cube, "-o", "d.npz", "--placement", "corners")
+    assert status == 2
+    assert all(word in err for word in ("surface", "faces", "vertices"))
+
+
+def test_output_to_a_pipe_is_clean(cube, tmp_path, child_environment):
+    """No progress bar, no colours, no chatter of the compiler, although the kernel cache is cold."""
+    command = [sys.executable, "-m", "warpsample.cli", "directions", cube, "-o", tmp_path / "d.npz"]
+    environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / "cache")}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    assert done.stdout == f"{tmp_path / 'd.npz'}: 640,000 directions at 10,000 points\n"
+    # Warp's native part says this itself where there is no GPU; nothing switches it off.
+    rest = [line for line in done.stderr.splitlines() if "CUDA" not in line]
+    assert rest == []

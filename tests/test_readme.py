@@ -1,0 +1,65 @@
+"""What the README shows is run as it stands."""
+
+import re
+import subprocess
+import sys
+
+import pytest
+import trimesh
+
+
+def blocks(repository, language):
+    return re.findall(rf"^```{language}\n(.*?)^```", (repository / "README.md").read_text(), flags=re.DOTALL | re.MULTILINE)
+
+
+@pytest.mark.parametrize(
+    ("index", "expected"),
+    [
+        (
+            0,
+            r"^\(10000, 64, 3\) \(10000, 64\) \{<Status.OK: 0>: 10000\}\nirradiance under a uniform sky: 3\.14159\d*\n$",
+        ),
+        (1, r"^(.*\n)*\[ *-?\d\.?\d*(e-\d+)? +-?\d\.?\d*(e-\d+)? +(0\.666\d*|6\.66\d*e-01)\]\n$"),
+    ],
+)
+def test_python_blocks_run_and_print_what_they_say(index, expected, repository, tmp_path, child_environment):
+    found = blocks(repository, "python")
+    assert len(found) == 2
+    script = tmp_path / "example.py"
+    script.write_text(found[index])
+    done = subprocess.run([sys.executable, script], env=child_environment, capture_output=True, text=True, check=True)
+    printed = "\n".join(line for line in done.stdout.splitlines() if not re.match(r"Warp |   |Module ", line)) + "\n"
+    assert re.match(expected, printed), printed
+
+
+def test_shell_blocks_are_the_commands_that_are_tested(repository):
+    commands = [line for block in blocks(repository, "sh") for line in block.splitlines()]
+    assert commands == [
+        "python viz/direction_clouds.py --screenshot clouds.png",  # test_plotting.py, and .ci/run
+        "python3 -m venv .venv && . .venv/bin/activate",  # .ci/run
+        "pip install '.[viz,test]'",  # .ci/run
+        "pytest",  # this
+        "warpsample info MESH",
+        "warpsample directions MESH -o directions.npz --count 10000 --samples 64",
+        "warpsample bench directions",  # test_bench.py
+    ]
+
+
+def test_mesh_commands_run(repository, tmp_path, child_environment):
+    trimesh.creation.torus(2.0, 0.5).export(tmp_path / "torus.ply")
+    for line in ("info MESH", "directions MESH -o directions.npz --count 10000 --samples 64"):
+        assert f"warpsample {line}" in (repository / "README.md").read_text()
+        command = [sys.executable, "-m", "warpsample.cli", *line.replace("MESH", "torus.ply").split()]
+        subprocess.run(command, env=child_environment, check=True, cwd=tmp_path, capture_output=True)
+    assert (tmp_path / "directions.npz").is_file()
+
+
+def test_every_distribution_and_sequence_is_in_the_readme(repository):
+    import warpsample as ws
+
+    text = (repository / "README.md").read_text()
+    for name in ws.distributions.names():
+        assert f"`{ws.distributions.get(name).__name__}(" in text
+        assert ws.distributions.get(name).density in text
+    for name in ws.sequences.names():
+        assert f"`{name}`" in text
