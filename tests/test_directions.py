@@ -31,11 +31,15 @@ def test_same_bits_in_chunks_threads_offsets_and_with_half_inactive(distribution
     monkeypatch.setattr("warpsample.engine._LEAST_WORK", 1)
     monkeypatch.setattr("warpsample.engine._CHUNKS_PER_WORKER", 7)
     for workers in (2, 3):
-        threaded = ws.sample_directions(normals, count, distribution, seed=5, first_point=2**32 - 4000, workers=workers)
+        threaded = ws.sample_directions(
+            normals, count, distribution, seed=5, first_point=2**32 - 4000, pdf=True, workers=workers
+        )
         assert np.array_equal(whole.vectors, threaded.vectors)
     cuts = [0, 1, 257, 1500, 4000, 4001, 8000, 9001]
     for start, end in pairwise(cuts):
-        part = ws.sample_directions(normals[start:end], count, distribution, seed=5, first_point=2**32 - 4000 + start)
+        part = ws.sample_directions(
+            normals[start:end], count, distribution, seed=5, first_point=2**32 - 4000 + start, pdf=True
+        )
         assert np.array_equal(whole.vectors[start:end], part.vectors)
     active = np.arange(len(normals)) % 2 == 0
     half = ws.sample_directions(

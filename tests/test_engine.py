@@ -150,7 +150,7 @@ def all_kernels():
     for name in ws.sequences.names():
         yield f"square {name}", kernels.square_blocks(ws.sequences.get(name).sample)
         yield f"rows {name}", kernels.direction_rows(*slots(name, ws.CosineHemisphere(), True, True))
-    for case in {case for _, case in VECTORISED}:
+    for case in dict.fromkeys(case for _, case in VECTORISED):
         yield f"rows {case}", kernels.direction_rows(*slots("sobol", case, False, False))
         yield f"blocks {case}", kernels.direction_blocks(*slots("sobol", case, False, False), False)
         for func, width, out in ((case.maps.sample, 2, 3), (case.maps.pdf, 3, 1), (case.maps.invert, 3, 2)):
