@@ -266,6 +266,11 @@ def test_bad_input_is_named_before_any_work(normals, arguments, error, message):
         ws.sample_directions(normals, **{"count": 2, **arguments})
 
 
+def test_out_may_not_overlap_the_normals(normals):
+    with pytest.raises(ValueError, match=r"^out: got an array that overlaps the normals, want one of its own"):
+        ws.sample_directions(normals, 1, out=normals[:, None])
+
+
 def test_nothing_is_written_when_an_argument_is_bad(normals):
     out = np.full((1000, 2, 3), 7.0, np.float32)
     with pytest.raises(ValueError, match="sequence"):

@@ -91,7 +91,7 @@ def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
 
     Raises:
         TypeError: another kind of array than the input, or not float32.
-        ValueError: another shape or device, not contiguous, or read-only.
+        ValueError: another shape or device, not contiguous, read-only, or over the normals.
     """
     want = f"a C-contiguous, writeable float32 array of shape {(*shape, 3)}"
     if isinstance(out, wp.array) and isinstance(like.owner, wp.array):
@@ -109,4 +109,6 @@ def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
         raise TypeError(f"out: got {type(out).__name__}, want {type(like.owner).__name__}, the kind of the normals")
     if (*vectors.shape, vectors.width) != (*shape, 3):
         raise ValueError(f"out: got shape {(*vectors.shape, vectors.width)}, want {want}")
+    if vectors.address < like.address + 12 * like.count and like.address < vectors.address + 12 * vectors.count:
+        raise ValueError("out: got an array that overlaps the normals, want one of its own")
     return vectors

@@ -9,13 +9,15 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample import kernels, sequences
+from warpsample import sequences
 from warpsample.arguments import check_first_point, check_integer, check_seed
 from warpsample.arrays import Array, Vectors, address_of, as_vectors, check_out, new_vectors
 from warpsample.distributions import as_distribution
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.engine import check_memory, check_workers, run
+from warpsample.kernels import FLAT_BLOCK, directions
+from warpsample.kernels.flat import square_blocks
 from warpsample.sequences.record import Sequence
 from warpsample.surface import SurfacePoints
 
@@ -30,10 +32,10 @@ _STREAM_HINT = "stream them: slices of the normals with first_point=, or `warpsa
 class Status(IntEnum):
     """Why a point has directions or not."""
 
-    OK = kernels.OK
-    INACTIVE = kernels.INACTIVE
-    ZERO_NORMAL = kernels.ZERO_NORMAL
-    NONFINITE_NORMAL = kernels.NONFINITE_NORMAL
+    OK = directions.OK
+    INACTIVE = directions.INACTIVE
+    ZERO_NORMAL = directions.ZERO_NORMAL
+    NONFINITE_NORMAL = directions.NONFINITE_NORMAL
 
 
 @dataclass(frozen=True, eq=False)
@@ -150,14 +152,14 @@ def sample_square(sequence: str, points: int, count: int, seed: int = 0, first_p
     square = np.empty((points, count, 2), np.float32)
     inputs = [
         total,
-        kernels.FLAT_BLOCK,
+        FLAT_BLOCK,
         count,
         check_seed(seed),
         check_first_point(first_point, points),
         square.ctypes.data,
     ]
-    tasks = -(-total // kernels.FLAT_BLOCK)
-    run(kernels.square_blocks(record.sample), tasks, inputs, wp.get_device(_CPU), check_workers(None), total)
+    tasks = -(-total // FLAT_BLOCK)
+    run(square_blocks(record.sample), tasks, inputs, wp.get_device(_CPU), check_workers(None), total)
     return square
 
 
@@ -177,7 +179,7 @@ class _Plan:
         device = normals.device
         on_host = isinstance(normals.owner, np.ndarray)
         status = np.zeros(normals.count, np.uint8) if on_host else wp.zeros(normals.count, dtype=wp.uint8, device=device)
-        job = kernels.DirectionJob()
+        job = directions.DirectionJob()
         job.seed, job.first_point, job.points, job.count = self.seed, first_point, normals.count, self.count
         job.normals, job.vectors, job.status = normals.address, vectors.address, address_of(status)
         job.pdf = pdf.address if pdf else 0
@@ -193,9 +195,9 @@ class _Plan:
         slots = (self.sequence.sample, self.distribution.about(), maps.redraw, maps.redraw_below, self.pdf, masked)
         if device.is_cuda or self.count >= _LONG_ROW or self.count % _LANES == 0:
             block = min(self.count, _PART) if device.is_cpu else 1
-            return kernels.direction_rows(*slots), points * -(-self.count // block), block
-        block = kernels.FLAT_BLOCK
-        return kernels.direction_blocks(*slots, self.count == 1), -(-points * self.count // block), block
+            return directions.direction_rows(*slots), points * -(-self.count // block), block
+        block = FLAT_BLOCK
+        return directions.direction_blocks(*slots, self.count == 1), -(-points * self.count // block), block
 
     def fill_by_parts(
         self,

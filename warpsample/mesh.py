@@ -50,8 +50,8 @@ class Mesh:
     """A triangle mesh.
 
     Attributes:
-        vertices: (V, 3) float64, finite, in the user's coordinates and unit.
-        faces: (F, 3) int32 indices of vertices, counter-clockwise seen from outside.
+        vertices: (V, 3) float64, finite, in the user's coordinates and unit; read-only.
+        faces: (F, 3) int32 indices of vertices, counter-clockwise seen from outside; read-only.
 
     Raises:
         TypeError: vertices are not real numbers or faces not whole ones.
@@ -63,8 +63,12 @@ class Mesh:
 
     def __post_init__(self) -> None:
         """Validates and brings both arrays to their types."""
-        object.__setattr__(self, "vertices", _check_vertices(np.asarray(self.vertices)))
-        object.__setattr__(self, "faces", _check_faces(np.asarray(self.faces), len(self.vertices)))
+        vertices = _check_vertices(np.asarray(self.vertices))
+        faces = _check_faces(np.asarray(self.faces), len(vertices))
+        for name, array in (("vertices", vertices), ("faces", faces)):
+            kept = array.view()  # read-only without locking the caller's own array: what is cached here must stay true
+            kept.flags.writeable = False
+            object.__setattr__(self, name, kept)
 
     @cached_property
     def cross_products(self) -> np.ndarray:

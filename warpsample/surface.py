@@ -8,12 +8,9 @@ import warp as wp
 
 from warpsample.arguments import check_first_point, check_integer, check_seed
 from warpsample.engine import check_memory, check_workers, run
+from warpsample.kernels.points import place_points
 from warpsample.mesh import as_mesh
-from warpsample.numerics import high_word, low_word
-from warpsample.sequences.philox import philox4x32_10
 
-_SURFACE_STREAM = wp.constant(wp.uint32(1))  # the fourth counter word; directions use 0
-_WORD_STEP = wp.constant(wp.float64(2.0**-32))
 _BYTES_PER_POINT = 24 + 12 + 4
 
 
@@ -103,7 +100,7 @@ def sample_surface(
     last = int(np.flatnonzero(mesh.face_areas)[-1])
     addresses = [a.ctypes.data for a in (mesh.vertices, mesh.faces, cumulative, position, face)]
     inputs = [seed, first_point, count, len(mesh.vertices), last, *addresses, weights.ctypes.data if barycentric else 0]
-    run(_place_points, count, inputs, wp.get_device("cpu"), workers, 8 * count)
+    run(place_points(), count, inputs, wp.get_device("cpu"), workers, 8 * count)
     return SurfacePoints(position, mesh.face_normals[face], face, weights if barycentric else None)
 
 
@@ -127,50 +124,3 @@ def vertex_points(mesh: Any) -> SurfacePoints:
     """
     mesh = as_mesh(mesh)
     return SurfacePoints(mesh.vertices, mesh.vertex_normals)
-
-
-@wp.kernel(module="unique", enable_backward=False, grid_stride=False)
-def _place_points(
-    seed: wp.uint64,
-    first_point: wp.uint64,
-    points: wp.int32,
-    vertex_count: wp.int32,
-    last_face: wp.int32,
-    vertices: wp.uint64,
-    faces: wp.uint64,
-    cumulative: wp.uint64,
-    position: wp.uint64,
-    face: wp.uint64,
-    barycentric: wp.uint64,
-    first_task: wp.int64,
-):
-    i = wp.int32(first_task) + wp.tid()
-    corners = wp.array(ptr=vertices, shape=(vertex_count,), dtype=wp.vec3d)
-    triangles = wp.array(ptr=faces, shape=(last_face + 1,), dtype=wp.vec3i)
-    areas = wp.array(ptr=cumulative, shape=(last_face + 1,), dtype=wp.float64)
-    positions = wp.array(ptr=position, shape=(points,), dtype=wp.vec3d)
-    indices = wp.array(ptr=face, shape=(points,), dtype=wp.int32)
-    id = first_point + wp.uint64(i)
-    counter = wp.vec4ui(wp.uint32(0), low_word(id), high_word(id), _SURFACE_STREAM)
-    bits = philox4x32_10(counter, low_word(seed), high_word(seed))
-    share = (wp.float64(bits[0]) + wp.float64(bits[1]) * _WORD_STEP) * _WORD_STEP * areas[last_face]
-    # The first face whose cumulated area exceeds the share; faces without area never are.
-    low = wp.int32(0)
-    high = last_face
-    while low < high:
-        middle = (low + high) / 2
-        if areas[middle] > share:
-            high = middle
-        else:
-            low = middle + 1
-    root = wp.sqrt((wp.float64(bits[2]) + wp.float64(0.5)) * _WORD_STEP)
-    split = (wp.float64(bits[3]) + wp.float64(0.5)) * _WORD_STEP
-    weights = wp.vec3d(wp.float64(1.0) - root, root * (wp.float64(1.0) - split), root * split)
-    triangle = triangles[low]
-    # From the first corner on, so that far from the origin only the edges are weighted.
-    a = corners[triangle[0]]
-    positions[i] = a + weights[1] * (corners[triangle[1]] - a) + weights[2] * (corners[triangle[2]] - a)
-    indices[i] = low
-    if barycentric != wp.uint64(0):
-        kept = wp.array(ptr=barycentric, shape=(points,), dtype=wp.vec3d)
-        kept[i] = weights

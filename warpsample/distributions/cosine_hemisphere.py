@@ -8,7 +8,7 @@ import warp as wp
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.distributions.uniform_sphere import square_to_uniform_sphere
 from warpsample.frames import frame_about, to_world
-from warpsample.kernels import Parameters
+from warpsample.kernels.parameters import Parameters
 from warpsample.numerics import GRID, clamp_uniform, fma, sincos_eighth, sincos_turns, turns_of
 from warpsample.sequences.hashing import pcg4d
 

@@ -8,7 +8,9 @@ import warp as wp
 
 from warpsample.arrays import Array, as_vectors, new_vectors
 from warpsample.engine import check_workers, run
-from warpsample.kernels import FLAT_BLOCK, Parameters, about_frame, elementwise, with_parameters
+from warpsample.kernels import FLAT_BLOCK
+from warpsample.kernels.flat import elementwise
+from warpsample.kernels.parameters import Parameters, about_frame, with_parameters
 
 
 @dataclass(frozen=True)

@@ -1,18 +1,16 @@
-"""The loops around a sequence and a distribution, as cached kernels in two shapes.
+"""Directions at points, in two shapes of loop with the same results, bit for bit.
 
-*Rows* walk the samples of one point, so all that depends on the point alone (frame, scramble keys) is computed once; for
-the CPU and many samples. *Flat* blocks walk consecutive (point, sample) pairs whatever the count; for few samples, and,
-with blocks of one, for CUDA, where neighbouring threads then store to neighbouring addresses.
-
-What makes the compiler vectorise them (../WARP.md has the measurements): a `while` over one-dimensional views that the
-kernel itself opens from a pointer, scalar stores, no branch and no libm call inside.
+*Rows* walk the samples of one point, so all that depends on the point alone (frame, scramble keys) is computed once: for
+many samples on the CPU. In parts of one sample they serve CUDA, where neighbouring threads then store side by side.
+*Blocks* walk consecutive (point, sample) pairs: for few samples on the CPU, where a row would not fill a vector.
 """
 
 from functools import cache
 
 import warp as wp
 
-from warpsample.frames import frame_about, to_world
+from warpsample.kernels import FLAT_BLOCK
+from warpsample.kernels.parameters import Parameters
 from warpsample.numerics import normalize, scaled_to_unit
 
 OK = 0
@@ -20,21 +18,10 @@ INACTIVE = 1
 ZERO_NORMAL = 2
 NONFINITE_NORMAL = 3
 
-FLAT_BLOCK = 256
-"""Pairs of one flat task on the CPU: long enough to hide its setup, short enough that a rare redraw rereads little."""
-
 _BLOCK = wp.constant(wp.int64(FLAT_BLOCK))
-_BLOCK_FLOATS = wp.constant(3 * FLAT_BLOCK)
 _STATUS_INACTIVE = wp.constant(wp.int32(INACTIVE))
 _STATUS_ZERO = wp.constant(wp.int32(ZERO_NORMAL))
 _STATUS_NONFINITE = wp.constant(wp.int32(NONFINITE_NORMAL))
-
-
-@wp.struct
-class Parameters:
-    """The scalars of a distribution, so that a new value compiles nothing."""
-
-    first: wp.float32
 
 
 @wp.func
@@ -44,53 +31,6 @@ def normal_status(n: wp.vec3, weight: wp.float32) -> wp.int32:
     zero = wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]) == 0.0
     code = wp.where(finite, wp.where(zero, _STATUS_ZERO, 0), _STATUS_NONFINITE)
     return wp.where(weight == 0.0, _STATUS_INACTIVE, code)
-
-
-@cache
-def with_parameters(func: wp.Function, argument: type, count: int) -> wp.Function:
-    """`func(x)` or `func(x, first)`, by the number of its parameters, as a wp.func of (x: argument, Parameters)."""
-    if count == 0:
-
-        @wp.func
-        def call(x: argument, parameters: Parameters):
-            return func(x)
-
-    else:
-
-        @wp.func
-        def call(x: argument, parameters: Parameters):
-            return func(x, parameters.first)
-
-    return call
-
-
-@cache
-def about_frame(sample: wp.Function, pdf: wp.Function) -> wp.Function:
-    """A local map (u, Parameters) and its density as a map about a unit normal, (n, u, Parameters) -> (direction, pdf)."""
-
-    @wp.func
-    def about(n: wp.vec3, u: wp.vec2, parameters: Parameters):
-        w = sample(u, parameters)
-        d = to_world(frame_about(n), w)
-        return wp.vec4(d[0], d[1], d[2], pdf(w, parameters))
-
-    return about
-
-
-@wp.func
-def _store_pdf(
-    vectors: wp.array[wp.float32],
-    pdf: wp.array[wp.float32],
-    i: wp.int32,
-    x: wp.float32,
-    y: wp.float32,
-    z: wp.float32,
-    p: wp.float32,
-):
-    vectors[3 * i] = x
-    vectors[3 * i + 1] = y
-    vectors[3 * i + 2] = z
-    pdf[i] = p
 
 
 @wp.func
@@ -106,6 +46,20 @@ def _store(
     vectors[3 * i] = x
     vectors[3 * i + 1] = y
     vectors[3 * i + 2] = z
+
+
+@wp.func
+def _store_pdf(
+    vectors: wp.array[wp.float32],
+    pdf: wp.array[wp.float32],
+    i: wp.int32,
+    x: wp.float32,
+    y: wp.float32,
+    z: wp.float32,
+    p: wp.float32,
+):
+    _store(vectors, pdf, i, x, y, z, p)
+    pdf[i] = p
 
 
 @wp.func
@@ -133,11 +87,6 @@ class DirectionJob:
     status: wp.uint64
     active: wp.uint64
     parameters: Parameters
-
-
-@wp.func
-def _floats(address: wp.uint64, first: wp.int64, count: wp.int32) -> wp.array[wp.float32]:
-    return wp.array(ptr=address + wp.uint64(first) * wp.uint64(4), shape=(count,), dtype=wp.float32)
 
 
 @cache
@@ -208,9 +157,8 @@ def direction_rows(
         else:
             status = wp.array(ptr=job.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)
             status[0] = wp.uint8(normal_status(normal[0], weigh(active, 0)))
-            while j < length:
-                store(vectors, pdf, j, 0.0, 0.0, 0.0, 0.0)
-                j += 1
+            for k in range(length):
+                store(vectors, pdf, k, 0.0, 0.0, 0.0, 0.0)
         if wp.static(redraws):  # noqa: SIM102  (one is decided when the kernel is built, the other when it runs)
             if rare != 0:
                 redraw_rare(job, id, n, start, length, vectors, pdf)
@@ -236,7 +184,7 @@ def direction_blocks(
     store = _store_pdf if with_pdf else _store
     weigh = _weigh if masked else _all_active
     redraws = redraw is not None
-    buffer = 3 if one_sample else 3 * FLAT_BLOCK
+    buffer = 1 if one_sample else 3 * FLAT_BLOCK
 
     @wp.func
     def mend(
@@ -278,17 +226,12 @@ def direction_blocks(
         active = wp.array(ptr=job.active + wp.uint64(point), shape=(span,), dtype=wp.uint8)
         repeated = wp.zeros(shape=(buffer,), dtype=wp.float32)
         if wp.static(not one_sample):
-            i = wp.int32(0)
-            q = wp.int32(0)
-            while q < span:
-                end = wp.min((q + 1) * job.count - start, length)
-                weight = weigh(active, q)
-                while i < end:
-                    repeated[i] = weight * normals[3 * q]
-                    repeated[FLAT_BLOCK + i] = weight * normals[3 * q + 1]
-                    repeated[2 * FLAT_BLOCK + i] = weight * normals[3 * q + 2]
-                    i += 1
-                q += 1
+            for p in range(span):
+                weight = weigh(active, p)
+                for k in range(wp.max(p * job.count - start, 0), wp.min((p + 1) * job.count - start, length)):
+                    repeated[k] = weight * normals[3 * p]
+                    repeated[FLAT_BLOCK + k] = weight * normals[3 * p + 1]
+                    repeated[2 * FLAT_BLOCK + k] = weight * normals[3 * p + 2]
         id = job.first_point + wp.uint64(point)
         per_count = 1.0 / wp.float32(job.count)
         rare = wp.int32(0)
@@ -318,97 +261,3 @@ def direction_blocks(
             mend(job, point, start, length, normals, active, vectors, pdf)
 
     return direction_blocks
-
-
-@wp.func
-def _read_2(x: wp.array[wp.float32], i: wp.int32) -> wp.vec2:
-    # Adding 0 changes nothing but -0.0. Without it LLVM makes one short vector load of the two, and then cannot make a
-    # long one of the loop.
-    return wp.vec2(x[2 * i] + 0.0, x[2 * i + 1] + 0.0)
-
-
-@wp.func
-def _read_3(x: wp.array[wp.float32], i: wp.int32) -> wp.vec3:
-    return wp.vec3(x[3 * i], x[3 * i + 1], x[3 * i + 2])
-
-
-@wp.func
-def _write_1(y: wp.array[wp.float32], i: wp.int32, value: wp.float32):
-    y[i] = value
-
-
-@wp.func
-def _write_2(y: wp.array[wp.float32], i: wp.int32, value: wp.vec2):
-    y[2 * i] = value[0]
-    y[2 * i + 1] = value[1]
-
-
-@wp.func
-def _write_3(y: wp.array[wp.float32], i: wp.int32, value: wp.vec3):
-    y[3 * i] = value[0]
-    y[3 * i + 1] = value[1]
-    y[3 * i + 2] = value[2]
-
-
-_READ = {2: _read_2, 3: _read_3}
-_WRITE = {1: _write_1, 2: _write_2, 3: _write_3}
-
-
-@cache
-def elementwise(func: wp.Function, width: int, out_width: int) -> wp.Kernel:
-    """A kernel over blocks of a flat array: func(x, Parameters) of each of `total` vectors."""
-    read = _READ[width]
-    write = _WRITE[out_width]
-
-    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
-    def elementwise(
-        total: wp.int64,
-        block: wp.int32,
-        source: wp.uint64,
-        target: wp.uint64,
-        parameters: Parameters,
-        first_task: wp.int64,
-    ):
-        first = (first_task + wp.int64(wp.tid())) * wp.int64(block)
-        length = wp.int32(wp.min(wp.int64(block), total - first))
-        x = wp.array(ptr=source + wp.uint64(first * wp.int64(4 * width)), shape=(width * length,), dtype=wp.float32)
-        y = wp.array(ptr=target + wp.uint64(first * wp.int64(4 * out_width)), shape=(out_width * length,), dtype=wp.float32)
-        i = wp.int32(0)
-        while i < length:
-            write(y, i, func(read(x, i), parameters))
-            i += 1
-
-    return elementwise
-
-
-@cache
-def square_blocks(sequence: wp.Function) -> wp.Kernel:
-    """A kernel over blocks of consecutive (point, sample) pairs of a sequence alone."""
-
-    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
-    def square_blocks(
-        total: wp.int64,
-        block: wp.int32,
-        count: wp.int32,
-        seed: wp.uint64,
-        first_point: wp.uint64,
-        target: wp.uint64,
-        first_task: wp.int64,
-    ):
-        first = (first_task + wp.int64(wp.tid())) * wp.int64(block)
-        length = wp.int32(wp.min(wp.int64(block), total - first))
-        point = first / wp.int64(count)
-        start = wp.float64(first - point * wp.int64(count)) + wp.float64(0.5)
-        per_count = wp.float64(1.0) / wp.float64(count)
-        y = wp.array(ptr=target + wp.uint64(first * wp.int64(8)), shape=(2 * length,), dtype=wp.float32)
-        i = wp.int32(0)
-        while i < length:
-            # The half keeps the quotient off the integers by more than float64 errs below 2^52.
-            q = wp.int32((start + wp.float64(i)) * per_count)
-            sample = wp.uint32(wp.int32(start) + i - q * count)
-            u = sequence(seed, first_point + wp.uint64(point) + wp.uint64(q), sample, wp.uint32(count))
-            y[2 * i] = u[0]
-            y[2 * i + 1] = u[1]
-            i += 1
-
-    return square_blocks
