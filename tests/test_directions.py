@@ -52,6 +52,20 @@ def test_same_bits_in_chunks_threads_offsets_and_with_half_inactive(distribution
     assert half.counts() == {ws.Status.OK: 4501, ws.Status.INACTIVE: 4500}
 
 
+@pytest.mark.parametrize(
+    ("first", "points", "rows"),
+    [
+        (0, 5, [(0, 5)]),
+        (2**32 - 3, 5, [(0, 3), (3, 5)]),
+        (2**32, 5, [(0, 5)]),
+        (7 * 2**32 - 5, 5, [(0, 5)]),
+        (2**40 + 1, 2**33, [(0, 2**32 - 1), (2**32 - 1, 2**33 - 1), (2**33 - 1, 2**33)]),
+    ],
+)
+def test_jobs_do_not_cross_a_high_word(first, points, rows):
+    assert module._same_high_word(first, points) == rows
+
+
 @pytest.mark.parametrize("sequence", ws.sequences.names())
 def test_flat_blocks_and_rows_agree_bit_for_bit(sequence, normals, monkeypatch):
     for distribution in (ws.CosineHemisphere("polar"), ws.CosineHemisphere("offset")):

@@ -3,6 +3,7 @@
 from collections import Counter
 from dataclasses import dataclass
 from enum import IntEnum
+from itertools import pairwise
 from math import prod
 from typing import Any
 
@@ -179,14 +180,17 @@ class _Plan:
         device = normals.device
         on_host = isinstance(normals.owner, np.ndarray)
         status = np.zeros(normals.count, np.uint8) if on_host else wp.zeros(normals.count, dtype=wp.uint8, device=device)
-        job = directions.DirectionJob()
-        job.seed, job.first_point, job.points, job.count = self.seed, first_point, normals.count, self.count
-        job.normals, job.vectors, job.status = normals.address, vectors.address, address_of(status)
-        job.pdf = pdf.address if pdf else 0
-        job.active = 0 if active is None else address_of(active)
-        job.parameters = self.distribution.kernel_parameters()
-        kernel, tasks, job.block = self.kernel(device, normals.count, masked=active is not None)
-        run(kernel, tasks, [job], device, self.workers, normals.count * self.count)
+        for start, end in _same_high_word(first_point, normals.count):
+            points = end - start
+            job = directions.DirectionJob()
+            job.seed, job.first_point, job.points, job.count = self.seed, first_point + start, points, self.count
+            job.normals, job.vectors = normals.address + 12 * start, vectors.address + 12 * start * self.count
+            job.pdf = pdf.address + 4 * start * self.count if pdf else 0
+            job.status = address_of(status) + start
+            job.active = 0 if active is None else address_of(active) + start
+            job.parameters = self.distribution.kernel_parameters()
+            kernel, tasks, job.block = self.kernel(device, points, masked=active is not None)
+            run(kernel, tasks, [job], device, self.workers, points * self.count)
         return status
 
     def kernel(self, device: wp.Device, points: int, masked: bool) -> tuple[wp.Kernel, int, int]:
@@ -222,6 +226,12 @@ class _Plan:
             if pdf is not None and got_pdf is not None:
                 pdf[rows] = got_pdf.owner.numpy()
         return status
+
+
+def _same_high_word(first_point: int, points: int) -> list[tuple[int, int]]:
+    """Rows [start, end) between which the global id does not cross a multiple of 2^32."""
+    crossings = range(-first_point % 2**32 or 2**32, points, 2**32)
+    return list(pairwise([0, *crossings, points]))
 
 
 def _check_active(active: Any, normals: Vectors) -> Array | None:

@@ -11,7 +11,7 @@ import warp as wp
 
 from warpsample.kernels import FLAT_BLOCK
 from warpsample.kernels.parameters import Parameters
-from warpsample.numerics import normalize, scaled_to_unit
+from warpsample.numerics import high_word, low_word, normalize, scaled_to_unit
 
 OK = 0
 INACTIVE = 1
@@ -74,7 +74,10 @@ def _all_active(active: wp.array[wp.uint8], i: wp.int32) -> wp.float32:
 
 @wp.struct
 class DirectionJob:
-    """A call's scalars and addresses: normals (P, 3), vectors (P, count, 3), pdf (P, count) float32; status, active (P,)."""
+    """Scalars and addresses: normals (P, 3), vectors (P, count, 3), pdf (P, count) float32; status, active (P,) uint8.
+
+    The ids of all points, from first_point on, have the same high word.
+    """
 
     seed: wp.uint64
     first_point: wp.uint64
@@ -87,6 +90,13 @@ class DirectionJob:
     status: wp.uint64
     active: wp.uint64
     parameters: Parameters
+
+
+@wp.func
+def _point_id(job: DirectionJob, point: wp.uint32) -> wp.uint64:
+    """The global id of a point, by words: the high one is the job's, so a loop over points has 32-bit lanes."""
+    low = low_word(job.first_point) + point
+    return (wp.uint64(high_word(job.first_point)) << wp.uint64(32)) | wp.uint64(low)
 
 
 @cache
@@ -143,7 +153,7 @@ def direction_rows(
         first = point * wp.int64(job.count) + wp.int64(start)
         vectors = wp.array(ptr=job.vectors + wp.uint64(first) * wp.uint64(12), shape=(3 * length,), dtype=wp.float32)
         pdf = wp.array(ptr=job.pdf + wp.uint64(first) * wp.uint64(4), shape=(length,), dtype=wp.float32)
-        id = job.first_point + wp.uint64(point)
+        id = _point_id(job, wp.uint32(point))
         count = wp.uint32(job.count)
         rare = wp.int32(0)
         j = wp.int32(0)
@@ -197,7 +207,7 @@ def direction_blocks(
         vectors: wp.array[wp.float32],
         pdf: wp.array[wp.float32],
     ):
-        """Says why points have no directions, and redraws; scalar, for the few blocks that hold such a pair."""
+        """Clears what has no direction, says why, and redraws; scalar, for the few blocks that hold such a pair."""
         for i in range(length):
             q = (start + i) / job.count
             given = wp.vec3(normals[3 * q], normals[3 * q + 1], normals[3 * q + 2])
@@ -205,9 +215,10 @@ def direction_blocks(
             if code != 0:
                 status = wp.array(ptr=job.status + wp.uint64(point) + wp.uint64(q), shape=(1,), dtype=wp.uint8)
                 status[0] = wp.uint8(code)
+                store(vectors, pdf, i, 0.0, 0.0, 0.0, 0.0)
             elif wp.static(redraws):
                 n = normalize(given)
-                id = job.first_point + wp.uint64(point) + wp.uint64(q)
+                id = _point_id(job, wp.uint32(point) + wp.uint32(q))
                 u = sequence(job.seed, id, wp.uint32(start + i - q * job.count), wp.uint32(job.count))
                 if about(n, u, job.parameters)[3] < redraw_below:
                     d = redraw(n, u, job.parameters)
@@ -232,7 +243,6 @@ def direction_blocks(
                     repeated[k] = weight * normals[3 * p]
                     repeated[FLAT_BLOCK + k] = weight * normals[3 * p + 1]
                     repeated[2 * FLAT_BLOCK + k] = weight * normals[3 * p + 2]
-        id = job.first_point + wp.uint64(point)
         per_count = 1.0 / wp.float32(job.count)
         rare = wp.int32(0)
         i = wp.int32(0)
@@ -246,14 +256,10 @@ def direction_blocks(
                 given = wp.vec3(repeated[i], repeated[FLAT_BLOCK + i], repeated[2 * FLAT_BLOCK + i])
             unit = scaled_to_unit(given)
             sample = wp.uint32(start + i - q * job.count)
-            u = sequence(job.seed, id + wp.uint64(q), sample, wp.uint32(job.count))
+            u = sequence(job.seed, _point_id(job, wp.uint32(point) + wp.uint32(q)), sample, wp.uint32(job.count))
             d = about(wp.vec3(unit[0], unit[1], unit[2]), u, job.parameters)
-            ok = wp.abs(unit[3]) < 0.1
-            x = wp.where(ok, d[0], 0.0)
-            y = wp.where(ok, d[1], 0.0)
-            z = wp.where(ok, d[2], 0.0)
-            store(vectors, pdf, i, x, y, z, wp.where(ok, d[3], 0.0))
-            rare = rare | wp.where(ok, 0, 1)
+            store(vectors, pdf, i, d[0], d[1], d[2], d[3])
+            rare = rare | wp.where(wp.abs(unit[3]) < 0.1, 0, 1)
             if wp.static(redraws):
                 rare = rare | wp.where(d[3] < redraw_below, 1, 0)
             i += 1
