@@ -4,6 +4,7 @@ import mmap
 import re
 import subprocess
 import sys
+from concurrent.futures import wait
 
 import numpy as np
 import pytest
@@ -32,6 +33,21 @@ def test_every_task_runs_once(workers, tasks, monkeypatch):
     out = np.zeros(tasks, np.int32)
     engine.run(_count, tasks, [wp.array(out, device=CPU, copy=False)], CPU, workers, 10**9)
     assert (out == 1).all()
+
+
+def test_an_interrupt_stops_the_threads_before_the_call_returns(monkeypatch):
+    def interrupted(futures):
+        monkeypatch.setattr(engine, "wait", wait)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(engine, "wait", interrupted)
+    monkeypatch.setattr(engine, "_MOST_WORK", 1)
+    out = np.zeros(100_000, np.int32)
+    with pytest.raises(KeyboardInterrupt):
+        engine.run(_count, len(out), [wp.array(out, device=CPU, copy=False)], CPU, 2, 10**9)
+    done = out.sum()
+    assert done < len(out)  # 100,000 launches take longer than the interrupt
+    assert engine._threads(2).submit(out.sum).result() == done
 
 
 def test_an_error_in_a_worker_reaches_the_caller():

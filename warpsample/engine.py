@@ -2,7 +2,8 @@
 
 import os
 import threading
-from concurrent.futures import ThreadPoolExecutor
+from collections import deque
+from concurrent.futures import ThreadPoolExecutor, wait
 from typing import Any
 
 import warp as wp
@@ -11,6 +12,7 @@ from warpsample.arguments import check_integer
 
 _CHUNKS_PER_WORKER = 4  # evens out uneven chunks; a recorded launch of one costs 4 us
 _LEAST_WORK = 1 << 17  # directions; below that (0.3 ms) handing work to a thread costs more than it gains
+_MOST_WORK = 1 << 25  # directions of a chunk: 0.1 s, after which an interrupt is heard
 _MOST_TASKS = (1 << 31) - 1  # wp.tid() is an int32
 
 _pool: ThreadPoolExecutor | None = None
@@ -55,7 +57,8 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
         work: directions computed, or the like of it: little work stays on the calling thread.
     """
     workers = workers if device.is_cpu and work >= _LEAST_WORK else 1
-    chunk = min(-(-tasks // (workers * _CHUNKS_PER_WORKER if workers > 1 else 1)), _MOST_TASKS)
+    shares = workers * _CHUNKS_PER_WORKER if workers > 1 else 1
+    chunk = min(-(-tasks // shares), max(1, _MOST_WORK * tasks // work), _MOST_TASKS)
     # Recorded in this thread: the first one compiles the kernel, and compiling is once per process and thread.
     commands = [_record(kernel, chunk, inputs, device) for _ in range(workers)]
     starts = iter(range(0, tasks, chunk))
@@ -63,6 +66,12 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
         _run_chunks(commands[0], starts, chunk, tasks)
         return
     futures = [_threads(workers).submit(_run_chunks, command, starts, chunk, tasks) for command in commands]
+    try:
+        wait(futures)
+    finally:
+        # If that was interrupted: no thread may start another chunk, or still write to arrays that the caller lets go of.
+        deque(starts, maxlen=0)
+        wait(futures)
     for future in futures:
         future.result()
 

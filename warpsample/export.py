@@ -14,7 +14,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.arguments import check_integer, check_seed
-from warpsample.directions import Status, sample_directions
+from warpsample.directions import Directions, Status, sample_directions
 from warpsample.distributions import as_distribution
 from warpsample.mesh import Mesh, load_mesh
 from warpsample.sequences import get as get_sequence
@@ -101,7 +101,7 @@ def _place(mesh: Mesh, run: Run) -> SurfacePoints:
     return sample_surface(mesh, run.count, run.seed)
 
 
-def _parts(points: SurfacePoints, run: Run, workers: int | None) -> Iterator[tuple[int, object]]:
+def _parts(points: SurfacePoints, run: Run, workers: int | None) -> Iterator[tuple[int, Directions]]:
     """(first row, directions) of parts that fit into memory, with a progress bar where stderr is a terminal."""
     from rich.console import Console  # noqa: PLC0415
     from rich.progress import Progress  # noqa: PLC0415

@@ -108,7 +108,7 @@ def draw_clouds(
     cloud["pdf"] = clouds.value
     bar = {
         "title": clouds.title,
-        "n_labels": 3,
+        "n_labels": 2,
         "fmt": "%.2f",
         "vertical": False,
         "position_x": 0.25,
