@@ -88,7 +88,7 @@ def directions_command(
 @fail_plainly()
 def bench_directions(
     as_json: Annotated[bool, typer.Option("--json", help="JSON lines instead of tables.")] = False,
-    repeats: Annotated[int, typer.Option(help="Timed runs of each case, after one to warm up.", min=1)] = 9,
+    repeats: Annotated[int, typer.Option(help="Timed runs of each case, each after an untimed one.", min=1)] = 15,
     points: Annotated[int, typer.Option(help="Points, with 64 samples each or 64 times as many with one.", min=1)] = 65_536,
 ) -> None:
     """Directions per second: sequences, methods and workers against NumPy's fill of the same array."""

@@ -6,14 +6,18 @@ from time import perf_counter
 
 
 def interleave(cases: Sequence[Callable[[], object]], repeats: int) -> list[list[float]]:
-    """Seconds of each run of each case: one round to warm up, then `repeats` rounds of all cases in turn."""
+    """Seconds of `repeats` runs of each case, in rounds of all cases in turn.
+
+    Each timed run follows an untimed one of the same case, so that kernels are loaded, arrays are where that case leaves
+    them, and all cores are awake: a virtual machine may take milliseconds to wake one.
+    """
     times: list[list[float]] = [[] for _ in cases]
-    for turn in range(repeats + 1):
+    for _ in range(repeats):
         for case, kept in zip(cases, times, strict=True):
+            case()
             start = perf_counter()
             case()
-            if turn:
-                kept.append(perf_counter() - start)
+            kept.append(perf_counter() - start)
     return times
 
 
