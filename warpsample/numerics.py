@@ -21,10 +21,10 @@ _EXPONENT_MASK = wp.constant(wp.int32(0x7F800000))
 _INVERSE_ROOT_SEED = wp.constant(wp.int32(0x5F375A86 - 0x00400000))
 _EXPONENT_OF_2_127 = wp.constant(wp.int32(0x7F000000))
 _EXPONENT_OF_2_MINUS_126 = wp.constant(wp.int32(0x00800000))
-_EVEN_BITS = wp.constant(wp.uint32(0x55555555))
-_EVEN_PAIRS = wp.constant(wp.uint32(0x33333333))
-_EVEN_NIBBLES = wp.constant(wp.uint32(0x0F0F0F0F))
-_EVEN_BYTES = wp.constant(wp.uint32(0x00FF00FF))
+EVEN_BITS = wp.constant(wp.uint32(0x55555555))
+EVEN_PAIRS = wp.constant(wp.uint32(0x33333333))
+EVEN_NIBBLES = wp.constant(wp.uint32(0x0F0F0F0F))
+EVEN_BYTES = wp.constant(wp.uint32(0x00FF00FF))
 
 
 @wp.func_native(
@@ -82,10 +82,10 @@ def clamp_uniform(u: wp.float32) -> wp.float32:
 @wp.func
 def reverse_bits(x: wp.uint32) -> wp.uint32:
     """Bit 0 becomes bit 31 and so on."""
-    x = ((x >> wp.uint32(1)) & _EVEN_BITS) | ((x & _EVEN_BITS) << wp.uint32(1))
-    x = ((x >> wp.uint32(2)) & _EVEN_PAIRS) | ((x & _EVEN_PAIRS) << wp.uint32(2))
-    x = ((x >> wp.uint32(4)) & _EVEN_NIBBLES) | ((x & _EVEN_NIBBLES) << wp.uint32(4))
-    x = ((x >> wp.uint32(8)) & _EVEN_BYTES) | ((x & _EVEN_BYTES) << wp.uint32(8))
+    x = ((x >> wp.uint32(1)) & EVEN_BITS) | ((x & EVEN_BITS) << wp.uint32(1))
+    x = ((x >> wp.uint32(2)) & EVEN_PAIRS) | ((x & EVEN_PAIRS) << wp.uint32(2))
+    x = ((x >> wp.uint32(4)) & EVEN_NIBBLES) | ((x & EVEN_NIBBLES) << wp.uint32(4))
+    x = ((x >> wp.uint32(8)) & EVEN_BYTES) | ((x & EVEN_BYTES) << wp.uint32(8))
     return (x >> wp.uint32(16)) | (x << wp.uint32(16))
 
 

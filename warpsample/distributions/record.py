@@ -122,7 +122,7 @@ class Distribution:
     def kernel_parameters(self) -> Parameters:
         """This instance's scalars as the kernels take them."""
         values = Parameters()
-        for field, name in zip(("first",), self.parameters, strict=False):
+        for field, name in zip(("first",)[: len(self.parameters)], self.parameters, strict=True):
             setattr(values, field, getattr(self, name))
         return values
 

@@ -34,32 +34,16 @@ def normal_status(n: wp.vec3, weight: wp.float32) -> wp.int32:
 
 
 @wp.func
-def _store(
-    vectors: wp.array[wp.float32],
-    pdf: wp.array[wp.float32],
-    i: wp.int32,
-    x: wp.float32,
-    y: wp.float32,
-    z: wp.float32,
-    p: wp.float32,
-):
-    vectors[3 * i] = x
-    vectors[3 * i + 1] = y
-    vectors[3 * i + 2] = z
+def _store(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.int32, d: wp.vec4):
+    vectors[3 * i] = d[0]
+    vectors[3 * i + 1] = d[1]
+    vectors[3 * i + 2] = d[2]
 
 
 @wp.func
-def _store_pdf(
-    vectors: wp.array[wp.float32],
-    pdf: wp.array[wp.float32],
-    i: wp.int32,
-    x: wp.float32,
-    y: wp.float32,
-    z: wp.float32,
-    p: wp.float32,
-):
-    _store(vectors, pdf, i, x, y, z, p)
-    pdf[i] = p
+def _store_pdf(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.int32, d: wp.vec4):
+    _store(vectors, pdf, i, d)
+    pdf[i] = d[3]
 
 
 @wp.func
@@ -136,8 +120,7 @@ def direction_rows(
         for j in range(length):
             u = sequence(job.seed, id, wp.uint32(start + j), wp.uint32(job.count))
             if about(n, u, job.parameters)[3] < redraw_below:
-                d = redraw(n, u, job.parameters)
-                store(vectors, pdf, j, d[0], d[1], d[2], d[3])
+                store(vectors, pdf, j, redraw(n, u, job.parameters))
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def direction_rows(job: DirectionJob, first_task: wp.int64):
@@ -160,7 +143,7 @@ def direction_rows(
         if wp.abs(unit[3]) < 0.1:
             while j < length:
                 d = about(n, sequence(job.seed, id, wp.uint32(start + j), count), job.parameters)
-                store(vectors, pdf, j, d[0], d[1], d[2], d[3])
+                store(vectors, pdf, j, d)
                 if wp.static(redraws):
                     rare = rare | wp.where(d[3] < redraw_below, 1, 0)
                 j += 1
@@ -168,7 +151,7 @@ def direction_rows(
             status = wp.array(ptr=job.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)
             status[0] = wp.uint8(normal_status(normal[0], weigh(active, 0)))
             for k in range(length):
-                store(vectors, pdf, k, 0.0, 0.0, 0.0, 0.0)
+                store(vectors, pdf, k, wp.vec4(0.0))
         if wp.static(redraws):  # noqa: SIM102  (one is decided when the kernel is built, the other when it runs)
             if rare != 0:
                 redraw_rare(job, id, n, start, length, vectors, pdf)
@@ -215,14 +198,13 @@ def direction_blocks(
             if code != 0:
                 status = wp.array(ptr=job.status + wp.uint64(point) + wp.uint64(q), shape=(1,), dtype=wp.uint8)
                 status[0] = wp.uint8(code)
-                store(vectors, pdf, i, 0.0, 0.0, 0.0, 0.0)
+                store(vectors, pdf, i, wp.vec4(0.0))
             elif wp.static(redraws):
                 n = normalize(given)
                 id = _point_id(job, wp.uint32(point) + wp.uint32(q))
                 u = sequence(job.seed, id, wp.uint32(start + i - q * job.count), wp.uint32(job.count))
                 if about(n, u, job.parameters)[3] < redraw_below:
-                    d = redraw(n, u, job.parameters)
-                    store(vectors, pdf, i, d[0], d[1], d[2], d[3])
+                    store(vectors, pdf, i, redraw(n, u, job.parameters))
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def direction_blocks(job: DirectionJob, first_task: wp.int64):
@@ -258,7 +240,7 @@ def direction_blocks(
             sample = wp.uint32(start + i - q * job.count)
             u = sequence(job.seed, _point_id(job, wp.uint32(point) + wp.uint32(q)), sample, wp.uint32(job.count))
             d = about(wp.vec3(unit[0], unit[1], unit[2]), u, job.parameters)
-            store(vectors, pdf, i, d[0], d[1], d[2], d[3])
+            store(vectors, pdf, i, d)
             rare = rare | wp.where(wp.abs(unit[3]) < 0.1, 0, 1)
             if wp.static(redraws):
                 rare = rare | wp.where(d[3] < redraw_below, 1, 0)

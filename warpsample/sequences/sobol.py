@@ -2,14 +2,10 @@
 
 import warp as wp
 
-from warpsample.numerics import reverse_bits, uniform_from_bits
+from warpsample.numerics import EVEN_BITS, EVEN_BYTES, EVEN_NIBBLES, EVEN_PAIRS, reverse_bits, uniform_from_bits
 from warpsample.sequences.hashing import point_key
 from warpsample.sequences.record import Sequence
 
-_ODD_BITS = wp.constant(wp.uint32(0x55555555))
-_ODD_PAIRS = wp.constant(wp.uint32(0x33333333))
-_ODD_NIBBLES = wp.constant(wp.uint32(0x0F0F0F0F))
-_ODD_BYTES = wp.constant(wp.uint32(0x00FF00FF))
 _HASH_1 = wp.constant(wp.uint32(0x3D20ADEA))
 _HASH_2 = wp.constant(wp.uint32(0x05526C56))
 _HASH_3 = wp.constant(wp.uint32(0x53A22864))
@@ -32,10 +28,10 @@ def laine_karras(x: wp.uint32, key: wp.uint32) -> wp.uint32:
 def sobol_second(index: wp.uint32) -> wp.uint32:
     """The second Sobol' coordinate of index, bit-reversed: times Pascal's triangle mod 2, in five steps."""
     x = index
-    x = x ^ ((x >> wp.uint32(1)) & _ODD_BITS)
-    x = x ^ ((x >> wp.uint32(2)) & _ODD_PAIRS)
-    x = x ^ ((x >> wp.uint32(4)) & _ODD_NIBBLES)
-    x = x ^ ((x >> wp.uint32(8)) & _ODD_BYTES)
+    x = x ^ ((x >> wp.uint32(1)) & EVEN_BITS)
+    x = x ^ ((x >> wp.uint32(2)) & EVEN_PAIRS)
+    x = x ^ ((x >> wp.uint32(4)) & EVEN_NIBBLES)
+    x = x ^ ((x >> wp.uint32(8)) & EVEN_BYTES)
     return x ^ (x >> wp.uint32(16))
 
 
