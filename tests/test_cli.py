@@ -105,6 +105,7 @@ def test_an_interrupted_run_leaves_the_old_file_and_no_half_one(call, cube, tmp_
         (["directions", "CUBE", "-o", "no/d.npz"], "error: --output: got 'no/d.npz', whose folder does not exist"),
         (["directions", "CUBE", "-o", "d.npz", "--count", "0"], "error: --count: got 0, want a whole number from 1"),
         (["directions", "CUBE", "-o", "d.npz", "--samples", "-3"], "error: --samples: got -3"),
+        (["directions", "CUBE", "-o", "d.npz", "--workers", "0"], "error: workers: got 0, want a whole number from 1"),
         (["directions", "CUBE", "-o", "d.npz", "--seed", "-1"], "error: seed: got -1, want a whole number of 64 bits"),
         (
             ["directions", "CUBE", "-o", "d.npz", "--sequence", "halton"],

@@ -76,6 +76,12 @@ def nan_in_the_middle(u):
     return w
 
 
+def one_in_a_hundred_thousand_below(u):
+    w = RIGHT.sample(u)
+    w[::100_000, 2] *= -1
+    return w
+
+
 def swapped_pair(w):
     return RIGHT.invert(w)[..., ::-1]
 
@@ -111,6 +117,7 @@ def azimuth(wrong, u):
         pytest.param(Wrong(partial(coarse, 12)), rim, id="u on 12 bits"),
         pytest.param(Wrong(gap), azimuth, id="azimuth gap of 1e-3 rad"),
         pytest.param(Wrong(swapped_quadrant), shape, id="sin and cos swapped in a quadrant"),
+        pytest.param(Wrong(one_in_a_hundred_thousand_below), shape, id="one in 10^5 below the surface"),
         pytest.param(Wrong(ws.UniformHemisphere().sample), shape, id="uniform for cosine"),
         pytest.param(Wrong(lambda u: RIGHT.sample(u) * np.float32([1, 1, -1])), shape, id="upside down"),
     ],

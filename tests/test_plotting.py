@@ -30,7 +30,7 @@ def can_render():
 
 def test_clouds_are_uniform_spheres_resting_on_the_surface(viewer, bunny_path):
     points = ws.sample_surface(ws.load_mesh(bunny_path), 20, seed=1)
-    cloud = viewer.cloud_positions(points, ws.sample_directions(points, 4096), 4096, 0.1).reshape(20, 4096, 3)
+    cloud = viewer.cloud_positions(points, ws.sample_directions(points, 4096).vectors, 0.1).reshape(20, 4096, 3)
     centre = points.position + 0.05 * points.normal
     from_centre = (cloud - centre[:, None]) / 0.05
     assert np.abs(np.linalg.norm(from_centre, axis=-1) - 1.0).max() <= 1e-6
@@ -56,7 +56,9 @@ def test_histogram_is_of_the_projected_sphere(viewer, plausible):
     assert below.get_xlabel().endswith("caption")
 
 
-@pytest.mark.parametrize(("points", "count", "shown"), [(10, 64, 64), (10_000, 1024, 100), (2_000_000, 4, 1)])
+@pytest.mark.parametrize(
+    ("points", "count", "shown"), [(10, 64, (10, 64)), (10_000, 1024, (10_000, 100)), (2_000_000, 4, (1_000_000, 1))]
+)
 def test_budget_bounds_what_is_drawn(points, count, shown):
     assert plotting.budgeted(points, count) == shown
 
@@ -83,7 +85,7 @@ def test_screenshot_of_the_bunny(can_render, repository, tmp_path, child_environ
     command = [sys.executable, repository / "viz" / "direction_clouds.py", "--screenshot", tmp_path / "clouds.png"]
     options = ["--points", "30", "--samples", "100", "--size", "800", "400"]
     done = subprocess.run([*command, *options], env=child_environment, capture_output=True, text=True, check=True)
-    assert done.stdout.startswith(f"{tmp_path / 'clouds.png'}: 30 points x 100 of 100 directions; χ² ")
+    assert done.stdout.startswith(f"{tmp_path / 'clouds.png'}: 30 points x 100 directions; χ² ")
     assert [line for line in done.stderr.splitlines() if "CUDA" not in line] == []
     image = matplotlib.image.imread(tmp_path / "clouds.png")
     assert image.shape[:2] == (400, 800)
@@ -92,12 +94,29 @@ def test_screenshot_of_the_bunny(can_render, repository, tmp_path, child_environ
     assert list(tmp_path.iterdir()) == [tmp_path / "clouds.png"]
 
 
+def test_a_cloud_cut_by_the_budget_is_thinner_and_whole(can_render, viewer, monkeypatch, tmp_path, capsys):
+    """The first part of a Fibonacci set would be a cap: every cloud's mean must stay at its sphere's centre."""
+    kept = {}
+    show = plotting.clouds_beside_histogram
+    monkeypatch.setattr(plotting.budgeted, "__defaults__", (2000,))
+    monkeypatch.setattr(plotting, "clouds_beside_histogram", lambda *a, **k: (kept.update(k, title=a[1]), show(*a, **k))[1])
+    monkeypatch.setattr(viewer, "HISTOGRAM_DRAWS", 50_000)
+    viewer.main(points=4, samples=4096, sequence="fibonacci", screenshot=tmp_path / "x.png", size=(800, 400))
+    clouds = kept["clouds"].position.reshape(4, 500, 3)
+    centres = kept["position"] + 0.5 * kept["scale"] * kept["normal"]
+    # 500 lattice points are within 1/500 of the uniform sphere's mean; the first 500 of 4096 were off by 0.44.
+    assert np.abs(clouds.mean(axis=1) - centres).max() <= 0.01 * kept["scale"]
+    assert "4 points x 500 directions (of 4 x 4,096 asked for)" in kept["title"]
+    assert "(of 4 x 4,096 asked for)" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
         ([], "error: there is no screen to open a window on: save a picture with --screenshot FILE"),
         (["--screenshot", "no/such/folder/x.png"], "error: --screenshot: got 'no/such/folder/x.png', whose folder"),
         (["nothing.ply", "--screenshot", "x.png"], "error: path: got 'nothing.ply', which is missing"),
+        (["--size", "0", "9", "--screenshot", "x.png"], "error: --size: got 0 x 9, want at least 600 x 300"),
         (["--points", "0", "--screenshot", "x.png"], "error: count: got 0"),
         (["--distribution", "phong", "--screenshot", "x.png"], "error: distribution: got 'phong'"),
     ],

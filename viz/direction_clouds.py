@@ -22,9 +22,9 @@ HISTOGRAM_DRAWS = 1_000_000
 CELLS = 90
 
 
-def cloud_positions(points: ws.SurfacePoints, directions: ws.Directions, shown: int, scale: float) -> np.ndarray:
-    """(P * shown, 3): p + scale * cos(theta) * w."""
-    w = directions.vectors[:, :shown].astype(np.float64)
+def cloud_positions(points: ws.SurfacePoints, vectors: np.ndarray, scale: float) -> np.ndarray:
+    """(P * n, 3): p + scale * cos(theta) * w of all directions w, vectors (P, n, 3)."""
+    w = vectors.astype(np.float64)
     cosine = np.einsum("psk,pk->ps", w, points.normal.astype(np.float64))
     return (points.position[:, None] + scale * cosine[..., None] * w).reshape(-1, 3)
 
@@ -53,22 +53,23 @@ def main(
         raise ValueError("there is no screen to open a window on: save a picture with --screenshot FILE")
     if screenshot is not None and not screenshot.resolve().parent.is_dir():
         raise ValueError(f"--screenshot: got {str(screenshot)!r}, whose folder does not exist")
+    if size[0] < 600 or size[1] < 300:
+        raise ValueError(f"--size: got {size[0]} x {size[1]}, want at least 600 x 300, in which the histogram can be read")
     chosen = as_distribution(distribution)
     plotting.check_rendering()
     surface = ws.load_mesh(mesh)
-    at = ws.sample_surface(surface, points, seed)
-    shown = plotting.budgeted(points, samples)
-    drawn = ws.sample_directions(at, samples, chosen, sequence, seed, pdf=True)
+    # Only what is drawn is sampled: the first part of a lattice would be a cap of the cloud and not a thinner cloud.
+    shown_points, shown = plotting.budgeted(points, samples)
+    at = ws.sample_surface(surface, shown_points, seed)
+    drawn = ws.sample_directions(at, shown, chosen, sequence, seed, pdf=True)
     scale = 0.06 * float(np.linalg.norm(surface.vertices.max(axis=0) - surface.vertices.min(axis=0)))
     edges, test = cosine_lobe_angles(projected_sphere_angles(at.normal, HISTOGRAM_DRAWS, seed), CELLS)
-    clouds = plotting.Clouds(
-        cloud_positions(at, drawn, shown, scale),
-        drawn.pdf[:, :shown].ravel(),
-        "pdf [1/sr]",
-    )
-    left_out = f" ({samples - shown:,} more not drawn)" if shown < samples else ""
-    title = f"{distribution}, {sequence}: {points:,} points x {shown:,} directions{left_out}, drawn at p + s cos(theta) w"
-    caption = f"{int(test.observed.sum()):,} independent directions about {points} normals, seed {seed}"
+    clouds = plotting.Clouds(cloud_positions(at, drawn.vectors, scale), drawn.pdf.ravel(), "pdf [1/sr]")
+    what = f"{shown_points:,} points x {shown:,} directions"
+    if (shown_points, shown) != (points, samples):
+        what += f" (of {points:,} x {samples:,} asked for)"
+    title = f"{distribution}, {sequence}: {what}, drawn at p + s cos(theta) w"
+    caption = f"{int(test.observed.sum()):,} independent directions about {shown_points:,} normals, seed {seed}"
     plotter = plotting.clouds_beside_histogram(
         plotting.lobe_histogram(edges, test, caption),
         title,
@@ -86,9 +87,7 @@ def main(
         plotter.show()
         return
     plotting.save_screenshot(plotter, screenshot)
-    print(
-        f"{screenshot}: {points} points x {shown} of {samples} directions; χ² {test.chi_square:.1f}, p = {test.p_value:.3f}"
-    )
+    print(f"{screenshot}: {what}; χ² {test.chi_square:.1f}, p = {test.p_value:.3f}")
 
 
 if __name__ == "__main__":

@@ -22,7 +22,6 @@ from warpsample.kernels.flat import square_blocks
 from warpsample.sequences.record import Sequence
 from warpsample.surface import SurfacePoints
 
-_CPU = "cpu"
 _PART = 1 << 14  # samples of one row that a task takes: enough to share out one point's million samples
 _LANES = 16  # float32s of the widest vector register; rows of other lengths end in a scalar remainder,
 _LONG_ROW = 48  # which no longer matters from here on
@@ -148,19 +147,13 @@ def sample_square(sequence: str, points: int, count: int, seed: int = 0, first_p
     record = sequences.get(sequence)
     points = check_integer(points, "points", 1, 2**63 - 1)
     count = check_integer(count, "count", 1, 2**31 - 1)
+    seed, first_point = check_seed(seed), check_first_point(first_point, points)
     total = points * count
     check_memory(8 * total, f"{total:,} points of the square", "take them in parts with first_point")
     square = np.empty((points, count, 2), np.float32)
-    inputs = [
-        total,
-        FLAT_BLOCK,
-        count,
-        check_seed(seed),
-        check_first_point(first_point, points),
-        square.ctypes.data,
-    ]
+    inputs = [total, FLAT_BLOCK, count, seed, first_point, square.ctypes.data]
     tasks = -(-total // FLAT_BLOCK)
-    run(square_blocks(record.sample), tasks, inputs, wp.get_device(_CPU), check_workers(None), total)
+    run(square_blocks(record.sample), tasks, inputs, wp.get_device("cpu"), check_workers(None), total)
     return square
 
 

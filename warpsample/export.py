@@ -16,6 +16,7 @@ import warp as wp
 from warpsample.arguments import check_integer, check_seed
 from warpsample.directions import Directions, Status, sample_directions
 from warpsample.distributions import as_distribution
+from warpsample.engine import check_workers
 from warpsample.mesh import Mesh, load_mesh
 from warpsample.sequences import get as get_sequence
 from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
@@ -61,7 +62,8 @@ def export(run: Run, workers: int | None = None) -> str:
         TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is written.
     """
     _check(run)
-    mesh = load_mesh(run.mesh)
+    check_workers(workers)
+    mesh, record = load_mesh(run.mesh), _record(run)
     points = _place(mesh, run)
     status = np.empty(len(points), np.uint8)
     with _complete_or_absent(run.output) as partial, zipfile.ZipFile(partial, "w", allowZip64=True) as archive:
@@ -75,7 +77,7 @@ def export(run: Run, workers: int | None = None) -> str:
                 member.write(directions.vectors.data)
                 status[start : start + len(directions.status)] = directions.status
         _write_array(archive, "status", status)
-        _write_array(archive, "run", np.array(json.dumps(_record(run))))
+        _write_array(archive, "run", np.array(json.dumps(record)))
     total = len(points) * run.samples
     skipped = {Status(code).name.lower(): int(n) for code, n in enumerate(np.bincount(status)) if code and n}
     return f"{total:,} directions at {len(points):,} points" + "".join(f", {n:,} {name}" for name, n in skipped.items())

@@ -71,9 +71,10 @@ class Clouds:
     title: str
 
 
-def budgeted(points: int, count: int, budget: int = MOST_POINTS) -> int:
-    """How many of each point's `count` directions to draw, the first ones, so that all clouds stay within the budget."""
-    return max(1, min(count, budget // max(points, 1)))
+def budgeted(points: int, count: int, budget: int = MOST_POINTS) -> tuple[int, int]:
+    """(points, directions of each) to draw, at most those asked for, so that all clouds together stay within the budget."""
+    points = min(points, budget)
+    return points, max(1, min(count, budget // max(points, 1)))
 
 
 def draw_clouds(
