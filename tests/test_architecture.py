@@ -8,6 +8,7 @@ ROOMS = [
     "arguments",
     "registry",
     "numerics",
+    "exponentials",
     "frames",
     "sequences",
     "arrays",

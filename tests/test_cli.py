@@ -113,7 +113,7 @@ def test_an_interrupted_run_leaves_the_old_file_and_no_half_one(call, cube, tmp_
         ),
         (
             ["directions", "CUBE", "-o", "d.npz", "--distribution", "x"],
-            "error: distribution: got 'x', want one of cosine",
+            "error: distribution: got 'x', want one of beckmann, cosine",
         ),
     ],
 )

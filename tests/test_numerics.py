@@ -5,8 +5,9 @@ import pytest
 import warp as wp
 
 from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphere
+from warpsample.exponentials import exp_double, log1p, log1p_double
 from warpsample.frames import frame_about, to_local, to_world
-from warpsample.numerics import GRID, log1p, normalize, reverse_bits, sincos_turns, turns_of, weyl
+from warpsample.numerics import GRID, normalize, reverse_bits, sincos_turns, turns_of, weyl
 
 GOLDEN = 0x9E3779B97F4A7C15
 
@@ -36,6 +37,13 @@ def _frames(v: wp.array[wp.vec3], unit: wp.array[wp.vec3], frame: wp.array[wp.ma
 def _log1p(x: wp.array[wp.float32], out: wp.array[wp.float32]):
     i = wp.tid()
     out[i] = log1p(x[i])
+
+
+@wp.kernel(enable_backward=False)
+def _doubles(x: wp.array[wp.float64], log: wp.array[wp.float64], exponential: wp.array[wp.vec2d]):
+    i = wp.tid()
+    log[i] = log1p_double(x[i])
+    exponential[i] = exp_double(x[i])
 
 
 @wp.kernel(enable_backward=False)
@@ -97,6 +105,29 @@ def test_log1p_keeps_its_digits_from_the_smallest_to_the_largest_float():
     normal = np.abs(exact) >= 1.2e-38  # below that a float32 has fewer digits to keep
     assert np.abs(out.numpy()[normal] / exact[normal] - 1.0).max() <= 1.2e-7
     assert np.abs(out.numpy()[~normal] - exact[~normal]).max() <= 1.5e-45
+
+
+def in_double(x):
+    log, exponential = wp.zeros(len(x), dtype=wp.float64, device="cpu"), wp.zeros(len(x), dtype=wp.vec2d, device="cpu")
+    wp.launch(_doubles, len(x), inputs=[wp.array(x, device="cpu")], outputs=[log, exponential], device="cpu")
+    return log.numpy(), exponential.numpy()
+
+
+def test_log1p_in_double():
+    x = np.concatenate([np.geomspace(1e-300, 1e38, 100_001), -np.geomspace(1e-300, 1.0 - 1e-9, 100_001)])
+    assert np.abs(in_double(x)[0] / np.log1p(x) - 1.0).max() <= 2e-15
+    deep = np.geomspace(1e-37, 0.1, 10_001) - 1.0  # the sum 1 + x is then exact, x alone is not
+    deep = deep[1.0 + deep > 1e-15]
+    assert np.abs(in_double(deep)[0] / np.log1p(deep) - 1.0).max() <= 2e-15
+
+
+def test_exponential_in_double():
+    x = np.concatenate([np.geomspace(1e-300, 170.0, 100_001), -np.geomspace(1e-300, 170.0, 100_001), [0.0, -1e4, -np.inf]])
+    less_one, exponential = in_double(x)[1].T
+    assert np.abs(exponential / np.exp(np.maximum(x, -170.0)) - 1.0).max() <= 3e-14
+    near = x != 0.0
+    assert np.abs(less_one[near] / np.expm1(x[near]) - 1.0).max() <= 3e-14
+    assert less_one[~near].tolist() == [0.0]
 
 
 @pytest.mark.parametrize("scale", [1e-45, 1e-42, 1e-38, 1e-23, 1e-3, 1.0, 1e20, 1e38, 3.4e38])

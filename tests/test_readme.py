@@ -7,6 +7,10 @@ import sys
 import pytest
 import trimesh
 
+import warpsample as ws
+from warpsample.proof import defects, report
+from warpsample.proof.evidence import Evidence, Subject
+
 
 def blocks(repository, language):
     return re.findall(rf"^```{language}\n(.*?)^```", (repository / "README.md").read_text(), flags=re.DOTALL | re.MULTILINE)
@@ -41,6 +45,8 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "pytest",  # this
         "warpsample info MESH",
         "warpsample directions MESH -o directions.npz --count 10000 --samples 64",
+        "warpsample verify",  # test_verify.py, on fewer cases
+        "warpsample verify --power",
         "warpsample bench directions",  # test_bench.py
     ]
 
@@ -54,12 +60,41 @@ def test_mesh_commands_run(repository, tmp_path, child_environment):
     assert (tmp_path / "directions.npz").is_file()
 
 
-def test_every_distribution_and_sequence_is_in_the_readme(repository):
-    import warpsample as ws
+def test_the_table_of_distributions_is_that_of_the_registry(repository):
+    lines = (repository / "README.md").read_text().splitlines()
+    figure = r"(\d\.\de-\d\d|–)"
+    errors = re.compile(rf"\| {figure}, {figure}, {figure}, {figure} \|")
+    expected = report.markdown([]).splitlines()
+    start = lines.index(expected[0])
+    shown = lines[start : start + len(expected)]
+    assert [errors.sub("| –, –, –, – |", line) for line in shown] == expected
+    for line in shown[2 : 2 + len(ws.distributions.names())]:
+        kind = getattr(ws, re.match(r"\| `(\w+)\(", line)[1])
+        found = [
+            worst_errors(case) for case in kind.cases() if case.name != "visible_beckmann" or case.view == (1.0, 0.0, 0.0)
+        ]
+        for law, figure_shown, limit in zip(
+            ("length", "angle", "pdf", "round trip"),
+            errors.search(line).groups(),
+            (kind.worst_unit_length, kind.worst_angle, kind.worst_pdf, kind.worst_round_trip),
+            strict=True,
+        ):
+            measured = [errors_of_case[law] for errors_of_case in found if law in errors_of_case]
+            assert (figure_shown == "–") == (not measured)
+            if measured:
+                # The README's figure is over all variates, rounded to two digits; this one over every 256th.
+                assert max(measured) * 0.95 <= float(figure_shown) <= limit
 
+
+def worst_errors(case):
+    return Evidence(Subject(repr(case), case, case), every=256).sweep
+
+
+def test_every_sequence_is_in_the_readme(repository):
     text = (repository / "README.md").read_text()
-    for name in ws.distributions.names():
-        assert f"`{ws.distributions.get(name).__name__}(" in text
-        assert ws.distributions.get(name).density in text
     for name in ws.sequences.names():
         assert f"`{name}`" in text
+
+
+def test_the_count_of_defects_is_true(repository):
+    assert f"on {len(defects.names())} wrong samplers" in (repository / "README.md").read_text()

@@ -13,7 +13,7 @@ import warp as wp
 
 import warpsample as ws
 from warpsample import plotting
-from warpsample.cli import fail_plainly
+from warpsample.cli import DISTRIBUTION_HELP, fail_plainly
 from warpsample.distributions import as_distribution
 from warpsample.proof.histogram import cosine_lobe_angles
 
@@ -41,7 +41,7 @@ def main(
     mesh: Annotated[Path, typer.Argument(help="Mesh file; by default the bunny inside warp-lang.")] = BUNNY,
     points: Annotated[int, typer.Option(help="How many surface points, uniform by area.")] = 150,
     samples: Annotated[int, typer.Option(help="Directions at each point.")] = 1024,
-    distribution: Annotated[str, typer.Option(help=f"One of: {', '.join(ws.distributions.names())}.")] = "cosine_hemisphere",
+    distribution: Annotated[str, typer.Option(help=DISTRIBUTION_HELP)] = "cosine_hemisphere",
     sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(ws.sequences.names())}.")] = "sobol",
     seed: Annotated[int, typer.Option(help="Seed of everything random.")] = 0,
     up: Annotated[Literal["x", "y", "z"], typer.Option(help="The mesh's axis that points up in the picture.")] = "y",

@@ -2,21 +2,45 @@
 
 from warpsample import distributions, sequences
 from warpsample.directions import Directions, Status, sample_directions, sample_square
+from warpsample.distributions.beckmann import Beckmann
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
+from warpsample.distributions.ggx import GGX
+from warpsample.distributions.offset_ball import OffsetBall
+from warpsample.distributions.offset_circle import OffsetCircle
+from warpsample.distributions.offset_disk import OffsetDisk
+from warpsample.distributions.offset_sphere import OffsetSphere
+from warpsample.distributions.power_cosine import PowerCosine
+from warpsample.distributions.uniform_cone import UniformCone
+from warpsample.distributions.uniform_disk import UniformDisk
 from warpsample.distributions.uniform_hemisphere import UniformHemisphere
 from warpsample.distributions.uniform_sphere import UniformSphere
+from warpsample.distributions.visible_beckmann import VisibleBeckmann
+from warpsample.distributions.visible_ggx import VisibleGGX
+from warpsample.distributions.von_mises_fisher import VonMisesFisher
 from warpsample.mesh import Mesh, MeshReport, as_mesh, load_mesh
 from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
 
 __all__ = [
+    "GGX",
+    "Beckmann",
     "CosineHemisphere",
     "Directions",
     "Mesh",
     "MeshReport",
+    "OffsetBall",
+    "OffsetCircle",
+    "OffsetDisk",
+    "OffsetSphere",
+    "PowerCosine",
     "Status",
     "SurfacePoints",
+    "UniformCone",
+    "UniformDisk",
     "UniformHemisphere",
     "UniformSphere",
+    "VisibleBeckmann",
+    "VisibleGGX",
+    "VonMisesFisher",
     "as_mesh",
     "distributions",
     "face_centers",

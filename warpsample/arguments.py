@@ -1,5 +1,7 @@
 """Checks of arguments, each with an error that names the argument, what it got and what it wants."""
 
+from math import hypot, inf
+from numbers import Real
 from operator import index
 from typing import Any
 
@@ -21,6 +23,38 @@ def check_integer(value: Any, argument: str, low: int, high: int, wants: str | N
     if not low <= number <= high:
         raise ValueError(f"{argument}: got {number}, want {wants}")
     return number
+
+
+def check_number(value: Any, argument: str, low: float, high: float) -> float:
+    """`value` as a float, if it is a number in [low, high].
+
+    Raises:
+        TypeError: not a real number.
+        ValueError: outside the range, or NaN.
+    """
+    wants = f"a number from {low:g} to {high:g}"
+    if not isinstance(value, Real) or isinstance(value, bool):
+        raise TypeError(f"{argument}: got {value!r}, want {wants}")
+    if not low <= value <= high:
+        raise ValueError(f"{argument}: got {value!r}, want {wants}")
+    return float(value)
+
+
+def check_view(value: Any, argument: str) -> tuple[float, float, float]:
+    """`value` as a unit vector, if it is a direction at or above the surface.
+
+    Raises:
+        TypeError, ValueError: not three finite numbers, the zero vector, or below.
+    """
+    wants = "three finite numbers, not all 0, the last at least 0"
+    try:
+        x, y, z = (float(v) for v in value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{argument}: got {value!r}, want {wants}") from None
+    length = hypot(x, y, z)
+    if not (0.0 < length < inf and z >= 0.0):
+        raise ValueError(f"{argument}: got {value!r}, want {wants}")
+    return x / length, y / length, z / length
 
 
 def check_seed(seed: Any) -> int:

@@ -1,10 +1,10 @@
 """The `warpsample` command."""
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import typer
 import warp as wp
@@ -15,6 +15,9 @@ from warpsample.mesh import load_mesh
 app = typer.Typer(no_args_is_help=True, add_completion=False, help="Directions around the normals of a mesh.")
 bench_app = typer.Typer(no_args_is_help=True, help="Run time, measured on this machine.")
 app.add_typer(bench_app, name="bench")
+
+DISTRIBUTION_HELP = f"A name, or one with parameters as in 'beckmann(alpha=0.1)': {', '.join(distributions.names())}."
+_PIPE_WIDTH = 120  # of tables where there is no terminal to fit
 
 MeshFile = Annotated[Path, typer.Argument(help="Mesh file: .ply .obj .stl .off .glb .gltf .usd.", show_default=False)]
 
@@ -71,7 +74,7 @@ def directions_command(
     output: Annotated[Path, typer.Option("--output", "-o", help="The .npz file to write.", show_default=False)],
     count: Annotated[int, typer.Option(help="Surface points; only for the placement 'surface'.")] = 10_000,
     samples: Annotated[int, typer.Option(help="Directions at each point.")] = 64,
-    distribution: Annotated[str, typer.Option(help=f"One of: {', '.join(distributions.names())}.")] = "cosine_hemisphere",
+    distribution: Annotated[str, typer.Option(help=DISTRIBUTION_HELP)] = "cosine_hemisphere",
     sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "sobol",
     seed: Annotated[int, typer.Option(help="Seed of points and directions.")] = 0,
     placement: Annotated[Literal["surface", "faces", "vertices"], typer.Option(help="Where the points are.")] = "surface",
@@ -97,6 +100,50 @@ def bench_directions(
     rows = list(directions.measure(points, repeats))
     starts = startup.measure()
     report.show(rows, starts, as_json)
+
+
+@app.command()
+@fail_plainly()
+def verify(
+    thorough: Annotated[bool, typer.Option("--thorough", help="Sweep all 2^24 variates, not every fourth.")] = False,
+    power: Annotated[bool, typer.Option("--power", help="Try the laws on planted defects instead.")] = False,
+    plant: Annotated[
+        str | None, typer.Option(help="Put this planted defect among the samplers; see --power.", show_default=False)
+    ] = None,
+    markdown: Annotated[bool, typer.Option("--markdown", help="The README's table of distributions instead.")] = False,
+) -> None:
+    """Prove every sampler: a table for each law. Exit status 1 if one is broken."""
+    from rich.console import Console  # noqa: PLC0415
+
+    from warpsample.proof import report, run  # noqa: PLC0415
+    from warpsample.registry import look_up  # noqa: PLC0415
+
+    tasks = run.planted() if power else run.trial()
+    if plant is not None:
+        defects = {task.key: task for task in run.planted()}
+        tasks.append(look_up(defects, plant, "plant"))
+    outcome = dict(_with_progress(run.run(tasks, thorough), len(tasks)))
+    in_order = {task: outcome[task] for task in tasks}
+    verdicts = [verdict for task in in_order for verdict in in_order[task]]
+    console = Console(width=None if sys.stdout.isatty() else _PIPE_WIDTH)
+    if power:
+        console.print(report.power_table({str(task.key): found for task, found in in_order.items()}))
+        raise SystemExit(any(all(v.passed for v in found) for found in in_order.values()))
+    if markdown:
+        print(report.markdown(verdicts))  # noqa: T201
+    else:
+        report.show(verdicts, console)
+        console.print(run.extent(thorough))
+    raise SystemExit(not all(v.passed for v in verdicts))
+
+
+def _with_progress(items: Iterable[Any], total: int) -> Iterator[Any]:
+    """Shows a bar on stderr, if that is a terminal."""
+    from rich.console import Console  # noqa: PLC0415
+    from rich.progress import track  # noqa: PLC0415
+
+    console = Console(stderr=True)
+    return track(items, "verifying", total, console=console, disable=not console.is_terminal)
 
 
 def main() -> None:

@@ -33,7 +33,7 @@ class Run:
         output: the .npz file.
         count: surface points; only for the placement "surface".
         samples: directions at each point.
-        distribution: a name, with its defaults.
+        distribution: a name with its defaults, or with parameters as "beckmann(alpha=0.1)".
         sequence: a name.
         seed: of points and directions.
         placement: "surface" (uniform by area), "faces" (centres) or "vertices".

@@ -14,9 +14,10 @@ _GRID_STEP = wp.constant(wp.float32(1.0 / GRID))
 _GRID_SIZE = wp.constant(wp.float64(GRID))
 _LAST_CELL = wp.constant(wp.int32(GRID - 1))
 _LARGEST_UNIFORM = wp.constant(wp.float32(1.0 - 1.0 / GRID))
-_ONE_BITS = wp.constant(wp.int32(0x3F800000))
-_SQRT_HALF_BITS = wp.constant(wp.int32(0x3F3504F3))
-_MANTISSA_MASK = wp.constant(wp.int32(0x007FFFFF))
+_ZERO = wp.constant(wp.float64(0.0))
+_TWO = wp.constant(wp.float64(2.0))
+_TINY = wp.constant(wp.float64(1e-90))
+_LARGEST_TAN_SQUARED = wp.constant(wp.float64(1e37))
 _EXPONENT_MASK = wp.constant(wp.int32(0x7F800000))
 _INVERSE_ROOT_SEED = wp.constant(wp.int32(0x5F375A86 - 0x00400000))
 _EXPONENT_OF_2_127 = wp.constant(wp.int32(0x7F000000))
@@ -145,24 +146,35 @@ def turns_of(x: wp.float32, y: wp.float32) -> wp.float32:
 
 
 @wp.func
-def log1p(x: wp.float32) -> wp.float32:
-    """log(1 + x) for x > -1. Worst relative error 8.1e-8, also for the smallest x.
+def sin_squared(w: wp.vec3) -> wp.float64:
+    """sin^2 of the angle between w and +z, for w of any length. In float64, so that all of w's own digits count."""
+    x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
+    across = x * x + y * y
+    return across / (across + z * z)
 
-    FreeBSD msun s_log1pf.c with selects in place of its branches: 1 + x = 2^k (1 + f) with 1 + f in [sqrt(1/2), sqrt(2)),
-    and c restores what the sum 1 + x rounded away.
-    """
-    one_plus_x = 1.0 + x
-    bits = wp.cast(one_plus_x, wp.int32) + _ONE_BITS - _SQRT_HALF_BITS
-    near = wp.abs(x) < 0.29
-    k = wp.where(near, 0.0, wp.float32((bits >> 23) - 127))
-    mantissa = wp.cast((bits & _MANTISSA_MASK) + _SQRT_HALF_BITS, wp.float32)
-    f = wp.where(near, x, mantissa - 1.0)
-    c = wp.where(near, 0.0, (x - (one_plus_x - 1.0)) / one_plus_x)
-    s = f / (2.0 + f)
-    z = s * s
-    r = z * (0.6666666 + z * (0.40000972 + z * (0.28498787 + z * 0.24279079)))
-    half_square = 0.5 * f * f
-    return k * 0.69313812 - ((half_square - (s * (half_square + r) + (k * 9.0580006e-06 + c))) - f)
+
+@wp.func
+def tan_squared(w: wp.vec3) -> wp.float64:
+    """tan^2 of the angle between w and +z, at most 1e37. 1 / z^2 - 1 would cancel near the pole."""
+    x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
+    return wp.min((x * x + y * y) / wp.max(z * z, _TINY), _LARGEST_TAN_SQUARED)
+
+
+@wp.func
+def versine(w: wp.vec3) -> wp.float64:
+    """1 - cos of the angle between w and +z, with all its digits near both poles."""
+    x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
+    across = x * x + y * y
+    length = wp.sqrt(across + z * z)
+    near = across / (length * (length + wp.abs(z)))
+    return wp.where(z > _ZERO, near, _TWO - near)
+
+
+@wp.func
+def polish(v: wp.vec3) -> wp.vec3:
+    """v of a length within 1e-4 of 1, brought within 8e-8 of it: one Newton step, three times as close as 1 / sqrt alone."""
+    half_error = 0.5 * fma(-v[0], v[0], fma(-v[1], v[1], fma(-v[2], v[2], 1.0)))
+    return wp.vec3(fma(v[0], half_error, v[0]), fma(v[1], half_error, v[1]), fma(v[2], half_error, v[2]))
 
 
 @wp.func

@@ -1,6 +1,8 @@
 """From the square to directions: distributions, a file each."""
 
+import ast
 import sys
+from dataclasses import fields
 from typing import Any
 
 from warpsample.distributions.record import Distribution
@@ -24,20 +26,30 @@ def get(name: str) -> type[Distribution]:
 
 
 def as_distribution(value: Any) -> Distribution:
-    """An instance as it is, a name with its defaults.
+    """An instance as it is; a name with its defaults; or a name with parameters, as "beckmann(alpha=0.1)".
 
     Raises:
-        ValueError: an unknown name.
-        TypeError: neither a name nor an instance, or a name whose parameters have no defaults.
+        ValueError: an unknown name, or a value that the distribution refuses.
+        TypeError: neither a string nor an instance, or parameters that are missing, unknown or no literals.
     """
     if isinstance(value, Distribution):
         return value
     if not isinstance(value, str):
         raise TypeError(f"distribution: got {value!r}, want a name or an instance such as CosineHemisphere()")
-    kind = get(value)
+    name, _, inside = value.partition("(")
+    kind = get(name.strip())
     try:
-        return kind()
-    except TypeError:
-        raise TypeError(
-            f"distribution: {value!r} has no defaults, want {kind.__name__}({', '.join(kind.parameters)})"
-        ) from None
+        return kind(**_keywords(inside.removesuffix(")")))
+    except (TypeError, SyntaxError) as error:
+        example = f"{name}({', '.join(f'{field.name}=...' for field in fields(kind))})"
+        raise TypeError(f"distribution: got {value!r}, want {example} ({error})") from None
+
+
+def _keywords(text: str) -> dict[str, Any]:
+    call = ast.parse(f"_({text})", mode="eval").body
+    if not isinstance(call, ast.Call) or call.args or any(keyword.arg is None for keyword in call.keywords):
+        raise TypeError("parameters go by name")
+    try:
+        return {str(keyword.arg): ast.literal_eval(keyword.value) for keyword in call.keywords}
+    except ValueError:
+        raise TypeError("parameters are plain numbers, strings or tuples") from None

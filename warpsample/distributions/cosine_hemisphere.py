@@ -1,22 +1,23 @@
 """The cosine lobe, by four methods of one density: cos(theta) / pi per steradian above the surface."""
 
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Any, Literal, get_args
 
+import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
+from warpsample.distributions.uniform_disk import square_to_concentric_disk, uniform_disk_to_square_concentric
 from warpsample.distributions.uniform_sphere import square_to_uniform_sphere
 from warpsample.frames import frame_about, to_world
 from warpsample.kernels.parameters import Parameters
-from warpsample.numerics import GRID, clamp_uniform, fma, sincos_eighth, sincos_turns, turns_of
+from warpsample.numerics import GRID, clamp_uniform, fma, sincos_turns, turns_of
 from warpsample.sequences.hashing import pcg4d
 
 Method = Literal["polar", "concentric", "inversion", "offset"]
 
 _INV_PI = wp.constant(wp.float32(0.3183098861837907))
 _INV_TWO_PI = wp.constant(wp.float32(0.15915494309189535))
-_HALF_CELL = wp.constant(wp.float32(1.0 / GRID))
 _GRID_SIZE = wp.constant(wp.float32(GRID))
 _HALF_RIM = wp.constant(wp.float32(2.0**-7))
 _RIM_PDF = 2.0**-6 * 0.15915494309189535  # abs(n + s) = 2^-6
@@ -49,35 +50,15 @@ def cosine_hemisphere_to_square(w: wp.vec3) -> wp.vec2:
 
 @wp.func
 def square_to_cosine_hemisphere_concentric(u: wp.vec2) -> wp.vec3:
-    """Shirley and Chiu's concentric disk, lifted; keeps the square's neighbours neighbours.
-
-    Cells are centred (a = 2 u - 1 + 2^-24, exact), so that the radius stays below 1 and cos theta = sqrt((1 - r)(1 + r))
-    above 0.
-    """
-    a = (2.0 * u[0] - 1.0) + _HALF_CELL
-    b = (2.0 * u[1] - 1.0) + _HALF_CELL
-    a_longer = wp.abs(a) > wp.abs(b)
-    longer = wp.where(a_longer, a, b)
-    ratio = wp.where(a_longer, b, a) / wp.where(longer == 0.0, 1.0, longer)
-    cs = sincos_eighth(0.125 * ratio)
-    r = wp.abs(longer)
-    return wp.vec3(
-        longer * wp.where(a_longer, cs[0], cs[1]),
-        longer * wp.where(a_longer, cs[1], cs[0]),
-        wp.sqrt((1.0 - r) * (1.0 + r)),
-    )
+    """Malley's method over the concentric disk; its radius is below 1, so cos theta = sqrt((1 - r)(1 + r)) is above 0."""
+    p = square_to_concentric_disk(u)
+    return wp.vec3(p[0], p[1], wp.sqrt((1.0 - p[2]) * (1.0 + p[2])))
 
 
 @wp.func
 def cosine_hemisphere_to_square_concentric(w: wp.vec3) -> wp.vec2:
-    """The way back: the disk's radius is the longer coordinate, the octant's angle the ratio of the two."""
-    ax = wp.abs(w[0])
-    ay = wp.abs(w[1])
-    longer = wp.sqrt(ax * ax + ay * ay)
-    shorter = 8.0 * longer * turns_of(wp.max(ax, ay), wp.min(ax, ay))
-    a = wp.copysign(wp.where(ax > ay, longer, shorter), w[0])
-    b = wp.copysign(wp.where(ax > ay, shorter, longer), w[1])
-    return wp.vec2(clamp_uniform(0.5 * (a + 1.0 - _HALF_CELL)), clamp_uniform(0.5 * (b + 1.0 - _HALF_CELL)))
+    """The disk's way back."""
+    return uniform_disk_to_square_concentric(wp.vec2(w[0], w[1]))
 
 
 @wp.func
@@ -171,6 +152,7 @@ class CosineHemisphere(Distribution):
     density = "cosθ/π"
     support = "hemisphere"
     source = "Malley in the NORI note; Cranberry 2020, eq. 5 and 7; Shirley trick proof, eq. 6; Chizhov, section 4.3"
+    limits = "offset about a normal adds float32 vectors: near the horizon directions are up to 1.3e-5 rad off, the pdf 2e-3"
 
     def __post_init__(self) -> None:
         """Checks the method's name."""
@@ -186,6 +168,10 @@ class CosineHemisphere(Distribution):
     def maps(self) -> Maps:
         """The `wp.func`s to use in kernels of your own."""
         return _MAPS[self.method]
+
+    def cdf(self, theta: Any) -> np.ndarray:
+        """sin^2 theta. See `Distribution.cdf`."""
+        return np.sin(np.clip(theta, 0.0, np.pi / 2.0)) ** 2
 
 
 RECORD = CosineHemisphere

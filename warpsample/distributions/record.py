@@ -1,6 +1,7 @@
 """What a distribution says of itself, and its maps on arrays."""
 
 from dataclasses import dataclass
+from math import pi
 from typing import Any, ClassVar
 
 import numpy as np
@@ -12,15 +13,17 @@ from warpsample.kernels import FLAT_BLOCK
 from warpsample.kernels.flat import elementwise
 from warpsample.kernels.parameters import Parameters, about_frame, with_parameters
 
+_VECTORS = {2: wp.vec2, 3: wp.vec3}
+
 
 @dataclass(frozen=True)
 class Maps:
-    """The `wp.func`s of a distribution. Those that take its parameters take them as scalars after the first argument.
+    """The `wp.func`s of a distribution. Those that take its parameters take them after the first argument.
 
     Attributes:
-        sample: u (vec2 in [0, 1)^2) -> w (vec3, unit length, local frame, +z the normal).
+        sample: u (vec2 in [0, 1)^2) -> w (vec3, unit length, local frame, +z the normal; planar ones vec2).
         pdf: w -> density in the distribution's measure; 0 outside the support.
-        invert: w -> u, the way back of `sample`.
+        invert: w -> u, the way back of `sample`; None where several u go to one w.
         about: (unit normal n, u, Parameters) -> (world direction, pdf), where a way without a tangent frame exists.
         redraw: what replaces `about` where its pdf is below `redraw_below`, should it lose its digits there.
         redraw_below: that pdf.
@@ -28,7 +31,7 @@ class Maps:
 
     sample: wp.Function
     pdf: wp.Function
-    invert: wp.Function
+    invert: wp.Function | None = None
     about: wp.Function | None = None
     redraw: wp.Function | None = None
     redraw_below: float = 0.0
@@ -41,14 +44,18 @@ class Distribution:
     Attributes:
         name: what users call it by.
         density: formula of the pdf, for tables.
-        measure: what the pdf is per.
-        support: "sphere" or "hemisphere": where the pdf is above 0.
-        parameters: names of the fields that travel to the kernels.
+        measure: what the pdf is per: "per steradian", "per unit area" or "per radian".
+        support: where the pdf is above 0, in words.
+        parameters: names of the fields that travel to the kernels, where they are float32: a scalar, then a vector.
+        width: components of w: 3, or 2 for what lies in a plane.
+        variates: coordinates of u that the map uses.
+        symmetric: whether the density depends on the angle to +z alone.
         source: where the formulas come from.
         worst_unit_length: abs(abs(w) - 1) of `sample` over the whole grid of u.
-        worst_angle: radians between `sample` and its float64 twin.
+        worst_angle: radians between `sample` and its float64 twin; for points of a disk, their distance.
         worst_pdf: relative error of `pdf` at exact directions.
-        worst_round_trip: of u, away from u's own rim.
+        worst_round_trip: of u, away from `seam`.
+        limits: where an error is worse than those, or the density is not the formula, and why; for tables.
     """
 
     name: ClassVar[str]
@@ -56,11 +63,15 @@ class Distribution:
     measure: ClassVar[str] = "per steradian"
     support: ClassVar[str]
     parameters: ClassVar[tuple[str, ...]] = ()
+    width: ClassVar[int] = 3
+    variates: ClassVar[int] = 2
+    symmetric: ClassVar[bool] = True
     source: ClassVar[str]
     worst_unit_length: ClassVar[float] = 2e-7
     worst_angle: ClassVar[float] = 3e-7
     worst_pdf: ClassVar[float] = 2e-6
     worst_round_trip: ClassVar[float] = 2e-6
+    limits: ClassVar[str] = ""
 
     @classmethod
     def cases(cls) -> tuple["Distribution", ...]:
@@ -72,6 +83,34 @@ class Distribution:
         """The `wp.func`s to use in kernels of your own."""
         raise NotImplementedError
 
+    @property
+    def largest_angle(self) -> float:
+        """The support's greatest angle to +z in radians; for points of a disk its radius."""
+        return pi if self.support == "sphere" else pi / 2.0
+
+    @property
+    def thinnest_tail(self) -> float:
+        """Probability of the thinnest tail that float32 directions resolve: for tests."""
+        return 1e-5
+
+    def cdf(self, theta: Any) -> np.ndarray:
+        """Chance of an angle to +z of at most theta.
+
+        Args:
+            theta: (...) radians, in [0, pi]; with a sign for directions in the plane; for points of a disk the radius.
+
+        Returns:
+            (...) float64 in [0, 1].
+
+        Raises:
+            NotImplementedError: no closed form is known.
+        """
+        raise NotImplementedError(f"{self!r}: its density is not one of the angle alone")
+
+    def seam(self, u: np.ndarray) -> np.ndarray:
+        """Mask of those u that `invert` cannot give back to float32 accuracy: by default the pole, which has no azimuth."""
+        return u[..., 0] == 0.0
+
     def sample(self, u: Any) -> Array:
         """Directions of points of the square.
 
@@ -79,7 +118,8 @@ class Distribution:
             u: (..., 2) float, in [0, 1).
 
         Returns:
-            (..., 3) float32, unit length, local frame with +z the normal; NumPy for NumPy, wp.array for wp.array.
+            (..., 3) float32, unit length, local frame with +z the normal; planar ones (..., 2), with +y the normal.
+            NumPy for NumPy, wp.array for wp.array.
 
         Raises:
             TypeError: u is not floating-point.
@@ -87,57 +127,67 @@ class Distribution:
         """
         if not isinstance(u, wp.array):
             u = _in_square(u)
-        return self._map(self.maps.sample, u, 2, 3, "u")
+        return self._map(self.maps.sample, u, 2, self.width, "u")
 
     def pdf(self, w: Any) -> Array:
         """Density at unit directions, in the distribution's measure.
 
         Args:
-            w: (..., 3) float, unit length, local frame.
+            w: (..., 3) float, unit length, local frame; planar ones (..., 2).
 
         Returns:
             (...) float32, at least 0; 0 outside the support and where w is NaN.
 
         Raises:
             TypeError: w is not floating-point.
-            ValueError: its last axis is not 3.
+            ValueError: its last axis has another length.
         """
-        return self._map(self.maps.pdf, w, 3, 1, "w")
+        return self._map(self.maps.pdf, w, self.width, 1, "w")
 
     def invert(self, w: Any) -> Array:
         """The points of the square that `sample` sends to the directions w.
 
         Args:
-            w: (..., 3) float, unit length, local frame, in the support.
+            w: (..., 3) float, unit length, local frame, in the support; planar ones (..., 2).
 
         Returns:
             (..., 2) float32 in [0, 1).
 
         Raises:
             TypeError: w is not floating-point.
-            ValueError: its last axis is not 3.
+            ValueError: its last axis has another length.
+            NotImplementedError: `sample` sends several u to one w.
         """
-        return self._map(self.maps.invert, w, 3, 2, "w")
+        if self.maps.invert is None:
+            raise NotImplementedError(f"{self!r}: sample sends several u to one w, so there is no way back")
+        return self._map(self.maps.invert, w, self.width, 2, "w")
 
     def kernel_parameters(self) -> Parameters:
         """This instance's scalars as the kernels take them."""
         values = Parameters()
-        for field, name in zip(("first",)[: len(self.parameters)], self.parameters, strict=True):
-            setattr(values, field, getattr(self, name))
+        numbers = np.hstack([getattr(self, name) for name in self.parameters] or [0.0])
+        for field, value in zip(("scalar", "x", "y", "z"), numbers, strict=False):
+            setattr(values, field, value)
         return values
 
     def about(self) -> wp.Function:
-        """The `wp.func` (unit normal, u, Parameters) -> (world direction, pdf)."""
+        """The `wp.func` (unit normal, u, Parameters) -> (world direction, pdf).
+
+        Raises:
+            TypeError: the distribution is planar.
+        """
+        if self.width != 3:
+            raise TypeError(f"distribution: got {self!r}, which lies in a plane, want one of directions in space")
         maps = self.maps
         if maps.about is not None:
             return maps.about
-        scalars = len(self.parameters)
-        return about_frame(with_parameters(maps.sample, wp.vec2, scalars), with_parameters(maps.pdf, wp.vec3, scalars))
+        count = len(self.parameters)
+        return about_frame(with_parameters(maps.sample, wp.vec2, count), with_parameters(maps.pdf, wp.vec3, count))
 
     def _map(self, func: wp.Function, x: Any, width: int, out_width: int, argument: str) -> Array:
         source = as_vectors(x, width, argument)
         target = new_vectors(source, source.shape, out_width)
-        bound = with_parameters(func, wp.vec2 if width == 2 else wp.vec3, len(self.parameters))
+        bound = with_parameters(func, _VECTORS[width], len(self.parameters))
         block = FLAT_BLOCK if source.device.is_cpu else 1
         inputs = [source.count, block, source.address, target.address, self.kernel_parameters()]
         if source.count:

@@ -1,7 +1,9 @@
 """Every direction above the surface equally likely."""
 
 from dataclasses import dataclass
+from typing import Any
 
+import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
@@ -43,6 +45,10 @@ class UniformHemisphere(Distribution):
     def maps(self) -> Maps:
         """The `wp.func`s to use in kernels of your own."""
         return Maps(square_to_uniform_hemisphere, square_to_uniform_hemisphere_pdf, uniform_hemisphere_to_square)
+
+    def cdf(self, theta: Any) -> np.ndarray:
+        """1 - cos theta. See `Distribution.cdf`."""
+        return 2.0 * np.sin(0.5 * np.clip(theta, 0.0, np.pi / 2.0)) ** 2
 
 
 RECORD = UniformHemisphere

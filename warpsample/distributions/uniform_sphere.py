@@ -1,7 +1,9 @@
 """Every direction equally likely."""
 
 from dataclasses import dataclass
+from typing import Any
 
+import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
@@ -44,6 +46,10 @@ class UniformSphere(Distribution):
     def maps(self) -> Maps:
         """The `wp.func`s to use in kernels of your own."""
         return Maps(square_to_uniform_sphere, square_to_uniform_sphere_pdf, uniform_sphere_to_square)
+
+    def cdf(self, theta: Any) -> np.ndarray:
+        """(1 - cos theta) / 2. See `Distribution.cdf`."""
+        return np.sin(0.5 * np.asarray(theta, np.float64)) ** 2
 
 
 RECORD = UniformSphere

@@ -9,25 +9,37 @@ from warpsample.frames import frame_about, to_world
 
 @wp.struct
 class Parameters:
-    """The scalars of a distribution, so that a new value compiles nothing."""
+    """What a distribution's functions take after their first argument, so that a new value compiles nothing.
 
-    first: wp.float32
+    A scalar and a vector, by components: a vector in a struct is copied as one, and keeps the loop scalar.
+    """
+
+    scalar: wp.float32
+    x: wp.float32
+    y: wp.float32
+    z: wp.float32
 
 
 @cache
 def with_parameters(func: wp.Function, argument: type, count: int) -> wp.Function:
-    """`func(x)` or `func(x, first)`, by the number of its parameters, as a wp.func of (x: argument, Parameters)."""
+    """`func(x)`, `func(x, scalar)` or `func(x, scalar, vector)`, by `count`, as a wp.func of (x: argument, Parameters)."""
     if count == 0:
 
         @wp.func
         def call(x: argument, parameters: Parameters):
             return func(x)
 
+    elif count == 1:
+
+        @wp.func
+        def call(x: argument, parameters: Parameters):
+            return func(x, parameters.scalar)
+
     else:
 
         @wp.func
         def call(x: argument, parameters: Parameters):
-            return func(x, parameters.first)
+            return func(x, parameters.scalar, wp.vec3(parameters.x, parameters.y, parameters.z))
 
     return call
 

@@ -1,19 +1,22 @@
-"""The laws that a sampler must obey, one function each: measured errors, or the p-value of a statistic.
+"""The laws that a sampler must obey, one function each: a measured error, or the p-value of a statistic.
 
-They take distributions and directions, know nothing of meshes, and assert nothing: tests and `warpsample verify` compare.
+They judge distributions and arrays, know nothing of meshes, and assert nothing: `verify` and the tests compare. A wrong
+sampler may return anything, so whatever is not a number counts as the worst.
 """
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 import numpy as np
 
-from warpsample.distributions.record import Distribution
 from warpsample.numerics import GRID
-from warpsample.proof.histogram import HistogramTest, histogram_test
+from warpsample.proof.charts import DISK, Sampler, chart_of, support_of
+from warpsample.proof.histogram import histogram_test
+from warpsample.proof.quadrature import cell_masses
 
-_SLAB = 1 << 20
+SLAB = 1 << 16  # float64 arrays of so many stay in a core's cache
 _SPREAD = 0x9E3779B1  # odd, so k -> k * _SPREAD mod 2^24 meets every value once
+_COLUMNS = 16
+_LEAST_COUNT = 10.0  # expected in a cell that Pearson's test may use
 
 
 def corner_grid() -> np.ndarray:
@@ -26,91 +29,159 @@ def corner_grid() -> np.ndarray:
     return np.stack(np.meshgrid(values, values), axis=-1).reshape(-1, 2).astype(np.float32)
 
 
-def all_variates() -> Iterator[np.ndarray]:
-    """Yields (2^20, 2) float32 slabs in which each coordinate takes each of the 2^24 values of the grid once."""
-    for start in range(0, GRID, _SLAB):
-        k = np.arange(start, start + _SLAB, dtype=np.int64)
+def all_variates(every: int = 1) -> Iterator[np.ndarray]:
+    """Yields float32 slabs of up to 2^16 points whose coordinates each take every value of the 2^24 grid once.
+
+    Args:
+        every: keeps each so manieth value only; the last of the grid is kept always.
+    """
+    for start in range(0, GRID, SLAB * every):
+        k = np.arange(start, min(start + SLAB * every, GRID), every, dtype=np.int64) + (every - 1)
         yield np.stack([k / GRID, (k * _SPREAD % GRID) / GRID], axis=1).astype(np.float32)
 
 
 def length_error(w: np.ndarray) -> float:
-    """Greatest abs(abs(w) - 1); infinite for a NaN."""
-    return _worst(np.linalg.norm(w.astype(np.float64), axis=-1) - 1.0)
+    """Greatest abs(abs(w) - 1)."""
+    w = w.astype(np.float64)
+    return worst(np.sqrt(_dot(w, w)) - 1.0)
 
 
 def angle_error(w: np.ndarray, twin: np.ndarray) -> float:
-    """Greatest angle in radians between directions and their float64 twins; infinite for a NaN."""
-    w = w.astype(np.float64)
-    return _worst(np.arctan2(np.linalg.norm(np.cross(w, twin), axis=-1), (w * twin).sum(axis=-1)))
+    """Greatest angle in radians between directions and their float64 twins, from the part of w across the twin."""
+    along = _dot(w, twin)
+    across = w - along[..., None] * twin
+    return worst(np.sqrt(_dot(across, across))) if (along > 0.0).all() else np.pi
 
 
-def pdf_error(pdf: np.ndarray, exact: np.ndarray) -> float:
-    """Greatest relative error of densities; infinite for a NaN."""
-    return _worst(pdf.astype(np.float64) / exact - 1.0)
+def distance_error(w: np.ndarray, twin: np.ndarray) -> float:
+    """Greatest distance between points and their float64 twins."""
+    difference = w - twin
+    return worst(np.sqrt(_dot(difference, difference)))
 
 
-def round_trip_error(distribution: Distribution, u: np.ndarray) -> float:
-    """Greatest distance of a coordinate from invert(sample(u)) to u, on the circle for an azimuth; infinite for a NaN."""
-    difference = distribution.invert(distribution.sample(u)).astype(np.float64) - u
-    return _worst(difference - np.round(difference))
+def sine_error(w: np.ndarray, twin: np.ndarray) -> float:
+    """Greatest relative error of sin theta, float64 in: what a narrow lobe consists of."""
+    exact = twin[..., 0] ** 2 + twin[..., 1] ** 2
+    return worst(np.sqrt((w[..., 0] ** 2 + w[..., 1] ** 2) / np.maximum(exact, 1e-60)) - 1.0 * (exact > 0.0))
 
 
-def area_stretch_error(distribution: Distribution, u: np.ndarray, step: float = 2.0**-11) -> tuple[float, float]:
+def density_error(pdf: np.ndarray, exact: np.ndarray) -> float:
+    """Greatest relative error of densities."""
+    return worst(pdf.astype(np.float64) / exact - 1.0)
+
+
+def round_trip_error(back: np.ndarray, u: np.ndarray) -> float:
+    """Greatest distance of a coordinate of u from the way there and back, on the circle, as azimuths go."""
+    difference = back.astype(np.float64) - u
+    return worst(difference - np.round(difference))
+
+
+def area_stretch_error(sampler: Sampler, u: np.ndarray, step: float = 2.0**-11) -> tuple[float, float]:
     """(greatest, mean) of pdf times the stretch of area, minus 1, at points u at least `step` inside a smooth part.
 
-    The stretch is the solid angle of the image of a square of side 2 step, as two spherical triangles, so that it is exact
-    for any curvature of the sphere; the density is averaged over the square by Simpson's rule.
+    The stretch is the area of the image of a square of side 2 step: on the sphere that of two spherical triangles, exact
+    for any curvature. The density is averaged over the square by Simpson's rule.
     """
     ring = step * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
-    a, b, c, d = (distribution.sample((u + offset).astype(np.float32)).astype(np.float64) for offset in ring)
-    stretch = (np.abs(_solid_angle(a, b, c)) + np.abs(_solid_angle(a, c, d))) / (2.0 * step) ** 2
+    a, b, c, d = (sampler.sample((u + offset).astype(np.float32)).astype(np.float64) for offset in ring)
+    area = _triangle if chart_of(sampler) is DISK else _solid_angle
+    stretch = (np.abs(area(a, b, c)) + np.abs(area(a, c, d))) / (2.0 * step) ** 2
     weights = np.outer((1, 4, 1), (1, 4, 1)) / 36.0
     inverse = sum(
-        weights[i, j] / distribution.pdf(distribution.sample((u + step * np.array((i - 1, j - 1))).astype(np.float32)))
+        weights[i, j] / sampler.pdf(sampler.sample((u + step * np.array((i - 1, j - 1))).astype(np.float32)))
         for i in range(3)
         for j in range(3)
     )
     ratio = stretch / inverse
-    return _worst(ratio - 1.0), float((ratio - 1.0).mean())
+    return worst(ratio - 1.0), worst((ratio - 1.0).mean())
 
 
-def mass(distribution: Distribution, cells: int = 512) -> float:
-    """The integral of the pdf over the sphere by the midpoint rule in (cos theta, phi); 1 for a density per steradian."""
-    return float(_cell_masses(distribution, cells, 8, 8).sum())
+def density_outside(sampler: Sampler) -> float:
+    """Greatest density beyond the support, and at NaN; infinite if it is not a number there."""
+    chart, (low, high) = chart_of(sampler), support_of(sampler)
+    away = np.linspace(1e-3, 1.0, 200) ** 2
+    beyond = np.concatenate([high + (chart.high - high) * away, low + (chart.low - low) * away])
+    beyond = beyond[(beyond > high + 1e-6 * (high - low)) | (beyond < low)]
+    width = chart.point(np.zeros(1), np.zeros(1)).shape[-1]
+    w = np.concatenate(
+        [chart.point(beyond[:, None], np.linspace(0.0, 1.0, 17)).reshape(-1, width), np.full((1, width), np.nan)]
+    )
+    return worst(sampler.pdf(w.astype(np.float32)))
 
 
-def solid_angle_test(distribution: Distribution, w: np.ndarray, rows: int = 40, columns: int = 40) -> HistogramTest:
-    """Chi-square of independent directions in cells of equal (cos theta, phi); the expectation is refined until converged.
-
-    The p-value is twice the smaller of the full cells' and of that for as many directions in all the others.
+def cells_p_value(sampler: Sampler, w: np.ndarray, edges: np.ndarray) -> float:
+    """Chi-square of independent w in cells of the chart: twice the smaller p-value of the full cells and of all the others.
 
     Raises:
-        ValueError: the expected counts do not come to sum to the number of directions.
+        ValueError: the density does not integrate to 1 within 1e-3, or its integral does not converge.
     """
     from scipy.stats import poisson  # noqa: PLC0415  (slow to import)
 
+    chart = chart_of(sampler)
     observed, _, _ = np.histogram2d(
-        w[:, 2].astype(np.float64),
-        np.arctan2(w[:, 1], w[:, 0]).astype(np.float64),
-        bins=(np.linspace(-1.0, 1.0, rows + 1), np.linspace(-np.pi, np.pi, columns + 1)),
+        chart.polar(w), chart.azimuth(w), bins=(edges, np.linspace(0.0, 1.0, _COLUMNS + 1) if chart.azimuths > 1.0 else 1)
     )
-    observed[0, 0] += len(w) - observed.sum()  # NaN or longer than 1: counted where no such direction belongs
-    refine = 4
-    while True:
-        expected = len(w) * _cell_masses(distribution, rows, columns, refine)
-        if abs(expected.sum() - len(w)) <= 1e-3 * len(w):
-            break
-        refine *= 2
-        if refine > 64:
-            raise ValueError(f"pdf: its integral over the sphere converges to {expected.sum() / len(w):.5f}, want 1")
+    observed = observed if chart.azimuths > 1.0 else observed.reshape(-1, 1)
+    masses = cell_masses(sampler, edges, observed.shape[1])
+    if not abs(masses.sum() - 1.0) <= 1e-3:
+        raise ValueError(f"pdf: its integral converges to {masses.sum():.5f}, want 1")
+    expected = len(w) * masses
+    lost = len(w) - observed.sum()  # NaN, or outside the chart
     # Cells too empty for the test are judged together by Poisson's law: outside the support one direction is too many.
-    full = expected >= 10.0
-    rest = float(poisson.sf(observed[~full].sum() - 1, expected[~full].sum()))
+    full = expected >= _LEAST_COUNT
+    rest = float(poisson.sf(observed[~full].sum() + lost - 1, max(expected[~full].sum(), 1e-30)))
     inside = expected[full] * (observed[full].sum() / expected[full].sum())
-    if inside.min() < 5.0:  # half of all directions are where none should be: too few are left to compare
-        return HistogramTest(observed.ravel(), expected.ravel(), np.full(observed.size, np.inf), np.inf, full.sum(), rest)
-    test = histogram_test(observed[full], inside)
-    return replace(test, p_value=min(1.0, 2.0 * min(test.p_value, rest)))
+    if inside.min() < 5.0:  # most are where few should be: too few are left to compare
+        return rest
+    return min(1.0, 2.0 * min(histogram_test(observed[full], inside).p_value, rest))
+
+
+def mass_error(sampler: Sampler, edges: np.ndarray) -> float:
+    """Distance of the density's integral from 1."""
+    return worst(cell_masses(sampler, edges, _COLUMNS).sum() - 1.0)
+
+
+def angles_p_value(sampler: Sampler, a: np.ndarray) -> float:
+    """Kolmogorov-Smirnov test of independent coordinates a of the chart against their closed distribution function."""
+    return uniform_p_value(sampler.cdf(a))
+
+
+def tails_p_value(sampler: Sampler, a: np.ndarray) -> float:
+    """Counts in the tails of probability `thinnest_tail` at the pole and at the far end; twice the smaller p-value."""
+    low, high = (_quantile(sampler, p) for p in (sampler.thinnest_tail, 1.0 - sampler.thinnest_tail))
+    near = count_p_value((a < low).sum(), len(a), float(sampler.cdf(low)))
+    return min(1.0, 2.0 * near, 2.0 * count_p_value((~(a <= high)).sum(), len(a), 1.0 - float(sampler.cdf(high))))
+
+
+def moments_p_value(sampler: Sampler, a: np.ndarray, edges: np.ndarray) -> float:
+    """Means of the chart's a and a^2 against their integrals under the density; twice the smaller p-value."""
+    from scipy.stats import norm  # noqa: PLC0415  (slow to import)
+
+    scale = np.abs(a).mean()
+    first, second, fourth = (
+        float(cell_masses(sampler, edges, _COLUMNS, weight).sum()) / scale**weight for weight in (1, 2, 4)
+    )
+    errors = [
+        ((a / scale).mean() - first) / np.sqrt(second - first**2),
+        (((a / scale) ** 2).mean() - second) / np.sqrt(fourth - second**2),
+    ]
+    return min(1.0, *(_number(4.0 * norm.sf(abs(e) * np.sqrt(len(a)))) for e in errors))
+
+
+def azimuth_p_value(w: np.ndarray) -> float:
+    """Rayleigh's test for one preferred azimuth: n R^2 of the mean unit vector is exponential (Mardia and Jupp 2000)."""
+    turns = np.exp(1j * np.arctan2(w[..., 1], w[..., 0]).astype(np.float64))
+    return _number(np.exp(-(np.abs(turns.mean()) ** 2) * len(turns)))
+
+
+def azimuth_gap_p_value(w: np.ndarray) -> float:
+    """The widest gap between the azimuths of independent directions: a missing sector, however thin.
+
+    n uniform points leave a gap above x turns somewhere with probability about n (1 - x)^(n - 1) (Whitworth 1897).
+    """
+    turns = np.sort(np.arctan2(w[:, 1], w[:, 0]).astype(np.float64) / (2.0 * np.pi))
+    widest = max(np.diff(turns).max(), 1.0 - (turns[-1] - turns[0]))
+    return _number(min(1.0, len(turns) * (1.0 - widest) ** (len(turns) - 1)))
 
 
 def count_p_value(observed: int, draws: int, probability: float) -> float:
@@ -124,34 +195,38 @@ def uniform_p_value(values: np.ndarray) -> float:
     """Kolmogorov-Smirnov p-value of independent values against the uniform distribution on (0, 1)."""
     from scipy.stats import kstest  # noqa: PLC0415  (slow to import)
 
-    return float(kstest(values, "uniform").pvalue)
+    return _number(kstest(values, "uniform", method="asymp").pvalue)
 
 
-def azimuth_gap_p_value(w: np.ndarray) -> float:
-    """p-value of the widest gap between the azimuths of independent directions: a missing sector, however thin.
+def correlation_p_value(a: np.ndarray, b: np.ndarray) -> float:
+    """Of the sample correlation of independent uniform pairs."""
+    from scipy.stats import norm  # noqa: PLC0415  (slow to import)
 
-    n uniform points leave a gap above x turns somewhere with probability about n (1 - x)^(n - 1) (Whitworth 1897).
-    """
-    turns = np.sort(np.arctan2(w[:, 1], w[:, 0]).astype(np.float64) / (2.0 * np.pi))
-    widest = max(np.diff(turns).max(), 1.0 - (turns[-1] - turns[0]))
-    return float(min(1.0, len(turns) * (1.0 - widest) ** (len(turns) - 1)))
+    return _number(2.0 * norm.sf(abs(np.corrcoef(a, b)[0, 1]) * np.sqrt(len(a))))
 
 
-def mean_error(values: np.ndarray, mean: float) -> float:
-    """Distance of the mean of independent values from the known one, in its standard errors."""
-    values = values.astype(np.float64)
-    return float(abs(values.mean() - mean) / (values.std(ddof=1) / np.sqrt(values.size)))
+def worst(errors: np.ndarray) -> float:
+    """Greatest magnitude; infinite if one is not a number, 0 of none."""
+    greatest = float(np.abs(errors).max(initial=0.0))
+    return greatest if np.isfinite(greatest) else np.inf
 
 
-def _cell_masses(distribution: Distribution, rows: int, columns: int, refine: int) -> np.ndarray:
-    """(rows, columns): integral of the pdf over each cell of equal (cos theta, phi), by refine^2 midpoints."""
-    z = (np.arange(rows * refine) + 0.5) / (rows * refine) * 2.0 - 1.0
-    phi = (np.arange(columns * refine) + 0.5) / (columns * refine) * 2.0 * np.pi - np.pi
-    r = np.sqrt(1.0 - z * z)
-    w = np.stack(np.broadcast_arrays(r[:, None] * np.cos(phi), r[:, None] * np.sin(phi), z[:, None]), axis=-1)
-    density = distribution.pdf(w.astype(np.float32)).astype(np.float64)
-    area = 4.0 * np.pi / density.size
-    return density.reshape(rows, refine, columns, refine).sum(axis=(1, 3)) * area
+def _quantile(sampler: Sampler, probability: float) -> float:
+    """Where the distribution function passes a probability, by bisection."""
+    low, high = support_of(sampler)
+    for _ in range(80):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if sampler.cdf(middle) < probability else (low, middle)
+    return high
+
+
+def _dot(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return np.einsum("...i,...i", a, b)  # three times as fast as a sum over so short an axis
+
+
+def _number(p_value: float) -> float:
+    """A statistic of NaNs rejects."""
+    return float(p_value) if np.isfinite(p_value) else 0.0
 
 
 def _solid_angle(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
@@ -160,5 +235,7 @@ def _solid_angle(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
     return 2.0 * np.arctan2(volume, 1.0 + (a * b).sum(axis=-1) + (b * c).sum(axis=-1) + (c * a).sum(axis=-1))
 
 
-def _worst(errors: np.ndarray) -> float:
-    return float(np.abs(errors).max()) if np.isfinite(errors).all() else np.inf
+def _triangle(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
+    """Signed area of triangles in the plane."""
+    first, second = b - a, c - a
+    return 0.5 * (first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0])

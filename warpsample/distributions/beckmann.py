@@ -1,0 +1,80 @@
+"""Normals of a rough surface whose slopes are Gaussian."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample.arguments import check_number
+from warpsample.distributions.record import Distribution, Maps
+from warpsample.exponentials import exp_double, log1p
+from warpsample.numerics import clamp_uniform, sincos_turns, tan_squared, turns_of
+
+_ONE = wp.constant(wp.float64(1.0))
+_INV_PI = wp.constant(wp.float64(0.3183098861837907))
+
+
+@wp.func
+def square_to_beckmann(u: wp.vec2, alpha: wp.float32) -> wp.vec3:
+    """tan^2 theta = -alpha^2 log(1 - u[0]), azimuth 2 pi u[1]; sine and cosine from the tangent keep their digits."""
+    t = -(alpha * alpha) * log1p(-u[0])
+    inverse = 1.0 / (1.0 + t)
+    r = wp.sqrt(t * inverse)
+    cs = sincos_turns(u[1])
+    return wp.vec3(r * cs[0], r * cs[1], wp.sqrt(inverse))
+
+
+@wp.func
+def square_to_beckmann_pdf(w: wp.vec3, alpha: wp.float32) -> wp.float32:
+    """e^(-tan^2 theta / alpha^2) / (pi alpha^2 cos^3 theta) per steradian above the surface, else 0."""
+    t = tan_squared(w)
+    square = wp.float64(alpha) * wp.float64(alpha)
+    secant_squared = _ONE + t
+    density = exp_double(-t / square)[1] * secant_squared * wp.sqrt(secant_squared) * _INV_PI / square
+    return wp.where(w[2] > 0.0, wp.float32(density), 0.0)
+
+
+@wp.func
+def beckmann_to_square(w: wp.vec3, alpha: wp.float32) -> wp.vec2:
+    """1 - e^(-tan^2 theta / alpha^2), and the azimuth in turns."""
+    square = wp.float64(alpha) * wp.float64(alpha)
+    return wp.vec2(clamp_uniform(-wp.float32(exp_double(-tan_squared(w) / square)[0])), turns_of(w[0], w[1]))
+
+
+@dataclass(frozen=True)
+class Beckmann(Distribution):
+    """Beckmann's microfacet normals about the normal: exp(−tan²θ/α²) / (πα²cos³θ) per steradian, which is D(m) cosθ.
+
+    Attributes:
+        alpha: roughness, root mean square slope times sqrt(2), from 1e-6 to 1.
+    """
+
+    alpha: float
+
+    name = "beckmann"
+    density = "exp(−tan²θ/α²)/(πα²cos³θ)"
+    support = "hemisphere"
+    parameters = ("alpha",)
+    source = "the NORI note, Beckmann; Walter et al. 2007, equations 25, 28 and 29"
+
+    def __post_init__(self) -> None:
+        """Checks the roughness."""
+        object.__setattr__(self, "alpha", check_number(self.alpha, "alpha", 1e-6, 1.0))
+
+    @classmethod
+    def cases(cls) -> tuple[Distribution, ...]:
+        """From a mirror's polish to chalk."""
+        return tuple(cls(alpha) for alpha in (1e-6, 1e-3, 0.01, 0.1, 0.5, 1.0))
+
+    @property
+    def maps(self) -> Maps:
+        """The `wp.func`s to use in kernels of your own."""
+        return Maps(square_to_beckmann, square_to_beckmann_pdf, beckmann_to_square)
+
+    def cdf(self, theta: Any) -> np.ndarray:
+        """1 - exp(-tan^2 theta / alpha^2). See `Distribution.cdf`."""
+        return -np.expm1(-((np.tan(np.clip(theta, 0.0, np.pi / 2.0)) / self.alpha) ** 2))
+
+
+RECORD = Beckmann

@@ -1,0 +1,78 @@
+"""Normals of a rough surface with the long tails of a sphere cut in pieces: Trowbridge and Reitz, GGX."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample.arguments import check_number
+from warpsample.distributions.record import Distribution, Maps
+from warpsample.numerics import clamp_uniform, fma, sincos_turns, turns_of
+
+_INV_PI = wp.constant(wp.float32(0.3183098861837907))
+
+
+@wp.func
+def square_to_ggx(u: wp.vec2, alpha: wp.float32) -> wp.vec3:
+    """tan^2 theta = alpha^2 u[0] / (1 - u[0]), azimuth 2 pi u[1]."""
+    above = 1.0 - u[0]
+    across = alpha * alpha * u[0]
+    inverse = 1.0 / (above + across)
+    r = wp.sqrt(across * inverse)
+    cs = sincos_turns(u[1])
+    return wp.vec3(r * cs[0], r * cs[1], wp.sqrt(above * inverse))
+
+
+@wp.func
+def square_to_ggx_pdf(w: wp.vec3, alpha: wp.float32) -> wp.float32:
+    """alpha^2 cos theta / (pi (sin^2 theta + alpha^2 cos^2 theta)^2) per steradian above the surface, else 0."""
+    across = fma(w[0], w[0], w[1] * w[1])
+    ratio = alpha / fma(alpha * w[2], alpha * w[2], across)
+    return wp.where(w[2] > 0.0, _INV_PI * w[2] * ratio * ratio, 0.0)
+
+
+@wp.func
+def ggx_to_square(w: wp.vec3, alpha: wp.float32) -> wp.vec2:
+    """sin^2 theta / (sin^2 theta + alpha^2 cos^2 theta), and the azimuth in turns."""
+    across = w[0] * w[0] + w[1] * w[1]
+    return wp.vec2(clamp_uniform(across / (across + alpha * alpha * (w[2] * w[2]))), turns_of(w[0], w[1]))
+
+
+@dataclass(frozen=True)
+class GGX(Distribution):
+    """GGX microfacet normals about the normal: α²cosθ / (π(sin²θ + α²cos²θ)²) per steradian, which is D(m) cosθ.
+
+    Attributes:
+        alpha: roughness, from 1e-6 to 1; at 1 it is the cosine lobe.
+    """
+
+    alpha: float
+
+    name = "ggx"
+    density = "α²cosθ/(π(sin²θ+α²cos²θ)²)"
+    support = "hemisphere"
+    parameters = ("alpha",)
+    source = "Walter et al. 2007, equations 33, 35 and 36"
+
+    def __post_init__(self) -> None:
+        """Checks the roughness."""
+        object.__setattr__(self, "alpha", check_number(self.alpha, "alpha", 1e-6, 1.0))
+
+    @classmethod
+    def cases(cls) -> tuple[Distribution, ...]:
+        """From a mirror's polish to the cosine lobe."""
+        return tuple(cls(alpha) for alpha in (1e-6, 0.01, 0.3, 1.0))
+
+    @property
+    def maps(self) -> Maps:
+        """The `wp.func`s to use in kernels of your own."""
+        return Maps(square_to_ggx, square_to_ggx_pdf, ggx_to_square)
+
+    def cdf(self, theta: Any) -> np.ndarray:
+        """sin^2 theta / (sin^2 theta + alpha^2 cos^2 theta). See `Distribution.cdf`."""
+        sine, cosine = np.sin(np.clip(theta, 0.0, np.pi / 2.0)), np.cos(np.clip(theta, 0.0, np.pi / 2.0))
+        return sine**2 / (sine**2 + (self.alpha * cosine) ** 2)
+
+
+RECORD = GGX

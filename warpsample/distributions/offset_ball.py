@@ -1,0 +1,60 @@
+"""A uniform point of the ball that touches the surface point from above, seen from there: the cosine cubed."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample.distributions.record import Distribution, Maps
+from warpsample.numerics import clamp_uniform, sincos_turns, turns_of
+
+_TWO_OVER_PI = wp.constant(wp.float32(0.6366197723675814))
+
+
+@wp.func
+def square_to_offset_ball(u: wp.vec2) -> wp.vec3:
+    """cos theta = (1 - u[0])^(1/4); sin theta = sqrt(u / (1 + sqrt(1 - u))), where sqrt(1 - cos^2) has no digits."""
+    root = wp.sqrt(1.0 - u[0])
+    r = wp.sqrt(u[0] / (1.0 + root))
+    cs = sincos_turns(u[1])
+    return wp.vec3(r * cs[0], r * cs[1], wp.sqrt(root))
+
+
+@wp.func
+def square_to_offset_ball_pdf(w: wp.vec3) -> wp.float32:
+    """2 cos^3 theta / pi per steradian above the surface, else 0. Chizhov, section 4.1."""
+    return wp.where(w[2] > 0.0, _TWO_OVER_PI * (w[2] * w[2] * w[2]), 0.0)
+
+
+@wp.func
+def offset_ball_to_square(w: wp.vec3) -> wp.vec2:
+    """1 - cos^4 theta = sin^2 theta (1 + cos^2 theta), and the azimuth in turns."""
+    small = w[0] * w[0] + w[1] * w[1]
+    return wp.vec2(clamp_uniform(small * (1.0 + w[2] * w[2])), turns_of(w[0], w[1]))
+
+
+@dataclass(frozen=True)
+class OffsetBall(Distribution):
+    """A uniform point of the unit ball plus the normal, normalised: 2 cos³θ / π per steradian.
+
+    As weights of a cosine integrand, cos / pdf is proportional to 1 / cos²: unbounded at the horizon. Take the cosine lobe.
+    """
+
+    name = "offset_ball"
+    density = "2cos³θ/π"
+    support = "hemisphere"
+    source = "Chizhov, sections 4.1 and 4.2"
+
+    @property
+    def maps(self) -> Maps:
+        """The `wp.func`s to use in kernels of your own."""
+        return Maps(square_to_offset_ball, square_to_offset_ball_pdf, offset_ball_to_square)
+
+    def cdf(self, theta: Any) -> np.ndarray:
+        """1 - cos^4 theta. See `Distribution.cdf`."""
+        sin_squared = np.sin(np.clip(theta, 0.0, np.pi / 2.0)) ** 2
+        return sin_squared * (2.0 - sin_squared)
+
+
+RECORD = OffsetBall

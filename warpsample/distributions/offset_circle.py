@@ -1,0 +1,56 @@
+"""In the plane: a point of the circle that touches the surface point, seen from there: uniform in angle."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample.distributions.record import Distribution, Maps
+from warpsample.numerics import clamp_uniform, sincos_turns, turns_of
+
+_INV_PI = wp.constant(wp.float32(0.3183098861837907))
+
+
+@wp.func
+def square_to_offset_circle(u: wp.vec2) -> wp.vec2:
+    """(sin theta, cos theta) of theta = (u[0] - 1/2) pi; u[1] is not used. Chizhov, section 3.4, the third way."""
+    cs = sincos_turns(0.5 * u[0])
+    return wp.vec2(-cs[0], cs[1])
+
+
+@wp.func
+def square_to_offset_circle_pdf(w: wp.vec2) -> wp.float32:
+    """1 / pi per radian on the half circle above, else 0. Chizhov, section 3.3."""
+    return wp.where(w[1] >= 0.0, _INV_PI, 0.0)
+
+
+@wp.func
+def offset_circle_to_square(w: wp.vec2) -> wp.vec2:
+    """(theta / pi + 1/2, 0)."""
+    return wp.vec2(clamp_uniform(2.0 * turns_of(-w[0], w[1])), 0.0)
+
+
+@dataclass(frozen=True)
+class OffsetCircle(Distribution):
+    """A uniform point of the unit circle plus the normal, normalised: 1/π per radian in the plane, θ in [−π/2, π/2]."""
+
+    name = "offset_circle"
+    density = "1/π"
+    measure = "per radian"
+    support = "half circle"
+    width = 2
+    variates = 1
+    source = "Chizhov, sections 3.3 and 3.4"
+
+    @property
+    def maps(self) -> Maps:
+        """The `wp.func`s to use in kernels of your own."""
+        return Maps(square_to_offset_circle, square_to_offset_circle_pdf, offset_circle_to_square)
+
+    def cdf(self, theta: Any) -> np.ndarray:
+        """Theta / pi + 1/2, where Chizhov prints + 1. See `Distribution.cdf`."""
+        return np.clip(theta, -np.pi / 2.0, np.pi / 2.0) / np.pi + 0.5
+
+
+RECORD = OffsetCircle

@@ -1,0 +1,95 @@
+"""Directions within an angle of the normal, all equally likely."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample.arguments import check_number
+from warpsample.distributions.record import Distribution, Maps
+from warpsample.numerics import clamp_uniform, sincos_turns, turns_of, versine
+
+_INV_TWO_PI = wp.constant(wp.float32(0.15915494309189535))
+_RIM = wp.constant(wp.float64(1.0 + 5e-7))  # directions within rounding of the edge are in the cone
+_LEAST = 1e-24
+
+
+@wp.func
+def square_to_uniform_cone(u: wp.vec2, one_minus_cos: wp.float32) -> wp.vec3:
+    """1 - cos theta = u[0] (1 - cos of the cone's angle), and sin theta from it, so that a narrow cone keeps its digits.
+
+    Its complement to 2 is put together from two positive terms, so the whole sphere keeps them at the far pole too.
+    """
+    h = u[0] * one_minus_cos
+    rest = (2.0 - one_minus_cos) + (1.0 - u[0]) * one_minus_cos
+    r = wp.sqrt(h * rest)
+    cs = sincos_turns(u[1])
+    return wp.vec3(r * cs[0], r * cs[1], wp.where(h < 1.0, 1.0 - h, rest - 1.0))
+
+
+@wp.func
+def square_to_uniform_cone_pdf(w: wp.vec3, one_minus_cos: wp.float32) -> wp.float32:
+    """1 / (2 pi (1 - cos of the cone's angle)) per steradian inside the cone, else 0."""
+    return wp.where(versine(w) <= wp.float64(one_minus_cos) * _RIM, _INV_TWO_PI / one_minus_cos, 0.0)
+
+
+@wp.func
+def uniform_cone_to_square(w: wp.vec3, one_minus_cos: wp.float32) -> wp.vec2:
+    """The share of the cone's 1 - cos, and the azimuth in turns."""
+    return wp.vec2(clamp_uniform(wp.float32(versine(w) / wp.float64(one_minus_cos))), turns_of(w[0], w[1]))
+
+
+@dataclass(frozen=True)
+class UniformCone(Distribution):
+    """Uniform within an angle of the normal: 1 / (2π(1 − cos)) per steradian. Give one of its two attributes.
+
+    Attributes:
+        cos_angle: cosine of the angle between the axis and the edge, in [-1, 1).
+        one_minus_cos: 1 - cos_angle, in [1e-24, 2], for narrow cones: 1 - cos of 1e-6 rad is 5e-13, which cos_angle itself
+            holds to four digits only.
+    """
+
+    cos_angle: float | None = None
+    one_minus_cos: float | None = None
+
+    name = "uniform_cone"
+    density = "1/(2π(1−cosθₘ))"
+    support = "cone"
+    parameters = ("one_minus_cos",)
+    source = "Pharr, Jakob, Humphreys 2023, section A.5.4"
+
+    def __post_init__(self) -> None:
+        """Checks that one of the two is given, and derives the other."""
+        if self.one_minus_cos is None:
+            if self.cos_angle is None:
+                raise TypeError("cos_angle: got None, want a number from -1 to below 1, or one_minus_cos instead")
+            cosine = check_number(self.cos_angle, "cos_angle", -1.0, float(np.nextafter(1.0, 0.0)))
+            object.__setattr__(self, "one_minus_cos", 1.0 - cosine)
+        else:
+            if self.cos_angle not in (None, 1.0 - self.one_minus_cos):
+                raise TypeError(f"cos_angle: got {self.cos_angle!r} beside one_minus_cos, want one of the two")
+            object.__setattr__(self, "one_minus_cos", check_number(self.one_minus_cos, "one_minus_cos", _LEAST, 2.0))
+        object.__setattr__(self, "cos_angle", 1.0 - self.one_minus_cos)
+
+    @classmethod
+    def cases(cls) -> tuple[Distribution, ...]:
+        """From the whole sphere to the sun's disk and to a millionth of a radian."""
+        return tuple(cls(one_minus_cos=c) for c in (2.0, 1.0, 0.25, 1.08e-5, 5e-13))
+
+    @property
+    def maps(self) -> Maps:
+        """The `wp.func`s to use in kernels of your own."""
+        return Maps(square_to_uniform_cone, square_to_uniform_cone_pdf, uniform_cone_to_square)
+
+    @property
+    def largest_angle(self) -> float:
+        """The angle between axis and edge."""
+        return float(2.0 * np.arcsin(np.sqrt(0.5 * self.one_minus_cos)))
+
+    def cdf(self, theta: Any) -> np.ndarray:
+        """The share of the cone's 1 - cos. See `Distribution.cdf`."""
+        return np.minimum(2.0 * np.sin(0.5 * np.asarray(theta, np.float64)) ** 2 / self.one_minus_cos, 1.0)
+
+
+RECORD = UniformCone

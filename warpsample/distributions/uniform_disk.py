@@ -1,0 +1,121 @@
+"""The unit disk, by two maps of the square that keep area: under the cosine lobe, and for lenses."""
+
+from dataclasses import dataclass
+from typing import Any, Literal, get_args
+
+import numpy as np
+import warp as wp
+
+from warpsample.distributions.record import Distribution, Maps
+from warpsample.numerics import GRID, clamp_uniform, sincos_eighth, sincos_turns, turns_of
+
+Method = Literal["polar", "concentric"]
+
+_INV_PI = wp.constant(wp.float32(0.3183098861837907))
+_HALF_CELL = wp.constant(wp.float32(1.0 / GRID))
+_RIM = wp.constant(wp.float32(1.0 + 5e-7))  # points within rounding of the edge are in the disk
+
+
+@wp.func
+def square_to_uniform_disk(u: wp.vec2) -> wp.vec2:
+    """Radius sqrt(u[0]), azimuth 2 pi u[1]. Cranberry's and the NORI note's disk; Chizhov, section 3.2."""
+    r = wp.sqrt(u[0])
+    cs = sincos_turns(u[1])
+    return wp.vec2(r * cs[0], r * cs[1])
+
+
+@wp.func
+def uniform_disk_to_square(p: wp.vec2) -> wp.vec2:
+    """Squared radius and azimuth in turns."""
+    return wp.vec2(clamp_uniform(p[0] * p[0] + p[1] * p[1]), turns_of(p[0], p[1]))
+
+
+@wp.func
+def square_to_concentric_disk(u: wp.vec2) -> wp.vec3:
+    """(x, y, radius) by Shirley and Chiu 1997: squares become rings, so that neighbours stay neighbours.
+
+    The grid is shifted by half a cell onto the middles of its cells, exactly, so that the radius stays below 1.
+    """
+    a = (2.0 * u[0] - 1.0) + _HALF_CELL
+    b = (2.0 * u[1] - 1.0) + _HALF_CELL
+    a_longer = wp.abs(a) > wp.abs(b)
+    longer = wp.where(a_longer, a, b)
+    ratio = wp.where(a_longer, b, a) / wp.where(longer == 0.0, 1.0, longer)
+    cs = sincos_eighth(0.125 * ratio)
+    return wp.vec3(longer * wp.where(a_longer, cs[0], cs[1]), longer * wp.where(a_longer, cs[1], cs[0]), wp.abs(longer))
+
+
+@wp.func
+def square_to_uniform_disk_concentric(u: wp.vec2) -> wp.vec2:
+    """The point of `square_to_concentric_disk`."""
+    p = square_to_concentric_disk(u)
+    return wp.vec2(p[0], p[1])
+
+
+@wp.func
+def uniform_disk_to_square_concentric(p: wp.vec2) -> wp.vec2:
+    """The way back: the radius is the longer coordinate, the octant's angle the ratio of the two."""
+    ax = wp.abs(p[0])
+    ay = wp.abs(p[1])
+    longer = wp.sqrt(ax * ax + ay * ay)
+    shorter = 8.0 * longer * turns_of(wp.max(ax, ay), wp.min(ax, ay))
+    a = wp.copysign(wp.where(ax > ay, longer, shorter), p[0])
+    b = wp.copysign(wp.where(ax > ay, shorter, longer), p[1])
+    return wp.vec2(clamp_uniform(0.5 * (a + 1.0 - _HALF_CELL)), clamp_uniform(0.5 * (b + 1.0 - _HALF_CELL)))
+
+
+@wp.func
+def square_to_uniform_disk_pdf(p: wp.vec2) -> wp.float32:
+    """1 / pi per unit area inside the unit circle, else 0."""
+    return wp.where(p[0] * p[0] + p[1] * p[1] <= _RIM, _INV_PI, 0.0)
+
+
+_MAPS = {
+    "polar": Maps(square_to_uniform_disk, square_to_uniform_disk_pdf, uniform_disk_to_square),
+    "concentric": Maps(square_to_uniform_disk_concentric, square_to_uniform_disk_pdf, uniform_disk_to_square_concentric),
+}
+
+
+@dataclass(frozen=True)
+class UniformDisk(Distribution):
+    """Points (x, y) uniform on the unit disk: 1 / pi per unit area.
+
+    Attributes:
+        method: "polar" (radius sqrt(u), azimuth 2 pi v) or "concentric" (Shirley and Chiu; less distortion).
+    """
+
+    method: Method = "polar"
+
+    name = "uniform_disk"
+    density = "1/π"
+    measure = "per unit area"
+    support = "disk"
+    width = 2
+    source = "Cranberry 2020; the NORI note, UniformDisk; Shirley and Chiu 1997"
+
+    def __post_init__(self) -> None:
+        """Checks the method's name."""
+        if self.method not in _MAPS:
+            raise ValueError(f"method: got {self.method!r}, want one of {', '.join(get_args(Method))}")
+
+    @classmethod
+    def cases(cls) -> tuple[Distribution, ...]:
+        """Both methods."""
+        return tuple(cls(method) for method in get_args(Method))
+
+    @property
+    def maps(self) -> Maps:
+        """The `wp.func`s to use in kernels of your own."""
+        return _MAPS[self.method]
+
+    @property
+    def largest_angle(self) -> float:
+        """The radius."""
+        return 1.0
+
+    def cdf(self, theta: Any) -> np.ndarray:
+        """The square of the radius. See `Distribution.cdf`."""
+        return np.clip(theta, 0.0, 1.0) ** 2
+
+
+RECORD = UniformDisk

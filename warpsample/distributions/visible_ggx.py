@@ -1,0 +1,126 @@
+"""GGX normals as a viewer sees them: weighted by the area that each turns to the view."""
+
+from dataclasses import dataclass
+
+import warp as wp
+
+from warpsample.arguments import check_number, check_view
+from warpsample.distributions.record import Distribution, Maps
+from warpsample.numerics import clamp_uniform, fma, polish, sincos_turns, turns_of
+
+_INV_PI = wp.constant(wp.float32(0.3183098861837907))
+_BLUR = wp.constant(wp.float64(2.0**-21))
+_TINY = wp.constant(wp.float32(1e-30))
+
+
+@wp.func
+def stretched_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4:
+    """(sine, cosine of the angle to +z; cosine, sine of the azimuth) of the view where the surface is a sphere."""
+    across = wp.sqrt(fma(view[0], view[0], view[1] * view[1]))
+    inverse = 1.0 / wp.sqrt(fma(alpha * across, alpha * across, view[2] * view[2]))
+    per_across = 1.0 / wp.max(across, _TINY)
+    turned = across > 0.0
+    return wp.vec4(
+        alpha * across * inverse,
+        view[2] * inverse,
+        wp.where(turned, view[0] * per_across, 1.0),
+        view[1] * per_across,
+    )
+
+
+@wp.func
+def square_to_visible_ggx(u: wp.vec2, alpha: wp.float32, view: wp.vec3) -> wp.vec3:
+    """The cap of the sphere above -v.z, plus the view v, unstretched: Dupuy and Benyoub 2023, listing 3.
+
+    It is the sphere + normal trick once more, and cancels as much where the sum h is short. With c the cap's point,
+    h.z = (1 - u[0]) (1 + v.z) is exact, sin c - sin v = h.z (2 v.z - h.z) / (sin c + sin v), and 1 + cos phi is
+    2 cos^2(phi / 2) for phi = 2 pi u[1] from the view's azimuth; so no digit is lost.
+    """
+    v = stretched_view(alpha, view)
+    sin_v = v[0]
+    rise = (1.0 - u[0]) * (1.0 + v[1])
+    fall = u[0] * (1.0 + v[1])
+    sin_c = wp.sqrt(fall * (rise + sin_v * sin_v / (1.0 + v[1])))
+    half = sincos_turns(0.5 * u[1])
+    cos_phi = fma(half[0], half[0], -half[1] * half[1])
+    more = rise * (2.0 * v[1] - rise) / wp.max(sin_c + sin_v, _TINY)
+    x = alpha * fma(more, cos_phi, 2.0 * sin_v * half[0] * half[0])
+    y = alpha * (2.0 * sin_c * half[0] * half[1])
+    inverse = 1.0 / wp.sqrt(fma(x, x, fma(y, y, rise * rise)))
+    x = x * inverse
+    y = y * inverse
+    return polish(wp.vec3(fma(x, v[2], -y * v[3]), fma(x, v[3], y * v[2]), rise * inverse))
+
+
+@wp.func
+def square_to_visible_ggx_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> wp.float32:
+    """2 (v.m) D(m) / (cos v + sqrt(cos^2 v + alpha^2 sin^2 v)) per steradian where v.m > 0 and m above the surface, else 0.
+
+    The view's horizon is blurred by 5e-7, which float32 directions cannot tell from it, so that none sampled has density 0.
+    """
+    across = fma(w[0], w[0], w[1] * w[1])
+    ratio = alpha / fma(alpha * w[2], alpha * w[2], across)
+    length = wp.sqrt(fma(alpha * alpha, fma(view[0], view[0], view[1] * view[1]), view[2] * view[2]))
+    facing = wp.float64(w[0]) * wp.float64(view[0]) + wp.float64(w[1]) * wp.float64(view[1])
+    facing = facing + wp.float64(w[2]) * wp.float64(view[2])
+    density = 2.0 * _INV_PI * wp.float32(wp.max(facing, _BLUR)) * ratio * ratio / (view[2] + length)
+    return wp.where(facing > -_BLUR and w[2] > 0.0, density, 0.0)
+
+
+@wp.func
+def visible_ggx_to_square(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> wp.vec2:
+    """Stretch the normal, reflect the view about it: that is the cap's point."""
+    v = stretched_view(alpha, view)
+    x = fma(w[0], v[2], w[1] * v[3])
+    y = fma(w[1], v[2], -w[0] * v[3])
+    z = alpha * w[2]
+    inverse = 1.0 / wp.sqrt(fma(x, x, fma(y, y, z * z)))
+    x = x * inverse
+    y = y * inverse
+    z = z * inverse
+    twice = 2.0 * fma(x, v[0], z * v[1])
+    return wp.vec2(clamp_uniform(1.0 - twice * z / (1.0 + v[1])), turns_of(fma(twice, x, -v[0]), twice * y))
+
+
+@dataclass(frozen=True)
+class VisibleGGX(Distribution):
+    """GGX normals visible from a direction: D(m) max(0, v·m) / σ(v) per steradian, σ the area that the view sees.
+
+    Attributes:
+        alpha: roughness, from 1e-6 to 1.
+        view: direction to the viewer in the local frame, at or above the surface, of any length; kept as a unit vector.
+    """
+
+    alpha: float
+    view: tuple[float, float, float] = (0.0, 0.0, 1.0)
+
+    name = "visible_ggx"
+    density = "D(m)max(0,v·m)/σ(v), σ=(v_z+√(v_z²+α²(1−v_z²)))/2"
+    support = "hemisphere"
+    parameters = ("alpha", "view")
+    symmetric = False
+    source = "Heitz 2014, equation 3; sampled as Dupuy and Benyoub 2023, section 3"
+    limits = "the horizon of the view is blurred by 5e-7; the way back is stated off the cap's poles, u[0] in 0.06 to 0.94"
+
+    def __post_init__(self) -> None:
+        """Checks the roughness and the view."""
+        object.__setattr__(self, "alpha", check_number(self.alpha, "alpha", 1e-6, 1.0))
+        object.__setattr__(self, "view", check_view(self.view, "view"))
+
+    @classmethod
+    def cases(cls) -> tuple[Distribution, ...]:
+        """From above, from aside, from the horizon."""
+        views = ((1.0, (0.0, 0.0, 1.0)), (0.3, (0.6, -0.64, 0.48)), (0.01, (-0.8, 0.0, 0.6)), (0.5, (1.0, 0.0, 0.0)))
+        return tuple(cls(alpha, view) for alpha, view in views)
+
+    @property
+    def maps(self) -> Maps:
+        """The `wp.func`s to use in kernels of your own."""
+        return Maps(square_to_visible_ggx, square_to_visible_ggx_pdf, visible_ggx_to_square)
+
+    def seam(self, u):
+        """The cap's poles. See `Distribution.seam`."""
+        return abs(u[..., 0] - 0.5) > 0.44
+
+
+RECORD = VisibleGGX

@@ -1,0 +1,176 @@
+"""Wrong samplers, each with one defect that has been seen in the wild, to try the laws on."""
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample.directions import sample_square
+from warpsample.distributions.beckmann import Beckmann
+from warpsample.distributions.cosine_hemisphere import CosineHemisphere
+from warpsample.distributions.offset_ball import OffsetBall
+from warpsample.distributions.record import Distribution
+from warpsample.distributions.uniform_disk import UniformDisk
+from warpsample.distributions.uniform_hemisphere import UniformHemisphere
+from warpsample.distributions.uniform_sphere import UniformSphere
+from warpsample.proof.evidence import Evidence, Subject, independent
+from warpsample.proof.routes import plus_normal
+from warpsample.proof.streams import judge_stream
+from warpsample.proof.verify import Verdict, judge
+
+_RIGHT = CosineHemisphere()
+_F = np.float32
+
+
+class Wrong:
+    """A distribution with some of its functions replaced."""
+
+    def __init__(self, claims: Distribution = _RIGHT, **replaced: Callable[[np.ndarray], np.ndarray]):
+        """`replaced`: sample, pdf or invert."""
+        self.claims = claims
+        self.__dict__.update(replaced)
+
+    def __getattr__(self, name: str) -> Any:
+        """Everything else as the distribution has it."""
+        return getattr(self.claims, name)
+
+
+def _scaled_sphere(scale: float, u: np.ndarray) -> np.ndarray:
+    return plus_normal(scale * UniformSphere().sample(u).astype(np.float64)).astype(_F)
+
+
+def _short_normal(u: np.ndarray) -> np.ndarray:
+    return plus_normal(UniformSphere().sample(u).astype(np.float64) / 0.9).astype(_F)
+
+
+def _lifted_in_float32(u: np.ndarray) -> np.ndarray:
+    x, y = UniformDisk().sample(u).T
+    return np.stack([x, y, np.sqrt(np.maximum(_F(1) - x * x - y * y, 0))], axis=-1)
+
+
+def _with_gap(u: np.ndarray) -> np.ndarray:
+    return _RIGHT.sample(np.stack([u[..., 0], (u[..., 1] * (1 - 1e-3 / (2 * np.pi))).astype(_F)], axis=-1))
+
+
+def _swapped_quadrant(u: np.ndarray) -> np.ndarray:
+    w = _RIGHT.sample(u)
+    quadrant = (u[..., 1] >= 0.25) & (u[..., 1] < 0.5)
+    w[quadrant, :2] = w[quadrant, 1::-1]
+    return w
+
+
+def _changed(change: Callable[[np.ndarray, np.ndarray], None], u: np.ndarray) -> np.ndarray:
+    w = _RIGHT.sample(u)
+    change(w, u)
+    return w
+
+
+def _nan_in_the_middle(w: np.ndarray, u: np.ndarray) -> None:
+    w[(u == 0.5).all(axis=-1)] = np.nan
+
+
+def _one_below(w: np.ndarray, u: np.ndarray) -> None:
+    w[::100_000, 2] *= -1
+
+
+def _with_seam(u: np.ndarray) -> np.ndarray:
+    """The concentric disk with the first octant's angle one percent short: it no longer meets the second."""
+    p = UniformDisk("concentric").sample(u)
+    turns = np.arctan2(p[..., 1], p[..., 0])
+    short = np.where((turns >= 0) & (turns < np.pi / 4), 0.01 * turns, 0)
+    turned = (p[..., 0] + 1j * p[..., 1]) * np.exp(-1j * short)
+    return np.stack([turned.real, turned.imag], axis=-1).astype(_F)
+
+
+def _rough_beckmann(u: np.ndarray) -> np.ndarray:
+    """sin theta as sqrt(1 - cos^2 theta), in float32."""
+    cosine = 1 / np.sqrt(1 - _F(1e-6) * np.log1p(-u[..., 0]))
+    x, y = np.sqrt(np.maximum(1 - cosine * cosine, 0)) * np.stack([f(_F(2 * np.pi) * u[..., 1]) for f in (np.cos, np.sin)])
+    return np.stack([x, y, cosine], axis=-1)
+
+
+def _sine(w: np.ndarray) -> np.ndarray:
+    return np.nan_to_num(np.sqrt(np.maximum(1 - w[..., 2] ** 2, 0)))
+
+
+def _on_grid(bits: int, points: int, count: int, seed: int) -> np.ndarray:
+    return np.floor(independent(points, count, seed) * _F(2**bits)) / _F(2**bits)
+
+
+@wp.kernel(enable_backward=False)
+def _built_in(seed: wp.int32, count: wp.int32, out: wp.array[wp.vec2]):
+    """As Warp's documentation draws: a state of 32 bits for each thread, all on one cycle."""
+    point = wp.tid()
+    state = wp.rand_init(seed, point)
+    for j in range(count):
+        out[point * count + j] = wp.vec2(wp.randf(state), wp.randf(state))
+
+
+def _built_in_generator(points: int, count: int, seed: int) -> np.ndarray:
+    out = wp.empty(points * count, dtype=wp.vec2, device="cpu")
+    wp.launch(_built_in, points, inputs=[seed % 2**31, count], outputs=[out], device="cpu")
+    return out.numpy().reshape(points, count, 2)
+
+
+def _duplicated(points: int, count: int, seed: int) -> np.ndarray:
+    u = independent(points, count, seed)
+    u[::100_000] = u[1]
+    return u
+
+
+def _one_stream_for_all_seeds(points: int, count: int, seed: int) -> np.ndarray:
+    return independent(points, count, 0)
+
+
+def _second_is_the_next_first(points: int, count: int, seed: int) -> np.ndarray:
+    u = sample_square("independent", points + 1, count, seed)
+    return np.stack([u[:-1, :, 0], u[1:, :, 0]], axis=-1)
+
+
+_SAMPLERS = {
+    "sphere scaled by 0.98": Wrong(sample=partial(_scaled_sphere, 0.98)),
+    "sphere scaled by 0.99999": Wrong(sample=partial(_scaled_sphere, 0.99999)),
+    "normals of length 0.9": Wrong(sample=_short_normal),
+    "azimuth gap of 1e-3 rad": Wrong(sample=_with_gap),
+    "cos θ as √(1 − x² − y²)": Wrong(sample=_lifted_in_float32),
+    "ball for sphere": Wrong(sample=OffsetBall().sample),
+    "uniform for cosine": Wrong(sample=UniformHemisphere().sample),
+    "sin and cos swapped in a quadrant": Wrong(sample=_swapped_quadrant),
+    "x and y swapped": Wrong(sample=lambda u: _RIGHT.sample(u)[..., [1, 0, 2]]),
+    "upside down": Wrong(sample=lambda u: _RIGHT.sample(u) * _F([1, 1, -1])),
+    "one in 10⁵ below the surface": Wrong(sample=partial(_changed, _one_below)),
+    "NaN at the centre of the square": Wrong(sample=partial(_changed, _nan_in_the_middle)),
+    "length off by 4e-7": Wrong(sample=lambda u: _RIGHT.sample(u) * _F(1 + 4e-7)),
+    "concentric map with a seam": Wrong(UniformDisk("concentric"), sample=_with_seam),
+    "Beckmann's sin θ as √(1 − cos²θ)": Wrong(Beckmann(1e-3), sample=_rough_beckmann),
+    "Beckmann of α² for α": Wrong(Beckmann(0.1), sample=Beckmann(0.01).sample),
+    "pdf off by 1e-3": Wrong(pdf=lambda w: _RIGHT.pdf(w) * _F(1.001)),
+    "pdf per radian, called per steradian": Wrong(pdf=lambda w: _RIGHT.pdf(w) * _sine(w)),
+    "pdf not 0 below the surface": Wrong(pdf=lambda w: np.nan_to_num(np.abs(w[..., 2])) * _F(1 / np.pi)),
+    "inverse with a swapped pair": Wrong(invert=lambda w: _RIGHT.invert(w)[..., ::-1]),
+    "inverse that is NaN at the pole": Wrong(invert=lambda w: np.where(w[..., 2:] > 0.999, _F(np.nan), _RIGHT.invert(w))),
+}
+_STREAMS = {
+    "u on 16 bits": partial(_on_grid, 16),
+    "u on 12 bits": partial(_on_grid, 12),
+    "Warp's own generator": _built_in_generator,
+    "one point in 10⁵ has another's stream": _duplicated,
+    "the seed is ignored": _one_stream_for_all_seeds,
+    "u[1] is the next point's u[0]": _second_is_the_next_first,
+}
+
+
+def names() -> list[str]:
+    """Of all planted defects."""
+    return [*_SAMPLERS, *_STREAMS]
+
+
+def judge_defect(name: str, every: int = 16, draws: int = 1 << 22, points: int = 1_000_000) -> list[Verdict]:
+    """All laws for one defect, with the effort of `Evidence`; those of streams over so many points."""
+    sampler = _SAMPLERS.get(name, _RIGHT)
+    claims = getattr(sampler, "claims", _RIGHT)
+    variates = _STREAMS.get(name, independent)
+    verdicts = judge(Evidence(Subject(name, sampler, claims, variates), every, draws))
+    return verdicts + (judge_stream(name, variates, points) if name in _STREAMS else [])

@@ -1,0 +1,127 @@
+"""What the laws look at, drawn once for each sampler: variates, directions, and the worst errors of a sweep."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+from zlib import crc32
+
+import numpy as np
+
+from warpsample.directions import sample_square
+from warpsample.proof import laws, twins
+from warpsample.proof.charts import DISK, SPHERE, chart_of, support_of
+
+_SAMPLES = 16
+_CELL_DRAWS = 1 << 20
+_ROWS = 40
+
+
+def independent(points: int, count: int, seed: int) -> np.ndarray:
+    """(points, count, 2) float32 variates of the sequence that the statistics assume."""
+    return sample_square("independent", points, count, seed)
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A sampler on trial.
+
+    Attributes:
+        name: for tables.
+        sampler: the distribution, or something wrong that acts as one (`warpsample.proof.charts.Sampler`).
+        variates: (points, count, seed) -> (points, count, 2) float32.
+        twin: the distribution that the sampler claims to be.
+    """
+
+    name: str
+    sampler: Any
+    twin: Any
+    variates: Callable[[int, int, int], np.ndarray] = independent
+
+
+class Evidence:
+    """Draws of one subject, made when a law first asks for them."""
+
+    def __init__(self, subject: Subject, every: int = 1, draws: int = 1 << 22):
+        """`every`: the sweep takes each so manieth variate. `draws`: of independent directions, for statistics."""
+        self.subject, self.sampler, self.every, self.draws = subject, subject.sampler, every, draws
+        self.chart = chart_of(subject.sampler)
+
+    def draw(self, seed: int, draws: int) -> np.ndarray:
+        """Independent directions."""
+        u = self.subject.variates(draws // _SAMPLES, _SAMPLES, seed)
+        return self.sampler.sample(u.reshape(-1, 2))
+
+    @cached_property
+    def seed(self) -> int:
+        """Of the name, so that no two subjects share their luck."""
+        return crc32(self.subject.name.encode())
+
+    @cached_property
+    def many(self) -> np.ndarray:
+        """`draws` independent directions."""
+        return self.draw(self.seed, self.draws)
+
+    @cached_property
+    def some(self) -> np.ndarray:
+        """At most 2^20 of them."""
+        return self.many[:_CELL_DRAWS]
+
+    @cached_property
+    def angles(self) -> np.ndarray:
+        """The chart's coordinate a of `many`."""
+        return self.chart.polar(self.many)
+
+    @cached_property
+    def edges(self) -> np.ndarray:
+        """Cells of about equal counts, by a pilot of its own, with the support's ends and all that lies outside."""
+        low, high = support_of(self.sampler)
+        pilot = self.chart.polar(self.draw(self.seed + 1, 1 << 16))
+        pilot = pilot[np.isfinite(pilot)]
+        inner = np.quantile(pilot, np.arange(1, _ROWS) / _ROWS) if len(pilot) else np.empty(0)
+        inside = inner[(inner > low) & (inner < high)]
+        return np.unique([self.chart.low, low, *inside, high, self.chart.high])
+
+    @cached_property
+    def smooth(self) -> np.ndarray:
+        """(N, 2) points of the square at least 2^-7 from its rim, off seams and the concentric map's kinks."""
+        k = np.arange(4096)
+        u = np.stack([(k + 0.5) / 4096, k * 0.618033988749895 % 1.0], axis=1) * (1 - 2**-6) + 2**-7
+        a, b = np.abs(u - 0.5).T
+        return u[(np.abs(a - b) > 2**-6) & (np.abs(u - 0.5).max(axis=1) > 2**-6) & ~self.sampler.seam(u)]
+
+    @cached_property
+    def stretch(self) -> tuple[float, float]:
+        """Of `laws.area_stretch_error`."""
+        with np.errstate(all="ignore"):
+            return laws.area_stretch_error(self.sampler, self.smooth)
+
+    @cached_property
+    def sweep(self) -> dict[str, float]:
+        """Worst errors over the corner grid and the variates."""
+        found: dict[str, float] = {}
+        for u in (laws.corner_grid(), *laws.all_variates(self.every)):
+            for name, value in self._errors(u).items():
+                found[name] = max(found.get(name, 0.0), value)
+        return found
+
+    def _errors(self, u: np.ndarray) -> dict[str, float]:
+        sampler, twin = self.sampler, self.subject.twin
+        w, exact = sampler.sample(u), twins.directions(twin, u.astype(np.float64))
+        pdf = sampler.pdf(w)
+        wide = w.astype(np.float64)
+        broken = ~(np.isfinite(wide @ np.ones(wide.shape[-1])) & np.isfinite(pdf) & (pdf > 0.0))
+        found = {"broken": float(broken.sum())}
+        if self.chart is not DISK:
+            found["length"] = laws.length_error(wide)
+        found["angle"] = laws.distance_error(wide, exact) if self.chart is DISK else laws.angle_error(wide, exact)
+        if self.chart is SPHERE and sampler.symmetric:
+            found["sine"] = laws.sine_error(wide, exact)
+        # At the sampled direction itself: what a wrong density would be off by, not what the direction is off by.
+        with np.errstate(all="ignore"):
+            found["pdf"] = laws.density_error(pdf, twins.density(twin, wide))
+        if sampler.maps.invert is not None:
+            off_seams = ~sampler.seam(u)
+            back = sampler.invert(w)[off_seams, : sampler.variates]
+            found["round trip"] = laws.round_trip_error(back, u[off_seams, : sampler.variates])
+        return found

@@ -1,0 +1,104 @@
+"""The sequences once more, point by point in exact integers and fractions: the judges of indices near the edges of words."""
+
+from fractions import Fraction
+from math import isqrt
+
+_MASK = 2**32 - 1
+_CELLS = 2**24
+
+
+def expected(name: str, seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
+    """Both coordinates in cells of 2^-24."""
+    return _TWINS[name](seed, point, sample, count)
+
+
+def pcg4d(x: int, y: int, z: int, w: int) -> tuple[int, int, int, int]:
+    """Jarzynski and Olano 2020, listing 13."""
+    v = [(a * 1664525 + 1013904223) & _MASK for a in (x, y, z, w)]
+    for turn in range(2):
+        for k, (i, j) in enumerate([(1, 3), (2, 0), (0, 1), (1, 2)]):
+            v[k] = (v[k] + v[i] * v[j]) & _MASK
+        if turn == 0:
+            v = [a ^ (a >> 16) for a in v]
+    return v[0], v[1], v[2], v[3]
+
+
+def _key(seed: int, point: int) -> tuple[int, int, int, int]:
+    return pcg4d(point & _MASK, point >> 32, seed & _MASK, seed >> 32)
+
+
+def _independent(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
+    far = point >> 32
+    z, w = ((seed & _MASK) + far * 0x9E3779B9) & _MASK, (seed >> 32) ^ ((far * 0x85EBCA6B) & _MASK)
+    words = pcg4d(sample, point & _MASK, z, w)
+    return words[0] >> 8, words[1] >> 8
+
+
+def _philox(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
+    """Salmon et al. 2011, table 2 and section 4.3."""
+    x, key = [sample, point & _MASK, point >> 32, 0], [seed & _MASK, seed >> 32]
+    for _ in range(10):
+        high_0, low_0 = divmod(0xD2511F53 * x[0], 2**32)
+        high_1, low_1 = divmod(0xCD9E8D57 * x[2], 2**32)
+        x = [high_1 ^ x[1] ^ key[0], low_1, high_0 ^ x[3] ^ key[1], low_0]
+        key = [(key[0] + 0x9E3779B9) & _MASK, (key[1] + 0xBB67AE85) & _MASK]
+    return x[0] >> 8, x[1] >> 8
+
+
+def _rotation(sample: int, step: int, key: int) -> int:
+    return (((sample * step % 2**64) >> 32) + key & _MASK) >> 8
+
+
+def _r2(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
+    key = _key(seed, point)
+    return _rotation(sample, 0xC13FA9A902A6328F, key[0]), _rotation(sample, 0x91E10DA5C79E7B1D, key[1])
+
+
+def _fibonacci(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
+    key = _key(seed, point)
+    along = (sample + Fraction(key[0], 2**32)) / count * _CELLS
+    return min(int(along), _CELLS - 1), _rotation(sample, 0x9E3779B97F4A7C15, key[1])
+
+
+def _reversed(x: int) -> int:
+    return int(f"{x:032b}"[::-1], 2)
+
+
+def _owen(x: int, key: int) -> int:
+    """The hash of Vegdahl 2021 on a bit-reversed word."""
+    x ^= x * 0x3D20ADEA & _MASK
+    x = (x + key) * ((key >> 16) | 1) & _MASK
+    x ^= x * 0x05526C56 & _MASK
+    return x ^ (x * 0x53A22864 & _MASK)
+
+
+def _sobol(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
+    """By direction numbers: those of the second dimension are v ^ (v >> 1), from 1/2 on."""
+    key = _key(seed, point)
+    index = _reversed(_owen(_reversed(sample), key[0]))
+    second, direction = 0, 1 << 31
+    for bit in range(32):
+        second ^= direction if index >> bit & 1 else 0
+        direction ^= direction >> 1
+    return _reversed(_owen(index, key[1])) >> 8, _reversed(_owen(_reversed(second), key[2])) >> 8
+
+
+def _stratified(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
+    rows = isqrt(count)
+    short, long_rows = divmod(count, rows)
+    in_long = long_rows * (short + 1)
+    skipped, length = (0, short + 1) if sample < in_long else (long_rows, short)
+    row, column = divmod(sample - skipped, length)
+    jitter = [Fraction(cells, _CELLS) for cells in _independent(seed, point, sample, count)]
+    u = (skipped + (row + jitter[0]) * length) / count, (column + jitter[1]) / length
+    return min(int(u[0] * _CELLS), _CELLS - 1), min(int(u[1] * _CELLS), _CELLS - 1)
+
+
+_TWINS = {
+    "fibonacci": _fibonacci,
+    "independent": _independent,
+    "philox": _philox,
+    "r2": _r2,
+    "sobol": _sobol,
+    "stratified": _stratified,
+}

@@ -1,0 +1,153 @@
+"""Verdicts as tables: a law a table for people, and the README's table of distributions."""
+
+import re
+from collections.abc import Iterable
+from dataclasses import fields
+from typing import Any
+
+from warpsample import distributions
+from warpsample.distributions.record import Distribution
+from warpsample.proof.verify import FAMILY_WISE, LAWS, LEVEL, Verdict
+
+_SUMMARIES = {
+    **{law.name: law.summary for law in LAWS},
+    "hostile normals, lost": "points without directions; normals on and near axes, near −z, of −0.0, 1e-45 to 3e38 long",
+    "hostile normals, unit length": "worst | |w| − 1 | about them, in the world's coordinates",
+    "hostile normals, direction": "worst angle in radians from float64 directions about them",
+    "hostile normals, density": "worst relative error of the density about them",
+    "bad normals": "rows that are not zeros with a status, and neighbours that changed",
+    "points on their face": "distance of sampled points from their triangle's plane",
+    "points on faces without area": "points on degenerate faces and slivers, or not finite",
+    "shares of the area": "Kolmogorov-Smirnov test of the face index of 10⁶ points",
+    "indices": "greatest difference from exact integers, in cells of 2⁻²⁴",
+    "correlation of dimensions": "u[0] against u[1]",
+    "correlation of points": "neighbouring point ids, each dimension against each",
+    "correlation of seeds": "neighbouring seeds at the same point and sample",
+    "correlation of samples": "neighbouring samples of one point",
+    "uniform": "Kolmogorov-Smirnov test of each coordinate over points",
+    "repeats": "Poisson's law for equal pairs among 64 · 10⁶",
+    "shared streams": "points among 10⁶ that begin with another's two samples",
+    "frozen stream": "1 where the stream is not what it was",
+    "route, cells": "chi-square of the source's own way of drawing, against our density",
+    "route, angle": "Kolmogorov-Smirnov test of it against our distribution function",
+    "route, azimuth": "Rayleigh's test of it for a preferred azimuth",
+    "one map, two routes": "greatest distance between two formulas of one map, on the same variates",
+    "one density, two routes": "greatest relative difference of two formulas of one density",
+}
+
+
+def show(verdicts: list[Verdict], console: Any) -> None:
+    """Prints a table for each law on a rich Console: each distribution's hardest case, its limit, and whether all hold."""
+    for law, summary in _SUMMARIES.items():
+        table = _table(f"[bold]{law}[/]: {summary}")
+        statistical = any(v.statistical for v in verdicts if v.law == law)
+        for heading in (
+            "of",
+            "cases",
+            "smallest p-value" if statistical else "worst",
+            "at least" if statistical else "at most",
+        ):
+            table.add_column(heading, justify="left" if heading == "of" else "right")
+        table.add_column("")
+        table.add_column("at", overflow="fold")
+        for group in _groups(v for v in verdicts if v.law == law):
+            table.add_row(*_row(group))
+        if table.row_count:
+            console.print(table)
+    console.print(conclusion(verdicts))
+
+
+def conclusion(verdicts: list[Verdict]) -> str:
+    """One sentence on the whole run."""
+    failed = sum(not v.passed for v in verdicts)
+    statistics = sum(v.statistical for v in verdicts)
+    return (
+        f"{len(verdicts):,} verdicts, {failed} broken. {statistics} are statistics that reject below {LEVEL:g}, "
+        f"so right samplers fail by chance in at most {FAMILY_WISE:g} of all runs."
+    )
+
+
+def _table(title: str) -> Any:
+    from rich import box  # noqa: PLC0415
+    from rich.table import Table  # noqa: PLC0415
+
+    return Table(title=title, title_justify="left", box=box.SIMPLE_HEAD)
+
+
+def power_table(caught: dict[str, list[Verdict]]) -> Any:
+    """Which laws catch which planted defect, for a rich Console."""
+    table = _table("Planted defects, and the laws that catch them")
+    table.add_column("defect")
+    table.add_column("caught by")
+    for name, verdicts in caught.items():
+        broken = [v.law for v in verdicts if not v.passed]
+        table.add_row(name, ", ".join(broken) or "[red]nothing[/]")
+    return table
+
+
+def markdown(verdicts: list[Verdict]) -> str:
+    """The README's table: what the registry says of each distribution, its worst errors over all cases, its limits."""
+    measured = {law: _worst_by_name(verdicts, law) for law in ("unit length", "direction", "density", "round trip")}
+    lines = [
+        "| distribution | density | per | inverse | worst errors: length, direction, density, inverse | source |",
+        "| --- | --- | --- | --- | --- | --- |",
+    ]
+    kinds = [distributions.get(name) for name in distributions.names()]
+    for kind in kinds:
+        errors = ", ".join(f"{by[kind.__name__]:.1e}" if kind.__name__ in by else "–" for by in measured.values())
+        cells = (_signature(kind), kind.density, kind.measure.removeprefix("per "), _inverse(kind), errors, kind.source)
+        lines.append(f"| {' | '.join(cells)} |")
+    return "\n".join([*lines, "", *(f"- `{kind.__name__}`: {kind.limits}." for kind in kinds if kind.limits)])
+
+
+def _signature(kind: type[Distribution]) -> str:
+    return f"`{kind.__name__}({', '.join(field.name for field in fields(kind))})`"
+
+
+def _inverse(kind: type[Distribution]) -> str:
+    invertible = [case.maps.invert is not None for case in kind.cases()]
+    return "yes" if all(invertible) else "in part" if any(invertible) else "no"
+
+
+def _worst_by_name(verdicts: Iterable[Verdict], law: str) -> dict[str, float]:
+    worst: dict[str, float] = {}
+    for v in verdicts:
+        if v.law == law:
+            worst[_name(v)] = max(worst.get(_name(v), 0.0), v.measured)
+    return worst
+
+
+def _groups(verdicts: Iterable[Verdict]) -> list[list[Verdict]]:
+    """By what comes before the parameters, the hardest case of each first."""
+    groups: dict[str, list[Verdict]] = {}
+    for v in verdicts:
+        groups.setdefault(_name(v), []).append(v)
+    return [sorted(group, key=_slack) for _, group in sorted(groups.items())]
+
+
+def _name(v: Verdict) -> str:
+    """The distribution of a case, or the whole subject."""
+    case = re.fullmatch(r"(\w+)\(.*\)", v.subject)
+    return case[1] if case else v.subject
+
+
+def _slack(v: Verdict) -> float:
+    return v.measured if v.statistical else -v.measured / max(v.limit, 1e-300)
+
+
+def _row(group: list[Verdict]) -> list[str]:
+    hardest = group[0]
+    verdict = "[green]holds[/]" if all(v.passed for v in group) else "[red]BROKEN[/]"
+    at = hardest.subject[len(_name(hardest)) + 1 : -1] if len(group) > 1 and hardest.measured != 0.0 else ""
+    return [
+        _name(hardest) if len(group) > 1 else hardest.subject.removesuffix("()"),
+        str(len(group)),
+        _figure(hardest.measured),
+        _figure(hardest.limit),
+        verdict,
+        "; ".join(filter(None, (at, hardest.note))),
+    ]
+
+
+def _figure(value: float) -> str:
+    return f"{value:.2g}" if value == 0.0 or 1e-3 <= value < 1e3 else f"{value:.1e}"

@@ -1,0 +1,206 @@
+"""Second routes to the same laws, named as the sources name them, in float64 NumPy.
+
+Chizhov samples each offset set in two ways: a uniform point of the set, plus the normal, normalised; by inversion or by
+rejection. Here they judge the direct maps, and each other.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from warpsample.directions import sample_square
+from warpsample.distributions.beckmann import Beckmann
+from warpsample.distributions.cosine_hemisphere import CosineHemisphere
+from warpsample.distributions.ggx import GGX
+from warpsample.distributions.offset_ball import OffsetBall
+from warpsample.distributions.offset_circle import OffsetCircle
+from warpsample.distributions.offset_disk import OffsetDisk
+from warpsample.distributions.offset_sphere import OffsetSphere
+from warpsample.distributions.power_cosine import PowerCosine
+from warpsample.distributions.record import Distribution
+from warpsample.distributions.uniform_cone import UniformCone
+from warpsample.distributions.uniform_disk import UniformDisk
+from warpsample.distributions.uniform_hemisphere import UniformHemisphere
+from warpsample.distributions.uniform_sphere import UniformSphere
+from warpsample.distributions.visible_beckmann import VisibleBeckmann
+from warpsample.distributions.visible_ggx import VisibleGGX
+from warpsample.proof import laws
+from warpsample.proof.charts import chart_of
+from warpsample.proof.evidence import Evidence, Subject
+from warpsample.proof.twins import polar_angle
+from warpsample.proof.verify import LEVEL, Verdict
+
+_DRAWS = 1 << 18
+_TURN = 2.0 * np.pi
+
+
+def circle(turns: np.ndarray) -> np.ndarray:
+    """Points of the unit circle. Chizhov, section 3.4: (sin 2 pi u, cos 2 pi u), one u for both, where he prints two."""
+    return np.stack([np.sin(_TURN * turns), np.cos(_TURN * turns)], axis=-1)
+
+
+def disk(u: np.ndarray) -> np.ndarray:
+    """Points of the unit disk by inversion. Chizhov, section 3.2."""
+    return np.sqrt(u[..., 1:2]) * circle(u[..., 0])
+
+
+def sphere(u: np.ndarray) -> np.ndarray:
+    """Points of the unit sphere by inversion."""
+    z = 1.0 - 2.0 * u[..., 0:1]
+    return np.concatenate([np.sqrt(1.0 - z * z) * circle(u[..., 1]), z], axis=-1)
+
+
+def ball(u: np.ndarray) -> np.ndarray:
+    """Points of the unit ball by inversion of the radius' distribution function, r^3; u has three coordinates."""
+    return np.cbrt(u[..., 2:3]) * sphere(u[..., :2])
+
+
+def by_rejection(u: np.ndarray) -> np.ndarray:
+    """Those points of the cube [-1, 1]^k that lie in the ball: the disk's for k = 2."""
+    points = 2.0 * u - 1.0
+    return points[(points * points).sum(axis=-1) < 1.0]
+
+
+def normalized(v: np.ndarray) -> np.ndarray:
+    """Unit vectors."""
+    return v / np.linalg.norm(v, axis=-1, keepdims=True)
+
+
+def mirrored_sphere(u: np.ndarray) -> np.ndarray:
+    """The hemisphere's points."""
+    points = sphere(u)
+    points[..., 2] = np.abs(points[..., 2])
+    return points
+
+
+def plus_normal(points: np.ndarray) -> np.ndarray:
+    """The set moved by the normal, the last axis, and projected onto the unit circle or sphere."""
+    return normalized(points + np.eye(points.shape[-1])[-1])
+
+
+def disk_by_inverted_distribution(u: np.ndarray) -> np.ndarray:
+    """The angle at which (theta + sin theta cos theta) / pi + 1/2 = u[0], by bisection. Chizhov, section 3.2."""
+    low, high = np.full(u.shape[:-1], -np.pi / 2.0), np.full(u.shape[:-1], np.pi / 2.0)
+    for _ in range(52):
+        middle = 0.5 * (low + high)
+        below = (middle + np.sin(middle) * np.cos(middle)) / np.pi + 0.5 < u[..., 0]
+        low, high = np.where(below, middle, low), np.where(below, high, middle)
+    return np.stack([np.sin(low), np.cos(low)], axis=-1)
+
+
+def variates(dimensions: int) -> np.ndarray:
+    """(N, dimensions) float64 independent variates at the middles of the grid's cells."""
+    u = sample_square("independent", _DRAWS // 16, 16 * ((dimensions + 1) // 2), seed=7)
+    return u.reshape(-1, 2 * ((dimensions + 1) // 2))[:, :dimensions].astype(np.float64) + 2.0**-25
+
+
+@dataclass(frozen=True)
+class Route:
+    """Another way to draw a law, with independent variates of so many dimensions."""
+
+    name: str
+    to: Distribution
+    draw: Callable[[np.ndarray], np.ndarray]
+    dimensions: int = 2
+
+
+ROUTES = (
+    Route("circle inverted, + normal", OffsetCircle(), lambda u: plus_normal(circle(u[:, 0]))),
+    Route("disk rejected, normalised, + normal", OffsetCircle(), lambda u: plus_normal(normalized(by_rejection(u)))),
+    Route("disk inverted, + normal", OffsetDisk(), lambda u: plus_normal(disk(u))),
+    Route("disk rejected, + normal", OffsetDisk(), lambda u: plus_normal(by_rejection(u))),
+    Route("numerically inverted distribution", OffsetDisk(), disk_by_inverted_distribution),
+    Route("ball inverted, + normal", OffsetBall(), lambda u: plus_normal(ball(u)), 3),
+    Route("ball rejected, + normal", OffsetBall(), lambda u: plus_normal(by_rejection(u)), 3),
+    Route("sphere inverted, + normal", CosineHemisphere(), lambda u: plus_normal(sphere(u))),
+    Route("ball rejected, normalised, + normal", CosineHemisphere(), lambda u: plus_normal(normalized(by_rejection(u))), 3),
+    Route("sphere of radius 1/2 + normal", OffsetSphere(0.5), lambda u: plus_normal(0.5 * sphere(u))),
+    Route("sphere of radius 2 + normal", OffsetSphere(2.0), lambda u: plus_normal(2.0 * sphere(u))),
+    Route("rejection", UniformDisk(), by_rejection),
+    Route(
+        "the sphere's lower half mirrored",
+        UniformHemisphere(),
+        mirrored_sphere,
+    ),
+)
+
+
+def _malley(u: np.ndarray) -> np.ndarray:
+    """The disk lifted. Cranberry 2020, after its equation (8)."""
+    x, y = np.sqrt(u[..., 0]) * np.stack([np.cos(_TURN * u[..., 1]), np.sin(_TURN * u[..., 1])])
+    return np.stack([x, y, np.sqrt(1.0 - x * x - y * y)], axis=-1)
+
+
+def _half_acos(u: np.ndarray) -> np.ndarray:
+    """theta = acos(1 - 2u) / 2. Cranberry 2020, equation (7)."""
+    theta = np.arccos(1.0 - 2.0 * u[..., 0])[..., None] / 2.0
+    turn = np.stack([np.cos(_TURN * u[..., 1]), np.sin(_TURN * u[..., 1])], axis=-1)
+    return np.concatenate([np.sin(theta) * turn, np.cos(theta)], axis=-1)
+
+
+def _keinert(count: int) -> np.ndarray:
+    """The square's points of Keinert's spherical Fibonacci sets."""
+    i = np.arange(count)
+    return np.stack([(i + 0.5) / count, i * 0.6180339887498949 % 1.0], axis=1).astype(np.float32)
+
+
+def _point_by_point() -> dict[str, float]:
+    """Greatest distance between two maps that claim to be one, on the same u."""
+    u = sample_square("sobol", 16, 4096, seed=8).reshape(-1, 2)
+    wide, set_ = u.astype(np.float64), _keinert(4096)
+    shirley = plus_normal(UniformSphere().sample(u).astype(np.float64))
+    polar = CosineHemisphere().sample
+    whole, half = (polar_angle(d.sample(u).astype(np.float64)) for d in (UniformSphere(), CosineHemisphere("offset")))
+    fibonacci = plus_normal(UniformSphere().sample(set_).astype(np.float64))
+    return {
+        "Malley's projection of the disk": laws.worst(_malley(wide) - polar(u)),
+        "θ = acos(1 − 2u)/2": laws.worst(_half_acos(wide) - CosineHemisphere("inversion").sample(u)),
+        "sphere + normal is the cosine lobe": laws.worst(shirley - polar(u)),
+        "half angle θ = 2θ' of the Shirley proof, equation (3)": laws.worst(whole - 2.0 * half),
+        "Fibonacci sphere + normal is the Fibonacci cosine set": laws.worst(fibonacci - polar(set_)),
+        "OffsetSphere(1) is the cosine lobe": laws.worst(OffsetSphere(1.0).sample(u) - polar(u)),
+        "PowerCosine(1) is the cosine lobe": laws.worst(PowerCosine(1.0).sample(u) - polar(u)),
+        "PowerCosine(3) is the offset ball": laws.worst(PowerCosine(3.0).sample(u) - OffsetBall().sample(u)),
+        "PowerCosine(0) is the hemisphere": laws.worst(PowerCosine(0.0).sample(u) - UniformHemisphere().sample(u)),
+        "UniformCone of all angles is the sphere": laws.worst(UniformCone(-1.0).sample(u) - UniformSphere().sample(u)),
+        "GGX(1) is the cosine lobe": laws.worst(GGX(1.0).sample(u) - polar(u)),
+    }
+
+
+def _density_by_density() -> dict[str, float]:
+    """Greatest relative difference of two densities that claim to be one, at the same directions."""
+    u = sample_square("sobol", 16, 4096, seed=9).reshape(-1, 2)
+
+    def difference(one: Any, other: Any) -> float:
+        w = other.sample(u)
+        return laws.density_error(one.pdf(w), other.pdf(w).astype(np.float64))
+
+    return {
+        "VisibleGGX from above is GGX": difference(VisibleGGX(0.2), GGX(0.2)),
+        "VisibleBeckmann from above is Beckmann": difference(VisibleBeckmann(0.2), Beckmann(0.2)),
+        "OffsetSphere(1) is the cosine lobe": difference(OffsetSphere(1.0), CosineHemisphere()),
+        "PowerCosine(3) is the offset ball": difference(PowerCosine(3.0), OffsetBall()),
+        "PowerCosine(0) is the hemisphere": difference(PowerCosine(0.0), UniformHemisphere()),
+        "GGX(1) is the cosine lobe": difference(GGX(1.0), CosineHemisphere()),
+    }
+
+
+def judge_routes() -> list[Verdict]:
+    """Both laws of each route's draws, and the greatest differences of maps and densities that are one."""
+    verdicts = []
+    for route in ROUTES:
+        w, name = route.draw(variates(route.dimensions)), f"{type(route.to).__name__} by {route.name}"
+        edges = Evidence(Subject(name, route.to, route.to)).edges
+        p_values = {
+            "route, cells": laws.cells_p_value(route.to, w, edges),
+            "route, angle": laws.angles_p_value(route.to, chart_of(route.to).polar(w)),
+            **({"route, azimuth": laws.azimuth_p_value(w)} if route.to.measure != "per radian" else {}),
+        }
+        verdicts += [Verdict(law, name, p_value, LEVEL, True) for law, p_value in p_values.items()]
+    # Both maps are right to 2e-7 and u itself moves a float64 formula by 6e-8 of a turn.
+    verdicts += [Verdict("one map, two routes", n, value, 5e-7, False) for n, value in _point_by_point().items()]
+    return verdicts + [
+        Verdict("one density, two routes", n, value, 2e-6, False) for n, value in _density_by_density().items()
+    ]

@@ -1,0 +1,101 @@
+"""The whole trial, task by task in processes of their own: what `warpsample verify` runs."""
+
+import multiprocessing
+import os
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import dataclass
+from typing import Any
+
+import warp as wp
+
+from warpsample import sequences
+from warpsample.distributions.record import Distribution
+from warpsample.proof import defects, routes, streams, stress, verify
+from warpsample.proof.verify import Verdict
+
+_USUAL, _SLOW = 4, 16  # the sweep takes each so manieth variate, unless it is thorough
+_SLOW_TWINS = ("visible_beckmann",)
+
+
+@dataclass(frozen=True)
+class Task:
+    """A part of the trial: a case, a sequence, a defect, or one of the words "routes" and "meshes"."""
+
+    kind: str
+    key: Any = None
+
+    def verdicts(self, thorough: bool = False) -> list[Verdict]:
+        """Its outcome. `thorough`: see `trial`."""
+        return _KINDS[self.kind](self.key, thorough)
+
+
+def trial() -> list[Task]:
+    """What is proven: every case, sequence, second route and hostile input. The longest tasks first."""
+    cases = sorted(verify.cases(), key=lambda case: case.symmetric)
+    return [
+        Task("meshes"),
+        *(Task("case", case) for case in cases),
+        *(Task("sequence", name) for name in sequences.names()),
+        Task("routes"),
+    ]
+
+
+def extent(thorough: bool) -> str:
+    """What the sweep sees, in words."""
+    if thorough:
+        return "The sweep takes each of the 2^24 values of both coordinates."
+    slow = " and ".join(_SLOW_TWINS)
+    return (
+        f"The sweep takes every {_USUAL}th of the 2^24 values of both coordinates ({slow}: {_SLOW}th); --thorough takes all."
+    )
+
+
+def planted() -> list[Task]:
+    """One task for each defect."""
+    return [Task("defect", name) for name in defects.names()]
+
+
+def run(tasks: list[Task], thorough: bool = False) -> Iterator[tuple[Task, list[Verdict]]]:
+    """Yields tasks with their verdicts as they end, a process to a core.
+
+    Args:
+        tasks: what to judge.
+        thorough: sweep all 2^24 variates, not every fourth (with a twin that inverts by bisection, every 16th).
+    """
+    context = multiprocessing.get_context("spawn")  # Warp's threads do not survive a fork
+    workers = min(len(tasks), os.cpu_count() or 1)
+    pool = ProcessPoolExecutor(workers, context, _start)
+    try:
+        futures = {pool.submit(task.verdicts, thorough): task for task in tasks}
+        for future in as_completed(futures):
+            yield futures[future], future.result()
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _start() -> None:
+    wp.config.log_level = wp.LOG_WARNING  # what Warp logs goes to stdout, which belongs to the tables
+
+
+def _judge_case(case: Distribution, thorough: bool) -> list[Verdict]:
+    hostile = stress.judge_normals(case) if case.width == 3 else []
+    every = 1 if thorough else _SLOW if case.name in _SLOW_TWINS else _USUAL
+    return verify.judge_case(case, every=every) + hostile
+
+
+def _judge_sequence(name: str, thorough: bool) -> list[Verdict]:
+    return [*streams.judge_sequence(name), stress.judge_indices(name)]
+
+
+def _judge_meshes(key: None, thorough: bool) -> list[Verdict]:
+    return [stress.judge_bad_normals(), *stress.judge_meshes()]
+
+
+_KINDS = {
+    "case": _judge_case,
+    "sequence": _judge_sequence,
+    "meshes": _judge_meshes,
+    "routes": lambda key, thorough: routes.judge_routes(),
+    "defect": lambda key, thorough: defects.judge_defect(key),
+}

@@ -1,0 +1,132 @@
+"""The laws of the sequences, over points, samples and seeds; and their bits without end, for batteries of tests.
+
+Run as `python -m warpsample.proof.streams independent | dieharder -a -g 200`.
+"""
+
+import hashlib
+import sys
+from collections.abc import Callable, Iterator
+from itertools import count
+
+import numpy as np
+import warp as wp
+
+from warpsample import sequences
+from warpsample.directions import sample_square
+from warpsample.numerics import GRID
+from warpsample.proof import laws
+from warpsample.proof.verify import LEVEL, Verdict
+
+Variates = Callable[..., np.ndarray]
+
+_SIDE = 128  # points, and samples of each, in a block of the endless stream
+_RANDOM = ("independent", "philox")  # no structure between the samples of a point either
+# A change of the stream changes every result that anyone has stored: it must be meant.
+FROZEN = {
+    "fibonacci": "152cf731deb08c76",
+    "independent": "253d196e104cc34d",
+    "philox": "000027d475b38e9f",
+    "r2": "fedda182c7cb5b06",
+    "sobol": "d327ca05417a79a5",
+    "stratified": "c66abff138fafcd8",
+}
+
+
+def integers(u: np.ndarray) -> np.ndarray:
+    """Variates as the integers of the 2^24 grid that they are."""
+    return (u * np.float32(GRID)).astype("<u4", order="C")
+
+
+def digest(name: str) -> str:
+    """Of a stretch of the stream that crosses a multiple of 2^32 point ids."""
+    cells = integers(sample_square(name, 257, 67, seed=12345, first_point=2**33 - 100))
+    return hashlib.sha256(cells.astype(np.int64).tobytes()).hexdigest()[:16]
+
+
+def judge_stream(name: str, variates: Variates, points: int = 1_000_000, random: bool = True) -> list[Verdict]:
+    """Laws over points, samples and seeds.
+
+    Args:
+        name: for tables.
+        variates: (points, count, seed) -> (points, count, 2) float32.
+        points: over which no direction may repeat, each with 64 samples.
+        random: whether the samples of one point claim to be independent too.
+    """
+    first, other = (variates(200_000, 4, seed).astype(np.float64) for seed in (3, 4))
+    u = first[:, 1]
+    pairs = {
+        "dimensions": [(u[:, 0], u[:, 1])],
+        "points": [(u[1:, a], u[:-1, b]) for a in (0, 1) for b in (0, 1)],
+        "seeds": [(u[:, a], other[:, 1, a]) for a in (0, 1)],
+        "samples": [(u[:, a], first[:, 2, a]) for a in (0, 1)] if random else [],
+    }
+    p_values = {
+        f"correlation of {which}": min(1.0, len(some) * min(laws.correlation_p_value(*pair) for pair in some))
+        for which, some in pairs.items()
+        if some
+    }
+    # Whatever the samples of one point share, one from each of many points are uniform. Half a cell up, to a cell's middle.
+    one_each = first[np.arange(len(first)), np.arange(len(first)) % 4] + 0.5 / GRID
+    p_values["uniform"] = min(1.0, 2.0 * min(laws.uniform_p_value(one_each[:, axis]) for axis in (0, 1)))
+    verdicts = [Verdict(law, name, p_value, LEVEL, True) for law, p_value in p_values.items()]
+    if random:
+        verdicts.append(Verdict("repeats", name, repeats_p_value(variates, points), LEVEL, True))
+    return [*verdicts, Verdict("shared streams", name, float(shared_streams(variates, points)), 0.0, False)]
+
+
+def judge_sequence(name: str, points: int = 1_000_000) -> list[Verdict]:
+    """The laws for a sequence of the package, and that its stream has not changed."""
+
+    def variates(points: int, samples: int, seed: int) -> np.ndarray:
+        return sample_square(name, points, samples, seed)
+
+    frozen = Verdict("frozen stream", name, float(digest(name) != FROZEN[name]), 0.0, False, digest(name))
+    return [*judge_stream(name, variates, points, name in _RANDOM), frozen]
+
+
+def repeats_p_value(variates: Variates, points: int) -> float:
+    """Poisson's law for how many of points * 64 independent pairs of 24 bits meet: n^2 / 2^49, 7 for a million points.
+
+    Too many come from a generator with a small state, too few from one that avoids itself.
+    """
+    from scipy.stats import poisson  # noqa: PLC0415  (slow to import)
+
+    cells = integers(variates(points, 64, 5)).astype(np.uint64).reshape(-1, 2)
+    packed = np.sort((cells[:, 0] << np.uint64(24)) | cells[:, 1])
+    met = int((packed[1:] == packed[:-1]).sum())
+    mean = len(packed) ** 2 / 2.0**49
+    return min(1.0, 2.0 * float(min(poisson.sf(met - 1, mean), poisson.cdf(met, mean))))
+
+
+def shared_streams(variates: Variates, points: int) -> int:
+    """How many of the points begin with the two samples of another one: 96 bits that never meet by chance."""
+    cells = integers(variates(points, 64, 6)[:, :2]).astype(np.uint64).reshape(-1, 4)
+    packed = np.stack([(cells[:, 0] << np.uint64(24)) | cells[:, 1], (cells[:, 2] << np.uint64(24)) | cells[:, 3]], axis=1)
+    return points - len(np.unique(packed, axis=0))
+
+
+def emitted_bytes(name: str) -> Iterator[bytes]:
+    """Yields all 24 bits of each variate, low byte first: both dimensions over 128 points x 128 samples of seed 0, 1, 2, ...
+
+    A battery finds what neighbours in its stream share, so points and samples take turns to be the neighbours.
+    """
+    for seed in count():
+        u = sample_square(name, points=_SIDE, count=_SIDE, seed=seed)
+        cells = integers(u if seed % 2 == 0 else u.swapaxes(0, 1))
+        yield cells.view(np.uint8).reshape(-1, 4)[:, :3].tobytes()
+
+
+def main() -> None:
+    """Writes the stream of the sequence named by the first argument to standard output until nobody reads."""
+    wp.config.log_level = wp.LOG_WARNING  # what Warp logs goes to stdout, which belongs to the stream
+    if len(sys.argv) != 2 or sys.argv[1] not in sequences.names():
+        sys.exit(f"usage: python -m warpsample.proof.streams {'|'.join(sequences.names())}")
+    try:
+        for block in emitted_bytes(sys.argv[1]):
+            sys.stdout.buffer.write(block)
+    except BrokenPipeError:
+        sys.stderr.close()  # the reader has had enough: nothing to say, also not at exit
+
+
+if __name__ == "__main__":
+    main()

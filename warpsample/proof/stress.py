@@ -1,0 +1,172 @@
+"""Hostile input: normals of every size and place, ids and sample indices at the edges of words, bad and huge meshes."""
+
+from functools import cache
+from itertools import product
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample import sequences
+from warpsample.directions import Status, sample_directions, sample_square
+from warpsample.distributions.cosine_hemisphere import CosineHemisphere
+from warpsample.distributions.record import Distribution
+from warpsample.distributions.uniform_sphere import UniformSphere
+from warpsample.mesh import as_mesh
+from warpsample.proof import laws, twins
+from warpsample.proof.integer_twins import expected
+from warpsample.proof.verify import LEVEL, Verdict
+from warpsample.surface import sample_surface
+
+_SAMPLES = 64
+_IDS = sorted({max(0, 2**k + step) for k in (24, 31, 32, 40, 63) for step in (-2, -1, 0, 1)} | {0, 1, 2**64 - 1})
+_INDICES = [0, 1, 2**16 - 1, 2**24 - 1, 2**24, 2**24 + 1, 2**31 - 2]
+_COUNTS = [1, 7, 64, 2**24 + 3, 2**31 - 1]
+_SEEDS = [0, 1, 2**32, 2**64 - 1]
+
+
+def hostile_normals() -> np.ndarray:
+    """(N, 3) float32: axes, diagonals, beside them, beside -z, with -0.0, and random ones; each from 1e-45 to 3e38 long."""
+    signs = np.array(list(product((-1.0, -0.0, 0.0, 1.0), repeat=3)))
+    beside = np.concatenate([axis + step * np.roll(axis, 1) for axis in np.eye(3) for step in (1e-30, 1e-8, 1e-7, -1e-4)])
+    beside = np.concatenate([beside.reshape(-1, 3), -beside.reshape(-1, 3)])
+    steps = np.array([[x, y, -1.0] for x, y in product((0.0, -0.0, 1e-38, 1e-20, -1e-7, 6e-8, 3e-4), repeat=2)])
+    random = np.random.default_rng(0).normal(size=(500, 3))
+    plain = np.concatenate([signs[np.abs(signs).sum(axis=1) > 0], beside, steps, random])
+    plain /= np.abs(plain).max(axis=1, keepdims=True)
+    sizes = np.array([1e-45, 1e-42, 1.2e-38, 1e-30, 1e-6, 0.64, 1.0, 1e12, 1e30, 1.7e38])
+    scaled = (plain[None] * sizes[:, None, None]).astype(np.float32).reshape(-1, 3)
+    return scaled[scaled.any(axis=1)]
+
+
+def exact_directions(distribution: Distribution, normals: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(P, n, 3) float64 twice: the twin's directions about the exact unit normals, and in their frames."""
+    wide = normals.astype(np.float64)
+    unit = wide / np.abs(wide).max(axis=1, keepdims=True)
+    unit /= np.linalg.norm(unit, axis=1, keepdims=True)
+    frames = twins.frames(unit)
+    if distribution == CosineHemisphere("offset"):  # sphere + normal in the world's own axes
+        total = unit[:, None] + twins.directions(UniformSphere(), u.astype(np.float64))
+        exact = total / np.linalg.norm(total, axis=-1, keepdims=True)
+        return exact, np.einsum("nij,nsi->nsj", frames, exact)
+    local = twins.directions(distribution, u.astype(np.float64))
+    # The density belongs to the float32 direction: a narrow one changes by more over its last digit.
+    return np.einsum("nij,nsj->nsi", frames, local), distribution.sample(u).astype(np.float64)
+
+
+def judge_normals(distribution: Distribution) -> list[Verdict]:
+    """Unit length, angle and density of directions about hostile normals."""
+    normals = hostile_normals()
+    got = sample_directions(normals, _SAMPLES, distribution, "independent", pdf=True, workers=1)
+    u = sample_square("independent", len(normals), _SAMPLES)
+    w = got.vectors.astype(np.float64)
+    kept = np.ones(w.shape[:2], bool)
+    angle, density, note = 5e-7, 2e-6, ""
+    if distribution == CosineHemisphere("offset"):
+        # abs(n + s) = 2 pi pdf. Shorter sums are drawn anew, in a frame and from another hash.
+        kept = 2.0 * np.pi * got.pdf > 2.0**-6 * 1.001
+        angle, density, note = 1.3e-5, 2e-3, "frame-free: n and s are each 1e-7 off, their sum as short as 2^-6"
+    exact, local = exact_directions(distribution, normals, u)
+    name = repr(distribution)
+    lost = float(sum(n for status, n in got.counts().items() if status is not Status.OK))
+    return [
+        Verdict("hostile normals, lost", name, lost, 0.0, False),
+        # The frame's columns add their own 1e-7 to the local direction's 2e-7.
+        Verdict("hostile normals, unit length", name, laws.length_error(w), 2.5e-7, False),
+        Verdict("hostile normals, direction", name, laws.angle_error(w[kept], exact[kept]), angle, False, note),
+        Verdict(
+            "hostile normals, density",
+            name,
+            laws.density_error(got.pdf[kept], twins.density(distribution, local)[kept]),
+            density,
+            False,
+            note,
+        ),
+    ]
+
+
+def judge_bad_normals() -> Verdict:
+    """Normals without a direction: zero vectors, density 0 and a status, and their neighbours as if alone."""
+    nan, inf = np.nan, np.inf
+    bad = [(0, 0, 0), (-0.0, 0, 0), (nan, 0, 1), (0, nan, 0), (inf, 0, 0), (0, -inf, 1), (inf, nan, 0)]
+    want = [Status.ZERO_NORMAL] * 2 + [Status.NONFINITE_NORMAL] * 5
+    normals = np.tile(np.array([0.0, 0.6, 0.8], np.float32), (2 * len(bad), 1))
+    normals[::2] = bad
+    wrong = 0
+    for count in (1, 3, 64):
+        got = sample_directions(normals, count, pdf=True)
+        alone = sample_directions(normals[1:2], count, first_point=1)
+        wrong += int((got.status[::2] != want).sum()) + int(got.vectors[::2].any()) + int(got.pdf[::2].any())
+        wrong += int((got.status[1::2] != 0).sum()) + int((got.vectors[1] != alone.vectors[0]).any())
+    return Verdict("bad normals", "zero, NaN, infinite", float(wrong), 0.0, False, "wrong rows or neighbours")
+
+
+@cache
+def _at(sequence: wp.Function) -> wp.Kernel:
+    @wp.kernel(module="unique", enable_backward=False)
+    def at(
+        seed: wp.uint64,
+        point: wp.array[wp.uint64],
+        sample: wp.array[wp.uint32],
+        count: wp.array[wp.uint32],
+        out: wp.array[wp.vec2],
+    ):
+        i = wp.tid()
+        out[i] = sequence(seed, point[i], sample[i], count[i])
+
+    return at
+
+
+def judge_indices(name: str) -> Verdict:
+    """Point ids, sample indices, counts and seeds at the edges of words, against exact integers."""
+    asked = [(p, s, c) for p in _IDS for c in _COUNTS for s in {*_INDICES, c - 1} if s < c]
+    point, sample, count = (
+        np.array(column, kind)
+        for column, kind in zip(zip(*asked, strict=True), (np.uint64, np.uint32, np.uint32), strict=True)
+    )
+    worst = 0
+    for seed in _SEEDS:
+        out = wp.empty(len(asked), dtype=wp.vec2, device="cpu")
+        inputs = [seed, *(wp.array(a, device="cpu") for a in (point, sample, count))]
+        wp.launch(_at(sequences.get(name).sample), len(asked), inputs=inputs, outputs=[out], device="cpu")
+        cells = (out.numpy().astype(np.float64) * 2**24).astype(np.int64)
+        want = np.array([expected(name, seed, p, s, c) for p, s, c in asked])
+        worst = max(worst, int(np.abs(cells - want).max()))
+    # A quotient of float64s may fall on the other side of a cell's edge.
+    limit = 1.0 if name in ("fibonacci", "stratified") else 0.0
+    return Verdict(
+        "indices", name, float(worst), limit, False, f"cells of 2^-24; ids to 2^64, indices to 2^31, {len(_SEEDS)} seeds"
+    )
+
+
+def judge_meshes() -> list[Verdict]:
+    """Points on meshes that are tiny, far away, full of bad faces, or huge."""
+    corner = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], float)
+    faces = np.array([(0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3)])
+    verdicts = []
+    for scale, offset in ((1e-6, 0.0), (1e-6, 1.0), (1.0, 5e6), (5e6, 5e6)):
+        vertices = corner * scale + offset
+        points = sample_surface((vertices, faces), 100_000)
+        a, b, c = (vertices[faces[points.face, k]] for k in range(3))
+        normal = np.cross(b - a, c - a)
+        height = np.abs(((points.position - a) * normal).sum(axis=1)) / np.linalg.norm(normal, axis=1)
+        ulps = float(height.max() / np.spacing(scale + offset))
+        verdicts.append(
+            Verdict("points on their face", f"edges of {scale:g} at {offset:g}", ulps, 4.0, False, "in float64 ulps")
+        )
+    bad = np.concatenate([faces, [(0, 0, 1), (1, 1, 1), (0, 1, 4), (0, 1, 2)]])  # degenerate, a sliver, a duplicate
+    points = sample_surface((np.concatenate([corner, [(0.5, 1e-300, 0.0)]]), bad), 100_000)
+    on_bad = float(np.isin(points.face, (4, 5, 6)).sum() + (~np.isfinite(points.position)).sum())
+    verdicts.append(Verdict("points on faces without area", "degenerate faces and a sliver", on_bad, 0.0, False))
+    many = _ten_million_faces()
+    points = sample_surface(many, 1_000_000)
+    p_value = laws.uniform_p_value((points.face + 0.5) / len(many.faces))
+    return [*verdicts, Verdict("shares of the area", f"{len(many.faces):,} equal faces", p_value, LEVEL, True)]
+
+
+def _ten_million_faces() -> Any:
+    side = 2237
+    x, y = (a.ravel() for a in np.meshgrid(np.arange(side), np.arange(side), indexing="ij"))
+    first = (np.arange(side - 1)[:, None] * side + np.arange(side - 1)).ravel()
+    faces = np.concatenate([first[:, None] + (0, side, 1), first[:, None] + (side, side + 1, 1)])
+    return as_mesh((np.stack([x, y, 0 * x], axis=1).astype(float), faces))

@@ -1,0 +1,212 @@
+"""Every law over every distribution, case by case; the verdicts that `warpsample verify` and the tests read.
+
+Errors are compared with limits that each distribution states in its record. Statistics reject below LEVEL, so that a run of
+right samplers fails by chance once in FAMILY_WISE^-1 times, whatever the machine.
+"""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from warpsample import distributions
+from warpsample.distributions.record import Distribution
+from warpsample.proof import laws
+from warpsample.proof.evidence import Evidence, Subject
+
+FAMILY_WISE = 1e-4
+MOST_STATISTICS = 1000
+LEVEL = FAMILY_WISE / MOST_STATISTICS
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """One law for one subject.
+
+    Attributes:
+        law: its name.
+        subject: what was judged.
+        measured: a worst error or a p-value.
+        limit: what an error must not exceed, or LEVEL, which a p-value must reach.
+        statistical: whether it is a p-value.
+        note: why there is no number, or what was left out.
+    """
+
+    law: str
+    subject: str
+    measured: float
+    limit: float
+    statistical: bool
+    note: str = ""
+
+    @property
+    def passed(self) -> bool:
+        """Whether the law holds."""
+        return self.measured >= self.limit if self.statistical else self.measured <= self.limit
+
+
+@dataclass(frozen=True)
+class Law:
+    """A law as a row of tables.
+
+    Attributes:
+        name: short.
+        summary: what it says, for newcomers.
+        measure: the worst error or the p-value of a subject.
+        limit: of an error, by the distribution that the subject claims to be; None for p-values.
+        applies: to which subjects.
+    """
+
+    name: str
+    summary: str
+    measure: Callable[[Evidence], float]
+    limit: Callable[[Distribution], float] | None = None
+    applies: Callable[[Any], bool] = lambda sampler: True
+
+    def judge(self, evidence: Evidence) -> Verdict:
+        """The verdict; a law that cannot be evaluated is broken."""
+        note = ""
+        try:
+            with np.errstate(all="ignore"):  # a wrong sampler may return anything
+                measured = self.measure(evidence)
+        except ValueError as error:  # a density whose integral is not 1 or does not converge
+            measured, note = 0.0 if self.limit is None else float("inf"), str(error)
+        limit = LEVEL if self.limit is None else self.limit(evidence.subject.twin)
+        return Verdict(self.name, evidence.subject.name, measured, limit, self.limit is None, note)
+
+
+def _fixed(limit: float) -> Callable[[Distribution], float]:
+    return lambda distribution: limit
+
+
+def _closed(sampler: Any) -> bool:
+    return sampler.symmetric
+
+
+def _round_about(sampler: Any) -> bool:
+    return sampler.symmetric and sampler.measure != "per radian"
+
+
+def _invertible(sampler: Any) -> bool:
+    return sampler.maps.invert is not None
+
+
+LAWS = (
+    Law(
+        "finite",
+        "values of u that give NaN, an infinity or density 0; the square's corners and the sweep",
+        lambda e: e.sweep["broken"],
+        _fixed(0.0),
+    ),
+    Law(
+        "unit length",
+        "worst | |w| - 1 | over the sweep",
+        lambda e: e.sweep["length"],
+        lambda d: d.worst_unit_length,
+        lambda s: s.measure != "per unit area",
+    ),
+    Law(
+        "direction",
+        "worst angle in radians from the float64 twin over the sweep; in the disk the distance",
+        lambda e: e.sweep["angle"],
+        lambda d: d.worst_angle,
+    ),
+    Law(
+        "sine",
+        "worst relative error of sin θ over the sweep",
+        lambda e: e.sweep["sine"],
+        _fixed(1e-6),
+        lambda s: s.symmetric and s.measure == "per steradian",
+    ),
+    Law(
+        "density",
+        "worst relative error of the pdf at the sampled directions, from its float64 twin",
+        lambda e: e.sweep["pdf"],
+        lambda d: d.worst_pdf,
+    ),
+    Law(
+        "round trip",
+        "worst distance from u to invert(sample(u)), away from stated seams",
+        lambda e: e.sweep["round trip"],
+        lambda d: d.worst_round_trip,
+        _invertible,
+    ),
+    Law(
+        "outside",
+        "greatest density beyond the support, and at NaN",
+        lambda e: laws.density_outside(e.sampler),
+        _fixed(0.0),
+    ),
+    Law(
+        "mass",
+        "| integral of the density - 1 |, by a quadrature that has converged",
+        lambda e: laws.mass_error(e.sampler, e.edges),
+        _fixed(1e-4),
+    ),
+    # float32 directions 1e-7 off at the ends of a side of 2^-10 leave 4e-4, curvature as much, and near the horizon of a
+    # view ten times that; both average out.
+    Law(
+        "stretch, worst",
+        "pdf times the stretch of area is 1: worst deviation",
+        lambda e: e.stretch[0],
+        lambda d: 1e-3 if d.symmetric else 5e-3,
+        lambda s: _invertible(s) and s.measure != "per radian",
+    ),
+    Law(
+        "stretch, mean",
+        "pdf times the stretch of area is 1: mean deviation",
+        lambda e: abs(e.stretch[1]),
+        _fixed(2e-5),
+        lambda s: _invertible(s) and s.measure != "per radian",
+    ),
+    Law(
+        "cells",
+        "chi-square of 2²⁰ directions in cells of the support, and Poisson's law for all others",
+        lambda e: laws.cells_p_value(e.sampler, e.some, e.edges),
+    ),
+    Law(
+        "angle",
+        "Kolmogorov-Smirnov test of θ against its closed distribution function",
+        lambda e: laws.angles_p_value(e.sampler, e.angles[: len(e.some)]),
+        applies=_closed,
+    ),
+    Law(
+        "tails",
+        "counts of 2²² directions in the last 10⁻⁵ at the pole and at the far end (offset spheres below 1: 10⁻²)",
+        lambda e: laws.tails_p_value(e.sampler, e.angles),
+        applies=_closed,
+    ),
+    Law(
+        "moments",
+        "means of θ and θ² against their integrals under the density",
+        lambda e: laws.moments_p_value(e.sampler, e.angles, e.edges),
+    ),
+    Law(
+        "azimuth",
+        "Rayleigh's test for a preferred azimuth",
+        lambda e: laws.azimuth_p_value(e.many),
+        applies=_round_about,
+    ),
+    Law(
+        "azimuth gap",
+        "the widest gap between the azimuths of 2²² directions",
+        lambda e: laws.azimuth_gap_p_value(e.many),
+        applies=_round_about,
+    ),
+)
+
+
+def cases() -> list[Distribution]:
+    """Every case of every distribution."""
+    return [case for name in distributions.names() for case in distributions.get(name).cases()]
+
+
+def judge(evidence: Evidence, which: Iterable[Law] = LAWS) -> list[Verdict]:
+    """All laws that apply to one subject."""
+    return [law.judge(evidence) for law in which if law.applies(evidence.sampler)]
+
+
+def judge_case(case: Distribution, **effort: int) -> list[Verdict]:
+    """All laws for a distribution. `effort`: of `Evidence`."""
+    return judge(Evidence(Subject(repr(case), case, case), **effort))
