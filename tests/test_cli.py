@@ -112,6 +112,10 @@ def test_an_interrupted_run_leaves_the_old_file_and_no_half_one(call, cube, tmp_
             "error: sequence: got 'halton', want one of fib",
         ),
         (
+            ["directions", "CUBE", "-o", "d.npz", "--distribution", "offset_disk"],
+            "error: distribution: got OffsetDisk(), which lies in a plane, want one of directions in space",
+        ),
+        (
             ["directions", "CUBE", "-o", "d.npz", "--distribution", "x"],
             "error: distribution: got 'x', want one of beckmann, cosine",
         ),

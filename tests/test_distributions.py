@@ -34,9 +34,9 @@ def test_every_law_holds(case):
     assert broken(verify.judge_case(case, every=64, draws=1 << 19) + hostile) == []
 
 
-@pytest.mark.parametrize("method", ["polar", "concentric", "inversion", "offset"])
+@pytest.mark.parametrize("method", ["polar", "offset"])
 def test_cosine_lobe_is_right_at_every_variate(method):
-    """All 2^24 values of both coordinates; smallest cosine and density above 0."""
+    """All 2^24 values of both coordinates, density above 0; of the other methods and distributions: `verify --thorough`."""
     case = ws.CosineHemisphere(method)
     found = verify.judge(verify.Evidence(verify.Subject(repr(case), case, case)), verify.LAWS[:6])
     assert len(found) == 6
@@ -182,7 +182,7 @@ def test_bad_warp_arrays_are_named():
         ),
         (lambda: as_distribution("cosin"), ValueError, "distribution: got 'cosin', want one of beckmann, cosine_hemisphere"),
         (lambda: as_distribution(3), TypeError, "distribution: got 3, want a name or an instance"),
-        (lambda: as_distribution("beckmann"), TypeError, r"distribution: got 'beckmann', want beckmann\(alpha=...\)"),
+        (lambda: as_distribution("beckmann"), TypeError, r"distribution: got 'beckmann', want beckmann\(alpha=...\)$"),
         (
             lambda: as_distribution("uniform_cone"),
             TypeError,
@@ -191,7 +191,7 @@ def test_bad_warp_arrays_are_named():
         (lambda: as_distribution("ggx(0.1)"), TypeError, r"distribution: got 'ggx\(0.1\)', want .*parameters go by name"),
         (lambda: as_distribution("ggx(alpha=x)"), TypeError, "distribution: got .*parameters are plain numbers"),
         (lambda: as_distribution("ggx(alpha="), TypeError, r"distribution: got 'ggx\(alpha=', want ggx\(alpha=...\)"),
-        (lambda: as_distribution("ggx(beta=1)"), TypeError, "distribution: got .*unexpected keyword argument 'beta'"),
+        (lambda: as_distribution("ggx(beta=1)"), TypeError, r"distribution: got 'ggx\(beta=1\)', want ggx\(alpha=...\)$"),
         (lambda: as_distribution("ggx(alpha=2)"), ValueError, "alpha: got 2, want a number from 1e-06 to 1"),
         (
             lambda: ws.sample_directions(np.ones((1, 3), np.float32), 4, ws.OffsetDisk()),

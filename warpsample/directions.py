@@ -13,7 +13,7 @@ import warp as wp
 from warpsample import sequences
 from warpsample.arguments import check_first_point, check_integer, check_seed
 from warpsample.arrays import Array, Vectors, address_of, as_vectors, check_out, new_vectors
-from warpsample.distributions import as_distribution
+from warpsample.distributions import as_spatial
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.engine import check_memory, check_workers, run
@@ -103,7 +103,7 @@ def sample_directions(
         raise ValueError(f"normals: got shape {(*given.shape, 3)}, want (P, 3) with P of at least 1")
     count = check_integer(count, "count", 1, 2**31 - 1)
     plan = _Plan(
-        as_distribution(distribution),
+        as_spatial(distribution),
         sequences.get(sequence),
         count,
         check_seed(seed),

@@ -8,14 +8,13 @@ from math import factorial
 
 import warp as wp
 
+from warpsample.numerics import HALF, ONE, TWO
+
 _ONE_BITS = wp.constant(wp.int32(0x3F800000))
 _SQRT_HALF_BITS = wp.constant(wp.int32(0x3F3504F3))
 _MANTISSA_MASK = wp.constant(wp.int32(0x007FFFFF))
-_ONE = wp.constant(wp.float64(1.0))
-_TWO = wp.constant(wp.float64(2.0))
 _LN_2 = wp.constant(wp.float64(0.6931471805599453))
 _LOG2_E = wp.constant(wp.float64(1.4426950408889634))
-_HALF = wp.constant(wp.float64(0.5))
 _LEAST_EXPONENT = wp.constant(wp.float64(-170.0))
 
 
@@ -46,16 +45,16 @@ def log1p_double(x: wp.float64) -> wp.float64:
 
     1 + x = 2^k (1 + f), the exponent read off the sum rounded to float32; 2 atanh(f / (2 + f)) by its series.
     """
-    sum = _ONE + x
+    sum = ONE + x
     bits = wp.cast(wp.float32(sum), wp.int32) + _ONE_BITS - _SQRT_HALF_BITS
     k = (bits >> 23) - 127
-    f = wp.where(k == 0, x, sum * wp.float64(wp.cast((127 - k) << 23, wp.float32)) - _ONE)
-    s = f / (_TWO + f)
+    f = wp.where(k == 0, x, sum * wp.float64(wp.cast((127 - k) << 23, wp.float32)) - ONE)
+    s = f / (TWO + f)
     z = s * s
     series = wp.float64(0.0)
     for i in range(9):
         series = series * z + wp.float64(wp.static(1.0 / (17 - 2 * i)))
-    return wp.float64(k) * _LN_2 + _TWO * s * series
+    return wp.float64(k) * _LN_2 + TWO * s * series
 
 
 @wp.func
@@ -65,7 +64,7 @@ def exp_double(x: wp.float64) -> wp.vec2d:
     x = k ln 2 + r, e^r - 1 by its Taylor series; both results keep their digits, the first one near 0 too.
     """
     x = wp.max(x, _LEAST_EXPONENT)
-    k = wp.floor(x * _LOG2_E + _HALF)
+    k = wp.floor(x * _LOG2_E + HALF)
     r = x - k * _LN_2
     series = wp.float64(0.0)
     for i in range(13):
@@ -73,4 +72,4 @@ def exp_double(x: wp.float64) -> wp.vec2d:
     half = wp.int32(k) >> 1
     rest = wp.int32(k) - half
     scale = wp.float64(wp.cast((127 + half) << 23, wp.float32)) * wp.float64(wp.cast((127 + rest) << 23, wp.float32))
-    return wp.vec2d(scale * r * series + (scale - _ONE), scale * r * series + scale)
+    return wp.vec2d(scale * r * series + (scale - ONE), scale * r * series + scale)

@@ -15,7 +15,7 @@ import warp as wp
 
 from warpsample.arguments import check_integer, check_seed
 from warpsample.directions import Directions, Status, sample_directions
-from warpsample.distributions import as_distribution
+from warpsample.distributions import as_spatial
 from warpsample.engine import check_workers
 from warpsample.mesh import Mesh, load_mesh
 from warpsample.sequences import get as get_sequence
@@ -91,7 +91,7 @@ def _check(run: Run) -> None:
     check_integer(run.count, "--count", 1, 2**31 - 1)
     check_integer(run.samples, "--samples", 1, 2**31 - 1)
     check_seed(run.seed)
-    as_distribution(run.distribution)
+    as_spatial(run.distribution)
     get_sequence(run.sequence)
 
 

@@ -14,14 +14,17 @@ _GRID_STEP = wp.constant(wp.float32(1.0 / GRID))
 _GRID_SIZE = wp.constant(wp.float64(GRID))
 _LAST_CELL = wp.constant(wp.int32(GRID - 1))
 _LARGEST_UNIFORM = wp.constant(wp.float32(1.0 - 1.0 / GRID))
-_ZERO = wp.constant(wp.float64(0.0))
-_TWO = wp.constant(wp.float64(2.0))
 _TINY = wp.constant(wp.float64(1e-90))
 _LARGEST_TAN_SQUARED = wp.constant(wp.float64(1e37))
 _EXPONENT_MASK = wp.constant(wp.int32(0x7F800000))
 _INVERSE_ROOT_SEED = wp.constant(wp.int32(0x5F375A86 - 0x00400000))
 _EXPONENT_OF_2_127 = wp.constant(wp.int32(0x7F000000))
 _EXPONENT_OF_2_MINUS_126 = wp.constant(wp.int32(0x00800000))
+# A bare number in a kernel is float32.
+ZERO = wp.constant(wp.float64(0.0))
+HALF = wp.constant(wp.float64(0.5))
+ONE = wp.constant(wp.float64(1.0))
+TWO = wp.constant(wp.float64(2.0))
 EVEN_BITS = wp.constant(wp.uint32(0x55555555))
 EVEN_PAIRS = wp.constant(wp.uint32(0x33333333))
 EVEN_NIBBLES = wp.constant(wp.uint32(0x0F0F0F0F))
@@ -167,7 +170,7 @@ def versine(w: wp.vec3) -> wp.float64:
     across = x * x + y * y
     length = wp.sqrt(across + z * z)
     near = across / (length * (length + wp.abs(z)))
-    return wp.where(z > _ZERO, near, _TWO - near)
+    return wp.where(z > ZERO, near, TWO - near)
 
 
 @wp.func

@@ -42,7 +42,20 @@ def as_distribution(value: Any) -> Distribution:
         return kind(**_keywords(inside.removesuffix(")")))
     except (TypeError, SyntaxError) as error:
         example = f"{name}({', '.join(f'{field.name}=...' for field in fields(kind))})"
-        raise TypeError(f"distribution: got {value!r}, want {example} ({error})") from None
+        reason = "" if "__init__()" in str(error) or isinstance(error, SyntaxError) else f" ({error})"
+        raise TypeError(f"distribution: got {value!r}, want {example}{reason}") from None
+
+
+def as_spatial(value: Any) -> Distribution:
+    """As `as_distribution`, of directions in space.
+
+    Raises:
+        TypeError: one that lies in a plane.
+    """
+    distribution = as_distribution(value)
+    if distribution.width != 3:
+        raise TypeError(f"distribution: got {distribution!r}, which lies in a plane, want one of directions in space")
+    return distribution
 
 
 def _keywords(text: str) -> dict[str, Any]:

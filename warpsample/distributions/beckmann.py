@@ -6,12 +6,10 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.arguments import check_number
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.exponentials import exp_double, log1p
-from warpsample.numerics import clamp_uniform, sincos_turns, tan_squared, turns_of
+from warpsample.numerics import ONE, clamp_uniform, sincos_turns, tan_squared, turns_of
 
-_ONE = wp.constant(wp.float64(1.0))
 _INV_PI = wp.constant(wp.float64(0.3183098861837907))
 
 
@@ -30,7 +28,7 @@ def square_to_beckmann_pdf(w: wp.vec3, alpha: wp.float32) -> wp.float32:
     """e^(-tan^2 theta / alpha^2) / (pi alpha^2 cos^3 theta) per steradian above the surface, else 0."""
     t = tan_squared(w)
     square = wp.float64(alpha) * wp.float64(alpha)
-    secant_squared = _ONE + t
+    secant_squared = ONE + t
     density = exp_double(-t / square)[1] * secant_squared * wp.sqrt(secant_squared) * _INV_PI / square
     return wp.where(w[2] > 0.0, wp.float32(density), 0.0)
 
@@ -56,11 +54,8 @@ class Beckmann(Distribution):
     density = "exp(−tan²θ/α²)/(πα²cos³θ)"
     support = "hemisphere"
     parameters = ("alpha",)
+    bounds = (1e-6, 1.0)
     source = "the NORI note, Beckmann; Walter et al. 2007, equations 25, 28 and 29"
-
-    def __post_init__(self) -> None:
-        """Checks the roughness."""
-        object.__setattr__(self, "alpha", check_number(self.alpha, "alpha", 1e-6, 1.0))
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:

@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.arguments import check_number
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.numerics import clamp_uniform, fma, sincos_turns, turns_of
 
@@ -53,11 +52,8 @@ class GGX(Distribution):
     density = "α²cosθ/(π(sin²θ+α²cos²θ)²)"
     support = "hemisphere"
     parameters = ("alpha",)
+    bounds = (1e-6, 1.0)
     source = "Walter et al. 2007, equations 33, 35 and 36"
-
-    def __post_init__(self) -> None:
-        """Checks the roughness."""
-        object.__setattr__(self, "alpha", check_number(self.alpha, "alpha", 1e-6, 1.0))
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:

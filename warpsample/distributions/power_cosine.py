@@ -6,15 +6,10 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.arguments import check_number
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.exponentials import exp_double, log1p_double
-from warpsample.numerics import clamp_uniform, sincos_turns, tan_squared, turns_of
+from warpsample.numerics import HALF, ONE, clamp_uniform, sincos_turns, tan_squared, turns_of
 
-_ZERO = wp.constant(wp.float64(0.0))
-_HALF = wp.constant(wp.float64(0.5))
-_ONE = wp.constant(wp.float64(1.0))
-_TWO = wp.constant(wp.float64(2.0))
 _INV_TWO_PI = wp.constant(wp.float64(0.15915494309189535))
 
 
@@ -24,8 +19,8 @@ def square_to_power_cosine(u: wp.vec2, exponent: wp.float32) -> wp.vec3:
 
     1 - e^s comes with all its digits, as narrow lobes need. Exponent 1 is the cosine lobe, 0 the uniform hemisphere.
     """
-    power = exp_double(log1p_double(-wp.float64(u[0])) / (wp.float64(exponent) + _ONE))
-    r = wp.float32(wp.sqrt(-power[0] * (_ONE + power[1])))
+    power = exp_double(log1p_double(-wp.float64(u[0])) / (wp.float64(exponent) + ONE))
+    r = wp.float32(wp.sqrt(-power[0] * (ONE + power[1])))
     cs = sincos_turns(u[1])
     return wp.vec3(r * cs[0], r * cs[1], wp.float32(power[1]))
 
@@ -34,14 +29,14 @@ def square_to_power_cosine(u: wp.vec2, exponent: wp.float32) -> wp.vec3:
 def square_to_power_cosine_pdf(w: wp.vec3, exponent: wp.float32) -> wp.float32:
     """(exponent + 1) / (2 pi) cos^exponent theta per steradian above the surface, else 0."""
     n = wp.float64(exponent)
-    power = exp_double(-_HALF * n * log1p_double(tan_squared(w)))
-    return wp.where(w[2] > 0.0, wp.float32((n + _ONE) * _INV_TWO_PI * power[1]), 0.0)
+    power = exp_double(-HALF * n * log1p_double(tan_squared(w)))
+    return wp.where(w[2] > 0.0, wp.float32((n + ONE) * _INV_TWO_PI * power[1]), 0.0)
 
 
 @wp.func
 def power_cosine_to_square(w: wp.vec3, exponent: wp.float32) -> wp.vec2:
     """1 - cos^(exponent + 1) theta, and the azimuth in turns."""
-    power = exp_double(-_HALF * (wp.float64(exponent) + _ONE) * log1p_double(tan_squared(w)))
+    power = exp_double(-HALF * (wp.float64(exponent) + ONE) * log1p_double(tan_squared(w)))
     return wp.vec2(clamp_uniform(-wp.float32(power[0])), turns_of(w[0], w[1]))
 
 
@@ -59,11 +54,8 @@ class PowerCosine(Distribution):
     density = "(n+1)cosⁿθ/(2π)"
     support = "hemisphere"
     parameters = ("exponent",)
+    bounds = (0.0, 1e9)
     source = "Phong's lobe: Lafortune and Willems 1994, equation 8; exponent 3 is Chizhov's section 4.1"
-
-    def __post_init__(self) -> None:
-        """Checks the exponent."""
-        object.__setattr__(self, "exponent", check_number(self.exponent, "exponent", 0.0, 1e9))
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:

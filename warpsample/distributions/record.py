@@ -7,6 +7,7 @@ from typing import Any, ClassVar
 import numpy as np
 import warp as wp
 
+from warpsample.arguments import check_number
 from warpsample.arrays import Array, as_vectors, new_vectors
 from warpsample.engine import check_workers, run
 from warpsample.kernels import FLAT_BLOCK
@@ -47,6 +48,7 @@ class Distribution:
         measure: what the pdf is per: "per steradian", "per unit area" or "per radian".
         support: where the pdf is above 0, in words.
         parameters: names of the fields that travel to the kernels, where they are float32: a scalar, then a vector.
+        bounds: least and greatest value of the scalar.
         width: components of w: 3, or 2 for what lies in a plane.
         variates: coordinates of u that the map uses.
         symmetric: whether the density depends on the angle to +z alone.
@@ -63,6 +65,7 @@ class Distribution:
     measure: ClassVar[str] = "per steradian"
     support: ClassVar[str]
     parameters: ClassVar[tuple[str, ...]] = ()
+    bounds: ClassVar[tuple[float, float] | None] = None
     width: ClassVar[int] = 3
     variates: ClassVar[int] = 2
     symmetric: ClassVar[bool] = True
@@ -72,6 +75,12 @@ class Distribution:
     worst_pdf: ClassVar[float] = 2e-6
     worst_round_trip: ClassVar[float] = 2e-6
     limits: ClassVar[str] = ""
+
+    def __post_init__(self) -> None:
+        """Checks a scalar that has bounds, and keeps it as a float."""
+        if self.bounds is not None:
+            name = self.parameters[0]
+            object.__setattr__(self, name, check_number(getattr(self, name), name, *self.bounds))
 
     @classmethod
     def cases(cls) -> tuple["Distribution", ...]:
@@ -171,13 +180,7 @@ class Distribution:
         return values
 
     def about(self) -> wp.Function:
-        """The `wp.func` (unit normal, u, Parameters) -> (world direction, pdf).
-
-        Raises:
-            TypeError: the distribution is planar.
-        """
-        if self.width != 3:
-            raise TypeError(f"distribution: got {self!r}, which lies in a plane, want one of directions in space")
+        """The `wp.func` (unit normal, u, Parameters) -> (world direction, pdf); none for what lies in a plane."""
         maps = self.maps
         if maps.about is not None:
             return maps.about

@@ -8,10 +8,10 @@ import warp as wp
 
 from warpsample.arguments import check_number
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.numerics import clamp_uniform, sincos_turns, turns_of, versine
+from warpsample.numerics import TWO, clamp_uniform, sincos_turns, turns_of, versine
 
 _INV_TWO_PI = wp.constant(wp.float32(0.15915494309189535))
-_RIM = wp.constant(wp.float64(1.0 + 5e-7))  # directions within rounding of the edge are in the cone
+_RIM = wp.constant(wp.float64(5e-7))  # directions within rounding of the edge are in the cone
 _LEAST = 1e-24
 
 
@@ -31,7 +31,8 @@ def square_to_uniform_cone(u: wp.vec2, one_minus_cos: wp.float32) -> wp.vec3:
 @wp.func
 def square_to_uniform_cone_pdf(w: wp.vec3, one_minus_cos: wp.float32) -> wp.float32:
     """1 / (2 pi (1 - cos of the cone's angle)) per steradian inside the cone, else 0."""
-    return wp.where(versine(w) <= wp.float64(one_minus_cos) * _RIM, _INV_TWO_PI / one_minus_cos, 0.0)
+    edge = wp.float64(one_minus_cos)
+    return wp.where(versine(w) <= edge + _RIM * wp.min(edge, TWO - edge), _INV_TWO_PI / one_minus_cos, 0.0)
 
 
 @wp.func
@@ -74,8 +75,8 @@ class UniformCone(Distribution):
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
-        """From the whole sphere to the sun's disk and to a millionth of a radian."""
-        return tuple(cls(one_minus_cos=c) for c in (2.0, 1.0, 0.25, 1.08e-5, 5e-13))
+        """From the whole sphere to the sun's disk and beyond."""
+        return tuple(cls(one_minus_cos=c) for c in (2.0, 1.999, 1.0, 0.25, 1.08e-5, 1e-24))
 
     @property
     def maps(self) -> Maps:

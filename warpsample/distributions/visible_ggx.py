@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import warp as wp
 
-from warpsample.arguments import check_number, check_view
+from warpsample.arguments import check_view
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.numerics import clamp_uniform, fma, polish, sincos_turns, turns_of
+from warpsample.numerics import ZERO, clamp_uniform, fma, polish, sincos_turns, turns_of
 
 _INV_PI = wp.constant(wp.float32(0.3183098861837907))
 _BLUR = wp.constant(wp.float64(2.0**-21))
@@ -26,6 +26,17 @@ def stretched_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4:
         wp.where(turned, view[0] * per_across, 1.0),
         view[1] * per_across,
     )
+
+
+@wp.func
+def blurred_facing(m: wp.vec3, view: wp.vec3) -> wp.float32:
+    """v.m, but at least the rounding of its three terms, and 0 where it is below minus that."""
+    x = wp.float64(m[0]) * wp.float64(view[0])
+    y = wp.float64(m[1]) * wp.float64(view[1])
+    z = wp.float64(m[2]) * wp.float64(view[2])
+    facing = x + y + z
+    rounding = _BLUR * (wp.abs(x) + wp.abs(y) + wp.abs(z))
+    return wp.float32(wp.where(facing > -rounding, wp.max(facing, rounding), ZERO))
 
 
 @wp.func
@@ -56,15 +67,14 @@ def square_to_visible_ggx(u: wp.vec2, alpha: wp.float32, view: wp.vec3) -> wp.ve
 def square_to_visible_ggx_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> wp.float32:
     """2 (v.m) D(m) / (cos v + sqrt(cos^2 v + alpha^2 sin^2 v)) per steradian where v.m > 0 and m above the surface, else 0.
 
-    The view's horizon is blurred by 5e-7, which float32 directions cannot tell from it, so that none sampled has density 0.
+    The view's horizon, v.m = 0, is blurred by the rounding of the sum's three terms, so that none sampled has density 0.
     """
     across = fma(w[0], w[0], w[1] * w[1])
     ratio = alpha / fma(alpha * w[2], alpha * w[2], across)
     length = wp.sqrt(fma(alpha * alpha, fma(view[0], view[0], view[1] * view[1]), view[2] * view[2]))
-    facing = wp.float64(w[0]) * wp.float64(view[0]) + wp.float64(w[1]) * wp.float64(view[1])
-    facing = facing + wp.float64(w[2]) * wp.float64(view[2])
-    density = 2.0 * _INV_PI * wp.float32(wp.max(facing, _BLUR)) * ratio * ratio / (view[2] + length)
-    return wp.where(facing > -_BLUR and w[2] > 0.0, density, 0.0)
+    facing = blurred_facing(w, view)
+    density = 2.0 * _INV_PI * facing * ratio * ratio / (view[2] + length)
+    return wp.where(facing > 0.0 and w[2] > 0.0, density, 0.0)
 
 
 @wp.func
@@ -98,19 +108,28 @@ class VisibleGGX(Distribution):
     density = "D(m)max(0,v·m)/σ(v), σ=(v_z+√(v_z²+α²(1−v_z²)))/2"
     support = "hemisphere"
     parameters = ("alpha", "view")
+    bounds = (1e-6, 1.0)
     symmetric = False
     source = "Heitz 2014, equation 3; sampled as Dupuy and Benyoub 2023, section 3"
-    limits = "the horizon of the view is blurred by 5e-7; the way back is stated off the cap's poles, u[0] in 0.06 to 0.94"
+    limits = (
+        "the horizon of the view is blurred by rounding; the way back is stated off the cap's poles, u[0] in 0.06 to 0.94"
+    )
 
     def __post_init__(self) -> None:
         """Checks the roughness and the view."""
-        object.__setattr__(self, "alpha", check_number(self.alpha, "alpha", 1e-6, 1.0))
+        super().__post_init__()
         object.__setattr__(self, "view", check_view(self.view, "view"))
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
         """From above, from aside, from the horizon."""
-        views = ((1.0, (0.0, 0.0, 1.0)), (0.3, (0.6, -0.64, 0.48)), (0.01, (-0.8, 0.0, 0.6)), (0.5, (1.0, 0.0, 0.0)))
+        views = (
+            (1.0, (0.0, 0.0, 1.0)),
+            (0.3, (0.6, -0.64, 0.48)),
+            (0.5, (1.0, 0.0, 0.0)),
+            (1e-6, (-0.8, 0.0, 0.6)),
+            (1e-6, (1.0, 0.0, 0.0)),
+        )
         return tuple(cls(alpha, view) for alpha, view in views)
 
     @property

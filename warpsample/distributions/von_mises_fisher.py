@@ -6,13 +6,10 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.arguments import check_number
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.exponentials import exp_double, log1p_double
-from warpsample.numerics import clamp_uniform, sincos_turns, turns_of, versine
+from warpsample.numerics import ONE, TWO, clamp_uniform, sincos_turns, turns_of, versine
 
-_ONE = wp.constant(wp.float64(1.0))
-_TWO = wp.constant(wp.float64(2.0))
 _INV_TWO_PI = wp.constant(wp.float64(0.15915494309189535))
 # Above this kappa no variate of the grid reaches the lower hemisphere, and e^(2 kappa) would leave the floats.
 _NO_BACK = wp.constant(wp.float64(20.0))
@@ -26,12 +23,12 @@ def square_to_von_mises_fisher(u: wp.vec2, kappa: wp.float32) -> wp.vec3:
     """
     k = wp.float64(kappa)
     x = wp.float64(u[0])
-    upper = x * (_ONE + exp_double(-k)[1]) < _ONE
-    rise = (_ONE - x) * exp_double(_TWO * wp.min(k, _NO_BACK))[0]
-    fall = x * exp_double(-_TWO * k)[0]
+    upper = x * (ONE + exp_double(-k)[1]) < ONE
+    rise = (ONE - x) * exp_double(TWO * wp.min(k, _NO_BACK))[0]
+    fall = x * exp_double(-TWO * k)[0]
     near = wp.abs(log1p_double(wp.where(upper, fall, rise))) / k
-    r = wp.float32(wp.sqrt(near * (_TWO - near)))
-    z = wp.float32(_ONE - near)
+    r = wp.float32(wp.sqrt(near * (TWO - near)))
+    z = wp.float32(ONE - near)
     cs = sincos_turns(u[1])
     return wp.vec3(r * cs[0], r * cs[1], wp.where(upper, z, -z))
 
@@ -40,7 +37,7 @@ def square_to_von_mises_fisher(u: wp.vec2, kappa: wp.float32) -> wp.vec3:
 def square_to_von_mises_fisher_pdf(w: wp.vec3, kappa: wp.float32) -> wp.float32:
     """kappa e^(-kappa (1 - cos theta)) / (2 pi (1 - e^(-2 kappa))) per steradian."""
     k = wp.float64(kappa)
-    density = k * _INV_TWO_PI * exp_double(-k * versine(w))[1] / -exp_double(-_TWO * k)[0]
+    density = k * _INV_TWO_PI * exp_double(-k * versine(w))[1] / -exp_double(-TWO * k)[0]
     return wp.where(w[2] == w[2], wp.float32(density), 0.0)
 
 
@@ -48,7 +45,7 @@ def square_to_von_mises_fisher_pdf(w: wp.vec3, kappa: wp.float32) -> wp.float32:
 def von_mises_fisher_to_square(w: wp.vec3, kappa: wp.float32) -> wp.vec2:
     """(1 - e^(-kappa (1 - cos theta))) / (1 - e^(-2 kappa)), and the azimuth in turns."""
     k = wp.float64(kappa)
-    share = exp_double(-k * versine(w))[0] / exp_double(-_TWO * k)[0]
+    share = exp_double(-k * versine(w))[0] / exp_double(-TWO * k)[0]
     return wp.vec2(clamp_uniform(wp.float32(share)), turns_of(w[0], w[1]))
 
 
@@ -66,11 +63,8 @@ class VonMisesFisher(Distribution):
     density = "κexp(κ(cosθ−1))/(2π(1−e^(−2κ)))"
     support = "sphere"
     parameters = ("kappa",)
+    bounds = (1e-6, 1e12)
     source = "Fisher 1953; Jakob 2012, Numerically stable sampling of the von Mises-Fisher distribution on S²"
-
-    def __post_init__(self) -> None:
-        """Checks the concentration."""
-        object.__setattr__(self, "kappa", check_number(self.kappa, "kappa", 1e-6, 1e12))
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:

@@ -39,7 +39,7 @@ _SUMMARIES = {
 def show(verdicts: list[Verdict], console: Any) -> None:
     """Prints a table for each law on a rich Console: each distribution's hardest case, its limit, and whether all hold."""
     for law, summary in _SUMMARIES.items():
-        table = _table(f"[bold]{law}[/]: {summary}")
+        table = _table()
         statistical = any(v.statistical for v in verdicts if v.law == law)
         for heading in (
             "of",
@@ -53,6 +53,7 @@ def show(verdicts: list[Verdict], console: Any) -> None:
         for group in _groups(v for v in verdicts if v.law == law):
             table.add_row(*_row(group))
         if table.row_count:
+            console.print(f"[bold]{law}[/]: {summary}")
             console.print(table)
     console.print(conclusion(verdicts))
 
@@ -67,7 +68,7 @@ def conclusion(verdicts: list[Verdict]) -> str:
     )
 
 
-def _table(title: str) -> Any:
+def _table(title: str | None = None) -> Any:
     from rich import box  # noqa: PLC0415
     from rich.table import Table  # noqa: PLC0415
 

@@ -144,6 +144,10 @@ def _view(d: Any) -> np.ndarray:
     return np.array(d.view, np.float32).astype(np.float64)
 
 
+def _facing(d: Any, m: np.ndarray) -> np.ndarray:
+    return np.maximum(m @ _view(d), _BLUR * (np.abs(m) @ np.abs(_view(d))))
+
+
 def _turned_to_view(d: Any, w: np.ndarray) -> np.ndarray:
     """From a frame whose x lies below the view to the local one."""
     x, y, _ = _view(d)
@@ -171,7 +175,7 @@ def _visible_ggx_density(d: Any, m: np.ndarray) -> np.ndarray:
     x, y, z = _view(d)
     alpha = _parameter(d, "alpha")
     seen = 2.0 / (z + np.hypot(z, alpha * np.hypot(x, y)))
-    return seen * np.maximum(m @ _view(d), _BLUR) * _ggx_normals(alpha, m)
+    return seen * _facing(d, m) * _ggx_normals(alpha, m)
 
 
 def _slopes_seen(d: Any) -> tuple[float, float]:
@@ -207,7 +211,7 @@ def _visible_beckmann_density(d: Any, m: np.ndarray) -> np.ndarray:
 
     a, across = _slopes_seen(d)
     area = across * (a * (1.0 + erf(a)) / 2.0 + np.exp(-a * a) / np.sqrt(4.0 * np.pi))
-    facing = np.maximum(m @ _view(d), _BLUR)
+    facing = _facing(d, m)
     return _beckmann_density(d, m) / np.cos(polar_angle(m)) * facing / area
 
 
