@@ -1,1 +1,1 @@
-"""The statistics that judge a sampler; used by the tests and the viewer."""
+"""The laws, twins and defects that judge a sampler and its judges; used by `warpsample verify`, the tests and the viewer."""

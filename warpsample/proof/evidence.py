@@ -98,11 +98,12 @@ class Evidence:
 
     @cached_property
     def sweep(self) -> dict[str, float]:
-        """Worst errors over the corner grid and the variates."""
+        """Worst errors over the corner grid and the variates, and how many values are broken."""
         found: dict[str, float] = {}
         for u in (laws.corner_grid(), *laws.all_variates(self.every)):
             for name, value in self._errors(u).items():
-                found[name] = max(found.get(name, 0.0), value)
+                before = found.get(name, 0.0)
+                found[name] = before + value if name == "broken" else max(before, value)
         return found
 
     def _errors(self, u: np.ndarray) -> dict[str, float]:

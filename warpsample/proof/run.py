@@ -2,6 +2,7 @@
 
 import multiprocessing
 import os
+import signal
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
@@ -16,6 +17,7 @@ from warpsample.proof.verify import Verdict
 
 _USUAL, _SLOW = 4, 16  # the sweep takes each so manieth variate, unless it is thorough
 _SLOW_TWINS = ("visible_beckmann",)
+_MOST_PROCESSES = 8  # each takes up to 3 GB, and all cores for its kernels
 
 
 @dataclass(frozen=True)
@@ -64,7 +66,7 @@ def run(tasks: list[Task], thorough: bool = False) -> Iterator[tuple[Task, list[
         thorough: sweep all 2^24 variates, not every fourth (with a twin that inverts by bisection, every 16th).
     """
     context = multiprocessing.get_context("spawn")  # Warp's threads do not survive a fork
-    workers = min(len(tasks), os.cpu_count() or 1)
+    workers = min(len(tasks), os.cpu_count() or 1, _MOST_PROCESSES)
     pool = ProcessPoolExecutor(workers, context, _start)
     try:
         futures = {pool.submit(task.verdicts, thorough): task for task in tasks}
@@ -75,6 +77,7 @@ def run(tasks: list[Task], thorough: bool = False) -> Iterator[tuple[Task, list[
 
 
 def _start() -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent, which says so once
     wp.config.log_level = wp.LOG_WARNING  # what Warp logs goes to stdout, which belongs to the tables
 
 
