@@ -2,12 +2,14 @@
 
 import numpy as np
 import pytest
+import trimesh
 from conftest import ALPHA
 
 import warpsample as ws
-from warpsample.proof import defects, laws, verify
+from warpsample.proof import defects, laws, routes, stress, twins, verify
 from warpsample.proof.charts import chart_of
 from warpsample.proof.histogram import cosine_lobe_angles, histogram_test
+from warpsample.proof.integer_twins import expected
 
 RIGHT = ws.CosineHemisphere()
 CAUGHT_BY = {
@@ -100,3 +102,40 @@ def test_viewer_histogram_rejects_the_wrong_lobe():
     angles = {law: np.arccos(d.sample(u)[:, 2]) for law, d in (("right", RIGHT), ("ball", ws.OffsetBall()))}
     assert cosine_lobe_angles(angles["right"], 90)[1].p_value >= ALPHA
     assert cosine_lobe_angles(angles["ball"], 90)[1].p_value < ALPHA
+
+
+def laws_broken(verdicts):
+    return {verdict.law for verdict in verdicts if not verdict.passed}
+
+
+def test_hostile_normals_reject_another_frame_and_a_lost_point(monkeypatch):
+    assert laws_broken(stress.judge_normals(RIGHT)) == set()
+    frames = twins.frames
+    monkeypatch.setattr(twins, "frames", lambda n: frames(n) * np.array([1.0, 1.0 + 1e-6, 1.0]))
+    assert laws_broken(stress.judge_normals(RIGHT)) == {"hostile normals, direction"}
+    monkeypatch.setattr(stress, "hostile_normals", lambda: np.array([[0, 0, 1], [0, 0, 0]], np.float32))
+    with np.errstate(invalid="ignore"):
+        assert "hostile normals, lost" in laws_broken(stress.judge_normals(RIGHT))
+
+
+@pytest.mark.parametrize("name", ws.sequences.names())
+def test_indices_reject_a_neighbouring_sample(name, monkeypatch):
+    monkeypatch.setattr(stress, "expected", lambda name, seed, point, sample, n: expected(name, seed, point, sample ^ 1, n))
+    assert not stress.judge_indices(name).passed
+
+
+def test_hostile_meshes_reject_float32_positions_and_a_heavy_last_face(monkeypatch):
+    def in_float32(mesh, count):
+        points = ws.sample_surface(mesh, count)
+        points.face[: count // 60] = len(ws.as_mesh(mesh).faces) - 1  # what float32 sums do to 10^7 faces
+        return ws.SurfacePoints(points.position.astype(np.float32).astype(np.float64), points.normal, points.face)
+
+    monkeypatch.setattr(stress, "_ten_million_faces", lambda: ws.as_mesh(trimesh.creation.icosphere(4)))
+    monkeypatch.setattr(stress, "sample_surface", in_float32)
+    assert laws_broken(stress.judge_meshes()) == {"points on their face", "shares of the area"}
+
+
+def test_routes_reject_another_law(monkeypatch):
+    wrong = routes.Route("ball for sphere", RIGHT, lambda u: routes.plus_normal(routes.ball(u)), 3)
+    monkeypatch.setattr(routes, "ROUTES", (wrong,))
+    assert laws_broken(routes.judge_routes()) == {"route, cells", "route, angle"}
