@@ -152,7 +152,7 @@ class CosineHemisphere(Distribution):
     density = "cosθ/π"
     support = "hemisphere"
     source = "Malley in the NORI note; Cranberry 2020, eq. 5 and 7; Shirley trick proof, eq. 6; Chizhov, section 4.3"
-    limits = "offset about a normal adds float32 vectors: near the horizon directions are up to 1.3e-5 rad off, the pdf 2e-3"
+    limits = "offset about a normal adds float32 vectors: near the horizon angle and pdf are up to 1.3e-5 off"
 
     def __post_init__(self) -> None:
         """Checks the method's name."""
