@@ -9,7 +9,6 @@ import numpy as np
 class Sampler(Protocol):
     """What a law asks of a distribution, right or wrong; each is described in `warpsample.distributions.record`."""
 
-    name: str
     measure: str
     symmetric: bool
     largest_angle: float
@@ -17,7 +16,6 @@ class Sampler(Protocol):
 
     def sample(self, u: Any) -> np.ndarray: ...  # noqa: D102
     def pdf(self, w: Any) -> np.ndarray: ...  # noqa: D102
-    def invert(self, w: Any) -> np.ndarray: ...  # noqa: D102
     def cdf(self, theta: Any) -> np.ndarray: ...  # noqa: D102
 
 

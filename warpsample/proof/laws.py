@@ -62,7 +62,8 @@ def distance_error(w: np.ndarray, twin: np.ndarray) -> float:
 def sine_error(w: np.ndarray, twin: np.ndarray) -> float:
     """Greatest relative error of sin theta, float64 in: what a narrow lobe consists of."""
     exact = twin[..., 0] ** 2 + twin[..., 1] ** 2
-    return worst(np.sqrt((w[..., 0] ** 2 + w[..., 1] ** 2) / np.maximum(exact, 1e-60)) - 1.0 * (exact > 0.0))
+    ratio = (w[..., 0] ** 2 + w[..., 1] ** 2) / np.maximum(exact, 1e-60)
+    return worst(np.sqrt(ratio) - (exact > 0.0))  # at the pole itself any sine is an error
 
 
 def density_error(pdf: np.ndarray, exact: np.ndarray) -> float:

@@ -119,11 +119,7 @@ ROUTES = (
     Route("sphere of radius 1/2 + normal", OffsetSphere(0.5), lambda u: plus_normal(0.5 * sphere(u))),
     Route("sphere of radius 2 + normal", OffsetSphere(2.0), lambda u: plus_normal(2.0 * sphere(u))),
     Route("rejection", UniformDisk(), by_rejection),
-    Route(
-        "the sphere's lower half mirrored",
-        UniformHemisphere(),
-        mirrored_sphere,
-    ),
+    Route("the sphere's lower half mirrored", UniformHemisphere(), mirrored_sphere),
 )
 
 

@@ -120,10 +120,8 @@ def _at(sequence: wp.Function) -> wp.Kernel:
 def judge_indices(name: str) -> Verdict:
     """Point ids, sample indices, counts and seeds at the edges of words, against exact integers."""
     asked = [(p, s, c) for p in _IDS for c in _COUNTS for s in {*_INDICES, c - 1} if s < c]
-    point, sample, count = (
-        np.array(column, kind)
-        for column, kind in zip(zip(*asked, strict=True), (np.uint64, np.uint32, np.uint32), strict=True)
-    )
+    columns = np.array(asked, np.uint64).T
+    point, sample, count = (column.astype(kind) for column, kind in zip(columns, ("u8", "u4", "u4"), strict=True))
     worst = 0
     for seed in _SEEDS:
         out = wp.empty(len(asked), dtype=wp.vec2, device="cpu")
