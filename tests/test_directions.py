@@ -70,9 +70,10 @@ def test_jobs_do_not_cross_a_high_word(first, points, rows):
 def test_flat_blocks_and_rows_agree_bit_for_bit(sequence, normals, monkeypatch):
     for distribution in (ws.CosineHemisphere("polar"), ws.CosineHemisphere("offset"))[: 2 if sequence == "sobol" else 1]:
         for count in (1, 2, 23):
+            monkeypatch.setattr(module, "_ROW", 100)
             blocks = ws.sample_directions(normals, count, distribution, sequence, pdf=True)
-            monkeypatch.setattr(module, "_LONG_ROW", 1)
-            monkeypatch.setattr(module, "_PART", 5)
+            monkeypatch.setattr(module, "_ROW", 1)
+            monkeypatch.setattr(module, "_PART", 6)
             rows = ws.sample_directions(normals, count, distribution, sequence, pdf=True)
             monkeypatch.undo()
             assert np.array_equal(blocks.vectors, rows.vectors)

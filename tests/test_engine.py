@@ -17,6 +17,7 @@ from warpsample.kernels import FLAT_BLOCK, directions
 from warpsample.kernels.flat import elementwise, square_blocks
 from warpsample.kernels.parameters import with_parameters
 from warpsample.kernels.points import place_points
+from warpsample.kernels.variates import CHUNK
 
 CPU = wp.get_device("cpu")
 
@@ -73,12 +74,12 @@ def test_beyond_two_to_the_31_directions(count):
     normals[-3000:] = tail.ravel()
     status = np.zeros(points, np.uint8)
     distribution, sequence = ws.CosineHemisphere(), ws.sequences.get("sobol")
-    slots = (sequence.sample, distribution.about(), None, 0.0, False, False)
+    slots = (sequence, distribution.about(), None, 0.0, False, False)
     job = directions.DirectionJob()
-    job.points, job.count, job.block = points, count, count
+    job.points, job.count, job.block, job.rows = points, count, count, 1
     job.normals, job.vectors, job.status = normals.ctypes.data, vectors.ctypes.data, status.ctypes.data
     if count == 64:
-        kernel, tasks, last = directions.direction_rows(*slots), points, 1000
+        kernel, tasks, last = directions.direction_rows(*slots, CHUNK), points, 1000
     else:
         kernel, tasks, last = (
             directions.direction_blocks(*slots, False),
@@ -114,7 +115,7 @@ VECTORISED = [
 _REMARKS = """
 import numpy as np, warp as wp
 wp.config.log_level = wp.LOG_WARNING
-wp.config.cpu_compiler_flags += " -Rpass=loop-vectorize"
+wp.config.cpu_compiler_flags += " -Rpass=loop-vectorize -Rpass-missed=loop-vectorize"
 import warpsample as ws
 normals = np.ones((2, 3), np.float32)
 def announce(*what):
@@ -161,22 +162,23 @@ def test_every_loop_of_directions_is_vectorised(tmp_path, child_environment):
         compiled = re.split(r"^@@ ", remarks, flags=re.MULTILINE)[1:-1]
         assert len(compiled) > 25
         for one in compiled:
-            # The hot loop is the one `while` of its kernel; those that fill and mend are `for` loops.
-            hot = re.search(r"vectorized loop \(vectorization width: (\d+).*\n.*goto end_while_", one)
+            # Hot loops are the `while`s of their kernel; those over rows, and those that mend, are `for` loops.
+            hot = re.findall(r"vectorized loop \(vectorization width: (\d+).*\n.*goto end_while_", one)
             assert hot, one
-            assert int(hot[1]) >= 4  # lanes of SSE, the narrowest
+            assert min(map(int, hot)) >= 4  # lanes of SSE, the narrowest
+            assert not re.search(r"loop not vectorized.*\n.*goto end_while_", one), one
 
 
 def slots(sequence, case, with_pdf, masked):
     maps = case.maps
-    return (ws.sequences.get(sequence).sample, case.about(), maps.redraw, maps.redraw_below, with_pdf, masked)
+    return (ws.sequences.get(sequence), case.about(), maps.redraw, maps.redraw_below, with_pdf, masked)
 
 
 def all_kernels():
     yield "place_points", place_points()
     for name in ws.sequences.names():
         yield f"square {name}", square_blocks(ws.sequences.get(name).sample)
-        yield f"rows {name}", directions.direction_rows(*slots(name, ws.CosineHemisphere(), True, True))
+        yield f"rows {name}", directions.direction_rows(*slots(name, ws.CosineHemisphere(), True, True), 1)
     for case in dict.fromkeys(case for _, case in VECTORISED):
         w = case.width
         maps = [(case.maps.sample, 2, w), (case.maps.pdf, w, 1), (case.maps.invert, w, 2)]

@@ -41,7 +41,7 @@ class Vectors:
 
 def address_of(array: Array) -> int:
     """Of the first element, on the array's device."""
-    return array.ptr or 0 if isinstance(array, wp.array) else array.ctypes.data
+    return array.ptr or 0 if isinstance(array, wp.array) else array.__array_interface__["data"][0]
 
 
 def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") -> Vectors:

@@ -19,12 +19,13 @@ from warpsample.distributions.record import Distribution
 from warpsample.engine import check_memory, check_workers, run
 from warpsample.kernels import FLAT_BLOCK, directions
 from warpsample.kernels.flat import square_blocks
+from warpsample.kernels.variates import CHUNK
 from warpsample.sequences.record import Sequence
 from warpsample.surface import SurfacePoints
 
 _PART = 1 << 14  # samples of one row that a task takes: enough to share out one point's million samples
-_LANES = 16  # float32s of the widest vector register; rows of other lengths end in a scalar remainder,
-_LONG_ROW = 48  # which no longer matters from here on
+_TASK = 1 << 10  # samples of short rows that a task takes
+_ROW = 8  # samples from which a row, padded to 8, is faster than pairs of all points in blocks
 _UPLOAD = 1 << 28  # bytes a CUDA device holds at a time of a job whose arrays are NumPy's
 _STREAM_HINT = "stream them: slices of the normals with first_point=, or `warpsample directions`"
 
@@ -175,26 +176,33 @@ class _Plan:
         status = np.zeros(normals.count, np.uint8) if on_host else wp.zeros(normals.count, dtype=wp.uint8, device=device)
         for start, end in _same_high_word(first_point, normals.count):
             points = end - start
-            job = directions.DirectionJob()
-            job.seed, job.first_point, job.points, job.count = self.seed, first_point + start, points, self.count
-            job.normals, job.vectors = normals.address + 12 * start, vectors.address + 12 * start * self.count
-            job.pdf = pdf.address + 4 * start * self.count if pdf else 0
-            job.status = address_of(status) + start
-            job.active = 0 if active is None else address_of(active) + start
-            job.parameters = self.distribution.kernel_parameters()
-            kernel, tasks, job.block = self.kernel(device, points, masked=active is not None)
+            job = directions.Job(
+                seed=self.seed,
+                first_point=first_point + start,
+                points=points,
+                count=self.count,
+                normals=normals.address + 12 * start,
+                vectors=vectors.address + 12 * start * self.count,
+                pdf=pdf.address + 4 * start * self.count if pdf else 0,
+                status=address_of(status) + start,
+                active=0 if active is None else address_of(active) + start,
+                parameters=self.distribution.kernel_parameters().__ctype__(),
+            )
+            kernel, tasks, job.block, job.rows = self.kernel(device, points, masked=active is not None)
             run(kernel, tasks, [job], device, self.workers, points * self.count)
         return status
 
-    def kernel(self, device: wp.Device, points: int, masked: bool) -> tuple[wp.Kernel, int, int]:
-        """(kernel, tasks, samples per task): rows on CUDA, a task a sample, and where a row fills the vector lanes."""
+    def kernel(self, device: wp.Device, points: int, masked: bool) -> tuple[wp.Kernel, int, int, int]:
+        """(kernel, tasks, samples of a part, parts of a task): rows where one fills the vector lanes, and on CUDA."""
         maps = self.distribution.maps
-        slots = (self.sequence.sample, self.distribution.about(), maps.redraw, maps.redraw_below, self.pdf, masked)
-        if device.is_cuda or self.count >= _LONG_ROW or self.count % _LANES == 0:
-            block = min(self.count, _PART) if device.is_cpu else 1
-            return directions.direction_rows(*slots), points * -(-self.count // block), block
-        block = FLAT_BLOCK
-        return directions.direction_blocks(*slots, self.count == 1), -(-points * self.count // block), block
+        slots = (self.sequence, self.distribution.about(), maps.redraw, maps.redraw_below, self.pdf, masked)
+        if device.is_cuda:
+            return directions.direction_rows(*slots, 1), points * self.count, 1, 1
+        if self.count >= _ROW:
+            block, rows = min(self.count, _PART), max(1, _TASK // self.count)
+            tasks = -(-points * -(-self.count // block) // rows)
+            return directions.direction_rows(*slots, CHUNK), tasks, block, rows
+        return directions.direction_blocks(*slots, self.count == 1), -(-points * self.count // FLAT_BLOCK), FLAT_BLOCK, 1
 
     def fill_by_parts(
         self,

@@ -1,6 +1,7 @@
 """What a distribution says of itself, and its maps on arrays."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import pi
 from typing import Any, ClassVar
 
@@ -173,11 +174,7 @@ class Distribution:
 
     def kernel_parameters(self) -> Parameters:
         """This instance's scalars as the kernels take them."""
-        values = Parameters()
-        numbers = np.hstack([getattr(self, name) for name in self.parameters] or [0.0])
-        for field, value in zip(("scalar", "x", "y", "z"), numbers, strict=False):
-            setattr(values, field, value)
-        return values
+        return _pack(tuple(getattr(self, name) for name in self.parameters))
 
     def about(self) -> wp.Function:
         """The `wp.func` (unit normal, u, Parameters) -> (world direction, pdf); none for what lies in a plane."""
@@ -197,6 +194,14 @@ class Distribution:
             kernel = elementwise(bound, width, out_width)
             run(kernel, -(-source.count // block), inputs, source.device, check_workers(None), source.count)
         return target.owner
+
+
+@lru_cache(maxsize=256)
+def _pack(values: tuple[Any, ...]) -> Parameters:
+    parameters = Parameters()
+    for field, value in zip(("scalar", "x", "y", "z"), np.hstack(values or (0.0,)), strict=False):
+        setattr(parameters, field, value)
+    return parameters
 
 
 def _in_square(u: Any) -> Any:

@@ -1,7 +1,8 @@
 """Directions at points, in two shapes of loop with the same results, bit for bit.
 
 *Rows* walk the samples of one point, so all that depends on the point alone (frame, scramble keys) is computed once: for
-many samples on the CPU. In parts of one sample they serve CUDA, where neighbouring threads then store side by side.
+many samples on the CPU, some rows a task, since the constants of the loops are set up once a task. In parts of one sample
+they serve CUDA, where neighbouring threads then store side by side.
 *Blocks* walk consecutive (point, sample) pairs: for few samples on the CPU, where a row would not fill a vector.
 """
 
@@ -11,7 +12,9 @@ import warp as wp
 
 from warpsample.kernels import FLAT_BLOCK
 from warpsample.kernels.parameters import Parameters
+from warpsample.kernels.variates import LANES, fill_variates
 from warpsample.numerics import high_word, low_word, normalize, scaled_to_unit
+from warpsample.sequences.record import Sequence
 
 OK = 0
 INACTIVE = 1
@@ -60,7 +63,8 @@ def _all_active(active: wp.array[wp.uint8], i: wp.int32) -> wp.float32:
 class DirectionJob:
     """Scalars and addresses: normals (P, 3), vectors (P, count, 3), pdf (P, count) float32; status, active (P,) uint8.
 
-    The ids of all points, from first_point on, have the same high word.
+    The ids of all points, from first_point on, have the same high word. Rows come in parts of `block` samples, `rows` of
+    them a task.
     """
 
     seed: wp.uint64
@@ -68,12 +72,17 @@ class DirectionJob:
     points: wp.int64
     count: wp.int32
     block: wp.int32
+    rows: wp.int32
     normals: wp.uint64
     vectors: wp.uint64
     pdf: wp.uint64
     status: wp.uint64
     active: wp.uint64
     parameters: Parameters
+
+
+Job = type(DirectionJob().__ctype__())
+"""As ctypes takes it: made in 2 us, where setting the fields of a `DirectionJob` one by one takes 50."""
 
 
 @wp.func
@@ -85,83 +94,124 @@ def _point_id(job: DirectionJob, point: wp.uint32) -> wp.uint64:
 
 @cache
 def direction_rows(
-    sequence: wp.Function,
+    sequence: Sequence,
     about: wp.Function,
     redraw: wp.Function | None,
     redraw_below: float,
     with_pdf: bool,
     masked: bool,
+    chunk: int,
 ) -> wp.Kernel:
-    """A kernel over parts of `block` samples of one point.
+    """A kernel over `rows` parts of rows, each of `block` samples of one point.
 
     Args:
-        sequence: (seed, point, sample, count) -> u.
+        sequence: its record.
         about: (unit normal, u, Parameters) -> (direction, pdf).
-        redraw: what replaces `about` where it loses its digits; rare, so in a second pass over such parts only.
+        redraw: what replaces `about` where it loses its digits; rare, so in a second pass over such chunks only.
         redraw_below: the pdf below which it does.
         with_pdf: whether the pdf is stored.
         masked: whether `active` is read.
+        chunk: samples whose variates are computed ahead: CHUNK, or 1.
     """
     store = _store_pdf if with_pdf else _store
     weigh = _weigh if masked else _all_active
     redraws = redraw is not None
+    fill = fill_variates(sequence, chunk)
+    lanes = min(LANES, chunk)
+    floats = 6 * chunk
+
+    @wp.func
+    def move(job: DirectionJob, at: wp.uint64, length: wp.int32, vectors: wp.array[wp.float32], pdf: wp.array[wp.float32]):
+        """The first `length` of a padded chunk into the output."""
+        kept = wp.array(ptr=job.vectors + at * wp.uint64(12), shape=(3 * length,), dtype=wp.float32)
+        k = wp.int32(0)
+        while k < 3 * length:
+            kept[k] = vectors[k]
+            k += 1
+        if wp.static(with_pdf):
+            kept_pdf = wp.array(ptr=job.pdf + at * wp.uint64(4), shape=(length,), dtype=wp.float32)
+            k = wp.int32(0)
+            while k < length:
+                kept_pdf[k] = pdf[k]
+                k += 1
+
+    @wp.func
+    def clear(job: DirectionJob, point: wp.int64, start: wp.int32, end: wp.int32, normal: wp.vec3, weight: wp.float32):
+        """Zeros for a point without directions, and why."""
+        status = wp.array(ptr=job.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)
+        status[0] = wp.uint8(normal_status(normal, weight))
+        at = wp.uint64(point) * wp.uint64(job.count) + wp.uint64(start)
+        vectors = wp.array(ptr=job.vectors + at * wp.uint64(12), shape=(3 * (end - start),), dtype=wp.float32)
+        pdf = wp.array(ptr=job.pdf + at * wp.uint64(4), shape=(end - start,), dtype=wp.float32)
+        for k in range(end - start):
+            store(vectors, pdf, k, wp.vec4(0.0))
 
     @wp.func
     def redraw_rare(
         job: DirectionJob,
-        id: wp.uint64,
         n: wp.vec3,
-        start: wp.int32,
         length: wp.int32,
+        u: wp.array[wp.float32],
         vectors: wp.array[wp.float32],
         pdf: wp.array[wp.float32],
     ):
-        """Redraws; scalar, for the few parts that hold such a sample."""
+        """Redraws; scalar, for the few chunks that hold such a sample."""
         for j in range(length):
-            u = sequence(job.seed, id, wp.uint32(start + j), wp.uint32(job.count))
-            if about(n, u, job.parameters)[3] < redraw_below:
-                store(vectors, pdf, j, redraw(n, u, job.parameters))
+            p = wp.vec2(u[j], u[chunk + j])
+            if about(n, p, job.parameters)[3] < redraw_below:
+                store(vectors, pdf, j, redraw(n, p, job.parameters))
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def direction_rows(job: DirectionJob, first_task: wp.int64):
-        task = first_task + wp.int64(wp.tid())
+        # Views, since a local array keeps its address in memory that the compiler thinks the loops may write to.
+        buffer = wp.zeros(shape=(floats,), dtype=wp.float32)
+        u = wp.array(ptr=buffer.ptr, shape=(2 * chunk,), dtype=wp.float32)
+        spare = buffer.ptr + wp.uint64(8 * chunk)
         parts = wp.int64((job.count + job.block - 1) / job.block)
-        point = task / parts
-        start = wp.int32(task - point * parts) * job.block
-        length = wp.min(job.block, job.count - start)
-        normal = wp.array(ptr=job.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)
-        active = wp.array(ptr=job.active + wp.uint64(point), shape=(1,), dtype=wp.uint8)
-        unit = scaled_to_unit(normal[0] * weigh(active, 0))
-        n = wp.vec3(unit[0], unit[1], unit[2])
-        first = point * wp.int64(job.count) + wp.int64(start)
-        vectors = wp.array(ptr=job.vectors + wp.uint64(first) * wp.uint64(12), shape=(3 * length,), dtype=wp.float32)
-        pdf = wp.array(ptr=job.pdf + wp.uint64(first) * wp.uint64(4), shape=(length,), dtype=wp.float32)
-        id = _point_id(job, wp.uint32(point))
-        count = wp.uint32(job.count)
-        rare = wp.int32(0)
-        j = wp.int32(0)
-        if wp.abs(unit[3]) < 0.1:
-            while j < length:
-                d = about(n, sequence(job.seed, id, wp.uint32(start + j), count), job.parameters)
-                store(vectors, pdf, j, d)
-                if wp.static(redraws):
-                    rare = rare | wp.where(d[3] < redraw_below, 1, 0)
-                j += 1
-        else:
-            status = wp.array(ptr=job.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)
-            status[0] = wp.uint8(normal_status(normal[0], weigh(active, 0)))
-            for k in range(length):
-                store(vectors, pdf, k, wp.vec4(0.0))
-        if wp.static(redraws):  # noqa: SIM102  (one is decided when the kernel is built, the other when it runs)
-            if rare != 0:
-                redraw_rare(job, id, n, start, length, vectors, pdf)
+        first_part = (first_task + wp.int64(wp.tid())) * wp.int64(job.rows)
+        for k in range(wp.int32(wp.min(wp.int64(job.rows), job.points * parts - first_part))):
+            point = (first_part + wp.int64(k)) / parts
+            start = wp.int32(first_part + wp.int64(k) - point * parts) * job.block
+            end = wp.min(start + job.block, job.count)
+            normal = wp.array(ptr=job.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)
+            active = wp.array(ptr=job.active + wp.uint64(point), shape=(1,), dtype=wp.uint8)
+            unit = scaled_to_unit(normal[0] * weigh(active, 0))
+            n = wp.vec3(unit[0], unit[1], unit[2])
+            id = _point_id(job, wp.uint32(point))
+            row = wp.uint64(point) * wp.uint64(job.count)
+            if wp.abs(unit[3]) < 0.1:
+                for first in range(start, end, chunk):
+                    length = wp.min(chunk, end - first)
+                    padded = (length + lanes - 1) / lanes * lanes
+                    at = row + wp.uint64(first)
+                    target = wp.where(length == padded, job.vectors + at * wp.uint64(12), spare)
+                    target_pdf = wp.where(length == padded, job.pdf + at * wp.uint64(4), spare + wp.uint64(12 * chunk))
+                    vectors = wp.array(ptr=target, shape=(3 * padded,), dtype=wp.float32)
+                    pdf = wp.array(ptr=target_pdf, shape=(padded,), dtype=wp.float32)
+                    fill(job.seed, id, first, padded, wp.uint32(job.count), u)
+                    rare = wp.int32(0)
+                    j = wp.int32(0)
+                    while j < padded:
+                        # Adding 0 keeps LLVM from one short load of both.
+                        d = about(n, wp.vec2(u[j] + 0.0, u[chunk + j] + 0.0), job.parameters)
+                        store(vectors, pdf, j, d)
+                        if wp.static(redraws):
+                            rare = rare | wp.where(d[3] < redraw_below, 1, 0)
+                        j += 1
+                    if wp.static(redraws):  # noqa: SIM102  (one is decided when the kernel is built, the other when it runs)
+                        if rare != 0:
+                            redraw_rare(job, n, length, u, vectors, pdf)
+                    if length != padded:
+                        move(job, at, length, vectors, pdf)
+            else:
+                clear(job, point, start, end, normal[0], weigh(active, 0))
 
     return direction_rows
 
 
 @cache
 def direction_blocks(
-    sequence: wp.Function,
+    sequence: Sequence,
     about: wp.Function,
     redraw: wp.Function | None,
     redraw_below: float,
@@ -178,6 +228,7 @@ def direction_blocks(
     weigh = _weigh if masked else _all_active
     redraws = redraw is not None
     buffer = 1 if one_sample else 3 * FLAT_BLOCK
+    sample_of = sequence.sample
 
     @wp.func
     def mend(
@@ -202,7 +253,7 @@ def direction_blocks(
             elif wp.static(redraws):
                 n = normalize(given)
                 id = _point_id(job, wp.uint32(point) + wp.uint32(q))
-                u = sequence(job.seed, id, wp.uint32(start + i - q * job.count), wp.uint32(job.count))
+                u = sample_of(job.seed, id, wp.uint32(start + i - q * job.count), wp.uint32(job.count))
                 if about(n, u, job.parameters)[3] < redraw_below:
                     store(vectors, pdf, i, redraw(n, u, job.parameters))
 
@@ -231,14 +282,15 @@ def direction_blocks(
         while i < length:
             if wp.static(one_sample):
                 q = i
+                sample = wp.uint32(0)
                 given = weigh(active, i) * wp.vec3(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2])
             else:
                 # Exact: the half keeps the quotient off the integers by more than float32 errs below 2^13.
                 q = wp.int32((wp.float32(start + i) + 0.5) * per_count)
+                sample = wp.uint32(start + i - q * job.count)
                 given = wp.vec3(repeated[i], repeated[FLAT_BLOCK + i], repeated[2 * FLAT_BLOCK + i])
             unit = scaled_to_unit(given)
-            sample = wp.uint32(start + i - q * job.count)
-            u = sequence(job.seed, _point_id(job, wp.uint32(point) + wp.uint32(q)), sample, wp.uint32(job.count))
+            u = sample_of(job.seed, _point_id(job, wp.uint32(point) + wp.uint32(q)), sample, wp.uint32(job.count))
             d = about(wp.vec3(unit[0], unit[1], unit[2]), u, job.parameters)
             store(vectors, pdf, i, d)
             rare = rare | wp.where(wp.abs(unit[3]) < 0.1, 0, 1)

@@ -1,5 +1,6 @@
 """The sequences once more, point by point in exact integers and fractions: the judges of indices near the edges of words."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import isqrt
 
@@ -27,22 +28,27 @@ def _key(seed: int, point: int) -> tuple[int, int, int, int]:
     return pcg4d(point & _MASK, point >> 32, seed & _MASK, seed >> 32)
 
 
+def _half(words: Sequence[int], sample: int) -> tuple[int, int]:
+    """Two samples share four words."""
+    first = 2 * (sample & 1)
+    return words[first] >> 8, words[first + 1] >> 8
+
+
 def _independent(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
     far = point >> 32
     z, w = ((seed & _MASK) + far * 0x9E3779B9) & _MASK, (seed >> 32) ^ ((far * 0x85EBCA6B) & _MASK)
-    words = pcg4d(sample, point & _MASK, z, w)
-    return words[0] >> 8, words[1] >> 8
+    return _half(pcg4d(sample >> 1, point & _MASK, z, w), sample)
 
 
 def _philox(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
     """Salmon et al. 2011, table 2 and section 4.3."""
-    x, key = [sample, point & _MASK, point >> 32, 0], [seed & _MASK, seed >> 32]
+    x, key = [sample >> 1, point & _MASK, point >> 32, 0], [seed & _MASK, seed >> 32]
     for _ in range(10):
         high_0, low_0 = divmod(0xD2511F53 * x[0], 2**32)
         high_1, low_1 = divmod(0xCD9E8D57 * x[2], 2**32)
         x = [high_1 ^ x[1] ^ key[0], low_1, high_0 ^ x[3] ^ key[1], low_0]
         key = [(key[0] + 0x9E3779B9) & _MASK, (key[1] + 0xBB67AE85) & _MASK]
-    return x[0] >> 8, x[1] >> 8
+    return _half(x, sample)
 
 
 def _rotation(sample: int, step: int, key: int) -> int:

@@ -2,14 +2,14 @@
 
 import warp as wp
 
-from warpsample.numerics import uniform_from_bits, uniform_from_double, weyl
+from warpsample.numerics import high_word, uniform_from_bits, weyl
 from warpsample.sequences.hashing import point_key
 from warpsample.sequences.record import Sequence
 
 GOLDEN_STEP = wp.constant(wp.uint64(0x9E3779B97F4A7C15))
 """2^64 / phi: the turn from one point to the next."""
 
-_WORD_STEP = wp.constant(wp.float64(2.0**-32))
+_BELOW_2_64 = wp.constant(wp.float64(2.0**64 * (1.0 - 2.0**-53)))
 
 
 @wp.func
@@ -20,11 +20,10 @@ def fibonacci(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.ui
     The phase i / phi is the top of an integer product, within 2^-32 for any i: float32 has lost it at 10^7.
     """
     key = point_key(seed, point)
-    shift = wp.float64(key[0]) * _WORD_STEP
-    return wp.vec2(
-        uniform_from_double((wp.float64(wp.int32(sample)) + shift) * (wp.float64(1.0) / wp.float64(count))),
-        uniform_from_bits(weyl(sample, GOLDEN_STEP) + key[1]),
-    )
+    # All of it rounded down, so that sample + shift stays below count; within 2^-31 of the quotient.
+    step = wp.uint64(_BELOW_2_64 / wp.float64(count))
+    shift = high_word(wp.uint64(key[0]) * wp.uint64(high_word(step)))
+    return wp.vec2(uniform_from_bits(weyl(sample, step) + shift), uniform_from_bits(weyl(sample, GOLDEN_STEP) + key[1]))
 
 
 RECORD = Sequence(

@@ -2,11 +2,13 @@
 
 import warp as wp
 
-from warpsample.numerics import high_word, low_word
+from warpsample.numerics import high_word, low_word, uniform_from_bits
 
 _MULTIPLIER = wp.constant(wp.uint32(1664525))
 _INCREMENT = wp.constant(wp.uint32(1013904223))
 _SHIFT = wp.constant(wp.uint32(16))
+ZERO_WORD = wp.constant(wp.uint32(0))
+ONE_WORD = wp.constant(wp.uint32(1))
 
 
 @wp.func
@@ -38,3 +40,21 @@ def pcg4d(x: wp.uint32, y: wp.uint32, z: wp.uint32, w: wp.uint32) -> wp.vec4ui:
 def point_key(seed: wp.uint64, point: wp.uint64) -> wp.vec4ui:
     """Four random words of one point of one run: what a sequence scrambles or shifts its points by."""
     return pcg4d(low_word(point), high_word(point), low_word(seed), high_word(seed))
+
+
+@wp.func
+def two_points(words: wp.vec4ui) -> wp.vec4:
+    """Two points of the square from four random words."""
+    return wp.vec4(
+        uniform_from_bits(words[0]), uniform_from_bits(words[1]), uniform_from_bits(words[2]), uniform_from_bits(words[3])
+    )
+
+
+@wp.func
+def point_of_two(words: wp.vec4ui, sample: wp.uint32) -> wp.vec2:
+    """The point that an even or an odd sample has of `two_points`. By masks: a select of both words keeps loops scalar."""
+    odd = ZERO_WORD - (sample & ONE_WORD)
+    return wp.vec2(
+        uniform_from_bits(words[0] ^ ((words[0] ^ words[2]) & odd)),
+        uniform_from_bits(words[1] ^ ((words[1] ^ words[3]) & odd)),
+    )

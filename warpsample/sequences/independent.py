@@ -2,8 +2,8 @@
 
 import warp as wp
 
-from warpsample.numerics import high_word, low_word, uniform_from_bits
-from warpsample.sequences.hashing import pcg4d
+from warpsample.numerics import high_word, low_word
+from warpsample.sequences.hashing import ONE_WORD, pcg4d, point_of_two, two_points
 from warpsample.sequences.record import Sequence
 
 _POINT_STEP = wp.constant(wp.uint32(0x9E3779B9))
@@ -11,15 +11,25 @@ _POINT_MASK = wp.constant(wp.uint32(0x85EBCA6B))
 
 
 @wp.func
-def independent(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """An independent point of the square: two words of pcg4d of the four (sample, point, seed).
+def _words(seed: wp.uint64, point: wp.uint64, half: wp.uint32) -> wp.vec4ui:
+    far = high_word(point)
+    return pcg4d(half, low_word(point), low_word(seed) + far * _POINT_STEP, high_word(seed) ^ (far * _POINT_MASK))
 
-    pcg4d takes 128 bits and the arguments have 160, so the high word of `point` goes into both seed words. Below 2^32
+
+@wp.func
+def independent(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
+    """An independent point of the square: two of the four words of pcg4d of (sample / 2, point, seed).
+
+    pcg4d takes 128 bits and the arguments have 159, so the high word of `point` goes into both seed words. Below 2^32
     points no two arguments share a stream; above, two seeds could only by both words meeting (chance 2^-64).
     """
-    far = high_word(point)
-    bits = pcg4d(sample, low_word(point), low_word(seed) + far * _POINT_STEP, high_word(seed) ^ (far * _POINT_MASK))
-    return wp.vec2(uniform_from_bits(bits[0]), uniform_from_bits(bits[1]))
+    return point_of_two(_words(seed, point, sample >> ONE_WORD), sample)
+
+
+@wp.func
+def independent_pair(seed: wp.uint64, point: wp.uint64, half: wp.uint32, count: wp.uint32) -> wp.vec4:
+    """The points of samples 2 half and 2 half + 1, at the price of one."""
+    return two_points(_words(seed, point, half))
 
 
 RECORD = Sequence(
@@ -27,5 +37,6 @@ RECORD = Sequence(
     sample=independent,
     progressive=True,
     summary="independent points from pcg4d, the fastest",
+    pair=independent_pair,
     source="Jarzynski and Olano 2020, listing 13",
 )

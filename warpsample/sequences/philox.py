@@ -2,7 +2,8 @@
 
 import warp as wp
 
-from warpsample.numerics import high_word, low_word, uniform_from_bits
+from warpsample.numerics import high_word, low_word
+from warpsample.sequences.hashing import ONE_WORD, ZERO_WORD, point_of_two, two_points
 from warpsample.sequences.record import Sequence
 
 _MULTIPLIER_0 = wp.constant(wp.uint32(0xD2511F53))
@@ -34,11 +35,24 @@ def philox4x32_10(counter: wp.vec4ui, key_0: wp.uint32, key_1: wp.uint32) -> wp.
 
 
 @wp.func
+def _words(seed: wp.uint64, point: wp.uint64, half: wp.uint32) -> wp.vec4ui:
+    counter = wp.vec4ui(half, low_word(point), high_word(point), ZERO_WORD)
+    return philox4x32_10(counter, low_word(seed), high_word(seed))
+
+
+@wp.func
 def philox(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """An independent point of the square: counter (sample, point, 0) under the 64-bit seed as key. No two arguments meet."""
-    counter = wp.vec4ui(sample, low_word(point), high_word(point), wp.uint32(0))
-    bits = philox4x32_10(counter, low_word(seed), high_word(seed))
-    return wp.vec2(uniform_from_bits(bits[0]), uniform_from_bits(bits[1]))
+    """An independent point of the square: two of the four words of counter (sample / 2, point, 0) under the seed as key.
+
+    No two arguments meet.
+    """
+    return point_of_two(_words(seed, point, sample >> ONE_WORD), sample)
+
+
+@wp.func
+def philox_pair(seed: wp.uint64, point: wp.uint64, half: wp.uint32, count: wp.uint32) -> wp.vec4:
+    """The points of samples 2 half and 2 half + 1, at the price of one."""
+    return two_points(_words(seed, point, half))
 
 
 RECORD = Sequence(
@@ -46,5 +60,6 @@ RECORD = Sequence(
     sample=philox,
     progressive=True,
     summary="independent points from Philox4x32-10, the strictest generator",
+    pair=philox_pair,
     source="Salmon et al. 2011, section 4.4",
 )

@@ -15,6 +15,8 @@ class Sequence:
             the sample-th of count points at the surface point with that global id. Averages over the count points are
             unbiased, and those of different surface points or seeds independent; how the points of one share the square
             is what tells the sequences apart.
+        pair: where one evaluation makes two points: `wp.func` (seed, point, half: uint32, count) -> vec4, those of samples
+            2 half and 2 half + 1.
         progressive: the first m of n points are those of any other n; else count must be known.
         summary: one line for tables.
         source: where it comes from.
@@ -25,3 +27,4 @@ class Sequence:
     progressive: bool
     summary: str
     source: str
+    pair: wp.Function | None = None

@@ -3,7 +3,7 @@
 import warp as wp
 
 from warpsample.numerics import EVEN_BITS, EVEN_BYTES, EVEN_NIBBLES, EVEN_PAIRS, reverse_bits, uniform_from_bits
-from warpsample.sequences.hashing import point_key
+from warpsample.sequences.hashing import ONE_WORD, point_key
 from warpsample.sequences.record import Sequence
 
 _HASH_1 = wp.constant(wp.uint32(0x3D20ADEA))
@@ -36,6 +36,13 @@ def sobol_second(index: wp.uint32) -> wp.uint32:
 
 
 @wp.func
+def _scrambled(index: wp.uint32, second: wp.uint32, key: wp.vec4ui) -> wp.vec2:
+    x = laine_karras(index, key[1])
+    y = laine_karras(second, key[2])
+    return wp.vec2(uniform_from_bits(reverse_bits(x)), uniform_from_bits(reverse_bits(y)))
+
+
+@wp.func
 def sobol(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
     """The sample-th point of the Sobol' sequence at this surface point, shuffled and scrambled by its own keys.
 
@@ -44,9 +51,22 @@ def sobol(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32
     """
     key = point_key(seed, point)
     index = reverse_bits(laine_karras(reverse_bits(sample), key[0]))
-    x = laine_karras(index, key[1])
-    y = laine_karras(sobol_second(index), key[2])
-    return wp.vec2(uniform_from_bits(reverse_bits(x)), uniform_from_bits(reverse_bits(y)))
+    return _scrambled(index, sobol_second(index), key)
+
+
+@wp.func
+def sobol_pair(seed: wp.uint64, point: wp.uint64, half: wp.uint32, count: wp.uint32) -> wp.vec4:
+    """The points of samples 2 half and 2 half + 1, shuffled together.
+
+    Their indices, reversed, differ in the top bit alone, which the scramble passes on and nothing else depends on: the
+    shuffled indices, and so the second coordinates, differ in the last bit.
+    """
+    key = point_key(seed, point)
+    index = reverse_bits(laine_karras(reverse_bits(half + half), key[0]))
+    second = sobol_second(index)
+    p = _scrambled(index, second, key)
+    q = _scrambled(index ^ ONE_WORD, second ^ ONE_WORD, key)
+    return wp.vec4(p[0], p[1], q[0], q[1])
 
 
 RECORD = Sequence(
@@ -54,5 +74,6 @@ RECORD = Sequence(
     sample=sobol,
     progressive=True,
     summary="Owen-scrambled Sobol', the best for smooth integrands",
+    pair=sobol_pair,
     source="Burley 2020, Practical Hash-based Owen Scrambling; hash by Vegdahl 2021",
 )
