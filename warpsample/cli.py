@@ -1,7 +1,7 @@
 """The `warpsample` command."""
 
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -19,6 +19,9 @@ app.add_typer(bench_app, name="bench")
 DISTRIBUTION_HELP = f"A name, or one with parameters as in 'beckmann(alpha=0.1)': {', '.join(distributions.names())}."
 _PIPE_WIDTH = 120  # of tables where there is no terminal to fit
 
+Repeats = Annotated[int, typer.Option(help="Timed runs of each case, each after an untimed one.", min=1)]
+JsonFile = Annotated[Path | None, typer.Option(help="A file for machine, settings and every repeat.", show_default=False)]
+PlotFolder = Annotated[Path | None, typer.Option(help="A folder for pictures; made if need be.", show_default=False)]
 MeshFile = Annotated[Path, typer.Argument(help="Mesh file: .ply .obj .stl .off .glb .gltf .usd.", show_default=False)]
 
 
@@ -90,16 +93,111 @@ def directions_command(
 @bench_app.command("directions")
 @fail_plainly()
 def bench_directions(
-    as_json: Annotated[bool, typer.Option("--json", help="JSON lines instead of tables.")] = False,
-    repeats: Annotated[int, typer.Option(help="Timed runs of each case, each after an untimed one.", min=1)] = 15,
-    points: Annotated[int, typer.Option(help="Points, with 64 samples each or 64 times as many with one.", min=1)] = 65_536,
+    points: Annotated[int, typer.Option(help="Points, with 64 samples each, or as many directions.", min=1)] = 65_536,
+    repeats: Repeats = 15,
+    json: JsonFile = None,
+    plot: PlotFolder = None,
 ) -> None:
-    """Directions per second: sequences, methods and workers against NumPy's fill of the same array."""
-    from warpsample.bench import directions, report, startup  # noqa: PLC0415
+    """Time per direction against worst error: every map, sequence and count, beside NumPy's fill of the same array."""
+    from warpsample.bench import directions, plots, report, startup  # noqa: PLC0415
 
-    rows = list(directions.measure(points, repeats))
+    _check_bench(json, plot)
+    groups = directions.groups(points, repeats)
+    rows = [row for group in _with_progress(groups, len(groups), "measuring") for row in group()]
     starts = startup.measure()
-    report.show(rows, starts, as_json)
+    report.show_directions(_console(), rows, starts)
+    _keep(json, "bench directions", {"points": points, "repeats": repeats}, rows=rows, startup=starts)
+    _draw(plot, lambda caption: plots.draw_directions(rows, caption))
+
+
+@bench_app.command("error")
+@fail_plainly()
+def bench_error(
+    rmse: Annotated[float, typer.Option(help="The RMSE to state the time to.", min=1e-6, max=1.0)] = 1e-3,
+    randomisations: Annotated[int, typer.Option(help="Estimates of each mean, at least.", min=64)] = 256,
+    largest: Annotated[int, typer.Option(help="Greatest number of samples of an estimate.", min=16)] = 65_536,
+    repeats: Repeats = 7,
+    json: JsonFile = None,
+    plot: PlotFolder = None,
+) -> None:
+    """RMSE against run time: every sequence on seven integrands of known mean, from 4 samples on."""
+    from warpsample.bench import error, plots, report  # noqa: PLC0415
+
+    _check_bench(json, plot)
+    groups = error.groups(randomisations, repeats, largest)
+    curves = [curve for group in _with_progress(groups, len(groups), "measuring") for curve in group()]
+    report.show_error(_console(), curves, rmse)
+    settings = {"rmse": rmse, "randomisations": randomisations, "largest": largest, "repeats": repeats, "seed": 0}
+    _keep(json, "bench error", settings, curves=curves)
+    _draw(plot, lambda caption: plots.draw_error(curves, caption))
+
+
+@bench_app.command("peers")
+@fail_plainly()
+def bench_peers(
+    points: Annotated[
+        int, typer.Option(help="Normals, with 64 directions each; 16 times as many on a mesh.", min=1)
+    ] = 65_536,
+    repeats: Repeats = 15,
+    json: JsonFile = None,
+    plot: PlotFolder = None,
+) -> None:
+    """The same job by NumPy, SciPy, Numba, PyTorch, Warp's built-ins, Mitsuba, trimesh and Open3D, and by warpsample."""
+    from warpsample.bench import peers, plots, report  # noqa: PLC0415
+
+    _check_bench(json, plot)
+    sizes = {"directions": points, "surface": 16 * points}
+    rows = [row for job in _with_progress(sizes, len(sizes), "measuring") for row in peers.measure(job, sizes[job], repeats)]
+    targets = peers.time_to_error(rows, repeats)
+    report.show_peers(_console(), rows, targets)
+    _keep(json, "bench peers", {"points": points, "repeats": repeats}, rows=rows, time_to_error=targets)
+    _draw(plot, lambda caption: plots.draw_peers(rows, caption))
+    raise SystemExit(any(row.agrees is False for row in rows))
+
+
+@bench_app.command("scaling")
+@fail_plainly()
+def bench_scaling(
+    largest: Annotated[int, typer.Option(help="Greatest number of points.", min=1000)] = 100_000_000,
+    repeats: Repeats = 5,
+    json: JsonFile = None,
+    plot: PlotFolder = None,
+) -> None:
+    """Cost per direction and peak memory against points, samples and workers, streamed."""
+    from warpsample.bench import plots, report, scaling  # noqa: PLC0415
+
+    _check_bench(json, plot)
+    count = len(scaling.cases(largest))
+    rows = list(_with_progress(scaling.measure(largest, repeats), count, "measuring"))
+    report.show_scaling(_console(), rows)
+    _keep(json, "bench scaling", {"largest": largest, "repeats": repeats}, rows=rows)
+    _draw(plot, lambda caption: plots.draw_scaling(rows, caption))
+
+
+def _check_bench(json: Path | None, plot: Path | None) -> None:
+    if json is not None and not json.resolve().parent.is_dir():
+        raise ValueError(f"--json: got {str(json)!r}, whose folder does not exist")
+    if plot is not None:
+        from warpsample.bench import plots  # noqa: PLC0415
+
+        if plot.exists() and not plot.is_dir():
+            raise ValueError(f"--plot: got {str(plot)!r}, which is a file, want a folder")
+        plots.check_drawing()
+
+
+def _keep(json: Path | None, command: str, settings: dict[str, Any], **measured: Any) -> None:
+    from warpsample.bench import report  # noqa: PLC0415
+
+    if json is not None:
+        report.save(json, command, settings, **measured)
+
+
+def _draw(plot: Path | None, draw: Callable[[str], dict[str, Any]]) -> None:
+    from warpsample.bench import machine, plots  # noqa: PLC0415
+
+    if plot is not None:
+        for file in plots.save(draw(machine.caption()), plot):
+            print(f"{file}", file=sys.stderr)  # noqa: T201
 
 
 @app.command()
@@ -113,8 +211,6 @@ def verify(
     markdown: Annotated[bool, typer.Option("--markdown", help="The README's table of distributions instead.")] = False,
 ) -> None:
     """Prove every sampler: a table for each law. Exit status 1 if one is broken."""
-    from rich.console import Console  # noqa: PLC0415
-
     from warpsample.proof import report, run  # noqa: PLC0415
     from warpsample.registry import look_up  # noqa: PLC0415
 
@@ -122,10 +218,10 @@ def verify(
     if plant is not None:
         defects = {task.key: task for task in run.planted()}
         tasks.append(look_up(defects, plant, "plant"))
-    outcome = dict(_with_progress(run.run(tasks, thorough), len(tasks)))
+    outcome = dict(_with_progress(run.run(tasks, thorough), len(tasks), "verifying"))
     in_order = {task: outcome[task] for task in tasks}
     verdicts = [verdict for task in in_order for verdict in in_order[task]]
-    console = Console(width=None if sys.stdout.isatty() else _PIPE_WIDTH)
+    console = _console()
     if power:
         console.print(report.power_table({str(task.key): found for task, found in in_order.items()}))
         raise SystemExit(any(all(v.passed for v in found) for found in in_order.values()))
@@ -137,13 +233,20 @@ def verify(
     raise SystemExit(not all(v.passed for v in verdicts))
 
 
-def _with_progress(items: Iterable[Any], total: int) -> Iterator[Any]:
+def _console() -> Any:
+    """For tables on stdout."""
+    from rich.console import Console  # noqa: PLC0415
+
+    return Console(width=None if sys.stdout.isatty() else _PIPE_WIDTH)
+
+
+def _with_progress(items: Iterable[Any], total: int, what: str) -> Iterator[Any]:
     """Shows a bar on stderr, if that is a terminal."""
     from rich.console import Console  # noqa: PLC0415
     from rich.progress import track  # noqa: PLC0415
 
     console = Console(stderr=True)
-    return track(items, "verifying", total, console=console, disable=not console.is_terminal)
+    return track(items, what, total, console=console, disable=not console.is_terminal)
 
 
 def main() -> None:

@@ -66,7 +66,7 @@ def export(run: Run, workers: int | None = None) -> str:
     mesh, record = load_mesh(run.mesh), _record(run)
     points = _place(mesh, run)
     status = np.empty(len(points), np.uint8)
-    with _complete_or_absent(run.output) as partial, zipfile.ZipFile(partial, "w", allowZip64=True) as archive:
+    with complete_or_absent(run.output) as partial, zipfile.ZipFile(partial, "w", allowZip64=True) as archive:
         _write_array(archive, "position", points.position)
         _write_array(archive, "normal", points.normal)
         _write_array(archive, "face", points.face)
@@ -138,7 +138,7 @@ def _write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None
 
 
 @contextmanager
-def _complete_or_absent(path: Path) -> Iterator[Path]:
+def complete_or_absent(path: Path) -> Iterator[Path]:
     """A name beside `path` to write to; renamed to `path` at the end, deleted if it does not come to that."""
     partial = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:

@@ -1,1 +1,1 @@
-"""Run time against what the machine can do, for `warpsample bench`."""
+"""Run time against error, against other tools and against what the machine can do, for `warpsample bench`."""

@@ -1,20 +1,32 @@
-"""`sample_directions` into an existing array, against NumPy's fill of it and against Warp's own sampler."""
+"""`sample_directions` into an existing array: time per direction of every map and sequence, beside NumPy's fill of it."""
 
-from collections.abc import Callable, Iterator
+import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from statistics import median
+from typing import Any
 
 import numpy as np
 import warp as wp
 
-from warpsample.bench.timing import interleave, ratio_of
-from warpsample.directions import sample_directions
+from warpsample import distributions, sequences
+from warpsample.bench.timing import Spread, interleave, stopwatch
+from warpsample.directions import sample_directions, sample_square
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
+from warpsample.distributions.record import Distribution
 from warpsample.engine import check_workers
+from warpsample.proof import laws, twins
+from warpsample.proof.evidence import Evidence, Subject
+from warpsample.proof.stress import exact_directions
 
-SEQUENCES = ("sobol", "independent", "fibonacci")
-METHODS = ("polar", "offset")
+COUNTS = (1, 4, 16, 64, 256)
+SAMPLES = 64
+"""Of the table of maps."""
+GIVEN = "given"
+"""In place of a sequence: the map alone, `distribution.sample(u)` into a new array, for what lies in a plane."""
+_ERRORS_EVERY = 64  # the sweep's step through the 2^24 variates
+_ERROR_POINTS = 2048
+_BUDGET = 20.0  # seconds after which a group makes do with three repeats: visible Beckmann is scalar
 
 
 @dataclass(frozen=True)
@@ -22,77 +34,128 @@ class Row:
     """One case.
 
     Attributes:
-        case: "fill" (NumPy's `out.fill(0)`), "built-ins" (a plain Warp kernel, a sample per task, one thread), or
-            "sequence method".
+        table: "maps" (all at 64 samples, independent) or "sequences" (all with the cosine lobe, polar).
+        distribution: as Python writes it; "fill" for NumPy's `out.fill(0)` of the same array, one thread.
+        sequence: its name, "" for fill, or GIVEN.
         points: P.
-        samples: per point.
+        samples: of each point.
         workers: threads.
-        million_per_second: directions, median.
-        of_fill: this case's speed over the fill's in the same round: median, least, greatest.
-        of_builtins: over the built-ins', median.
-        of_one_worker: over the same case's with one worker, median; 1 for one worker.
+        pdf: whether densities are computed and stored.
+        million_per_second: directions.
+        nanoseconds: per direction.
+        of_fill: its speed over that of a fill right after it.
+        worst: "length" (of unit length), "angle" (radians) and "pdf" (relative): worst errors against float64.
         seconds: of each repeat.
+        fill_seconds: of the fill after each.
     """
 
-    case: str
+    table: str
+    distribution: str
+    sequence: str
     points: int
     samples: int
     workers: int
-    million_per_second: float
-    of_fill: tuple[float, float, float]
-    of_builtins: float
-    of_one_worker: float
+    pdf: bool
+    million_per_second: Spread
+    nanoseconds: Spread
+    of_fill: Spread
+    worst: dict[str, float]
     seconds: list[float]
+    fill_seconds: list[float]
 
 
-@wp.kernel(enable_backward=False)
-def _builtins(normals: wp.array[wp.vec3], samples: wp.int32, seed: wp.int32, out: wp.array[wp.vec3]):
-    """What a Warp user writes today for the cosine lobe: the sphere sampler plus the normal, a sample per task."""
-    i = wp.tid()
-    state = wp.rand_init(seed, i)
-    out[i] = wp.normalize(normals[i / samples] + wp.sample_unit_sphere_surface(state))
+def maps() -> list[Distribution]:
+    """The cosine lobe by every method, then an ordinary case of every other distribution, those in a plane last."""
+    all_cases = [distributions.get(name).cases() for name in distributions.names()]
+    chosen = [
+        case for cases in all_cases for case in (cases if cases[0] == CosineHemisphere() else [cases[len(cases) // 2]])
+    ]
+    return sorted(chosen, key=lambda case: (not isinstance(case, CosineHemisphere), -case.width))
 
 
-def measure(points: int, repeats: int) -> Iterator[Row]:
-    """All cases at (points x 64) and (64 points x 1)."""
-    for shape in ((points, 64), (64 * points, 1)):
-        yield from _measure_shape(*shape, repeats)
+def groups(points: int, repeats: int) -> list[Callable[[], list[Row]]]:
+    """What measures the rows, an interleaved group at a time.
+
+    Args:
+        points: with 64 samples each; with other counts as many as give the same number of directions.
+        repeats: timed runs of each case.
+    """
+    everyone = sorted({1, check_workers(None)})
+    by_map = [
+        partial(_measure, "maps", points, SAMPLES, [(case, "independent", w, p) for w in everyone for p in (False, True)])
+        if case.width == 3
+        else partial(_measure, "maps", points, SAMPLES, [(case, GIVEN, everyone[-1], False)])
+        for case in maps()
+    ]
+    by_sequence = [
+        partial(
+            _measure,
+            "sequences",
+            max(1, points * SAMPLES // count),
+            count,
+            [(CosineHemisphere(), name, w, False) for name in sequences.names() for w in everyone],
+        )
+        for count in COUNTS
+    ]
+    return [partial(group, repeats) for group in [*by_map, *by_sequence]]
 
 
-def _measure_shape(points: int, samples: int, repeats: int) -> Iterator[Row]:
-    normals = np.random.default_rng(0).normal(size=(points, 3)).astype(np.float32)
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    out = np.zeros((points, samples, 3), np.float32)
-    everyone = check_workers(None)
-    cases: dict[tuple[str, int], Callable[[], object]] = {
-        ("fill", 1): partial(out.fill, 0.0),
-        ("built-ins", 1): _builtins_case(normals, out),
+def worst_errors(case: Distribution) -> dict[str, float]:
+    """Of "length", "angle" and "pdf", over a grid of variates, and about random normals in the world's coordinates."""
+    local = Evidence(Subject(repr(case), case, case), every=_ERRORS_EVERY).sweep
+    if case.width == 2:
+        return {name: local[name] for name in ("length", "angle", "pdf") if name in local}
+    normals = np.random.default_rng(1).normal(size=(_ERROR_POINTS, 3)).astype(np.float32)
+    got = sample_directions(normals, SAMPLES, case, "independent", pdf=True)
+    w = got.vectors.astype(np.float64)
+    exact, in_frame = exact_directions(case, normals, sample_square("independent", len(normals), SAMPLES))
+    # Where the offset method draws its rim anew, by another hash, it has no twin.
+    kept = 2.0 * np.pi * got.pdf > 2.0**-6 * 1.001 if case == CosineHemisphere("offset") else np.ones(w.shape[:2], bool)
+    world = {
+        "length": laws.length_error(w),
+        "angle": laws.angle_error(w[kept], exact[kept]),
+        "pdf": laws.density_error(got.pdf[kept], twins.density(case, in_frame)[kept]),
     }
-    for sequence in SEQUENCES:
-        for method in METHODS:
-            for workers in sorted({1, everyone}):
-                cases[f"{sequence} {method}", workers] = partial(
-                    sample_directions, normals, samples, CosineHemisphere(method), sequence, out=out, workers=workers
-                )
-    times = dict(zip(cases, interleave(list(cases.values()), repeats), strict=True))
-    for (case, workers), seconds in times.items():
-        yield Row(
-            case=case,
+    return {name: max(local[name], world[name]) for name in world}
+
+
+def short_name(distribution: str) -> str:
+    """What Python writes, without the names of strings and without what follows the first parameter."""
+    return re.sub(r", .*\)", ")", distribution.replace("method=", "").replace("'", ""))
+
+
+def _measure(table: str, points: int, samples: int, chosen: list[tuple[Any, ...]], repeats: int) -> list[Row]:
+    normals = np.random.default_rng(0).normal(size=(points, 3)).astype(np.float32)
+    out = np.zeros((points, samples, 3), np.float32)
+    fill = stopwatch(partial(out.fill, 0.0))
+    cases = [stopwatch(_work(normals, out, *columns)) for columns in chosen]
+    times, fills = interleave([fill, *cases], repeats, reference=fill, budget=_BUDGET)
+    worst = worst_errors(chosen[0][0]) if table == "maps" else {}
+    described = [("fill", "", 1, False), *chosen]
+    return [
+        Row(
+            table=table,
+            distribution=str(case),
+            sequence=sequence,
             points=points,
             samples=samples,
             workers=workers,
-            million_per_second=points * samples / median(seconds) / 1e6,
-            of_fill=ratio_of(times["fill", 1], seconds),
-            of_builtins=ratio_of(times["built-ins", 1], seconds)[0],
-            of_one_worker=ratio_of(times[case, 1], seconds)[0],
+            pdf=pdf,
+            million_per_second=Spread.of([points * samples / t / 1e6 for t in seconds]),
+            nanoseconds=Spread.of([1e9 * t / (points * samples) for t in seconds]),
+            of_fill=Spread.of_ratios(beside, seconds),
+            worst={} if case == "fill" else worst,
             seconds=seconds,
+            fill_seconds=beside,
         )
+        for (case, sequence, workers, pdf), seconds, beside in zip(described, times, fills, strict=True)
+    ]
 
 
-def _builtins_case(normals: np.ndarray, out: np.ndarray) -> Callable[[], object]:
-    total, samples = out.shape[0] * out.shape[1], out.shape[1]
-    given = wp.array(normals, dtype=wp.vec3, device="cpu", copy=False)
-    target = wp.array(out.reshape(-1, 3), dtype=wp.vec3, device="cpu", copy=False)
-    return partial(
-        wp.launch, _builtins, dim=total, inputs=[given, samples, 0], outputs=[target], device="cpu", record_tape=False
-    )
+def _work(
+    normals: np.ndarray, out: np.ndarray, case: Distribution, sequence: str, workers: int, pdf: bool
+) -> Callable[[], object]:
+    if sequence != GIVEN:
+        return partial(sample_directions, normals, out.shape[1], case, sequence, pdf=pdf, out=out, workers=workers)
+    u = sample_square("independent", *out.shape[:2])
+    return partial(case.sample, wp.array(u, dtype=wp.vec2, device="cpu", copy=False))

@@ -15,8 +15,12 @@ import warpsample
 t2 = perf_counter()
 import numpy
 warp.config.log_level = warp.LOG_WARNING
-warpsample.sample_directions(numpy.array([[0.0, 0.0, 1.0]], numpy.float32), 64)
-print(t1 - t0, t2 - t1, perf_counter() - t2)
+normals = numpy.array([[0.0, 0.0, 1.0]], numpy.float32)
+warpsample.sample_directions(normals, 64)
+t3 = perf_counter()
+for name in ("independent", "fibonacci", "r2"):
+    warpsample.sample_directions(normals, 64, sequence=name)
+print(t1 - t0, t2 - t1, t3 - t2, (perf_counter() - t3) / 3)
 """
 
 
@@ -25,16 +29,18 @@ class Startup:
     """Seconds in a new process.
 
     Attributes:
-        kernel_cache: "cold" or "warm".
+        kernel_cache: "cold" (kernels are compiled) or "warm" (they are loaded).
         import_warp: `import warp`.
         import_warpsample: what `import warpsample` adds.
-        first_directions: the first `sample_directions` after that.
+        first_directions: the first `sample_directions` after that, with its kernel.
+        further_kernel: mean of the next three that need another one.
     """
 
     kernel_cache: str
     import_warp: float
     import_warpsample: float
     first_directions: float
+    further_kernel: float
 
 
 def measure() -> list[Startup]:
@@ -47,4 +53,4 @@ def measure() -> list[Startup]:
 def _run_child(environment: dict[str, str]) -> list[float]:
     command = [sys.executable, "-c", _CHILD]
     done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
-    return [float(x) for x in done.stdout.split()[-3:]]
+    return [float(x) for x in done.stdout.split()[-4:]]

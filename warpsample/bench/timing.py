@@ -1,27 +1,75 @@
 """Timings that can be compared: interleaved, so that a slow minute hits every case, and reported with their spread."""
 
 from collections.abc import Callable, Sequence
-from statistics import median
+from dataclasses import dataclass
+from math import inf
+from statistics import median, quantiles
 from time import perf_counter
 
+_LEAST_REPEATS = 3
 
-def interleave(cases: Sequence[Callable[[], object]], repeats: int) -> list[list[float]]:
-    """Seconds of `repeats` runs of each case, in rounds of all cases in turn.
 
-    Each timed run follows an untimed one of the same case, so that kernels are loaded, arrays are where that case leaves
-    them, and all cores are awake: a virtual machine may take milliseconds to wake one.
+@dataclass(frozen=True)
+class Spread:
+    """Of repeated figures: the median, and between which values the middle half lies."""
+
+    median: float
+    low: float
+    high: float
+
+    @classmethod
+    def of(cls, figures: Sequence[float]) -> "Spread":
+        """Of at least one figure."""
+        low, _, high = quantiles(figures, method="inclusive") if len(figures) > 1 else [figures[0]] * 3
+        return cls(median(figures), low, high)
+
+    @classmethod
+    def of_ratios(cls, numerators: Sequence[float], denominators: Sequence[float]) -> "Spread":
+        """Of the ratios within each round."""
+        return cls.of([a / b for a, b in zip(numerators, denominators, strict=True)])
+
+
+def stopwatch(work: Callable[[], object], warm: Callable[[], object] | None = None) -> Callable[[], float]:
+    """A case that says how many seconds `work` took.
+
+    Before it an untimed run, or `warm`, so that kernels are loaded, arrays are where that case leaves them, and all cores
+    are awake: a virtual machine may take milliseconds to wake one.
+    """
+
+    def case() -> float:
+        (warm or work)()
+        start = perf_counter()
+        work()
+        return perf_counter() - start
+
+    return case
+
+
+def interleave(
+    cases: Sequence[Callable[[], float]],
+    repeats: int,
+    reference: Callable[[], float] | None = None,
+    budget: float = inf,
+) -> tuple[list[list[float]], list[list[float]]]:
+    """Runs all cases in turn, `repeats` rounds of it.
+
+    Args:
+        cases: each says how many seconds it took, such as a `stopwatch`.
+        repeats: rounds, at most.
+        reference: run after each case, to be its ratio's other side.
+        budget: seconds; once they are over, three rounds are enough.
+
+    Returns:
+        the seconds of each case, and those of the reference beside it (empty without one).
     """
     times: list[list[float]] = [[] for _ in cases]
-    for _ in range(repeats):
-        for case, kept in zip(cases, times, strict=True):
-            case()
-            start = perf_counter()
-            case()
-            kept.append(perf_counter() - start)
-    return times
-
-
-def ratio_of(numerators: list[float], denominators: list[float]) -> tuple[float, float, float]:
-    """(median, least, greatest) of the ratios within each round."""
-    ratios = [a / b for a, b in zip(numerators, denominators, strict=True)]
-    return median(ratios), min(ratios), max(ratios)
+    beside: list[list[float]] = [[] for _ in cases]
+    start = perf_counter()
+    for done in range(repeats):
+        if done >= _LEAST_REPEATS and perf_counter() - start > budget:
+            break
+        for i, case in enumerate(cases):
+            times[i].append(case())
+            if reference is not None:
+                beside[i].append(reference())
+    return times, beside

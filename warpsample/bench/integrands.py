@@ -1,0 +1,143 @@
+"""Functions of a direction with a known mean over the cosine lobe: smooth, discontinuous and peaked.
+
+None has an axis in common with the square's coordinates: a half-space along the azimuth's strata would have no error.
+Axes are float32 in the kernels; a rounded one moves a mean by 1e-7 at most.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from math import cos, radians, sin, sqrt
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample.arrays import as_vectors, new_vectors
+from warpsample.distributions.cosine_hemisphere import CosineHemisphere
+from warpsample.engine import check_workers, run
+from warpsample.kernels import FLAT_BLOCK
+from warpsample.kernels.flat import elementwise
+from warpsample.kernels.parameters import with_parameters
+
+
+@dataclass(frozen=True)
+class Integrand:
+    """A function of a unit direction, local frame.
+
+    Attributes:
+        name: what tables call it.
+        kind: "smooth", "discontinuous" or "peaked".
+        function: `wp.func` (w: vec3) -> float32.
+        mean: over directions of density cos(theta) / pi.
+        formula: of the mean.
+    """
+
+    name: str
+    kind: str
+    function: wp.Function
+    mean: float
+    formula: str
+
+
+def _axis(tilt: float, azimuth: float) -> tuple[wp.float32, wp.float32, wp.float32]:
+    """A unit vector at `tilt` from +z, in degrees."""
+    t, a = radians(tilt), radians(azimuth)
+    x, y, z = (np.float32(v) for v in (sin(t) * cos(a), sin(t) * sin(a), cos(t)))
+    return wp.constant(wp.float32(x)), wp.constant(wp.float32(y)), wp.constant(wp.float32(z))
+
+
+_CAP, _STREET_HEIGHT, _STREET_LEFT, _STREET_RIGHT, _LOBE = radians(20.0), 1.5, 0.6, 1.4, 64
+_UP_X, _UP_Y, _UP_Z = _axis(60.0, 25.0)
+_HALF_X, _HALF_Y, _HALF_Z = _axis(65.0, 40.0)
+_CAP_X, _CAP_Y, _CAP_Z = _axis(35.0, 110.0)
+_STREET_X, _STREET_Y, _ = _axis(90.0, 25.0)
+_LOBE_X, _LOBE_Y, _LOBE_Z = _axis(30.0, 70.0)
+_COS_CAP = wp.constant(wp.float32(cos(_CAP)))
+_LEFT = wp.constant(wp.float32(_STREET_LEFT / _STREET_HEIGHT))
+_RIGHT = wp.constant(wp.float32(_STREET_RIGHT / _STREET_HEIGHT))
+
+
+@wp.func
+def cosine(w: wp.vec3) -> wp.float32:
+    """cos(theta)."""
+    return w[2]
+
+
+@wp.func
+def cosine_power(w: wp.vec3) -> wp.float32:
+    """cos(theta)^8."""
+    squared = w[2] * w[2]
+    return squared * squared * squared * squared
+
+
+@wp.func
+def sky_gradient(w: wp.vec3) -> wp.float32:
+    """Moon and Spencer's overcast sky, (1 + 2 sin(elevation)) / 3, smooth below the horizon too, over a tilted plane."""
+    return (1.0 + 2.0 * (w[0] * _UP_X + w[1] * _UP_Y + w[2] * _UP_Z)) / 3.0
+
+
+@wp.func
+def half_space(w: wp.vec3) -> wp.float32:
+    """Whether w is on one side of a tilted plane."""
+    return wp.where(w[0] * _HALF_X + w[1] * _HALF_Y + w[2] * _HALF_Z > 0.0, 1.0, 0.0)
+
+
+@wp.func
+def cap(w: wp.vec3) -> wp.float32:
+    """Whether w meets a disk of 20 degrees around an axis."""
+    return wp.where(w[0] * _CAP_X + w[1] * _CAP_Y + w[2] * _CAP_Z > _COS_CAP, 1.0, 0.0)
+
+
+@wp.func
+def canyon(w: wp.vec3) -> wp.float32:
+    """Whether w leaves a street of infinite length from its floor."""
+    across = w[0] * _STREET_X + w[1] * _STREET_Y
+    return wp.where(-w[2] * _LEFT < across, wp.where(across < w[2] * _RIGHT, 1.0, 0.0), 0.0)
+
+
+@wp.func
+def narrow_lobe(w: wp.vec3) -> wp.float32:
+    """cos^64 of the angle to an axis: 12 degrees wide at half its height."""
+    x = wp.max(w[0] * _LOBE_X + w[1] * _LOBE_Y + w[2] * _LOBE_Z, 0.0)
+    x = x * x
+    x = x * x
+    x = x * x
+    x = x * x
+    x = x * x
+    return x * x
+
+
+def _street_mean() -> float:
+    left, right = (side / sqrt(side**2 + _STREET_HEIGHT**2) for side in (_STREET_LEFT, _STREET_RIGHT))
+    return (left + right) / 2.0
+
+
+INTEGRANDS = (
+    Integrand("cosine", "smooth", cosine, 2.0 / 3.0, "2/3"),
+    Integrand("cosine^8", "smooth", cosine_power, 2.0 / 10.0, "2/(n + 2)"),
+    Integrand("sky gradient", "smooth", sky_gradient, (1.0 + 4.0 / 3.0 * float(_UP_Z)) / 3.0, "(1 + 4/3 cos tilt)/3"),
+    Integrand("half-space", "discontinuous", half_space, (1.0 + float(_HALF_Z)) / 2.0, "(1 + cos tilt)/2"),
+    Integrand("20° cap", "discontinuous", cap, float(_CAP_Z) * sin(_CAP) ** 2, "cos tilt sin² 20°"),
+    Integrand("street canyon", "discontinuous", canyon, _street_mean(), "½(x/√(x²+H²) + (W−x)/√((W−x)²+H²))"),
+    Integrand("narrow lobe", "peaked", narrow_lobe, 2.0 * float(_LOBE_Z) / (_LOBE + 2), "2 cos tilt/(n + 2), n = 64"),
+)
+
+
+def evaluate(integrand: Integrand, w: np.ndarray) -> np.ndarray:
+    """(N,) float32 of unit directions (N, 3) float32 in the local frame."""
+    return _map(integrand.function)(w)
+
+
+@cache
+def _map(function: wp.Function) -> Callable[[Any], np.ndarray]:
+    kernel = elementwise(with_parameters(function, wp.vec3, 0), 3, 1)
+
+    def call(w: Any) -> np.ndarray:
+        source = as_vectors(w, 3, "w")
+        target = new_vectors(source, source.shape, 1)
+        inputs = [source.count, FLAT_BLOCK, source.address, target.address, CosineHemisphere().kernel_parameters()]
+        run(kernel, -(-source.count // FLAT_BLOCK), inputs, source.device, check_workers(None), source.count)
+        return target.owner
+
+    return call
