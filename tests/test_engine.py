@@ -4,7 +4,7 @@ import mmap
 import re
 import subprocess
 import sys
-from concurrent.futures import wait
+import threading
 
 import numpy as np
 import pytest
@@ -37,15 +37,18 @@ def test_every_task_runs_once(workers, tasks, monkeypatch):
 
 
 def test_an_interrupt_stops_the_threads_before_the_call_returns(monkeypatch):
-    def interrupted(futures):
-        monkeypatch.setattr(engine, "wait", wait)
-        raise KeyboardInterrupt
+    run_chunks = engine._run_chunks
 
-    monkeypatch.setattr(engine, "wait", interrupted)
+    def interrupted_here(*arguments):
+        if threading.current_thread() is threading.main_thread():
+            raise KeyboardInterrupt
+        run_chunks(*arguments)
+
+    monkeypatch.setattr(engine, "_run_chunks", interrupted_here)
     monkeypatch.setattr(engine, "_MOST_WORK", 1)
     out = np.zeros(100_000, np.int32)
     with pytest.raises(KeyboardInterrupt):
-        engine.run(_count, len(out), [wp.array(out, device=CPU, copy=False)], CPU, 2, 10**9)
+        engine.run(_count, len(out), [wp.array(out, device=CPU, copy=False)], CPU, 3, 10**9)
     done = out.sum()
     assert done < len(out)  # 100,000 launches take longer than the interrupt
     assert engine._threads(2).submit(out.sum).result() == done
@@ -94,10 +97,14 @@ def test_beyond_two_to_the_31_directions(count):
     assert np.array_equal(got[-written + 3 * 256 :], expected[-written + 3 * 256 :])
 
 
-def test_threads_are_kept(normals):
+def test_threads_and_launches_are_kept(normals):
     before = engine._threads(2)
-    ws.sample_directions(np.repeat(normals, 200, axis=0), 16, workers=2)
+    many = np.repeat(normals, 200, axis=0)
+    ws.sample_directions(many, 16, workers=3)
+    idle = {key: len(commands) for key, commands in engine._idle.items()}
+    ws.sample_directions(many, 16, workers=3)
     assert engine._threads(2) is before
+    assert {key: len(commands) for key, commands in engine._idle.items()} == idle
 
 
 VECTORISED = [

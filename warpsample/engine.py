@@ -74,19 +74,16 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
 
 
 def _share(commands: list[wp.Launch], chunk: int, tasks: int) -> None:
-    """Runs all tasks, in chunks, a thread for each command; one stays on the calling thread."""
+    """Runs all tasks, in chunks, a thread for each command; the calling thread is one, since others take time to wake."""
     starts = iter(range(0, tasks, chunk))
-    if len(commands) == 1:
-        _run_chunks(commands[0], starts, chunk, tasks)
-        return
-    futures = [_threads(len(commands)).submit(_run_chunks, command, starts, chunk, tasks) for command in commands]
+    others = [_threads(len(commands) - 1).submit(_run_chunks, command, starts, chunk, tasks) for command in commands[1:]]
     try:
-        wait(futures)
+        _run_chunks(commands[0], starts, chunk, tasks)
     finally:
         # If that was interrupted: no thread may start another chunk, or still write to arrays that the caller lets go of.
         deque(starts, maxlen=0)
-        wait(futures)
-    for future in futures:
+        wait(others)
+    for future in others:
         future.result()
 
 
