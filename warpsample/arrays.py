@@ -1,6 +1,7 @@
 """What users hold and get back: NumPy and Warp arrays, checked once and then known by their address."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import prod
 from typing import Any, TypeAlias
 
@@ -28,12 +29,12 @@ class Vectors:
     width: int
     device: wp.Device
 
-    @property
+    @cached_property
     def address(self) -> int:
         """Of the first component."""
         return address_of(self.owner)
 
-    @property
+    @cached_property
     def count(self) -> int:
         """How many vectors."""
         return prod(self.shape)
@@ -58,8 +59,11 @@ def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") 
         raise TypeError(f"{argument}: got dtype {array.dtype}, want float32 (or float64, which is rounded to float32)")
     if array.ndim == 0 or array.shape[-1] != width:
         raise ValueError(f"{argument}: got shape {array.shape}, want {shape.format(width)}")
-    with np.errstate(over="ignore"):
-        owner = np.ascontiguousarray(array, dtype=np.float32)
+    if array.dtype == np.float32:
+        owner = np.ascontiguousarray(array)
+    else:
+        with np.errstate(over="ignore"):
+            owner = array.astype(np.float32, order="C")
     return Vectors(owner, owner.shape[:-1], width, wp.get_device("cpu"))
 
 

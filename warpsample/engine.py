@@ -82,7 +82,8 @@ def _share(commands: list[wp.Launch], chunk: int, tasks: int) -> None:
     finally:
         # If that was interrupted: no thread may start another chunk, or still write to arrays that the caller lets go of.
         deque(starts, maxlen=0)
-        wait(others)
+        if others:
+            wait(others)
     for future in others:
         future.result()
 
@@ -106,7 +107,7 @@ def _run_chunks(command: wp.Launch, starts: Any, chunk: int, tasks: int) -> None
     """Takes chunks until none is left; next() on a range's iterator is atomic, so threads can share it."""
     last = len(command.kernel.adj.args) - 1
     for start in starts:
-        command.set_param_at_index(last, start)
+        command.set_param_at_index_from_ctype(last, start)
         size = min(chunk, tasks - start)
         if command.bounds.size != size:
             command.set_dim(size)
