@@ -13,10 +13,13 @@ import warp as wp
 import warpsample as ws
 from warpsample import engine
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.kernels import FLAT_BLOCK, directions
+from warpsample.kernels import FLAT_BLOCK
+from warpsample.kernels.blocks import direction_blocks
 from warpsample.kernels.flat import elementwise, square_blocks
+from warpsample.kernels.job import DirectionJob
 from warpsample.kernels.parameters import with_parameters
 from warpsample.kernels.points import place_points
+from warpsample.kernels.rows import direction_rows
 from warpsample.kernels.variates import CHUNK
 
 CPU = wp.get_device("cpu")
@@ -78,14 +81,14 @@ def test_beyond_two_to_the_31_directions(count):
     status = np.zeros(points, np.uint8)
     distribution, sequence = ws.CosineHemisphere(), ws.sequences.get("sobol")
     slots = (sequence, distribution.about(), None, 0.0, False, False)
-    job = directions.DirectionJob()
+    job = DirectionJob()
     job.points, job.count, job.block, job.rows = points, count, count, 1
     job.normals, job.vectors, job.status = normals.ctypes.data, vectors.ctypes.data, status.ctypes.data
     if count == 64:
-        kernel, tasks, last = directions.direction_rows(*slots, CHUNK), points, 1000
+        kernel, tasks, last = direction_rows(*slots, CHUNK), points, 1000
     else:
         kernel, tasks, last = (
-            directions.direction_blocks(*slots, False),
+            direction_blocks(*slots, False),
             -(-size // FLAT_BLOCK),
             1000 * count // 256,
         )
@@ -185,12 +188,12 @@ def all_kernels():
     yield "place_points", place_points()
     for name in ws.sequences.names():
         yield f"square {name}", square_blocks(ws.sequences.get(name).sample)
-        yield f"rows {name}", directions.direction_rows(*slots(name, ws.CosineHemisphere(), True, True), 1)
+        yield f"rows {name}", direction_rows(*slots(name, ws.CosineHemisphere(), True, True), 1)
     for case in dict.fromkeys(case for _, case in VECTORISED):
         w = case.width
         maps = [(case.maps.sample, 2, w), (case.maps.pdf, w, 1), (case.maps.invert, w, 2)]
         if w == 3:  # holds sample and pdf
-            yield f"blocks {case}", directions.direction_blocks(*slots("sobol", case, True, False), False)
+            yield f"blocks {case}", direction_blocks(*slots("sobol", case, True, False), False)
             maps = maps[2:]
         for func, width, out in maps:
             if func is not None:
@@ -243,19 +246,19 @@ class Tilted(Distribution):
 def test_a_parameter_reaches_the_kernels_and_a_new_value_compiles_nothing(normals):
     u = np.zeros((5, 2), np.float32)
     up = np.array([[0.0, 0.0, 1.0]], np.float32)
-    built = directions.direction_rows.cache_info().misses
+    built = direction_rows.cache_info().misses
     for tilt in (0.25, 0.5):
         distribution = Tilted(tilt)
         assert (distribution.sample(u)[:, 0] == tilt).all()
         assert distribution.pdf(up).tolist() == [tilt]
         assert (distribution.invert(up)[:, 0] == tilt).all()
         assert np.abs(ws.sample_directions(up, 16, distribution).vectors[0, :, 0] - tilt).max() <= 1e-7
-    assert directions.direction_rows.cache_info().misses == built + 1
+    assert direction_rows.cache_info().misses == built + 1
 
 
 def test_kernels_are_built_once_for_equal_jobs(normals):
     ws.sample_directions(normals, 16)
-    built = directions.direction_rows.cache_info().misses
+    built = direction_rows.cache_info().misses
     ws.sample_directions(normals, 32, seed=9)
     ws.sample_directions(normals, 16, ws.CosineHemisphere("polar"))
-    assert directions.direction_rows.cache_info().misses == built
+    assert direction_rows.cache_info().misses == built

@@ -17,8 +17,10 @@ from warpsample.distributions import as_spatial
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.engine import check_memory, check_workers, run
-from warpsample.kernels import FLAT_BLOCK, directions
+from warpsample.kernels import FLAT_BLOCK, job
+from warpsample.kernels.blocks import direction_blocks
 from warpsample.kernels.flat import square_blocks
+from warpsample.kernels.rows import MOST_ROWS, direction_rows
 from warpsample.kernels.variates import CHUNK
 from warpsample.sequences.record import Sequence
 from warpsample.surface import SurfacePoints
@@ -33,10 +35,10 @@ _STREAM_HINT = "stream them: slices of the normals with first_point=, or `warpsa
 class Status(IntEnum):
     """Why a point has directions or not."""
 
-    OK = directions.OK
-    INACTIVE = directions.INACTIVE
-    ZERO_NORMAL = directions.ZERO_NORMAL
-    NONFINITE_NORMAL = directions.NONFINITE_NORMAL
+    OK = job.OK
+    INACTIVE = job.INACTIVE
+    ZERO_NORMAL = job.ZERO_NORMAL
+    NONFINITE_NORMAL = job.NONFINITE_NORMAL
 
 
 @dataclass(frozen=True, eq=False)
@@ -176,7 +178,7 @@ class _Plan:
         status = np.zeros(normals.count, np.uint8) if on_host else wp.zeros(normals.count, dtype=wp.uint8, device=device)
         for start, end in _same_high_word(first_point, normals.count):
             points = end - start
-            job = directions.Job(
+            task = job.Job(
                 seed=self.seed,
                 first_point=first_point + start,
                 points=points,
@@ -188,8 +190,8 @@ class _Plan:
                 active=0 if active is None else address_of(active) + start,
                 parameters=self.distribution.kernel_parameters().__ctype__(),
             )
-            kernel, tasks, job.block, job.rows = self.kernel(device, points, masked=active is not None)
-            run(kernel, tasks, [job], device, self.workers, points * self.count)
+            kernel, tasks, task.block, task.rows = self.kernel(device, points, masked=active is not None)
+            run(kernel, tasks, [task], device, self.workers, points * self.count)
         return status
 
     def kernel(self, device: wp.Device, points: int, masked: bool) -> tuple[wp.Kernel, int, int, int]:
@@ -197,12 +199,13 @@ class _Plan:
         maps = self.distribution.maps
         slots = (self.sequence, self.distribution.about(), maps.redraw, maps.redraw_below, self.pdf, masked)
         if device.is_cuda:
-            return directions.direction_rows(*slots, 1), points * self.count, 1, 1
+            return direction_rows(*slots, 1), points * self.count, 1, 1
         if self.count >= _ROW:
-            block, rows = min(self.count, _PART), max(1, _TASK // self.count)
+            block = min(self.count, _PART)
+            rows = min(max(1, _TASK // self.count), MOST_ROWS) if block == self.count else 1
             tasks = -(-points * -(-self.count // block) // rows)
-            return directions.direction_rows(*slots, CHUNK), tasks, block, rows
-        return directions.direction_blocks(*slots, self.count == 1), -(-points * self.count // FLAT_BLOCK), FLAT_BLOCK, 1
+            return direction_rows(*slots, CHUNK), tasks, block, rows
+        return direction_blocks(*slots, self.count == 1), -(-points * self.count // FLAT_BLOCK), FLAT_BLOCK, 1
 
     def fill_by_parts(
         self,
