@@ -11,7 +11,8 @@ import warp as wp
 
 from warpsample.arguments import check_integer
 
-_CHUNKS_PER_WORKER = 4  # evens out uneven chunks; a recorded launch of one costs 4 us
+_FEW_CHUNKS, _MANY_CHUNKS = 4, 16  # of a worker: many even out threads of unlike speed, but each passes the GIL around,
+_CHUNK_WORK = 1 << 17  # so from this many directions a chunk on
 _LEAST_WORK = 1 << 17  # directions; below that (0.3 ms) handing work to a thread costs more than it gains
 _MOST_WORK = 1 << 25  # directions of a chunk: 0.1 s, after which an interrupt is heard
 _MOST_TASKS = (1 << 31) - 1  # wp.tid() is an int32
@@ -63,7 +64,8 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
         work: directions computed, or the like of it: little work stays on the calling thread.
     """
     workers = workers if device.is_cpu and work >= _LEAST_WORK else 1
-    shares = workers * _CHUNKS_PER_WORKER if workers > 1 else 1
+    each = min(max(work // (workers * _CHUNK_WORK), _FEW_CHUNKS), _MANY_CHUNKS)
+    shares = workers * each if workers > 1 else 1
     chunk = min(-(-tasks // shares), max(1, _MOST_WORK * tasks // work), _MOST_TASKS)
     # Taken in this thread: the first one compiles the kernel, and compiling is once per process and thread.
     commands = [_take(kernel, inputs, device) for _ in range(workers)]

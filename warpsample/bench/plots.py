@@ -112,23 +112,14 @@ def draw_peers(rows: list[peers.Row], caption: str) -> dict[str, "Figure"]:
             speed = row.million_per_second
             axes.barh(i, speed.median, color=_OURS if row.peer.startswith("warpsample") else _THEIRS)
             axes.plot([speed.low, speed.high], [i, i], color="black", linewidth=1)
-            ratio = (
-                ""
-                if row.ours is None
-                else f" x {row.ours.median:.2g}"
-                if row.ours.median < 100
-                else f" x {row.ours.median:.0f}"
-            )
-            axes.annotate(
-                f" {speed.median:.3g}{ratio if row.peer != peers.OURS[job] else ''}",
-                (speed.high, i),
-                va="center",
-                fontsize=8,
-            )
+            told = f" {speed.median:.3g}"
+            if row.ours is not None and not row.peer.startswith("warpsample"):
+                told += f", ours {row.ours.median:.2g} times"
+            axes.annotate(told, (speed.high, i), va="center", fontsize=8)
         axes.set_yticks(range(len(bars)), [f"{row.peer} ({row.threads})" for row in reversed(bars)], fontsize=8)
         axes.set(xscale="log", xlabel="million per second")
         axes.margins(x=0.15)
-        axes.set_title(f"{job}: tool (threads); x: how much faster {peers.OURS[job]} is", fontsize=10)
+        axes.set_title(f"{job}, tool (threads); ours: {peers.OURS[job]}", fontsize=10)
         for row in ran:
             if row.peer == "fill":
                 _ceiling(axes, row.million_per_second.median, "NumPy's fill")
@@ -153,8 +144,8 @@ def draw_scaling(rows: list[scaling.Row], caption: str) -> dict[str, "Figure"]:
         above.set_title(f"by {axis}")
         below.set_xlabel(axis)
         for axes in (above, below):
-            axes.set_xscale("log")
-            axes.set_ylim(bottom=0)
+            axes.set_xscale("log", base=2 if x[-1] < 1000 else 10)
+            axes.set_ylim(0.0, 1.1 * axes.get_ylim()[1])
             axes.grid(alpha=0.3)
     grid[0][0].set_ylabel("time per direction [ns]")
     grid[1][0].set_ylabel("peak memory [MB]")
