@@ -153,6 +153,7 @@ def test_curves_have_the_slopes_of_their_sequences(curves, capsys, tmp_path):
     assert found["independent"].reaching(1e-3)[1] is True
     lines = lines_of(report.show_error, capsys, curves, 1e-3)
     assert [line for line in lines if line.startswith(" independent") and " ~" in line]
+    assert [line for line in lines if line.startswith(" sky gradient") and re.search(" (sobol|fibonacci) *$", line)]
     assert not_blank(plots.save(plots.draw_error(curves, "caption"), tmp_path))
 
 

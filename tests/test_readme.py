@@ -47,7 +47,10 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample directions MESH -o directions.npz --count 10000 --samples 64",
         "warpsample verify",  # test_verify.py, on fewer cases
         "warpsample verify --power",
-        "warpsample bench directions",  # test_bench.py
+        "warpsample bench directions",  # these: test_bench.py, on smaller sizes
+        "warpsample bench error",
+        "warpsample bench peers",
+        "warpsample bench scaling",
     ]
 
 

@@ -27,7 +27,7 @@ from warpsample.surface import SurfacePoints
 
 _PART = 1 << 14  # samples of one row that a task takes: enough to share out one point's million samples
 _TASK = 1 << 10  # samples of short rows that a task takes
-_ROW = 8  # samples from which a row, padded to 8, is faster than pairs of all points in blocks
+_ROW = 12  # samples from which rows, padded to vectors, are faster than blocks of pairs
 _UPLOAD = 1 << 28  # bytes a CUDA device holds at a time of a job whose arrays are NumPy's
 _STREAM_HINT = "stream them: slices of the normals with first_point=, or `warpsample directions`"
 

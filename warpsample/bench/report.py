@@ -121,11 +121,24 @@ def show_error(console: "Console", curves: list[error.Curve], rmse: float) -> No
             "efficiency",
         ]
         _table(console, f"{name} ({chosen[0].kind}), mean {chosen[0].mean:.6f}", headings, cells)
+    _show_best(console, curves, rmse)
     console.print(
         f"slope: of log RMSE over log N from 16 on, above float32's floor of {error.FLOOR:g}. ~: by that slope, beyond the "
         f"N measured. <: reached by the least N.\nefficiency: 1/(variance x time) at N = {error.COMPARED_AT:,} over that of "
         "independent; an RMSE below the floor counts as the floor."
     )
+
+
+def _show_best(console: "Console", curves: list[error.Curve], rmse: float) -> None:
+    sequences = list(dict.fromkeys(curve.sequence for curve in curves))
+    found = {(curve.integrand, curve.sequence): curve for curve in curves}
+    cells = []
+    for name in dict.fromkeys(curve.integrand for curve in curves):
+        mine = [found[name, sequence] for sequence in sequences]
+        times = {curve.sequence: reached[0] for curve in mine if (reached := curve.reaching(rmse))}
+        best = min(times, key=times.__getitem__) if times else "–"
+        cells.append([name, *(_time_to(curve, rmse) for curve in mine), best])
+    _table(console, f"In short: µs to an RMSE of {rmse:g}", ["integrand", *sequences, "fastest"], cells)
 
 
 def _time_to(curve: error.Curve, rmse: float) -> str:

@@ -33,14 +33,15 @@ def direction_blocks(
 ) -> wp.Kernel:
     """A kernel over blocks of FLAT_BLOCK consecutive (point, sample) pairs; bit for bit the results of `direction_rows`.
 
-    Variates first, as there. Unless each point has one sample, the block's normals are then repeated into a local buffer,
-    pair by pair: a gather from an array that the stores might alias would keep the loop scalar.
+    Unit normals and variates first, as there. Unless each point has one sample, the normals are then repeated, pair by pair:
+    a gather from an array that the stores might alias would keep the loop scalar.
     """
     store = store_direction_and_pdf if with_pdf else store_direction
     weigh = weigh_by_mask if masked else weigh_all
     redraws = redraw is not None
     stride = FLAT_BLOCK + LANES
-    floats = 2 * FLAT_BLOCK + (0 if one_sample else 3 * stride)
+    floats = 2 * FLAT_BLOCK + (3 if one_sample else 6) * stride
+    repeated_at = 4 * (floats - 3 * stride)  # bytes; where each point has one sample, that is where the units are
     sample_of = sequence.sample
 
     @wp.func
@@ -86,14 +87,24 @@ def direction_blocks(
         active = wp.array(ptr=job.active + wp.uint64(point), shape=(span,), dtype=wp.uint8)
         buffer = wp.zeros(shape=(floats,), dtype=wp.float32)
         u = wp.array(ptr=buffer.ptr, shape=(2 * FLAT_BLOCK,), dtype=wp.float32)
-        repeated = wp.array(ptr=buffer.ptr + wp.uint64(8 * FLAT_BLOCK), shape=(3 * stride,), dtype=wp.float32)
+        units = wp.array(ptr=buffer.ptr + wp.uint64(8 * FLAT_BLOCK), shape=(3 * stride,), dtype=wp.float32)
+        repeated = wp.array(ptr=buffer.ptr + wp.uint64(repeated_at), shape=(3 * stride,), dtype=wp.float32)
+        rare = wp.int32(0)
+        r = wp.int32(0)
+        while r < span:
+            unit = scaled_to_unit(weigh(active, r) * wp.vec3(normals[3 * r], normals[3 * r + 1], normals[3 * r + 2]))
+            units[r] = unit[0]
+            units[stride + r] = unit[1]
+            units[2 * stride + r] = unit[2]
+            rare = rare | wp.where(wp.abs(unit[3]) < 0.1, 0, 1)
+            r += 1
         per_count = 1.0 / wp.float32(job.count)
         i = wp.int32(0)
         while i < length:
-            # Exact: the half keeps the quotient off the integers by more than float32 errs below 2^13.
             q = i
             sample = wp.uint32(0)
             if wp.static(not one_sample):
+                # Exact: the half keeps the quotient off the integers by more than float32 errs below 2^13.
                 q = wp.int32((wp.float32(start + i) + 0.5) * per_count)
                 sample = wp.uint32(start + i - q * count)
             v = sample_of(job.seed, point_id(job, wp.uint32(point) + wp.uint32(q)), sample, wp.uint32(count))
@@ -102,10 +113,9 @@ def direction_blocks(
             i += 1
         if wp.static(not one_sample):
             for p in range(span):
-                weight = weigh(active, p)
-                x = weight * normals[3 * p]
-                y = weight * normals[3 * p + 1]
-                z = weight * normals[3 * p + 2]
+                x = units[p]
+                y = units[stride + p]
+                z = units[2 * stride + p]
                 # A vector at a time, over what the next point overwrites and the rim of the buffer.
                 for m in range(wp.max(p * count - start, 0), wp.min((p + 1) * count - start, length), LANES):
                     at = wp.array(ptr=repeated.ptr + wp.uint64(4 * m), shape=(3 * stride,), dtype=wp.float32)
@@ -113,19 +123,11 @@ def direction_blocks(
                         at[k] = x
                         at[stride + k] = y
                         at[2 * stride + k] = z
-        rare = wp.int32(0)
         j = wp.int32(0)
         while j < length:
-            given = wp.vec3(0.0)
-            if wp.static(one_sample):
-                given = weigh(active, j) * wp.vec3(normals[3 * j], normals[3 * j + 1], normals[3 * j + 2])
-            else:
-                given = wp.vec3(repeated[j], repeated[stride + j], repeated[2 * stride + j])
-            unit = scaled_to_unit(given)
-            n = wp.vec3(unit[0], unit[1], unit[2])
+            n = wp.vec3(repeated[j], repeated[stride + j], repeated[2 * stride + j])
             d = about(n, wp.vec2(u[j] + 0.0, u[FLAT_BLOCK + j] + 0.0), job.parameters)
             store(vectors, pdf, j, d)
-            rare = rare | wp.where(wp.abs(unit[3]) < 0.1, 0, 1)
             if wp.static(redraws):
                 rare = rare | wp.where(d[3] < redraw_below, 1, 0)
             j += 1
