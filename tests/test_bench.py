@@ -4,6 +4,7 @@ import json
 import re
 import sys
 from itertools import chain
+from time import sleep
 
 import numpy as np
 import pytest
@@ -30,13 +31,21 @@ def lines_of(show, capsys, *found):
 # Timing
 
 
-def test_rounds_are_interleaved_and_each_timed_run_follows_one_of_its_kind():
+def test_rounds_are_interleaved_and_each_timed_run_follows_one_of_its_kind(monkeypatch):
+    monkeypatch.setattr(timing, "_WARM_UP", 0.0)
     calls = []
     cases = [timing.stopwatch(lambda: calls.append("a")), timing.stopwatch(lambda: calls.append("b"), warm=lambda: None)]
     times, beside = timing.interleave(cases, 2, reference=lambda: calls.append("r") or 1.0)
     assert calls == ["a", "a", "r", "b", "r"] * 2
     assert [len(t) for t in times] == [2, 2]
     assert beside == [[1.0, 1.0]] * 2
+
+
+def test_short_work_is_warmed_up_for_a_while(monkeypatch):
+    monkeypatch.setattr(timing, "_WARM_UP", 0.01)
+    calls = []
+    assert 0.0 < timing.stopwatch(lambda: calls.append(sleep(0.001)))() < 1.0
+    assert 2 <= len(calls) <= 11
 
 
 def test_beyond_the_budget_three_rounds_are_enough():

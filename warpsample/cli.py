@@ -19,7 +19,7 @@ app.add_typer(bench_app, name="bench")
 DISTRIBUTION_HELP = f"A name, or one with parameters as in 'beckmann(alpha=0.1)': {', '.join(distributions.names())}."
 _PIPE_WIDTH = 120  # of tables where there is no terminal to fit
 
-Repeats = Annotated[int, typer.Option(help="Timed runs of each case, each after an untimed one.", min=1)]
+Repeats = Annotated[int, typer.Option(help="Timed runs of each case, each after untimed ones.", min=1)]
 JsonFile = Annotated[Path | None, typer.Option(help="A file for machine, settings and every repeat.", show_default=False)]
 PlotFolder = Annotated[Path | None, typer.Option(help="A folder for pictures; made if need be.", show_default=False)]
 MeshFile = Annotated[Path, typer.Argument(help="Mesh file: .ply .obj .stl .off .glb .gltf .usd.", show_default=False)]
