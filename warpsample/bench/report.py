@@ -227,7 +227,7 @@ def _table(console: "Console", title: str, headings: Sequence[str], cells: Itera
 
     table = Table(title=title, box=SIMPLE, padding=(0, 1, 0, 0), title_justify="left")
     for i, text in enumerate(headings):
-        table.add_column(text, justify="left" if i == 0 else "right", no_wrap=True)
+        table.add_column(text, justify="left" if i == 0 else "right", overflow="fold")
     for row in cells:
         table.add_row(*row)
     console.print(table)
