@@ -11,6 +11,7 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import warp as wp
@@ -34,12 +35,7 @@ class Job:
 
 
 class Child:
-    """A child process with a job; a context that ends it.
-
-    Attributes:
-        failure: why there is no job, in a line; None if there is one.
-        missing: the module that is not installed, if that is why.
-    """
+    """A child process with a job; a context that ends it."""
 
     def __init__(self, builder: str, **arguments: Any):
         """`builder`: "module:function" that makes a `Job` of the arguments, which JSON must hold."""
@@ -47,9 +43,6 @@ class Child:
         self._process = subprocess.Popen(
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
         )
-        answer = self._read()
-        self.failure: str | None = answer.get("failure")
-        self.missing: str | None = answer.get("missing")
 
     def __enter__(self) -> "Child":
         """Nothing: it has started."""
@@ -60,6 +53,20 @@ class Child:
         with suppress(OSError):
             self._process.communicate()
 
+    @cached_property
+    def failure(self) -> str | None:
+        """Why there is no job, in a line; None if there is one. Waits until that is known."""
+        return self._start.get("failure")
+
+    @cached_property
+    def missing(self) -> str | None:
+        """The module that is not installed, if that is why."""
+        return self._start.get("missing")
+
+    @cached_property
+    def _start(self) -> dict[str, Any]:
+        return self._read()
+
     def run(self) -> float:
         """Runs the job and says how many seconds it took."""
         return self._ask("run")["seconds"]
@@ -69,6 +76,8 @@ class Child:
         return self._ask("report")
 
     def _ask(self, what: str) -> dict[str, Any]:
+        if self.failure is not None:
+            raise RuntimeError(self.failure)
         print(what, file=self._process.stdin, flush=True)
         return self._read()
 
