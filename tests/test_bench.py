@@ -194,6 +194,20 @@ def dying():
     os._exit(3)
 
 
+def mortal():
+    """A job that works once."""
+    import os
+
+    runs = []
+
+    def work():
+        runs.append(1)
+        if len(runs) > 1:
+            os._exit(4)
+
+    return child.Job(work, dict)
+
+
 def loud():
     """A job that prints."""
     return child.Job(lambda: sys.stdout.write("noise\n"), lambda: {"answer": 42})
@@ -217,6 +231,10 @@ def test_a_child_without_a_job_says_why(own_jobs):
         assert "No module named" in one.failure
     with child.Child("test_bench:dying") as one:
         assert one.failure == "its process ended with status 3"
+    with child.Child("test_bench:mortal") as one:
+        assert one.failure is None
+        with pytest.raises(RuntimeError, match="test_bench:mortal: its process ended with status 4"):
+            one.run()
 
 
 @pytest.fixture(scope="module")
@@ -256,6 +274,10 @@ def test_a_peer_with_another_mean_is_called_wrong():
     means["cosine"][0] += 5e-3
     wrong = peers._row("directions", "NumPy", 1, 2, seconds, {"library": "", "means": means})
     assert wrong.agrees is False
+    means["cosine"][0] = means["half-space"][0] = np.nan
+    assert peers._row("directions", "NumPy", 1, 2, seconds, {"library": "", "means": means}).agrees is False
+    means["cosine"][0] = 2.0 / 3.0
+    assert peers._row("directions", "NumPy", 1, 2, seconds, {"library": "", "means": means}).agrees is False
 
 
 def test_peer_tables_targets_and_pictures(peer_rows, capsys, tmp_path, monkeypatch):

@@ -129,8 +129,8 @@ def test_bad_normals_get_zero_vectors_a_status_and_a_count(distribution, count, 
     got = ws.sample_directions(normals, count, distribution, pdf=True)
     assert got.counts() == {ws.Status.OK: 996, ws.Status.ZERO_NORMAL: 2, ws.Status.NONFINITE_NORMAL: 2}
     assert got.status[[3, 4, 500, 999]].tolist() == [2, 3, 3, 2]
-    assert not got.vectors[got.status > 0].any()
-    assert not got.pdf[got.status > 0].any()
+    assert np.array_equal(got.vectors[got.status > 0], np.zeros((4, count, 3)))
+    assert np.array_equal(got.pdf[got.status > 0], np.zeros((4, count)))
     assert (got.pdf[got.status == 0] > 0).all()
 
 

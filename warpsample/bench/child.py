@@ -68,7 +68,11 @@ class Child:
         return self._read()
 
     def run(self) -> float:
-        """Runs the job and says how many seconds it took."""
+        """Runs the job and says how many seconds it took.
+
+        Raises:
+            RuntimeError: there is no job, or its process has ended.
+        """
         return self._ask("run")["seconds"]
 
     def report(self) -> dict[str, Any]:
@@ -78,8 +82,12 @@ class Child:
     def _ask(self, what: str) -> dict[str, Any]:
         if self.failure is not None:
             raise RuntimeError(self.failure)
-        print(what, file=self._process.stdin, flush=True)
-        return self._read()
+        with suppress(BrokenPipeError):  # then there is no answer either
+            print(what, file=self._process.stdin, flush=True)
+        answer = self._read()
+        if "failure" in answer:
+            raise RuntimeError(f"{self._process.args[-2]}: {answer['failure']}")
+        return answer
 
     def _read(self) -> dict[str, Any]:
         line = self._process.stdout.readline() if self._process.stdout else ""

@@ -4,11 +4,8 @@ None has an axis in common with the square's coordinates: a half-space along the
 Axes are float32 in the kernels; a rounded one moves a mean by 1e-7 at most.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 from math import cos, radians, sin, sqrt
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -125,19 +122,10 @@ INTEGRANDS = (
 
 
 def evaluate(integrand: Integrand, w: np.ndarray) -> np.ndarray:
-    """(N,) float32 of unit directions (N, 3) float32 in the local frame."""
-    return _map(integrand.function)(w)
-
-
-@cache
-def _map(function: wp.Function) -> Callable[[Any], np.ndarray]:
-    kernel = elementwise(with_parameters(function, wp.vec3, 0), 3, 1)
-
-    def call(w: Any) -> np.ndarray:
-        source = as_vectors(w, 3, "w")
-        target = new_vectors(source, source.shape, 1)
-        inputs = [source.count, FLAT_BLOCK, source.address, target.address, CosineHemisphere().kernel_parameters()]
-        run(kernel, -(-source.count // FLAT_BLOCK), inputs, source.device, check_workers(None), source.count)
-        return target.owner
-
-    return call
+    """(...) float32 of unit directions (..., 3) in the local frame."""
+    source = as_vectors(w, 3, "w")
+    target = new_vectors(source, source.shape, 1)
+    kernel = elementwise(with_parameters(integrand.function, wp.vec3, 0), 3, 1)
+    inputs = [source.count, FLAT_BLOCK, source.address, target.address, CosineHemisphere().kernel_parameters()]
+    run(kernel, -(-source.count // FLAT_BLOCK), inputs, source.device, check_workers(None), source.count)
+    return target.owner

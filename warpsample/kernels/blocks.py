@@ -5,15 +5,7 @@ from functools import cache
 import warp as wp
 
 from warpsample.kernels import FLAT_BLOCK
-from warpsample.kernels.job import (
-    DirectionJob,
-    normal_status,
-    point_id,
-    store_direction,
-    store_direction_and_pdf,
-    weigh_all,
-    weigh_by_mask,
-)
+from warpsample.kernels.job import DirectionJob, accessors, normal_status, point_id
 from warpsample.kernels.variates import LANES
 from warpsample.numerics import normalize, scaled_to_unit
 from warpsample.sequences.record import Sequence
@@ -36,8 +28,7 @@ def direction_blocks(
     Unit normals and variates first, as there. Unless each point has one sample, the normals are then repeated, pair by pair:
     a gather from an array that the stores might alias would keep the loop scalar.
     """
-    store = store_direction_and_pdf if with_pdf else store_direction
-    weigh = weigh_by_mask if masked else weigh_all
+    store, weigh = accessors(with_pdf, masked)
     redraws = redraw is not None
     stride = FLAT_BLOCK + LANES
     floats = 2 * FLAT_BLOCK + (3 if one_sample else 6) * stride

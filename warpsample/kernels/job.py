@@ -57,6 +57,11 @@ def weigh_all(active: wp.array[wp.uint8], i: wp.int32) -> wp.float32:
     return 1.0
 
 
+def accessors(with_pdf: bool, masked: bool) -> tuple[wp.Function, wp.Function]:
+    """(store, weigh) of a kernel that stores the density or does not, reads the mask or does not."""
+    return store_direction_and_pdf if with_pdf else store_direction, weigh_by_mask if masked else weigh_all
+
+
 @wp.struct
 class DirectionJob:
     """Scalars and addresses: normals (P, 3), vectors (P, count, 3), pdf (P, count) float32; status, active (P,) uint8.

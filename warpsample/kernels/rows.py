@@ -4,15 +4,7 @@ from functools import cache
 
 import warp as wp
 
-from warpsample.kernels.job import (
-    DirectionJob,
-    normal_status,
-    point_id,
-    store_direction,
-    store_direction_and_pdf,
-    weigh_all,
-    weigh_by_mask,
-)
+from warpsample.kernels.job import DirectionJob, accessors, normal_status, point_id
 from warpsample.kernels.variates import LANES, fill_variates
 from warpsample.numerics import scaled_to_unit
 from warpsample.sequences.record import Sequence
@@ -42,8 +34,7 @@ def direction_rows(
         masked: whether `active` is read.
         chunk: samples whose variates are computed ahead: CHUNK, or 1.
     """
-    store = store_direction_and_pdf if with_pdf else store_direction
-    weigh = weigh_by_mask if masked else weigh_all
+    store, weigh = accessors(with_pdf, masked)
     redraws = redraw is not None
     fill = fill_variates(sequence, chunk)
     lanes = min(LANES, chunk)
