@@ -18,6 +18,7 @@ ROOMS = [
     "mesh",
     "surface",
     "directions",
+    "tracing",
     "proof",
     "export",
     "bench",
@@ -29,6 +30,7 @@ UNRELATED = [
     ("distributions", "mesh"),
     ("mesh", "distributions"),
     ("surface", "distributions"),
+    ("tracing", "distributions"),
     ("plotting", "directions"),
 ]
 

@@ -19,12 +19,15 @@ from warpsample.distributions.visible_ggx import VisibleGGX
 from warpsample.distributions.von_mises_fisher import VonMisesFisher
 from warpsample.mesh import Mesh, MeshReport, as_mesh, load_mesh
 from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+from warpsample.tracing.scene import refit
+from warpsample.tracing.trace import Hits, trace
 
 __all__ = [
     "GGX",
     "Beckmann",
     "CosineHemisphere",
     "Directions",
+    "Hits",
     "Mesh",
     "MeshReport",
     "OffsetBall",
@@ -45,9 +48,11 @@ __all__ = [
     "distributions",
     "face_centers",
     "load_mesh",
+    "refit",
     "sample_directions",
     "sample_square",
     "sample_surface",
     "sequences",
+    "trace",
     "vertex_points",
 ]

@@ -1,0 +1,303 @@
+"""Which triangles go into which leaf and which leaves below which node, by the surface-area heuristic.
+
+Level by level, a task for each node: it starts as one range of triangles, and the child with the largest box is split in two
+until there are sixteen. Boxes are split where the binned heuristic says (Wald 2007, "On fast construction of SAH-based
+bounding volume hierarchies"), triangles counted by the sixteen, since that many cost as much as one.
+"""
+
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+import warp as wp
+
+from warpsample.engine import run
+from warpsample.tracing.layout import WIDTH
+
+BINS = 16
+_ALL_BINS = 3 * BINS
+_SAH_LEVELS = 14
+"""Deeper nodes halve their ranges by count, so that no arrangement of triangles makes the tree deeper than 22 nodes."""
+
+_LARGE = wp.constant(wp.float32(1e30))
+_MOST_BINS = wp.constant(wp.float32(0.9999 * BINS))
+_MOST_COST = wp.constant(wp.float32(3e38))
+
+
+@dataclass(frozen=True, eq=False)
+class Topology:
+    """A tree without boxes.
+
+    Attributes:
+        places: (nodes, 16) int32, what is below: a node's number, ~number of a leaf, or 0 for nothing.
+        levels: where each level starts among the nodes, and their number.
+        faces: (leaves, 16) int32, the faces of the mesh in a leaf; -1 where there are fewer.
+    """
+
+    places: np.ndarray
+    levels: list[int]
+    faces: np.ndarray
+
+
+def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
+    """The tree of triangles.
+
+    Args:
+        vertices: (V, 3) float32.
+        faces: (F, 3) int32, F below 2^31 - 16.
+        workers: threads.
+    """
+    cpu = wp.get_device("cpu")
+    count = len(faces)
+    lower, upper = np.empty((count, 4), np.float32), np.empty((count, 4), np.float32)
+    inputs = [a.ctypes.data for a in (vertices, faces, lower, upper)]
+    run(_triangle_boxes(), count, inputs, cpu, workers, 8 * count)
+    begins, ends = np.array([0], np.int32), np.array([count], np.int32)
+    places, leaf_begins, leaf_ends, levels = [], [], [], [0]
+    leaves = 0
+    while len(begins):
+        children = np.zeros((3, len(begins), WIDTH), np.int32)
+        by_area = int(len(levels) <= _SAH_LEVELS)
+        inputs = [a.ctypes.data for a in (lower, upper, begins, ends, *children)]
+        run(_split_nodes(), len(begins), [by_area, *inputs], cpu, workers, 128 * int((ends - begins).sum()))
+        begin, end, used = children
+        inner = end - begin > WIDTH
+        leaf = (used != 0) & ~inner
+        levels.append(levels[-1] + len(begins))
+        place = np.zeros(inner.shape, np.int32)
+        place[inner] = levels[-1] + np.arange(np.count_nonzero(inner))
+        place[leaf] = ~(leaves + np.arange(np.count_nonzero(leaf)))
+        leaves += np.count_nonzero(leaf)
+        places.append(place)
+        leaf_begins.append(begin[leaf])
+        leaf_ends.append(end[leaf])
+        begins, ends = begin[inner], end[inner]
+    begin, size = np.concatenate(leaf_begins), np.concatenate(leaf_ends) - np.concatenate(leaf_begins)
+    slots = np.arange(WIDTH)
+    kept = np.full((leaves, WIDTH), -1, np.int32)
+    filled = slots < size[:, None]
+    kept[filled] = lower[:, 3].view(np.int32)[(begin[:, None] + slots)[filled]]
+    return Topology(np.concatenate(places), levels, kept)
+
+
+@cache
+def _triangle_boxes() -> wp.Kernel:
+    """A kernel with a task for each triangle: its lower corner with the bits of its number, and its upper corner."""
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def triangle_boxes(vertices: wp.uint64, faces: wp.uint64, lower: wp.uint64, upper: wp.uint64, first_task: wp.int64):
+        i = wp.int32(first_task) + wp.tid()
+        corners = wp.array(ptr=faces, shape=(i + 1,), dtype=wp.vec3i)[i]
+        points = wp.array(ptr=vertices, shape=(1,), dtype=wp.vec3)
+        a = points[corners[0]]
+        b = points[corners[1]]
+        c = points[corners[2]]
+        low = wp.min(wp.min(a, b), c)
+        high = wp.max(wp.max(a, b), c)
+        lows = wp.array(ptr=lower, shape=(i + 1,), dtype=wp.vec4)
+        highs = wp.array(ptr=upper, shape=(i + 1,), dtype=wp.vec4)
+        lows[i] = wp.vec4(low[0], low[1], low[2], wp.cast(i, wp.float32))
+        highs[i] = wp.vec4(high[0], high[1], high[2], 0.0)
+
+    return triangle_boxes
+
+
+@wp.func
+def _xyz(v: wp.vec4) -> wp.vec3:
+    return wp.vec3(v[0], v[1], v[2])
+
+
+@wp.func
+def _half_area(low: wp.vec3, high: wp.vec3) -> wp.float32:
+    d = high - low
+    return d[0] * d[1] + d[1] * d[2] + d[2] * d[0]
+
+
+@wp.func
+def _passes(triangles: wp.int32) -> wp.float32:
+    """Leaves that many triangles fill."""
+    return wp.float32((triangles + WIDTH - 1) / WIDTH)
+
+
+@wp.func
+def _centres(lower: wp.array[wp.vec4], upper: wp.array[wp.vec4], begin: wp.int32, end: wp.int32):
+    """The box of the boxes' centres, times two."""
+    low = wp.vec3(_LARGE)
+    high = wp.vec3(-_LARGE)
+    for i in range(begin, end):
+        centre = _xyz(lower[i]) + _xyz(upper[i])
+        low = wp.min(low, centre)
+        high = wp.max(high, centre)
+    return low, high
+
+
+@wp.func
+def _put(
+    k: wp.int32, low: wp.vec3, high: wp.vec3, lows: wp.array[wp.vec3], highs: wp.array[wp.vec3], counts: wp.array[wp.int32]
+):
+    lows[k] = wp.min(lows[k], low)
+    highs[k] = wp.max(highs[k], high)
+    counts[k] = counts[k] + 1
+
+
+@wp.func
+def _fill_bins(
+    lower: wp.array[wp.vec4],
+    upper: wp.array[wp.vec4],
+    begin: wp.int32,
+    end: wp.int32,
+    start: wp.vec3,
+    scale: wp.vec3,
+    lows: wp.array[wp.vec3],
+    highs: wp.array[wp.vec3],
+    counts: wp.array[wp.int32],
+):
+    for k in range(_ALL_BINS):
+        lows[k] = wp.vec3(_LARGE)
+        highs[k] = wp.vec3(-_LARGE)
+        counts[k] = 0
+    for i in range(begin, end):
+        low = _xyz(lower[i])
+        high = _xyz(upper[i])
+        bin = wp.cw_mul(low + high - start, scale)
+        _put(wp.int32(bin[0]), low, high, lows, highs, counts)
+        _put(BINS + wp.int32(bin[1]), low, high, lows, highs, counts)
+        _put(2 * BINS + wp.int32(bin[2]), low, high, lows, highs, counts)
+
+
+@wp.func
+def _best_split(
+    triangles: wp.int32,
+    lows: wp.array[wp.vec3],
+    highs: wp.array[wp.vec3],
+    counts: wp.array[wp.int32],
+    right: wp.array[wp.float32],
+):
+    """(last bin of the left part among all axes' bins or -1, half areas of the left and of the right part)."""
+    best = wp.int32(-1)
+    least = wp.float32(_MOST_COST)
+    left_area = wp.float32(0.0)
+    right_area = wp.float32(0.0)
+    for axis in range(3):
+        first = axis * BINS
+        low = wp.vec3(_LARGE)
+        high = wp.vec3(-_LARGE)
+        for back in range(1, BINS):
+            k = first + BINS - back
+            low = wp.min(low, lows[k])
+            high = wp.max(high, highs[k])
+            right[k] = _half_area(low, high)
+        low = wp.vec3(_LARGE)
+        high = wp.vec3(-_LARGE)
+        count = wp.int32(0)
+        for k in range(first, first + BINS - 1):
+            low = wp.min(low, lows[k])
+            high = wp.max(high, highs[k])
+            count += counts[k]
+            if count > 0 and count < triangles:
+                area = _half_area(low, high)
+                cost = area * _passes(count) + right[k + 1] * _passes(triangles - count)
+                if cost < least:
+                    least = cost
+                    best = k
+                    left_area = area
+                    right_area = right[k + 1]
+    return best, left_area, right_area
+
+
+@wp.func
+def _partition(
+    lower: wp.array[wp.vec4],
+    upper: wp.array[wp.vec4],
+    begin: wp.int32,
+    end: wp.int32,
+    axis: wp.int32,
+    start: wp.float32,
+    scale: wp.float32,
+    last_bin: wp.int32,
+) -> wp.int32:
+    """Brings the triangles of the bins up to last_bin to the front; returns where the others begin."""
+    low = begin
+    high = end - 1
+    while low <= high:
+        a = lower[low]
+        b = upper[low]
+        if wp.int32((a[axis] + b[axis] - start) * scale) <= last_bin:
+            low += 1
+        else:
+            lower[low] = lower[high]
+            upper[low] = upper[high]
+            lower[high] = a
+            upper[high] = b
+            high -= 1
+    return low
+
+
+@cache
+def _split_nodes() -> wp.Kernel:
+    """A kernel with a task for each node of a level: the ranges of its children, and which of the sixteen there are."""
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def split_nodes(
+        by_area: wp.int32,
+        lower: wp.uint64,
+        upper: wp.uint64,
+        begins: wp.uint64,
+        ends: wp.uint64,
+        child_begins: wp.uint64,
+        child_ends: wp.uint64,
+        child_used: wp.uint64,
+        first_task: wp.int64,
+    ):
+        node = wp.int32(first_task) + wp.tid()
+        end = wp.array(ptr=ends, shape=(node + 1,), dtype=wp.int32)[node]
+        lows = wp.array(ptr=lower, shape=(end,), dtype=wp.vec4)
+        highs = wp.array(ptr=upper, shape=(end,), dtype=wp.vec4)
+        row = wp.uint64(node) * wp.uint64(4 * WIDTH)
+        begin_of = wp.array(ptr=child_begins + row, shape=(WIDTH,), dtype=wp.int32)
+        end_of = wp.array(ptr=child_ends + row, shape=(WIDTH,), dtype=wp.int32)
+        used = wp.array(ptr=child_used + row, shape=(WIDTH,), dtype=wp.int32)
+        area_of = wp.zeros(shape=(WIDTH,), dtype=wp.float32)
+        bin_lows = wp.zeros(shape=(_ALL_BINS,), dtype=wp.vec3)
+        bin_highs = wp.zeros(shape=(_ALL_BINS,), dtype=wp.vec3)
+        bin_counts = wp.zeros(shape=(_ALL_BINS,), dtype=wp.int32)
+        right = wp.zeros(shape=(_ALL_BINS,), dtype=wp.float32)
+        begin_of[0] = wp.array(ptr=begins, shape=(node + 1,), dtype=wp.int32)[node]
+        end_of[0] = end
+        used[0] = 1
+        children = wp.int32(1)
+        largest = wp.int32(0)
+        while children < WIDTH and largest >= 0:
+            largest = wp.int32(-1)
+            most = wp.float32(-1.0)
+            for k in range(children):
+                size = end_of[k] - begin_of[k]
+                weight = wp.where(by_area != 0, area_of[k], wp.float32(size))
+                if size > WIDTH and weight > most:
+                    most = weight
+                    largest = k
+            if largest >= 0:
+                b = begin_of[largest]
+                e = end_of[largest]
+                middle = b + (e - b) / 2
+                split = wp.int32(-1)
+                left_area = area_of[largest]
+                right_area = left_area
+                if by_area != 0:
+                    start, stop = _centres(lows, highs, b, e)
+                    extent = wp.max(stop - start, wp.vec3(1.0e-30))
+                    scale = wp.cw_div(wp.vec3(_MOST_BINS), extent)
+                    _fill_bins(lows, highs, b, e, start, scale, bin_lows, bin_highs, bin_counts)
+                    split, left_area, right_area = _best_split(e - b, bin_lows, bin_highs, bin_counts, right)
+                    if split >= 0:
+                        axis = split / BINS
+                        middle = _partition(lows, highs, b, e, axis, start[axis], scale[axis], split - axis * BINS)
+                end_of[largest] = middle
+                area_of[largest] = left_area
+                begin_of[children] = middle
+                end_of[children] = e
+                area_of[children] = right_area
+                used[children] = 1
+                children += 1
+
+    return split_nodes

@@ -1,0 +1,28 @@
+"""Queries of wp.Mesh, which is the tracer on CUDA and the second route on the CPU."""
+
+import warp as wp
+
+from warpsample.tracing.layout import CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, Accelerator
+
+
+@wp.func
+def prepare_builtin(chunk: wp.uint64):
+    """Nothing to prepare."""
+
+
+@wp.func
+def _vector(rows: wp.array[wp.float32], i: wp.int32) -> wp.vec3:
+    return wp.vec3(rows[i], rows[i + CHUNK], rows[i + 2 * CHUNK])
+
+
+@wp.func
+def builtin_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
+    """As `wide.wide_query`, always the nearest, since the built-in any-hit query tells no face. Visits are not known: 0."""
+    rows = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    query = wp.mesh_query_ray(accelerator.mesh, _vector(rows, ORIGIN), _vector(rows, DIRECTION), reach)
+    face = wp.int32(-1)
+    distance = wp.float32(wp.INF)
+    if query.result and query.t < reach:
+        face = query.face
+        distance = query.t
+    return distance, face, 0, 0

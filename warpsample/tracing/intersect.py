@@ -1,0 +1,228 @@
+"""A ray against the sixteen boxes of a node and the sixteen triangles of a leaf: the two hot loops, and what they need."""
+
+import warp as wp
+
+from warpsample.numerics import fma
+from warpsample.tracing.layout import CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, PREPARED, WIDTH
+
+_INVERSE, _SHIFT, _NEAR, _ORIGIN, _SHEAR, _AXES = (PREPARED + row * CHUNK for row in range(0, 18, 3))
+
+_ROW = wp.constant(wp.uint64(WIDTH * 4))
+_ROW_BYTES = wp.constant(wp.int32(WIDTH * 4))
+_UPPER = wp.constant(wp.uint64(3 * WIDTH * 4))
+_CORNERS = 9 * WIDTH
+_SECOND = wp.constant(wp.int32(3 * WIDTH))
+_THIRD = wp.constant(wp.int32(6 * WIDTH))
+_NO_HIT = wp.constant(wp.int32(0x7F800000))  # the bits of infinity: bits of floats above 0 are ordered as they are
+_CHILD = wp.constant(wp.int32(WIDTH - 1))
+_SLOWEST = wp.constant(wp.float32(2.0**-60))
+
+
+@wp.struct
+class Ray:
+    """What the loops over a node's and a leaf's rows need of a ray: a column of `prepare_wide`'s rows."""
+
+    inverse_x: wp.float32
+    inverse_y: wp.float32
+    inverse_z: wp.float32
+    shift_x: wp.float32
+    shift_y: wp.float32
+    shift_z: wp.float32
+    near_x: wp.uint64
+    near_y: wp.uint64
+    near_z: wp.uint64
+    origin_first: wp.float32
+    origin_second: wp.float32
+    origin_along: wp.float32
+    shear_first: wp.float32
+    shear_second: wp.float32
+    scale_along: wp.float32
+    first: wp.uint64
+    second: wp.uint64
+    along: wp.uint64
+
+
+# NumPy-like minimum and maximum ask for NaN; these are one instruction each. No NaN reaches them.
+@wp.func
+def _lesser(a: wp.float32, b: wp.float32) -> wp.float32:
+    return wp.where(a < b, a, b)
+
+
+@wp.func
+def _greater(a: wp.float32, b: wp.float32) -> wp.float32:
+    return wp.where(a > b, a, b)
+
+
+@wp.func
+def lowest_bit(mask: wp.int32) -> wp.int32:
+    """The number of the lowest bit that is set, in a mask that is not 0."""
+    return wp.bit_count((mask & (-mask)) - 1)
+
+
+@wp.func
+def _not_still(d: wp.float32) -> wp.float32:
+    """d, or a step so small along that axis that it cannot be seen, whose inverse is finite."""
+    return wp.where(wp.abs(d) > _SLOWEST, d, wp.copysign(_SLOWEST, d))
+
+
+@wp.func
+def _bytes(rows: wp.int32) -> wp.float32:
+    """An offset by that many rows, as float32 of the same bits."""
+    return wp.cast(rows * _ROW_BYTES, wp.float32)
+
+
+@wp.func
+def prepare_wide(chunk: wp.uint64):
+    """Fills the other rows of a chunk's rays, all at once.
+
+    A plane at x is met at x * inverse + shift. near: byte offset from an axis' lower row to that of the planes met first.
+    along, first, second: byte offset to the row of the direction's longest axis and to those of the other two, which are
+    sheared along it until the ray is that axis (Woop, Benthin, Wald 2013), and the origin's coordinates on these.
+    """
+    rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    k = wp.int32(0)
+    while k < CHUNK:
+        x = _not_still(rays[DIRECTION + k])
+        y = _not_still(rays[DIRECTION + CHUNK + k])
+        z = _not_still(rays[DIRECTION + 2 * CHUNK + k])
+        inverse_x = 1.0 / x
+        inverse_y = 1.0 / y
+        inverse_z = 1.0 / z
+        ox = rays[ORIGIN + k]
+        oy = rays[ORIGIN + CHUNK + k]
+        oz = rays[ORIGIN + 2 * CHUNK + k]
+        rays[_INVERSE + k] = inverse_x
+        rays[_INVERSE + CHUNK + k] = inverse_y
+        rays[_INVERSE + 2 * CHUNK + k] = inverse_z
+        rays[_SHIFT + k] = -ox * inverse_x
+        rays[_SHIFT + CHUNK + k] = -oy * inverse_y
+        rays[_SHIFT + 2 * CHUNK + k] = -oz * inverse_z
+        rays[_NEAR + k] = _bytes(wp.where(x < 0.0, 3, 0))
+        rays[_NEAR + CHUNK + k] = _bytes(wp.where(y < 0.0, 3, 0))
+        rays[_NEAR + 2 * CHUNK + k] = _bytes(wp.where(z < 0.0, 3, 0))
+        to_y = wp.abs(y) > wp.abs(x)
+        to_z = wp.abs(z) > _greater(wp.abs(x), wp.abs(y))
+        scale = wp.where(to_z, inverse_z, wp.where(to_y, inverse_y, inverse_x))
+        rays[_ORIGIN + k] = wp.where(to_z, ox, wp.where(to_y, oz, oy))
+        rays[_ORIGIN + CHUNK + k] = wp.where(to_z, oy, wp.where(to_y, ox, oz))
+        rays[_ORIGIN + 2 * CHUNK + k] = wp.where(to_z, oz, wp.where(to_y, oy, ox))
+        rays[_SHEAR + k] = -wp.where(to_z, x, wp.where(to_y, z, y)) * scale
+        rays[_SHEAR + CHUNK + k] = -wp.where(to_z, y, wp.where(to_y, x, z)) * scale
+        rays[_SHEAR + 2 * CHUNK + k] = scale
+        rays[_AXES + k] = _bytes(wp.where(to_z, 0, wp.where(to_y, 2, 1)))
+        rays[_AXES + CHUNK + k] = _bytes(wp.where(to_z, 1, wp.where(to_y, 0, 2)))
+        rays[_AXES + 2 * CHUNK + k] = _bytes(wp.where(to_z, 2, wp.where(to_y, 1, 0)))
+        k += 1
+
+
+@wp.func
+def _offset(bits: wp.float32) -> wp.uint64:
+    return wp.uint64(wp.cast(bits, wp.int32))
+
+
+@wp.func
+def ray_in(column: wp.uint64) -> Ray:
+    """The ray whose column begins at that address."""
+    rows = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    ray = Ray()
+    ray.inverse_x = rows[_INVERSE]
+    ray.inverse_y = rows[_INVERSE + CHUNK]
+    ray.inverse_z = rows[_INVERSE + 2 * CHUNK]
+    ray.shift_x = rows[_SHIFT]
+    ray.shift_y = rows[_SHIFT + CHUNK]
+    ray.shift_z = rows[_SHIFT + 2 * CHUNK]
+    ray.near_x = _offset(rows[_NEAR])
+    ray.near_y = _offset(rows[_NEAR + CHUNK])
+    ray.near_z = _offset(rows[_NEAR + 2 * CHUNK])
+    ray.origin_first = rows[_ORIGIN]
+    ray.origin_second = rows[_ORIGIN + CHUNK]
+    ray.origin_along = rows[_ORIGIN + 2 * CHUNK]
+    ray.shear_first = rows[_SHEAR]
+    ray.shear_second = rows[_SHEAR + CHUNK]
+    ray.scale_along = rows[_SHEAR + 2 * CHUNK]
+    ray.first = _offset(rows[_AXES])
+    ray.second = _offset(rows[_AXES + CHUNK])
+    ray.along = _offset(rows[_AXES + 2 * CHUNK])
+    return ray
+
+
+@wp.func
+def boxes_met(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
+    """(mask of the children whose boxes the ray meets within reach, the nearest of them; the farthest with flip = -1).
+
+    The boxes are larger than what is in them by more than all rounding here (`boxes.PADDING`).
+    """
+    near_x = wp.array(ptr=node + ray.near_x, shape=(WIDTH,), dtype=wp.float32)
+    near_y = wp.array(ptr=node + _ROW + ray.near_y, shape=(WIDTH,), dtype=wp.float32)
+    near_z = wp.array(ptr=node + _ROW + _ROW + ray.near_z, shape=(WIDTH,), dtype=wp.float32)
+    far_x = wp.array(ptr=node + _UPPER - ray.near_x, shape=(WIDTH,), dtype=wp.float32)
+    far_y = wp.array(ptr=node + _UPPER + _ROW - ray.near_y, shape=(WIDTH,), dtype=wp.float32)
+    far_z = wp.array(ptr=node + _UPPER + _ROW + _ROW - ray.near_z, shape=(WIDTH,), dtype=wp.float32)
+    mask = wp.int32(0)
+    best = wp.int32(_NO_HIT)
+    k = wp.int32(0)
+    while k < WIDTH:
+        enter_x = fma(near_x[k], ray.inverse_x, ray.shift_x)
+        enter_y = fma(near_y[k], ray.inverse_y, ray.shift_y)
+        enter_z = fma(near_z[k], ray.inverse_z, ray.shift_z)
+        leave_x = fma(far_x[k], ray.inverse_x, ray.shift_x)
+        leave_y = fma(far_y[k], ray.inverse_y, ray.shift_y)
+        leave_z = fma(far_z[k], ray.inverse_z, ray.shift_z)
+        enter = _greater(_greater(enter_x, enter_y), _greater(enter_z, 0.0))
+        leave = _lesser(_lesser(leave_x, leave_y), _lesser(leave_z, reach))
+        met = enter <= leave
+        # The child's number in the last bits of its distance: one minimum tells both.
+        key = ((wp.cast(enter, wp.int32) & (~_CHILD)) | k) ^ flip
+        best = wp.min(best, wp.where(met, key, _NO_HIT))
+        mask = mask | wp.where(met, 1 << k, 0)
+        k += 1
+    return mask, (best ^ flip) & _CHILD
+
+
+@wp.func
+def _edges(leaf: wp.uint64, k: wp.int32, ray: Ray):
+    """(u, v, w, t): of triangle k, seen along the ray: the edge functions, and their sum times its distance.
+
+    After Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection", without their second test in float64: rounding
+    is monotonic, so the sign of a difference of two rounded products is the exact one or 0. The two triangles at an edge
+    compute it from the same numbers, and 0 counts as inside of both: a ray at an edge meets at least one.
+    """
+    first = wp.array(ptr=leaf + ray.first, shape=(_CORNERS,), dtype=wp.float32)
+    second = wp.array(ptr=leaf + ray.second, shape=(_CORNERS,), dtype=wp.float32)
+    along = wp.array(ptr=leaf + ray.along, shape=(_CORNERS,), dtype=wp.float32)
+    az = along[k] - ray.origin_along
+    bz = along[_SECOND + k] - ray.origin_along
+    cz = along[_THIRD + k] - ray.origin_along
+    ax = fma(ray.shear_first, az, first[k] - ray.origin_first)
+    bx = fma(ray.shear_first, bz, first[_SECOND + k] - ray.origin_first)
+    cx = fma(ray.shear_first, cz, first[_THIRD + k] - ray.origin_first)
+    ay = fma(ray.shear_second, az, second[k] - ray.origin_second)
+    by = fma(ray.shear_second, bz, second[_SECOND + k] - ray.origin_second)
+    cy = fma(ray.shear_second, cz, second[_THIRD + k] - ray.origin_second)
+    u = cx * by - cy * bx
+    v = ax * cy - ay * cx
+    w = bx * ay - by * ax
+    return u, v, w, fma(u, az, fma(v, bz, w * cz)) * ray.scale_along
+
+
+@wp.func
+def triangles_met(leaf: wp.uint64, ray: Ray, reach: wp.float32) -> wp.int32:
+    """Mask of the leaf's triangles that the ray meets within reach."""
+    mask = wp.int32(0)
+    k = wp.int32(0)
+    while k < WIDTH:
+        u, v, w, t = _edges(leaf, k, ray)
+        sum = u + v + w
+        t = t * wp.copysign(1.0, sum)
+        inside = wp.where(_lesser(_lesser(u, v), w) >= 0.0, 1, 0) | wp.where(_greater(_greater(u, v), w) <= 0.0, 1, 0)
+        ahead = wp.where(t > 0.0, 1, 0) & wp.where(t < reach * wp.abs(sum), 1, 0)
+        mask = mask | wp.where((inside & ahead) != 0, 1 << k, 0)
+        k += 1
+    return mask
+
+
+@wp.func
+def triangle_distance(leaf: wp.uint64, ray: Ray, k: wp.int32) -> wp.float32:
+    """To a triangle that the ray meets."""
+    u, v, w, t = _edges(leaf, k, ray)
+    return t / (u + v + w)

@@ -1,0 +1,41 @@
+"""How a tree, a chunk of rays and the scratch space of a query lie in memory.
+
+Rows of sixteen float32 fill one AVX-512 register or two of AVX2:
+
+- a node is seven: the children's lower x, y, z, upper x, y, z, and their places: below 0 a leaf, ~place; 0 none;
+- a leaf is ten: x, y, z of its triangles' first corners, of the second, of the third, and the faces' numbers.
+"""
+
+import warp as wp
+
+WIDTH = 16
+"""Children of a node, triangles of a leaf."""
+
+NODE_BYTES = 7 * WIDTH * 4
+LEAF_BYTES = 10 * WIDTH * 4
+
+MOST_DEPTH = 24
+"""Nodes from the root to a leaf, at most; `build` keeps to it."""
+
+SCRATCH = 3 * MOST_DEPTH
+"""int32 words that a query needs: nodes that wait."""
+
+CHUNK = 64
+"""Rays that are prepared together: columns of rows of float32."""
+
+ORIGIN, DIRECTION, REACH, AHEAD, PREPARED = (row * CHUNK for row in (0, 3, 6, 7, 8))
+"""Where rows start: origin and unit direction, 3 each; reach; how far the ray came before its origin; the tracer's own."""
+
+CHUNK_FLOATS = PREPARED + 18 * CHUNK
+
+
+@wp.struct
+class Accelerator:
+    """Addresses of a tree's nodes and leaves, or the id of a wp.Mesh."""
+
+    nodes: wp.uint64
+    leaves: wp.uint64
+    mesh: wp.uint64
+
+
+AcceleratorJob = type(Accelerator().__ctype__())

@@ -1,0 +1,210 @@
+"""A user's rays, brought into the scene's own float32 coordinates one by one, asked, and answered in the user's."""
+
+from functools import cache
+
+import warp as wp
+
+from warpsample.numerics import scaled_to_unit
+from warpsample.tracing.layout import AHEAD, CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, REACH, SCRATCH, Accelerator
+
+_FURTHEST = wp.constant(wp.float64(1.5))
+_ENTRY = wp.constant(wp.float64(1.25))
+_ZERO = wp.constant(wp.float64(0.0))
+_ONE = wp.constant(wp.float64(1.0))
+_LEAST_STEP = wp.constant(wp.float64(1e-300))
+_FLOATS = wp.constant(wp.uint64(12))
+_DOUBLES = wp.constant(wp.uint64(24))
+
+
+@wp.struct
+class RayJob:
+    """Scalars and addresses of `points` origins with `count` directions each, float32, or float64 where it says so.
+
+    Optional, else 0: normals (P, 3) float32, unit, along which origins are moved by `offset` to the side of each direction;
+    order (P,) int64, in which the points are visited; visits (P, count, 2) int32, nodes and leaves. A point x of the user's
+    is (x - centre) * scale inside, where the mesh is within 1 of 0 on each axis; a distance t inside is t * unit.
+    """
+
+    points: wp.int64
+    count: wp.int64
+    double_origins: wp.int32
+    double_directions: wp.int32
+    origins: wp.uint64
+    directions: wp.uint64
+    normals: wp.uint64
+    order: wp.uint64
+    centre_x: wp.float64
+    centre_y: wp.float64
+    centre_z: wp.float64
+    scale: wp.float64
+    unit: wp.float64
+    reach: wp.float64
+    offset: wp.float32
+    distance: wp.uint64
+    face: wp.uint64
+    visits: wp.uint64
+
+
+Job = type(RayJob().__ctype__())
+
+
+@wp.func
+def _vector(address: wp.uint64, double: wp.int32, i: wp.int64) -> wp.vec3d:
+    if double != 0:
+        doubles = wp.array(ptr=address + wp.uint64(i) * _DOUBLES, shape=(1,), dtype=wp.vec3d)
+        return doubles[0]
+    floats = wp.array(ptr=address + wp.uint64(i) * _FLOATS, shape=(1,), dtype=wp.vec3)
+    v = floats[0]
+    return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
+
+
+@wp.func
+def _unit(d: wp.vec3d) -> wp.vec3d:
+    """d / abs(d); NaN where d is zero or not finite."""
+    scaled = d / wp.max(wp.max(wp.abs(d[0]), wp.abs(d[1])), wp.abs(d[2]))
+    return scaled / wp.sqrt(wp.dot(scaled, scaled))
+
+
+@wp.func
+def _entry(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
+    """How far a ray that starts outside is from a cube around the scene; negative where it misses that."""
+    enter = _ZERO
+    leave = wp.float64(wp.INF)
+    for axis in range(3):
+        step = wp.where(wp.abs(d[axis]) > _LEAST_STEP, d[axis], wp.copysign(_LEAST_STEP, d[axis]))
+        near = (-wp.copysign(_ENTRY, step) - o[axis]) / step
+        far = (wp.copysign(_ENTRY, step) - o[axis]) / step
+        enter = wp.max(enter, near)
+        leave = wp.min(leave, far)
+    return wp.where(enter < leave, enter, -_ONE)
+
+
+@wp.func
+def _point_of(job: RayJob, i: wp.int64) -> wp.int64:
+    if job.order == wp.uint64(0):
+        return i
+    order = wp.array(ptr=job.order + wp.uint64(i) * wp.uint64(8), shape=(1,), dtype=wp.int64)
+    return order[0]
+
+
+@wp.func
+def local_origin(job: RayJob, point: wp.int64) -> wp.vec3d:
+    """In the scene's coordinates. So far from the mesh's centre that they mattered, the digits go before float32 comes."""
+    return (_vector(job.origins, job.double_origins, point) - wp.vec3d(job.centre_x, job.centre_y, job.centre_z)) * job.scale
+
+
+@wp.func
+def _direction(job: RayJob, ray: wp.int64) -> wp.vec3:
+    """float32's as it is, float64's brought to unit length."""
+    if job.double_directions == 0:
+        floats = wp.array(ptr=job.directions + wp.uint64(ray) * _FLOATS, shape=(1,), dtype=wp.vec3)
+        return floats[0]
+    return wp.vec3(_unit(_vector(job.directions, 1, ray)))
+
+
+@wp.func
+def _read(job: RayJob, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.uint64):
+    """A ray from o into its column."""
+    d = _direction(job, ray)
+    ahead = _ZERO
+    if wp.max(wp.max(wp.abs(o[0]), wp.abs(o[1])), wp.abs(o[2])) > _FURTHEST:
+        unit = _unit(_vector(job.directions, job.double_directions, ray))
+        ahead = _entry(o, unit)
+        o = o + ahead * unit
+    x = wp.float32(o[0])
+    y = wp.float32(o[1])
+    z = wp.float32(o[2])
+    if job.normals != wp.uint64(0):
+        normal = wp.array(ptr=job.normals + wp.uint64(point) * _FLOATS, shape=(1,), dtype=wp.vec3)
+        n = normal[0]
+        away = wp.copysign(job.offset, wp.dot(n, d))
+        x += away * n[0]
+        y += away * n[1]
+        z += away * n[2]
+    rows = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    rows[ORIGIN] = x
+    rows[ORIGIN + CHUNK] = y
+    rows[ORIGIN + 2 * CHUNK] = z
+    rows[DIRECTION] = d[0]
+    rows[DIRECTION + CHUNK] = d[1]
+    rows[DIRECTION + 2 * CHUNK] = d[2]
+    rows[REACH] = wp.where(ahead < _ZERO, -1.0, wp.float32(job.reach - ahead))
+    rows[AHEAD] = wp.float32(ahead)
+
+
+@wp.func
+def _normalize(chunk: wp.uint64):
+    """Unit directions; NaN as the reach of what is no ray."""
+    rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    k = wp.int32(0)
+    while k < CHUNK:
+        unit = scaled_to_unit(wp.vec3(rays[DIRECTION + k], rays[DIRECTION + CHUNK + k], rays[DIRECTION + 2 * CHUNK + k]))
+        rays[DIRECTION + k] = unit[0]
+        rays[DIRECTION + CHUNK + k] = unit[1]
+        rays[DIRECTION + 2 * CHUNK + k] = unit[2]
+        # x - x is 0, or NaN where x is not finite.
+        nothing = (rays[k] - rays[k]) + (rays[CHUNK + k] - rays[CHUNK + k]) + (rays[2 * CHUNK + k] - rays[2 * CHUNK + k])
+        valid = wp.where(wp.abs(unit[3]) < 0.1, 1, 0) * wp.where(nothing == 0.0, 1, 0)
+        rays[REACH + k] = wp.where(valid != 0, rays[REACH + k], wp.float32(wp.NAN))
+        k += 1
+
+
+@cache
+def ray_kernel(prepare: wp.Function, query: wp.Function, counting: bool) -> wp.Kernel:
+    """A kernel with a task for each CHUNK rays, in the job's order.
+
+    Args:
+        prepare: (chunk): adds what the query needs.
+        query: (Accelerator, ray, reach, scratch) -> (distance, face, nodes, leaves) of one.
+        counting: whether to store nodes and leaves.
+    """
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def trace_rays(job: RayJob, accelerator: Accelerator, first_task: wp.int64):
+        words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
+        floats = wp.zeros(shape=(CHUNK_FLOATS,), dtype=wp.float32)
+        first = (first_task + wp.int64(wp.tid())) * wp.int64(CHUNK)
+        length = wp.int32(wp.min(wp.int64(CHUNK), job.points * job.count - first))
+        row = first / job.count
+        j = first - row * job.count
+        point = _point_of(job, row)
+        o = local_origin(job, point)
+        for k in range(length):
+            if j == wp.int64(0):
+                point = _point_of(job, row)
+                o = local_origin(job, point)
+            _read(job, point, o, point * job.count + j, floats.ptr + wp.uint64(4 * k))
+            j += wp.int64(1)
+            if j == job.count:
+                j = wp.int64(0)
+                row += wp.int64(1)
+        _normalize(floats.ptr)
+        prepare(floats.ptr)
+        row = first / job.count
+        j = first - row * job.count
+        for k in range(length):
+            ray = _point_of(job, row) * job.count + j
+            j += wp.int64(1)
+            if j == job.count:
+                j = wp.int64(0)
+                row += wp.int64(1)
+            distance = wp.float32(wp.INF)
+            face = wp.int32(-1)
+            column = floats.ptr + wp.uint64(4 * k)
+            rows = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+            reach = rows[REACH]
+            if reach > 0.0:
+                near, face, nodes, leaves = query(accelerator, column, reach, words.ptr)
+                distance = wp.float32((wp.float64(near) + wp.float64(rows[AHEAD])) * job.unit)
+                if counting:
+                    visits = wp.array(ptr=job.visits + wp.uint64(ray) * wp.uint64(8), shape=(2,), dtype=wp.int32)
+                    visits[0] = nodes
+                    visits[1] = leaves
+            elif not (reach <= 0.0):
+                distance = wp.float32(wp.NAN)
+            distances = wp.array(ptr=job.distance + wp.uint64(ray) * wp.uint64(4), shape=(1,), dtype=wp.float32)
+            faces = wp.array(ptr=job.face + wp.uint64(ray) * wp.uint64(4), shape=(1,), dtype=wp.int32)
+            distances[0] = distance
+            faces[0] = face
+
+    return trace_rays

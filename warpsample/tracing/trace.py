@@ -1,0 +1,232 @@
+"""The call `trace`: it checks, chooses the tracer, and gives back the kind of arrays it was given."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import inf, prod
+from numbers import Real
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample.arrays import Array, address_of
+from warpsample.engine import check_memory, check_workers, run
+from warpsample.mesh import Mesh, as_mesh, unit_or_zero
+from warpsample.surface import SurfacePoints
+from warpsample.tracing.builtin import builtin_query, prepare_builtin
+from warpsample.tracing.intersect import prepare_wide
+from warpsample.tracing.layout import CHUNK, AcceleratorJob
+from warpsample.tracing.order import order_of
+from warpsample.tracing.rays import Job, ray_kernel
+from warpsample.tracing.scene import Scene, scene_of
+from warpsample.tracing.wide import wide_query
+
+TRACERS = ("wide", "warp")
+"""The 16-wide tree, on the CPU; wp.Mesh, anywhere."""
+
+_SPACINGS = 16.0  # of float32 at 1: rounding the point, its face's corners and what the test makes of them is about 4
+_RAY_WORK = 64  # directions that take as long to sample
+_DOUBLE = {np.float32: False, np.float64: True, wp.vec3: False, wp.vec3d: True, wp.float32: False, wp.float64: True}
+
+
+@dataclass(frozen=True, eq=False)
+class Hits:
+    """What rays met; NumPy or Warp arrays, as the rays were.
+
+    Attributes:
+        distance: float32, one for each ray, in units of the mesh's coordinates: to the nearest face, or with any_hit to some
+            face; inf where there is none; NaN where the ray is none (see `invalid`).
+        face: int32, the number of that face, -1 where there is none.
+        tracer: "wide" or "warp".
+    """
+
+    distance: Array
+    face: Array
+    tracer: str
+
+    @cached_property
+    def invalid(self) -> int:
+        """How many rays have a zero direction, or an origin or a direction that is not finite."""
+        distance = self.distance.numpy() if isinstance(self.distance, wp.array) else self.distance
+        return int(np.count_nonzero(np.isnan(distance)))
+
+
+def trace(
+    mesh: Any,
+    origins: Any,
+    directions: Any,
+    max_distance: float | None = None,
+    any_hit: bool = False,
+    tracer: str = "auto",
+    workers: int | None = None,
+) -> Hits:
+    """The faces that rays meet, seen from either side.
+
+    A ray on an edge meets at least one of the faces there. Which rays are together and how many threads there are changes no
+    bit of the answers. The tree is built at the first call and kept while the Mesh lives: to trace again, pass a Mesh (see
+    `as_mesh`), not vertices and faces. The first call ever compiles for about 6 s; compiled kernels are cached on disk.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes.
+        origins: (P, 3) float32 or float64, in the coordinates of the mesh; or (3,), one for all rays; or SurfacePoints,
+            which are moved off their face, to the side of each direction, by a millionth of the mesh's size. Others are
+            taken as they are; a face at distance 0 is not met, but rounding may bring it in front.
+        directions: (P, 3), one for each origin, or (P, n, 3), n for each; of any length.
+        max_distance: meets only what is nearer, in units of the coordinates.
+        any_hit: whether some face is enough: up to twice as fast.
+        tracer: "wide", "warp" (wp.Mesh) or "auto": wide on the CPU.
+        workers: threads on the CPU, all cores by default.
+
+    Returns:
+        distance and face, of the directions' shape without the last axis.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free.
+    """
+    mesh, workers = as_mesh(mesh), check_workers(workers)
+    start = _Triples.of(origins.position if isinstance(origins, SurfacePoints) else origins, "origins", "(P, 3) or (3,)")
+    way = _Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
+    if way.shape[: len(start.shape)] != start.shape or len(way.shape) - len(start.shape) > 1:
+        raise ValueError(
+            f"directions: got shape {(*way.shape, 3)}, want {(*start.shape, 3)} or {(*start.shape, 'n', 3)}, "
+            "as there are origins"
+        )
+    if start.device != way.device or isinstance(start.owner, wp.array) != isinstance(way.owner, wp.array):
+        raise ValueError(
+            f"directions: got a {type(way.owner).__name__} on {way.device}, "
+            f"want a {type(start.owner).__name__} on {start.device}, as the origins are"
+        )
+    reach = _check_reach(max_distance)
+    name = _check_tracer(tracer, way.device)
+    normals = _surface_normals(mesh, origins) if isinstance(origins, SurfacePoints) else None
+    rays = prod(way.shape)
+    if way.device.is_cpu:
+        check_memory(8 * rays, f"the hits of {rays:,} rays", "trace them in parts")
+    distance, face = way.empty(np.float32), way.empty(np.int32)
+    if rays > 0:
+        scene = scene_of(mesh)
+        job = _job(scene, start, way, reach, distance, face)
+        if normals is not None:
+            job.normals, job.offset = normals.ctypes.data, _offset(scene, start.owner)
+        answer(scene, job, name, any_hit, way.device, workers)
+    return Hits(distance, face, name)
+
+
+def answer(scene: Scene, job: Job, tracer: str, any_hit: bool, device: wp.Device, workers: int) -> None:
+    """Runs a job.
+
+    Args:
+        scene: what its rays are traced against.
+        job: without order; counts what is visited if it says where.
+        tracer: "wide" or "warp".
+        any_hit: whether some face is enough.
+        device: where the job's addresses are.
+        workers: threads.
+    """
+    if tracer == "wide":
+        tree = scene.tree(workers)
+        kernel, accelerator = ray_kernel(prepare_wide, wide_query(bool(any_hit)), bool(job.visits)), tree.accelerator()
+    else:
+        kernel, accelerator = ray_kernel(prepare_builtin, builtin_query, False), scene.builtin(device)
+    run_rays(kernel, accelerator, job, device, workers)
+
+
+def run_rays(kernel: wp.Kernel, accelerator: AcceleratorJob, job: Job, device: wp.Device, workers: int) -> None:
+    """Runs a job's rays, in an order that keeps near ones together."""
+    rays = job.points * job.count
+    order = order_of(job, workers) if device.is_cpu else None
+    job.order = 0 if order is None else order.ctypes.data
+    run(kernel, -(-rays // CHUNK), [job, accelerator], device, workers, _RAY_WORK * rays)
+
+
+@dataclass(frozen=True, eq=False)
+class _Triples:
+    """An array of points or directions, as it is given: float32 or float64."""
+
+    owner: Array
+    shape: tuple[int, ...]
+    double: bool
+    device: wp.Device
+
+    @classmethod
+    def of(cls, value: Any, argument: str, shape: str) -> "_Triples":
+        if isinstance(value, wp.array):
+            vectors = value.dtype in (wp.vec3, wp.vec3d)
+            if value.dtype not in _DOUBLE or not (vectors or value.shape[-1] == 3):
+                raise TypeError(
+                    f"{argument}: got a wp.array of {value.dtype.__name__} with shape {value.shape}, "
+                    "want vec3, vec3d, or float32 or float64 with a last axis of 3"
+                )
+            if not value.is_contiguous:
+                raise ValueError(f"{argument}: got a wp.array that is not contiguous, want a contiguous one")
+            return cls(value, value.shape if vectors else value.shape[:-1], _DOUBLE[value.dtype], value.device)
+        array = np.asarray(value)
+        if array.dtype not in (np.float32, np.float64):
+            raise TypeError(f"{argument}: got dtype {array.dtype}, want float32 or float64")
+        if array.ndim == 0 or array.shape[-1] != 3:
+            raise ValueError(f"{argument}: got shape {array.shape}, want {shape}")
+        return cls(np.ascontiguousarray(array), array.shape[:-1], _DOUBLE[array.dtype.type], wp.get_device("cpu"))
+
+    def empty(self, dtype: Any) -> Array:
+        """Uninitialised numbers, one for each vector, of the same kind and in the same place."""
+        if isinstance(self.owner, wp.array):
+            return wp.empty(self.shape, dtype=wp.dtype_from_numpy(dtype), device=self.device)
+        return np.empty(self.shape, dtype)
+
+
+def _job(scene: Scene, start: _Triples, way: _Triples, reach: float, distance: Array, face: Array) -> Job:
+    points = prod(start.shape)
+    return Job(
+        points=points,
+        count=prod(way.shape) // points,
+        double_origins=start.double,
+        double_directions=way.double,
+        origins=address_of(start.owner),
+        directions=address_of(way.owner),
+        centre_x=scene.centre[0],
+        centre_y=scene.centre[1],
+        centre_z=scene.centre[2],
+        scale=scene.scale,
+        unit=1.0 / scene.scale,
+        reach=reach * scene.scale,
+        distance=address_of(distance),
+        face=address_of(face),
+    )
+
+
+def _check_reach(max_distance: Any) -> float:
+    if max_distance is None:
+        return inf
+    wants = "a number of at least 0, or None"
+    if not isinstance(max_distance, Real) or isinstance(max_distance, bool):
+        raise TypeError(f"max_distance: got {max_distance!r}, want {wants}")
+    if not max_distance >= 0.0:
+        raise ValueError(f"max_distance: got {max_distance!r}, want {wants}")
+    return float(max_distance)
+
+
+def _check_tracer(tracer: Any, device: wp.Device) -> str:
+    if tracer not in ("auto", *TRACERS):
+        raise ValueError(f"tracer: got {tracer!r}, want one of auto, {', '.join(TRACERS)}")
+    if tracer == "wide" and not device.is_cpu:
+        raise ValueError(f"tracer: got 'wide' for rays on {device}, want 'warp' or 'auto': the wide tree is for the CPU")
+    return tracer if tracer != "auto" else ("wide" if device.is_cpu else "warp")
+
+
+def _surface_normals(mesh: Mesh, points: SurfacePoints) -> np.ndarray:
+    """(P, 3) float32, unit or zero: the faces', and the points' own where they lie on none."""
+    face = np.asarray(points.face)
+    if face.size and not (face.min() >= -1 and face.max() < len(mesh.faces)):
+        raise ValueError(
+            f"origins: got points on faces {face.min()} to {face.max()}, want -1 (none) to {len(mesh.faces) - 1}, the mesh's"
+        )
+    own = unit_or_zero(np.nan_to_num(np.asarray(points.normal, np.float64)))
+    return np.where(face[:, None] >= 0, mesh.face_normals[face], own)
+
+
+def _offset(scene: Scene, position: np.ndarray) -> float:
+    """How far surface points are moved off, in the scene's coordinates; more where the positions are coarser themselves."""
+    largest = np.nanmax(np.abs(position), initial=0.0)
+    own = 2.0 * float(np.spacing(position.dtype.type(largest))) if np.isfinite(largest) else 0.0
+    return _SPACINGS * 2.0**-24 + own * scene.scale

@@ -1,0 +1,119 @@
+"""Queries of the tree: nodes are followed from the mask of the boxes that a ray meets; what is left of a mask waits."""
+
+from functools import cache
+
+import warp as wp
+
+from warpsample.tracing.intersect import Ray, boxes_met, lowest_bit, ray_in, triangle_distance, triangles_met
+from warpsample.tracing.layout import LEAF_BYTES, NODE_BYTES, WIDTH, Accelerator
+
+_NODE = wp.constant(wp.uint64(NODE_BYTES))
+_LEAF = wp.constant(wp.uint64(LEAF_BYTES))
+_PLACES = wp.constant(wp.uint64(6 * WIDTH * 4))
+_FACES = wp.constant(wp.uint64(9 * WIDTH * 4))
+_WAITING = wp.constant(wp.uint64(3 * 4))
+
+
+@wp.func
+def _nearest(leaf: wp.uint64, ray: Ray, reach: wp.float32):
+    """(distance, place in the leaf) of the nearest triangle met; (reach, -1) if there is none."""
+    met = triangles_met(leaf, ray, reach)
+    nearest = wp.int32(-1)
+    while met != 0:
+        triangle = lowest_bit(met)
+        met = met & (met - 1)
+        distance = triangle_distance(leaf, ray, triangle)
+        if distance < reach:
+            reach = distance
+            nearest = triangle
+    return reach, nearest
+
+
+@wp.func
+def _put_aside(top: wp.uint64, node: wp.int32, mask: wp.int32, reach: wp.float32) -> wp.uint64:
+    waiting = wp.array(ptr=top, shape=(3,), dtype=wp.int32)
+    waiting[0] = node
+    waiting[1] = mask
+    waiting[2] = wp.cast(reach, wp.int32)
+    return top + _WAITING
+
+
+@wp.func
+def _take_up(nodes: wp.uint64, ray: Ray, reach: wp.float32, top: wp.uint64, bottom: wp.uint64):
+    """(node, mask, top): the last node that waits and the children within reach by now; mask 0 if none is left."""
+    node = wp.int32(0)
+    mask = wp.int32(0)
+    while mask == 0 and top != bottom:
+        top -= _WAITING
+        waiting = wp.array(ptr=top, shape=(3,), dtype=wp.int32)
+        node = waiting[0]
+        mask = waiting[1]
+        if waiting[2] != wp.cast(reach, wp.int32):
+            still, _ = boxes_met(nodes + wp.uint64(node) * _NODE, ray, reach, 0)
+            mask = mask & still
+    return node, mask, top
+
+
+@cache
+def wide_query(any_hit: bool) -> wp.Function:
+    """A query (Accelerator, ray, reach, scratch) -> (distance or inf, face or -1, nodes, leaves visited).
+
+    In the tree's coordinates; origins are within 1.5 of 0 on each axis, reaches above 0. `ray` is the address of a column
+    of a prepared chunk's rows, `scratch` that of SCRATCH words.
+
+    Args:
+        any_hit: stops at the first triangle found, not the nearest. Of several children the farthest is visited first: near
+            the surface that a ray leaves from it meets many boxes and no triangle.
+    """
+    flip = -1 if any_hit else 0
+
+    @wp.func
+    def wide_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
+        ray = ray_in(column)
+        hit = wp.int32(-1)
+        hit_leaf = wp.uint64(0)
+        top = scratch
+        visited = wp.int32(1)
+        visited_leaves = wp.int32(0)
+        node = wp.int32(0)
+        mask, child = boxes_met(accelerator.nodes, ray, reach, flip)
+        while mask != 0:
+            mask = mask & (~(1 << child))
+            here = accelerator.nodes + wp.uint64(node) * _NODE
+            places = wp.array(ptr=here + _PLACES, shape=(WIDTH,), dtype=wp.int32)
+            place = places[child]
+            below = wp.int32(0)
+            if place < 0:
+                visited_leaves += 1
+                leaf = accelerator.leaves + wp.uint64(~place) * _LEAF
+                reach, triangle = _nearest(leaf, ray, reach)
+                if triangle >= 0:
+                    hit = triangle
+                    hit_leaf = leaf
+                    if any_hit:
+                        mask = 0
+                        top = scratch
+                    if mask != 0:
+                        still, child = boxes_met(here, ray, reach, flip)
+                        mask = mask & still
+            else:
+                visited += 1
+                below, child = boxes_met(accelerator.nodes + wp.uint64(place) * _NODE, ray, reach, flip)
+                if below != 0:
+                    if mask != 0:
+                        top = _put_aside(top, node, mask, reach)
+                    node = place
+                    mask = below
+            if below == 0:
+                if mask == 0:
+                    node, mask, top = _take_up(accelerator.nodes, ray, reach, top, scratch)
+                child = lowest_bit(mask)
+        face = wp.int32(-1)
+        nearest = wp.float32(wp.INF)
+        if hit >= 0:
+            faces = wp.array(ptr=hit_leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)
+            face = faces[hit]
+            nearest = reach
+        return nearest, face, visited, visited_leaves
+
+    return wide_query
