@@ -174,6 +174,31 @@ def bench_scaling(
     _draw(plot, lambda caption: plots.draw_scaling(rows, caption))
 
 
+@bench_app.command("rays")
+@fail_plainly()
+def bench_rays(
+    scene: Annotated[list[str] | None, typer.Option(help="Only this one; may be repeated.", show_default=False)] = None,
+    rays: Annotated[int, typer.Option(help="Rays of a set.", min=64)] = 131_072,
+    repeats: Repeats = 5,
+    json: JsonFile = None,
+    plot: PlotFolder = None,
+) -> None:
+    """Rays a second against wp.Mesh, Embree and Open3D: five meshes, four kinds of rays, any and nearest hit, builds."""
+    from warpsample.bench import plots, report, scenes  # noqa: PLC0415
+    from warpsample.bench import rays as bench  # noqa: PLC0415
+    from warpsample.registry import look_up  # noqa: PLC0415
+
+    _check_bench(json, plot)
+    names = scene or list(scenes.SCENES)
+    for name in names:
+        look_up(scenes.SCENES, name, "scene")
+    measured = list(_with_progress(bench.measure(names, rays, repeats), len(names), "measuring"))
+    rows, builds = ([row for part in measured for row in getattr(part, name)] for name in ("rows", "builds"))
+    report.show_rays(_console(), rows, builds, measured[0].missing)
+    _keep(json, "bench rays", {"scenes": names, "rays": rays, "repeats": repeats, "seed": 0}, rows=rows, builds=builds)
+    _draw(plot, lambda caption: plots.draw_rays(rows, caption))
+
+
 def _check_bench(json: Path | None, plot: Path | None) -> None:
     if json is not None and not json.resolve().parent.is_dir():
         raise ValueError(f"--json: got {str(json)!r}, whose folder does not exist")

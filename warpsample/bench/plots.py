@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from warpsample.bench import directions, error, peers, scaling
+from warpsample.bench import directions, error, peers, rays, scaling
 from warpsample.bench.directions import short_name
 from warpsample.export import complete_or_absent
 
@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _OURS, _THEIRS, _CEILING = "#2f6690", "#b9b4a7", "black"
+_TRACERS = {"wide": _OURS, "wp.Mesh": "#5b8e3e", "Embree": "#d1495b", "Open3D": _THEIRS}
 _COLOURS = {
     "sobol": "#2f6690",
     "fibonacci": "#d1495b",
@@ -153,6 +154,28 @@ def draw_scaling(rows: list[scaling.Row], caption: str) -> dict[str, "Figure"]:
     return {"scaling": figure}
 
 
+def draw_rays(rows: list[rays.Row], caption: str) -> dict[str, "Figure"]:
+    """Bars of rays a second on one thread, a plot to each scene and query, a group to each kind of rays."""
+    from matplotlib.figure import Figure  # noqa: PLC0415
+
+    scenes = list(dict.fromkeys((row.scene, row.triangles) for row in rows))
+    tools, kinds = (list(dict.fromkeys(getattr(row, name) for row in rows)) for name in ("tool", "kind"))
+    figure = Figure(figsize=(3.0 * len(scenes) + 1.0, 6.5), layout="constrained")
+    grid = figure.subplots(2, len(scenes), sharey="row", squeeze=False)
+    for axes_of, any_hit in zip(grid, (True, False), strict=True):
+        for axes, (scene, triangles) in zip(axes_of, scenes, strict=True):
+            for k, tool in enumerate(tools):
+                mine = [r for r in rows if (r.scene, r.any_hit, r.tool, r.workers) == (scene, any_hit, tool, 1)]
+                places = [i + 0.2 * (k - len(tools) / 2 + 0.5) for i in range(len(mine))]
+                _bars(axes, places, mine, _TRACERS[tool], tool, 0.18)
+            axes.set_xticks(range(len(kinds)), kinds, fontsize=8)
+            axes.set_title(f"{scene.split(',')[0]}, {triangles:,} triangles", fontsize=9)
+        axes_of[0].set_ylabel(f"{'any' if any_hit else 'nearest'} hit, million rays a second")
+    figure.legend(*grid[0][0].get_legend_handles_labels(), loc="outside upper center", ncols=4, frameon=False)
+    figure.supxlabel(f"one thread; bars to the middle half of the repeats\n{caption}", fontsize=8)
+    return {"rays": figure}
+
+
 def _figure(caption: str, width: float, height: float) -> tuple["Figure", "Axes"]:
     from matplotlib.figure import Figure  # noqa: PLC0415
 
@@ -161,8 +184,8 @@ def _figure(caption: str, width: float, height: float) -> tuple["Figure", "Axes"
     return figure, figure.subplots()
 
 
-def _bars(axes: "Axes", places: Sequence[float], rows: Sequence[Any], colour: str, label: str) -> None:
-    axes.bar(places, [row.million_per_second.median for row in rows], width=0.12, color=colour, label=label)
+def _bars(axes: "Axes", places: Sequence[float], rows: Sequence[Any], colour: str, label: str, width: float = 0.12) -> None:
+    axes.bar(places, [row.million_per_second.median for row in rows], width=width, color=colour, label=label)
     for x, row in zip(places, rows, strict=True):
         axes.plot([x, x], [row.million_per_second.low, row.million_per_second.high], color="black", linewidth=0.8)
 

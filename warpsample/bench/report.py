@@ -7,7 +7,7 @@ from math import log10
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from warpsample.bench import directions, error, peers, scaling
+from warpsample.bench import directions, error, peers, rays, scaling
 from warpsample.bench.machine import machine
 from warpsample.bench.startup import Startup
 from warpsample.bench.timing import Spread
@@ -219,6 +219,56 @@ def show_scaling(console: "Console", rows: list[scaling.Row]) -> None:
             if row.axis == axis
         ]
         _table(console, f"By {axis}", ["points", "samples", "workers", "ns per direction", "peak memory, MB"], cells)
+
+
+def show_rays(console: "Console", rows: list[rays.Row], builds: list[rays.Build], missing: dict[str, str]) -> None:
+    """A table for each query, and one of builds."""
+    heading(console, f"The same rays by each tool, taking turns: {_SPREAD}.")
+    everyone = max(row.workers for row in rows)
+    found = {(row.scene, row.kind, row.any_hit, row.tool, row.workers): row for row in rows}
+    sets = dict.fromkeys((row.scene, row.triangles, row.kind) for row in rows)
+    others = [tool for tool in dict.fromkeys(row.tool for row in rows) if tool != "wide"]
+    for any_hit, query in ((True, "any hit"), (False, "nearest hit")):
+        cells = []
+        for scene, triangles, kind in sets:
+            alone, together = (found[scene, kind, any_hit, "wide", workers] for workers in (1, everyone))
+            theirs = [found[scene, kind, any_hit, tool, 1] for tool in others]
+            cells.append(
+                [
+                    f"{triangles:,} {kind}",
+                    f"{100 * alone.hit:.0f}",
+                    _figure(alone.million_per_second.median),
+                    _figure(Spread.of_ratios(alone.seconds, together.seconds).median),
+                    *(_spread(Spread.of_ratios(row.seconds, alone.seconds)) for row in theirs),
+                    f"{alone.nodes:.1f}, {alone.leaves:.1f}",
+                    f"{max((row.differ for row in theirs), default=0):,}",
+                ]
+            )
+        title = f"{query}: wide, million rays a second, 1 worker; times as fast as each tool on 1 thread"
+        headings = [
+            "triangles, rays",
+            "hit %",
+            "M/s",
+            f"by {everyone}",
+            *(f"/ {tool}" for tool in others),
+            "visits",
+            "differ",
+        ]
+        _table(console, title, headings, cells)
+    console.print(
+        f"by {everyone}: times as fast by {everyone} workers. visits: nodes and leaves of a ray, on average. differ: of "
+        f"{max(row.rays for row in rows):,} rays, those of which some tool says otherwise whether they hit.\n"
+    )
+    tools = dict.fromkeys((build.tool, build.workers) for build in builds)
+    times = {(build.scene, build.tool, build.workers): build.milliseconds for build in builds}
+    cells = [
+        [f"{triangles:,}", *(_spread(times[scene, tool, workers]) for tool, workers in tools)]
+        for scene, triangles in dict.fromkeys((build.scene, build.triangles) for build in builds)
+    ]
+    headings = ["triangles", *(f"{tool} ({workers})" if workers else tool for tool, workers in tools)]
+    _table(console, "Building, milliseconds (workers)", headings, cells)
+    for tool, remedy in missing.items():
+        console.print(f"{tool}: {remedy}")
 
 
 def _table(console: "Console", title: str, headings: Sequence[str], cells: Iterable[Sequence[str]]) -> None:

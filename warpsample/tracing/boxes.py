@@ -11,11 +11,12 @@ from warpsample.engine import run
 from warpsample.tracing.build import Topology
 from warpsample.tracing.layout import LEAF_BYTES, NODE_BYTES, WIDTH, AcceleratorJob
 
-PADDING = 2.0**-19
-"""By which boxes are larger than what is in them, on each side; the mesh is within 1 of 0, ray origins within 1.5.
+PADDING = 2.0**-17
+"""By which boxes are larger than what is in them, on each side; the mesh is within 1 of 0, ray origins within 6.
 
-A plane's distance is rounded in the direction's inverse, in its product with the origin and in the sum: by 2^-24 of 2.5, 1.5
-and 2.5, seen along the axis less than 2^-21. A triangle is met up to 2^-20 beside itself, by the same count.
+A plane's distance is rounded in the direction's inverse, in its product with the origin and in the sum: by 2^-24 of 7, 6 and
+7, seen along the axis. A corner of a triangle is rounded by 2^-24 of 7 in each of three steps, so a triangle is met that far
+beside itself. Together that is 2^-18.6.
 """
 
 _PADDING = wp.constant(wp.float32(PADDING))

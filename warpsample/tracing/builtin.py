@@ -26,3 +26,15 @@ def builtin_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32
         face = query.face
         distance = query.t
     return distance, face, 0, 0
+
+
+@wp.func
+def builtin_any_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
+    """Whether anything is met: distance 0 and face 0 if so, inf and -1 if not; the built-in query tells no more."""
+    rows = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    face = wp.int32(-1)
+    distance = wp.float32(wp.INF)
+    if wp.mesh_query_ray_anyhit(accelerator.mesh, _vector(rows, ORIGIN), _vector(rows, DIRECTION), reach):
+        face = 0
+        distance = 0.0
+    return distance, face, 0, 0

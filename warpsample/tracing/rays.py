@@ -7,11 +7,14 @@ import warp as wp
 from warpsample.numerics import scaled_to_unit
 from warpsample.tracing.layout import AHEAD, CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, REACH, SCRATCH, Accelerator
 
-_FURTHEST = wp.constant(wp.float64(1.5))
+FURTHEST = 6.0
+"""From 0 on an axis; origins beyond come nearer first, in float64, so that float32 resolves the mesh."""
+
+_FURTHEST = wp.constant(wp.float64(FURTHEST))
 _ENTRY = wp.constant(wp.float64(1.25))
 _ZERO = wp.constant(wp.float64(0.0))
 _ONE = wp.constant(wp.float64(1.0))
-_LEAST_STEP = wp.constant(wp.float64(1e-300))
+_LEAST_STEP = wp.constant(wp.float64(1e-150))
 _FLOATS = wp.constant(wp.uint64(12))
 _DOUBLES = wp.constant(wp.uint64(24))
 
@@ -59,10 +62,11 @@ def _vector(address: wp.uint64, double: wp.int32, i: wp.int64) -> wp.vec3d:
 
 
 @wp.func
-def _unit(d: wp.vec3d) -> wp.vec3d:
+def _unit(d: wp.vec3d, double: wp.int32) -> wp.vec3d:
     """d / abs(d); NaN where d is zero or not finite."""
-    scaled = d / wp.max(wp.max(wp.abs(d[0]), wp.abs(d[1])), wp.abs(d[2]))
-    return scaled / wp.sqrt(wp.dot(scaled, scaled))
+    if double != 0:  # whose squares may over- or underflow
+        d = d / wp.max(wp.max(wp.abs(d[0]), wp.abs(d[1])), wp.abs(d[2]))
+    return (_ONE / wp.sqrt(wp.dot(d, d))) * d
 
 
 @wp.func
@@ -71,11 +75,11 @@ def _entry(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
     enter = _ZERO
     leave = wp.float64(wp.INF)
     for axis in range(3):
-        step = wp.where(wp.abs(d[axis]) > _LEAST_STEP, d[axis], wp.copysign(_LEAST_STEP, d[axis]))
-        near = (-wp.copysign(_ENTRY, step) - o[axis]) / step
-        far = (wp.copysign(_ENTRY, step) - o[axis]) / step
-        enter = wp.max(enter, near)
-        leave = wp.min(leave, far)
+        inverse = _ONE / wp.where(wp.abs(d[axis]) > _LEAST_STEP, d[axis], wp.copysign(_LEAST_STEP, d[axis]))
+        middle = -o[axis] * inverse
+        half = wp.abs(_ENTRY * inverse)
+        enter = wp.max(enter, middle - half)
+        leave = wp.min(leave, middle + half)
     return wp.where(enter < leave, enter, -_ONE)
 
 
@@ -99,7 +103,7 @@ def _direction(job: RayJob, ray: wp.int64) -> wp.vec3:
     if job.double_directions == 0:
         floats = wp.array(ptr=job.directions + wp.uint64(ray) * _FLOATS, shape=(1,), dtype=wp.vec3)
         return floats[0]
-    return wp.vec3(_unit(_vector(job.directions, 1, ray)))
+    return wp.vec3(_unit(_vector(job.directions, 1, ray), 1))
 
 
 @wp.func
@@ -108,7 +112,7 @@ def _read(job: RayJob, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.u
     d = _direction(job, ray)
     ahead = _ZERO
     if wp.max(wp.max(wp.abs(o[0]), wp.abs(o[1])), wp.abs(o[2])) > _FURTHEST:
-        unit = _unit(_vector(job.directions, job.double_directions, ray))
+        unit = _unit(_vector(job.directions, job.double_directions, ray), job.double_directions)
         ahead = _entry(o, unit)
         o = o + ahead * unit
     x = wp.float32(o[0])

@@ -25,6 +25,7 @@ TRACERS = ("wide", "warp")
 """The 16-wide tree, on the CPU; wp.Mesh, anywhere."""
 
 _SPACINGS = 16.0  # of float32 at 1: rounding the point, its face's corners and what the test makes of them is about 4
+_MANY_FACES = 1 << 18  # smaller trees are in the cache wherever a ray is
 _RAY_WORK = 64  # directions that take as long to sample
 _DOUBLE = {np.float32: False, np.float64: True, wp.vec3: False, wp.vec3d: True, wp.float32: False, wp.float64: True}
 
@@ -85,8 +86,8 @@ def trace(
         MemoryError: more than is free.
     """
     mesh, workers = as_mesh(mesh), check_workers(workers)
-    start = _Triples.of(origins.position if isinstance(origins, SurfacePoints) else origins, "origins", "(P, 3) or (3,)")
-    way = _Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
+    start = Triples.of(origins.position if isinstance(origins, SurfacePoints) else origins, "origins", "(P, 3) or (3,)")
+    way = Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
     if way.shape[: len(start.shape)] != start.shape or len(way.shape) - len(start.shape) > 1:
         raise ValueError(
             f"directions: got shape {(*way.shape, 3)}, want {(*start.shape, 3)} or {(*start.shape, 'n', 3)}, "
@@ -106,7 +107,7 @@ def trace(
     distance, face = way.empty(np.float32), way.empty(np.int32)
     if rays > 0:
         scene = scene_of(mesh)
-        job = _job(scene, start, way, reach, distance, face)
+        job = job_of(scene, start, way, reach, distance, face)
         if normals is not None:
             job.normals, job.offset = normals.ctypes.data, _offset(scene, start.owner)
         answer(scene, job, name, any_hit, way.device, workers)
@@ -129,19 +130,19 @@ def answer(scene: Scene, job: Job, tracer: str, any_hit: bool, device: wp.Device
         kernel, accelerator = ray_kernel(prepare_wide, wide_query(bool(any_hit)), bool(job.visits)), tree.accelerator()
     else:
         kernel, accelerator = ray_kernel(prepare_builtin, builtin_query, False), scene.builtin(device)
+    order = order_of(job, workers) if device.is_cpu and len(scene.faces) >= _MANY_FACES else None
+    job.order = 0 if order is None else order.ctypes.data
     run_rays(kernel, accelerator, job, device, workers)
 
 
 def run_rays(kernel: wp.Kernel, accelerator: AcceleratorJob, job: Job, device: wp.Device, workers: int) -> None:
-    """Runs a job's rays, in an order that keeps near ones together."""
+    """Runs a job's rays through a kernel of `ray_kernel`."""
     rays = job.points * job.count
-    order = order_of(job, workers) if device.is_cpu else None
-    job.order = 0 if order is None else order.ctypes.data
     run(kernel, -(-rays // CHUNK), [job, accelerator], device, workers, _RAY_WORK * rays)
 
 
 @dataclass(frozen=True, eq=False)
-class _Triples:
+class Triples:
     """An array of points or directions, as it is given: float32 or float64."""
 
     owner: Array
@@ -150,7 +151,12 @@ class _Triples:
     device: wp.Device
 
     @classmethod
-    def of(cls, value: Any, argument: str, shape: str) -> "_Triples":
+    def of(cls, value: Any, argument: str, shape: str = "(..., 3)") -> "Triples":
+        """`value`, copied only where it is not contiguous.
+
+        Raises:
+            TypeError, ValueError: not triples of floating-point numbers; names the argument.
+        """
         if isinstance(value, wp.array):
             vectors = value.dtype in (wp.vec3, wp.vec3d)
             if value.dtype not in _DOUBLE or not (vectors or value.shape[-1] == 3):
@@ -175,7 +181,17 @@ class _Triples:
         return np.empty(self.shape, dtype)
 
 
-def _job(scene: Scene, start: _Triples, way: _Triples, reach: float, distance: Array, face: Array) -> Job:
+def job_of(scene: Scene, start: Triples, way: Triples, reach: float, distance: Array, face: Array) -> Job:
+    """A job for `answer`: rays from each of `start`, and where to write. It holds addresses: the caller keeps the arrays.
+
+    Args:
+        scene: what they are traced against.
+        start: P origins, at least 1.
+        way: P directions, or n for each.
+        reach: in the user's units.
+        distance: float32, one for each direction.
+        face: int32.
+    """
     points = prod(start.shape)
     return Job(
         points=points,

@@ -19,7 +19,7 @@ def _nearest(leaf: wp.uint64, ray: Ray, reach: wp.float32):
     """(distance, place in the leaf) of the nearest triangle met; (reach, -1) if there is none."""
     met = triangles_met(leaf, ray, reach)
     nearest = wp.int32(-1)
-    while met != 0:
+    for _ in range(wp.bit_count(met)):
         triangle = lowest_bit(met)
         met = met & (met - 1)
         distance = triangle_distance(leaf, ray, triangle)
@@ -58,7 +58,7 @@ def _take_up(nodes: wp.uint64, ray: Ray, reach: wp.float32, top: wp.uint64, bott
 def wide_query(any_hit: bool) -> wp.Function:
     """A query (Accelerator, ray, reach, scratch) -> (distance or inf, face or -1, nodes, leaves visited).
 
-    In the tree's coordinates; origins are within 1.5 of 0 on each axis, reaches above 0. `ray` is the address of a column
+    In the tree's coordinates; origins are within 6 of 0 on each axis, reaches above 0. `ray` is the address of a column
     of a prepared chunk's rows, `scratch` that of SCRATCH words.
 
     Args:

@@ -1,0 +1,98 @@
+"""What rays are traced against in the benchmark, and the rays."""
+
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import warp as wp
+
+from warpsample.directions import sample_directions
+from warpsample.distributions.uniform_sphere import UniformSphere
+from warpsample.mesh import Mesh, as_mesh, load_mesh
+from warpsample.surface import sample_surface
+
+PER_POINT = 64
+"""Cosine rays from each point."""
+
+KINDS = ("camera", "outward", "inward", "random")
+
+_OFF = 1e-4  # of the mesh's size: above every tool's rounding, so that all trace the same rays
+
+
+def bunny(subdivisions: int) -> Mesh:
+    """The one inside warp-lang, its 12,200 triangles split in four so many times."""
+    import trimesh  # noqa: PLC0415
+
+    mesh = load_mesh(Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd")
+    vertices, faces = mesh.vertices, mesh.faces
+    for _ in range(subdivisions):
+        vertices, faces = trimesh.remesh.subdivide(vertices, faces)
+    return as_mesh((vertices, faces))
+
+
+def hills() -> Mesh:
+    """PyVista's random hills, 19,602 triangles."""
+    try:
+        from pyvista.examples import load_random_hills  # noqa: PLC0415
+    except ModuleNotFoundError:
+        raise ModuleNotFoundError("bench rays needs PyVista for its hills: pip install 'warpsample[viz]'") from None
+    return as_mesh(load_random_hills())
+
+
+def city(side: int = 64) -> Mesh:
+    """side x side boxes of random height on a square plane: long thin triangles beside one another, most of them upright."""
+    rng = np.random.default_rng(0)
+    corners = np.array([[x, y, z] for z in (0.0, 1.0) for y in (0.0, 1.0) for x in (0.0, 1.0)])
+    quads = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
+    box = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    place = np.stack(np.meshgrid(np.arange(side), np.arange(side)), axis=-1).reshape(-1, 2) * 40.0
+    sizes = np.column_stack([np.full((side * side, 2), 24.0), rng.lognormal(3.0, 0.6, side * side)])
+    buildings = corners * sizes[:, None] + np.column_stack([place, np.zeros(side * side)])[:, None]
+    faces = box + 8 * np.arange(side * side)[:, None, None]
+    ground = np.array([[-40.0, -40.0], [side * 40.0, -40.0], [side * 40.0, side * 40.0], [-40.0, side * 40.0]])
+    vertices = np.concatenate([buildings.reshape(-1, 3), np.column_stack([ground, np.zeros(4)])])
+    plane = len(vertices) - np.array([[4, 3, 2], [4, 2, 1]])
+    return as_mesh((vertices, np.concatenate([faces.reshape(-1, 3), plane])))
+
+
+SCENES: dict[str, Callable[[], Mesh]] = {
+    "bunny": lambda: bunny(0),
+    "bunny, 4 to 1": lambda: bunny(1),
+    "bunny, 64 to 1": lambda: bunny(3),
+    "hills": hills,
+    "city": city,
+}
+"""By name; built when called."""
+
+
+@cache
+def rays(mesh: Mesh, kind: str, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """About `count` rays: origins (P, 3) or (3,), and directions, float32, seed 0.
+
+    Args:
+        mesh: what they are for.
+        kind: "camera": through the pixels of a square picture, row by row; "outward", "inward": the cosine lobe about the
+            normals of points uniform by area, in the order of the faces, and its mirror image; "random": uniform, each from
+            a place of its own in the mesh's box.
+        count: how many, at least 64.
+    """
+    lower, upper = mesh.report.lower, mesh.report.upper
+    size = float(np.max(upper - lower))
+    if kind == "camera":
+        side = int(np.sqrt(count))
+        across, down = np.meshgrid(*2 * [np.linspace(-0.4, 0.4, side)])
+        forward = np.array([-1.0, -0.8, -0.6]) / np.linalg.norm([1.0, 0.8, 0.6])
+        right = np.cross(forward, [0.0, 0.0, 1.0]) / np.linalg.norm(np.cross(forward, [0.0, 0.0, 1.0]))
+        directions = forward + across.reshape(-1, 1) * right - down.reshape(-1, 1) * np.cross(right, forward)
+        return (0.5 * (lower + upper) - 1.6 * size * forward).astype(np.float32), directions.astype(np.float32)
+    if kind == "random":
+        origins = np.random.default_rng(0).uniform(lower, upper, (count, 3)).astype(np.float32)
+        up = np.broadcast_to(np.float32([0.0, 0.0, 1.0]), (count, 3))
+        return origins, sample_directions(up, 1, UniformSphere(), sequence="independent").vectors[:, 0]
+    points = sample_surface(mesh, count // PER_POINT)
+    order = np.argsort(points.face, kind="stable")
+    side = 1.0 if kind == "outward" else -1.0
+    normal = points.normal[order]
+    directions = side * sample_directions(normal, PER_POINT, sequence="independent").vectors
+    return (points.position[order] + side * _OFF * size * normal).astype(np.float32), directions.astype(np.float32)

@@ -1,0 +1,172 @@
+"""The tools that trace the same rays: each is built from a mesh and then says which rays meet something."""
+
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from importlib.metadata import version
+from itertools import pairwise, starmap
+from typing import Any, Protocol
+
+import numpy as np
+import warp as wp
+
+from warpsample.bench.scenes import rays
+from warpsample.mesh import Mesh
+from warpsample.tracing.builtin import builtin_any_query, prepare_builtin
+from warpsample.tracing.rays import ray_kernel
+from warpsample.tracing.scene import Scene, scene_of
+from warpsample.tracing.trace import Triples, answer, job_of, run_rays, trace
+
+_PARTS = 8  # of the rays, for each thread of a peer that leaves threads to its caller
+
+
+class Tool(Protocol):
+    """Something that traces."""
+
+    version: str
+
+    def hits(self, any_hit: bool, workers: int) -> Callable[[], np.ndarray]:
+        """Work that says of each ray whether it meets something, (R,) bool."""
+
+
+class Wide:
+    """Ours."""
+
+    def __init__(self, mesh: Mesh, kind: str, count: int) -> None:
+        """Of a mesh and its rays."""
+        self.mesh, self.rays = mesh, rays(mesh, kind, count)
+        self.version = version("warpsample")
+
+    def hits(self, any_hit: bool, workers: int) -> Callable[[], np.ndarray]:
+        """By `trace`."""
+        return lambda: trace(self.mesh, *self.rays, any_hit=any_hit, tracer="wide", workers=workers).face.ravel() >= 0
+
+    def visits(self, any_hit: bool) -> tuple[float, float]:
+        """(nodes, leaves) that a ray visits, on average."""
+        scene = scene_of(self.mesh)
+        start, way = (Triples.of(array, "rays") for array in self.rays)
+        distance, face = way.empty(np.float32), way.empty(np.int32)
+        job = job_of(scene, start, way, np.inf, distance, face)
+        counts = np.zeros((*way.shape, 2), np.int32)
+        job.visits = counts.ctypes.data
+        answer(scene, job, "wide", any_hit, way.device, 1)
+        nodes, leaves = counts.reshape(-1, 2).mean(axis=0)
+        return float(nodes), float(leaves)
+
+
+class Builtin:
+    """wp.Mesh, by its nearest-hit or its any-hit query, in the frame of our kernel."""
+
+    def __init__(self, mesh: Mesh, kind: str, count: int) -> None:
+        """Of a mesh and its rays."""
+        self.scene, self.rays = scene_of(mesh), rays(mesh, kind, count)
+        self.mesh, self.version = mesh, version("warp-lang")
+
+    def hits(self, any_hit: bool, workers: int) -> Callable[[], np.ndarray]:
+        """By `trace`, or with the query that tells no face."""
+        if not any_hit:
+            return lambda: trace(self.mesh, *self.rays, tracer="warp", workers=workers).face.ravel() >= 0
+        start, way = (Triples.of(array, "rays") for array in self.rays)
+        accelerator = self.scene.builtin(way.device)
+
+        def work() -> np.ndarray:
+            distance, face = way.empty(np.float32), way.empty(np.int32)
+            job = job_of(self.scene, start, way, np.inf, distance, face)
+            run_rays(ray_kernel(prepare_builtin, builtin_any_query, False), accelerator, job, way.device, workers)
+            return face.ravel() >= 0
+
+        return work
+
+
+class Embree:
+    """By embreex, which leaves threads to its caller."""
+
+    def __init__(self, mesh: Mesh, kind: str, count: int) -> None:
+        """Of a mesh and its rays."""
+        self.scene, self.version = embree_scene(mesh), version("embreex")
+        self.origins, self.directions = _flat(*rays(mesh, kind, count))
+
+    def hits(self, any_hit: bool, workers: int) -> Callable[[], np.ndarray]:
+        """Parts of the rays in threads: embreex releases the interpreter's lock."""
+        query = "OCCLUDED" if any_hit else "INTERSECT"
+        edges = np.linspace(0, len(self.origins), (1 if workers == 1 else workers * _PARTS) + 1, dtype=np.int64)
+        parts = list(starmap(slice, pairwise(edges)))
+
+        def work() -> np.ndarray:
+            def run(part: slice) -> np.ndarray:
+                return np.asarray(self.scene.run(self.origins[part], self.directions[part], query=query))
+
+            found = [run(parts[0])] if len(parts) == 1 else _threads(workers).map(run, parts)
+            return np.concatenate(list(found)) >= 0
+
+        return work
+
+
+class Open3D:
+    """Its RaycastingScene, which is Embree too, with a thread pool of its own."""
+
+    def __init__(self, mesh: Mesh, kind: str, count: int) -> None:
+        """Of a mesh and its rays."""
+        import open3d  # noqa: PLC0415
+
+        self.scene, self.version = open3d_scene(mesh), version("open3d")
+        self.rays = open3d.core.Tensor(np.hstack(_flat(*rays(mesh, kind, count))))
+
+    def hits(self, any_hit: bool, workers: int) -> Callable[[], np.ndarray]:
+        """By cast_rays or test_occlusions."""
+        if any_hit:
+            return lambda: self.scene.test_occlusions(self.rays, nthreads=workers).numpy()
+        return lambda: np.isfinite(self.scene.cast_rays(self.rays, nthreads=workers)["t_hit"].numpy())
+
+
+def embree_scene(mesh: Mesh) -> Any:
+    """Built: embreex commits at the first ray."""
+    from embreex.mesh_construction import TriangleMesh  # noqa: PLC0415
+    from embreex.rtcore_scene import EmbreeScene  # noqa: PLC0415
+
+    scene = EmbreeScene()
+    TriangleMesh(scene, mesh.vertices[mesh.faces].astype(np.float32))
+    scene.run(np.zeros((1, 3), np.float32), np.ones((1, 3), np.float32))
+    return scene
+
+
+def open3d_scene(mesh: Mesh) -> Any:
+    """Built: Open3D commits at the first ray."""
+    import open3d  # noqa: PLC0415
+
+    scene = open3d.t.geometry.RaycastingScene()
+    tensor = open3d.core.Tensor
+    scene.add_triangles(tensor(mesh.vertices.astype(np.float32)), tensor(mesh.faces.astype(np.uint32)))
+    scene.cast_rays(tensor(np.ones((1, 6), np.float32)))
+    return scene
+
+
+TOOLS: dict[str, Callable[[Mesh, str, int], Tool]] = {"wide": Wide, "wp.Mesh": Builtin, "Embree": Embree, "Open3D": Open3D}
+
+REMEDIES = {"Embree": "embreex", "Open3D": "open3d"}
+"""What pip installs for a tool that may be missing."""
+
+
+def builds(mesh: Mesh, workers: int) -> dict[str, Callable[[], object]]:
+    """Work that builds what each tool needs; ours by so many workers, the others as they are used to."""
+    known = scene_of(mesh)
+    known.tree(workers)
+    return {
+        "wide": lambda: Scene(mesh).tree(workers),
+        "wide, refit": lambda: known.moved(mesh).tree(workers),
+        "wp.Mesh": lambda: Scene(mesh).builtin(wp.get_device("cpu")),
+        "Embree": lambda: embree_scene(mesh),
+        "Open3D": lambda: open3d_scene(mesh),
+    }
+
+
+def _flat(origins: np.ndarray, directions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(R, 3) both, as tools want that know no n rays from a point."""
+    if directions.ndim == 3:
+        origins = np.repeat(origins, directions.shape[1], axis=0)
+    return np.array(np.broadcast_to(origins, (directions.size // 3, 3))), directions.reshape(-1, 3)
+
+
+@cache
+def _threads(workers: int) -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(workers)
