@@ -1,9 +1,11 @@
 """Rays: both tracers against closed forms, brute force in float64, Embree and each other; nothing gets through an edge."""
 
+import mmap
 import re
 import subprocess
 import sys
 from collections import Counter
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,18 +15,19 @@ from embreex.mesh_construction import TriangleMesh
 from embreex.rtcore_scene import EmbreeScene
 
 import warpsample as ws
+from warpsample import engine
+from warpsample.proof.rays import closed_meshes, judge_mesh, rays_inside
 from warpsample.tracing import build, order, trace
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
 from warpsample.tracing.intersect import prepare_wide
-from warpsample.tracing.layout import MOST_DEPTH
+from warpsample.tracing.layout import CHUNK, MOST_DEPTH
 from warpsample.tracing.rays import ray_kernel
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.wide import wide_query
 
+CLOSED = closed_meshes()
 TRIANGLE = ws.as_mesh(([(0, 0, 0), (2, 0, 0), (0, 2, 0)], [(0, 1, 2)]))
-SPHERE = ws.as_mesh(trimesh.creation.icosphere(subdivisions=4))
-TORUS = ws.as_mesh(trimesh.creation.torus(1.0, 0.3, major_sections=48, minor_sections=24))
-BOX = ws.as_mesh(trimesh.creation.box())
+SPHERE, TORUS, BOX = (CLOSED[name][0] for name in ("sphere", "torus", "box"))
 tracers = pytest.mark.parametrize("tracer", ["wide", "warp"])
 queries = pytest.mark.parametrize("any_hit", [False, True], ids=["nearest", "any"])
 
@@ -125,10 +128,10 @@ def test_tracers_and_embree_agree_on_the_bunny(bunny):
         warp = ws.trace(bunny, origins, directions, tracer="warp")
         flat = np.repeat(origins, 64, axis=0), directions.reshape(-1, 3)
         embree = np.asarray(scene.run(*flat, query="INTERSECT")).reshape(wide.face.shape)
-        # Of these 262,144 rays none is nearer to an edge than rounding; of 10^7 three are (see the closing note of issue 5).
-        assert np.count_nonzero((wide.face >= 0) != (embree >= 0)) <= 2
-        assert np.count_nonzero((wide.face >= 0) != (warp.face >= 0)) <= 2
-        assert np.count_nonzero(wide.face != embree) <= 30
+        # None of 10^7 rays differed in whether they hit; 3 of 5 million in the face, at an edge within 6e-7 of its length.
+        assert np.count_nonzero((wide.face >= 0) != (embree >= 0)) <= 1
+        assert np.count_nonzero((wide.face >= 0) != (warp.face >= 0)) <= 1
+        assert np.count_nonzero(wide.face != embree) <= 3
         same = (wide.face == warp.face) & (wide.face >= 0)
         assert np.abs(wide.distance[same] - warp.distance[same]).max() <= 3e-5 * size
         assert np.array_equal(ws.trace(bunny, origins, directions, any_hit=True).face >= 0, wide.face >= 0)
@@ -137,45 +140,37 @@ def test_tracers_and_embree_agree_on_the_bunny(bunny):
 # Nothing gets through
 
 
-def inside_rays(mesh, count, seed):
-    points = ws.sample_surface(mesh, count // 64, seed=seed)
-    origins = points.position - 1e-3 * np.ptp(mesh.vertices, axis=0).max() * points.normal
-    return origins, np.random.default_rng(seed).normal(size=(len(origins), 64, 3)).astype(np.float32)
-
-
-def rays_at_edges(mesh, origin, count, seed):
-    """From about `origin`, half at vertices and half at places on edges, as exactly as float64 can."""
-    rng = np.random.default_rng(seed)
-    face, corner = rng.integers(0, len(mesh.faces), count), rng.integers(0, 3, count)
-    start, end = (mesh.vertices[mesh.faces[face, (corner + k) % 3]] for k in (0, 1))
-    share = np.where(np.arange(count) % 2 == 0, rng.uniform(size=count), 0.0)[:, None]
-    origins = origin + rng.normal(0.0, 0.02, (count, 3))
-    return origins, start + share * (end - start) - origins
-
-
-CLOSED = {"sphere": (SPHERE, [0.0, 0.0, 0.0]), "torus": (TORUS, [1.0, 0.0, 0.0]), "box": (BOX, [0.1, 0.1, 0.1])}
-
-
-@queries
 @pytest.mark.parametrize("name", CLOSED)
-def test_no_ray_leaves_a_closed_mesh(name, any_hit):
-    mesh, origin = CLOSED[name]
-    assert (ws.trace(mesh, *inside_rays(mesh, 1 << 18, 3), any_hit=any_hit).face >= 0).all()
-    origins, directions = rays_at_edges(mesh, origin, 100_000, 4)
-    for dtype in (np.float64, np.float32):
-        hits = ws.trace(mesh, origins.astype(dtype), directions.astype(dtype), any_hit=any_hit)
-        assert np.count_nonzero(hits.face < 0) == 0
-    assert np.count_nonzero(ws.trace(mesh, origins, directions, tracer="warp").face < 0) > 0  # so it is a trial
+def test_no_ray_leaves_a_closed_mesh(name):
+    verdicts = judge_mesh(name, *CLOSED[name], 1 << 18, 100_000)
+    assert [verdict for verdict in verdicts if not verdict.passed] == []
+    assert not re.search(r"wp.Mesh 0$", verdicts[1].note)  # so aiming at edges is a trial
+
+
+def test_float32_rays_leave_no_closed_mesh_either():
+    for mesh, _ in CLOSED.values():
+        origins, directions = rays_inside(mesh, 1 << 16, 3)
+        assert (ws.trace(mesh, origins.astype(np.float32), directions).face >= 0).all()
 
 
 def test_leaks_are_found():
-    """By the same rays, in trees with a triangle missing, and with boxes a little too small."""
-    rays = inside_rays(SPHERE, 1 << 18, 3)
+    """In trees with a triangle missing, and with boxes a little too small."""
     missing, small = (ws.Mesh(SPHERE.vertices, SPHERE.faces) for _ in range(2))
-    scene_of(missing).tree(1).leaves[7, :9, 3] = 0.0
+    scene_of(missing).tree(1).leaves[7, :12, 3] = 0.0
     scene_of(small).tree(1).nodes[:, :3] += np.float32(2e-3)
     for mesh in (missing, small):
-        assert np.count_nonzero(ws.trace(mesh, *rays).face < 0) > 0
+        broken = {v.law for v in judge_mesh("damaged", mesh, (0.0, 0.0, 0.0), 1 << 18, 100_000) if not v.passed}
+        assert broken >= {"rays that leave a closed mesh", "rays between two faces"}
+
+
+def test_points_that_start_on_their_face_are_found(monkeypatch):
+    monkeypatch.setattr(trace, "_SPACINGS", 0.0)
+    broken = {
+        v.law
+        for v in judge_mesh("sphere", ws.Mesh(SPHERE.vertices, SPHERE.faces), (0.0, 0.0, 0.0), 1 << 16, 64)
+        if not v.passed
+    }
+    assert "rays that meet their own face" in broken
 
 
 @tracers
@@ -210,7 +205,8 @@ def test_points_that_are_float32_themselves_are_moved_off_further():
 
 @tracers
 def test_scale_and_place_do_not_matter(bunny, tracer):
-    origins, directions = inside_rays(bunny, 1 << 14, 7)
+    origins, directions = rays_inside(bunny, 1 << 14, 7)
+    size = np.ptp(bunny.vertices, axis=0).max()
     plain = ws.trace(bunny, origins, directions, tracer=tracer)
     doubled = ws.trace(ws.Mesh(bunny.vertices * 2.0**20, bunny.faces), origins * 2.0**20, directions, tracer=tracer)
     assert np.array_equal(doubled.face, plain.face)
@@ -221,12 +217,12 @@ def test_scale_and_place_do_not_matter(bunny, tracer):
         # Rounded otherwise: a ray in some 10^4 passes an edge on the other side, or grazes.
         same = moved.face == plain.face
         assert same.mean() > 0.999
-        assert np.quantile(np.abs(moved.distance[same] / scale / plain.distance[same] - 1.0), 0.99) <= 1e-4
+        assert np.quantile(np.abs(moved.distance[same] / scale - plain.distance[same]), 0.99) <= 1e-6 * size
 
 
 @queries
 def test_workers_order_and_layout_change_no_bit(bunny, any_hit, monkeypatch):
-    origins, directions = inside_rays(bunny, 1 << 14, 8)
+    origins, directions = rays_inside(bunny, 1 << 14, 8)
     shuffled = np.random.default_rng(0).permutation(len(origins))
     origins, directions = origins[shuffled], directions[shuffled]
     want = ws.trace(bunny, origins, directions, any_hit=any_hit, workers=1)
@@ -368,7 +364,7 @@ def test_both_tracers_answer_on_hostile_meshes(name):
 def test_a_tree_too_deep_for_areas_is_split_by_count(monkeypatch):
     monkeypatch.setattr(build, "_SAH_LEVELS", 0)
     mesh = ws.Mesh(TORUS.vertices, TORUS.faces)
-    rays = inside_rays(TORUS, 1 << 12, 1)
+    rays = rays_inside(TORUS, 1 << 12, 1)
     assert len(scene_of(mesh).tree(1).topology.levels) - 1 == 2  # 2304 faces: 16 x 16 leaves of 9
     assert np.array_equal(ws.trace(mesh, *rays).face, ws.trace(TORUS, *rays).face)
 
@@ -389,7 +385,7 @@ def test_a_tree_is_built_once_and_dies_with_its_mesh(monkeypatch):
 
 def test_refit_is_a_tree_of_the_moved_vertices(bunny, monkeypatch):
     bent = bunny.vertices + 0.2 * np.sin(3.0 * bunny.vertices[:, [1, 2, 0]])
-    rays = inside_rays(ws.Mesh(bent, bunny.faces), 1 << 14, 2)
+    rays = rays_inside(ws.Mesh(bent, bunny.faces), 1 << 14, 2)
     want = ws.trace(ws.Mesh(bent, bunny.faces), *rays)
     ws.trace(bunny, [0.0, 0.0, 0.0], [[0.0, 0.0, 1.0]])
     monkeypatch.setattr("warpsample.tracing.scene.build", None)
@@ -446,10 +442,41 @@ def test_points_of_another_mesh_are_refused():
         ws.trace(TRIANGLE, points, np.ones((10, 3)))
 
 
-def test_too_many_hits_for_the_memory():
-    directions = np.broadcast_to(np.float32([0.0, 0.0, 1.0]), (10**12, 3))
-    with pytest.raises((MemoryError, np.exceptions.AxisError), match=r"10000000000*|Unable to allocate"):
+def test_too_many_hits_for_the_memory(monkeypatch):
+    directions = np.zeros((1 << 22, 3), np.float32)
+    monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=10**7))
+    with pytest.raises(
+        MemoryError, match=r"the hits of 4,194,304 rays need 0.0 GB and 0.0 GB are free; trace them in parts"
+    ):
         ws.trace(TRIANGLE, [0.0, 0.0, 0.0], directions)
+
+
+def reserved(dtype, count):
+    """An array that takes memory only where it is written to."""
+    flags = mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS | getattr(mmap, "MAP_NORESERVE", 0x4000)
+    return np.frombuffer(mmap.mmap(-1, count * np.dtype(dtype).itemsize, flags=flags), dtype, count)
+
+
+@pytest.mark.parametrize("per_point", [1, 2**31 + 2**20])
+def test_beyond_two_to_the_31_rays(per_point):
+    """The last of 2^31 + 2^20 rays, of as many points or of one."""
+    rays = 2**31 + 2**20
+    try:
+        directions, distance, face = reserved(np.float32, 3 * rays), reserved(np.float32, rays), reserved(np.int32, rays)
+        origins = reserved(np.float32, 3 * rays // per_point)
+    except OSError:
+        pytest.skip("this machine does not hand out address space that it has no memory for")
+    directions[-3:], origins[-3:] = [0.0, 0.0, -1.0], [0.5, 0.5, 3.0]
+    scene = scene_of(TRIANGLE)
+    start, way = (trace.Triples.of(a.reshape(-1, 3), "rays") for a in (origins, directions))
+    start = start if per_point == 1 else trace.Triples.of(origins, "one")
+    job = trace.job_of(scene, start, way, np.inf, distance, face)
+    tasks = -(-rays // CHUNK)
+    kernel = ray_kernel(prepare_wide, wide_query(False), False)
+    command = engine._take(kernel, [job, scene.tree(1).accelerator()], wp.get_device("cpu"))
+    engine._run_chunks(command, iter([tasks - 10]), 10, tasks)
+    assert (distance[-1], face[-1]) == (3.0, 0)
+    assert np.isnan(distance[-10 * CHUNK : -1]).all()  # of zero directions
 
 
 # Fast, and portable

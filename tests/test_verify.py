@@ -32,7 +32,7 @@ def test_the_trial_holds_every_case_sequence_and_route():
     tasks = run.trial()
     assert {task.key for task in tasks if task.kind == "case"} == set(verify.cases())
     assert {task.key for task in tasks if task.kind == "sequence"} == set(ws.sequences.names())
-    assert {task.kind for task in tasks} == {"case", "sequence", "routes", "meshes"}
+    assert {task.kind for task in tasks} == {"case", "sequence", "routes", "meshes", "rays"}
     statistics = sum(law.limit is None and law.applies(case) for law in verify.LAWS for case in verify.cases())
     assert statistics + 150 <= verify.MOST_STATISTICS  # with those of sequences, routes and meshes
 

@@ -12,7 +12,7 @@ import warp as wp
 
 from warpsample import sequences
 from warpsample.distributions.record import Distribution
-from warpsample.proof import defects, routes, streams, stress, verify
+from warpsample.proof import defects, rays, routes, streams, stress, verify
 from warpsample.proof.verify import Verdict
 
 _USUAL, _SLOW = 4, 16  # the sweep takes each so manieth variate, unless it is thorough
@@ -22,7 +22,7 @@ _MOST_PROCESSES = 8  # each takes up to 3 GB, and all cores for its kernels
 
 @dataclass(frozen=True)
 class Task:
-    """A part of the trial: a case, a sequence, a defect, or one of the words "routes" and "meshes"."""
+    """A part of the trial: a case, a sequence, a defect, or one of the words "routes", "meshes" and "rays"."""
 
     kind: str
     key: Any = None
@@ -33,13 +33,14 @@ class Task:
 
 
 def trial() -> list[Task]:
-    """What is proven: every case, sequence, second route and hostile input. The longest tasks first."""
+    """What is proven: every case, sequence, second route and hostile input, and the rays. The longest tasks first."""
     cases = sorted(verify.cases(), key=lambda case: case.symmetric)
     return [
         Task("meshes"),
         *(Task("case", case) for case in cases),
         *(Task("sequence", name) for name in sequences.names()),
         Task("routes"),
+        Task("rays"),
     ]
 
 
@@ -99,6 +100,7 @@ _KINDS = {
     "case": _judge_case,
     "sequence": _judge_sequence,
     "meshes": _judge_meshes,
+    "rays": lambda key, thorough: rays.judge_rays(thorough),
     "routes": lambda key, thorough: routes.judge_routes(),
     "defect": lambda key, thorough: defects.judge_defect(key),
 }

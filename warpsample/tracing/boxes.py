@@ -19,6 +19,14 @@ A plane's distance is rounded in the direction's inverse, in its product with th
 beside itself. Together that is 2^-18.6.
 """
 
+SLACK = 2.0**-18
+"""Times the cube of a leaf's size: the rounding of the sum of edge functions times distances, of what is in it.
+
+Seen along a ray that meets a triangle, its corners are within 2 sizes: an edge function is rounded by 2^-23 of 4 sizes
+squared, times 2 sizes, and there are three.
+"""
+
+_SLACK = wp.constant(wp.float32(SLACK))
 _PADDING = wp.constant(wp.float32(PADDING))
 _NOWHERE = wp.constant(wp.float32(2.0**60))  # times an inverse of 2^60 at most: finite
 _NODE_FLOATS = NODE_BYTES // 4
@@ -32,7 +40,7 @@ class Tree:
 
     Attributes:
         topology: the nodes' children and the leaves' faces.
-        nodes: (nodes, 7, 16) float32, as `wide` wants them.
+        nodes: (nodes, 8, 16) float32, as `layout` has them.
         leaves: (leaves, 10, 16) float32.
     """
 
@@ -56,7 +64,7 @@ def fill(topology: Topology, vertices: np.ndarray, faces: np.ndarray, workers: i
     """
     cpu = wp.get_device("cpu")
     leaves, nodes = len(topology.faces), len(topology.places)
-    tree = Tree(topology, _in_lines((nodes, 7, WIDTH)), _in_lines((leaves, 10, WIDTH)))
+    tree = Tree(topology, _in_lines((nodes, 8, WIDTH)), _in_lines((leaves, 10, WIDTH)))
     leaf_boxes, node_boxes = np.empty((leaves, 2, 3), np.float32), np.empty((nodes, 2, 3), np.float32)
     inputs = [a.ctypes.data for a in (topology.faces, vertices, faces, tree.leaves, leaf_boxes)]
     run(_fill_leaves(), leaves, inputs, cpu, workers, 128 * leaves)
@@ -95,16 +103,21 @@ def _fill_leaves() -> wp.Kernel:
         low = wp.vec3(_NOWHERE)
         high = wp.vec3(-_NOWHERE)
         for k in range(WIDTH):
+            a = wp.vec3(0.0)  # three equal corners: no ray meets them
+            b = a
+            c = a
+            if mine[k] >= 0:
+                corners = wp.array(ptr=faces + wp.uint64(mine[k]) * wp.uint64(12), shape=(1,), dtype=wp.vec3i)[0]
+                a = points[corners[0]]
+                b = points[corners[1]]
+                c = points[corners[2]]
+                low = wp.min(wp.min(low, a), wp.min(b, c))
+                high = wp.max(wp.max(high, a), wp.max(b, c))
+            for axis in range(3):
+                rows[axis * WIDTH + k] = a[axis]
+                rows[(3 + axis) * WIDTH + k] = b[axis]
+                rows[(6 + axis) * WIDTH + k] = c[axis]
             rows[9 * WIDTH + k] = wp.cast(mine[k], wp.float32)
-            for corner in range(3):
-                point = wp.vec3(0.0)  # three equal corners: no ray meets them
-                if mine[k] >= 0:
-                    indices = wp.array(ptr=faces + wp.uint64(mine[k]) * wp.uint64(12), shape=(3,), dtype=wp.int32)
-                    point = points[indices[corner]]
-                    low = wp.min(low, point)
-                    high = wp.max(high, point)
-                for axis in range(3):
-                    rows[(3 * corner + axis) * WIDTH + k] = point[axis]
         box[0] = low
         box[1] = high
 
@@ -134,6 +147,7 @@ def _fill_nodes() -> wp.Kernel:
             place = below[k]
             lower = wp.vec3(_NOWHERE)
             upper = wp.vec3(-_NOWHERE)
+            slack = wp.float32(0.0)
             if place != 0:
                 address = node_boxes + wp.uint64(place) * wp.uint64(24)
                 if place < 0:
@@ -143,10 +157,14 @@ def _fill_nodes() -> wp.Kernel:
                 high = wp.max(high, box[1])
                 lower = box[0] - wp.vec3(_PADDING)
                 upper = box[1] + wp.vec3(_PADDING)
+                extent = box[1] - box[0]
+                size = wp.max(wp.max(extent[0], extent[1]), extent[2])
+                slack = _SLACK * size * size * size
             for axis in range(3):
                 rows[axis * WIDTH + k] = lower[axis]
                 rows[(3 + axis) * WIDTH + k] = upper[axis]
             rows[6 * WIDTH + k] = wp.cast(place, wp.float32)
+            rows[7 * WIDTH + k] = slack
         own[0] = low
         own[1] = high
 

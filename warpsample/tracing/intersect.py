@@ -10,7 +10,7 @@ _INVERSE, _SHIFT, _NEAR, _ORIGIN, _SHEAR, _AXES = (PREPARED + row * CHUNK for ro
 _ROW = wp.constant(wp.uint64(WIDTH * 4))
 _ROW_BYTES = wp.constant(wp.int32(WIDTH * 4))
 _UPPER = wp.constant(wp.uint64(3 * WIDTH * 4))
-_CORNERS = 9 * WIDTH
+_LEAF_FLOATS = 9 * WIDTH
 _SECOND = wp.constant(wp.int32(3 * WIDTH))
 _THIRD = wp.constant(wp.int32(6 * WIDTH))
 _NO_HIT = wp.constant(wp.int32(0x7F800000))  # the bits of infinity: bits of floats above 0 are ordered as they are
@@ -180,49 +180,56 @@ def boxes_met(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
 
 
 @wp.func
-def _edges(leaf: wp.uint64, k: wp.int32, ray: Ray):
-    """(u, v, w, t): of triangle k, seen along the ray: the edge functions, and their sum times its distance.
+def triangles_met(leaf: wp.uint64, ray: Ray, reach: wp.float32, slack: wp.float32) -> wp.int32:
+    """Mask of the leaf's triangles that the ray's line meets, and within reach but for rounding.
 
     After Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection", without their second test in float64: rounding
     is monotonic, so the sign of a difference of two rounded products is the exact one or 0. The two triangles at an edge
     compute it from the same numbers, and 0 counts as inside of both: a ray at an edge meets at least one.
+
+    The edge functions of a needle are differences of products so much larger that, as weights, they tell its distance
+    badly. So the distance only sorts out here, with the leaf's slack; `triangle_distance` decides.
     """
-    first = wp.array(ptr=leaf + ray.first, shape=(_CORNERS,), dtype=wp.float32)
-    second = wp.array(ptr=leaf + ray.second, shape=(_CORNERS,), dtype=wp.float32)
-    along = wp.array(ptr=leaf + ray.along, shape=(_CORNERS,), dtype=wp.float32)
-    az = along[k] - ray.origin_along
-    bz = along[_SECOND + k] - ray.origin_along
-    cz = along[_THIRD + k] - ray.origin_along
-    ax = fma(ray.shear_first, az, first[k] - ray.origin_first)
-    bx = fma(ray.shear_first, bz, first[_SECOND + k] - ray.origin_first)
-    cx = fma(ray.shear_first, cz, first[_THIRD + k] - ray.origin_first)
-    ay = fma(ray.shear_second, az, second[k] - ray.origin_second)
-    by = fma(ray.shear_second, bz, second[_SECOND + k] - ray.origin_second)
-    cy = fma(ray.shear_second, cz, second[_THIRD + k] - ray.origin_second)
-    u = cx * by - cy * bx
-    v = ax * cy - ay * cx
-    w = bx * ay - by * ax
-    return u, v, w, fma(u, az, fma(v, bz, w * cz)) * ray.scale_along
-
-
-@wp.func
-def triangles_met(leaf: wp.uint64, ray: Ray, reach: wp.float32) -> wp.int32:
-    """Mask of the leaf's triangles that the ray meets within reach."""
+    first = wp.array(ptr=leaf + ray.first, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    along = wp.array(ptr=leaf + ray.along, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     mask = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
-        u, v, w, t = _edges(leaf, k, ray)
+        az = along[k] - ray.origin_along
+        bz = along[_SECOND + k] - ray.origin_along
+        cz = along[_THIRD + k] - ray.origin_along
+        ax = fma(ray.shear_first, az, first[k] - ray.origin_first)
+        bx = fma(ray.shear_first, bz, first[_SECOND + k] - ray.origin_first)
+        cx = fma(ray.shear_first, cz, first[_THIRD + k] - ray.origin_first)
+        ay = fma(ray.shear_second, az, second[k] - ray.origin_second)
+        by = fma(ray.shear_second, bz, second[_SECOND + k] - ray.origin_second)
+        cy = fma(ray.shear_second, cz, second[_THIRD + k] - ray.origin_second)
+        u = cx * by - cy * bx
+        v = ax * cy - ay * cx
+        w = bx * ay - by * ax
         sum = u + v + w
-        t = t * wp.copysign(1.0, sum)
+        size = wp.abs(sum)  # 0 where the triangle is seen from its edge, or is none
+        t = fma(u, az, fma(v, bz, w * cz)) * ray.scale_along * wp.copysign(1.0, sum)
         inside = wp.where(_lesser(_lesser(u, v), w) >= 0.0, 1, 0) | wp.where(_greater(_greater(u, v), w) <= 0.0, 1, 0)
-        ahead = wp.where(t > 0.0, 1, 0) & wp.where(t < reach * wp.abs(sum), 1, 0)
+        ahead = wp.where(t > -slack, 1, 0) & wp.where(t < fma(reach, size, slack), 1, 0) & wp.where(size > 0.0, 1, 0)
         mask = mask | wp.where((inside & ahead) != 0, 1 << k, 0)
         k += 1
     return mask
 
 
 @wp.func
-def triangle_distance(leaf: wp.uint64, ray: Ray, k: wp.int32) -> wp.float32:
-    """To a triangle that the ray meets."""
-    u, v, w, t = _edges(leaf, k, ray)
-    return t / (u + v + w)
+def _corner(rows: wp.array[wp.float32], i: wp.int32) -> wp.vec3d:
+    return wp.vec3d(wp.float64(rows[i]), wp.float64(rows[i + WIDTH]), wp.float64(rows[i + 2 * WIDTH]))
+
+
+@wp.func
+def triangle_distance(leaf: wp.uint64, k: wp.int32, column: wp.uint64) -> wp.float32:
+    """From a ray's origin to the plane of a triangle; its normal in float64, in which the products are exact."""
+    rows = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    ray = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    o = wp.vec3d(wp.float64(ray[ORIGIN]), wp.float64(ray[ORIGIN + CHUNK]), wp.float64(ray[ORIGIN + 2 * CHUNK]))
+    d = wp.vec3d(wp.float64(ray[DIRECTION]), wp.float64(ray[DIRECTION + CHUNK]), wp.float64(ray[DIRECTION + 2 * CHUNK]))
+    a = _corner(rows, k)
+    n = wp.cross(_corner(rows, _SECOND + k) - a, _corner(rows, _THIRD + k) - a)
+    return wp.float32(wp.dot(n, a - o) / wp.dot(n, d))

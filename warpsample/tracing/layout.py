@@ -2,7 +2,8 @@
 
 Rows of sixteen float32 fill one AVX-512 register or two of AVX2:
 
-- a node is seven: the children's lower x, y, z, upper x, y, z, and their places: below 0 a leaf, ~place; 0 none;
+- a node is eight: the children's lower x, y, z, upper x, y, z, their places (below 0 a leaf, ~place; 0 none), and the
+  slack of distances in a leaf;
 - a leaf is ten: x, y, z of its triangles' first corners, of the second, of the third, and the faces' numbers.
 """
 
@@ -11,7 +12,7 @@ import warp as wp
 WIDTH = 16
 """Children of a node, triangles of a leaf."""
 
-NODE_BYTES = 7 * WIDTH * 4
+NODE_BYTES = 8 * WIDTH * 4
 LEAF_BYTES = 10 * WIDTH * 4
 
 MOST_DEPTH = 24

@@ -237,7 +237,8 @@ def _surface_normals(mesh: Mesh, points: SurfacePoints) -> np.ndarray:
         raise ValueError(
             f"origins: got points on faces {face.min()} to {face.max()}, want -1 (none) to {len(mesh.faces) - 1}, the mesh's"
         )
-    own = unit_or_zero(np.nan_to_num(np.asarray(points.normal, np.float64)))
+    own = np.asarray(points.normal, np.float64)
+    own = unit_or_zero(np.where(np.isfinite(own).all(axis=1, keepdims=True), own, 0.0))
     return np.where(face[:, None] >= 0, mesh.face_normals[face], own)
 
 

@@ -10,20 +10,21 @@ from warpsample.tracing.layout import LEAF_BYTES, NODE_BYTES, WIDTH, Accelerator
 _NODE = wp.constant(wp.uint64(NODE_BYTES))
 _LEAF = wp.constant(wp.uint64(LEAF_BYTES))
 _PLACES = wp.constant(wp.uint64(6 * WIDTH * 4))
+_SLACKS = wp.constant(wp.uint64(7 * WIDTH * 4))
 _FACES = wp.constant(wp.uint64(9 * WIDTH * 4))
 _WAITING = wp.constant(wp.uint64(3 * 4))
 
 
 @wp.func
-def _nearest(leaf: wp.uint64, ray: Ray, reach: wp.float32):
+def _nearest(leaf: wp.uint64, ray: Ray, column: wp.uint64, reach: wp.float32, slack: wp.float32):
     """(distance, place in the leaf) of the nearest triangle met; (reach, -1) if there is none."""
-    met = triangles_met(leaf, ray, reach)
+    met = triangles_met(leaf, ray, reach, slack)
     nearest = wp.int32(-1)
     for _ in range(wp.bit_count(met)):
         triangle = lowest_bit(met)
         met = met & (met - 1)
-        distance = triangle_distance(leaf, ray, triangle)
-        if distance < reach:
+        distance = triangle_distance(leaf, triangle, column)
+        if distance > 0.0 and distance < reach:
             reach = distance
             nearest = triangle
     return reach, nearest
@@ -86,7 +87,8 @@ def wide_query(any_hit: bool) -> wp.Function:
             if place < 0:
                 visited_leaves += 1
                 leaf = accelerator.leaves + wp.uint64(~place) * _LEAF
-                reach, triangle = _nearest(leaf, ray, reach)
+                slacks = wp.array(ptr=here + _SLACKS, shape=(WIDTH,), dtype=wp.float32)
+                reach, triangle = _nearest(leaf, ray, column, reach, slacks[child])
                 if triangle >= 0:
                     hit = triangle
                     hit_leaf = leaf
