@@ -471,7 +471,7 @@ def test_beyond_two_to_the_31_rays(per_point):
     start, way = (trace.Triples.of(a.reshape(-1, 3), "rays") for a in (origins, directions))
     start = start if per_point == 1 else trace.Triples.of(origins, "one")
     job = trace.job_of(scene, start, way, np.inf, distance, face)
-    tasks = -(-rays // CHUNK)
+    job.block, tasks = CHUNK, -(-rays // CHUNK)
     kernel = ray_kernel(prepare_wide, wide_query(False), False)
     command = engine._take(kernel, [job, scene.tree(1).accelerator()], wp.get_device("cpu"))
     engine._run_chunks(command, iter([tasks - 10]), 10, tasks)

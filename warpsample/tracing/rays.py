@@ -23,13 +23,14 @@ _DOUBLES = wp.constant(wp.uint64(24))
 class RayJob:
     """Scalars and addresses of `points` origins with `count` directions each, float32, or float64 where it says so.
 
-    Optional, else 0: normals (P, 3) float32, unit, along which origins are moved by `offset` to the side of each direction;
+    A task is `block` rays, at most CHUNK. Optional, else 0: normals (P, 3) float32, unit, along which origins are moved by `offset` to the side of each direction;
     order (P,) int64, in which the points are visited; visits (P, count, 2) int32, nodes and leaves. A point x of the user's
     is (x - centre) * scale inside, where the mesh is within 1 of 0 on each axis; a distance t inside is t * unit.
     """
 
     points: wp.int64
     count: wp.int64
+    block: wp.int64
     double_origins: wp.int32
     double_directions: wp.int32
     origins: wp.uint64
@@ -93,7 +94,7 @@ def _point_of(job: RayJob, i: wp.int64) -> wp.int64:
 
 @wp.func
 def local_origin(job: RayJob, point: wp.int64) -> wp.vec3d:
-    """In the scene's coordinates. So far from the mesh's centre that they mattered, the digits go before float32 comes."""
+    """In the scene's coordinates: what large ones have in common goes in float64, before they are rounded."""
     return (_vector(job.origins, job.double_origins, point) - wp.vec3d(job.centre_x, job.centre_y, job.centre_z)) * job.scale
 
 
@@ -155,7 +156,7 @@ def _normalize(chunk: wp.uint64):
 
 @cache
 def ray_kernel(prepare: wp.Function, query: wp.Function, counting: bool) -> wp.Kernel:
-    """A kernel with a task for each CHUNK rays, in the job's order.
+    """A kernel with a task for each block of rays, in the job's order.
 
     Args:
         prepare: (chunk): adds what the query needs.
@@ -167,8 +168,8 @@ def ray_kernel(prepare: wp.Function, query: wp.Function, counting: bool) -> wp.K
     def trace_rays(job: RayJob, accelerator: Accelerator, first_task: wp.int64):
         words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
         floats = wp.zeros(shape=(CHUNK_FLOATS,), dtype=wp.float32)
-        first = (first_task + wp.int64(wp.tid())) * wp.int64(CHUNK)
-        length = wp.int32(wp.min(wp.int64(CHUNK), job.points * job.count - first))
+        first = (first_task + wp.int64(wp.tid())) * job.block
+        length = wp.int32(wp.min(job.block, job.points * job.count - first))
         row = first / job.count
         j = first - row * job.count
         point = _point_of(job, row)

@@ -119,7 +119,7 @@ def answer(scene: Scene, job: Job, tracer: str, any_hit: bool, device: wp.Device
 
     Args:
         scene: what its rays are traced against.
-        job: without order; counts what is visited if it says where.
+        job: without order and block; counts what is visited if it says where.
         tracer: "wide" or "warp".
         any_hit: whether some face is enough.
         device: where the job's addresses are.
@@ -138,7 +138,8 @@ def answer(scene: Scene, job: Job, tracer: str, any_hit: bool, device: wp.Device
 def run_rays(kernel: wp.Kernel, accelerator: AcceleratorJob, job: Job, device: wp.Device, workers: int) -> None:
     """Runs a job's rays through a kernel of `ray_kernel`."""
     rays = job.points * job.count
-    run(kernel, -(-rays // CHUNK), [job, accelerator], device, workers, _RAY_WORK * rays)
+    job.block = CHUNK if device.is_cpu else 1  # so that neighbouring threads trace neighbouring rays
+    run(kernel, -(-rays // job.block), [job, accelerator], device, workers, _RAY_WORK * rays)
 
 
 @dataclass(frozen=True, eq=False)
