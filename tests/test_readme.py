@@ -21,8 +21,10 @@ def blocks(repository, language):
     [
         (
             0,
-            r"^\(10000, 64, 3\) \(10000, 64\) \{<Status.OK: 0>: 10000\}\nirradiance under a uniform sky: 3\.14159\d*\n"
-            r"rays that meet the torus again: 0\.046\d*\n$",
+            (
+                r"^\(10000, 64, 3\) \(10000, 64\) \{<Status.OK: 0>: 10000\}\nirradiance under a uniform sky: 3\.14159\d*\n"
+                r"rays that meet the torus again: 0\.046\d*\n$"
+            ),
         ),
         (1, r"^(.*\n)*\[ *-?\d\.?\d*(e-\d+)? +-?\d\.?\d*(e-\d+)? +(0\.666\d*|6\.66\d*e-01)\]\n$"),
     ],

@@ -32,6 +32,7 @@ _NOWHERE = wp.constant(wp.float32(2.0**60))  # times an inverse of 2^60 at most:
 _NODE_FLOATS = NODE_BYTES // 4
 _LEAF_FLOATS = LEAF_BYTES // 4
 _LINE = 64
+_MOST_VERTICES = 2**31 - 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,7 +100,7 @@ def _fill_leaves() -> wp.Kernel:
         mine = wp.array(ptr=leaf_faces + wp.uint64(leaf) * wp.uint64(4 * WIDTH), shape=(WIDTH,), dtype=wp.int32)
         rows = wp.array(ptr=leaves + wp.uint64(leaf) * wp.uint64(LEAF_BYTES), shape=(_LEAF_FLOATS,), dtype=wp.float32)
         box = wp.array(ptr=boxes + wp.uint64(leaf) * wp.uint64(24), shape=(2,), dtype=wp.vec3)
-        points = wp.array(ptr=vertices, shape=(1,), dtype=wp.vec3)
+        points = wp.array(ptr=vertices, shape=(_MOST_VERTICES,), dtype=wp.vec3)
         low = wp.vec3(_NOWHERE)
         high = wp.vec3(-_NOWHERE)
         for k in range(WIDTH):

@@ -1,8 +1,7 @@
 """Which triangles go into which leaf and which leaves below which node, by the surface-area heuristic.
 
 Level by level, a task for each node: it starts as one range of triangles, and the child with the largest box is split in two
-until there are sixteen. Boxes are split where the binned heuristic says (Wald 2007, "On fast construction of SAH-based
-bounding volume hierarchies"), triangles counted by the sixteen, since that many cost as much as one.
+until there are sixteen.
 """
 
 from dataclasses import dataclass
@@ -13,15 +12,12 @@ import warp as wp
 
 from warpsample.engine import run
 from warpsample.tracing.layout import WIDTH
+from warpsample.tracing.sah import ALL_BINS, BINS, MOST_BINS, best_split, centres, fill_bins, partition
 
-BINS = 16
-_ALL_BINS = 3 * BINS
 _SAH_LEVELS = 14
 """Deeper nodes halve their ranges by count, so that no arrangement of triangles makes the tree deeper than 22 nodes."""
 
-_LARGE = wp.constant(wp.float32(1e30))
-_MOST_BINS = wp.constant(wp.float32(0.9999 * BINS))
-_MOST_COST = wp.constant(wp.float32(3e38))
+_MOST_VERTICES = 2**31 - 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +40,7 @@ def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
 
     Args:
         vertices: (V, 3) float32.
-        faces: (F, 3) int32, F below 2^31 - 16.
+        faces: (F, 3) int32.
         workers: threads.
     """
     cpu = wp.get_device("cpu")
@@ -72,12 +68,14 @@ def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
         leaf_begins.append(begin[leaf])
         leaf_ends.append(end[leaf])
         begins, ends = begin[inner], end[inner]
-    begin, size = np.concatenate(leaf_begins), np.concatenate(leaf_ends) - np.concatenate(leaf_begins)
-    slots = np.arange(WIDTH)
-    kept = np.full((leaves, WIDTH), -1, np.int32)
-    filled = slots < size[:, None]
-    kept[filled] = lower[:, 3].view(np.int32)[(begin[:, None] + slots)[filled]]
-    return Topology(np.concatenate(places), levels, kept)
+    ranges = np.concatenate(leaf_begins), np.concatenate(leaf_ends)
+    return Topology(np.concatenate(places), levels, _leaf_faces(lower[:, 3].view(np.int32), *ranges))
+
+
+def _leaf_faces(order: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """(leaves, 16) int32 from ranges of the ordered faces; -1 beyond their ends."""
+    place = begin[:, None] + np.arange(WIDTH)
+    return np.where(place < end[:, None], order[np.minimum(place, len(order) - 1)], -1).astype(np.int32)
 
 
 @cache
@@ -88,7 +86,7 @@ def _triangle_boxes() -> wp.Kernel:
     def triangle_boxes(vertices: wp.uint64, faces: wp.uint64, lower: wp.uint64, upper: wp.uint64, first_task: wp.int64):
         i = wp.int32(first_task) + wp.tid()
         corners = wp.array(ptr=faces, shape=(i + 1,), dtype=wp.vec3i)[i]
-        points = wp.array(ptr=vertices, shape=(1,), dtype=wp.vec3)
+        points = wp.array(ptr=vertices, shape=(_MOST_VERTICES,), dtype=wp.vec3)
         a = points[corners[0]]
         b = points[corners[1]]
         c = points[corners[2]]
@@ -100,137 +98,6 @@ def _triangle_boxes() -> wp.Kernel:
         highs[i] = wp.vec4(high[0], high[1], high[2], 0.0)
 
     return triangle_boxes
-
-
-@wp.func
-def _xyz(v: wp.vec4) -> wp.vec3:
-    return wp.vec3(v[0], v[1], v[2])
-
-
-@wp.func
-def _half_area(low: wp.vec3, high: wp.vec3) -> wp.float32:
-    d = high - low
-    return d[0] * d[1] + d[1] * d[2] + d[2] * d[0]
-
-
-@wp.func
-def _passes(triangles: wp.int32) -> wp.float32:
-    """Leaves that many triangles fill."""
-    return wp.float32((triangles + WIDTH - 1) / WIDTH)
-
-
-@wp.func
-def _centres(lower: wp.array[wp.vec4], upper: wp.array[wp.vec4], begin: wp.int32, end: wp.int32):
-    """The box of the boxes' centres, times two."""
-    low = wp.vec3(_LARGE)
-    high = wp.vec3(-_LARGE)
-    for i in range(begin, end):
-        centre = _xyz(lower[i]) + _xyz(upper[i])
-        low = wp.min(low, centre)
-        high = wp.max(high, centre)
-    return low, high
-
-
-@wp.func
-def _put(
-    k: wp.int32, low: wp.vec3, high: wp.vec3, lows: wp.array[wp.vec3], highs: wp.array[wp.vec3], counts: wp.array[wp.int32]
-):
-    lows[k] = wp.min(lows[k], low)
-    highs[k] = wp.max(highs[k], high)
-    counts[k] = counts[k] + 1
-
-
-@wp.func
-def _fill_bins(
-    lower: wp.array[wp.vec4],
-    upper: wp.array[wp.vec4],
-    begin: wp.int32,
-    end: wp.int32,
-    start: wp.vec3,
-    scale: wp.vec3,
-    lows: wp.array[wp.vec3],
-    highs: wp.array[wp.vec3],
-    counts: wp.array[wp.int32],
-):
-    for k in range(_ALL_BINS):
-        lows[k] = wp.vec3(_LARGE)
-        highs[k] = wp.vec3(-_LARGE)
-        counts[k] = 0
-    for i in range(begin, end):
-        low = _xyz(lower[i])
-        high = _xyz(upper[i])
-        bin = wp.cw_mul(low + high - start, scale)
-        _put(wp.int32(bin[0]), low, high, lows, highs, counts)
-        _put(BINS + wp.int32(bin[1]), low, high, lows, highs, counts)
-        _put(2 * BINS + wp.int32(bin[2]), low, high, lows, highs, counts)
-
-
-@wp.func
-def _best_split(
-    triangles: wp.int32,
-    lows: wp.array[wp.vec3],
-    highs: wp.array[wp.vec3],
-    counts: wp.array[wp.int32],
-    right: wp.array[wp.float32],
-):
-    """(last bin of the left part among all axes' bins or -1, half areas of the left and of the right part)."""
-    best = wp.int32(-1)
-    least = wp.float32(_MOST_COST)
-    left_area = wp.float32(0.0)
-    right_area = wp.float32(0.0)
-    for axis in range(3):
-        first = axis * BINS
-        low = wp.vec3(_LARGE)
-        high = wp.vec3(-_LARGE)
-        for back in range(1, BINS):
-            k = first + BINS - back
-            low = wp.min(low, lows[k])
-            high = wp.max(high, highs[k])
-            right[k] = _half_area(low, high)
-        low = wp.vec3(_LARGE)
-        high = wp.vec3(-_LARGE)
-        count = wp.int32(0)
-        for k in range(first, first + BINS - 1):
-            low = wp.min(low, lows[k])
-            high = wp.max(high, highs[k])
-            count += counts[k]
-            if count > 0 and count < triangles:
-                area = _half_area(low, high)
-                cost = area * _passes(count) + right[k + 1] * _passes(triangles - count)
-                if cost < least:
-                    least = cost
-                    best = k
-                    left_area = area
-                    right_area = right[k + 1]
-    return best, left_area, right_area
-
-
-@wp.func
-def _partition(
-    lower: wp.array[wp.vec4],
-    upper: wp.array[wp.vec4],
-    begin: wp.int32,
-    end: wp.int32,
-    axis: wp.int32,
-    start: wp.float32,
-    scale: wp.float32,
-    last_bin: wp.int32,
-) -> wp.int32:
-    """Brings the triangles of the bins up to last_bin to the front; returns where the others begin."""
-    low = begin
-    high = end - 1
-    while low <= high:
-        a = lower[low]
-        b = upper[low]
-        if wp.int32((a[axis] + b[axis] - start) * scale) <= last_bin:
-            low += 1
-        else:
-            lower[low] = lower[high]
-            upper[low] = upper[high]
-            lower[high] = a
-            upper[high] = b
-            high -= 1
-    return low
 
 
 @cache
@@ -258,10 +125,10 @@ def _split_nodes() -> wp.Kernel:
         end_of = wp.array(ptr=child_ends + row, shape=(WIDTH,), dtype=wp.int32)
         used = wp.array(ptr=child_used + row, shape=(WIDTH,), dtype=wp.int32)
         area_of = wp.zeros(shape=(WIDTH,), dtype=wp.float32)
-        bin_lows = wp.zeros(shape=(_ALL_BINS,), dtype=wp.vec3)
-        bin_highs = wp.zeros(shape=(_ALL_BINS,), dtype=wp.vec3)
-        bin_counts = wp.zeros(shape=(_ALL_BINS,), dtype=wp.int32)
-        right = wp.zeros(shape=(_ALL_BINS,), dtype=wp.float32)
+        bin_lows = wp.zeros(shape=(ALL_BINS,), dtype=wp.vec3)
+        bin_highs = wp.zeros(shape=(ALL_BINS,), dtype=wp.vec3)
+        bin_counts = wp.zeros(shape=(ALL_BINS,), dtype=wp.int32)
+        right = wp.zeros(shape=(ALL_BINS,), dtype=wp.float32)
         begin_of[0] = wp.array(ptr=begins, shape=(node + 1,), dtype=wp.int32)[node]
         end_of[0] = end
         used[0] = 1
@@ -284,14 +151,14 @@ def _split_nodes() -> wp.Kernel:
                 left_area = area_of[largest]
                 right_area = left_area
                 if by_area != 0:
-                    start, stop = _centres(lows, highs, b, e)
+                    start, stop = centres(lows, highs, b, e)
                     extent = wp.max(stop - start, wp.vec3(1.0e-30))
-                    scale = wp.cw_div(wp.vec3(_MOST_BINS), extent)
-                    _fill_bins(lows, highs, b, e, start, scale, bin_lows, bin_highs, bin_counts)
-                    split, left_area, right_area = _best_split(e - b, bin_lows, bin_highs, bin_counts, right)
+                    scale = wp.cw_div(wp.vec3(MOST_BINS), extent)
+                    fill_bins(lows, highs, b, e, start, scale, bin_lows, bin_highs, bin_counts)
+                    split, left_area, right_area = best_split(e - b, bin_lows, bin_highs, bin_counts, right)
                     if split >= 0:
                         axis = split / BINS
-                        middle = _partition(lows, highs, b, e, axis, start[axis], scale[axis], split - axis * BINS)
+                        middle = partition(lows, highs, b, e, axis, start[axis], scale[axis], split - axis * BINS)
                 end_of[largest] = middle
                 area_of[largest] = left_area
                 begin_of[children] = middle

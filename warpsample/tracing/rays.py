@@ -23,9 +23,10 @@ _DOUBLES = wp.constant(wp.uint64(24))
 class RayJob:
     """Scalars and addresses of `points` origins with `count` directions each, float32, or float64 where it says so.
 
-    A task is `block` rays, at most CHUNK. Optional, else 0: normals (P, 3) float32, unit, along which origins are moved by `offset` to the side of each direction;
-    order (P,) int64, in which the points are visited; visits (P, count, 2) int32, nodes and leaves. A point x of the user's
-    is (x - centre) * scale inside, where the mesh is within 1 of 0 on each axis; a distance t inside is t * unit.
+    A task is `block` rays, at most CHUNK. A point x of the user's is (x - centre) * scale inside, where the mesh is within 1
+    of 0 on each axis; a distance t inside is t * unit. Optional, else 0: normals (P, 3) float32, unit, along which origins
+    are moved by `offset` to the side of each direction; order (P,) int64, in which the points are visited; visits
+    (P, count, 2) int32, nodes and leaves.
     """
 
     points: wp.int64
