@@ -88,16 +88,7 @@ def trace(
     mesh, workers = as_mesh(mesh), check_workers(workers)
     start = Triples.of(origins.position if isinstance(origins, SurfacePoints) else origins, "origins", "(P, 3) or (3,)")
     way = Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
-    if way.shape[: len(start.shape)] != start.shape or len(way.shape) - len(start.shape) > 1:
-        raise ValueError(
-            f"directions: got shape {(*way.shape, 3)}, want {(*start.shape, 3)} or {(*start.shape, 'n', 3)}, "
-            "as there are origins"
-        )
-    if start.device != way.device or isinstance(start.owner, wp.array) != isinstance(way.owner, wp.array):
-        raise ValueError(
-            f"directions: got a {type(way.owner).__name__} on {way.device}, "
-            f"want a {type(start.owner).__name__} on {start.device}, as the origins are"
-        )
+    _check_pair(start, way)
     reach = _check_reach(max_distance)
     name = _check_tracer(tracer, way.device)
     normals = _surface_normals(mesh, origins) if isinstance(origins, SurfacePoints) else None
@@ -210,6 +201,19 @@ def job_of(scene: Scene, start: Triples, way: Triples, reach: float, distance: A
         distance=address_of(distance),
         face=address_of(face),
     )
+
+
+def _check_pair(start: Triples, way: Triples) -> None:
+    if way.shape[: len(start.shape)] != start.shape or len(way.shape) - len(start.shape) > 1:
+        raise ValueError(
+            f"directions: got shape {(*way.shape, 3)}, want {(*start.shape, 3)} or {(*start.shape, 'n', 3)}, "
+            "as there are origins"
+        )
+    if start.device != way.device or isinstance(start.owner, wp.array) != isinstance(way.owner, wp.array):
+        raise ValueError(
+            f"directions: got a {type(way.owner).__name__} on {way.device}, "
+            f"want a {type(start.owner).__name__} on {start.device}, as the origins are"
+        )
 
 
 def _check_reach(max_distance: Any) -> float:
