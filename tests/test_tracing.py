@@ -474,7 +474,7 @@ def test_beyond_two_to_the_31_rays(per_point):
     start = start if per_point == 1 else trace.Triples.of(origins, "one")
     job = trace.job_of(scene, start, way, np.inf, distance, face)
     job.block, tasks = CHUNK, -(-rays // CHUNK)
-    kernel = ray_kernel(prepare_wide, wide_query(False), False)
+    kernel = ray_kernel(prepare_wide, wide_query(False))
     command = engine._take(kernel, [job, scene.tree(1).accelerator()], wp.get_device("cpu"))
     engine._run_chunks(command, iter([tasks - 10]), 10, tasks)
     assert (distance[-1], face[-1]) == (3.0, 0)
@@ -493,7 +493,7 @@ from warpsample.tracing.rays import ray_kernel
 from warpsample.tracing.wide import wide_query
 for any_hit in (False, True):
     print("@@", file=sys.stderr, flush=True)
-    wp.load_module(ray_kernel(prepare_wide, wide_query(any_hit), False).module, device="cpu")
+    wp.load_module(ray_kernel(prepare_wide, wide_query(any_hit)).module, device="cpu")
 """
 
 
@@ -515,9 +515,9 @@ def test_the_hot_loops_are_vectorised(tmp_path, child_environment):
 
 
 KERNELS = {
-    "wide": (prepare_wide, wide_query(False), True),
-    "warp": (prepare_builtin, builtin_query, False),
-    "warp, any": (prepare_builtin, builtin_any_query, False),
+    "wide": (prepare_wide, wide_query(False)),
+    "warp": (prepare_builtin, builtin_query),
+    "warp, any": (prepare_builtin, builtin_any_query),
 }
 
 

@@ -72,7 +72,7 @@ class Builtin:
         def work() -> np.ndarray:
             distance, face = way.empty(np.float32), way.empty(np.int32)
             job = job_of(self.scene, start, way, np.inf, distance, face)
-            run_rays(ray_kernel(prepare_builtin, builtin_any_query, False), accelerator, job, way.device, workers)
+            run_rays(ray_kernel(prepare_builtin, builtin_any_query), accelerator, job, way.device, workers)
             return face.ravel() >= 0
 
         return work

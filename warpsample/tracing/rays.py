@@ -156,13 +156,12 @@ def _normalize(chunk: wp.uint64):
 
 
 @cache
-def ray_kernel(prepare: wp.Function, query: wp.Function, counting: bool) -> wp.Kernel:
+def ray_kernel(prepare: wp.Function, query: wp.Function) -> wp.Kernel:
     """A kernel with a task for each block of rays, in the job's order.
 
     Args:
         prepare: (chunk): adds what the query needs.
         query: (Accelerator, ray, reach, scratch) -> (distance, face, nodes, leaves) of one.
-        counting: whether to store nodes and leaves.
     """
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
@@ -202,7 +201,7 @@ def ray_kernel(prepare: wp.Function, query: wp.Function, counting: bool) -> wp.K
             if reach > 0.0:
                 near, face, nodes, leaves = query(accelerator, column, reach, words.ptr)
                 distance = wp.float32((wp.float64(near) + wp.float64(rows[AHEAD])) * job.unit)
-                if counting:
+                if job.visits != wp.uint64(0):
                     visits = wp.array(ptr=job.visits + wp.uint64(ray) * wp.uint64(8), shape=(2,), dtype=wp.int32)
                     visits[0] = nodes
                     visits[1] = leaves

@@ -118,9 +118,9 @@ def answer(scene: Scene, job: Job, tracer: str, any_hit: bool, device: wp.Device
     """
     if tracer == "wide":
         tree = scene.tree(workers)
-        kernel, accelerator = ray_kernel(prepare_wide, wide_query(bool(any_hit)), bool(job.visits)), tree.accelerator()
+        kernel, accelerator = ray_kernel(prepare_wide, wide_query(bool(any_hit))), tree.accelerator()
     else:
-        kernel, accelerator = ray_kernel(prepare_builtin, builtin_query, False), scene.builtin(device)
+        kernel, accelerator = ray_kernel(prepare_builtin, builtin_query), scene.builtin(device)
     order = order_of(job, workers) if device.is_cpu and len(scene.faces) >= _MANY_FACES else None
     job.order = 0 if order is None else order.ctypes.data
     run_rays(kernel, accelerator, job, device, workers)
