@@ -133,8 +133,8 @@ def announce(*what):
     import sys
     print("@@", *what, file=sys.stderr, flush=True)
 for name, case in CASES:
-    shapes = (1, 3, 64) if getattr(case, "method", "") in ("polar", "offset") and name == "sobol" else (3, 64)
-    shapes = shapes if getattr(case, "method", "") in ("polar", "offset") else (64,)
+    every = (1, 3, 64) if name == "sobol" else (3, 64)  # one sample a point is the loop of 3, without their quotients
+    shapes = every if getattr(case, "method", "") in ("polar", "offset") else (64,)
     for count in shapes if case.width == 3 else ():
         announce(name, case, count)
         ws.sample_directions(normals, count, case, name)
