@@ -8,8 +8,6 @@ from test_bench import lines_of, not_blank, run_command
 
 from warpsample.bench import plots, rays, report, scenes, timing, tracers
 
-pytestmark = pytest.mark.xdist_group("rays")  # kernels of their own: compiled by one process, not by each
-
 
 @pytest.fixture(scope="module")
 def measured():

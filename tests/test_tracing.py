@@ -26,7 +26,6 @@ from warpsample.tracing.rays import ray_kernel
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.wide import wide_query
 
-pytestmark = pytest.mark.xdist_group("rays")  # kernels of their own: compiled by one process, not by each
 CLOSED = closed_meshes()
 TRIANGLE = ws.as_mesh(([(0, 0, 0), (2, 0, 0), (0, 2, 0)], [(0, 1, 2)]))
 SPHERE, TORUS, BOX = (CLOSED[name][0] for name in ("sphere", "torus", "box"))
