@@ -4,12 +4,10 @@ import mmap
 import re
 import subprocess
 import sys
-from collections import Counter
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
-import trimesh
 import warp as wp
 from embreex.mesh_construction import TriangleMesh
 from embreex.rtcore_scene import EmbreeScene
@@ -18,10 +16,10 @@ import warpsample as ws
 from warpsample import engine
 from warpsample.proof import report
 from warpsample.proof.rays import closed_meshes, judge_mesh, rays_inside
-from warpsample.tracing import build, order, trace
+from warpsample.tracing import order, trace
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
 from warpsample.tracing.intersect import prepare_wide
-from warpsample.tracing.layout import CHUNK, MOST_DEPTH
+from warpsample.tracing.layout import CHUNK
 from warpsample.tracing.rays import ray_kernel
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.wide import wide_query
@@ -293,7 +291,7 @@ def test_origins_far_away_lose_no_digits():
     assert (ws.trace(SPHERE, target + 1e9 * way, way).face == -1).all()
 
 
-# What is no ray, and what is hardly a mesh
+# What is no ray
 
 
 @tracers
@@ -313,94 +311,6 @@ def test_no_rays_at_all():
     hits = ws.trace(TRIANGLE, np.empty((0, 3)), np.empty((0, 3)))
     assert (hits.distance.shape, hits.face.shape, hits.invalid) == ((0,), (0,), 0)
     assert ws.trace(TRIANGLE, np.empty((5, 3)), np.empty((5, 0, 3))).face.shape == (5, 0)
-
-
-MESHES = {
-    "one": (np.eye(3), [[0, 1, 2]]),
-    "all degenerate": (np.eye(3), [[0, 0, 1], [1, 1, 1]]),
-    "one point": (np.ones((3, 3)), [[0, 1, 2]]),
-    "5000 equal": (np.eye(3), np.tile([[0, 1, 2]], (5000, 1))),
-    "halving": (np.concatenate([np.eye(3) * 2.0**-k for k in range(120)]), np.arange(360).reshape(-1, 3)),
-    "coplanar grid": trimesh.creation.box().subdivide().subdivide(),
-    "needles": (
-        np.stack([np.linspace(0, 1, 600), np.tile([0.0, 1e-6, 1.0], 200), np.zeros(600)], 1),
-        np.arange(600).reshape(-1, 3),
-    ),
-}
-
-
-@pytest.mark.parametrize("name", MESHES)
-def test_every_face_is_in_one_leaf_and_every_box_around_what_is_below(name):
-    scene = scene_of(ws.as_mesh(MESHES[name]))
-    tree = scene.tree(2)
-    topology = tree.topology
-    count = Counter(topology.faces[topology.faces >= 0].tolist())
-    assert count == dict.fromkeys(range(len(scene.faces)), 1)
-    assert len(topology.levels) - 1 <= MOST_DEPTH
-    below = topology.places[topology.places != 0]
-    assert sorted(below.tolist()) == [*range(-len(topology.faces), 0), *range(1, len(topology.places))]
-    boxes = np.swapaxes(tree.nodes[:, :6], 1, 2)
-    for node, slot in zip(*np.nonzero(topology.places), strict=True):
-        place = topology.places[node, slot]
-        if place < 0:
-            inside = scene.vertices[scene.faces[topology.faces[~place][topology.faces[~place] >= 0]]].reshape(-1, 3)
-            low, high = inside.min(axis=0), inside.max(axis=0)
-        else:
-            used = topology.places[place] != 0
-            low, high = boxes[place, used, :3].min(axis=0), boxes[place, used, 3:].max(axis=0)
-        assert (boxes[node, slot, :3] <= low).all()
-        assert (boxes[node, slot, 3:] >= high).all()
-    assert (tree.nodes.ctypes.data % 64, tree.leaves.ctypes.data % 64) == (0, 0)
-
-
-@pytest.mark.parametrize("name", MESHES)
-def test_both_tracers_answer_on_hostile_meshes(name):
-    mesh = ws.as_mesh(MESHES[name])
-    origins, directions = random_rays(2000)
-    wide, warp = (ws.trace(mesh, 3.0 * origins, directions - 3.0 * origins, tracer=tracer) for tracer in ("wide", "warp"))
-    assert np.count_nonzero(np.isfinite(wide.distance) != np.isfinite(warp.distance)) <= 1
-    assert (wide.face < len(mesh.faces)).all()
-    assert wide.invalid == warp.invalid == 0
-
-
-def test_a_tree_too_deep_for_areas_is_split_by_count(monkeypatch):
-    monkeypatch.setattr(build, "_SAH_LEVELS", 0)
-    mesh = ws.Mesh(TORUS.vertices, TORUS.faces)
-    rays = rays_inside(TORUS, 1 << 12, 1)
-    assert len(scene_of(mesh).tree(1).topology.levels) - 1 == 2  # 2304 faces: 16 x 16 leaves of 9
-    assert np.array_equal(ws.trace(mesh, *rays).face, ws.trace(TORUS, *rays).face)
-
-
-# Trees are kept, and follow their vertices
-
-
-def test_a_tree_is_built_once_and_dies_with_its_mesh(monkeypatch):
-    mesh = ws.Mesh(BOX.vertices, BOX.faces)
-    ws.trace(mesh, [0.0, 0.0, 0.0], [[0.0, 0.0, 1.0]])
-    known = len(scene_of.__globals__["_scenes"])
-    monkeypatch.setattr("warpsample.tracing.scene.build", None)
-    monkeypatch.setattr("warpsample.tracing.scene.fill", None)
-    ws.trace(mesh, [0.0, 0.0, 0.0], [[0.0, 0.0, 1.0]], any_hit=True)
-    del mesh
-    assert len(scene_of.__globals__["_scenes"]) == known - 1
-
-
-def test_refit_is_a_tree_of_the_moved_vertices(bunny, monkeypatch):
-    bent = bunny.vertices + 0.2 * np.sin(3.0 * bunny.vertices[:, [1, 2, 0]])
-    rays = rays_inside(ws.Mesh(bent, bunny.faces), 1 << 14, 2)
-    want = ws.trace(ws.Mesh(bent, bunny.faces), *rays)
-    ws.trace(bunny, [0.0, 0.0, 0.0], [[0.0, 0.0, 1.0]])
-    monkeypatch.setattr("warpsample.tracing.scene.build", None)
-    moved = ws.refit(bunny, bent)
-    got = ws.trace(moved, *rays)
-    assert np.array_equal(moved.vertices, bent)
-    assert np.array_equal(got.distance, want.distance)
-    assert np.count_nonzero(got.face != want.face) <= 3  # where two faces are at the same distance
-
-
-def test_refit_wants_as_many_vertices():
-    with pytest.raises(ValueError, match=r"vertices: got shape \(4, 3\), want \(8, 3\), that of the mesh's own"):
-        ws.refit(BOX, np.zeros((4, 3)))
 
 
 # Bad input
