@@ -335,7 +335,7 @@ def test_no_rays_at_all():
         ),
         ({"directions": wp.zeros(3, dtype=wp.int32, device="cpu")}, TypeError, "directions: got a wp.array of int32"),
         ({"directions": wp.zeros((2, 2), dtype=wp.vec3, device="cpu")[:, 0]}, ValueError, "directions: .* not contiguous"),
-        ({"max_distance": -1.0}, ValueError, "max_distance: got -1.0, want a number of at least 0, or None"),
+        ({"max_distance": -1.0}, ValueError, "max_distance: got -1.0, want a number from 0 to inf"),
         ({"max_distance": np.nan}, ValueError, "max_distance: got nan, want"),
         ({"max_distance": "far"}, TypeError, "max_distance: got 'far', want"),
         ({"tracer": "embree"}, ValueError, "tracer: got 'embree', want one of auto, wide, warp"),

@@ -3,12 +3,12 @@
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf, prod
-from numbers import Real
 from typing import Any
 
 import numpy as np
 import warp as wp
 
+from warpsample.arguments import check_number
 from warpsample.arrays import Array, address_of
 from warpsample.engine import check_memory, check_workers, run
 from warpsample.mesh import Mesh, as_mesh, unit_or_zero
@@ -89,7 +89,7 @@ def trace(
     start = Triples.of(origins.position if isinstance(origins, SurfacePoints) else origins, "origins", "(P, 3) or (3,)")
     way = Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
     _check_pair(start, way)
-    reach = _check_reach(max_distance)
+    reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
     name = _check_tracer(tracer, way.device)
     normals = _surface_normals(mesh, origins) if isinstance(origins, SurfacePoints) else None
     rays = prod(way.shape)
@@ -214,17 +214,6 @@ def _check_pair(start: Triples, way: Triples) -> None:
             f"directions: got a {type(way.owner).__name__} on {way.device}, "
             f"want a {type(start.owner).__name__} on {start.device}, as the origins are"
         )
-
-
-def _check_reach(max_distance: Any) -> float:
-    if max_distance is None:
-        return inf
-    wants = "a number of at least 0, or None"
-    if not isinstance(max_distance, Real) or isinstance(max_distance, bool):
-        raise TypeError(f"max_distance: got {max_distance!r}, want {wants}")
-    if not max_distance >= 0.0:
-        raise ValueError(f"max_distance: got {max_distance!r}, want {wants}")
-    return float(max_distance)
 
 
 def _check_tracer(tracer: Any, device: wp.Device) -> str:
