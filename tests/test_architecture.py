@@ -19,6 +19,7 @@ ROOMS = [
     "surface",
     "directions",
     "tracing",
+    "estimate",
     "proof",
     "export",
     "bench",

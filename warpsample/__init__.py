@@ -17,6 +17,9 @@ from warpsample.distributions.uniform_sphere import UniformSphere
 from warpsample.distributions.visible_beckmann import VisibleBeckmann
 from warpsample.distributions.visible_ggx import VisibleGGX
 from warpsample.distributions.von_mises_fisher import VonMisesFisher
+from warpsample.estimate.irradiance import irradiance
+from warpsample.estimate.plan import Estimate, PointStatus, Skipped
+from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
 from warpsample.mesh import Mesh, MeshReport, as_mesh, load_mesh
 from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
 from warpsample.tracing.scene import refit
@@ -27,6 +30,7 @@ __all__ = [
     "Beckmann",
     "CosineHemisphere",
     "Directions",
+    "Estimate",
     "Hits",
     "Mesh",
     "MeshReport",
@@ -34,7 +38,10 @@ __all__ = [
     "OffsetCircle",
     "OffsetDisk",
     "OffsetSphere",
+    "PointStatus",
     "PowerCosine",
+    "Skipped",
+    "SkyView",
     "Status",
     "SurfacePoints",
     "UniformCone",
@@ -44,15 +51,19 @@ __all__ = [
     "VisibleBeckmann",
     "VisibleGGX",
     "VonMisesFisher",
+    "ambient_occlusion",
     "as_mesh",
+    "bent_normals",
     "distributions",
     "face_centers",
+    "irradiance",
     "load_mesh",
     "refit",
     "sample_directions",
     "sample_square",
     "sample_surface",
     "sequences",
+    "sky_view_factor",
     "trace",
     "vertex_points",
 ]

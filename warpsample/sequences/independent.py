@@ -38,5 +38,6 @@ RECORD = Sequence(
     progressive=True,
     summary="independent points from pcg4d, the fastest",
     pair=independent_pair,
+    rate=0.5,
     source="Jarzynski and Olano 2020, listing 13",
 )

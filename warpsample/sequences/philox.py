@@ -61,5 +61,6 @@ RECORD = Sequence(
     progressive=True,
     summary="independent points from Philox4x32-10, the strictest generator",
     pair=philox_pair,
+    rate=0.5,
     source="Salmon et al. 2011, section 4.4",
 )

@@ -17,6 +17,7 @@ class Sequence:
             is what tells the sequences apart.
         pair: where one evaluation makes two points: `wp.func` (seed, point, half: uint32, count) -> vec4, those of samples
             2 half and 2 half + 1.
+        rate: the RMSE of n samples of a step, such as visibility is, falls about as n to the power of -rate.
         progressive: the first m of n points are those of any other n; else count must be known.
         summary: one line for tables.
         source: where it comes from.
@@ -28,3 +29,4 @@ class Sequence:
     summary: str
     source: str
     pair: wp.Function | None = None
+    rate: float = 0.75

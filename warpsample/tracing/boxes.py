@@ -51,7 +51,9 @@ class Tree:
 
     def accelerator(self) -> AcceleratorJob:
         """Its addresses, valid while this lives."""
-        return AcceleratorJob(nodes=self.nodes.ctypes.data, leaves=self.leaves.ctypes.data)
+        return AcceleratorJob(
+            nodes=self.nodes.ctypes.data, leaves=self.leaves.ctypes.data, start=self.nodes.ctypes.data, starts=1
+        )
 
 
 def fill(topology: Topology, vertices: np.ndarray, faces: np.ndarray, workers: int) -> Tree:

@@ -6,7 +6,7 @@ from warpsample.tracing.layout import CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, Ac
 
 
 @wp.func
-def prepare_builtin(chunk: wp.uint64):
+def prepare_builtin(chunk: wp.uint64, length: wp.int32):
     """Nothing to prepare."""
 
 

@@ -42,14 +42,15 @@ class Ray:
     along: wp.uint64
 
 
-# NumPy-like minimum and maximum ask for NaN; these are one instruction each. No NaN reaches them.
 @wp.func
-def _lesser(a: wp.float32, b: wp.float32) -> wp.float32:
+def lesser(a: wp.float32, b: wp.float32) -> wp.float32:
+    """The minimum, in one instruction: `wp.min` also asks for NaN, and none reaches this."""
     return wp.where(a < b, a, b)
 
 
 @wp.func
-def _greater(a: wp.float32, b: wp.float32) -> wp.float32:
+def greater(a: wp.float32, b: wp.float32) -> wp.float32:
+    """The maximum, likewise."""
     return wp.where(a > b, a, b)
 
 
@@ -72,8 +73,8 @@ def _bytes(rows: wp.int32) -> wp.float32:
 
 
 @wp.func
-def prepare_wide(chunk: wp.uint64):
-    """Fills the other rows of a chunk's rays, all at once.
+def prepare_wide(chunk: wp.uint64, length: wp.int32):
+    """Fills the other rows of a chunk's first rays, all at once.
 
     A plane at x is met at x * inverse + shift. near: byte offset from an axis' lower row to that of the planes met first.
     along, first, second: byte offset to the row of the direction's longest axis and to those of the other two, which are
@@ -81,7 +82,7 @@ def prepare_wide(chunk: wp.uint64):
     """
     rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
-    while k < CHUNK:
+    while k < length:
         x = _not_still(rays[DIRECTION + k])
         y = _not_still(rays[DIRECTION + CHUNK + k])
         z = _not_still(rays[DIRECTION + 2 * CHUNK + k])
@@ -101,7 +102,7 @@ def prepare_wide(chunk: wp.uint64):
         rays[_NEAR + CHUNK + k] = _bytes(wp.where(y < 0.0, 3, 0))
         rays[_NEAR + 2 * CHUNK + k] = _bytes(wp.where(z < 0.0, 3, 0))
         to_y = wp.abs(y) > wp.abs(x)
-        to_z = wp.abs(z) > _greater(wp.abs(x), wp.abs(y))
+        to_z = wp.abs(z) > greater(wp.abs(x), wp.abs(y))
         scale = wp.where(to_z, inverse_z, wp.where(to_y, inverse_y, inverse_x))
         rays[_ORIGIN + k] = wp.where(to_z, ox, wp.where(to_y, oz, oy))
         rays[_ORIGIN + CHUNK + k] = wp.where(to_z, oy, wp.where(to_y, ox, oz))
@@ -168,8 +169,8 @@ def boxes_met(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
         leave_x = fma(far_x[k], ray.inverse_x, ray.shift_x)
         leave_y = fma(far_y[k], ray.inverse_y, ray.shift_y)
         leave_z = fma(far_z[k], ray.inverse_z, ray.shift_z)
-        enter = _greater(_greater(enter_x, enter_y), _greater(enter_z, 0.0))
-        leave = _lesser(_lesser(leave_x, leave_y), _lesser(leave_z, reach))
+        enter = greater(greater(enter_x, enter_y), greater(enter_z, 0.0))
+        leave = lesser(lesser(leave_x, leave_y), lesser(leave_z, reach))
         met = enter <= leave
         # The child's number in the last bits of its distance: one minimum tells both.
         key = ((wp.cast(enter, wp.int32) & (~_CHILD)) | k) ^ flip
@@ -211,7 +212,7 @@ def triangles_met(leaf: wp.uint64, ray: Ray, reach: wp.float32, slack: wp.float3
         sum = u + v + w
         size = wp.abs(sum)  # 0 where the triangle is seen from its edge, or is none
         t = fma(u, az, fma(v, bz, w * cz)) * ray.scale_along * wp.copysign(1.0, sum)
-        inside = wp.where(_lesser(_lesser(u, v), w) >= 0.0, 1, 0) | wp.where(_greater(_greater(u, v), w) <= 0.0, 1, 0)
+        inside = wp.where(lesser(lesser(u, v), w) >= 0.0, 1, 0) | wp.where(greater(greater(u, v), w) <= 0.0, 1, 0)
         ahead = wp.where(t > -slack, 1, 0) & wp.where(t < fma(reach, size, slack), 1, 0) & wp.where(size > 0.0, 1, 0)
         mask = mask | wp.where((inside & ahead) != 0, 1 << k, 0)
         k += 1

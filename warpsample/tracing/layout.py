@@ -18,7 +18,7 @@ LEAF_BYTES = 10 * WIDTH * 4
 MOST_DEPTH = 24
 """Nodes from the root to a leaf, at most; `build` keeps to it."""
 
-SCRATCH = 3 * MOST_DEPTH
+SCRATCH = 4 * (MOST_DEPTH + 3)
 """int32 words that a query needs: nodes that wait."""
 
 CHUNK = 64
@@ -29,14 +29,31 @@ ORIGIN, DIRECTION, REACH, AHEAD, PREPARED = (row * CHUNK for row in (0, 3, 6, 7,
 
 CHUNK_FLOATS = PREPARED + 18 * CHUNK
 
+PLANE, PLANES, CORNERS = 5, 5, 4
+"""float32 of a beam's plane (normal, limit of boxes, limit of triangles); planes of a beam; rays at its corners."""
+
+BEAM_FLOATS = PLANE * PLANES + 3 * CORNERS + 3
+"""A beam: its planes, its corners' unit directions and its origin, one after the other."""
+
+MOST_STARTS = 4
+"""Nodes that the rays of a point start from."""
+
+START_FLOATS = MOST_STARTS * NODE_BYTES // 4 + LEAF_BYTES // 4 + 1
+"""These, the leaf of the triangles around the point, and its slack."""
+
 
 @wp.struct
 class Accelerator:
-    """Addresses of a tree's nodes and leaves, or the id of a wp.Mesh."""
+    """Addresses of a tree's nodes and leaves, or the id of a wp.Mesh.
+
+    Queries start from `starts` nodes, at most MOST_STARTS, from the address `start` on; without any, nothing is met.
+    """
 
     nodes: wp.uint64
     leaves: wp.uint64
     mesh: wp.uint64
+    start: wp.uint64
+    starts: wp.int32
 
 
 AcceleratorJob = type(Accelerator().__ctype__())

@@ -11,6 +11,7 @@ FURTHEST = 6.0
 """From 0 on an axis; origins beyond come nearer first, in float64, so that float32 resolves the mesh."""
 
 _FURTHEST = wp.constant(wp.float64(FURTHEST))
+_LIFT = wp.constant(wp.float32(2.0**-19))
 _ENTRY = wp.constant(wp.float64(1.25))
 _ZERO = wp.constant(wp.float64(0.0))
 _ONE = wp.constant(wp.float64(1.0))
@@ -24,8 +25,8 @@ class RayJob:
     """Scalars and addresses of `points` origins with `count` directions each, float32, or float64 where it says so.
 
     A task is `block` rays, at most CHUNK. A point x of the user's is (x - centre) * scale inside, where the mesh is within 1
-    of 0 on each axis; a distance t inside is t * unit. Optional, else 0: normals (P, 3) float32, unit, along which origins
-    are moved by `offset` to the side of each direction; order (P,) int64, in which the points are visited; visits
+    of 0 on each axis, and its extent; a distance t inside is t * unit. Optional, else 0: normals (P, 3) float32, unit,
+    along which origins are moved by `lift` to the side of each direction; order (P,) int64, that of the visits; visits
     (P, count, 2) int32, nodes and leaves.
     """
 
@@ -44,7 +45,10 @@ class RayJob:
     scale: wp.float64
     unit: wp.float64
     reach: wp.float64
-    offset: wp.float32
+    extent_x: wp.float32
+    extent_y: wp.float32
+    extent_z: wp.float32
+    coarseness: wp.float32
     distance: wp.uint64
     face: wp.uint64
     visits: wp.uint64
@@ -72,7 +76,7 @@ def _unit(d: wp.vec3d, double: wp.int32) -> wp.vec3d:
 
 
 @wp.func
-def _entry(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
+def way_to_scene(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
     """How far a ray that starts outside is from a cube around the scene; negative where it misses that."""
     enter = _ZERO
     leave = wp.float64(wp.INF)
@@ -86,7 +90,8 @@ def _entry(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
 
 
 @wp.func
-def _point_of(job: RayJob, i: wp.int64) -> wp.int64:
+def point_of(job: RayJob, i: wp.int64) -> wp.int64:
+    """The point that is the i-th to be visited."""
     if job.order == wp.uint64(0):
         return i
     order = wp.array(ptr=job.order + wp.uint64(i) * wp.uint64(8), shape=(1,), dtype=wp.int64)
@@ -109,13 +114,31 @@ def _direction(job: RayJob, ray: wp.int64) -> wp.vec3:
 
 
 @wp.func
+def extent_along(job: RayJob, n: wp.vec3) -> wp.float32:
+    """How far the mesh reaches along a normal, at most: what is rounded along it is rounded by 2^-24 of this."""
+    return wp.abs(n[0]) * job.extent_x + wp.abs(n[1]) * job.extent_y + wp.abs(n[2]) * job.extent_z
+
+
+@wp.func
+def lift(job: RayJob, n: wp.vec3) -> wp.float32:
+    """How far points of a face with that normal are moved off it: 32 roundings, and more where they are stored coarsely."""
+    return _LIFT * extent_along(job, n) + job.coarseness
+
+
+@wp.func
+def far_off(o: wp.vec3d) -> wp.bool:
+    """Whether an origin is so far from the mesh that its rays are to be brought near."""
+    return wp.max(wp.max(wp.abs(o[0]), wp.abs(o[1])), wp.abs(o[2])) > _FURTHEST
+
+
+@wp.func
 def _read(job: RayJob, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.uint64):
     """A ray from o into its column."""
     d = _direction(job, ray)
     ahead = _ZERO
-    if wp.max(wp.max(wp.abs(o[0]), wp.abs(o[1])), wp.abs(o[2])) > _FURTHEST:
+    if far_off(o):
         unit = _unit(_vector(job.directions, job.double_directions, ray), job.double_directions)
-        ahead = _entry(o, unit)
+        ahead = way_to_scene(o, unit)
         o = o + ahead * unit
     x = wp.float32(o[0])
     y = wp.float32(o[1])
@@ -123,7 +146,7 @@ def _read(job: RayJob, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.u
     if job.normals != wp.uint64(0):
         normal = wp.array(ptr=job.normals + wp.uint64(point) * _FLOATS, shape=(1,), dtype=wp.vec3)
         n = normal[0]
-        away = wp.copysign(job.offset, wp.dot(n, d))
+        away = wp.copysign(lift(job, n), wp.dot(n, d))
         x += away * n[0]
         y += away * n[1]
         z += away * n[2]
@@ -160,7 +183,7 @@ def ray_kernel(prepare: wp.Function, query: wp.Function) -> wp.Kernel:
     """A kernel with a task for each block of rays, in the job's order.
 
     Args:
-        prepare: (chunk): adds what the query needs.
+        prepare: (chunk, rays): adds what the query needs.
         query: (Accelerator, ray, reach, scratch) -> (distance, face, nodes, leaves) of one.
     """
 
@@ -172,11 +195,11 @@ def ray_kernel(prepare: wp.Function, query: wp.Function) -> wp.Kernel:
         length = wp.int32(wp.min(job.block, job.points * job.count - first))
         row = first / job.count
         j = first - row * job.count
-        point = _point_of(job, row)
+        point = point_of(job, row)
         o = local_origin(job, point)
         for k in range(length):
             if j == wp.int64(0):
-                point = _point_of(job, row)
+                point = point_of(job, row)
                 o = local_origin(job, point)
             _read(job, point, o, point * job.count + j, floats.ptr + wp.uint64(4 * k))
             j += wp.int64(1)
@@ -184,11 +207,11 @@ def ray_kernel(prepare: wp.Function, query: wp.Function) -> wp.Kernel:
                 j = wp.int64(0)
                 row += wp.int64(1)
         _normalize(floats.ptr)
-        prepare(floats.ptr)
+        prepare(floats.ptr, CHUNK)
         row = first / job.count
         j = first - row * job.count
         for k in range(length):
-            ray = _point_of(job, row) * job.count + j
+            ray = point_of(job, row) * job.count + j
             j += wp.int64(1)
             if j == job.count:
                 j = wp.int64(0)

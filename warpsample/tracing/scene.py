@@ -13,6 +13,7 @@ from warpsample.tracing.build import Topology, build
 from warpsample.tracing.layout import AcceleratorJob
 
 _LEAST_EXPONENT = -900
+_LEAST_EXTENT = 2.0**-16  # points of a plane across an axis are moved off it all the same
 
 
 class Scene:
@@ -21,6 +22,7 @@ class Scene:
     Attributes:
         centre: (3,) float64, of the mesh's box.
         scale: a power of two, so that scaling a mesh by one changes no digit.
+        extent: (3,), how far the mesh reaches from 0 on each axis, or a little more where that is next to nothing.
         vertices: (V, 3) float32, (vertices - centre) * scale.
         faces: (F, 3) int32.
     """
@@ -31,6 +33,7 @@ class Scene:
         self.centre = 0.5 * lower + 0.5 * upper
         exponent = int(np.frexp(np.max(upper - self.centre))[1])
         self.scale = 2.0 ** -max(exponent, _LEAST_EXPONENT)
+        self.extent = np.maximum((upper - self.centre) * self.scale, _LEAST_EXTENT)
         self.vertices = ((mesh.vertices - self.centre) * self.scale).astype(np.float32)
         self.faces = mesh.faces
         self._topology: Topology | None = None
@@ -56,7 +59,7 @@ class Scene:
             points = wp.array(self.vertices, dtype=wp.vec3, device=device)
             indices = wp.array(self.faces.ravel(), dtype=wp.int32, device=device)
             self._builtin[device.alias] = wp.Mesh(points, indices)
-        return AcceleratorJob(mesh=self._builtin[device.alias].id)
+        return AcceleratorJob(mesh=self._builtin[device.alias].id, starts=1)
 
 
 _scenes: WeakKeyDictionary[Mesh, Scene] = WeakKeyDictionary()

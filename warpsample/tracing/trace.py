@@ -24,9 +24,12 @@ from warpsample.tracing.wide import wide_query
 TRACERS = ("wide", "warp")
 """The 16-wide tree, on the CPU; wp.Mesh, anywhere."""
 
-_SPACINGS = 16.0  # of float32 at 1: rounding the point, its face's corners and what the test makes of them is about 4
-_MANY_FACES = 1 << 18  # smaller trees are in the cache wherever a ray is
-_RAY_WORK = 64  # directions that take as long to sample
+MANY_FACES = 1 << 18
+"""From which on the order of points matters: smaller trees are in the cache wherever a ray is."""
+
+RAY_WORK = 64
+"""Directions that take as long to sample as a ray to trace."""
+
 _DOUBLE = {np.float32: False, np.float64: True, wp.vec3: False, wp.vec3d: True, wp.float32: False, wp.float64: True}
 
 
@@ -70,7 +73,8 @@ def trace(
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
         origins: (P, 3) float32 or float64, in the coordinates of the mesh; or (3,), one for all rays; or SurfacePoints,
-            which are moved off their face, to the side of each direction, by a millionth of the mesh's size. Others are
+            which are moved off their face, to the side of each direction, by two millionths of the mesh's extent
+            in that direction. Others are
             taken as they are; a face at distance 0 is not met, but rounding may bring it in front.
         directions: (P, 3), one for each origin, or (P, n, 3), n for each; of any length.
         max_distance: meets only what is nearer, in units of the coordinates.
@@ -90,8 +94,8 @@ def trace(
     way = Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
     _check_pair(start, way)
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
-    name = _check_tracer(tracer, way.device)
-    normals = _surface_normals(mesh, origins) if isinstance(origins, SurfacePoints) else None
+    name = check_tracer(tracer, way.device)
+    normals = surface_normals(mesh, origins) if isinstance(origins, SurfacePoints) else None
     rays = prod(way.shape)
     if way.device.is_cpu:
         check_memory(8 * rays, f"the hits of {rays:,} rays", "trace them in parts")
@@ -100,7 +104,7 @@ def trace(
         scene = scene_of(mesh)
         job = job_of(scene, start, way, reach, distance, face)
         if normals is not None:
-            job.normals, job.offset = normals.ctypes.data, _offset(scene, start.owner)
+            job.normals = normals.ctypes.data
         answer(scene, job, name, any_hit, way.device, workers)
     return Hits(distance, face, name)
 
@@ -121,16 +125,22 @@ def answer(scene: Scene, job: Job, tracer: str, any_hit: bool, device: wp.Device
         kernel, accelerator = ray_kernel(prepare_wide, wide_query(bool(any_hit))), tree.accelerator()
     else:
         kernel, accelerator = ray_kernel(prepare_builtin, builtin_query), scene.builtin(device)
-    order = order_of(job, workers) if device.is_cpu and len(scene.faces) >= _MANY_FACES else None
+        widen_lift(job)
+    order = order_of(job, workers) if device.is_cpu and len(scene.faces) >= MANY_FACES else None
     job.order = 0 if order is None else order.ctypes.data
     run_rays(kernel, accelerator, job, device, workers)
+
+
+def widen_lift(job: Job) -> None:
+    """Moves points off as if the mesh were as large in all directions: wp.Mesh tells distances to needles that badly."""
+    job.extent_x = job.extent_y = job.extent_z = 1.0
 
 
 def run_rays(kernel: wp.Kernel, accelerator: AcceleratorJob, job: Job, device: wp.Device, workers: int) -> None:
     """Runs a job's rays through a kernel of `ray_kernel`."""
     rays = job.points * job.count
     job.block = CHUNK if device.is_cpu else 1  # so that neighbouring threads trace neighbouring rays
-    run(kernel, -(-rays // job.block), [job, accelerator], device, workers, _RAY_WORK * rays)
+    run(kernel, -(-rays // job.block), [job, accelerator], device, workers, RAY_WORK * rays)
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,11 +206,21 @@ def job_of(scene: Scene, start: Triples, way: Triples, reach: float, distance: A
         centre_y=scene.centre[1],
         centre_z=scene.centre[2],
         scale=scene.scale,
+        extent_x=scene.extent[0],
+        extent_y=scene.extent[1],
+        extent_z=scene.extent[2],
+        coarseness=_coarseness(scene, start.double),
         unit=1.0 / scene.scale,
         reach=reach * scene.scale,
         distance=address_of(distance),
         face=address_of(face),
     )
+
+
+def _coarseness(scene: Scene, double: bool) -> float:
+    """Two spacings of the user's numbers at the mesh, in the scene's coordinates."""
+    largest = np.max(np.abs(scene.centre)) + 1.0 / scene.scale
+    return 2.0 * float(np.spacing((np.float64 if double else np.float32)(largest))) * scene.scale
 
 
 def _check_pair(start: Triples, way: Triples) -> None:
@@ -216,7 +236,12 @@ def _check_pair(start: Triples, way: Triples) -> None:
         )
 
 
-def _check_tracer(tracer: Any, device: wp.Device) -> str:
+def check_tracer(tracer: Any, device: wp.Device) -> str:
+    """The tracer to use on a device.
+
+    Raises:
+        ValueError: no tracer, or none of that device's.
+    """
     if tracer not in ("auto", *TRACERS):
         raise ValueError(f"tracer: got {tracer!r}, want one of auto, {', '.join(TRACERS)}")
     if tracer == "wide" and not device.is_cpu:
@@ -224,20 +249,17 @@ def _check_tracer(tracer: Any, device: wp.Device) -> str:
     return tracer if tracer != "auto" else ("wide" if device.is_cpu else "warp")
 
 
-def _surface_normals(mesh: Mesh, points: SurfacePoints) -> np.ndarray:
-    """(P, 3) float32, unit or zero: the faces', and the points' own where they lie on none."""
+def surface_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origins") -> np.ndarray:
+    """(P, 3) float32, unit or zero: the faces', and the points' own where they lie on none.
+
+    Raises:
+        ValueError: a face that the mesh has not; names the argument.
+    """
     face = np.asarray(points.face)
     if face.size and not (face.min() >= -1 and face.max() < len(mesh.faces)):
         raise ValueError(
-            f"origins: got points on faces {face.min()} to {face.max()}, want -1 (none) to {len(mesh.faces) - 1}, the mesh's"
+            f"{argument}: got points on faces {face.min()} to {face.max()}, want -1 (none) to {len(mesh.faces) - 1}"
         )
     own = np.asarray(points.normal, np.float64)
     own = unit_or_zero(np.where(np.isfinite(own).all(axis=1, keepdims=True), own, 0.0))
     return np.where(face[:, None] >= 0, mesh.face_normals[face], own)
-
-
-def _offset(scene: Scene, position: np.ndarray) -> float:
-    """How far surface points are moved off, in the scene's coordinates; more where the positions are coarser themselves."""
-    largest = np.nanmax(np.abs(position), initial=0.0)
-    own = 2.0 * float(np.spacing(position.dtype.type(largest))) if np.isfinite(largest) else 0.0
-    return _SPACINGS * 2.0**-24 + own * scene.scale

@@ -12,13 +12,13 @@ _LEAF = wp.constant(wp.uint64(LEAF_BYTES))
 _PLACES = wp.constant(wp.uint64(6 * WIDTH * 4))
 _SLACKS = wp.constant(wp.uint64(7 * WIDTH * 4))
 _FACES = wp.constant(wp.uint64(9 * WIDTH * 4))
-_WAITING = wp.constant(wp.uint64(3 * 4))
+_WAITING = wp.constant(wp.uint64(4 * 4))
 
 
 @wp.func
-def _nearest(leaf: wp.uint64, ray: Ray, column: wp.uint64, reach: wp.float32, slack: wp.float32):
-    """(distance, place in the leaf) of the nearest triangle met; (reach, -1) if there is none."""
-    met = triangles_met(leaf, ray, reach, slack)
+def nearest_of(leaf: wp.uint64, lanes: wp.int32, ray: Ray, column: wp.uint64, reach: wp.float32, slack: wp.float32):
+    """(distance, place in the leaf) of the nearest triangle met, of those in the mask `lanes`; (reach, -1) if none is."""
+    met = triangles_met(leaf, ray, reach, slack) & lanes
     nearest = wp.int32(-1)
     for _ in range(wp.bit_count(met)):
         triangle = lowest_bit(met)
@@ -31,26 +31,29 @@ def _nearest(leaf: wp.uint64, ray: Ray, column: wp.uint64, reach: wp.float32, sl
 
 
 @wp.func
-def _put_aside(top: wp.uint64, node: wp.int32, mask: wp.int32, reach: wp.float32) -> wp.uint64:
-    waiting = wp.array(ptr=top, shape=(3,), dtype=wp.int32)
-    waiting[0] = node
-    waiting[1] = mask
-    waiting[2] = wp.cast(reach, wp.int32)
+def put_aside(top: wp.uint64, node: wp.uint64, mask: wp.int32, reach: wp.float32) -> wp.uint64:
+    """The new top of the stack of nodes that wait, with the children to be visited and the reach they were found with."""
+    address = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)
+    address[0] = node
+    waiting = wp.array(ptr=top, shape=(4,), dtype=wp.int32)
+    waiting[2] = mask
+    waiting[3] = wp.cast(reach, wp.int32)
     return top + _WAITING
 
 
 @wp.func
-def _take_up(nodes: wp.uint64, ray: Ray, reach: wp.float32, top: wp.uint64, bottom: wp.uint64):
+def _take_up(ray: Ray, reach: wp.float32, top: wp.uint64, bottom: wp.uint64):
     """(node, mask, top): the last node that waits and the children within reach by now; mask 0 if none is left."""
-    node = wp.int32(0)
+    node = wp.uint64(0)
     mask = wp.int32(0)
     while mask == 0 and top != bottom:
         top -= _WAITING
-        waiting = wp.array(ptr=top, shape=(3,), dtype=wp.int32)
-        node = waiting[0]
-        mask = waiting[1]
-        if waiting[2] != wp.cast(reach, wp.int32):
-            still, _ = boxes_met(nodes + wp.uint64(node) * _NODE, ray, reach, 0)
+        address = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)
+        waiting = wp.array(ptr=top, shape=(4,), dtype=wp.int32)
+        node = address[0]
+        mask = waiting[2]
+        if waiting[3] != wp.cast(reach, wp.int32):
+            still, _ = boxes_met(node, ray, reach, 0)
             mask = mask & still
     return node, mask, top
 
@@ -69,26 +72,30 @@ def wide_query(any_hit: bool) -> wp.Function:
     flip = -1 if any_hit else 0
 
     @wp.func
-    def wide_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
+    def wide_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):  # noqa: PLR0912
         ray = ray_in(column)
         hit = wp.int32(-1)
         hit_leaf = wp.uint64(0)
         top = scratch
         visited = wp.int32(1)
         visited_leaves = wp.int32(0)
-        node = wp.int32(0)
-        mask, child = boxes_met(accelerator.nodes, ray, reach, flip)
+        node = accelerator.start
+        mask, child = boxes_met(node, ray, reach, flip)
+        for other in range(1, accelerator.starts):
+            top = put_aside(top, node + wp.uint64(other) * _NODE, -1, -1.0)
+        if mask == 0:
+            node, mask, top = _take_up(ray, reach, top, scratch)
+            child = lowest_bit(mask)
         while mask != 0:
             mask = mask & (~(1 << child))
-            here = accelerator.nodes + wp.uint64(node) * _NODE
-            places = wp.array(ptr=here + _PLACES, shape=(WIDTH,), dtype=wp.int32)
+            places = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)
             place = places[child]
             below = wp.int32(0)
             if place < 0:
                 visited_leaves += 1
                 leaf = accelerator.leaves + wp.uint64(~place) * _LEAF
-                slacks = wp.array(ptr=here + _SLACKS, shape=(WIDTH,), dtype=wp.float32)
-                reach, triangle = _nearest(leaf, ray, column, reach, slacks[child])
+                slacks = wp.array(ptr=node + _SLACKS, shape=(WIDTH,), dtype=wp.float32)
+                reach, triangle = nearest_of(leaf, -1, ray, column, reach, slacks[child])
                 if triangle >= 0:
                     hit = triangle
                     hit_leaf = leaf
@@ -96,19 +103,20 @@ def wide_query(any_hit: bool) -> wp.Function:
                         mask = 0
                         top = scratch
                     if mask != 0:
-                        still, child = boxes_met(here, ray, reach, flip)
+                        still, child = boxes_met(node, ray, reach, flip)
                         mask = mask & still
             else:
                 visited += 1
-                below, child = boxes_met(accelerator.nodes + wp.uint64(place) * _NODE, ray, reach, flip)
+                inner = accelerator.nodes + wp.uint64(place) * _NODE
+                below, child = boxes_met(inner, ray, reach, flip)
                 if below != 0:
                     if mask != 0:
-                        top = _put_aside(top, node, mask, reach)
-                    node = place
+                        top = put_aside(top, node, mask, reach)
+                    node = inner
                     mask = below
             if below == 0:
                 if mask == 0:
-                    node, mask, top = _take_up(accelerator.nodes, ray, reach, top, scratch)
+                    node, mask, top = _take_up(ray, reach, top, scratch)
                 child = lowest_bit(mask)
         face = wp.int32(-1)
         nearest = wp.float32(wp.INF)

@@ -1,0 +1,79 @@
+"""The cosine lobe cut into cells of equal weight: what rays are stratified by, and what beams find empty.
+
+A cell is a rectangle of the square that the polar map makes directions of: a band of sin^2 theta in a sector of azimuths.
+Each has rays of its own, in two independent randomisations, so that their differences, cell by cell, tell the error.
+"""
+
+from dataclasses import dataclass
+from functools import cache
+from math import cos, pi, sin, sqrt
+
+import numpy as np
+
+REPLICATES = 2
+"""Randomisations of a cell's rays: with more, each has fewer rays, and low-discrepancy ones lose what sets them apart."""
+
+_GRIDS = ((1, 1, 1), (32, 1, 4), (256, 2, 4), (448, 4, 8), (4096, 4, 16), (16384, 8, 16))
+"""(rays from which on, bands, sectors): the fastest to an RMSE of 0.01 and 0.003 on the bunny, but for the four sectors
+from 32 rays on, which cost an eighth and give the error bar more than one difference to stand on."""
+
+
+@dataclass(frozen=True, eq=False)
+class Cells:
+    """The cells of a lobe, sector by sector, and the beams about them.
+
+    Attributes:
+        bands: of sin^2 theta, of equal width.
+        sectors: of azimuth; 1, without beams, or at least 4.
+        each: rays of a replicate of a cell.
+        beams: (sectors, bands + 1, 9, 3) float32, local frame: of each sector and of its bands the inward normals of five
+            planes (the horizon's, two at the azimuths, towards the normal, towards the horizon), and the corners' rays.
+    """
+
+    bands: int
+    sectors: int
+    each: int
+    beams: np.ndarray
+
+    @property
+    def rays(self) -> int:
+        """Of a point."""
+        return self.bands * self.sectors * self.each * REPLICATES
+
+
+@cache
+def cells_of(count: int) -> Cells:
+    """The cells for at most `count` rays a point, at least 2."""
+    _, bands, sectors = next(grid for grid in _GRIDS[::-1] if count >= grid[0])
+    spans = [(0.0, 1.0), *((band / bands, (band + 1) / bands) for band in range(bands))]
+    beams = [[_beam(s / sectors, (s + 1) / sectors, *span) for span in spans] for s in range(sectors if sectors > 1 else 0)]
+    return Cells(bands, sectors, count // (bands * sectors * REPLICATES), np.array(beams, np.float32))
+
+
+def _beam(first: float, last: float, low: float, high: float) -> list[tuple[float, float, float]]:
+    """The beam about azimuths from first to last, in turns, and sin^2 theta from low to high.
+
+    The cone towards the normal is replaced by the plane through its two corners, which cuts off more of it, and the one
+    towards the horizon by the plane that touches it between them.
+    """
+    start, stop, middle = 2.0 * pi * first, 2.0 * pi * last, pi * (first + last)
+    half = cos(0.5 * (stop - start))
+    corners = [
+        _unit(along, up, azimuth)
+        for azimuth in (start, stop)
+        for along, up in ((sqrt(low), sqrt(1.0 - low)), (sqrt(high) / half, sqrt(1.0 - high)))
+    ]
+    return [
+        (0.0, 0.0, 1.0),
+        (-sin(start), cos(start), 0.0),
+        (sin(stop), -cos(stop), 0.0),
+        _unit(sqrt(1.0 - low), -sqrt(low) * half, middle),
+        _unit(-sqrt(1.0 - high), sqrt(high), middle),
+        *corners,
+    ]
+
+
+def _unit(along: float, up: float, azimuth: float) -> tuple[float, float, float]:
+    """The unit vector with those shares along an azimuth and upwards."""
+    length = sqrt(along * along + up * up)
+    return along * cos(azimuth) / length, along * sin(azimuth) / length, up / length

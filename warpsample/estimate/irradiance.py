@@ -1,0 +1,115 @@
+"""Irradiance under light from afar: a picture of it all around, or a function of the direction."""
+
+from math import pi
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample.estimate.plan import Estimate, Plan, Quantity
+from warpsample.estimate.visibility import check_direction, vector_weights
+from warpsample.estimate.weights import environment, radiance_of
+from warpsample.surface import SurfacePoints
+
+
+def irradiance(
+    mesh: Any,
+    points: SurfacePoints,
+    radiance: Any,
+    count: int = 256,
+    up: Any = (0.0, 0.0, 1.0),
+    **options: Any,
+) -> Estimate:
+    """The irradiance of light from afar that the mesh does not block; faces reflect none. pi under a radiance of 1.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes.
+        points: P of them; as for `ambient_occlusion`.
+        radiance: an equirectangular picture, (H, W) or (H, W, 3), finite numbers of at least 0, or the path of an .hdr file:
+            row 0 is about `up`, columns go round it, counter-clockwise seen from there, for up = (0, 0, 1) from x towards
+            y; read off bilinearly. Or a wp.func (direction: wp.vec3) -> float or wp.vec3, in the mesh's coordinates. A
+            small bright sun takes many rays: they are spread by the cosine alone.
+        count: rays of each point; none is cast where the radiance is 0.
+        up: (3,), of any length; only for a picture.
+        **options: sequence, seed, first_point, active, tolerance (in the result's unit), skip, tracer and workers of
+            `ambient_occlusion`.
+
+    Returns:
+        value (P,), or (P, 3) for a radiance of three numbers, in the radiance's unit times steradian.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free.
+        ModuleNotFoundError: an .hdr file without PyVista.
+    """
+    plan = Plan.of(mesh, points, count, **options)
+    axis = check_direction(up, "up")
+    if isinstance(radiance, wp.Function):
+        colour = _gives_colour(radiance)
+        return plan.estimate(Quantity(radiance_of(radiance, colour), channels=3 if colour else 1, unit=pi))
+    picture = _picture(radiance)
+    colour = picture.ndim == 3
+    pixels = np.ascontiguousarray(np.broadcast_to(picture if colour else picture[..., None], (*picture.shape[:2], 3)))
+    weights = vector_weights(axis)
+    weights.pixels, (weights.height, weights.width) = pixels.ctypes.data, picture.shape[:2]
+    return plan.estimate(Quantity(environment, channels=3 if colour else 1, weights=weights, unit=pi))
+
+
+def _gives_colour(function: wp.Function) -> bool:
+    """Whether a function of the direction gives a vec3.
+
+    Raises:
+        TypeError: it gives something else, or cannot be called so.
+    """
+    wants = "want a wp.func (direction: wp.vec3) -> float or wp.vec3"
+    try:
+        value = function(wp.vec3(0.0, 0.0, 1.0))
+    except Exception as error:  # whatever its author's code raises
+        raise TypeError(f"radiance: got a function that cannot be called with a direction ({error}), {wants}") from error
+    if isinstance(value, wp.vec3 | float):
+        return isinstance(value, wp.vec3)
+    raise TypeError(f"radiance: got a function that gives {type(value).__name__}, {wants}")
+
+
+def _picture(radiance: Any) -> np.ndarray:
+    """(H, W) or (H, W, 3) float32.
+
+    Raises:
+        TypeError, ValueError: not a picture of radiances.
+    """
+    if isinstance(radiance, str | PathLike):
+        radiance = read_hdr(Path(radiance))
+    picture = np.asarray(radiance)
+    if picture.dtype.kind not in "fiu":
+        raise TypeError(f"radiance: got {type(radiance).__name__}, want an array of numbers, a path or a wp.func")
+    if picture.ndim not in (2, 3) or picture.shape[2:] not in ((), (3,)) or 0 in picture.shape:
+        raise ValueError(f"radiance: got shape {picture.shape}, want (H, W) or (H, W, 3)")
+    picture = picture.astype(np.float32)
+    if not (np.isfinite(picture).all() and picture.min() >= 0.0):
+        raise ValueError("radiance: got numbers that are below 0 or not finite, want finite ones of at least 0")
+    return picture
+
+
+def read_hdr(path: Path) -> np.ndarray:
+    """(H, W, 3) float32, the picture in a Radiance .hdr file, by VTK; row 0 on top.
+
+    Raises:
+        FileNotFoundError: no such file.
+        ValueError: another suffix, or a file that VTK cannot read.
+        ModuleNotFoundError: without PyVista.
+    """
+    if not path.is_file():
+        raise FileNotFoundError(f"radiance: got {str(path)!r}, which is missing, want an .hdr file")
+    if path.suffix.lower() != ".hdr":
+        raise ValueError(f"radiance: got {path.name!r}, want a file that ends in .hdr")
+    try:
+        import pyvista as pv  # noqa: PLC0415
+    except ModuleNotFoundError:
+        raise ModuleNotFoundError(
+            f"radiance: got {path.name!r}, which needs PyVista: pip install 'warpsample[viz]'"
+        ) from None
+    image = pv.read(path)
+    width, height, _ = image.dimensions
+    return np.asarray(image.point_data.active_scalars).reshape(height, width, 3)[::-1]

@@ -1,0 +1,403 @@
+"""Numbers for each point in one kernel: cells are found empty or not, rays made, traced and summed; none is stored."""
+
+from functools import cache
+
+import warp as wp
+
+from warpsample.estimate.weights import Weights
+from warpsample.frames import frame_about, to_world
+from warpsample.kernels.job import normal_status, weigh_by_mask
+from warpsample.kernels.parameters import Parameters
+from warpsample.kernels.variates import LANES
+from warpsample.numerics import high_word, low_word, scaled_to_unit
+from warpsample.sequences.record import Sequence
+from warpsample.tracing.beams import meets, triangles_in
+from warpsample.tracing.boxes import PADDING
+from warpsample.tracing.frontier import HORIZON_MARGIN, NEAR, NEAR_SLACK, frontier
+from warpsample.tracing.intersect import ray_in
+from warpsample.tracing.layout import (
+    BEAM_FLOATS,
+    CHUNK,
+    CHUNK_FLOATS,
+    CORNERS,
+    DIRECTION,
+    ORIGIN,
+    PLANE,
+    PLANES,
+    REACH,
+    SCRATCH,
+    START_FLOATS,
+    Accelerator,
+)
+from warpsample.tracing.rays import RayJob, extent_along, far_off, lift, local_origin, point_of, way_to_scene
+from warpsample.tracing.wide import nearest_of
+
+NONFINITE_POSITION = 4
+"""The status of a point that is nowhere; the others are those of `kernels.job`."""
+
+_NONFINITE_POSITION = wp.constant(wp.int32(NONFINITE_POSITION))
+_STREAM_STEP = wp.constant(wp.uint32(0x9E3779B9))
+_LAST_UNIFORM = wp.constant(wp.float32(1.0 - 2.0**-24))
+_SIDE_MARGIN = wp.constant(wp.float32(2.0**-16))  # directions are rounded by 2^-21, at 7 from the point; planes by 2^-20
+_PADDING = wp.constant(wp.float32(PADDING))
+_VISITS = wp.constant(wp.int32(32))  # nodes and leaves that a beam may look into: as long as five rays take
+_BEAM = wp.constant(wp.uint64(12 * (PLANES + CORNERS)))
+_BEAM_LOCAL = 3 * (PLANES + CORNERS)
+_SQUARE = 2 * CHUNK
+_NOTHING = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
+_ZERO = wp.constant(wp.float64(0.0))
+
+
+@wp.struct
+class EstimateJob:
+    """Scalars and addresses.
+
+    rays: of the points; its normals are those of their faces, along which they are moved off.
+    normals, active: (P, 3) float32, (P,) uint8 or 0: the lobes' axes, and which points count.
+    each, bands, sectors, beams: as `Cells` has them; beams 0 tests none.
+    skip: whether the tree is searched for what cannot be met.
+    value, error: (P, channels) float32.
+    cast, empty, status: (P,) int32, int32, uint8: rays cast, rays in parts of the lobe that meet nothing, why not.
+    """
+
+    rays: RayJob
+    seed: wp.uint64
+    first_point: wp.uint64
+    normals: wp.uint64
+    active: wp.uint64
+    each: wp.int32
+    bands: wp.int32
+    sectors: wp.int32
+    beams: wp.uint64
+    skip: wp.int32
+    falloff: wp.float32
+    weights: Weights
+    value: wp.uint64
+    error: wp.uint64
+    cast: wp.uint64
+    empty: wp.uint64
+    status: wp.uint64
+
+
+Job = type(EstimateJob().__ctype__())
+
+
+@wp.struct
+class Spot:
+    """A point and its rays.
+
+    Unit normal, origin as it is and as rays have it, what is lower is below the horizon, reach, and memory to work in.
+    """
+
+    id: wp.uint64
+    n: wp.vec3
+    place: wp.vec3d
+    o: wp.vec3
+    low: wp.float32
+    reach: wp.float32
+    chunk: wp.uint64
+    square: wp.uint64
+    room: wp.uint64
+    beam: wp.uint64
+    scratch: wp.uint64
+
+
+@wp.func
+def _aim(local: wp.uint64, n: wp.vec3, o: wp.vec3, low: wp.float32, beam: wp.uint64):
+    """Turns a beam of `Cells` about a normal and starts it from an origin."""
+    frame = frame_about(n)
+    vectors = wp.array(ptr=local, shape=(_BEAM_LOCAL,), dtype=wp.float32)
+    aim = wp.array(ptr=beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
+    for k in range(PLANES):
+        v = to_world(frame, wp.vec3(vectors[3 * k], vectors[3 * k + 1], vectors[3 * k + 2]))
+        limit = wp.dot(v, o) - _SIDE_MARGIN
+        box_limit = limit
+        if k == 0:
+            limit = wp.dot(n, o) - low
+            box_limit = limit + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
+        for axis in range(3):
+            aim[PLANE * k + axis] = v[axis]
+        aim[PLANE * k + 3] = box_limit
+        aim[PLANE * k + 4] = limit
+    for k in range(CORNERS):
+        i = 3 * (PLANES + k)
+        v = to_world(frame, wp.vec3(vectors[i], vectors[i + 1], vectors[i + 2]))
+        for axis in range(3):
+            aim[PLANE * PLANES + 3 * k + axis] = v[axis]
+    for axis in range(3):
+        aim[PLANE * PLANES + 3 * CORNERS + axis] = o[axis]
+
+
+@wp.func
+def _start(chunk: wp.uint64, o: wp.vec3, reach: wp.float32):
+    """Lets all rays of a chunk start from o."""
+    rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    k = wp.int32(0)
+    while k < CHUNK:
+        rays[ORIGIN + k] = o[0]
+        rays[ORIGIN + CHUNK + k] = o[1]
+        rays[ORIGIN + 2 * CHUNK + k] = o[2]
+        rays[REACH + k] = reach
+        k += 1
+
+
+@wp.func
+def _bring_near(spot: Spot, column: wp.uint64):
+    """Lets a ray of a point that is far off start near the mesh; without reach if it passes it."""
+    ray = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    d = wp.vec3d(wp.float64(ray[DIRECTION]), wp.float64(ray[DIRECTION + CHUNK]), wp.float64(ray[DIRECTION + 2 * CHUNK]))
+    ahead = way_to_scene(spot.place, d)
+    o = wp.vec3(spot.place + ahead * d)
+    for axis in range(3):
+        ray[ORIGIN + axis * CHUNK] = o[axis]
+    ray[REACH] = wp.where(ahead < wp.float64(0.0), -1.0, wp.float32(wp.float64(spot.reach) - ahead))
+
+
+@wp.func
+def _found(job: EstimateJob, accelerator: Accelerator, spot: Spot, cell: wp.int32, near: wp.int32):
+    """(whether a ray of a sector or cell may meet something, which of the triangles around the point)."""
+    _aim(job.beams + wp.uint64(cell) * _BEAM, spot.n, spot.o, spot.low, spot.beam)
+    if near != 0:
+        near = triangles_in(spot.room + NEAR, spot.beam) & near
+    found = wp.where(near != 0, 1, 0)
+    if found == 0 and accelerator.starts > 0:
+        found = meets(accelerator, spot.beam, _VISITS, spot.scratch)
+    return found, near
+
+
+@cache
+def estimate_kernel(
+    sequence: Sequence,
+    about: wp.Function,
+    weigh: wp.Function,
+    constant: bool,
+    counts: bool,
+    channels: int,
+    prepare: wp.Function,
+    query: wp.Function,
+    any_hit: bool,
+    wide: bool,
+) -> wp.Kernel:
+    """A kernel with a task for each point, in the order of job.rays.
+
+    Args:
+        sequence: its record.
+        about: (unit normal, u, Parameters) -> (direction, pdf): the polar map, whose cells `Cells` are.
+        weigh: (direction, Weights) -> vec3 that a ray adds which meets nothing; one of weight 0 is not cast.
+        constant: whether that is (1, 0, 0) in all directions.
+        counts: whether each ray adds 1 or 0, and nothing between.
+        channels: 1 or 3, how many of the vec3 are kept.
+        prepare: (chunk, rays): adds what the query needs.
+        query: (Accelerator, ray, reach, scratch) -> (distance, face, nodes, leaves).
+        any_hit: whether some face is enough; else what is met at t of reach leaves 1 - (1 - t)^falloff of the weight.
+        wide: whether the query is that of the wide tree, which can be searched for what to skip.
+    """
+    sample = sequence.sample
+
+    @wp.func
+    def spread(job: EstimateJob, spot: Spot, cell: wp.int32, first: wp.int32, length: wp.int32):
+        """The directions of a cell's rays, both replicates one after the other, from the first-th on.
+
+        Each replicate of each cell is a stream of its own: its number goes into the seed's high word.
+        """
+        u = wp.array(ptr=spot.square, shape=(_SQUARE,), dtype=wp.float32)
+        rays = wp.array(ptr=spot.chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+        low = low_word(job.seed)
+        high = high_word(job.seed)
+        stream = wp.uint32(2 * cell)
+        sector = cell / job.bands
+        band = wp.float32(cell - sector * job.bands)
+        band_size = 1.0 / wp.float32(job.bands)
+        sector_size = 1.0 / wp.float32(job.sectors)
+        n = spot.n
+        id = spot.id
+        each = job.each
+        k = wp.int32(0)
+        while k < length:
+            i = first + k
+            second = wp.where(i >= each, 1, 0)
+            word = high ^ ((stream + wp.uint32(second)) * _STREAM_STEP)
+            seed = (wp.uint64(word) << wp.uint64(32)) | wp.uint64(low)
+            p = sample(seed, id, wp.uint32(i - second * each), wp.uint32(each))
+            x = (p[0] + band) * band_size
+            y = (p[1] + wp.float32(sector)) * sector_size
+            u[k] = wp.where(x < _LAST_UNIFORM, x, _LAST_UNIFORM)  # where the sum is rounded up to the next cell
+            u[CHUNK + k] = wp.where(y < _LAST_UNIFORM, y, _LAST_UNIFORM)
+            k += 1
+        k = wp.int32(0)
+        while k < length:
+            d = about(n, wp.vec2(u[k] + 0.0, u[CHUNK + k] + 0.0), Parameters())
+            rays[DIRECTION + k] = d[0]
+            rays[DIRECTION + CHUNK + k] = d[1]
+            rays[DIRECTION + 2 * CHUNK + k] = d[2]
+            k += 1
+
+    @wp.func
+    def distance_of(
+        accelerator: Accelerator, spot: Spot, near: wp.int32, column: wp.uint64, reach: wp.float32
+    ) -> wp.float32:
+        """Of a ray to what it meets, the triangles around the point first; inf where it meets nothing."""
+        distance = wp.float32(wp.INF)
+        if wp.static(wide):
+            if near != 0:
+                slack = wp.array(ptr=spot.room + NEAR_SLACK, shape=(1,), dtype=wp.float32)
+                met, triangle = nearest_of(spot.room + NEAR, near, ray_in(column), column, reach, slack[0])
+                if triangle >= 0:
+                    distance = met
+                    reach = met
+        if accelerator.starts > 0 and (wp.static(not any_hit) or not (distance < wp.INF)):
+            met, face, nodes, leaves = query(accelerator, column, reach, spot.scratch)
+            distance = wp.min(distance, met)
+        return distance
+
+    @wp.func
+    def sum_cell(job: EstimateJob, accelerator: Accelerator, spot: Spot, cell: wp.int32, found: wp.int32, near: wp.int32):
+        """(sum of the weights of both replicates' rays, how much more the first has, rays cast)."""
+        # Scalars: a vector of doubles goes through memory, and costs half as much as a ray. Hits are whole numbers.
+        hits = wp.int32(0)
+        more_hits = wp.int32(0)
+        x = _ZERO
+        y = _ZERO
+        z = _ZERO
+        more_x = _ZERO
+        more_y = _ZERO
+        more_z = _ZERO
+        cast = wp.int32(0)
+        for first in range(0, 2 * job.each, CHUNK):
+            length = wp.min(CHUNK, 2 * job.each - first)
+            padded = (length + LANES - 1) / LANES * LANES
+            spread(job, spot, cell, first, padded)
+            if far_off(spot.place):
+                for k in range(length):
+                    _bring_near(spot, spot.chunk + wp.uint64(4 * k))
+            if found != 0:
+                prepare(spot.chunk, padded)
+            for k in range(length):
+                column = spot.chunk + wp.uint64(4 * k)
+                ray = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+                w = weigh(wp.vec3(ray[DIRECTION], ray[DIRECTION + CHUNK], ray[DIRECTION + 2 * CHUNK]), job.weights)
+                share = wp.float32(1.0)
+                if found != 0 and (w[0] != 0.0 or w[1] != 0.0 or w[2] != 0.0):
+                    cast += 1
+                    reach = ray[REACH]
+                    distance = wp.float32(wp.INF)
+                    if reach > 0.0:
+                        distance = distance_of(accelerator, spot, near, column, reach)
+                    if distance < wp.INF:
+                        share = 0.0
+                        if wp.static(not any_hit):
+                            t = (distance + (spot.reach - reach)) / spot.reach
+                            share = 1.0 - wp.pow(1.0 - t, job.falloff)
+                sign = wp.where(first + k < job.each, 1, -1)
+                if wp.static(counts):
+                    hit = wp.where(share * w[0] != 0.0, 1, 0)
+                    hits += hit
+                    more_hits += sign * hit
+                else:
+                    x += wp.float64(share * w[0])
+                    more_x += wp.float64(sign) * wp.float64(share * w[0])
+                    if wp.static(channels > 1):
+                        y += wp.float64(share * w[1])
+                        z += wp.float64(share * w[2])
+                        more_y += wp.float64(sign) * wp.float64(share * w[1])
+                        more_z += wp.float64(sign) * wp.float64(share * w[2])
+        if wp.static(counts):
+            x = wp.float64(hits)
+            more_x = wp.float64(more_hits)
+        return wp.vec3d(x, y, z), wp.vec3d(more_x, more_y, more_z), cast
+
+    @wp.func
+    def sum_lobe(job: EstimateJob, accelerator: Accelerator, spot: Spot):
+        """(sum of the weights of all rays, square of its standard error, rays cast, rays in empty cells)."""
+        total = _NOTHING
+        variance = _NOTHING
+        cast = wp.int32(0)
+        empty = wp.int32(0)
+        starts = wp.int32(-1)
+        near = wp.int32(0)
+        if wp.static(wide):
+            if job.skip != 0 and not far_off(spot.place):
+                starts, around = frontier(accelerator, spot.o, spot.n, spot.low, spot.reach, spot.room, spot.scratch)
+                near = (1 << around) - 1
+                if starts >= 0:
+                    accelerator.start = spot.room
+                    accelerator.starts = starts
+        beams = starts > 0 or near != 0
+        if job.beams == wp.uint64(0) or starts < 0:
+            beams = False
+        for sector in range(job.sectors):
+            sector_found = wp.where(starts == 0 and near == 0, 0, 1)
+            row = sector * (job.bands + 1)
+            if wp.static(wide):
+                if beams:
+                    sector_found, _ = _found(job, accelerator, spot, row, near)
+            for band in range(job.bands):
+                cell = sector * job.bands + band
+                found = sector_found
+                cell_near = near
+                if wp.static(wide):
+                    if beams and found != 0:
+                        found, cell_near = _found(job, accelerator, spot, row + 1 + band, near)
+                if found == 0:
+                    empty += 2 * job.each
+                if wp.static(constant) and found == 0:
+                    total[0] += wp.float64(2 * job.each)
+                else:
+                    add, difference, rays = sum_cell(job, accelerator, spot, cell, found, cell_near)
+                    total += add
+                    variance += wp.cw_mul(difference, difference)
+                    cast += rays
+        return total, variance, cast, empty
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def estimate(job: EstimateJob, accelerator: Accelerator, first_task: wp.int64):
+        words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
+        floats = wp.zeros(shape=(CHUNK_FLOATS,), dtype=wp.float32)
+        square = wp.zeros(shape=(_SQUARE,), dtype=wp.float32)
+        beam = wp.zeros(shape=(BEAM_FLOATS,), dtype=wp.float32)
+        room = wp.zeros(shape=(START_FLOATS,), dtype=wp.float32)
+        point = point_of(job.rays, first_task + wp.int64(wp.tid()))
+        normal = wp.array(ptr=job.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+        side = wp.array(ptr=job.rays.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+        unit = scaled_to_unit(normal)
+        spot = Spot()
+        spot.id = job.first_point + wp.uint64(point)
+        spot.n = wp.vec3(unit[0], unit[1], unit[2])
+        spot.place = local_origin(job.rays, point)
+        spot.o = wp.vec3(spot.place) + wp.copysign(lift(job.rays, side), wp.dot(side, spot.n)) * side
+        spot.low = HORIZON_MARGIN * extent_along(job.rays, spot.n)
+        spot.reach = wp.float32(job.rays.reach)
+        spot.chunk = floats.ptr
+        spot.square = square.ptr
+        spot.room = room.ptr
+        spot.beam = beam.ptr
+        spot.scratch = words.ptr
+        weight = wp.float32(1.0)
+        if job.active != wp.uint64(0):
+            weight = weigh_by_mask(wp.array(ptr=job.active + wp.uint64(point), shape=(1,), dtype=wp.uint8), 0)
+        status = normal_status(normal, weight)
+        if status == 0 and wp.dot(spot.place - spot.place, spot.place - spot.place) != _ZERO:
+            status = _NONFINITE_POSITION
+        total = _NOTHING
+        variance = _NOTHING
+        cast = wp.int32(0)
+        empty = wp.int32(0)
+        if status == 0:
+            _start(spot.chunk, spot.o, spot.reach)
+            total, variance, cast, empty = sum_lobe(job, accelerator, spot)
+        rays = wp.float64(2 * job.each * job.bands * job.sectors)
+        at = wp.uint64(point) * wp.uint64(4 * channels)
+        value = wp.array(ptr=job.value + at, shape=(channels,), dtype=wp.float32)
+        error = wp.array(ptr=job.error + at, shape=(channels,), dtype=wp.float32)
+        for c in range(channels):
+            value[c] = wp.float32(total[c] / rays)
+            error[c] = wp.float32(wp.sqrt(variance[c]) / rays)
+        at = wp.uint64(point) * wp.uint64(4)
+        counts = wp.array(ptr=job.cast + at, shape=(1,), dtype=wp.int32)
+        counts[0] = cast
+        counts = wp.array(ptr=job.empty + at, shape=(1,), dtype=wp.int32)
+        counts[0] = empty
+        statuses = wp.array(ptr=job.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)
+        statuses[0] = wp.uint8(status)
+
+    return estimate

@@ -1,0 +1,161 @@
+"""How much of its lobe a point sees: ambient occlusion, sky view, bent normals."""
+
+from dataclasses import dataclass, fields
+from math import inf
+from typing import Any
+
+import numpy as np
+
+from warpsample.arguments import check_number
+from warpsample.estimate.plan import Estimate, Plan, Quantity
+from warpsample.estimate.weights import WeightsJob, above, everywhere, itself
+from warpsample.surface import SurfacePoints
+
+
+def ambient_occlusion(
+    mesh: Any,
+    points: SurfacePoints,
+    count: int = 256,
+    max_distance: float | None = None,
+    falloff: float | None = None,
+    sequence: str = "fibonacci",
+    seed: int = 0,
+    first_point: int = 0,
+    active: Any = None,
+    tolerance: float | None = None,
+    skip: bool = True,
+    tracer: str = "auto",
+    workers: int | None = None,
+) -> Estimate:
+    """The share of cosine-weighted rays that get away: 1 where a point is open, 0 where it is closed in.
+
+    The bits depend on (mesh, point, first_point + row, seed, count, sequence) alone: not on threads, on which points are
+    together or active, nor on `skip`. Memory is that of the points. The first call ever compiles for about 8 s.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes; pass a Mesh to keep its tree from call to call.
+        points: P of them. The lobe is about the normal, of any length; rays leave from a millionth of the mesh's size above
+            the face, on the normal's side, and what goes into the face is blocked by it.
+        count: rays of each point, 2 to 2^24; rounded down to fill all cells evenly, which loses at most a sixteenth from 64
+            on and nothing at powers of two.
+        max_distance: what is as far or farther does not occlude, in units of the coordinates.
+        falloff: what is met at a distance t occludes by (1 - t / max_distance)^falloff, so that there is no edge at
+            max_distance: ambient obscurance (Zhukov, Iones, Kronin 1998). 1 is a straight line.
+        sequence: of the rays of each cell, a name of `warpsample.sequences.names()`.
+        seed: of 64 bits.
+        first_point: the global id of row 0.
+        active: (P,) bool; other points get 0, a status, and cost next to nothing.
+        tolerance: the standard error to reach; a trial of 64 rays, which are then forgotten, says how many of `count` each
+            point takes. Forgetting them keeps the result unbiased. Saves where points differ much and count is large.
+        skip: whether to look for what cannot be met: parts of the mesh below a point's horizon, and cells of its lobe where
+            nothing is. Changes no bit; off, it takes two to three times as long.
+        tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
+        workers: threads, all cores by default.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free.
+    """
+    plan = Plan.of(mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers)
+    reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
+    if falloff is not None:
+        falloff = check_number(falloff, "falloff", 0.0, 1000.0)
+        if not 0.0 < reach < inf:
+            raise ValueError(f"max_distance: got {max_distance}, want a finite one above 0, to which falloff is relative")
+    return plan.estimate(Quantity(everywhere, constant=True, binary=True, reach=reach, falloff=falloff))
+
+
+@dataclass(frozen=True, eq=False)
+class SkyView(Estimate):
+    """An `Estimate` of the sky view factor.
+
+    Attributes:
+        below_horizon: (P,) float32, the share of the lobe that points below the sky's horizon, exactly: (1 - n.up) / 2.
+    """
+
+    below_horizon: np.ndarray
+
+
+def sky_view_factor(
+    mesh: Any,
+    points: SurfacePoints,
+    count: int = 256,
+    up: Any = (0.0, 0.0, 1.0),
+    max_distance: float | None = None,
+    **options: Any,
+) -> SkyView:
+    """The cosine-weighted share of rays that escape upward: the irradiance under a uniform sky, over that of open ground.
+
+    An upright wall that sees nothing but the sky has 1/2: the other half of its lobe points below the horizon.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes.
+        points: P of them; as for `ambient_occlusion`.
+        count: rays of each point.
+        up: (3,), of any length; rays below the plane across it do not see the sky, whatever they meet, and are not cast.
+        max_distance: what is as far or farther does not hide the sky.
+        **options: sequence, seed, first_point, active, tolerance, skip, tracer and workers of `ambient_occlusion`.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free.
+    """
+    plan = Plan.of(mesh, points, count, **options)
+    reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
+    axis = check_direction(up, "up")
+    found = plan.estimate(Quantity(above, binary=True, weights=vector_weights(axis), reach=reach))
+    normal = np.asarray(points.normal, np.float64)
+    with np.errstate(invalid="ignore"):
+        cosine = normal @ axis / np.linalg.norm(normal, axis=1)
+    below = np.where(found.status == 0, 0.5 - 0.5 * cosine, 0.0).astype(np.float32)
+    return SkyView(**{item.name: getattr(found, item.name) for item in fields(found)}, below_horizon=below)
+
+
+def bent_normals(
+    mesh: Any,
+    points: SurfacePoints,
+    count: int = 256,
+    max_distance: float | None = None,
+    **options: Any,
+) -> Estimate:
+    """The mean of the directions that get away, cosine-weighted, (P, 3): of length 2/3 along the normal where it is open.
+
+    Divided by its length it is the bent normal (Landis 2002). Its product with the normal is the mean cosine of those rays.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes.
+        points: P of them; as for `ambient_occlusion`.
+        count: rays of each point.
+        max_distance: what is as far or farther is not met.
+        **options: sequence, seed, first_point, active, tolerance (of each component), skip, tracer and workers of
+            `ambient_occlusion`.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free.
+    """
+    plan = Plan.of(mesh, points, count, **options)
+    reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
+    return plan.estimate(Quantity(itself, channels=3, reach=reach))
+
+
+def check_direction(value: Any, argument: str) -> np.ndarray:
+    """`value` as a unit vector, (3,) float64.
+
+    Raises:
+        ValueError: not three finite numbers, or all 0; names the argument.
+    """
+    try:
+        vector = np.array([float(x) for x in value])
+    except (TypeError, ValueError):
+        vector = np.zeros(0)
+    length = float(np.linalg.norm(vector)) if vector.shape == (3,) else 0.0
+    if not 0.0 < length < inf:
+        raise ValueError(f"{argument}: got {value!r}, want three finite numbers, not all 0")
+    return vector / length
+
+
+def vector_weights(vector: np.ndarray) -> WeightsJob:
+    """What `weights.above` takes."""
+    x, y, z = vector
+    return WeightsJob(x=x, y=y, z=z)

@@ -1,0 +1,85 @@
+"""What a ray that meets nothing adds, by its direction: `wp.func`s (direction, Weights) -> vec3."""
+
+from functools import cache
+
+import warp as wp
+
+from warpsample.frames import frame_about, to_local
+
+_TURNS = wp.constant(wp.float32(0.15915494309189535))
+
+
+@wp.struct
+class Weights:
+    """What they take after the direction: a unit vector, by components; a picture of width x height RGB float32."""
+
+    x: wp.float32
+    y: wp.float32
+    z: wp.float32
+    pixels: wp.uint64
+    width: wp.int32
+    height: wp.int32
+
+
+WeightsJob = type(Weights().__ctype__())
+
+
+@wp.func
+def everywhere(d: wp.vec3, weights: Weights) -> wp.vec3:
+    """1."""
+    return wp.vec3(1.0, 0.0, 0.0)
+
+
+@wp.func
+def above(d: wp.vec3, weights: Weights) -> wp.vec3:
+    """1 on the vector's side of the horizon, else 0."""
+    return wp.vec3(wp.where(d[0] * weights.x + d[1] * weights.y + d[2] * weights.z > 0.0, 1.0, 0.0), 0.0, 0.0)
+
+
+@wp.func
+def itself(d: wp.vec3, weights: Weights) -> wp.vec3:
+    """The direction."""
+    return d
+
+
+@wp.func
+def _pixel(weights: Weights, column: wp.int32, row: wp.int32) -> wp.vec3:
+    column = wp.where(column < 0, column + weights.width, column)
+    column = wp.where(column >= weights.width, column - weights.width, column)
+    row = wp.clamp(row, 0, weights.height - 1)
+    at = wp.uint64(row) * wp.uint64(weights.width) + wp.uint64(column)
+    return wp.array(ptr=weights.pixels + at * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+
+
+@wp.func
+def environment(d: wp.vec3, weights: Weights) -> wp.vec3:
+    """The picture's radiance there, bilinear: rows from the vector down, columns by azimuth in the frame about it."""
+    w = to_local(frame_about(wp.vec3(weights.x, weights.y, weights.z)), d)
+    turns = wp.atan2(w[1], w[0]) * _TURNS
+    across = (turns - wp.floor(turns)) * wp.float32(weights.width) - 0.5
+    down = wp.acos(wp.clamp(w[2], -1.0, 1.0)) * 2.0 * _TURNS * wp.float32(weights.height) - 0.5
+    column = wp.int32(wp.floor(across))
+    row = wp.int32(wp.floor(down))
+    right = across - wp.float32(column)
+    lower = down - wp.float32(row)
+    top = wp.lerp(_pixel(weights, column, row), _pixel(weights, column + 1, row), right)
+    bottom = wp.lerp(_pixel(weights, column, row + 1), _pixel(weights, column + 1, row + 1), right)
+    return wp.lerp(top, bottom, lower)
+
+
+@cache
+def radiance_of(function: wp.Function, colour: bool) -> wp.Function:
+    """A user's function of the direction, which gives a float or, with colour, a vec3."""
+    if colour:
+
+        @wp.func
+        def radiance(d: wp.vec3, weights: Weights):
+            return function(d)
+
+    else:
+
+        @wp.func
+        def radiance(d: wp.vec3, weights: Weights):
+            return wp.vec3(function(d), 0.0, 0.0)
+
+    return radiance

@@ -1,0 +1,189 @@
+"""Beams: pyramids of directions from one point, against the same tree. One that meets nothing needs no ray.
+
+A box or a triangle is outside of a beam if all its corners are outside of one of the beam's planes; a triangle also if the
+whole beam moves away from its plane. What is neither may still be missed by all rays: these tests err to that side only.
+"""
+
+import warp as wp
+
+from warpsample.numerics import fma
+from warpsample.tracing.intersect import greater, lesser, lowest_bit
+from warpsample.tracing.layout import BEAM_FLOATS, CORNERS, LEAF_BYTES, NODE_BYTES, PLANE, PLANES, WIDTH, Accelerator
+from warpsample.tracing.wide import put_aside
+
+_NODE = wp.constant(wp.uint64(NODE_BYTES))
+_LEAF = wp.constant(wp.uint64(LEAF_BYTES))
+_ROW = wp.constant(wp.uint64(4 * WIDTH))
+_UPPER = wp.constant(wp.uint64(3 * 4 * WIDTH))
+_PLACES = wp.constant(wp.uint64(6 * 4 * WIDTH))
+_FACES = wp.constant(wp.uint64(9 * 4 * WIDTH))
+_WAITING = wp.constant(wp.uint64(4 * 4))
+_LEAF_FLOATS = LEAF_BYTES // 4
+_CORNERS_AT = wp.constant(wp.int32(PLANE * PLANES))
+_ORIGIN_AT = wp.constant(wp.int32(PLANE * PLANES + 3 * CORNERS))
+_MARGIN = wp.constant(wp.float32(2.0**-18))  # of a triangle's two edges' lengths: 8 roundings of their cross product
+
+
+@wp.struct
+class Plane:
+    """A side of a beam: inside is where x nx + y ny + z nz is at least the limit, for boxes or for triangles' corners."""
+
+    nx: wp.float32
+    ny: wp.float32
+    nz: wp.float32
+    box_limit: wp.float32
+    limit: wp.float32
+    x_row: wp.uint64
+    y_row: wp.uint64
+    z_row: wp.uint64
+
+
+@wp.func
+def _side(beam: wp.uint64, i: wp.int32) -> Plane:
+    """The i-th plane, and which of a node's rows lie farthest inwards."""
+    rows = wp.array(ptr=beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
+    plane = Plane()
+    plane.nx = rows[PLANE * i]
+    plane.ny = rows[PLANE * i + 1]
+    plane.nz = rows[PLANE * i + 2]
+    plane.box_limit = rows[PLANE * i + 3]
+    plane.limit = rows[PLANE * i + 4]
+    plane.x_row = wp.where(plane.nx > 0.0, _UPPER, wp.uint64(0))
+    plane.y_row = wp.where(plane.ny > 0.0, _UPPER, wp.uint64(0)) + _ROW
+    plane.z_row = wp.where(plane.nz > 0.0, _UPPER, wp.uint64(0)) + _ROW + _ROW
+    return plane
+
+
+@wp.func
+def _box_inside(node: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
+    """1 where some corner of the k-th box is inside of the plane."""
+    x = wp.array(ptr=node + plane.x_row, shape=(WIDTH,), dtype=wp.float32)
+    y = wp.array(ptr=node + plane.y_row, shape=(WIDTH,), dtype=wp.float32)
+    z = wp.array(ptr=node + plane.z_row, shape=(WIDTH,), dtype=wp.float32)
+    return wp.where(fma(x[k], plane.nx, fma(y[k], plane.ny, z[k] * plane.nz)) >= plane.box_limit, 1, 0)
+
+
+@wp.func
+def highest_corner(leaf: wp.uint64, k: wp.int32, nx: wp.float32, ny: wp.float32, nz: wp.float32) -> wp.float32:
+    """How far the corners of a leaf's k-th triangle reach along a vector."""
+    rows = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    a = fma(rows[k], nx, fma(rows[WIDTH + k], ny, rows[2 * WIDTH + k] * nz))
+    b = fma(rows[3 * WIDTH + k], nx, fma(rows[4 * WIDTH + k], ny, rows[5 * WIDTH + k] * nz))
+    c = fma(rows[6 * WIDTH + k], nx, fma(rows[7 * WIDTH + k], ny, rows[8 * WIDTH + k] * nz))
+    return greater(greater(a, b), c)
+
+
+@wp.func
+def _triangle_inside(leaf: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
+    """1 where some corner of the k-th triangle is inside of the plane."""
+    return wp.where(highest_corner(leaf, k, plane.nx, plane.ny, plane.nz) >= plane.limit, 1, 0)
+
+
+@wp.func
+def _faced(leaf: wp.uint64, beam: wp.uint64, k: wp.int32) -> wp.int32:
+    """0 where all of the beam moves away from the plane of the k-th triangle."""
+    rows = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    aim = wp.array(ptr=beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
+    a = wp.vec3(rows[k], rows[WIDTH + k], rows[2 * WIDTH + k])
+    e = wp.vec3(rows[3 * WIDTH + k], rows[4 * WIDTH + k], rows[5 * WIDTH + k]) - a
+    f = wp.vec3(rows[6 * WIDTH + k], rows[7 * WIDTH + k], rows[8 * WIDTH + k]) - a
+    n = wp.cross(e, f)
+    height = wp.dot(n, wp.vec3(aim[_ORIGIN_AT], aim[_ORIGIN_AT + 1], aim[_ORIGIN_AT + 2]) - a)
+    p = wp.dot(n, wp.vec3(aim[_CORNERS_AT], aim[_CORNERS_AT + 1], aim[_CORNERS_AT + 2]))
+    q = wp.dot(n, wp.vec3(aim[_CORNERS_AT + 3], aim[_CORNERS_AT + 4], aim[_CORNERS_AT + 5]))
+    r = wp.dot(n, wp.vec3(aim[_CORNERS_AT + 6], aim[_CORNERS_AT + 7], aim[_CORNERS_AT + 8]))
+    s = wp.dot(n, wp.vec3(aim[_CORNERS_AT + 9], aim[_CORNERS_AT + 10], aim[_CORNERS_AT + 11]))
+    least = lesser(lesser(p, q), lesser(r, s))
+    most = greater(greater(p, q), greater(r, s))
+    size_e = wp.abs(e[0]) + wp.abs(e[1]) + wp.abs(e[2])
+    size_f = wp.abs(f[0]) + wp.abs(f[1]) + wp.abs(f[2])
+    margin = _MARGIN * size_e * size_f
+    from_above = wp.where(height > -margin, 1, 0) & wp.where(least < margin, 1, 0)
+    from_below = wp.where(height < margin, 1, 0) & wp.where(most > -margin, 1, 0)
+    return from_above | from_below
+
+
+@wp.func
+def boxes_in(node: wp.uint64, beam: wp.uint64) -> wp.int32:
+    """Mask of the children whose boxes a ray of the beam may meet."""
+    p = _side(beam, 0)
+    q = _side(beam, 1)
+    r = _side(beam, 2)
+    s = _side(beam, 3)
+    t = _side(beam, 4)
+    mask = wp.int32(0)
+    k = wp.int32(0)
+    while k < WIDTH:
+        inside = _box_inside(node, p, k) & _box_inside(node, q, k) & _box_inside(node, r, k) & _box_inside(node, s, k)
+        mask = mask | ((inside & _box_inside(node, t, k)) << k)
+        k += 1
+    return mask
+
+
+@wp.func
+def triangles_in(leaf: wp.uint64, beam: wp.uint64) -> wp.int32:
+    """Mask of the triangles that a ray of the beam may meet."""
+    p = _side(beam, 0)
+    q = _side(beam, 1)
+    r = _side(beam, 2)
+    s = _side(beam, 3)
+    t = _side(beam, 4)
+    faces = wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)
+    mask = wp.int32(0)
+    k = wp.int32(0)
+    while k < WIDTH:
+        inside = _triangle_inside(leaf, p, k) & _triangle_inside(leaf, q, k) & _triangle_inside(leaf, r, k)
+        inside = inside & _triangle_inside(leaf, s, k) & _triangle_inside(leaf, t, k)
+        mask = mask | ((inside & _faced(leaf, beam, k) & wp.where(faces[k] >= 0, 1, 0)) << k)
+        k += 1
+    return mask
+
+
+@wp.func
+def meets(accelerator: Accelerator, beam: wp.uint64, visits: wp.int32, scratch: wp.uint64) -> wp.int32:
+    """0 if no ray of the beam meets anything; 1 if one may, or if so many visits do not tell.
+
+    Args:
+        accelerator: at least one node to start from.
+        beam: address of BEAM_FLOATS floats.
+        visits: nodes and leaves that are looked into.
+        scratch: address of SCRATCH words.
+    """
+    met = wp.int32(0)
+    top = scratch
+    for other in range(1, accelerator.starts):
+        top = put_aside(top, accelerator.start + wp.uint64(other) * _NODE, -1, 0.0)
+    node = accelerator.start
+    mask = boxes_in(node, beam)
+    searching = wp.int32(1)
+    while searching != 0:
+        if mask != 0:
+            child = lowest_bit(mask)
+            mask = mask & (mask - 1)
+            places = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)
+            place = places[child]
+            if place < 0:
+                met = triangles_in(accelerator.leaves + wp.uint64(~place) * _LEAF, beam)
+            else:
+                inner = accelerator.nodes + wp.uint64(place) * _NODE
+                below = boxes_in(inner, beam)
+                if below != 0:
+                    if mask != 0:
+                        top = put_aside(top, node, mask, 0.0)
+                    node = inner
+                    mask = below
+            visits -= 1
+            if met != 0 or visits == 0:
+                met = 1
+                searching = 0
+        elif top != scratch:
+            top -= _WAITING
+            address = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)
+            waiting = wp.array(ptr=top, shape=(4,), dtype=wp.int32)
+            node = address[0]
+            mask = waiting[2]
+            if mask == -1:
+                mask = boxes_in(node, beam)
+        else:
+            searching = 0
+    return met
