@@ -22,6 +22,7 @@ ROOMS = [
     "estimate",
     "proof",
     "export",
+    "bake",
     "bench",
     "plotting",
     "cli",

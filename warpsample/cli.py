@@ -33,8 +33,8 @@ def fail_plainly() -> Iterator[None]:
     except (ValueError, TypeError, OSError, MemoryError, ModuleNotFoundError, RuntimeError) as error:
         print(f"error: {error}", file=sys.stderr)  # noqa: T201
         raise SystemExit(2) from error
-    except KeyboardInterrupt:
-        print("interrupted; nothing was written", file=sys.stderr)  # noqa: T201
+    except KeyboardInterrupt as interrupt:
+        print(interrupt or "interrupted; nothing was written", file=sys.stderr)  # noqa: T201
         raise SystemExit(130) from None
 
 
@@ -88,6 +88,51 @@ def directions_command(
 
     summary = export(Run(mesh, output, count, samples, distribution, sequence, seed, placement), workers)
     print(f"{output}: {summary}")  # noqa: T201
+
+
+@app.command("bake")
+@fail_plainly()
+def bake_command(
+    mesh: MeshFile,
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="The file to write: .ply .vtp .glb .npz .csv.", show_default=False)
+    ],
+    quantity: Annotated[
+        Literal["ao", "sky", "irradiance"], typer.Option(help="Ambient occlusion, sky view or light.")
+    ] = "ao",
+    at: Annotated[Literal["vertices", "faces", "surface"], typer.Option(help="Where: of faces, the centres.")] = "vertices",
+    points: Annotated[int, typer.Option(help="How many; only at 'surface'.")] = 10_000,
+    samples: Annotated[int, typer.Option(help="Rays of each point.")] = 256,
+    max_distance: Annotated[
+        float | None, typer.Option(help="What is farther does not hide; not for irradiance.", show_default=False)
+    ] = None,
+    falloff: Annotated[
+        float | None, typer.Option(help="Exponent, with max-distance: less by distance; ao only.", show_default=False)
+    ] = None,
+    environment: Annotated[
+        Path | None,
+        typer.Option(help="Light, equirectangular: .hdr or .npy; irradiance only.", show_default=False),
+    ] = None,
+    up: Annotated[tuple[float, float, float], typer.Option(help="The sky's axis.")] = (0.0, 0.0, 1.0),
+    sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "fibonacci",
+    seed: Annotated[int, typer.Option(help="Seed of points and rays.")] = 0,
+    tolerance: Annotated[
+        float | None, typer.Option(help="Standard error at which a point has rays enough.", show_default=False)
+    ] = None,
+    workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
+) -> None:
+    """Estimate a number at each vertex, face or point of a mesh, with its standard error, into a file."""
+    from warpsample.bake import Run, bake  # noqa: PLC0415
+
+    options = {"sequence": sequence, "seed": seed, "tolerance": tolerance, "workers": workers}
+    for name, value, quantities in (("max_distance", max_distance, ("ao", "sky")), ("falloff", falloff, ("ao",))):
+        if value is not None and quantity not in quantities:
+            raise ValueError(
+                f"--{name.replace('_', '-')}: got {value} for {quantity}, want it for {' or '.join(quantities)}"
+            )
+        if value is not None:
+            options[name] = value
+    print(bake(Run(mesh, output, quantity, at, points, samples, environment, up, options)))  # noqa: T201
 
 
 @bench_app.command("directions")
@@ -197,6 +242,30 @@ def bench_rays(
     report.show_rays(_console(), rows, builds, measured[0].missing)
     _keep(json, "bench rays", {"scenes": names, "rays": rays, "repeats": repeats, "seed": 0}, rows=rows, builds=builds)
     _draw(plot, lambda caption: plots.draw_rays(rows, caption))
+
+
+@bench_app.command("visibility")
+@fail_plainly()
+def bench_visibility(
+    scene: Annotated[list[str] | None, typer.Option(help="Only this one; may be repeated.", show_default=False)] = None,
+    points: Annotated[int, typer.Option(help="Points on each scene.", min=16)] = 4096,
+    repeats: Repeats = 3,
+    json: JsonFile = None,
+    plot: PlotFolder = None,
+) -> None:
+    """Time to an RMSE of ambient occlusion: ours, with and without skipping, Mitsuba, embreex, trimesh and Open3D."""
+    from warpsample.bench import plots, report, scenes, visibility  # noqa: PLC0415
+    from warpsample.registry import look_up  # noqa: PLC0415
+
+    _check_bench(json, plot)
+    names = scene or visibility.SCENES
+    for name in names:
+        look_up(scenes.SCENES, name, "scene")
+    found = _with_progress(visibility.measure(list(names), points, repeats), len(names), "measuring")
+    rows = [row for part in found for row in part]
+    report.show_visibility(_console(), rows)
+    _keep(json, "bench visibility", {"scenes": list(names), "points": points, "repeats": repeats, "seed": 0}, rows=rows)
+    _draw(plot, lambda caption: plots.draw_visibility(rows, caption))
 
 
 def _check_bench(json: Path | None, plot: Path | None) -> None:

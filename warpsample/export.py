@@ -67,17 +67,17 @@ def export(run: Run, workers: int | None = None) -> str:
     points = _place(mesh, run)
     status = np.empty(len(points), np.uint8)
     with complete_or_absent(run.output) as partial, zipfile.ZipFile(partial, "w", allowZip64=True) as archive:
-        _write_array(archive, "position", points.position)
-        _write_array(archive, "normal", points.normal)
-        _write_array(archive, "face", points.face)
+        write_array(archive, "position", points.position)
+        write_array(archive, "normal", points.normal)
+        write_array(archive, "face", points.face)
         header = {"descr": "<f4", "fortran_order": False, "shape": (len(points), run.samples, 3)}
         with archive.open("vectors.npy", "w", force_zip64=True) as member:
             np.lib.format.write_array_header_2_0(member, header)
             for start, directions in _parts(points, run, workers):
                 member.write(directions.vectors.data)
                 status[start : start + len(directions.status)] = directions.status
-        _write_array(archive, "status", status)
-        _write_array(archive, "run", np.array(json.dumps(record)))
+        write_array(archive, "status", status)
+        write_array(archive, "run", np.array(json.dumps(record)))
     total = len(points) * run.samples
     skipped = {Status(code).name.lower(): int(n) for code, n in enumerate(np.bincount(status)) if code and n}
     return f"{total:,} directions at {len(points):,} points" + "".join(f", {n:,} {name}" for name, n in skipped.items())
@@ -132,7 +132,8 @@ def _record(run: Run) -> dict[str, object]:
     return {**arguments, "mesh_sha256": digest, "versions": versions, "cpu": wp.get_device("cpu").name}
 
 
-def _write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None:
+def write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None:
+    """Adds an array to an open .npz file."""
     with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
         np.lib.format.write_array(member, array)
 
@@ -140,7 +141,7 @@ def _write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None
 @contextmanager
 def complete_or_absent(path: Path) -> Iterator[Path]:
     """A name beside `path` to write to; renamed to `path` at the end, deleted if it does not come to that."""
-    partial = path.with_name(f".{path.name}.{os.getpid()}.part")
+    partial = path.with_name(f".{path.stem}.{os.getpid()}.part{path.suffix}")  # by which some writers tell the format
     try:
         yield partial
         partial.replace(path)

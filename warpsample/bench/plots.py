@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from warpsample.bench import directions, error, peers, rays, scaling
+from warpsample.bench import directions, error, peers, rays, scaling, visibility
 from warpsample.bench.directions import short_name
 from warpsample.export import complete_or_absent
 
@@ -174,6 +174,30 @@ def draw_rays(rows: list[rays.Row], caption: str) -> dict[str, "Figure"]:
     figure.legend(*grid[0][0].get_legend_handles_labels(), loc="outside upper center", ncols=4, frameon=False)
     figure.supxlabel(f"one thread; bars to the middle half of the repeats\n{caption}", fontsize=8)
     return {"rays": figure}
+
+
+def draw_visibility(rows: list[visibility.Row], caption: str) -> dict[str, "Figure"]:
+    """Bars of the time to an RMSE, a plot to each scene and RMSE, with how many times ours it is."""
+    from matplotlib.figure import Figure  # noqa: PLC0415
+
+    ran = [row for row in rows if row.microseconds is not None and not row.open_points]
+    scenes, targets = (list(dict.fromkeys(getattr(row, name) for row in ran)) for name in ("scene", "target"))
+    figure = Figure(figsize=(4.5 * len(scenes) + 1.0, 6.0), layout="constrained")
+    grid = figure.subplots(len(targets), len(scenes), squeeze=False, sharex=True)
+    for axes_of, target in zip(grid, targets, strict=True):
+        for axes, scene in zip(axes_of, scenes, strict=True):
+            mine = [row for row in ran if (row.scene, row.target) == (scene, target)][::-1]
+            for i, row in enumerate(mine):
+                axes.barh(i, row.microseconds.median, color=_OURS if row.tool.startswith("warpsample") else _THEIRS)
+                told = f" {row.microseconds.median:.3g}" + (
+                    f", {row.times_ours.median:.3g} times" if i < len(mine) - 1 else ""
+                )
+                axes.annotate(told, (row.microseconds.median, i), va="center", fontsize=8)
+            axes.set_yticks(range(len(mine)), [row.tool for row in mine], fontsize=8)
+            axes.set(xscale="log", title=f"{scene}, to an RMSE of {target:g}")
+            axes.margins(x=0.4)
+    figure.supxlabel(f"time of a point's ambient occlusion [µs]\n{caption}", fontsize=9)
+    return {"visibility": figure}
 
 
 def _figure(caption: str, width: float, height: float) -> tuple["Figure", "Axes"]:

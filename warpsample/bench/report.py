@@ -7,7 +7,7 @@ from math import log10
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from warpsample.bench import directions, error, peers, rays, scaling
+from warpsample.bench import directions, error, peers, rays, scaling, visibility
 from warpsample.bench.machine import machine
 from warpsample.bench.startup import Startup
 from warpsample.bench.timing import Spread
@@ -269,6 +269,31 @@ def show_rays(console: "Console", rows: list[rays.Row], builds: list[rays.Build]
     _table(console, "Building, milliseconds (workers)", headings, cells)
     for tool, remedy in missing.items():
         console.print(f"{tool}: {remedy}")
+
+
+def show_visibility(console: "Console", rows: list[visibility.Row]) -> None:
+    """A table for each scene and RMSE."""
+    heading(console, f"Ambient occlusion, its rays and everything before them, to an RMSE over all points: {_SPREAD}.")
+    for scene, target, open_points in dict.fromkeys((row.scene, row.target, row.open_points) for row in rows):
+        mine = [row for row in rows if (row.scene, row.target, row.open_points) == (scene, target, open_points)]
+        cells = [
+            [
+                f"{row.tool} ({row.version})",
+                f"{row.rays:,}",
+                f"{row.cast:,.0f}",
+                f"{row.rmse:.4f}",
+                _spread(row.microseconds),
+                _spread(row.times_ours),
+            ]
+            for row in mine
+            if row.microseconds and row.times_ours
+        ]
+        measured = next(row for row in mine if row.points)
+        what = "only points that see nothing but sky, rays as for all" if open_points else f"RMSE {target:g}"
+        title = f"{scene}, {measured.points:,} points, {measured.workers} workers: {what}"
+        _table(console, title, ["tool", "rays", "cast", "RMSE", "µs per point", "times ours"], cells)
+    for tool, failure in dict.fromkeys((row.tool, row.failure) for row in rows if row.failure):
+        console.print(f"{tool}: {failure}; pip install 'warpsample[bench]'", markup=False)
 
 
 def _table(console: "Console", title: str, headings: Sequence[str], cells: Iterable[Sequence[str]]) -> None:

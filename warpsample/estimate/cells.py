@@ -10,6 +10,8 @@ from math import cos, pi, sin, sqrt
 
 import numpy as np
 
+from warpsample.tracing.layout import CORNERS, PLANES, WIDTH
+
 REPLICATES = 2
 """Randomisations of a cell's rays: with more, each has fewer rays, and low-discrepancy ones lose what sets them apart."""
 
@@ -26,8 +28,9 @@ class Cells:
         bands: of sin^2 theta, of equal width.
         sectors: of azimuth; 1, without beams, or at least 4.
         each: rays of a replicate of a cell.
-        beams: (sectors, bands + 1, 9, 3) float32, local frame: of each sector and of its bands the inward normals of five
-            planes (the horizon's, two at the azimuths, towards the normal, towards the horizon), and the corners' rays.
+        beams: (sectors, bands + 1, 3, 16) float32, local frame: x, y, z of vectors of each sector and of its bands. These
+            are the inward normals of five planes (the horizon's, two at the azimuths, the one towards the normal and the
+            one towards the horizon), the directions of the four corners, and zeros.
     """
 
     bands: int
@@ -47,7 +50,10 @@ def cells_of(count: int) -> Cells:
     _, bands, sectors = next(grid for grid in _GRIDS[::-1] if count >= grid[0])
     spans = [(0.0, 1.0), *((band / bands, (band + 1) / bands) for band in range(bands))]
     beams = [[_beam(s / sectors, (s + 1) / sectors, *span) for span in spans] for s in range(sectors if sectors > 1 else 0)]
-    return Cells(bands, sectors, count // (bands * sectors * REPLICATES), np.array(beams, np.float32))
+    vectors = np.zeros((len(beams), bands + 1, 3, WIDTH), np.float32)
+    if beams:
+        vectors[..., : PLANES + CORNERS] = np.swapaxes(beams, 2, 3)
+    return Cells(bands, sectors, count // (bands * sectors * REPLICATES), vectors)
 
 
 def _beam(first: float, last: float, low: float, high: float) -> list[tuple[float, float, float]]:

@@ -19,14 +19,12 @@ from warpsample.tracing.layout import (
     BEAM_FLOATS,
     CHUNK,
     CHUNK_FLOATS,
-    CORNERS,
     DIRECTION,
     ORIGIN,
-    PLANE,
-    PLANES,
     REACH,
     SCRATCH,
     START_FLOATS,
+    WIDTH,
     Accelerator,
 )
 from warpsample.tracing.rays import RayJob, extent_along, far_off, lift, local_origin, point_of, way_to_scene
@@ -41,8 +39,8 @@ _LAST_UNIFORM = wp.constant(wp.float32(1.0 - 2.0**-24))
 _SIDE_MARGIN = wp.constant(wp.float32(2.0**-16))  # directions are rounded by 2^-21, at 7 from the point; planes by 2^-20
 _PADDING = wp.constant(wp.float32(PADDING))
 _VISITS = wp.constant(wp.int32(32))  # nodes and leaves that a beam may look into: as long as five rays take
-_BEAM = wp.constant(wp.uint64(12 * (PLANES + CORNERS)))
-_BEAM_LOCAL = 3 * (PLANES + CORNERS)
+_BEAM = wp.constant(wp.uint64(12 * WIDTH))
+_BEAM_LOCAL = 3 * WIDTH
 _SQUARE = 2 * CHUNK
 _NOTHING = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 _ZERO = wp.constant(wp.float64(0.0))
@@ -108,24 +106,22 @@ def _aim(local: wp.uint64, n: wp.vec3, o: wp.vec3, low: wp.float32, beam: wp.uin
     frame = frame_about(n)
     vectors = wp.array(ptr=local, shape=(_BEAM_LOCAL,), dtype=wp.float32)
     aim = wp.array(ptr=beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
-    for k in range(PLANES):
-        v = to_world(frame, wp.vec3(vectors[3 * k], vectors[3 * k + 1], vectors[3 * k + 2]))
+    k = wp.int32(0)
+    while k < WIDTH:
+        v = to_world(frame, wp.vec3(vectors[k], vectors[WIDTH + k], vectors[2 * WIDTH + k]))
         limit = wp.dot(v, o) - _SIDE_MARGIN
-        box_limit = limit
-        if k == 0:
-            limit = wp.dot(n, o) - low
-            box_limit = limit + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
-        for axis in range(3):
-            aim[PLANE * k + axis] = v[axis]
-        aim[PLANE * k + 3] = box_limit
-        aim[PLANE * k + 4] = limit
-    for k in range(CORNERS):
-        i = 3 * (PLANES + k)
-        v = to_world(frame, wp.vec3(vectors[i], vectors[i + 1], vectors[i + 2]))
-        for axis in range(3):
-            aim[PLANE * PLANES + 3 * k + axis] = v[axis]
+        aim[k] = v[0]
+        aim[WIDTH + k] = v[1]
+        aim[2 * WIDTH + k] = v[2]
+        aim[3 * WIDTH + k] = limit
+        aim[4 * WIDTH + k] = limit
+        k += 1
+    # The horizon, exactly; boxes are padded, triangles are not.
+    aim[4 * WIDTH] = wp.dot(n, o) - low
+    aim[3 * WIDTH] = aim[4 * WIDTH] + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
     for axis in range(3):
-        aim[PLANE * PLANES + 3 * CORNERS + axis] = o[axis]
+        aim[axis * WIDTH] = n[axis]
+        aim[5 * WIDTH + axis] = o[axis]
 
 
 @wp.func

@@ -8,7 +8,7 @@ import warp as wp
 
 from warpsample.numerics import fma
 from warpsample.tracing.intersect import greater, lesser, lowest_bit
-from warpsample.tracing.layout import BEAM_FLOATS, CORNERS, LEAF_BYTES, NODE_BYTES, PLANE, PLANES, WIDTH, Accelerator
+from warpsample.tracing.layout import BEAM_FLOATS, LEAF_BYTES, NODE_BYTES, PLANES, WIDTH, Accelerator
 from warpsample.tracing.wide import put_aside
 
 _NODE = wp.constant(wp.uint64(NODE_BYTES))
@@ -19,8 +19,7 @@ _PLACES = wp.constant(wp.uint64(6 * 4 * WIDTH))
 _FACES = wp.constant(wp.uint64(9 * 4 * WIDTH))
 _WAITING = wp.constant(wp.uint64(4 * 4))
 _LEAF_FLOATS = LEAF_BYTES // 4
-_CORNERS_AT = wp.constant(wp.int32(PLANE * PLANES))
-_ORIGIN_AT = wp.constant(wp.int32(PLANE * PLANES + 3 * CORNERS))
+_ORIGIN_AT = wp.constant(wp.int32(5 * WIDTH))
 _MARGIN = wp.constant(wp.float32(2.0**-18))  # of a triangle's two edges' lengths: 8 roundings of their cross product
 
 
@@ -43,11 +42,11 @@ def _side(beam: wp.uint64, i: wp.int32) -> Plane:
     """The i-th plane, and which of a node's rows lie farthest inwards."""
     rows = wp.array(ptr=beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
     plane = Plane()
-    plane.nx = rows[PLANE * i]
-    plane.ny = rows[PLANE * i + 1]
-    plane.nz = rows[PLANE * i + 2]
-    plane.box_limit = rows[PLANE * i + 3]
-    plane.limit = rows[PLANE * i + 4]
+    plane.nx = rows[i]
+    plane.ny = rows[WIDTH + i]
+    plane.nz = rows[2 * WIDTH + i]
+    plane.box_limit = rows[3 * WIDTH + i]
+    plane.limit = rows[4 * WIDTH + i]
     plane.x_row = wp.where(plane.nx > 0.0, _UPPER, wp.uint64(0))
     plane.y_row = wp.where(plane.ny > 0.0, _UPPER, wp.uint64(0)) + _ROW
     plane.z_row = wp.where(plane.nz > 0.0, _UPPER, wp.uint64(0)) + _ROW + _ROW
@@ -80,6 +79,13 @@ def _triangle_inside(leaf: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
 
 
 @wp.func
+def _along_corner(beam: wp.uint64, n: wp.vec3, i: wp.int32) -> wp.float32:
+    """How far a vector goes along the i-th of a beam's vectors."""
+    rows = wp.array(ptr=beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
+    return wp.dot(n, wp.vec3(rows[i], rows[WIDTH + i], rows[2 * WIDTH + i]))
+
+
+@wp.func
 def _faced(leaf: wp.uint64, beam: wp.uint64, k: wp.int32) -> wp.int32:
     """0 where all of the beam moves away from the plane of the k-th triangle."""
     rows = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
@@ -89,10 +95,10 @@ def _faced(leaf: wp.uint64, beam: wp.uint64, k: wp.int32) -> wp.int32:
     f = wp.vec3(rows[6 * WIDTH + k], rows[7 * WIDTH + k], rows[8 * WIDTH + k]) - a
     n = wp.cross(e, f)
     height = wp.dot(n, wp.vec3(aim[_ORIGIN_AT], aim[_ORIGIN_AT + 1], aim[_ORIGIN_AT + 2]) - a)
-    p = wp.dot(n, wp.vec3(aim[_CORNERS_AT], aim[_CORNERS_AT + 1], aim[_CORNERS_AT + 2]))
-    q = wp.dot(n, wp.vec3(aim[_CORNERS_AT + 3], aim[_CORNERS_AT + 4], aim[_CORNERS_AT + 5]))
-    r = wp.dot(n, wp.vec3(aim[_CORNERS_AT + 6], aim[_CORNERS_AT + 7], aim[_CORNERS_AT + 8]))
-    s = wp.dot(n, wp.vec3(aim[_CORNERS_AT + 9], aim[_CORNERS_AT + 10], aim[_CORNERS_AT + 11]))
+    p = _along_corner(beam, n, PLANES)
+    q = _along_corner(beam, n, PLANES + 1)
+    r = _along_corner(beam, n, PLANES + 2)
+    s = _along_corner(beam, n, PLANES + 3)
     least = lesser(lesser(p, q), lesser(r, s))
     most = greater(greater(p, q), greater(r, s))
     size_e = wp.abs(e[0]) + wp.abs(e[1]) + wp.abs(e[2])

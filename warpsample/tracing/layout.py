@@ -29,11 +29,11 @@ ORIGIN, DIRECTION, REACH, AHEAD, PREPARED = (row * CHUNK for row in (0, 3, 6, 7,
 
 CHUNK_FLOATS = PREPARED + 18 * CHUNK
 
-PLANE, PLANES, CORNERS = 5, 5, 4
-"""float32 of a beam's plane (normal, limit of boxes, limit of triangles); planes of a beam; rays at its corners."""
+PLANES, CORNERS = 5, 4
+"""Of a beam. It is six rows of sixteen float32: x, y, z of its planes' inward normals and then of its corners' unit
+directions; the planes' limits for boxes; for triangles; and the origin."""
 
-BEAM_FLOATS = PLANE * PLANES + 3 * CORNERS + 3
-"""A beam: its planes, its corners' unit directions and its origin, one after the other."""
+BEAM_FLOATS = 6 * WIDTH
 
 MOST_STARTS = 4
 """Nodes that the rays of a point start from."""
