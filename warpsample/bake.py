@@ -1,5 +1,6 @@
 """Numbers at the points of a mesh, into a file: `warpsample bake`."""
 
+import json
 import zipfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, fields

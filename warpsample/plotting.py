@@ -178,6 +178,77 @@ def clouds_beside_histogram(
     return plotter
 
 
+@dataclass(frozen=True, eq=False)
+class Panel:
+    """A number at each vertex.
+
+    Attributes:
+        value: (V,).
+        title: above the picture.
+        colours: a colour map's name.
+        limits: of the colours.
+    """
+
+    value: np.ndarray
+    title: str
+    colours: str
+    limits: tuple[float, float]
+
+
+def meshes_side_by_side(
+    vertices: np.ndarray,
+    faces: np.ndarray,
+    panels: list[Panel],
+    caption: str,
+    up: str,
+    off_screen: bool,
+    size: tuple[int, int],
+) -> "pyvista.Plotter":
+    """A plotter with the mesh in each panel's colours; one camera turns them all.
+
+    Args:
+        vertices: (V, 3).
+        faces: (F, 3).
+        panels: from left to right.
+        caption: below the first.
+        up: "x", "y" or "z", the axis that points up.
+        off_screen: no window.
+        size: of all together, pixels.
+    """
+    import pyvista as pv  # noqa: PLC0415
+
+    plotter = pv.Plotter(shape=(1, len(panels)), off_screen=off_screen, window_size=size, border=False)
+    plotter.set_background("white")
+    for column, panel in enumerate(panels):
+        plotter.subplot(0, column)
+        surface = pv.PolyData.from_regular_faces(vertices, faces)
+        surface[panel.title] = panel.value
+        bar = {
+            "title_font_size": 1,
+            "label_font_size": 15,
+            "height": 0.06,
+            "width": 0.7,
+            "position_x": 0.15,
+            "color": "black",
+        }
+        plotter.add_mesh(
+            surface,
+            scalars=panel.title,
+            cmap=panel.colours,
+            clim=panel.limits,
+            lighting=False,
+            scalar_bar_args={**bar, "title": " " * (column + 1), "position_y": 0.06, "n_labels": 4, "color": "black"},
+        )
+        plotter.add_text(panel.title, font_size=11, color="black", position="upper_edge")
+        plotter.view_vector(_VIEW[up], viewup=_AXES[up])
+        plotter.camera.zoom(1.2)
+    plotter.subplot(0, 0)
+    plotter.add_text(caption, font_size=8, color="black", position="lower_left")
+    plotter.link_views()
+    plotter.enable_anti_aliasing("ssaa", all_renderers=True)
+    return plotter
+
+
 def _show_figure(plotter: "pyvista.Plotter", figure: "Figure", width: int, height: int) -> None:
     """The figure as a picture that fills the current renderer and stays put when the mouse turns the other one."""
     import pyvista as pv  # noqa: PLC0415

@@ -36,7 +36,7 @@ NONFINITE_POSITION = 4
 _NONFINITE_POSITION = wp.constant(wp.int32(NONFINITE_POSITION))
 _STREAM_STEP = wp.constant(wp.uint32(0x9E3779B9))
 _LAST_UNIFORM = wp.constant(wp.float32(1.0 - 2.0**-24))
-_SIDE_MARGIN = wp.constant(wp.float32(2.0**-16))  # directions are rounded by 2^-21, at 7 from the point; planes by 2^-20
+_BOX_MARGIN = wp.constant(wp.float32(2.0**-16))  # directions are rounded by 2^-20.4, at 7 from the point
 _PADDING = wp.constant(wp.float32(PADDING))
 _VISITS = wp.constant(wp.int32(32))  # nodes and leaves that a beam may look into: as long as five rays take
 _BEAM = wp.constant(wp.uint64(12 * WIDTH))
@@ -109,19 +109,17 @@ def _aim(local: wp.uint64, n: wp.vec3, o: wp.vec3, low: wp.float32, beam: wp.uin
     k = wp.int32(0)
     while k < WIDTH:
         v = to_world(frame, wp.vec3(vectors[k], vectors[WIDTH + k], vectors[2 * WIDTH + k]))
-        limit = wp.dot(v, o) - _SIDE_MARGIN
         aim[k] = v[0]
         aim[WIDTH + k] = v[1]
         aim[2 * WIDTH + k] = v[2]
-        aim[3 * WIDTH + k] = limit
-        aim[4 * WIDTH + k] = limit
+        aim[3 * WIDTH + k] = wp.dot(v, o) - _BOX_MARGIN
         k += 1
-    # The horizon, exactly; boxes are padded, triangles are not.
-    aim[4 * WIDTH] = wp.dot(n, o) - low
-    aim[3 * WIDTH] = aim[4 * WIDTH] + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
+    # The horizon, exactly; boxes are padded, what is in them is not.
+    aim[3 * WIDTH] = wp.dot(n, o) - low + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
     for axis in range(3):
         aim[axis * WIDTH] = n[axis]
-        aim[5 * WIDTH + axis] = o[axis]
+        aim[4 * WIDTH + axis] = o[axis]
+    aim[4 * WIDTH + 3] = low
 
 
 @wp.func

@@ -19,18 +19,20 @@ _PLACES = wp.constant(wp.uint64(6 * 4 * WIDTH))
 _FACES = wp.constant(wp.uint64(9 * 4 * WIDTH))
 _WAITING = wp.constant(wp.uint64(4 * 4))
 _LEAF_FLOATS = LEAF_BYTES // 4
-_ORIGIN_AT = wp.constant(wp.int32(5 * WIDTH))
-_MARGIN = wp.constant(wp.float32(2.0**-18))  # of a triangle's two edges' lengths: 8 roundings of their cross product
+_ORIGIN_AT = wp.constant(wp.int32(4 * WIDTH))
+_LOW_AT = wp.constant(wp.int32(4 * WIDTH + 3))
+_MARGIN = wp.constant(wp.float32(2.0**-19))
+"""Times the distance of what is compared: a direction is rounded by 2^-20.4 (its variates' cell, sine and frame), a beam's
+plane by 2^-22, and a corner in the test of a ray by 2^-22."""
 
 
 @wp.struct
 class Plane:
-    """A side of a beam: inside is where x nx + y ny + z nz is at least the limit, for boxes or for triangles' corners."""
+    """A side of a beam: inside is where x nx + y ny + z nz is at least the limit; and the rows that lie farthest inwards."""
 
     nx: wp.float32
     ny: wp.float32
     nz: wp.float32
-    box_limit: wp.float32
     limit: wp.float32
     x_row: wp.uint64
     y_row: wp.uint64
@@ -39,14 +41,13 @@ class Plane:
 
 @wp.func
 def _side(beam: wp.uint64, i: wp.int32) -> Plane:
-    """The i-th plane, and which of a node's rows lie farthest inwards."""
+    """The i-th plane."""
     rows = wp.array(ptr=beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
     plane = Plane()
     plane.nx = rows[i]
     plane.ny = rows[WIDTH + i]
     plane.nz = rows[2 * WIDTH + i]
-    plane.box_limit = rows[3 * WIDTH + i]
-    plane.limit = rows[4 * WIDTH + i]
+    plane.limit = rows[3 * WIDTH + i]
     plane.x_row = wp.where(plane.nx > 0.0, _UPPER, wp.uint64(0))
     plane.y_row = wp.where(plane.ny > 0.0, _UPPER, wp.uint64(0)) + _ROW
     plane.z_row = wp.where(plane.nz > 0.0, _UPPER, wp.uint64(0)) + _ROW + _ROW
@@ -59,7 +60,7 @@ def _box_inside(node: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
     x = wp.array(ptr=node + plane.x_row, shape=(WIDTH,), dtype=wp.float32)
     y = wp.array(ptr=node + plane.y_row, shape=(WIDTH,), dtype=wp.float32)
     z = wp.array(ptr=node + plane.z_row, shape=(WIDTH,), dtype=wp.float32)
-    return wp.where(fma(x[k], plane.nx, fma(y[k], plane.ny, z[k] * plane.nz)) >= plane.box_limit, 1, 0)
+    return wp.where(fma(x[k], plane.nx, fma(y[k], plane.ny, z[k] * plane.nz)) >= plane.limit, 1, 0)
 
 
 @wp.func
@@ -73,9 +74,15 @@ def highest_corner(leaf: wp.uint64, k: wp.int32, nx: wp.float32, ny: wp.float32,
 
 
 @wp.func
-def _triangle_inside(leaf: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
-    """1 where some corner of the k-th triangle is inside of the plane."""
-    return wp.where(highest_corner(leaf, k, plane.nx, plane.ny, plane.nz) >= plane.limit, 1, 0)
+def _inside(a: wp.vec3, b: wp.vec3, c: wp.vec3, plane: Plane, margin: wp.float32) -> wp.int32:
+    """1 where some corner, seen from the origin, is inside of the plane."""
+    n = wp.vec3(plane.nx, plane.ny, plane.nz)
+    return wp.where(greater(greater(wp.dot(a, n), wp.dot(b, n)), wp.dot(c, n)) >= -margin, 1, 0)
+
+
+@wp.func
+def _size(v: wp.vec3) -> wp.float32:
+    return wp.abs(v[0]) + wp.abs(v[1]) + wp.abs(v[2])
 
 
 @wp.func
@@ -86,26 +93,22 @@ def _along_corner(beam: wp.uint64, n: wp.vec3, i: wp.int32) -> wp.float32:
 
 
 @wp.func
-def _faced(leaf: wp.uint64, beam: wp.uint64, k: wp.int32) -> wp.int32:
-    """0 where all of the beam moves away from the plane of the k-th triangle."""
-    rows = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
-    aim = wp.array(ptr=beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
-    a = wp.vec3(rows[k], rows[WIDTH + k], rows[2 * WIDTH + k])
-    e = wp.vec3(rows[3 * WIDTH + k], rows[4 * WIDTH + k], rows[5 * WIDTH + k]) - a
-    f = wp.vec3(rows[6 * WIDTH + k], rows[7 * WIDTH + k], rows[8 * WIDTH + k]) - a
+def _faced(a: wp.vec3, b: wp.vec3, c: wp.vec3, beam: wp.uint64) -> wp.int32:
+    """0 where all of the beam moves away from the plane of a triangle, its corners seen from the origin."""
+    e = b - a
+    f = c - a
     n = wp.cross(e, f)
-    height = wp.dot(n, wp.vec3(aim[_ORIGIN_AT], aim[_ORIGIN_AT + 1], aim[_ORIGIN_AT + 2]) - a)
+    height = -wp.dot(n, a)
     p = _along_corner(beam, n, PLANES)
     q = _along_corner(beam, n, PLANES + 1)
     r = _along_corner(beam, n, PLANES + 2)
     s = _along_corner(beam, n, PLANES + 3)
     least = lesser(lesser(p, q), lesser(r, s))
     most = greater(greater(p, q), greater(r, s))
-    size_e = wp.abs(e[0]) + wp.abs(e[1]) + wp.abs(e[2])
-    size_f = wp.abs(f[0]) + wp.abs(f[1]) + wp.abs(f[2])
-    margin = _MARGIN * size_e * size_f
-    from_above = wp.where(height > -margin, 1, 0) & wp.where(least < margin, 1, 0)
-    from_below = wp.where(height < margin, 1, 0) & wp.where(most > -margin, 1, 0)
+    margin = _MARGIN * _size(e) * _size(f)
+    height_margin = margin * _size(a)
+    from_above = wp.where(height > -height_margin, 1, 0) & wp.where(least < margin, 1, 0)
+    from_below = wp.where(height < height_margin, 1, 0) & wp.where(most > -margin, 1, 0)
     return from_above | from_below
 
 
@@ -127,8 +130,19 @@ def boxes_in(node: wp.uint64, beam: wp.uint64) -> wp.int32:
 
 
 @wp.func
+def _corner(leaf: wp.uint64, first_row: wp.int32, k: wp.int32, o: wp.vec3) -> wp.vec3:
+    """A corner of a leaf's k-th triangle, seen from the origin: so that it is rounded by a share of its distance."""
+    rows = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    at = first_row * WIDTH + k
+    return wp.vec3(rows[at] - o[0], rows[at + WIDTH] - o[1], rows[at + 2 * WIDTH] - o[2])
+
+
+@wp.func
 def triangles_in(leaf: wp.uint64, beam: wp.uint64) -> wp.int32:
     """Mask of the triangles that a ray of the beam may meet."""
+    aim = wp.array(ptr=beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
+    o = wp.vec3(aim[_ORIGIN_AT], aim[_ORIGIN_AT + 1], aim[_ORIGIN_AT + 2])
+    low = aim[_LOW_AT]
     p = _side(beam, 0)
     q = _side(beam, 1)
     r = _side(beam, 2)
@@ -138,9 +152,13 @@ def triangles_in(leaf: wp.uint64, beam: wp.uint64) -> wp.int32:
     mask = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
-        inside = _triangle_inside(leaf, p, k) & _triangle_inside(leaf, q, k) & _triangle_inside(leaf, r, k)
-        inside = inside & _triangle_inside(leaf, s, k) & _triangle_inside(leaf, t, k)
-        mask = mask | ((inside & _faced(leaf, beam, k) & wp.where(faces[k] >= 0, 1, 0)) << k)
+        a = _corner(leaf, 0, k, o)
+        b = _corner(leaf, 3, k, o)
+        c = _corner(leaf, 6, k, o)
+        margin = _MARGIN * greater(greater(_size(a), _size(b)), _size(c))
+        inside = _inside(a, b, c, p, low) & _inside(a, b, c, q, margin) & _inside(a, b, c, r, margin)
+        inside = inside & _inside(a, b, c, s, margin) & _inside(a, b, c, t, margin)
+        mask = mask | ((inside & _faced(a, b, c, beam) & wp.where(faces[k] >= 0, 1, 0)) << k)
         k += 1
     return mask
 

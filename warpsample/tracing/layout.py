@@ -30,10 +30,10 @@ ORIGIN, DIRECTION, REACH, AHEAD, PREPARED = (row * CHUNK for row in (0, 3, 6, 7,
 CHUNK_FLOATS = PREPARED + 18 * CHUNK
 
 PLANES, CORNERS = 5, 4
-"""Of a beam. It is six rows of sixteen float32: x, y, z of its planes' inward normals and then of its corners' unit
-directions; the planes' limits for boxes; for triangles; and the origin."""
+"""Of a beam. It is five rows of sixteen float32: x, y, z of its planes' inward normals and then of its corners' unit
+directions; the planes' limits for boxes; the origin, and how far below the horizon what is in the beam may be."""
 
-BEAM_FLOATS = 6 * WIDTH
+BEAM_FLOATS = 5 * WIDTH
 
 MOST_STARTS = 4
 """Nodes that the rays of a point start from."""

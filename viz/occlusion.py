@@ -1,0 +1,60 @@
+"""Ambient occlusion of a mesh's vertices, its standard error and the rays it took, side by side."""
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import numpy as np
+import typer
+import warp as wp
+
+import warpsample as ws
+from warpsample import plotting
+from warpsample.cli import fail_plainly
+
+BUNNY = Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd"
+
+
+def panels_of(found: ws.Estimate, samples: int) -> list[plotting.Panel]:
+    """What is shown of an estimate; errors up to that of 99 of 100 vertices, so that a few do not darken the rest."""
+    error = max(float(np.quantile(found.standard_error, 0.99)), 1e-6)
+    return [
+        plotting.Panel(found.value, "ambient occlusion (1: open)", "gray", (0.0, 1.0)),
+        plotting.Panel(found.standard_error, "standard error", "viridis", (0.0, error)),
+        plotting.Panel(found.rays, f"rays cast, of {samples:,}", "magma", (0.0, float(samples))),
+    ]
+
+
+def main(
+    mesh: Annotated[Path, typer.Argument(help="Mesh file; by default the bunny inside warp-lang.")] = BUNNY,
+    samples: Annotated[int, typer.Option(help="Rays of each vertex.")] = 1024,
+    max_distance: Annotated[float | None, typer.Option(help="What is farther does not occlude.", show_default=False)] = None,
+    seed: Annotated[int, typer.Option(help="Of the rays.")] = 0,
+    up: Annotated[Literal["x", "y", "z"], typer.Option(help="The mesh's axis that points up in the picture.")] = "y",
+    screenshot: Annotated[Path | None, typer.Option(help="Save a PNG here instead of opening a window.")] = None,
+    size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1800, 680),
+) -> None:
+    """Show ambient occlusion, its standard error and the rays it took on a mesh, side by side."""
+    if screenshot is None and not plotting.has_screen():
+        raise ValueError("there is no screen to open a window on: save a picture with --screenshot FILE")
+    if screenshot is not None and not screenshot.resolve().parent.is_dir():
+        raise ValueError(f"--screenshot: got {str(screenshot)!r}, whose folder does not exist")
+    plotting.check_rendering()
+    surface = ws.load_mesh(mesh)
+    found = ws.ambient_occlusion(surface, ws.vertex_points(surface), samples, max_distance, seed=seed)
+    cast, asked = int(found.rays.sum()), samples * len(found.rays)
+    error = np.sqrt(np.mean(np.square(found.standard_error)))
+    what = f"{len(found.rays):,} vertices, {cast / asked:.0%} of {asked:,} rays cast, RMS error {error:.4f}, seed {seed}"
+    plotter = plotting.meshes_side_by_side(
+        surface.vertices, surface.faces, panels_of(found, samples), what, up, screenshot is not None, size
+    )
+    if screenshot is None:
+        plotter.show()
+        return
+    plotting.save_screenshot(plotter, screenshot)
+    print(f"{screenshot}: {what}")
+
+
+if __name__ == "__main__":
+    wp.config.log_level = wp.LOG_WARNING
+    with fail_plainly():
+        typer.run(main)
