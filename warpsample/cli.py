@@ -34,7 +34,7 @@ def fail_plainly() -> Iterator[None]:
         print(f"error: {error}", file=sys.stderr)  # noqa: T201
         raise SystemExit(2) from error
     except KeyboardInterrupt as interrupt:
-        print(interrupt or "interrupted; nothing was written", file=sys.stderr)  # noqa: T201
+        print(str(interrupt) or "interrupted; nothing was written", file=sys.stderr)  # noqa: T201
         raise SystemExit(130) from None
 
 

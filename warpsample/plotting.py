@@ -19,6 +19,7 @@ MOST_POINTS = 1_000_000
 """Cloud points that software rendering draws in a second."""
 
 _SURFACE = "#d8d4cc"
+_SKY = "#c7d5e0"  # that a white mesh stands out from
 _LOBE = "#d1495b"
 _BARS = "#7aa6c2"
 
@@ -218,7 +219,7 @@ def meshes_side_by_side(
     import pyvista as pv  # noqa: PLC0415
 
     plotter = pv.Plotter(shape=(1, len(panels)), off_screen=off_screen, window_size=size, border=False)
-    plotter.set_background("white")
+    plotter.set_background(_SKY)
     for column, panel in enumerate(panels):
         plotter.subplot(0, column)
         surface = pv.PolyData.from_regular_faces(vertices, faces)
@@ -237,7 +238,14 @@ def meshes_side_by_side(
             cmap=panel.colours,
             clim=panel.limits,
             lighting=False,
-            scalar_bar_args={**bar, "title": " " * (column + 1), "position_y": 0.06, "n_labels": 4, "color": "black"},
+            scalar_bar_args={
+                **bar,
+                "title": " " * (column + 1),
+                "position_y": 0.06,
+                "n_labels": 5,
+                "fmt": "%.4g",
+                "color": "black",
+            },
         )
         plotter.add_text(panel.title, font_size=11, color="black", position="upper_edge")
         plotter.view_vector(_VIEW[up], viewup=_AXES[up])

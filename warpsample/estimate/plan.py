@@ -39,7 +39,7 @@ _BYTES_PER_POINT = 80
 _TRIAL = 1 << 63  # of the seed
 _TRIAL_RAYS = 64
 _FEWEST_RAYS = 32
-_UNSEEN = 0.25  # rays' worth of error in a trial whose rays all agree: it may have missed something
+_UNSEEN = 0.6  # rays' worth of error that a trial may not have seen: with less, points that look easy spoil the RMSE
 
 
 class PointStatus(IntEnum):

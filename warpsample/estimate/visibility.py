@@ -45,8 +45,9 @@ def ambient_occlusion(
         seed: of 64 bits.
         first_point: the global id of row 0.
         active: (P,) bool; other points get 0, a status, and cost next to nothing.
-        tolerance: the standard error to reach; a trial of 64 rays, which are then forgotten, says how many of `count` each
-            point takes. Forgetting them keeps the result unbiased. Saves where points differ much and count is large.
+        tolerance: the standard error to reach, in the root mean square over the points. A trial of 64 rays says how many of
+            `count` each point takes, and is forgotten, which keeps the result unbiased. For where the right count is not
+            known: if it is, that many for every point are as fast, since open points cost little anyway.
         skip: whether to look for what cannot be met: parts of the mesh below a point's horizon, and cells of its lobe where
             nothing is. Changes no bit; off, it takes two to three times as long.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".

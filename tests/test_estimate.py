@@ -1,0 +1,456 @@
+"""Numbers per point: closed forms, a twin, skipping that changes no bit, error bars that hold, and hostile input."""
+
+from math import cos, hypot, pi, sqrt
+
+import numpy as np
+import pytest
+import trimesh
+import warp as wp
+
+import warpsample as ws
+from warpsample.bench import scenes
+from warpsample.estimate import plan
+from warpsample.estimate.cells import cells_of
+from warpsample.proof.rays import closed_meshes
+
+RAYS = 65_536
+CLOSED = closed_meshes()
+
+
+@pytest.fixture(scope="module")
+def bunny(bunny_path):
+    return ws.load_mesh(bunny_path)
+
+
+@pytest.fixture(scope="module")
+def points(bunny):
+    return ws.sample_surface(bunny, 600, seed=1)
+
+
+def at(position, normal, copies=1):
+    """SurfacePoints of no face, each as often as told: with ids, and so rays, of their own."""
+    position, normal = (np.repeat(np.atleast_2d(np.float64(a)), copies, axis=0) for a in (position, normal))
+    return ws.SurfacePoints(position, np.broadcast_to(normal, position.shape).astype(np.float32))
+
+
+def street(width, height):
+    """An infinite street: ground and both walls, 10^4 widths long."""
+    end = 5e3 * width
+    corners = [(x, y, z) for x in (0.0, width) for y in (-end, end) for z in (0.0, height)]
+    return ws.as_mesh((corners, [(0, 4, 6), (0, 6, 2), (0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6)]))
+
+
+def square(z=1.0):
+    """The unit square at a height, facing down."""
+    return ws.as_mesh(([(0, 0, z), (1, 0, z), (1, 1, z), (0, 1, z)], [(0, 2, 1), (0, 3, 2)]))
+
+
+# Closed forms, of ../shared/GROUND_TRUTH.md
+
+
+WIDTH, HEIGHT = 1.0, 1.7
+ACROSS = (np.arange(64) + 0.5) / 64
+
+
+def floor_sky(x):
+    return 0.5 * (x / hypot(x, HEIGHT) + (WIDTH - x) / hypot(WIDTH - x, HEIGHT))
+
+
+def wall_sky(z):
+    """Of a wall at a height: the angle from the horizontal to the other wall's edge, as for any strip between angles."""
+    return 0.5 * (1.0 - (HEIGHT - z) / hypot(HEIGHT - z, WIDTH))
+
+
+def means():
+    """(name, mesh, points, up, exact value at each, exact mean of all) of cases without curved faces."""
+    floor = np.column_stack([WIDTH * ACROSS, np.full(64, 0.3), np.zeros(64)])
+    yield "floor", street(WIDTH, HEIGHT), at(floor, (0, 0, 1)), [floor_sky(x) for x in floor[:, 0]], sqrt(1.0 + 1.7**2) - 1.7
+    wall = np.column_stack([np.zeros(64), np.full(64, -0.2), HEIGHT * ACROSS])
+    mean = 0.5 * (1.0 + 1.0 / 1.7 - sqrt(1.0 + 1.0 / 1.7**2))
+    yield "wall", street(WIDTH, HEIGHT), at(wall, (1, 0, 0)), [wall_sky(z) for z in wall[:, 2]], mean
+    tilted = at((0.0, 0.0, 9.0), (sqrt(1.0 - 0.819152**2), 0.0, 0.819152), 64)
+    yield "tilted", square(), tilted, [0.909576] * 64, 0.909576
+
+
+@pytest.mark.parametrize("case", list(means()), ids=lambda case: case[0])
+def test_sky_of_streets_and_planes(case):
+    _, mesh, where, exact, mean = case
+    found = ws.sky_view_factor(mesh, where, RAYS)
+    error = found.value - exact
+    assert np.isfinite(error).all()
+    assert np.sqrt(np.mean(error**2)) <= 2e-4
+    # About 20 of the 128 cells see an edge, so 4 bars are passed by one point in a thousand.
+    outside = np.abs(error) / (found.standard_error + 1e-6)
+    assert np.mean(outside > 4.0) <= 2 / 64
+    assert outside.max() <= 6.0
+    # The midpoint rule over 64 points is within 3e-5 of these means.
+    assert abs(found.value.mean() - mean) <= 1e-4
+    up = np.asarray(where.normal)[:, 2]
+    assert np.abs(found.below_horizon - (0.5 - 0.5 * up)).max() <= 1e-6
+
+
+def test_a_square_seen_from_the_square_below_it():
+    grid = np.stack(np.meshgrid(ACROSS[::4] - ACROSS[0] + 1 / 32, ACROSS[::4] - ACROSS[0] + 1 / 32), -1).reshape(-1, 2)
+    found = ws.ambient_occlusion(square(), at(np.column_stack([grid, np.zeros(256)]), (0, 0, 1)), 4096)
+    assert abs(1.0 - found.value.mean() - 0.19982489569838746) <= 2e-4  # 256 midpoints: 1.2e-4; the rays: 1e-5
+
+
+def test_a_disk_and_a_sphere():
+    turns = 2.0 * pi * np.arange(2048) / 2048
+    rim = 1.3 * np.column_stack([np.cos(turns), np.sin(turns), np.zeros(2048)]) + [0, 0, 0.7]
+    fan = [(2048, i, (i + 1) % 2048) for i in range(2048)]
+    disk = ws.as_mesh((np.vstack([rim, [[0, 0, 0.7]]]), fan))
+    found = ws.ambient_occlusion(disk, at((0, 0, 0), (0, 0, 1), 16), RAYS)
+    assert np.abs(1.0 - found.value - 1.3**2 / (1.3**2 + 0.7**2)).max() <= 6e-4  # 4 of 1.5e-4
+    ball = trimesh.creation.icosphere(5, 0.5)
+    ball.apply_scale(sqrt(4.0 * pi * 0.25 / ball.area))  # its silhouettes' mean area, by Cauchy
+    tilt = 0.6
+    found = ws.ambient_occlusion(ball, at((0, 0, -1.2), (np.sin(tilt), 0.0, cos(tilt)), 16), RAYS)
+    assert np.abs(1.0 - found.value - cos(tilt) * (0.5 / 1.2) ** 2).max() <= 8e-4  # and the tessellation's 2e-4
+
+
+@pytest.mark.parametrize("name", CLOSED)
+def test_from_inside_nothing_escapes_and_from_outside_of_a_convex_mesh_all_does(name):
+    mesh, _ = CLOSED[name]
+    outside = ws.sample_surface(mesh, 500)
+    inside = ws.SurfacePoints(outside.position, -outside.normal, outside.face)
+    found = ws.ambient_occlusion(mesh, inside, 512)
+    assert (found.value == 0.0).all()
+    assert (found.standard_error == 0.0).all()
+    convex = trimesh.Trimesh(mesh.vertices, mesh.faces).is_convex
+    if convex:
+        found = ws.ambient_occlusion(mesh, outside, 512)
+        assert (found.value == 1.0).all()
+        assert found.rays.sum() == 0  # a convex mesh costs none
+        assert found.skipped == ws.Skipped(open_points=500, empty_rays=500 * 512)
+
+
+# A twin: the rays are those that the other calls give
+
+
+@pytest.mark.parametrize("tracer", ["wide", "warp"])
+def test_the_estimate_is_that_of_its_rays(bunny, points, tracer):
+    """Below 32 rays there is one cell: each replicate's directions are those of a seed with the stream in its high word."""
+    count, seed = 30, 5
+    found = ws.ambient_occlusion(bunny, points, count, seed=seed, tracer=tracer)
+    seeds = [seed ^ (stream * 0x9E3779B9 % 2**32 << 32) for stream in (0, 1)]
+    ways = [ws.sample_directions(points, count // 2, sequence="fibonacci", seed=s).vectors for s in seeds]
+    free = np.array([(ws.trace(bunny, points, way, any_hit=True, tracer=tracer).face < 0).mean(axis=1) for way in ways])
+    assert np.array_equal(found.value, free.mean(axis=0, dtype=np.float64).astype(np.float32))
+    assert np.abs(found.standard_error - 0.5 * np.abs(free[0] - free[1])).max() <= 1e-7
+    assert (found.rays == count).all()
+
+
+def test_cells_share_the_lobe_evenly():
+    for count in (2, 31, 32, 100, 255, 256, 448, 1000, 4096, 20_000):
+        cells = cells_of(count)
+        assert 0.93 * count <= cells.rays <= count or count < 32
+        lobe = at((0, 0, 5.0), (0, 0, 1), 4)
+        # Open ground under L = d.x^2 and under L = d.z: pi/4 and 2 pi/3, whichever cells the rays fill.
+        error = np.abs(ws.irradiance(square(0.0), lobe, _sides, count).value - [pi / 4, pi / 4, 2 * pi / 3])
+        assert error.max() <= 4.0 * count**-0.75 + 1e-4
+
+
+@wp.func
+def _sides(d: wp.vec3):
+    return wp.vec3(d[0] * d[0], d[1] * d[1], d[2])
+
+
+# Skipping changes no bit
+
+
+def hostile():
+    """Open, self-overlapping, with duplicated, degenerate, tiny and coplanar faces."""
+    rng = np.random.default_rng(2)
+    corners = rng.uniform(-1, 1, (300, 1, 3)) + rng.normal(0, 0.2, (300, 3, 3))
+    corners[:20] = corners[20:40]
+    corners[40:60, :, 2] = 0.25
+    corners[60:70, 2] = corners[60:70, 0] + 1e-5 * rng.normal(size=(10, 3))
+    corners[70:75, 2] = corners[70:75, 1]
+    corners[75:80] = corners[75:80, :1]
+    corners[80:90] = corners[80:90, :1] + 1e-4 * rng.normal(size=(10, 3, 3))
+    return ws.as_mesh((corners.reshape(-1, 3), np.arange(900).reshape(-1, 3)))
+
+
+MESHES = {"city": lambda: scenes.city(12), "hostile": hostile, "torus": lambda: CLOSED["torus"][0]}
+
+
+def same(found, other):
+    return np.array_equal(found.value, other.value) and np.array_equal(found.standard_error, other.standard_error)
+
+
+@pytest.mark.parametrize("name", ["bunny", *MESHES])
+def test_skipping_changes_no_bit(bunny, name):
+    mesh = bunny if name == "bunny" else MESHES[name]()
+    size = np.ptp(mesh.vertices, axis=0).max()
+    above = ws.sample_surface(mesh, 300, seed=3)
+    floating = ws.SurfacePoints(above.position + 0.02 * size * above.normal, above.normal)
+    cast = skipped = 0
+    for where in (above, ws.vertex_points(mesh), ws.face_centers(mesh), floating):
+        for count, reach in ((40, None), (300, 0.1 * size), (500, None)):
+            with_skipping, without = (ws.ambient_occlusion(mesh, where, count, reach, skip=skip) for skip in (True, False))
+            assert same(with_skipping, without)
+            cast, skipped = cast + int(without.rays.sum()), skipped + with_skipping.skipped.empty_rays
+            assert with_skipping.rays.sum(dtype=np.int64) + with_skipping.skipped.empty_rays == without.rays.sum()
+    assert skipped >= 0.05 * cast
+
+
+def test_a_wrong_beam_would_be_seen(bunny, points, monkeypatch):
+    cells = cells_of(500)
+    turned = type(cells)(cells.bands, cells.sectors, cells.each, np.roll(cells.beams, 1, axis=0))
+    right = ws.ambient_occlusion(bunny, points, 500)
+    monkeypatch.setattr(plan, "cells_of", lambda _: turned)
+    assert not same(ws.ambient_occlusion(bunny, points, 500), right)
+
+
+def test_skipping_under_other_weights(bunny, points):
+    up = (0.3, 1.0, 0.2)
+    for count in (300, 500):
+        skipping, plain = (ws.sky_view_factor(bunny, points, count, up, skip=skip) for skip in (True, False))
+        assert same(skipping, plain)
+        assert skipping.skipped.weightless_rays > 0
+        total = len(points) * cells_of(count).rays
+        assert skipping.rays.sum() + skipping.skipped.empty_rays + skipping.skipped.weightless_rays == total
+        shaded = [ws.ambient_occlusion(bunny, points, count, 0.3, falloff=1.5, skip=skip) for skip in (True, False)]
+        assert same(*shaded)
+        assert shaded[0].rays.sum() < 0.8 * shaded[1].rays.sum()
+
+
+def test_obscurance_lies_between_what_it_blends(bunny, points):
+    near, open_far = (ws.ambient_occlusion(bunny, points, 512, reach).value for reach in (0.3, None))
+    blended = ws.ambient_occlusion(bunny, points, 512, 0.3, falloff=1.0).value
+    assert (blended >= near - 1e-6).all()
+    assert (near >= open_far).all()
+    assert blended.mean() > near.mean() + 0.01
+    ground = at((0.5, 0.5, 0.0), (0, 0, 1))
+    # A ceiling at h over all of the lobe within reach r: a hit at t = h/cos counts 1 - t/r.
+    ceiling = ws.as_mesh((np.array([(-1, -1, 0.1), (3, -1, 0.1), (-1, 3, 0.1)]) * [99, 99, 1], [(0, 2, 1)]))
+    h, r = 0.1, 0.4
+    exact = (1.0 - (h / r) ** 2) - 2.0 * (h / r) * (1.0 - h / r)
+    found = ws.ambient_occlusion(ceiling, ground, RAYS, r, falloff=1.0)
+    assert abs(1.0 - found.value[0] - exact) <= 4.0 * found.standard_error[0] + 1e-5
+
+
+def test_threads_parts_order_and_masks_change_no_bit(bunny, points, monkeypatch):
+    right = ws.ambient_occlusion(bunny, points, 300, seed=7, first_point=2**40)
+    monkeypatch.setattr("warpsample.engine._LEAST_WORK", 1)
+    monkeypatch.setattr(plan, "MANY_FACES", 1)
+    monkeypatch.setattr("warpsample.tracing.order._FEW_POINTS", 1)
+    assert same(ws.ambient_occlusion(bunny, points, 300, seed=7, first_point=2**40, workers=3), right)
+    half = ws.SurfacePoints(points.position[300:], points.normal[300:], points.face[300:])
+    part = ws.ambient_occlusion(bunny, half, 300, seed=7, first_point=2**40 + 300)
+    assert np.array_equal(part.value, right.value[300:])
+    active = np.arange(600) % 3 == 0
+    masked = ws.ambient_occlusion(bunny, points, 300, seed=7, first_point=2**40, active=active)
+    assert np.array_equal(masked.value, np.where(active, right.value, 0.0))
+    assert masked.counts() == {ws.PointStatus.OK: 200, ws.PointStatus.INACTIVE: 400}
+    assert masked.rays[~active].sum() == 0
+    assert masked.skipped.points == 400
+
+
+# Error bars
+
+
+@pytest.mark.parametrize(("sequence", "count"), [("fibonacci", 64), ("fibonacci", 512), ("independent", 64)])
+def test_the_standard_error_is_what_it_says(bunny, points, sequence, count):
+    """Its mean square is that of the error: over 600 points, 32 times."""
+    runs = [ws.ambient_occlusion(bunny, points, count, sequence=sequence, seed=2, first_point=600 * k) for k in range(32)]
+    values = np.array([run.value for run in runs], np.float64)
+    bars = np.mean([run.standard_error.astype(np.float64) ** 2 for run in runs], axis=0)
+    ratio = bars.sum() / values.var(axis=0, ddof=1).sum()
+    assert abs(ratio - 1.0) <= 0.08  # 18,600 degrees of freedom, of which a fifth carry the variance: 5 of 0.016
+    if count == 512:
+        # 32 cells: the bar of a single point is worth reading.
+        mean = values.mean(axis=0)
+        outside = [np.abs(run.value - mean) > 3.0 * np.maximum(run.standard_error, 1e-3) for run in runs]
+        assert np.mean(outside) <= 0.03
+
+
+def test_tolerance_is_reached_without_bias(bunny, points):
+    tolerance = 0.01
+    runs = [ws.ambient_occlusion(bunny, points, 1024, tolerance=tolerance, first_point=600 * k) for k in range(64)]
+    right = ws.ambient_occlusion(bunny, points, RAYS, seed=99).value
+    error = np.array([run.value for run in runs], np.float64) - right
+    assert np.sqrt(np.mean(error**2)) <= tolerance
+    spread = np.sqrt(np.mean(error.var(axis=0, ddof=1)) / error.size)
+    assert abs(error.mean()) <= 5.0 * spread + 1e-5  # the reference's own error: 1.5e-4 / sqrt(600)
+    fixed = ws.ambient_occlusion(bunny, points, 1024)
+    assert runs[0].rays.sum() < 0.8 * fixed.rays.sum()
+    assert runs[0].skipped.unneeded_rays > 0
+    tight = ws.ambient_occlusion(bunny, points, 1024, tolerance=1e-9)
+    assert np.array_equal(tight.value[tight.rays > 64], fixed.value[tight.rays > 64])
+
+
+# Both tracers, any scale, any mesh
+
+
+def test_tracers_agree(bunny, points):
+    wide, warp = (ws.ambient_occlusion(bunny, points, 512, tracer=tracer) for tracer in ("wide", "warp"))
+    assert np.abs(wide.value - warp.value).max() <= 3 / 512  # the same rays; one in 10^5 passes an edge the other way
+    assert abs(float(wide.value.mean() - warp.value.mean())) <= 2e-5
+    assert warp.skipped == ws.Skipped()
+
+
+@pytest.mark.parametrize(("scale", "offset"), [(1e-6, 0.0), (1e3, 5e6), (5e6, 0.0), (2.0**40, 0.0)])
+def test_scale(bunny, points, scale, offset):
+    mesh = ws.Mesh(bunny.vertices * scale + offset, bunny.faces)
+    moved = ws.SurfacePoints(points.position * scale + offset, points.normal, points.face)
+    right, found = ws.ambient_occlusion(bunny, points, 512), ws.ambient_occlusion(mesh, moved, 512)
+    if offset == 0.0 and np.log2(scale) % 1 == 0:
+        assert same(found, right)
+    assert np.abs(found.value - right.value).max() <= 4 / 512  # rays that pass an edge on the other side
+    assert abs(float(found.value.mean() - right.value.mean())) <= 5e-5
+
+
+def test_any_mesh_gives_finite_numbers_and_a_report():
+    box = CLOSED["box"][0]
+    doubled = ws.Mesh(box.vertices, np.concatenate([box.faces, box.faces[:4]]))
+    fins = ws.Mesh(np.vstack([box.vertices, [[3, 3, 3]]]), np.concatenate([box.faces, [[0, 1, 8], [0, 1, 8]]]))
+    for mesh in (hostile(), doubled, fins, square(), ws.as_mesh(([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]))):
+        for where in (ws.face_centers(mesh), ws.vertex_points(mesh)):
+            found = ws.ambient_occlusion(mesh, where, 128)
+            assert np.isfinite(found.value).all()
+            assert np.isfinite(found.standard_error).all()
+            assert ((found.value >= 0.0) & (found.value <= 1.0)).all()
+            assert (found.status == ws.PointStatus.ZERO_NORMAL).sum() == np.count_nonzero(~where.normal.any(axis=1))
+    degenerate = ws.ambient_occlusion(hostile(), ws.face_centers(hostile()), 128)
+    assert degenerate.counts()[ws.PointStatus.ZERO_NORMAL] == degenerate.skipped.points == 10
+
+
+def test_a_million_faces():
+    side = 708
+    x, y = np.meshgrid(np.linspace(0, 1, side), np.linspace(0, 1, side))
+    heights = 0.02 * np.sin(40 * x) * np.cos(31 * y)
+    corner = (np.arange(side - 1)[:, None] * side + np.arange(side - 1)).ravel()
+    halves = [(0, 1, side), (1, side + 1, side)]
+    faces = np.concatenate([corner[:, None] + half for half in halves])
+    mesh = ws.as_mesh((np.stack([x, y, heights], -1).reshape(-1, 3), faces))
+    where = ws.sample_surface(mesh, 5000)
+    with_skipping, without = (ws.sky_view_factor(mesh, where, 64, skip=skip) for skip in (True, False))
+    assert len(mesh.faces) == 999_698
+    assert same(with_skipping, without)
+    assert 0.5 < with_skipping.value.mean() < 0.95
+
+
+def test_points_far_away_and_points_that_are_none(bunny):
+    lower, upper = bunny.report.lower, bunny.report.upper
+    centre, radius = 0.5 * (lower + upper), 0.5 * np.ptp(np.stack([lower, upper]), axis=0).max()
+    away = np.array([[0, 0, 1.0], [0.6, 0.0, -0.8]])
+    for distance in (20.0, 1e5):
+        far = at(centre + distance * radius * away, -away)
+        found = ws.ambient_occlusion(bunny, far, 4096)
+        assert np.all(found.value > 1.0 - 2.0 / distance)  # the bunny's share of the lobe is below (radius/distance)^2
+        assert (found.status == 0).all()
+    near = at(centre + 20.0 * radius * away, -away)
+    hits = 1.0 - ws.ambient_occlusion(bunny, near, 1 << 20).value
+    assert ((hits > 1e-4) & (hits < 3.0 / 400)).all()
+    bad = ws.SurfacePoints(
+        np.array([[0, 0, 0], [np.nan, 0, 0], [0, 0, np.inf], [0, 0, 0], [0, 0, 0]]),
+        np.float32([[0, 0, 0], [0, 0, 1], [0, 0, 1], [np.nan, 0, 1], [0, 0, 1]]),
+    )
+    found = ws.ambient_occlusion(bunny, bad, 64)
+    assert found.status.tolist() == [2, 4, 4, 3, 0]
+    assert (found.value[:4] == 0.0).all()
+    assert (found.rays[:4] == 0).all()
+
+
+# What else is summed
+
+
+def test_bent_normals(bunny, points):
+    found = ws.bent_normals(bunny, points, 4096)
+    way = ws.sample_directions(points, 4096, sequence="sobol", seed=8).vectors
+    free = ws.trace(bunny, points, way, any_hit=True).face < 0
+    assert np.abs(found.value - (way * free[..., None]).mean(axis=1)).max() <= 6e-3  # 6 of 1e-3
+    assert (np.abs(found.value - (way * free[..., None]).mean(axis=1)) <= 6.0 * found.standard_error + 2e-3).all()
+    is_open = free.all(axis=1)
+    assert np.abs(found.value[is_open] - 2.0 / 3.0 * points.normal[is_open]).max() <= 1e-3
+
+
+@wp.func
+def _gradient(d: wp.vec3):
+    return 1.0 + d[1]
+
+
+def test_irradiance_by_a_picture_and_by_a_function(bunny, points):
+    up = np.float64([0.0, 1.0, 0.0])
+    by_function = ws.irradiance(bunny, points, _gradient, 1024)
+    latitudes = np.cos((np.arange(512) + 0.5) / 512 * pi)
+    picture = np.repeat((1.0 + latitudes)[:, None], 8, axis=1)
+    by_picture = ws.irradiance(bunny, points, picture, 1024, up=up)
+    assert np.abs(by_function.value - by_picture.value).max() <= 1e-4  # the same rays; bilinear in steps of 0.006 rad
+    by_colours = ws.irradiance(bunny, points, np.stack([picture, 2.0 * picture, 0.0 * picture], axis=2), 1024, up=up)
+    assert np.abs(by_colours.value - by_picture.value[:, None] * [1.0, 2.0, 0.0]).max() <= 1e-5
+    uniform = ws.irradiance(bunny, points, np.ones((2, 2)), 1024).value
+    assert np.abs(uniform - pi * ws.ambient_occlusion(bunny, points, 1024).value).max() <= 1e-5
+    dark = ws.irradiance(bunny, points, np.zeros((2, 2)), 1024)
+    assert dark.rays.sum() == 0
+    assert dark.skipped.weightless_rays + dark.skipped.empty_rays == 600 * 1024
+
+
+def test_pictures_lie_as_they_say(tmp_path):
+    """A file with one bright column, at azimuth pi/2 about up: seen from a wall that faces it."""
+    picture = np.zeros((16, 32, 3), np.uint8)
+    picture[:8, 8] = 128
+    header = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16 +X 32\n"
+    path = tmp_path / "sky.hdr"
+    path.write_bytes(header + np.dstack([picture, np.where(picture[..., :1] > 0, 129, 0)]).astype(np.uint8).tobytes())
+    pytest.importorskip("pyvista")
+    walls = at(np.tile([0.0, 0.0, 9.0], (4, 1)), [(1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0)])
+    found = ws.irradiance(square(0.0), walls, path, 4096).value
+    assert found[1].min() > 0.02
+    assert found[3].max() == 0.0
+    assert np.abs(found[0] - found[2]).max() < 0.5 * found[1].min()
+    on_y = ws.irradiance(square(0.0), walls, path, 4096, up=(1, 0, 0)).value
+    assert on_y[0].min() > 0.02 > 20 * on_y[2].max()  # its upper half is now about x, but for the rim that is blended
+
+
+# What cannot be used
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"points": np.zeros((3, 3))}, "points: got ndarray, want SurfacePoints"),
+        ({"mesh": 3}, "mesh: got int"),
+        ({"count": 1}, "count: got 1, want a whole number from 2"),
+        ({"count": 2.5}, "count: got 2.5"),
+        ({"max_distance": -1.0}, "max_distance: got -1.0"),
+        ({"falloff": 1.0}, "max_distance: got None, want a finite one above 0"),
+        ({"falloff": -1.0, "max_distance": 1.0}, "falloff: got -1.0"),
+        ({"sequence": "halton"}, "sequence: got 'halton'"),
+        ({"seed": -1}, "seed: got -1"),
+        ({"active": [True]}, "active: got bool of shape"),
+        ({"active": np.zeros(600)}, "active: got float64"),
+        ({"tolerance": 0.0}, "tolerance: got 0.0"),
+        ({"tracer": "embree"}, "tracer: got 'embree'"),
+        ({"workers": 0}, "workers: got 0"),
+    ],
+)
+def test_bad_arguments_are_named(bunny, points, change, message):
+    with pytest.raises((TypeError, ValueError), match=f"^{message}"):
+        ws.ambient_occlusion(**{"mesh": bunny, "points": points, "count": 32, **change})
+
+
+@wp.func
+def _whole(d: wp.vec3):
+    return 3
+
+
+@pytest.mark.parametrize(
+    ("radiance", "message"),
+    [
+        (np.zeros((4, 4, 2)), r"radiance: got shape \(4, 4, 2\)"),
+        (np.full((4, 4), -1.0), "radiance: got numbers that are below 0"),
+        (np.full((4, 4), np.nan), "radiance: got numbers that are below 0 or not finite"),
+        ("sky.png", "radiance: got 'sky.png', which is missing"),
+        (_whole, "radiance: got a function that gives int"),
+        ("text", "radiance: got 'text'"),
+        (None, "radiance: got NoneType"),
+    ],
+)
+def test_bad_light_is_named(bunny, points, radiance, message):
+    with pytest.raises((TypeError, ValueError, FileNotFoundError), match=f"^{message}"):
+        ws.irradiance(bunny, points, radiance, 32)
+    with pytest.raises(ValueError, match=r"^up: got \(0, 0, 0\), want three finite numbers, not all 0"):
+        ws.sky_view_factor(bunny, points, 32, up=(0, 0, 0))
