@@ -1,5 +1,8 @@
 """Numbers per point: closed forms, a twin, skipping that changes no bit, error bars that hold, and hostile input."""
 
+import re
+import subprocess
+import sys
 from math import cos, hypot, pi, sqrt
 
 import numpy as np
@@ -11,7 +14,10 @@ import warpsample as ws
 from warpsample.bench import scenes
 from warpsample.estimate import plan
 from warpsample.estimate.cells import cells_of
+from warpsample.estimate.kernel import estimate_kernel
+from warpsample.estimate.weights import everywhere
 from warpsample.proof.rays import closed_meshes
+from warpsample.tracing.builtin import builtin_any_query, prepare_builtin
 
 RAYS = 65_536
 CLOSED = closed_meshes()
@@ -454,3 +460,42 @@ def test_bad_light_is_named(bunny, points, radiance, message):
         ws.irradiance(bunny, points, radiance, 32)
     with pytest.raises(ValueError, match=r"^up: got \(0, 0, 0\), want three finite numbers, not all 0"):
         ws.sky_view_factor(bunny, points, 32, up=(0, 0, 0))
+
+
+# Fast, and portable
+
+_REMARKS = """
+import numpy as np, warp as wp
+wp.config.log_level = wp.LOG_WARNING
+wp.config.cpu_compiler_flags += " -Rpass=loop-vectorize -Rpass-missed=loop-vectorize"
+import warpsample as ws
+mesh = ws.as_mesh(([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]))
+ws.ambient_occlusion(mesh, ws.SurfacePoints(np.zeros((1, 3)), np.float32([[0, 0, 1]])), 32)
+"""
+
+
+def test_the_hot_loops_are_vectorised(tmp_path, child_environment):
+    """By the compiler's own remarks."""
+    script = tmp_path / "remarks.py"
+    script.write_text(_REMARKS)
+    environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / "cache")}
+    done = subprocess.run([sys.executable, script], env=environment, capture_output=True, text=True, check=True)
+    remarks = [part for part in re.split(r"(?=\n\S+\.cpp:)", done.stderr) if "wp_estimate_kernel" in part]
+    hot = {
+        found[1]
+        for part in remarks
+        if (found := re.search(r"\.cpp:(\d+):\d+: remark: vectorized.*\n.*goto end_while_", part))
+    }
+    # start, variates, directions, preparation; visible, triangles above; aim, boxes in, triangles in; boxes, triangles met.
+    assert len(hot) == 11
+    missed = [part for part in remarks if re.search(r"remark: loop not vectorized.*\n.*goto end_while_", part)]
+    assert len(missed) == 0, missed
+
+
+def test_the_kernel_compiles_for_cuda(tmp_path):
+    slots = (prepare_builtin, builtin_any_query, True, False)
+    kernel = estimate_kernel(
+        ws.sequences.get("fibonacci"), ws.CosineHemisphere("polar").about(), everywhere, True, True, 1, *slots
+    )
+    (ptx,) = wp.compile_aot_module(kernel.module, device=None, arch=86, use_ptx=True, module_dir=tmp_path)
+    assert ".visible .entry" in ptx.read_text()

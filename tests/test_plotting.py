@@ -1,6 +1,7 @@
 """Pictures: the data handed to the plotter, one render that is not blank, and the message where none can be made."""
 
 import importlib.util
+import re
 import subprocess
 import sys
 
@@ -92,6 +93,26 @@ def test_screenshot_of_the_bunny(can_render, repository, tmp_path, child_environ
     for half in (image[:, :400], image[:, 400:]):
         assert (half.min(axis=-1) < 0.9).mean() > 0.05
     assert list(tmp_path.iterdir()) == [tmp_path / "clouds.png"]
+
+
+def test_occlusion_is_drawn_side_by_side(can_render, repository, tmp_path, capsys):
+    """The README's command, smaller: three pictures of the mesh, of what the estimate says."""
+    import matplotlib.image
+
+    specification = importlib.util.spec_from_file_location("occlusion", repository / "viz" / "occlusion.py")
+    script = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(script)
+    script.main(samples=32, screenshot=tmp_path / "occlusion.png", size=(900, 340))
+    assert re.match(r".*occlusion.png: 6,102 vertices, \d+% of 195,264 rays cast", capsys.readouterr().out)
+    image = matplotlib.image.imread(tmp_path / "occlusion.png")[..., :3]
+    for third in np.split(image, 3, axis=1):
+        assert (np.abs(third - image[0, 0]).max(axis=-1) > 0.1).mean() > 0.1
+    mesh = ws.load_mesh(script.BUNNY)
+    found = ws.ambient_occlusion(mesh, ws.vertex_points(mesh), 32)
+    panels = script.panels_of(found, 32)
+    assert [panel.limits[0] for panel in panels] == [0.0, 0.0, 0.0]
+    for panel, values in zip(panels, (found.value, found.standard_error, found.rays), strict=True):
+        assert panel.value is values
 
 
 def test_a_cloud_cut_by_the_budget_is_thinner_and_whole(can_render, viewer, monkeypatch, tmp_path, capsys):

@@ -23,7 +23,8 @@ def blocks(repository, language):
             0,
             (
                 r"^\(10000, 64, 3\) \(10000, 64\) \{<Status.OK: 0>: 10000\}\nirradiance under a uniform sky: 3\.14159\d*\n"
-                r"rays that meet the torus again: 0\.046\d*\n$"
+                r"rays that meet the torus again: 0\.046\d*\n"
+                r"ambient occlusion: 0\.95[34]\d*, standard error 0\.002\d*, rays skipped: 0\.\d+\n$"
             ),
         ),
         (1, r"^(.*\n)*\[ *-?\d\.?\d*(e-\d+)? +-?\d\.?\d*(e-\d+)? +(0\.666\d*|6\.66\d*e-01)\]\n$"),
@@ -48,6 +49,8 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "pytest",  # this
         "warpsample info MESH",
         "warpsample directions MESH -o directions.npz --count 10000 --samples 64",
+        "warpsample bake MESH -o occlusion.ply --quantity ao --samples 256",
+        "python viz/occlusion.py --screenshot occlusion.png",  # test_plotting.py
         "warpsample verify",  # test_verify.py, on fewer cases
         "warpsample verify --power",
         "warpsample bench directions",  # these: test_bench.py, on smaller sizes
@@ -55,16 +58,22 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample bench peers",
         "warpsample bench scaling",
         "warpsample bench rays",  # test_bench_rays.py
+        "warpsample bench visibility",  # test_bench_visibility.py
     ]
 
 
 def test_mesh_commands_run(repository, tmp_path, child_environment):
     trimesh.creation.torus(2.0, 0.5).export(tmp_path / "torus.ply")
-    for line in ("info MESH", "directions MESH -o directions.npz --count 10000 --samples 64"):
+    for line in (
+        "info MESH",
+        "directions MESH -o directions.npz --count 10000 --samples 64",
+        "bake MESH -o occlusion.ply --quantity ao --samples 256",
+    ):
         assert f"warpsample {line}" in (repository / "README.md").read_text()
         command = [sys.executable, "-m", "warpsample.cli", *line.replace("MESH", "torus.ply").split()]
         subprocess.run(command, env=child_environment, check=True, cwd=tmp_path, capture_output=True)
     assert (tmp_path / "directions.npz").is_file()
+    assert (tmp_path / "occlusion.ply").is_file()
 
 
 def test_the_table_of_distributions_is_that_of_the_registry(repository):

@@ -128,7 +128,7 @@ def bake_command(
     for name, value, quantities in (("max_distance", max_distance, ("ao", "sky")), ("falloff", falloff, ("ao",))):
         if value is not None and quantity not in quantities:
             raise ValueError(
-                f"--{name.replace('_', '-')}: got {value} for {quantity}, want it for {' or '.join(quantities)}"
+                f"--{name.replace('_', '-')}: got {value} for {quantity}, want it for {' or '.join(quantities)} only"
             )
         if value is not None:
             options[name] = value

@@ -72,7 +72,7 @@ def measure(scenes: list[str], points: int, repeats: int) -> Iterator[list[Row]]
     workers = check_workers(None)
     for scene in scenes:
         mesh, at = points_of(scene, points)
-        right = ambient_occlusion(mesh, at, _REFERENCE_RAYS, sequence="sobol", seed=_REFERENCE_SEED, workers=workers).value
+        right = ambient_occlusion(mesh, at, _REFERENCE_RAYS, seed=_REFERENCE_SEED, workers=workers).value
         with tempfile.TemporaryDirectory() as folder:
             reference = Path(folder) / "reference.npy"
             np.save(reference, right)

@@ -1,5 +1,6 @@
 """Irradiance under light from afar: a picture of it all around, or a function of the direction."""
 
+from dataclasses import replace
 from math import pi
 from os import PathLike
 from pathlib import Path
@@ -54,7 +55,8 @@ def irradiance(
     pixels = np.ascontiguousarray(np.broadcast_to(picture if colour else picture[..., None], (*picture.shape[:2], 3)))
     weights = vector_weights(axis)
     weights.pixels, (weights.height, weights.width) = pixels.ctypes.data, picture.shape[:2]
-    return plan.estimate(Quantity(environment, channels=3 if colour else 1, weights=weights, unit=pi))
+    found = plan.estimate(Quantity(environment, channels=3, weights=weights, unit=pi))
+    return found if colour else replace(found, value=found.value[:, 0], standard_error=found.standard_error[:, 0])
 
 
 def _gives_colour(function: wp.Function) -> bool:

@@ -319,28 +319,28 @@ def estimate_kernel(
         beams = starts > 0 or near != 0
         if job.beams == wp.uint64(0) or starts < 0:
             beams = False
+        nothing = starts == 0 and near == 0
         for sector in range(job.sectors):
-            sector_found = wp.where(starts == 0 and near == 0, 0, 1)
-            row = sector * (job.bands + 1)
-            if wp.static(wide):
-                if beams:
-                    sector_found, _ = _found(job, accelerator, spot, row, near)
-            for band in range(job.bands):
-                cell = sector * job.bands + band
+            sector_found = wp.where(nothing, 0, 1)
+            for step in range(job.bands + 1):  # the sector as a whole first, and then its bands
                 found = sector_found
                 cell_near = near
                 if wp.static(wide):
                     if beams and found != 0:
-                        found, cell_near = _found(job, accelerator, spot, row + 1 + band, near)
-                if found == 0:
-                    empty += 2 * job.each
-                if wp.static(constant) and found == 0:
-                    total[0] += wp.float64(2 * job.each)
+                        found, cell_near = _found(job, accelerator, spot, sector * (job.bands + 1) + step, near)
+                if step == 0:
+                    sector_found = found
                 else:
-                    add, difference, rays = sum_cell(job, accelerator, spot, cell, found, cell_near)
-                    total += add
-                    variance += wp.cw_mul(difference, difference)
-                    cast += rays
+                    if found == 0:
+                        empty += 2 * job.each
+                    if wp.static(constant) and found == 0:
+                        total[0] += wp.float64(2 * job.each)
+                    else:
+                        cell = sector * job.bands + step - 1
+                        add, difference, rays = sum_cell(job, accelerator, spot, cell, found, cell_near)
+                        total += add
+                        variance += wp.cw_mul(difference, difference)
+                        cast += rays
         return total, variance, cast, empty
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)

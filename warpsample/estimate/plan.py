@@ -261,7 +261,10 @@ class _Runner:
         rows = np.flatnonzero(chosen) if order is None else order[chosen[order]]
         job.rays.order = rows.ctypes.data
         if wide:
-            slots, accelerator = (prepare_wide, wide_query(any_hit)), self.scene.tree(plan.workers).accelerator()
+            slots, accelerator = (
+                (prepare_wide, wide_query(any_hit, several=True)),
+                self.scene.tree(plan.workers).accelerator(),
+            )
         else:
             query = builtin_any_query if any_hit else builtin_query
             slots, accelerator = (prepare_builtin, query), self.scene.builtin(cpu)

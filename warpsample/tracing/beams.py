@@ -178,10 +178,12 @@ def meets(accelerator: Accelerator, beam: wp.uint64, visits: wp.int32, scratch: 
     for other in range(1, accelerator.starts):
         top = put_aside(top, accelerator.start + wp.uint64(other) * _NODE, -1, 0.0)
     node = accelerator.start
-    mask = boxes_in(node, beam)
+    mask = wp.int32(-1)  # not found yet
     searching = wp.int32(1)
     while searching != 0:
-        if mask != 0:
+        if mask == -1:
+            mask = boxes_in(node, beam)
+        elif mask != 0:
             child = lowest_bit(mask)
             mask = mask & (mask - 1)
             places = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)
@@ -189,13 +191,10 @@ def meets(accelerator: Accelerator, beam: wp.uint64, visits: wp.int32, scratch: 
             if place < 0:
                 met = triangles_in(accelerator.leaves + wp.uint64(~place) * _LEAF, beam)
             else:
-                inner = accelerator.nodes + wp.uint64(place) * _NODE
-                below = boxes_in(inner, beam)
-                if below != 0:
-                    if mask != 0:
-                        top = put_aside(top, node, mask, 0.0)
-                    node = inner
-                    mask = below
+                if mask != 0:
+                    top = put_aside(top, node, mask, 0.0)
+                node = accelerator.nodes + wp.uint64(place) * _NODE
+                mask = -1
             visits -= 1
             if met != 0 or visits == 0:
                 met = 1
@@ -206,8 +205,6 @@ def meets(accelerator: Accelerator, beam: wp.uint64, visits: wp.int32, scratch: 
             waiting = wp.array(ptr=top, shape=(4,), dtype=wp.int32)
             node = address[0]
             mask = waiting[2]
-            if mask == -1:
-                mask = boxes_in(node, beam)
         else:
             searching = 0
     return met
