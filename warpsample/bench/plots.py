@@ -188,11 +188,11 @@ def draw_visibility(rows: list[visibility.Row], caption: str) -> dict[str, "Figu
         for axes, scene in zip(axes_of, scenes, strict=True):
             mine = [row for row in ran if (row.scene, row.target) == (scene, target)][::-1]
             for i, row in enumerate(mine):
-                axes.barh(i, row.microseconds.median, color=_OURS if row.tool.startswith("warpsample") else _THEIRS)
-                told = f" {row.microseconds.median:.3g}" + (
-                    f", {row.times_ours.median:.3g} times" if i < len(mine) - 1 else ""
-                )
-                axes.annotate(told, (time, i), va="center", fontsize=8)
+                x = row.microseconds.median
+                axes.barh(i, x, color=_OURS if row.tool.startswith("warpsample") else _THEIRS)
+                told = f" {x:,.0f}" if x >= 100.0 else f" {x:.3g}"
+                told += f", {row.times_ours.median:.3g} times" if row.tool != "warpsample" else ""
+                axes.annotate(told, (x, i), va="center", fontsize=8)
             axes.set_yticks(range(len(mine)), [row.tool for row in mine], fontsize=8)
             axes.set(xscale="log", title=f"{scene}, to an RMSE of {target:g}")
             axes.margins(x=0.8)  # room for what is told
