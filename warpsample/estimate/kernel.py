@@ -4,15 +4,12 @@ from functools import cache
 
 import warp as wp
 
-from warpsample.estimate.weights import Weights
-from warpsample.frames import frame_about, to_world
+from warpsample.estimate.job import NONFINITE_POSITION, EstimateJob, Spot, bring_near, found_in, start
 from warpsample.kernels.job import normal_status, weigh_by_mask
 from warpsample.kernels.parameters import Parameters
 from warpsample.kernels.variates import LANES
 from warpsample.numerics import high_word, low_word, scaled_to_unit
 from warpsample.sequences.record import Sequence
-from warpsample.tracing.beams import meets, triangles_in
-from warpsample.tracing.boxes import PADDING
 from warpsample.tracing.frontier import HORIZON_MARGIN, NEAR, NEAR_SLACK, frontier
 from warpsample.tracing.intersect import ray_in
 from warpsample.tracing.layout import (
@@ -20,143 +17,20 @@ from warpsample.tracing.layout import (
     CHUNK,
     CHUNK_FLOATS,
     DIRECTION,
-    ORIGIN,
     REACH,
     SCRATCH,
     START_FLOATS,
-    WIDTH,
     Accelerator,
 )
-from warpsample.tracing.rays import RayJob, extent_along, far_off, lift, local_origin, point_of, way_to_scene
+from warpsample.tracing.rays import extent_along, far_off, lift, local_origin, point_of
 from warpsample.tracing.wide import nearest_of
-
-NONFINITE_POSITION = 4
-"""The status of a point that is nowhere; the others are those of `kernels.job`."""
 
 _NONFINITE_POSITION = wp.constant(wp.int32(NONFINITE_POSITION))
 _STREAM_STEP = wp.constant(wp.uint32(0x9E3779B9))
 _LAST_UNIFORM = wp.constant(wp.float32(1.0 - 2.0**-24))
-_BOX_MARGIN = wp.constant(wp.float32(2.0**-16))  # directions are rounded by 2^-20.4, at 7 from the point
-_PADDING = wp.constant(wp.float32(PADDING))
-_VISITS = wp.constant(wp.int32(32))  # nodes and leaves that a beam may look into: as long as five rays take
-_BEAM = wp.constant(wp.uint64(12 * WIDTH))
-_BEAM_LOCAL = 3 * WIDTH
 _SQUARE = 2 * CHUNK
 _NOTHING = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 _ZERO = wp.constant(wp.float64(0.0))
-
-
-@wp.struct
-class EstimateJob:
-    """Scalars and addresses.
-
-    rays: of the points; its normals are those of their faces, along which they are moved off.
-    normals, active: (P, 3) float32, (P,) uint8 or 0: the lobes' axes, and which points count.
-    each, bands, sectors, beams: as `Cells` has them; beams 0 tests none.
-    skip: whether the tree is searched for what cannot be met.
-    value, error: (P, channels) float32.
-    cast, empty, status: (P,) int32, int32, uint8: rays cast, rays in parts of the lobe that meet nothing, why not.
-    """
-
-    rays: RayJob
-    seed: wp.uint64
-    first_point: wp.uint64
-    normals: wp.uint64
-    active: wp.uint64
-    each: wp.int32
-    bands: wp.int32
-    sectors: wp.int32
-    beams: wp.uint64
-    skip: wp.int32
-    falloff: wp.float32
-    weights: Weights
-    value: wp.uint64
-    error: wp.uint64
-    cast: wp.uint64
-    empty: wp.uint64
-    status: wp.uint64
-
-
-Job = type(EstimateJob().__ctype__())
-
-
-@wp.struct
-class Spot:
-    """A point and its rays.
-
-    Unit normal, origin as it is and as rays have it, what is lower is below the horizon, reach, and memory to work in.
-    """
-
-    id: wp.uint64
-    n: wp.vec3
-    place: wp.vec3d
-    o: wp.vec3
-    low: wp.float32
-    reach: wp.float32
-    chunk: wp.uint64
-    square: wp.uint64
-    room: wp.uint64
-    beam: wp.uint64
-    scratch: wp.uint64
-
-
-@wp.func
-def _aim(local: wp.uint64, n: wp.vec3, o: wp.vec3, low: wp.float32, beam: wp.uint64):
-    """Turns a beam of `Cells` about a normal and starts it from an origin."""
-    frame = frame_about(n)
-    vectors = wp.array(ptr=local, shape=(_BEAM_LOCAL,), dtype=wp.float32)
-    aim = wp.array(ptr=beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
-    k = wp.int32(0)
-    while k < WIDTH:
-        v = to_world(frame, wp.vec3(vectors[k], vectors[WIDTH + k], vectors[2 * WIDTH + k]))
-        aim[k] = v[0]
-        aim[WIDTH + k] = v[1]
-        aim[2 * WIDTH + k] = v[2]
-        aim[3 * WIDTH + k] = wp.dot(v, o) - _BOX_MARGIN
-        k += 1
-    # The horizon, exactly; boxes are padded, what is in them is not.
-    aim[3 * WIDTH] = wp.dot(n, o) - low + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
-    for axis in range(3):
-        aim[axis * WIDTH] = n[axis]
-        aim[4 * WIDTH + axis] = o[axis]
-    aim[4 * WIDTH + 3] = low
-
-
-@wp.func
-def _start(chunk: wp.uint64, o: wp.vec3, reach: wp.float32):
-    """Lets all rays of a chunk start from o."""
-    rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-    k = wp.int32(0)
-    while k < CHUNK:
-        rays[ORIGIN + k] = o[0]
-        rays[ORIGIN + CHUNK + k] = o[1]
-        rays[ORIGIN + 2 * CHUNK + k] = o[2]
-        rays[REACH + k] = reach
-        k += 1
-
-
-@wp.func
-def _bring_near(spot: Spot, column: wp.uint64):
-    """Lets a ray of a point that is far off start near the mesh; without reach if it passes it."""
-    ray = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-    d = wp.vec3d(wp.float64(ray[DIRECTION]), wp.float64(ray[DIRECTION + CHUNK]), wp.float64(ray[DIRECTION + 2 * CHUNK]))
-    ahead = way_to_scene(spot.place, d)
-    o = wp.vec3(spot.place + ahead * d)
-    for axis in range(3):
-        ray[ORIGIN + axis * CHUNK] = o[axis]
-    ray[REACH] = wp.where(ahead < wp.float64(0.0), -1.0, wp.float32(wp.float64(spot.reach) - ahead))
-
-
-@wp.func
-def _found(job: EstimateJob, accelerator: Accelerator, spot: Spot, cell: wp.int32, near: wp.int32):
-    """(whether a ray of a sector or cell may meet something, which of the triangles around the point)."""
-    _aim(job.beams + wp.uint64(cell) * _BEAM, spot.n, spot.o, spot.low, spot.beam)
-    if near != 0:
-        near = triangles_in(spot.room + NEAR, spot.beam) & near
-    found = wp.where(near != 0, 1, 0)
-    if found == 0 and accelerator.starts > 0:
-        found = meets(accelerator, spot.beam, _VISITS, spot.scratch)
-    return found, near
 
 
 @cache
@@ -263,7 +137,7 @@ def estimate_kernel(
             spread(job, spot, cell, first, padded)
             if far_off(spot.place):
                 for k in range(length):
-                    _bring_near(spot, spot.chunk + wp.uint64(4 * k))
+                    bring_near(spot, spot.chunk + wp.uint64(4 * k))
             if found != 0:
                 prepare(spot.chunk, padded)
             for k in range(length):
@@ -322,12 +196,12 @@ def estimate_kernel(
         nothing = starts == 0 and near == 0
         for sector in range(job.sectors):
             sector_found = wp.where(nothing, 0, 1)
-            for step in range(job.bands + 1):  # the sector as a whole first, and then its bands
+            for step in range(wp.where(job.bands == 1, 1, 0), job.bands + 1):  # the sector as a whole first, then its bands
                 found = sector_found
                 cell_near = near
                 if wp.static(wide):
                     if beams and found != 0:
-                        found, cell_near = _found(job, accelerator, spot, sector * (job.bands + 1) + step, near)
+                        found, cell_near = found_in(job, accelerator, spot, sector * (job.bands + 1) + step, near)
                 if step == 0:
                     sector_found = found
                 else:
@@ -377,7 +251,7 @@ def estimate_kernel(
         cast = wp.int32(0)
         empty = wp.int32(0)
         if status == 0:
-            _start(spot.chunk, spot.o, spot.reach)
+            start(spot.chunk, spot.o, spot.reach)
             total, variance, cast, empty = sum_lobe(job, accelerator, spot)
         rays = wp.float64(2 * job.each * job.bands * job.sectors)
         at = wp.uint64(point) * wp.uint64(4 * channels)

@@ -14,7 +14,8 @@ from warpsample.directions import Status
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.engine import check_memory, check_workers, run
 from warpsample.estimate.cells import Cells, cells_of
-from warpsample.estimate.kernel import NONFINITE_POSITION, Job, estimate_kernel
+from warpsample.estimate.job import NONFINITE_POSITION, Job
+from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.weights import WeightsJob
 from warpsample.mesh import Mesh, as_mesh
 from warpsample.sequences.record import Sequence

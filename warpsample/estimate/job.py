@@ -1,0 +1,133 @@
+"""A point and its rays as the kernel of an estimate has them, and where its beams and rays start."""
+
+import warp as wp
+
+from warpsample.estimate.weights import Weights
+from warpsample.frames import frame_about, to_world
+from warpsample.tracing.beams import meets, triangles_in
+from warpsample.tracing.boxes import PADDING
+from warpsample.tracing.frontier import NEAR
+from warpsample.tracing.layout import BEAM_FLOATS, CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, REACH, WIDTH, Accelerator
+from warpsample.tracing.rays import RayJob, way_to_scene
+
+NONFINITE_POSITION = 4
+"""The status of a point that is nowhere; the others are those of `kernels.job`."""
+
+_BOX_MARGIN = wp.constant(wp.float32(2.0**-16))  # directions are rounded by 2^-20.4, at 7 from the point
+_PADDING = wp.constant(wp.float32(PADDING))
+_VISITS = wp.constant(wp.int32(32))  # nodes and leaves that a beam may look into: as long as five rays take
+_BEAM = wp.constant(wp.uint64(12 * WIDTH))
+_BEAM_LOCAL = 3 * WIDTH
+
+
+@wp.struct
+class EstimateJob:
+    """Scalars and addresses.
+
+    rays: of the points; its normals are those of their faces, along which they are moved off.
+    normals, active: (P, 3) float32, (P,) uint8 or 0: the lobes' axes, and which points count.
+    each, bands, sectors, beams: as `Cells` has them; beams 0 tests none.
+    skip: whether the tree is searched for what cannot be met.
+    value, error: (P, channels) float32.
+    cast, empty, status: (P,) int32, int32, uint8: rays cast, rays in parts of the lobe that meet nothing, why not.
+    """
+
+    rays: RayJob
+    seed: wp.uint64
+    first_point: wp.uint64
+    normals: wp.uint64
+    active: wp.uint64
+    each: wp.int32
+    bands: wp.int32
+    sectors: wp.int32
+    beams: wp.uint64
+    skip: wp.int32
+    falloff: wp.float32
+    weights: Weights
+    value: wp.uint64
+    error: wp.uint64
+    cast: wp.uint64
+    empty: wp.uint64
+    status: wp.uint64
+
+
+Job = type(EstimateJob().__ctype__())
+
+
+@wp.struct
+class Spot:
+    """A point and its rays.
+
+    Unit normal, origin as it is and as rays have it, what is lower is below the horizon, reach, and memory to work in.
+    """
+
+    id: wp.uint64
+    n: wp.vec3
+    place: wp.vec3d
+    o: wp.vec3
+    low: wp.float32
+    reach: wp.float32
+    chunk: wp.uint64
+    square: wp.uint64
+    room: wp.uint64
+    beam: wp.uint64
+    scratch: wp.uint64
+
+
+@wp.func
+def _aim(local: wp.uint64, n: wp.vec3, o: wp.vec3, low: wp.float32, beam: wp.uint64):
+    """Turns a beam of `Cells` about a normal and starts it from an origin."""
+    frame = frame_about(n)
+    vectors = wp.array(ptr=local, shape=(_BEAM_LOCAL,), dtype=wp.float32)
+    aim = wp.array(ptr=beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
+    k = wp.int32(0)
+    while k < WIDTH:
+        v = to_world(frame, wp.vec3(vectors[k], vectors[WIDTH + k], vectors[2 * WIDTH + k]))
+        aim[k] = v[0]
+        aim[WIDTH + k] = v[1]
+        aim[2 * WIDTH + k] = v[2]
+        aim[3 * WIDTH + k] = wp.dot(v, o) - _BOX_MARGIN
+        k += 1
+    # The horizon, exactly; boxes are padded, what is in them is not.
+    aim[3 * WIDTH] = wp.dot(n, o) - low + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
+    for axis in range(3):
+        aim[axis * WIDTH] = n[axis]
+        aim[4 * WIDTH + axis] = o[axis]
+    aim[4 * WIDTH + 3] = low
+
+
+@wp.func
+def start(chunk: wp.uint64, o: wp.vec3, reach: wp.float32):
+    """Lets all rays of a chunk start from o."""
+    rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    k = wp.int32(0)
+    while k < CHUNK:
+        rays[ORIGIN + k] = o[0]
+        rays[ORIGIN + CHUNK + k] = o[1]
+        rays[ORIGIN + 2 * CHUNK + k] = o[2]
+        rays[REACH + k] = reach
+        k += 1
+
+
+@wp.func
+def bring_near(spot: Spot, column: wp.uint64):
+    """Lets a ray of a point that is far off start near the mesh; without reach if it passes it."""
+    ray = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    d = wp.vec3d(wp.float64(ray[DIRECTION]), wp.float64(ray[DIRECTION + CHUNK]), wp.float64(ray[DIRECTION + 2 * CHUNK]))
+    ahead = way_to_scene(spot.place, d)
+    o = wp.vec3(spot.place + ahead * d)
+    for axis in range(3):
+        ray[ORIGIN + axis * CHUNK] = o[axis]
+    ray[REACH] = wp.where(ahead < wp.float64(0.0), -1.0, wp.float32(wp.float64(spot.reach) - ahead))
+
+
+@wp.func
+def found_in(job: EstimateJob, accelerator: Accelerator, spot: Spot, cell: wp.int32, near: wp.int32):
+    """(whether a ray of a sector or cell may meet something, which of the triangles around the point)."""
+    _aim(job.beams + wp.uint64(cell) * _BEAM, spot.n, spot.o, spot.low, spot.beam)
+    if near != 0:
+        near = triangles_in(spot.room + NEAR, spot.beam) & near
+    found = wp.where(near != 0, 1, 0)
+    if found == 0 and accelerator.starts > 0:
+        found = meets(accelerator, spot.beam, _VISITS, spot.scratch)
+    return found, near
