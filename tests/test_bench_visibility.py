@@ -8,7 +8,7 @@ from test_bench import lines_of, not_blank, run_command
 
 from warpsample.bench import plots, report, visibility, visibility_jobs
 
-TOOLS = ["warpsample", "warpsample, skip=False", "embreex", "trimesh + embreex"]
+TOOLS = ["warpsample", "embreex", "trimesh + embreex"]
 
 
 @pytest.fixture(scope="module")

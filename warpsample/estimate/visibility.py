@@ -30,14 +30,14 @@ def ambient_occlusion(
     """The share of cosine-weighted rays that get away: 1 where a point is open, 0 where it is closed in.
 
     The bits depend on (mesh, point, first_point + row, seed, count, sequence) alone: not on threads, on which points are
-    together or active, nor on `skip`. Memory is that of the points. The first call ever compiles for about 8 s.
+    together or active, nor on `skip`. Memory is that of the points. On the CPU; the first call ever compiles for about 8 s.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes; pass a Mesh to keep its tree from call to call.
         points: P of them. The lobe is about the normal, of any length; rays leave from a millionth of the mesh's size above
             the face, on the normal's side, and what goes into the face is blocked by it.
-        count: rays of each point, 2 to 2^24; rounded down to fill all cells evenly, which loses at most a sixteenth from 64
-            on and nothing at powers of two.
+        count: rays of each point, 2 to 2^24. Rounded down, so that all cells have as many: to a multiple of 2, from 32 on
+            of 8, from 256 of 16, from 448 of 64, from 4,096 of 128, from 16,384 of 256.
         max_distance: what is as far or farther does not occlude, in units of the coordinates.
         falloff: what is met at a distance t occludes by (1 - t / max_distance)^falloff, so that there is no edge at
             max_distance: ambient obscurance (Zhukov, Iones, Kronin 1998). 1 is a straight line.
