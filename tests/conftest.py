@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 import warp as wp
 
+import warpsample as ws
+
 wp.config.log_level = wp.LOG_WARNING
 wp.init()
 
@@ -30,6 +32,17 @@ def plausible():
 @pytest.fixture(scope="session")
 def bunny_path() -> Path:
     return Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd"
+
+
+@pytest.fixture(scope="session")
+def bunny(bunny_path) -> ws.Mesh:
+    return ws.load_mesh(bunny_path)
+
+
+@pytest.fixture(scope="session")
+def points(bunny) -> ws.SurfacePoints:
+    """600 on the bunny."""
+    return ws.sample_surface(bunny, 600, seed=1)
 
 
 @pytest.fixture

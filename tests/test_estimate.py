@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 import trimesh
 import warp as wp
+from estimate_cases import at, same, square, street
+from test_tracing import soup
 
 import warpsample as ws
-from warpsample.bench import scenes
-from warpsample.estimate import plan
 from warpsample.estimate.cells import cells_of
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.weights import everywhere
@@ -21,34 +21,6 @@ from warpsample.tracing.builtin import builtin_any_query, prepare_builtin
 
 RAYS = 65_536
 CLOSED = closed_meshes()
-
-
-@pytest.fixture(scope="module")
-def bunny(bunny_path):
-    return ws.load_mesh(bunny_path)
-
-
-@pytest.fixture(scope="module")
-def points(bunny):
-    return ws.sample_surface(bunny, 600, seed=1)
-
-
-def at(position, normal, copies=1):
-    """SurfacePoints of no face, each as often as told: with ids, and so rays, of their own."""
-    position, normal = (np.repeat(np.atleast_2d(np.float64(a)), copies, axis=0) for a in (position, normal))
-    return ws.SurfacePoints(position, np.broadcast_to(normal, position.shape).astype(np.float32))
-
-
-def street(width, height):
-    """An infinite street: ground and both walls, 10^4 widths long."""
-    end = 5e3 * width
-    corners = [(x, y, z) for x in (0.0, width) for y in (-end, end) for z in (0.0, height)]
-    return ws.as_mesh((corners, [(0, 4, 6), (0, 6, 2), (0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6)]))
-
-
-def square(z=1.0):
-    """The unit square at a height, facing down."""
-    return ws.as_mesh(([(0, 0, z), (1, 0, z), (1, 1, z), (0, 1, z)], [(0, 2, 1), (0, 3, 2)]))
 
 
 # Closed forms, of ../shared/GROUND_TRUTH.md
@@ -161,98 +133,6 @@ def _sides(d: wp.vec3):
     return wp.vec3(d[0] * d[0], d[1] * d[1], d[2])
 
 
-# Skipping changes no bit
-
-
-def hostile():
-    """Open, self-overlapping, with duplicated, degenerate, tiny and coplanar faces."""
-    rng = np.random.default_rng(2)
-    corners = rng.uniform(-1, 1, (300, 1, 3)) + rng.normal(0, 0.2, (300, 3, 3))
-    corners[:20] = corners[20:40]
-    corners[40:60, :, 2] = 0.25
-    corners[60:70, 2] = corners[60:70, 0] + 1e-5 * rng.normal(size=(10, 3))
-    corners[70:75, 2] = corners[70:75, 1]
-    corners[75:80] = corners[75:80, :1]
-    corners[80:90] = corners[80:90, :1] + 1e-4 * rng.normal(size=(10, 3, 3))
-    return ws.as_mesh((corners.reshape(-1, 3), np.arange(900).reshape(-1, 3)))
-
-
-MESHES = {"city": lambda: scenes.city(12), "hostile": hostile, "torus": lambda: CLOSED["torus"][0]}
-
-
-def same(found, other):
-    return np.array_equal(found.value, other.value) and np.array_equal(found.standard_error, other.standard_error)
-
-
-@pytest.mark.parametrize("name", ["bunny", *MESHES])
-def test_skipping_changes_no_bit(bunny, name):
-    mesh = bunny if name == "bunny" else MESHES[name]()
-    size = np.ptp(mesh.vertices, axis=0).max()
-    above = ws.sample_surface(mesh, 300, seed=3)
-    floating = ws.SurfacePoints(above.position + 0.02 * size * above.normal, above.normal)
-    cast = skipped = 0
-    for where in (above, ws.vertex_points(mesh), ws.face_centers(mesh), floating):
-        for count, reach in ((40, None), (300, 0.1 * size), (500, None)):
-            with_skipping, without = (ws.ambient_occlusion(mesh, where, count, reach, skip=skip) for skip in (True, False))
-            assert same(with_skipping, without)
-            cast, skipped = cast + int(without.rays.sum()), skipped + with_skipping.skipped.empty_rays
-            assert with_skipping.rays.sum(dtype=np.int64) + with_skipping.skipped.empty_rays == without.rays.sum()
-    assert skipped >= 0.05 * cast
-
-
-def test_a_wrong_beam_would_be_seen(bunny, points, monkeypatch):
-    cells = cells_of(500)
-    turned = type(cells)(cells.bands, cells.sectors, cells.each, np.roll(cells.beams, 1, axis=0))
-    right = ws.ambient_occlusion(bunny, points, 500)
-    monkeypatch.setattr(plan, "cells_of", lambda _: turned)
-    assert not same(ws.ambient_occlusion(bunny, points, 500), right)
-
-
-def test_skipping_under_other_weights(bunny, points):
-    up = (0.3, 1.0, 0.2)
-    for count in (300, 500):
-        skipping, plain = (ws.sky_view_factor(bunny, points, count, up, skip=skip) for skip in (True, False))
-        assert same(skipping, plain)
-        assert skipping.skipped.weightless_rays > 0
-        total = len(points) * cells_of(count).rays
-        assert skipping.rays.sum() + skipping.skipped.empty_rays + skipping.skipped.weightless_rays == total
-        shaded = [ws.ambient_occlusion(bunny, points, count, 0.3, falloff=1.5, skip=skip) for skip in (True, False)]
-        assert same(*shaded)
-        assert shaded[0].rays.sum() < 0.8 * shaded[1].rays.sum()
-
-
-def test_obscurance_lies_between_what_it_blends(bunny, points):
-    near, open_far = (ws.ambient_occlusion(bunny, points, 512, reach).value for reach in (0.3, None))
-    blended = ws.ambient_occlusion(bunny, points, 512, 0.3, falloff=1.0).value
-    assert (blended >= near - 1e-6).all()
-    assert (near >= open_far).all()
-    assert blended.mean() > near.mean() + 0.01
-    ground = at((0.5, 0.5, 0.0), (0, 0, 1))
-    # A ceiling at h over all of the lobe within reach r: a hit at t = h/cos counts 1 - t/r.
-    ceiling = ws.as_mesh((np.array([(-1, -1, 0.1), (3, -1, 0.1), (-1, 3, 0.1)]) * [99, 99, 1], [(0, 2, 1)]))
-    h, r = 0.1, 0.4
-    exact = (1.0 - (h / r) ** 2) - 2.0 * (h / r) * (1.0 - h / r)
-    found = ws.ambient_occlusion(ceiling, ground, RAYS, r, falloff=1.0)
-    assert abs(1.0 - found.value[0] - exact) <= 4.0 * found.standard_error[0] + 1e-5
-
-
-def test_threads_parts_order_and_masks_change_no_bit(bunny, points, monkeypatch):
-    right = ws.ambient_occlusion(bunny, points, 300, seed=7, first_point=2**40)
-    monkeypatch.setattr("warpsample.engine._LEAST_WORK", 1)
-    monkeypatch.setattr(plan, "MANY_FACES", 1)
-    monkeypatch.setattr("warpsample.tracing.order._FEW_POINTS", 1)
-    assert same(ws.ambient_occlusion(bunny, points, 300, seed=7, first_point=2**40, workers=3), right)
-    half = ws.SurfacePoints(points.position[300:], points.normal[300:], points.face[300:])
-    part = ws.ambient_occlusion(bunny, half, 300, seed=7, first_point=2**40 + 300)
-    assert np.array_equal(part.value, right.value[300:])
-    active = np.arange(600) % 3 == 0
-    masked = ws.ambient_occlusion(bunny, points, 300, seed=7, first_point=2**40, active=active)
-    assert np.array_equal(masked.value, np.where(active, right.value, 0.0))
-    assert masked.counts() == {ws.PointStatus.OK: 200, ws.PointStatus.INACTIVE: 400}
-    assert masked.rays[~active].sum() == 0
-    assert masked.skipped.points == 400
-
-
 # Error bars
 
 
@@ -311,14 +191,14 @@ def test_any_mesh_gives_finite_numbers_and_a_report():
     box = CLOSED["box"][0]
     doubled = ws.Mesh(box.vertices, np.concatenate([box.faces, box.faces[:4]]))
     fins = ws.Mesh(np.vstack([box.vertices, [[3, 3, 3]]]), np.concatenate([box.faces, [[0, 1, 8], [0, 1, 8]]]))
-    for mesh in (hostile(), doubled, fins, square(), ws.as_mesh(([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]))):
+    for mesh in (soup(300), doubled, fins, square(), ws.as_mesh(([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]))):
         for where in (ws.face_centers(mesh), ws.vertex_points(mesh)):
             found = ws.ambient_occlusion(mesh, where, 128)
             assert np.isfinite(found.value).all()
             assert np.isfinite(found.standard_error).all()
             assert ((found.value >= 0.0) & (found.value <= 1.0)).all()
             assert (found.status == ws.PointStatus.ZERO_NORMAL).sum() == np.count_nonzero(~where.normal.any(axis=1))
-    degenerate = ws.ambient_occlusion(hostile(), ws.face_centers(hostile()), 128)
+    degenerate = ws.ambient_occlusion(soup(300), ws.face_centers(soup(300)), 128)
     assert degenerate.counts()[ws.PointStatus.ZERO_NORMAL] == degenerate.skipped.points == 10
 
 
@@ -359,57 +239,6 @@ def test_points_far_away_and_points_that_are_none(bunny):
     assert (found.rays[:4] == 0).all()
 
 
-# What else is summed
-
-
-def test_bent_normals(bunny, points):
-    found = ws.bent_normals(bunny, points, 4096)
-    way = ws.sample_directions(points, 4096, sequence="sobol", seed=8).vectors
-    free = ws.trace(bunny, points, way, any_hit=True).face < 0
-    assert np.abs(found.value - (way * free[..., None]).mean(axis=1)).max() <= 6e-3  # 6 of 1e-3
-    assert (np.abs(found.value - (way * free[..., None]).mean(axis=1)) <= 6.0 * found.standard_error + 2e-3).all()
-    is_open = free.all(axis=1)
-    assert np.abs(found.value[is_open] - 2.0 / 3.0 * points.normal[is_open]).max() <= 1e-3
-
-
-@wp.func
-def _gradient(d: wp.vec3):
-    return 1.0 + d[1]
-
-
-def test_irradiance_by_a_picture_and_by_a_function(bunny, points):
-    up = np.float64([0.0, 1.0, 0.0])
-    by_function = ws.irradiance(bunny, points, _gradient, 1024)
-    latitudes = np.cos((np.arange(512) + 0.5) / 512 * pi)
-    picture = np.repeat((1.0 + latitudes)[:, None], 8, axis=1)
-    by_picture = ws.irradiance(bunny, points, picture, 1024, up=up)
-    assert np.abs(by_function.value - by_picture.value).max() <= 1e-4  # the same rays; bilinear in steps of 0.006 rad
-    by_colours = ws.irradiance(bunny, points, np.stack([picture, 2.0 * picture, 0.0 * picture], axis=2), 1024, up=up)
-    assert np.abs(by_colours.value - by_picture.value[:, None] * [1.0, 2.0, 0.0]).max() <= 1e-5
-    uniform = ws.irradiance(bunny, points, np.ones((2, 2)), 1024).value
-    assert np.abs(uniform - pi * ws.ambient_occlusion(bunny, points, 1024).value).max() <= 1e-5
-    dark = ws.irradiance(bunny, points, np.zeros((2, 2)), 1024)
-    assert dark.rays.sum() == 0
-    assert dark.skipped.weightless_rays + dark.skipped.empty_rays == 600 * 1024
-
-
-def test_pictures_lie_as_they_say(tmp_path):
-    """A file with one bright column, at azimuth pi/2 about up: seen from a wall that faces it."""
-    picture = np.zeros((16, 32, 3), np.uint8)
-    picture[:8, 8] = 128
-    header = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16 +X 32\n"
-    path = tmp_path / "sky.hdr"
-    path.write_bytes(header + np.dstack([picture, np.where(picture[..., :1] > 0, 129, 0)]).astype(np.uint8).tobytes())
-    pytest.importorskip("pyvista")
-    walls = at(np.tile([0.0, 0.0, 9.0], (4, 1)), [(1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0)])
-    found = ws.irradiance(square(0.0), walls, path, 4096).value
-    assert found[1].min() > 0.02
-    assert found[3].max() == 0.0
-    assert np.abs(found[0] - found[2]).max() < 0.5 * found[1].min()
-    on_y = ws.irradiance(square(0.0), walls, path, 4096, up=(1, 0, 0)).value
-    assert on_y[0].min() > 0.02 > 20 * on_y[2].max()  # its upper half is now about x, but for the rim that is blended
-
-
 # What cannot be used
 
 
@@ -435,30 +264,6 @@ def test_pictures_lie_as_they_say(tmp_path):
 def test_bad_arguments_are_named(bunny, points, change, message):
     with pytest.raises((TypeError, ValueError), match=f"^{message}"):
         ws.ambient_occlusion(**{"mesh": bunny, "points": points, "count": 32, **change})
-
-
-@wp.func
-def _whole(d: wp.vec3):
-    return 3
-
-
-@pytest.mark.parametrize(
-    ("radiance", "message"),
-    [
-        (np.zeros((4, 4, 2)), r"radiance: got shape \(4, 4, 2\)"),
-        (np.full((4, 4), -1.0), "radiance: got numbers that are below 0"),
-        (np.full((4, 4), np.nan), "radiance: got numbers that are below 0 or not finite"),
-        ("sky.png", "radiance: got 'sky.png', which is missing"),
-        (_whole, "radiance: got a function that gives int"),
-        ("text", "radiance: got 'text'"),
-        (None, "radiance: got NoneType"),
-    ],
-)
-def test_bad_light_is_named(bunny, points, radiance, message):
-    with pytest.raises((TypeError, ValueError, FileNotFoundError), match=f"^{message}"):
-        ws.irradiance(bunny, points, radiance, 32)
-    with pytest.raises(ValueError, match=r"^up: got \(0, 0, 0\), want three finite numbers, not all 0"):
-        ws.sky_view_factor(bunny, points, 32, up=(0, 0, 0))
 
 
 # Fast, and portable

@@ -31,11 +31,6 @@ tracers = pytest.mark.parametrize("tracer", ["wide", "warp"])
 queries = pytest.mark.parametrize("any_hit", [False, True], ids=["nearest", "any"])
 
 
-@pytest.fixture(scope="module")
-def bunny(bunny_path):
-    return ws.load_mesh(bunny_path)
-
-
 def soup(count=400, seed=2):
     """Random triangles with duplicates, slivers, coplanar, degenerate and tiny ones among them."""
     rng = np.random.default_rng(seed)

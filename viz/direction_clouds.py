@@ -49,10 +49,7 @@ def main(
     size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1600, 800),
 ) -> None:
     """Draw direction clouds on a mesh, beside the histogram of the projected sphere against the cosine lobe."""
-    if screenshot is None and not plotting.has_screen():
-        raise ValueError("there is no screen to open a window on: save a picture with --screenshot FILE")
-    if screenshot is not None and not screenshot.resolve().parent.is_dir():
-        raise ValueError(f"--screenshot: got {str(screenshot)!r}, whose folder does not exist")
+    plotting.check_output(screenshot)
     if size[0] < 600 or size[1] < 300:
         raise ValueError(f"--size: got {size[0]} x {size[1]}, want at least 600 x 300, in which the histogram can be read")
     chosen = as_distribution(distribution)
@@ -83,11 +80,7 @@ def main(
         scale=scale,
         clouds=clouds,
     )
-    if screenshot is None:
-        plotter.show()
-        return
-    plotting.save_screenshot(plotter, screenshot)
-    print(f"{screenshot}: {what}; χ² {test.chi_square:.1f}, p = {test.p_value:.3f}")
+    plotting.show_or_save(plotter, screenshot, f"{what}; χ² {test.chi_square:.1f}, p = {test.p_value:.3f}")
 
 
 if __name__ == "__main__":

@@ -34,10 +34,7 @@ def main(
     size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1800, 680),
 ) -> None:
     """Show ambient occlusion, its standard error and the rays it took on a mesh, side by side."""
-    if screenshot is None and not plotting.has_screen():
-        raise ValueError("there is no screen to open a window on: save a picture with --screenshot FILE")
-    if screenshot is not None and not screenshot.resolve().parent.is_dir():
-        raise ValueError(f"--screenshot: got {str(screenshot)!r}, whose folder does not exist")
+    plotting.check_output(screenshot)
     plotting.check_rendering()
     surface = ws.load_mesh(mesh)
     found = ws.ambient_occlusion(surface, ws.vertex_points(surface), samples, max_distance, seed=seed)
@@ -47,11 +44,7 @@ def main(
     plotter = plotting.meshes_side_by_side(
         surface.vertices, surface.faces, panels_of(found, samples), what, up, screenshot is not None, size
     )
-    if screenshot is None:
-        plotter.show()
-        return
-    plotting.save_screenshot(plotter, screenshot)
-    print(f"{screenshot}: {what}")
+    plotting.show_or_save(plotter, screenshot, what)
 
 
 if __name__ == "__main__":

@@ -37,6 +37,27 @@ def has_screen() -> bool:
     return sys.platform != "linux" or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
+def check_output(screenshot: Path | None) -> None:
+    """Refuses a picture that nobody would see.
+
+    Raises:
+        ValueError: no file and no screen, or a file in no folder.
+    """
+    if screenshot is None and not has_screen():
+        raise ValueError("there is no screen to open a window on: save a picture with --screenshot FILE")
+    if screenshot is not None and not screenshot.resolve().parent.is_dir():
+        raise ValueError(f"--screenshot: got {str(screenshot)!r}, whose folder does not exist")
+
+
+def show_or_save(plotter: "pyvista.Plotter", screenshot: Path | None, what: str) -> None:
+    """Opens a window, or saves the picture and prints what it is."""
+    if screenshot is None:
+        plotter.show()
+        return
+    save_screenshot(plotter, screenshot)
+    print(f"{screenshot}: {what}")  # noqa: T201
+
+
 def check_rendering() -> None:
     """Renders 16 x 16 pixels in a child process, because without a GL library constructing a Plotter kills Python.
 
