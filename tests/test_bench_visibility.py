@@ -8,13 +8,14 @@ from test_bench import lines_of, not_blank, run_command
 
 from warpsample.bench import plots, report, visibility, visibility_jobs
 
-TOOLS = ["warpsample", "embreex", "trimesh + embreex"]
+TOOLS = ["warpsample", "trimesh + embreex"]
 
 
 @pytest.fixture(scope="module")
 def rows():
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(visibility, "TARGETS", {0.02: TOOLS})
+        patch.setattr(visibility, "OURS", ["warpsample"])
         return next(iter(visibility.measure(["bunny"], 200, 1)))
 
 
@@ -27,19 +28,18 @@ def test_every_tool_reaches_the_error(rows):
         assert row.microseconds.median > 0.0
         assert row.cast <= row.rays
     by_tool = {row.tool: row for row in all_points}
-    assert by_tool["warpsample"].rays < by_tool["embreex"].rays
+    assert by_tool["warpsample"].rays < by_tool["trimesh + embreex"].rays
     assert by_tool["warpsample"].times_ours.median == 1.0
     sky = [row for row in rows if row.open_points]
-    assert [(row.tool, row.rmse) for row in sky] == [("warpsample", 0.0), ("warpsample, skip=False", 0.0)]
-    assert sky[0].cast < sky[1].cast
+    assert [(row.tool, row.rmse) for row in sky] == [("warpsample", 0.0)]
+    assert sky[0].cast < 0.8 * sky[0].rays
 
 
 def test_a_tool_that_is_missing_says_so(tmp_path):
     np.save(tmp_path / "right.npy", np.ones(16))
-    found = visibility._compare("bunny", 16, 1, 0.1, tmp_path / "right.npy", 1, ["warpsample", "nobody"], False)
-    assert found[0].tool == "nobody"
-    assert "KeyError" in found[0].failure
-    assert found[1].failure is None
+    (found,) = visibility._compare("bunny", 16, 1, 0.1, tmp_path / "right.npy", 1, ["nobody"], False)
+    assert found.tool == "nobody"
+    assert "KeyError" in found.failure
 
 
 def test_what_is_shown_and_drawn(rows, tmp_path, capsys):
@@ -58,6 +58,15 @@ def test_the_command_keeps_every_repeat(monkeypatch, tmp_path, rows):
     kept = json.loads(json_file.read_text())
     assert kept["command"] == "bench visibility"
     assert [len(row["seconds"]) for row in kept["rows"]] == [1] * len(rows)
+
+
+@pytest.mark.parametrize("tool", ["embreex", "trimesh + embreex", "warpsample, skip=False"])
+def test_tools_estimate_the_same(tool):
+    mesh, at = visibility_jobs.points_of("bunny", 100)
+    right = visibility_jobs.Ours(mesh, at, 1)(4096)
+    found = visibility_jobs.TOOLS[tool][1](mesh, at, 1)(1024)
+    assert np.abs(found - right).max() <= 5 * 0.5 / 32  # the greatest standard deviation of a ray
+    assert abs(found.mean() - right.mean()) <= 5 * 0.27 / 320
 
 
 def test_peers_rays_are_cosine_weighted():

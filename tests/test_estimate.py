@@ -1,8 +1,5 @@
 """Numbers per point: closed forms, a twin, skipping that changes no bit, error bars that hold, and hostile input."""
 
-import re
-import subprocess
-import sys
 from math import cos, hypot, pi, sqrt
 
 import numpy as np
@@ -266,34 +263,7 @@ def test_bad_arguments_are_named(bunny, points, change, message):
         ws.ambient_occlusion(**{"mesh": bunny, "points": points, "count": 32, **change})
 
 
-# Fast, and portable
-
-_REMARKS = """
-import numpy as np, warp as wp
-wp.config.log_level = wp.LOG_WARNING
-wp.config.cpu_compiler_flags += " -Rpass=loop-vectorize -Rpass-missed=loop-vectorize"
-import warpsample as ws
-mesh = ws.as_mesh(([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]))
-ws.ambient_occlusion(mesh, ws.SurfacePoints(np.zeros((1, 3)), np.float32([[0, 0, 1]])), 32)
-"""
-
-
-def test_the_hot_loops_are_vectorised(tmp_path, child_environment):
-    """By the compiler's own remarks."""
-    script = tmp_path / "remarks.py"
-    script.write_text(_REMARKS)
-    environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / "cache")}
-    done = subprocess.run([sys.executable, script], env=environment, capture_output=True, text=True, check=True)
-    remarks = [part for part in re.split(r"(?=\n\S+\.cpp:)", done.stderr) if "wp_estimate_kernel" in part]
-    hot = {
-        found[1]
-        for part in remarks
-        if (found := re.search(r"\.cpp:(\d+):\d+: remark: vectorized.*\n.*goto end_while_", part))
-    }
-    # start, variates, directions, preparation; visible, triangles above; aim, boxes in, triangles in; boxes, triangles met.
-    assert len(hot) == 11
-    missed = [part for part in remarks if re.search(r"remark: loop not vectorized.*\n.*goto end_while_", part)]
-    assert len(missed) == 0, missed
+# Portable; that its loops are vectorised is in test_tracing.py, whose compiler it shares
 
 
 def test_the_kernel_compiles_for_cuda(tmp_path):

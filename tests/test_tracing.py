@@ -390,28 +390,40 @@ import sys
 import warp as wp
 wp.config.log_level = wp.LOG_WARNING
 wp.config.cpu_compiler_flags += " -Rpass=loop-vectorize -Rpass-missed=loop-vectorize"
+import warpsample as ws
+from warpsample.estimate.kernel import estimate_kernel
+from warpsample.estimate.weights import everywhere
 from warpsample.tracing.intersect import prepare_wide
 from warpsample.tracing.rays import ray_kernel
 from warpsample.tracing.wide import wide_query
-for any_hit in (False, True):
+estimate = (ws.sequences.get("fibonacci"), ws.CosineHemisphere("polar").about(), everywhere, True, True, 1)
+for kernel in (
+    ray_kernel(prepare_wide, wide_query(False)),
+    ray_kernel(prepare_wide, wide_query(True)),
+    estimate_kernel(*estimate, prepare_wide, wide_query(True, several=True), True, True),
+):
     print("@@", file=sys.stderr, flush=True)
-    wp.load_module(ray_kernel(prepare_wide, wide_query(any_hit)).module, device="cpu")
+    wp.load_module(kernel.module, device="cpu")
 """
 
 
 def test_the_hot_loops_are_vectorised(tmp_path, child_environment):
-    """Those over a node's boxes, a leaf's triangles, and a chunk's rays (two), by the compiler's own remarks."""
+    """By the compiler's own remarks.
+
+    Of rays: those over a node's boxes, a leaf's triangles, and a chunk's rays (two). Of an estimate: boxes, triangles and
+    preparation; start, variates and directions of a cell's rays; children and triangles above the horizon; a beam's planes,
+    boxes and triangles.
+    """
     script = tmp_path / "remarks.py"
     script.write_text(_REMARKS)
     environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / "cache")}
     done = subprocess.run([sys.executable, script], env=environment, capture_output=True, text=True, check=True)
     _, *compiled = done.stderr.split("@@")
-    assert len(compiled) == 2
-    for remarks in compiled:
+    for remarks, loops in zip(compiled, (4, 4, 11), strict=True):
         hot = re.findall(
             r"\.cpp:(\d+):\d+: remark: vectorized loop \(vectorization width: (\d+).*\n.*goto end_while_", remarks
         )
-        assert len({line for line, _ in hot}) == 4, remarks
+        assert len({line for line, _ in hot}) == loops, remarks
         assert min(int(width) for _, width in hot) >= 4  # lanes of SSE, the narrowest
         assert not re.search(r"loop not vectorized.*\n.*goto end_while_", remarks), remarks
 
