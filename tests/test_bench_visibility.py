@@ -42,8 +42,19 @@ def test_a_tool_that_is_missing_says_so(tmp_path):
     assert "KeyError" in found.failure
 
 
-def test_what_is_shown_and_drawn(rows, tmp_path, capsys):
-    lines = lines_of(report.show_visibility, capsys, rows)
+@pytest.fixture(scope="module")
+def many():
+    return visibility.measure_many("bunny", 20_000, 2048)
+
+
+def test_memory_is_that_of_the_points(many):
+    assert 50.0 < many.peak_megabytes < 700.0  # it is about 350; the directions would be another 490
+    assert many.seconds > 0.0
+
+
+def test_what_is_shown_and_drawn(rows, many, tmp_path, capsys):
+    lines = lines_of(report.show_visibility, capsys, rows, many)
+    assert any(line.startswith("bunny, 20,000 points x 2048 rays: ") and "MB at most" in line for line in lines)
     text = "\n".join(lines)
     assert "bunny, 200 points" in text
     assert "only points that see nothing but sky" in text
@@ -51,13 +62,15 @@ def test_what_is_shown_and_drawn(rows, tmp_path, capsys):
     assert not_blank(plots.save(plots.draw_visibility(rows, "caption"), tmp_path))
 
 
-def test_the_command_keeps_every_repeat(monkeypatch, tmp_path, rows):
+def test_the_command_keeps_every_repeat(monkeypatch, tmp_path, rows, many):
     monkeypatch.setattr(visibility, "measure", lambda *_: iter([rows]))
+    monkeypatch.setattr(visibility, "measure_many", lambda *_: many)
     json_file = tmp_path / "v.json"
     assert run_command(monkeypatch, "visibility", "--scene", "bunny", "--json", json_file) == 0
     kept = json.loads(json_file.read_text())
     assert kept["command"] == "bench visibility"
     assert [len(row["seconds"]) for row in kept["rows"]] == [1] * len(rows)
+    assert kept["many"][0]["points"] == 20_000
 
 
 @pytest.mark.parametrize("tool", ["embreex", "trimesh + embreex", "warpsample, skip=False"])

@@ -263,8 +263,10 @@ def bench_visibility(
         look_up(scenes.SCENES, name, "scene")
     found = _with_progress(visibility.measure(list(names), points, repeats), len(names), "measuring")
     rows = [row for part in found for row in part]
-    report.show_visibility(_console(), rows)
-    _keep(json, "bench visibility", {"scenes": list(names), "points": points, "repeats": repeats, "seed": 0}, rows=rows)
+    many = visibility.measure_many(names[0], 256 * points, 256)
+    report.show_visibility(_console(), rows, many)
+    settings = {"scenes": list(names), "points": points, "repeats": repeats, "seed": 0}
+    _keep(json, "bench visibility", settings, rows=rows, many=[many])
     _draw(plot, lambda caption: plots.draw_visibility(rows, caption))
 
 

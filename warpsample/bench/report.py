@@ -271,8 +271,8 @@ def show_rays(console: "Console", rows: list[rays.Row], builds: list[rays.Build]
         console.print(f"{tool}: {remedy}")
 
 
-def show_visibility(console: "Console", rows: list[visibility.Row]) -> None:
-    """A table for each scene and RMSE."""
+def show_visibility(console: "Console", rows: list[visibility.Row], many: visibility.Many) -> None:
+    """A table for each scene and RMSE, and a line about many points."""
     heading(console, f"Ambient occlusion, its rays and everything before them, to an RMSE over all points: {_SPREAD}.")
     for scene, target, open_points in dict.fromkeys((row.scene, row.target, row.open_points) for row in rows):
         mine = [row for row in rows if (row.scene, row.target, row.open_points) == (scene, target, open_points)]
@@ -292,6 +292,8 @@ def show_visibility(console: "Console", rows: list[visibility.Row]) -> None:
         what = "only points that see nothing but sky, rays as for all" if open_points else f"RMSE {target:g}"
         title = f"{scene}, {measured.points:,} points, {measured.workers} workers: {what}"
         _table(console, title, ["tool", "rays", "cast", "RMSE", "µs per point", "times ours"], cells)
+    memory = f", {many.peak_megabytes:,.0f} MB at most, Python, mesh and points included" if many.peak_megabytes else ""
+    console.print(f"{many.scene}, {many.points:,} points x {many.rays} rays: {many.seconds:.1f} s{memory}.")
     for tool, failure in dict.fromkeys((row.tool, row.failure) for row in rows if row.failure):
         console.print(f"{tool}: {failure}; pip install 'warpsample[bench]'", markup=False)
 

@@ -85,12 +85,12 @@ def stream(points: int, samples: int, workers: int) -> Job:
     return Job(
         work=lambda: sample(points),
         warm=lambda: sample(min(points, 4 * part)),
-        report=lambda: {"peak_megabytes": _peak_megabytes()},
+        report=lambda: {"peak_megabytes": peak_megabytes()},
     )
 
 
-def _peak_megabytes() -> float | None:
-    """Of this process; None on a system that does not say."""
+def peak_megabytes() -> float | None:
+    """The greatest resident memory of this process so far; None on a system that does not say."""
     status = Path("/proc/self/status")
     if status.is_file():  # getrusage counts what the parent held when it started this process, too
         return next(float(line.split()[1]) * 1024 / 1e6 for line in status.read_text().splitlines() if "VmHWM" in line)

@@ -61,6 +61,36 @@ class Row:
     seconds: list[float] | None = None
 
 
+@dataclass(frozen=True)
+class Many:
+    """Our estimate of many points, in a process of its own.
+
+    Attributes:
+        scene: its name.
+        points: on it.
+        rays: of each.
+        workers: threads.
+        peak_megabytes: greatest resident memory of the process, Python, Warp, mesh and points included; None where unknown.
+        seconds: of one run.
+    """
+
+    scene: str
+    points: int
+    rays: int
+    workers: int
+    peak_megabytes: float | None
+    seconds: float
+
+
+def measure_many(scene: str, points: int, rays: int) -> Many:
+    """Time and memory of many points."""
+    workers = check_workers(None)
+    same = {"scene": scene, "points": points, "rays": rays, "workers": workers}
+    with Child("warpsample.bench.visibility_jobs:build_many", **same) as child:
+        seconds = child.run()
+        return Many(**same, peak_megabytes=child.report()["peak_megabytes"], seconds=seconds)
+
+
 def measure(scenes: list[str], points: int, repeats: int) -> Iterator[list[Row]]:
     """The rows of one scene after the other.
 

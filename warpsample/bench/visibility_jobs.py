@@ -14,6 +14,7 @@ import numpy as np
 
 from warpsample import sequences
 from warpsample.bench.child import Job
+from warpsample.bench.scaling import peak_megabytes
 from warpsample.bench.scenes import SCENES
 from warpsample.bench.tracers import embree_scene, open3d_scene
 from warpsample.estimate.plan import Estimate
@@ -205,3 +206,11 @@ def build(tool: str, scene: str, points: int, workers: int, target: float, refer
         return {**told, "to_target": 1.0 if open_points else (error / target) ** (1.0 / rate)}
 
     return Job(work, report)
+
+
+def build_many(scene: str, points: int, rays: int, workers: int) -> Job:
+    """Our estimate by its defaults, and the memory of all its process: Python, mesh and points included."""
+    mesh, at = points_of(scene, points)
+    few = SurfacePoints(at.position[:64], at.normal[:64])
+    run, warm = Ours(mesh, at, workers), Ours(mesh, few, workers)
+    return Job(lambda: run(rays), lambda: {"peak_megabytes": peak_megabytes()}, lambda: warm(rays))
