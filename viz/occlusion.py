@@ -8,43 +8,45 @@ import typer
 import warp as wp
 
 import warpsample as ws
-from warpsample import plotting
-from warpsample.cli import fail_plainly
+from warpsample.cli import fail_plainly, show_or_save
+from warpsample.plotting import rendering
+from warpsample.plotting.scenes import Panel, meshes_side_by_side
+from warpsample.viewer.start import bunny
 
-BUNNY = Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd"
 
-
-def panels_of(found: ws.Estimate, samples: int) -> list[plotting.Panel]:
+def panels_of(found: ws.Estimate, samples: int) -> list[Panel]:
     """What is shown of an estimate; errors up to that of 99 of 100 vertices, so that a few do not darken the rest."""
     error = max(float(np.quantile(found.standard_error, 0.99)), 1e-6)
     return [
-        plotting.Panel(found.value, "ambient occlusion (1: open)", "gray", (0.0, 1.0)),
-        plotting.Panel(found.standard_error, "standard error", "viridis", (0.0, error)),
-        plotting.Panel(found.rays, f"rays cast, of {samples:,}", "magma", (0.0, float(samples))),
+        Panel(found.value, "ambient occlusion (1: open)", "gray", (0.0, 1.0)),
+        Panel(found.standard_error, "standard error", "viridis", (0.0, error)),
+        Panel(found.rays, f"rays cast, of {samples:,}", "magma", (0.0, float(samples))),
     ]
 
 
 def main(
-    mesh: Annotated[Path, typer.Argument(help="Mesh file; by default the bunny inside warp-lang.")] = BUNNY,
+    mesh: Annotated[Path | None, typer.Argument(help="Mesh file; by default the bunny inside warp-lang.")] = None,
     samples: Annotated[int, typer.Option(help="Rays of each vertex.")] = 1024,
     max_distance: Annotated[float | None, typer.Option(help="What is farther does not occlude.", show_default=False)] = None,
     seed: Annotated[int, typer.Option(help="Of the rays.")] = 0,
     up: Annotated[Literal["x", "y", "z"], typer.Option(help="The mesh's axis that points up in the picture.")] = "y",
-    screenshot: Annotated[Path | None, typer.Option(help="Save a PNG here instead of opening a window.")] = None,
+    screenshot: Annotated[
+        Path | None, typer.Option(help="No window, but a file: .png, or .html to turn in a browser.")
+    ] = None,
     size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1800, 680),
 ) -> None:
     """Show ambient occlusion, its standard error and the rays it took on a mesh, side by side."""
-    plotting.check_output(screenshot)
-    plotting.check_rendering()
-    surface = ws.load_mesh(mesh)
+    rendering.check_output(screenshot, rendering.SCENE_SUFFIXES)
+    rendering.check_rendering()
+    surface = ws.load_mesh(mesh or bunny())
     found = ws.ambient_occlusion(surface, ws.vertex_points(surface), samples, max_distance, seed=seed)
     cast, asked = int(found.rays.sum()), samples * len(found.rays)
     error = np.sqrt(np.mean(np.square(found.standard_error)))
     what = f"{len(found.rays):,} vertices, {cast / asked:.0%} of {asked:,} rays cast, RMS error {error:.4f}, seed {seed}"
-    plotter = plotting.meshes_side_by_side(
+    plotter = meshes_side_by_side(
         surface.vertices, surface.faces, panels_of(found, samples), what, up, screenshot is not None, size
     )
-    plotting.show_or_save(plotter, screenshot, what)
+    show_or_save(plotter, screenshot, what)
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ from warpsample.estimate.plan import Estimate, PointStatus, Skipped
 from warpsample.estimate.visibility import ambient_occlusion, sky_view_factor
 from warpsample.export import complete_or_absent, write_array
 from warpsample.mesh import Mesh, load_mesh
+from warpsample.polydata import pyvista
 from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
 
 QUANTITIES = {"ao": "ambient occlusion", "sky": "sky view factor", "irradiance": "irradiance"}
@@ -94,7 +95,7 @@ def _check(run: Run) -> None:
     if run.at == "surface" and run.output.suffix in (".ply", ".glb"):
         raise ValueError(f"--output: got {run.output.name!r} for points, want .vtp, .npz or .csv: it holds faces")
     if run.output.suffix == ".vtp":
-        _pyvista()
+        pyvista()
     if (run.environment is None) == (run.quantity == "irradiance"):
         raise ValueError(f"--environment: got {run.environment} for {run.quantity}, want a picture for irradiance alone")
     check_integer(run.points, "--points", 1, 2**31 - 1)
@@ -226,25 +227,9 @@ def _write_mesh(path: Path, baked: Baked) -> None:
 
 
 def _write_vtp(path: Path, baked: Baked) -> None:
-    pv = _pyvista()
-    if baked.run.at == "surface":
-        made = pv.PolyData(baked.points.position)
-        made.point_data["normal"] = baked.points.normal
-    else:
-        made = pv.PolyData.from_regular_faces(baked.mesh.vertices, baked.mesh.faces)
-    data = made.cell_data if baked.run.at == "faces" else made.point_data
-    for name in ("value", "standard_error", "below_horizon", "rays", "status"):
-        if hasattr(baked.found, name):
-            data[name] = getattr(baked.found, name)
+    at = baked.run.at
+    made = baked.found.to_polydata(baked.points) if at == "surface" else baked.found.to_polydata(baked.mesh, at)
     made.save(path)
 
 
 _WRITERS = {".npz": _write_npz, ".csv": _write_csv, ".ply": _write_mesh, ".glb": _write_mesh, ".vtp": _write_vtp}
-
-
-def _pyvista() -> Any:
-    try:
-        import pyvista  # noqa: PLC0415
-    except ModuleNotFoundError:
-        raise ModuleNotFoundError("--output: a .vtp file needs PyVista: pip install 'warpsample[viz]'") from None
-    return pyvista

@@ -16,7 +16,8 @@ app = typer.Typer(no_args_is_help=True, add_completion=False, help="Directions a
 bench_app = typer.Typer(no_args_is_help=True, help="Run time, measured on this machine.")
 app.add_typer(bench_app, name="bench")
 
-DISTRIBUTION_HELP = f"A name, or one with parameters as in 'beckmann(alpha=0.1)': {', '.join(distributions.names())}."
+_SPATIAL = (name for name in distributions.names() if distributions.get(name).width == 3)
+DISTRIBUTION_HELP = f"A name, or one with parameters as in 'beckmann(alpha=0.1)': {', '.join(_SPATIAL)}."
 _PIPE_WIDTH = 120  # of tables where there is no terminal to fit
 
 Repeats = Annotated[int, typer.Option(help="Timed runs of each case, each after untimed ones.", min=1)]
@@ -36,6 +37,27 @@ def fail_plainly() -> Iterator[None]:
     except KeyboardInterrupt as interrupt:
         print(str(interrupt) or "interrupted; nothing was written", file=sys.stderr)  # noqa: T201
         raise SystemExit(130) from None
+
+
+def show_or_save(picture: Any, screenshot: Path | None, what: str) -> None:
+    """The end of a script that makes pictures: a window, or a file and a line on stdout that says what it shows.
+
+    Args:
+        picture: a PyVista plotter or a matplotlib figure.
+        screenshot: the file; None opens a window.
+        what: is to be seen.
+    """
+    from warpsample.plotting import rendering, scenes  # noqa: PLC0415
+
+    figure = hasattr(picture, "savefig")
+    if screenshot is None:
+        (scenes.figure_in_window(picture) if figure else picture).show()
+        return
+    if figure:
+        rendering.save_figure(picture, screenshot)
+    else:
+        rendering.save_scene(picture, screenshot, what)
+    print(f"{screenshot}: {what}")  # noqa: T201
 
 
 @app.command()
@@ -74,7 +96,7 @@ def info(mesh: MeshFile) -> None:
 @fail_plainly()
 def directions_command(
     mesh: MeshFile,
-    output: Annotated[Path, typer.Option("--output", "-o", help="The .npz file to write.", show_default=False)],
+    output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: .npz .vtp .ply.", show_default=False)],
     count: Annotated[int, typer.Option(help="Surface points; only for the placement 'surface'.")] = 10_000,
     samples: Annotated[int, typer.Option(help="Directions at each point.")] = 64,
     distribution: Annotated[str, typer.Option(help=DISTRIBUTION_HELP)] = "cosine_hemisphere",
@@ -83,7 +105,7 @@ def directions_command(
     placement: Annotated[Literal["surface", "faces", "vertices"], typer.Option(help="Where the points are.")] = "surface",
     workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
 ) -> None:
-    """Sample directions at points of a mesh into an .npz file that holds all that is needed to repeat the run."""
+    """Sample directions at points of a mesh into a file; .npz holds all that is needed to repeat the run."""
     from warpsample.export import Run, export  # noqa: PLC0415
 
     summary = export(Run(mesh, output, count, samples, distribution, sequence, seed, placement), workers)
@@ -135,6 +157,46 @@ def bake_command(
     print(bake(Run(mesh, output, quantity, at, points, samples, environment, up, options)))  # noqa: T201
 
 
+@app.command()
+@fail_plainly()
+def view(
+    mesh: Annotated[Path | None, typer.Argument(help="Mesh file; by default the bunny inside warp-lang.")] = None,
+    points: Annotated[int, typer.Option(help="How many surface points, uniform by area.", min=1)] = 100,
+    samples: Annotated[int, typer.Option(help="Directions at each point.", min=1)] = 1024,
+    distribution: Annotated[
+        str | None, typer.Option(help=f"{DISTRIBUTION_HELP} By default offset_sphere(rho=1.0).", show_default=False)
+    ] = None,
+    density: Annotated[
+        str | None,
+        typer.Option(help="What the directions are held against; by default their own.", show_default=False),
+    ] = None,
+    sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "sobol",
+    seed: Annotated[int, typer.Option(help="Of points and directions.")] = 0,
+    up: Annotated[Literal["x", "y", "z"], typer.Option(help="The mesh's axis that points up in the picture.")] = "y",
+    screenshot: Annotated[
+        Path | None,
+        typer.Option(help="No window, but a file: .png, or .html of the clouds to turn in a browser.", show_default=False),
+    ] = None,
+    size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1600, 900),
+) -> None:
+    """See directions on a mesh: clouds around points, one of them enlarged, and how well they keep to a density.
+
+    It starts with sphere + normal, normalised, held against the cosine lobe: turn rho, and see when it is right.
+    """
+    from warpsample.plotting import rendering  # noqa: PLC0415
+    from warpsample.viewer import start  # noqa: PLC0415
+
+    rendering.check_output(screenshot, rendering.SCENE_SUFFIXES)
+    choice = start.choice(distribution, density, sequence, samples, seed)
+    start.check_size(size)
+    rendering.check_rendering()
+    surface = load_mesh(mesh or start.bunny())
+    if screenshot is None:
+        start.window(surface, points, choice, up, size)
+    else:
+        print(f"{screenshot}: {start.save(surface, points, choice, up, size, screenshot)}")  # noqa: T201
+
+
 @bench_app.command("directions")
 @fail_plainly()
 def bench_directions(
@@ -148,7 +210,7 @@ def bench_directions(
 
     _check_bench(json, plot)
     groups = directions.groups(points, repeats)
-    rows = [row for group in _with_progress(groups, len(groups), "measuring") for row in group()]
+    rows = [row for group in with_progress(groups, len(groups), "measuring") for row in group()]
     starts = startup.measure()
     report.show_directions(_console(), rows, starts)
     _keep(json, "bench directions", {"points": points, "repeats": repeats}, rows=rows, startup=starts)
@@ -170,7 +232,7 @@ def bench_error(
 
     _check_bench(json, plot)
     groups = error.groups(randomisations, repeats, largest)
-    curves = [curve for group in _with_progress(groups, len(groups), "measuring") for curve in group()]
+    curves = [curve for group in with_progress(groups, len(groups), "measuring") for curve in group()]
     report.show_error(_console(), curves, rmse)
     settings = {"rmse": rmse, "randomisations": randomisations, "largest": largest, "repeats": repeats, "seed": 0}
     _keep(json, "bench error", settings, curves=curves)
@@ -192,7 +254,7 @@ def bench_peers(
 
     _check_bench(json, plot)
     sizes = {"directions": points, "surface": 16 * points}
-    rows = [row for job in _with_progress(sizes, len(sizes), "measuring") for row in peers.measure(job, sizes[job], repeats)]
+    rows = [row for job in with_progress(sizes, len(sizes), "measuring") for row in peers.measure(job, sizes[job], repeats)]
     targets = peers.time_to_error(rows, repeats)
     report.show_peers(_console(), rows, targets)
     _keep(json, "bench peers", {"points": points, "repeats": repeats}, rows=rows, time_to_error=targets)
@@ -213,7 +275,7 @@ def bench_scaling(
 
     _check_bench(json, plot)
     count = len(scaling.cases(largest))
-    rows = list(_with_progress(scaling.measure(largest, repeats), count, "measuring"))
+    rows = list(with_progress(scaling.measure(largest, repeats), count, "measuring"))
     report.show_scaling(_console(), rows)
     _keep(json, "bench scaling", {"largest": largest, "repeats": repeats}, rows=rows)
     _draw(plot, lambda caption: plots.draw_scaling(rows, caption))
@@ -237,7 +299,7 @@ def bench_rays(
     names = scene or list(scenes.SCENES)
     for name in names:
         look_up(scenes.SCENES, name, "scene")
-    measured = list(_with_progress(bench.measure(names, rays, repeats), len(names), "measuring"))
+    measured = list(with_progress(bench.measure(names, rays, repeats), len(names), "measuring"))
     rows, builds = ([row for part in measured for row in getattr(part, name)] for name in ("rows", "builds"))
     report.show_rays(_console(), rows, builds, measured[0].missing)
     _keep(json, "bench rays", {"scenes": names, "rays": rays, "repeats": repeats, "seed": 0}, rows=rows, builds=builds)
@@ -261,7 +323,7 @@ def bench_visibility(
     names = scene or visibility.SCENES
     for name in names:
         look_up(scenes.SCENES, name, "scene")
-    found = _with_progress(visibility.measure(list(names), points, repeats), len(names), "measuring")
+    found = with_progress(visibility.measure(list(names), points, repeats), len(names), "measuring")
     rows = [row for part in found for row in part]
     many = visibility.measure_many(names[0], 256 * points, 256)
     report.show_visibility(_console(), rows, many)
@@ -314,7 +376,7 @@ def verify(
     if plant is not None:
         defects = {task.key: task for task in run.planted()}
         tasks.append(look_up(defects, plant, "plant"))
-    outcome = dict(_with_progress(run.run(tasks, thorough), len(tasks), "verifying"))
+    outcome = dict(with_progress(run.run(tasks, thorough), len(tasks), "verifying"))
     in_order = {task: outcome[task] for task in tasks}
     verdicts = [verdict for task in in_order for verdict in in_order[task]]
     console = _console()
@@ -336,7 +398,7 @@ def _console() -> Any:
     return Console(width=None if sys.stdout.isatty() else _PIPE_WIDTH)
 
 
-def _with_progress(items: Iterable[Any], total: int, what: str) -> Iterator[Any]:
+def with_progress(items: Iterable[Any], total: int, what: str) -> Iterator[Any]:
     """Shows a bar on stderr, if that is a terminal."""
     from rich.console import Console  # noqa: PLC0415
     from rich.progress import track  # noqa: PLC0415

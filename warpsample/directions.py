@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from enum import IntEnum
 from itertools import pairwise
 from math import prod
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import warp as wp
@@ -22,8 +22,12 @@ from warpsample.kernels.blocks import direction_blocks
 from warpsample.kernels.flat import square_blocks
 from warpsample.kernels.rows import MOST_ROWS, direction_rows
 from warpsample.kernels.variates import CHUNK
+from warpsample.polydata import cloud
 from warpsample.sequences.record import Sequence
 from warpsample.surface import SurfacePoints
+
+if TYPE_CHECKING:
+    from pyvista import PolyData
 
 _PART = 1 << 14  # samples of one row that a task takes: enough to share out one point's million samples
 _TASK = 1 << 10  # samples of short rows that a task takes
@@ -60,6 +64,34 @@ class Directions:
         """How many points have each status; those that occur."""
         status = self.status.numpy() if isinstance(self.status, wp.array) else self.status
         return {Status(code): int(n) for code, n in sorted(Counter(status.tolist()).items())}
+
+    def to_polydata(self, points: SurfacePoints | None = None, scale: float = 1.0) -> "PolyData":
+        """The cloud as PyVista's PolyData: a point at position + scale * direction for each direction.
+
+        Args:
+            points: what the directions are at, in the same rows; by default all start at the origin.
+            scale: of a direction, in the unit of the positions.
+
+        Returns:
+            "Normals" (the directions, which .ply keeps too), "point" (the row) and, where it is kept, "pdf". Rows whose
+            status is not 0 have no directions and are left out.
+
+        Raises:
+            ModuleNotFoundError: PyVista is missing.
+            ValueError: another number of points.
+        """
+        vectors, pdf, status = (a.numpy() if isinstance(a, wp.array) else a for a in (self.vectors, self.pdf, self.status))
+        rows = np.flatnonzero(status == 0)
+        if points is not None and len(points) != len(status):
+            raise ValueError(f"points: got {len(points)} points, want {len(status)}, one for each row of directions")
+        start = np.zeros((1, 1, 3)) if points is None else points.position[rows, None].astype(np.float64)
+        ways = vectors[rows]
+        return cloud(
+            (start + scale * ways).reshape(-1, 3),
+            ways.reshape(-1, 3),
+            point=np.repeat(rows, ways.shape[1]),
+            pdf=None if pdf is None else pdf[rows].ravel(),
+        )
 
 
 def sample_directions(

@@ -1,4 +1,4 @@
-"""Directions at the points of a mesh, streamed into an .npz file."""
+"""Directions at the points of a mesh into a file: streamed into .npz, or as a cloud into .vtp or .ply."""
 
 import hashlib
 import json
@@ -16,11 +16,17 @@ import warp as wp
 from warpsample.arguments import check_integer, check_seed
 from warpsample.directions import Directions, Status, sample_directions
 from warpsample.distributions import as_spatial
-from warpsample.engine import check_workers
+from warpsample.engine import check_memory, check_workers
 from warpsample.mesh import Mesh, load_mesh
+from warpsample.polydata import pyvista
 from warpsample.sequences import get as get_sequence
 from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
 
+SUFFIXES = (".npz", ".vtp", ".ply")
+CLOUD_SCALE = 0.05
+"""Length of a direction in a cloud, over the diagonal of the mesh's box."""
+
+_BYTES_IN_CLOUD = 150  # of a direction while VTK writes it
 _DIRECTIONS_PER_PART = 1 << 22  # 50 MB in memory at a time
 
 
@@ -30,7 +36,7 @@ class Run:
 
     Attributes:
         mesh: the mesh file.
-        output: the .npz file.
+        output: the file, of SUFFIXES.
         count: surface points; only for the placement "surface".
         samples: directions at each point.
         distribution: a name with its defaults, or with parameters as "beckmann(alpha=0.1)".
@@ -50,23 +56,38 @@ class Run:
 
 
 def export(run: Run, workers: int | None = None) -> str:
-    """Runs and writes `run.output`: position, normal, face, vectors, status and `run`, a JSON text.
+    """Runs and writes `run.output`.
 
-    The file appears when it is complete; an interrupted run leaves none. Memory holds the points and one part of the
-    directions.
+    An .npz file holds position, normal, face, vectors, status and `run`, a JSON text; memory holds the points and one part
+    of the directions. In .vtp and .ply each direction w is a point at position + CLOUD_SCALE * diagonal * w, with w as its
+    normal; .vtp keeps the row of its surface point, too. The file appears when it is complete; an interrupted run leaves
+    none.
 
     Returns:
         a sentence about what was written.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is written.
+        MemoryError: a cloud that is larger than what is free.
+        ModuleNotFoundError: a .vtp or .ply file without PyVista.
     """
     _check(run)
     check_workers(workers)
-    mesh, record = load_mesh(run.mesh), _record(run)
+    mesh = load_mesh(run.mesh)
     points = _place(mesh, run)
-    status = np.empty(len(points), np.uint8)
-    with complete_or_absent(run.output) as partial, zipfile.ZipFile(partial, "w", allowZip64=True) as archive:
+    with complete_or_absent(run.output) as partial:
+        if run.output.suffix == ".npz":
+            status = _write_archive(partial, points, run, workers)
+        else:
+            status = _write_cloud(partial, mesh.diagonal, points, run, workers)
+    total = len(points) * run.samples
+    skipped = {Status(code).name.lower(): int(n) for code, n in enumerate(np.bincount(status)) if code and n}
+    return f"{total:,} directions at {len(points):,} points" + "".join(f", {n:,} {name}" for name, n in skipped.items())
+
+
+def _write_archive(path: Path, points: SurfacePoints, run: Run, workers: int | None) -> np.ndarray:
+    record, status = _record(run), np.empty(len(points), np.uint8)
+    with zipfile.ZipFile(path, "w", allowZip64=True) as archive:
         write_array(archive, "position", points.position)
         write_array(archive, "normal", points.normal)
         write_array(archive, "face", points.face)
@@ -78,14 +99,24 @@ def export(run: Run, workers: int | None = None) -> str:
                 status[start : start + len(directions.status)] = directions.status
         write_array(archive, "status", status)
         write_array(archive, "run", np.array(json.dumps(record)))
-    total = len(points) * run.samples
-    skipped = {Status(code).name.lower(): int(n) for code, n in enumerate(np.bincount(status)) if code and n}
-    return f"{total:,} directions at {len(points):,} points" + "".join(f", {n:,} {name}" for name, n in skipped.items())
+    return status
+
+
+def _write_cloud(path: Path, diagonal: float, points: SurfacePoints, run: Run, workers: int | None) -> np.ndarray:
+    size = len(points) * run.samples * _BYTES_IN_CLOUD
+    check_memory(
+        size, f"a cloud of {len(points) * run.samples:,} directions", "take fewer, or write .npz, which is streamed"
+    )
+    found = sample_directions(points, run.samples, run.distribution, run.sequence, run.seed, workers=workers)
+    found.to_polydata(points, CLOUD_SCALE * diagonal).save(path)
+    return found.status
 
 
 def _check(run: Run) -> None:
+    if run.output.suffix not in SUFFIXES:
+        raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
     if run.output.suffix != ".npz":
-        raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in .npz")
+        pyvista()
     if not run.output.resolve().parent.is_dir():
         raise ValueError(f"--output: got {str(run.output)!r}, whose folder does not exist")
     check_integer(run.count, "--count", 1, 2**31 - 1)

@@ -4,9 +4,14 @@ from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+from warpsample.polydata import surface
+
+if TYPE_CHECKING:
+    from pyvista import PolyData
 
 SUFFIXES = (".ply", ".obj", ".stl", ".off", ".glb", ".gltf", ".usd", ".usda", ".usdc", ".usdz")
 """Of the files that `load_mesh` reads."""
@@ -69,6 +74,19 @@ class Mesh:
             kept = array.view()  # read-only without locking the caller's own array: what is cached here must stay true
             kept.flags.writeable = False
             object.__setattr__(self, name, kept)
+
+    def to_polydata(self) -> "PolyData":
+        """The triangles as PyVista's PolyData.
+
+        Raises:
+            ModuleNotFoundError: PyVista is missing.
+        """
+        return surface(self.vertices, self.faces)
+
+    @cached_property
+    def diagonal(self) -> float:
+        """Of the box around all vertices, in the unit of the coordinates."""
+        return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
 
     @cached_property
     def cross_products(self) -> np.ndarray:
@@ -162,7 +180,7 @@ def as_mesh(value: Any) -> Mesh:
         return Mesh(*value)
     if hasattr(value, "vertices") and hasattr(value, "faces"):
         return Mesh(value.vertices, value.faces)
-    if hasattr(value, "regular_faces") and hasattr(value, "triangulate"):
+    if hasattr(value, "is_all_triangles") and hasattr(value, "triangulate"):
         triangles = value if value.is_all_triangles else value.triangulate()
         return Mesh(triangles.points, triangles.regular_faces)
     if hasattr(value, "points") and hasattr(value, "cells_dict"):

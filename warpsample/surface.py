@@ -1,7 +1,7 @@
 """Points on the surface of a mesh."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import warp as wp
@@ -10,6 +10,10 @@ from warpsample.arguments import check_first_point, check_integer, check_seed
 from warpsample.engine import check_memory, check_workers, run
 from warpsample.kernels.points import place_points
 from warpsample.mesh import as_mesh
+from warpsample.polydata import cloud
+
+if TYPE_CHECKING:
+    from pyvista import PolyData
 
 _BYTES_PER_POINT = 24 + 12 + 4
 
@@ -52,6 +56,14 @@ class SurfacePoints:
     def __len__(self) -> int:
         """How many points."""
         return len(self.position)
+
+    def to_polydata(self) -> "PolyData":
+        """The points as PyVista's PolyData, row for row: "Normals", "face", and "barycentric" where kept.
+
+        Raises:
+            ModuleNotFoundError: PyVista is missing.
+        """
+        return cloud(self.position, self.normal, face=self.face, barycentric=self.barycentric)
 
 
 def sample_surface(

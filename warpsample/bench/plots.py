@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from warpsample.bench import directions, error, peers, rays, scaling, visibility
 from warpsample.bench.directions import short_name
 from warpsample.export import complete_or_absent
+from warpsample.plotting.rendering import SEQUENCE_COLOURS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -14,14 +15,6 @@ if TYPE_CHECKING:
 
 _OURS, _THEIRS, _CEILING = "#2f6690", "#b9b4a7", "black"
 _TRACERS = {"wide": _OURS, "wp.Mesh": "#5b8e3e", "Embree": "#d1495b", "Open3D": _THEIRS}
-_COLOURS = {
-    "sobol": "#2f6690",
-    "fibonacci": "#d1495b",
-    "r2": "#5b8e3e",
-    "stratified": "#8c6bb1",
-    "independent": "#555555",
-    "philox": "#b9b4a7",
-}
 
 
 def check_drawing() -> None:
@@ -69,7 +62,7 @@ def draw_directions(rows: list[directions.Row], caption: str) -> dict[str, "Figu
     for k, name in enumerate(names):
         mine = [row for row in chosen if row.sequence == name and row.workers == everyone]
         places = [i + 0.13 * (k - len(names) / 2 + 0.5) for i in range(len(counts))]
-        _bars(axes, places, mine, _COLOURS[name], name)
+        _bars(axes, places, mine, SEQUENCE_COLOURS[name], name)
     fills = [row.million_per_second.median for row in chosen if row.distribution == "fill"]
     for i, height in enumerate(fills):
         axes.hlines(height, i - 0.45, i + 0.45, color=_CEILING, label=None if i else "NumPy's fill, 1 thread")
@@ -90,7 +83,7 @@ def draw_error(curves: list[error.Curve], caption: str) -> dict[str, "Figure"]:
     for axes, name in zip(grid, names, strict=False):
         for curve in (c for c in curves if c.integrand == name):
             times, errors = zip(*((p.microseconds.median, p.rmse) for p in curve.points), strict=True)
-            axes.loglog(times, errors, "o-", color=_COLOURS[curve.sequence], markersize=3, label=curve.sequence)
+            axes.loglog(times, errors, "o-", color=SEQUENCE_COLOURS[curve.sequence], markersize=3, label=curve.sequence)
         axes.set_title(f"{name} ({curve.kind})", fontsize=10)
         axes.grid(alpha=0.3)
     for axes in grid[len(names) :]:

@@ -54,6 +54,7 @@ class Beckmann(Distribution):
     density = "exp(−tan²θ/α²)/(πα²cos³θ)"
     support = "hemisphere"
     parameters = ("alpha",)
+    shown = (0.01, 1.0)
     bounds = (1e-6, 1.0)
     source = "the NORI note, Beckmann; Walter et al. 2007, equations 25, 28 and 29"
 

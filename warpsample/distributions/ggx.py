@@ -52,6 +52,7 @@ class GGX(Distribution):
     density = "α²cosθ/(π(sin²θ+α²cos²θ)²)"
     support = "hemisphere"
     parameters = ("alpha",)
+    shown = (0.01, 1.0)
     bounds = (1e-6, 1.0)
     source = "Walter et al. 2007, equations 33, 35 and 36"
 

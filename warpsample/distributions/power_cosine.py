@@ -54,6 +54,7 @@ class PowerCosine(Distribution):
     density = "(n+1)cosⁿθ/(2π)"
     support = "hemisphere"
     parameters = ("exponent",)
+    shown = (0.1, 1000.0)
     bounds = (0.0, 1e9)
     source = "Phong's lobe: Lafortune and Willems 1994, equation 8; exponent 3 is Chizhov's section 4.1"
 

@@ -50,6 +50,7 @@ class Distribution:
         support: where the pdf is above 0, in words.
         parameters: names of the fields that travel to the kernels, where they are float32: a scalar, then a vector.
         bounds: least and greatest value of the scalar.
+        shown: what of the scalar is worth looking at, from above 0; for sliders, which span it by its logarithm.
         width: components of w: 3, or 2 for what lies in a plane.
         variates: coordinates of u that the map uses.
         symmetric: whether the density depends on the angle to +z alone.
@@ -67,6 +68,7 @@ class Distribution:
     support: ClassVar[str]
     parameters: ClassVar[tuple[str, ...]] = ()
     bounds: ClassVar[tuple[float, float] | None] = None
+    shown: ClassVar[tuple[float, float] | None] = None
     width: ClassVar[int] = 3
     variates: ClassVar[int] = 2
     symmetric: ClassVar[bool] = True

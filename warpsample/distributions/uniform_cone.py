@@ -58,6 +58,7 @@ class UniformCone(Distribution):
     density = "1/(2π(1−cosθₘ))"
     support = "cone"
     parameters = ("one_minus_cos",)
+    shown = (1e-4, 2.0)
     source = "Pharr, Jakob, Humphreys 2023, section A.5.4"
 
     def __post_init__(self) -> None:

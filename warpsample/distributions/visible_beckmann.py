@@ -134,6 +134,7 @@ class VisibleBeckmann(Distribution):
     density = "D(m)max(0,v·m)/σ(v), σ=(v_z(1+erf a)+α sinθᵥ e^(−a²)/√π)/2, a=cotθᵥ/α"
     support = "hemisphere"
     parameters = ("alpha", "view")
+    shown = (0.05, 1.0)
     bounds = (1e-6, 1.0)
     symmetric = False
     source = "Heitz and d'Eon 2014, section 5; Walter et al. 2007, equation 25"

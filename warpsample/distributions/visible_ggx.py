@@ -108,6 +108,7 @@ class VisibleGGX(Distribution):
     density = "D(m)max(0,v·m)/σ(v), σ=(v_z+√(v_z²+α²(1−v_z²)))/2"
     support = "hemisphere"
     parameters = ("alpha", "view")
+    shown = (0.05, 1.0)
     bounds = (1e-6, 1.0)
     symmetric = False
     source = "Heitz 2014, equation 3; sampled as Dupuy and Benyoub 2023, section 3"

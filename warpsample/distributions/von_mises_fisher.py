@@ -63,6 +63,7 @@ class VonMisesFisher(Distribution):
     density = "κexp(κ(cosθ−1))/(2π(1−e^(−2κ)))"
     support = "sphere"
     parameters = ("kappa",)
+    shown = (0.1, 10000.0)
     bounds = (1e-6, 1e12)
     source = "Fisher 1953; Jakob 2012, Numerically stable sampling of the von Mises-Fisher distribution on S²"
 

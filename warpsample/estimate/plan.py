@@ -1,9 +1,9 @@
 """What all estimates share: the checked call, its run on a device, and what comes of it."""
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from enum import IntEnum
 from math import inf
-from typing import Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 import warp as wp
@@ -34,6 +34,9 @@ from warpsample.tracing.trace import (
     widen_lift,
 )
 from warpsample.tracing.wide import wide_query
+
+if TYPE_CHECKING:
+    from pyvista import PolyData
 
 _MOST_RAYS = 2**24  # of a point: hits are counted in float64 and rays in int32, and one point is one task
 _BYTES_PER_POINT = 80
@@ -95,6 +98,35 @@ class Estimate:
     def counts(self) -> dict[PointStatus, int]:
         """How many points have each status; those that occur."""
         return {PointStatus(code): int(n) for code, n in enumerate(np.bincount(self.status)) if n}
+
+    def to_polydata(self, on: Any, at: Literal["vertices", "faces"] | None = None) -> "PolyData":
+        """The numbers on what they are of, as PyVista's PolyData.
+
+        Args:
+            on: the SurfacePoints of the estimate; or the mesh (a Mesh or whatever `as_mesh` takes), if they were its
+                vertices or the centres of its faces.
+            at: which of the two; by default the one of which there are as many as numbers.
+
+        Returns:
+            a copy with an array for each field: "value", "standard_error", "rays", "status" and what else there is.
+
+        Raises:
+            ModuleNotFoundError: PyVista is missing.
+            ValueError: another number of points, or as many vertices as faces and no `at`.
+        """
+        if isinstance(on, SurfacePoints):
+            made, sizes = on.to_polydata(), {"points": len(on)}
+        else:
+            mesh = as_mesh(on)
+            made, sizes = mesh.to_polydata(), {"vertices": len(mesh.vertices), "faces": len(mesh.faces)}
+        fit = [name for name, size in sizes.items() if size == len(self.status) and at in (None, name)]
+        if len(fit) != 1:
+            raise ValueError(f"on: got {sizes} for {len(self.status)} numbers, want as many of one kind; at={at!r}")
+        data = made.cell_data if fit == ["faces"] else made.point_data
+        for item in fields(self):
+            if item.name != "skipped":
+                data[item.name] = getattr(self, item.name)
+        return made
 
 
 @dataclass(frozen=True)

@@ -56,6 +56,26 @@ def histogram_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest:
     return HistogramTest(observed, expected, difference / deviation, statistic, dof, float(chi2.sf(statistic, dof)))
 
 
+def joined_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest | None:
+    """`histogram_test` of neighbouring cells, joined until each expects enough; None if fewer than two come of it.
+
+    Args:
+        observed: (K,) counts.
+        expected: (K,) expected counts, with the sum of the observed ones; some may be 0.
+    """
+    starts, waiting = [0], 0.0
+    for cell, count in enumerate(expected[:-1]):
+        waiting += count
+        if waiting >= _LEAST_EXPECTED:
+            starts.append(cell + 1)
+            waiting = 0.0
+    if len(starts) > 1 and expected[starts[-1] :].sum() < _LEAST_EXPECTED:
+        starts.pop()
+    if len(starts) < 2:
+        return None
+    return histogram_test(np.add.reduceat(observed, starts), np.add.reduceat(expected, starts))
+
+
 def cosine_lobe_angles(theta: np.ndarray, cells: int) -> tuple[np.ndarray, HistogramTest]:
     """Angles from the normal against sin 2 theta, the density of theta in the cosine lobe.
 

@@ -1,0 +1,100 @@
+"""The projected offset sets: a circle, disk, sphere or ball about the tip of the normal, normalised."""
+
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import typer
+import warp as wp
+
+import warpsample as ws
+from warpsample.arguments import check_integer
+from warpsample.cli import fail_plainly, show_or_save
+from warpsample.distributions.record import Distribution
+from warpsample.plotting import rendering, sheets
+from warpsample.proof import routes
+from warpsample.proof.charts import SPHERE, chart_of
+from warpsample.proof.histogram import joined_test
+
+SHOWN = 400  # points of a set that are drawn
+CELLS = 60
+SETS = (
+    ("circle", ws.OffsetCircle(), "1/π", lambda u: routes.circle(u[:, 0])),
+    ("disk", ws.OffsetDisk(), "2cos²θ/π", routes.disk),
+    ("sphere", ws.OffsetSphere(), "sin 2θ", routes.sphere),
+    ("ball", ws.OffsetBall(), "4cos³θ sinθ", routes.ball),
+)
+RADII = (0.5, 0.9, 2.0)
+
+
+def panel(
+    distribution: Distribution, title: str, formula: str, count: int, seed: int, **points: np.ndarray
+) -> sheets.SetPanel:
+    """Angles of `count` independent directions against the distribution's own density."""
+    w = distribution.sample(ws.sample_square("independent", 1, count, seed)[0])
+    chart = chart_of(distribution)
+    low = 0.0 if chart is SPHERE else -np.pi / 2
+    high = np.pi if distribution.largest_angle > np.pi / 2 else np.pi / 2
+    edges = np.linspace(low, high, CELLS + 1)
+    observed, _ = np.histogram(np.clip(chart.polar(w), low, high), edges)
+    fine = np.linspace(low, high, 10 * CELLS + 1)
+    return sheets.SetPanel(
+        title=title,
+        points=points.get("points"),
+        directions=points.get("directions"),
+        edges=np.degrees(edges),
+        observed=observed / (count * np.diff(edges)),
+        angles=np.degrees(0.5 * (fine[1:] + fine[:-1])),
+        density=np.diff(distribution.cdf(fine)) / np.diff(fine),
+        formula=formula,
+        test=joined_test(observed, count * np.diff(distribution.cdf(edges))),
+    )
+
+
+def sets(count: int, seed: int) -> list[sheets.SetPanel]:
+    """The four of the family, with points of each set and their projections, seen from the side."""
+    u = np.concatenate(
+        [ws.sample_square("r2", 2, SHOWN, seed)[0], ws.sample_square("independent", 1, SHOWN, seed)[0]], axis=1
+    )
+    found = []
+    for name, distribution, formula, points in SETS:
+        moved = points(u[:, :3]) + np.eye(distribution.width)[-1]
+        side = {"points": moved[:, [0, -1]], "directions": routes.normalized(moved)[:, [0, -1]]}
+        found.append(panel(distribution, f"{name} about n, in {distribution.width}-D", formula, count, seed, **side))
+    return found
+
+
+def spheres(count: int, seed: int) -> list[sheets.SetPanel]:
+    """Spheres of other radii."""
+    return [panel(ws.OffsetSphere(rho), f"sphere of radius ρ = {rho:g}", "density", count, seed) for rho in RADII]
+
+
+@fail_plainly()
+def main(
+    count: Annotated[int, typer.Option(help="Independent directions of each histogram.")] = 200_000,
+    seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
+    screenshot: Annotated[
+        Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)
+    ] = None,
+    size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1600, 1300),
+) -> None:
+    """See the projected offset sets: points, histograms against their densities, other radii, and a proof.
+
+    A set about the tip of the normal is projected onto the unit circle or sphere. The sphere gives the cosine lobe; the
+    ball, the disk and spheres of other radii do not.
+    """
+    rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES)
+    rendering.check_figure_size(size)
+    check_integer(count, "--count", 1000, 100_000_000)
+    rendering.check_rendering()
+    four, others = sets(count, seed), spheres(count, seed)
+    what = f"{count:,} independent directions each, seed {seed}"
+    figure = sheets.family_sheet(four, others, f"{what}; above: {SHOWN} points of each set, seen from the side")
+    rendering.size_figure(figure, size)
+    worst = min(each.test.p_value for each in four + others)
+    show_or_save(figure, screenshot, f"{what}; smallest p-value of {len(four + others)} tests {worst:.3f}")
+
+
+if __name__ == "__main__":
+    wp.config.log_level = wp.LOG_WARNING
+    typer.run(main)

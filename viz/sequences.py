@@ -1,0 +1,68 @@
+"""The point sequences: on the square, on the hemisphere, and the error of means over their directions."""
+
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import typer
+import warp as wp
+
+import warpsample as ws
+from warpsample.arguments import check_integer
+from warpsample.bench.integrands import INTEGRANDS, Integrand, evaluate
+from warpsample.cli import fail_plainly, show_or_save
+from warpsample.plotting import rendering, sheets
+
+SHOWN = 256  # points of each square
+COUNTS = (16, 64, 256, 1024, 4096)
+INTEGRANDS_SHOWN = ("sky gradient", "20° cap", "narrow lobe")
+
+
+def errors(names: tuple[str, ...], randomisations: int, seed: int) -> list[sheets.Convergence]:
+    """RMSE over randomisations of the mean of each integrand over the cosine lobe, at COUNTS."""
+    chosen = [integrand for integrand in INTEGRANDS if integrand.name in names]
+    found = {integrand.name: {name: np.empty(len(COUNTS)) for name in ws.sequences.names()} for integrand in chosen}
+    up = np.tile(np.array([0.0, 0.0, 1.0], np.float32), (randomisations, 1))
+    for name in ws.sequences.names():
+        for k, count in enumerate(COUNTS):
+            w = ws.sample_directions(up, count, sequence=name, seed=seed).vectors
+            for integrand in chosen:
+                found[integrand.name][name][k] = _rmse(integrand, w)
+    return [sheets.Convergence(f"{i.name} ({i.kind})", np.array(COUNTS), found[i.name]) for i in chosen]
+
+
+def _rmse(integrand: Integrand, w: np.ndarray) -> float:
+    means = evaluate(integrand, w).mean(axis=1, dtype=np.float64)
+    return float(np.sqrt(np.mean((means - integrand.mean) ** 2)))
+
+
+@fail_plainly()
+def main(
+    randomisations: Annotated[int, typer.Option(help="Estimates of each mean.")] = 256,
+    seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
+    screenshot: Annotated[
+        Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)
+    ] = None,
+    size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1600, 1100),
+) -> None:
+    """See the sequences on the square and on the hemisphere, and how fast means over their directions converge."""
+    rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES)
+    rendering.check_figure_size(size)
+    check_integer(randomisations, "--randomisations", 16, 100_000)
+    rendering.check_rendering()
+    names = ws.sequences.names()
+    squares = {name: ws.sample_square(name, 1, SHOWN, seed)[0] for name in names}
+    lobes = {name: ws.CosineHemisphere("concentric").sample(u) for name, u in squares.items()}
+    curves = errors(INTEGRANDS_SHOWN, randomisations, seed)
+    what = f"{SHOWN} points; errors over {randomisations} randomisations; seed {seed}"
+    figure = sheets.sequence_sheet(squares, lobes, curves, f"{what}; cosine lobe, hemispheres by the concentric map")
+    rendering.size_figure(figure, size)
+    best = {curve.title: min(curve.rmse, key=lambda name, c=curve: c.rmse[name][-1]) for curve in curves}
+    show_or_save(
+        figure, screenshot, f"{what}; smallest error at {COUNTS[-1]:,}: " + ", ".join(f"{k} {v}" for k, v in best.items())
+    )
+
+
+if __name__ == "__main__":
+    wp.config.log_level = wp.LOG_WARNING
+    typer.run(main)

@@ -1,0 +1,63 @@
+"""Keinert's experiment: sphere + normal in green, the cosine set in red; yellow is agreement. And a wrong set beside it."""
+
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import typer
+import warp as wp
+
+import warpsample as ws
+from warpsample.arguments import check_integer
+from warpsample.cli import fail_plainly, show_or_save
+from warpsample.plotting import rendering, sheets
+from warpsample.proof.routes import plus_normal
+
+PIXELS = 700  # of a picture's side
+
+
+def directions(count: int, sequence: str, seed: int) -> dict[str, np.ndarray]:
+    """(count, 3) of each set, row by row from the same points of the square: cosine, sphere, ball."""
+    u = ws.sample_square(sequence, 1, count, seed)[0]
+    sphere = ws.UniformSphere().sample(u).astype(np.float64)
+    radius = np.cbrt(ws.sample_square("independent", 1, count, seed)[0, :, :1])
+    return {
+        "cosine": ws.CosineHemisphere("polar").sample(u),
+        "sphere": plus_normal(sphere),
+        "ball": plus_normal(radius * sphere),
+    }
+
+
+@fail_plainly()
+def main(
+    count: Annotated[int, typer.Option(help="Points of each set.")] = 1024,
+    sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(ws.sequences.names())}.")] = "fibonacci",
+    seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
+    screenshot: Annotated[
+        Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)
+    ] = None,
+    size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1600, 860),
+) -> None:
+    """See that the sphere plus the normal, normalised, is the cosine set: drawn in green and red, it is yellow.
+
+    Beside it a ball in place of the sphere, as in early ray tracers: it does not turn yellow.
+    """
+    rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES)
+    rendering.check_figure_size(size)
+    check_integer(count, "--count", 1, 100_000)
+    rendering.check_rendering()
+    found = directions(count, sequence, seed)
+    panels, shares = [], []
+    for name in ("sphere", "ball"):
+        picture, share = sheets.overlay(found["cosine"], found[name], PIXELS)
+        panels.append(("the cosine set", f"normalize({name} + n)", picture, share))
+        shares.append(f"{name} {share:.1%}")
+    what = f"{count:,} points each, {sequence}, seed {seed}, seen along the normal"
+    figure = sheets.overlay_sheet(panels, f"{what}; the ball is the sphere with a radius of its own for each point")
+    rendering.size_figure(figure, size)
+    show_or_save(figure, screenshot, f"{what}; yellow: {', '.join(shares)}")
+
+
+if __name__ == "__main__":
+    wp.config.log_level = wp.LOG_WARNING
+    typer.run(main)

@@ -1,0 +1,170 @@
+"""Histograms of angles against their densities with residuals, and the projected disk: one sheet that is redrawn fast."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from warpsample.plotting.rendering import BARS, DOTS, INK, LOBE
+from warpsample.proof.histogram import HistogramTest
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+_STEPS = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
+_TEXT, _SMALL = 11, 10
+_WIDTH = 7.4  # inches of the sheet, for which its text is sized
+_SURE = 1e-6  # p-values below it, or above 1 - it, are no chance
+_MOST_SIGMA = 6.0
+_BAND = 2.0  # standard deviations
+
+
+@dataclass(frozen=True, eq=False)
+class AngleHistogram:
+    """Counts of an angle, and what a density predicts.
+
+    Attributes:
+        edges: (K + 1,) degrees.
+        observed: (K,) density of the directions, per radian.
+        expected: (K,) density that is claimed, mean over each cell, per radian.
+        angles: (M,) degrees.
+        density: (M,) per radian, what is claimed, at those angles.
+        residuals: (K,) observed - expected count, in standard deviations; 0 where too few are expected to say.
+        test: over all cells, joined until each expects enough; None where too few directions are drawn.
+    """
+
+    edges: np.ndarray
+    observed: np.ndarray
+    expected: np.ndarray
+    angles: np.ndarray
+    density: np.ndarray
+    residuals: np.ndarray
+    test: HistogramTest | None
+
+    def verdict(self) -> str:
+        """Whether the angle agrees with the density, for people; and the figures, on a second line."""
+        if self.test is None:
+            return "too few directions to say\n"
+        p = self.test.p_value
+        said = "does NOT agree" if p < _SURE else "agrees, more evenly than chance" if p > 1.0 - _SURE else "agrees"
+        chance = "p < 10⁻⁶" if p < _SURE else f"p = {p:.3f}"
+        return f"{said}\nχ² = {self.test.chi_square:,.1f}, dof = {self.test.dof}, {chance}"
+
+
+class LobeCharts:
+    """A sheet of theta, azimuth and projected disk. What does not change between two drawings is drawn once (blitting)."""
+
+    def __init__(self, size: tuple[int, int]):
+        """`size`: width and height in pixels."""
+        from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
+        from matplotlib.figure import Figure  # noqa: PLC0415
+
+        self.size = size
+        self.figure = Figure(figsize=(_WIDTH, _WIDTH * size[1] / size[0]), dpi=size[0] / _WIDTH)
+        self._canvas = FigureCanvasAgg(self.figure)
+        self.theta = _Histogram(self.figure, (0.1, 0.685, 0.88, 0.25), (0.1, 0.575, 0.88, 0.085), "θ", "from the normal")
+        self.azimuth = _Histogram(self.figure, (0.1, 0.185, 0.37, 0.235), (0.1, 0.075, 0.37, 0.085), "φ", "about the normal")
+        self.theta.legend()
+        self.disk = _Disk(self.figure, (0.56, 0.085, 0.42, 0.335))
+        self._parts = (self.theta, self.azimuth, self.disk)
+        self._still: tuple[Any, Any] | None = None
+
+    def draw(self, theta: AngleHistogram, azimuth: AngleHistogram, disk: np.ndarray) -> np.ndarray:
+        """The sheet as (H, W, 3) uint8.
+
+        Args:
+            theta: in [0, 180] degrees.
+            azimuth: in [0, 360] degrees.
+            disk: (N, 2), the tangent components of unit directions.
+        """
+        self.theta.show(theta)
+        self.azimuth.show(azimuth)
+        self.disk.show(disk)
+        frame = (*self.theta.frame, *self.azimuth.frame)
+        if self._still is None or self._still[0] != frame:
+            self._canvas.draw()  # animated artists stay out
+            self._still = (frame, self._canvas.copy_from_bbox(self.figure.bbox))
+        self._canvas.restore_region(self._still[1])
+        for part in self._parts:
+            for axes, artist in part.moving:
+                axes.draw_artist(artist)
+        return np.asarray(self._canvas.buffer_rgba())[..., :3].copy()
+
+
+class _Histogram:
+    """Bars, the density as a line, what the test says, and the residuals below."""
+
+    def __init__(self, figure: Any, above: tuple[float, ...], below: tuple[float, ...], name: str, label: str):
+        self._name = name
+        self._above, self._below = figure.add_axes(above), figure.add_axes(below)
+        one, unit = np.zeros(1), np.array([0.0, 1.0])
+        bars = self._above.stairs(one, unit, fill=True, color=BARS, label="directions", animated=True)
+        (curve,) = self._above.plot([], [], color=LOBE, linewidth=2, label="density", animated=True)
+        says = self._above.text(0.0, 1.03, "", transform=self._above.transAxes, fontsize=_TEXT, color=INK, animated=True)
+        residuals = self._below.stairs(one, unit, fill=True, color=BARS, animated=True)
+        self.moving = ((self._above, bars), (self._above, curve), (self._above, says), (self._below, residuals))
+        self._above.set_ylabel("density [1/rad]", fontsize=_TEXT)
+        self._above.set_xticklabels([])
+        self._below.set(ylim=(-_MOST_SIGMA, _MOST_SIGMA), yticks=(-4, 0, 4))
+        self._below.axhspan(-_BAND, _BAND, color="0.92")
+        self._below.axhline(0, color="0.3", linewidth=0.8)
+        self._below.set_ylabel("residual [σ]", fontsize=_TEXT)
+        self._below.set_xlabel(f"{name} {label} [degrees]", fontsize=_TEXT)
+        for axes in (self._above, self._below):
+            axes.tick_params(labelsize=_SMALL)
+
+    def legend(self) -> None:
+        """Says what bars and line are."""
+        self._above.legend(loc="upper right", frameon=False, fontsize=_TEXT, handlelength=1.2)
+
+    @property
+    def frame(self) -> tuple[float, ...]:
+        """What the axes span."""
+        return (*self._above.get_xlim(), *self._above.get_ylim())
+
+    def show(self, seen: AngleHistogram) -> None:
+        """Takes new data; the axes change in steps only, so that most drawings can keep them."""
+        bars, curve, says, residuals = (artist for _, artist in self.moving)
+        bars.set_data(seen.observed, seen.edges)
+        curve.set_data(seen.angles, seen.density)
+        says.set_text(f"{self._name} {seen.verdict()}")
+        says.set_color(LOBE if seen.test is not None and seen.test.p_value < _SURE else INK)
+        residuals.set_data(np.clip(seen.residuals, -_MOST_SIGMA, _MOST_SIGMA), seen.edges)
+        low, high = float(seen.edges[0]), float(seen.edges[-1])
+        if self._below.get_xlim() != (low, high):
+            ticks = np.linspace(low, high, 7)
+            self._above.set(xlim=(low, high), xticks=ticks)
+            self._below.set(xlim=(low, high), xticks=ticks)
+            self._below.set_xticklabels([f"{tick:.4g}" for tick in ticks])
+            self._above.set_xticklabels([])
+        top = _round_up(1.15 * float(seen.expected.max(initial=1e-9)))
+        if self._above.get_ylim() != (0.0, top):
+            self._above.set_ylim(0.0, top)
+
+
+class _Disk:
+    """Directions seen along the normal: the projected hemisphere, which a cosine lobe fills evenly (Nusselt)."""
+
+    def __init__(self, figure: Any, place: tuple[float, ...]):
+        axes: Axes = figure.add_axes(place)
+        (points,) = axes.plot([], [], "o", markersize=2.2, color=DOTS, markeredgewidth=0, animated=True)
+        turn = np.linspace(0.0, 2.0 * np.pi, 181)
+        (rim,) = axes.plot(np.cos(turn), np.sin(turn), color=INK, linewidth=1, animated=True)
+        says = axes.text(0.0, 1.03, "", transform=axes.transAxes, fontsize=_TEXT, color=INK, animated=True)
+        self.moving = ((axes, points), (axes, rim), (axes, says))
+        axes.set(aspect="equal", xlim=(-1.03, 1.03), ylim=(-1.03, 1.03), xticks=(-1, 0, 1), yticks=(-1, 0, 1))
+        axes.tick_params(labelsize=_SMALL)
+        axes.set_xlabel("ω·t", fontsize=_TEXT)
+        axes.set_ylabel("ω·b", fontsize=_TEXT, labelpad=-6)
+
+    def show(self, disk: np.ndarray) -> None:
+        """Takes new points."""
+        points, _, says = (artist for _, artist in self.moving)
+        points.set_data(disk[:, 0], disk[:, 1])
+        says.set_text(f"{len(disk):,} directions of the chosen\npoint, seen along the normal")
+
+
+def _round_up(x: float) -> float:
+    """The next of some steps times a power of ten."""
+    scale = 10.0 ** np.floor(np.log10(x))
+    return float(next(step * scale for step in _STEPS if step * scale >= x * (1 - 1e-9)))

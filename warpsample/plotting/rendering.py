@@ -1,0 +1,160 @@
+"""Whether pictures can be made here, how much is drawn on one, and how it is saved."""
+
+import os
+import subprocess
+import sys
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from warpsample.export import complete_or_absent
+
+if TYPE_CHECKING:
+    import pyvista
+    from matplotlib.figure import Figure
+
+MOST_POINTS = 1_000_000
+"""Cloud points that software rendering draws in a second."""
+MOST_SMOOTH_FACES = 200_000
+"""Faces whose shading is smoothed; of more, each is smaller than a few pixels, and smoothing takes seconds."""
+SCENE_SUFFIXES = (".png", ".html")
+FIGURE_SUFFIXES = (".png", ".svg", ".pdf")
+
+_LEAST_SHEET = 600
+
+SURFACE = "#d8d4cc"
+SKY = "#c7d5e0"  # that a white mesh stands out from
+LOBE = "#d1495b"
+BARS = "#7aa6c2"
+DOTS = "#2f6690"
+INK = "#333333"
+
+SEQUENCE_COLOURS = {
+    "sobol": "#2f6690",
+    "fibonacci": "#d1495b",
+    "r2": "#5b8e3e",
+    "stratified": "#8c6bb1",
+    "independent": "#555555",
+    "philox": "#9c927a",
+}
+
+AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+VIEW = {"x": (0.35, 0.3, 1.0), "y": (0.3, 0.35, 1.0), "z": (0.3, -1.0, 0.35)}
+"""From where a mesh is seen whose axis of that name points up."""
+
+_CAPTION = '<p style="position:fixed;left:1em;bottom:0;font:14px sans-serif;color:#333333">{}</p>'
+_PROBE = (
+    "import pyvista as pv; p = pv.Plotter(off_screen=True, window_size=(16, 16)); p.add_mesh(pv.Sphere()); p.screenshot()"
+)
+_NO_GL = "pictures need an OpenGL library and none works here. On Debian or Ubuntu: apt-get install libegl1 libgl1-mesa-dri"
+
+
+def has_screen() -> bool:
+    """Whether a window can be opened."""
+    return sys.platform != "linux" or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def check_output(screenshot: Path | None, suffixes: tuple[str, ...] = (".png",)) -> None:
+    """Refuses a picture that nobody would see.
+
+    Raises:
+        ValueError: no file and no screen, a file in no folder, or of another kind.
+    """
+    if screenshot is None and not has_screen():
+        raise ValueError("there is no screen to open a window on: save a picture with --screenshot FILE")
+    if screenshot is not None and screenshot.suffix not in suffixes:
+        raise ValueError(f"--screenshot: got {str(screenshot)!r}, want a file that ends in {' or '.join(suffixes)}")
+    if screenshot is not None and not screenshot.resolve().parent.is_dir():
+        raise ValueError(f"--screenshot: got {str(screenshot)!r}, whose folder does not exist")
+
+
+def check_rendering() -> None:
+    """Renders 16 x 16 pixels in a child process, because without a GL library constructing a Plotter kills Python.
+
+    Raises:
+        ModuleNotFoundError: PyVista or matplotlib is missing; says how to install them.
+        RuntimeError: rendering does not work; says what to install.
+    """
+    try:
+        import matplotlib  # noqa: F401, ICN001, PLC0415
+        import pyvista  # noqa: F401, PLC0415
+    except ModuleNotFoundError as error:
+        raise ModuleNotFoundError(f"pictures need {error.name}: pip install 'warpsample[viz]'") from None
+    if not has_screen():
+        # Without a screen VTK tries X first and complains on stderr before it takes EGL.
+        os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
+    probe = subprocess.run([sys.executable, "-c", _PROBE], capture_output=True, check=False)
+    if probe.returncode != 0:
+        raise RuntimeError(_NO_GL)
+
+
+def budgeted(points: int, count: int, budget: int = MOST_POINTS) -> tuple[int, int]:
+    """(points, directions of each) to draw, at most those asked for, so that all clouds together stay within the budget."""
+    points = min(points, budget)
+    return points, max(1, min(count, budget // max(points, 1)))
+
+
+def clouds_told(shown: tuple[int, int], asked: tuple[int, int]) -> str:
+    """What a picture says of its budget: (points, directions of each) that are drawn, and that were asked for."""
+    said = f"{shown[0]:,} points x {shown[1]:,} directions"
+    return said if shown == asked else f"{said} (of {asked[0]:,} x {asked[1]:,} asked for)"
+
+
+def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
+    """Writes a .png of the plotter's size, or an .html to turn in a browser, and closes it; a failure leaves no half file.
+
+    Args:
+        plotter: not yet shown.
+        path: of SCENE_SUFFIXES.
+        caption: of the .html, which has no texts of the scene.
+
+    Raises:
+        ModuleNotFoundError: an .html without trame-pyvista.
+    """
+    try:
+        with complete_or_absent(path) as partial:
+            if path.suffix == ".png":
+                plotter.screenshot(partial, return_img=False)
+            else:
+                plotter.export_html(partial)
+                partial.write_text(partial.read_text().replace("</body>", _CAPTION.format(escape(caption)) + "</body>"))
+    except ImportError as error:
+        raise ModuleNotFoundError(f"an .html scene needs trame-pyvista: pip install 'warpsample[viz]' ({error})") from None
+    finally:
+        plotter.close()
+
+
+def check_figure_size(size: tuple[int, int]) -> None:
+    """Whether a sheet can be read.
+
+    Raises:
+        ValueError: it cannot.
+    """
+    if min(size) < _LEAST_SHEET:
+        raise ValueError(
+            f"--size: got {size[0]} x {size[1]}, want at least {_LEAST_SHEET} of each, in which text can be read"
+        )
+
+
+def size_figure(figure: "Figure", size: tuple[int, int]) -> None:
+    """Makes a figure so many pixels wide and high; its text keeps its share of the width."""
+    width = figure.get_figwidth()
+    figure.set_dpi(size[0] / width)
+    figure.set_size_inches(width, width * size[1] / size[0])
+
+
+def save_figure(figure: "Figure", path: Path) -> None:
+    """Writes a figure; a failure leaves no half file."""
+    with complete_or_absent(path) as partial:
+        figure.savefig(partial, dpi=figure.dpi)
+
+
+def pixels_of(figure: "Figure") -> np.ndarray:
+    """(H, W, 3) uint8 of a figure."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
+
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    return np.asarray(canvas.buffer_rgba())[..., :3].copy()

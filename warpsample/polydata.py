@@ -1,0 +1,39 @@
+"""PyVista's PolyData of what this package holds, for its filters, writers and pictures."""
+
+from typing import Any
+
+import numpy as np
+
+
+def pyvista() -> Any:
+    """The module, imported where it is needed.
+
+    Raises:
+        ModuleNotFoundError: it is missing; says how to install it.
+    """
+    try:
+        import pyvista as pv  # noqa: PLC0415
+    except ModuleNotFoundError:
+        raise ModuleNotFoundError("PolyData needs PyVista: pip install 'warpsample[viz]'") from None
+    return pv
+
+
+def surface(vertices: np.ndarray, faces: np.ndarray) -> Any:
+    """Triangles: vertices (V, 3), faces (F, 3)."""
+    return pyvista().PolyData.from_regular_faces(vertices, faces)
+
+
+def cloud(position: np.ndarray, normal: np.ndarray, **arrays: np.ndarray | None) -> Any:
+    """Points with normals (the array "Normals", active) and whatever else each has; None is left out.
+
+    Args:
+        position: (N, 3) float.
+        normal: (N, 3) float.
+        arrays: (N, ...) by name.
+    """
+    made = pyvista().PolyData(position)
+    made.point_data.active_normals = np.ascontiguousarray(normal, np.float32)
+    for name, array in arrays.items():
+        if array is not None:
+            made.point_data[name] = array
+    return made

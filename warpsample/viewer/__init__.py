@@ -1,0 +1,1 @@
+"""The viewer: lobes (what is seen), window (where), controls (by which knobs)."""

@@ -1,0 +1,69 @@
+"""From the command line's words to a window or a file."""
+
+from pathlib import Path
+
+import warp as wp
+
+from warpsample import sequences
+from warpsample.arguments import check_integer, check_seed
+from warpsample.distributions import as_spatial
+from warpsample.distributions.cosine_hemisphere import CosineHemisphere
+from warpsample.distributions.offset_sphere import OffsetSphere
+from warpsample.mesh import Mesh
+from warpsample.plotting.rendering import save_scene
+from warpsample.plotting.scenes import clouds_on_mesh
+from warpsample.viewer.lobes import Choice, lobe_of
+from warpsample.viewer.window import Viewer
+
+_LEAST_SIZE = (1200, 675)
+
+
+def bunny() -> Path:
+    """The mesh that comes with warp-lang."""
+    return Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd"
+
+
+def choice(distribution: str | None, density: str | None, sequence: str, samples: int, seed: int) -> Choice:
+    """Of names; without a distribution, Shirley's trick held against the cosine lobe.
+
+    Raises:
+        TypeError, ValueError: a name or value that cannot be used; names it.
+    """
+    sequences.get(sequence)
+    check_integer(samples, "--samples", 1, 2**31 - 1)
+    check_seed(seed)
+    if distribution is None:
+        claimed = CosineHemisphere() if density is None else as_spatial(density)
+        return Choice(OffsetSphere(), claimed, sequence, samples, seed)
+    return Choice(as_spatial(distribution), None if density is None else as_spatial(density), sequence, samples, seed)
+
+
+def check_size(size: tuple[int, int]) -> None:
+    """Whether the window can be read.
+
+    Raises:
+        ValueError: it cannot.
+    """
+    if size[0] < _LEAST_SIZE[0] or size[1] < _LEAST_SIZE[1]:
+        wanted = " x ".join(str(n) for n in _LEAST_SIZE)
+        raise ValueError(f"--size: got {size[0]} x {size[1]}, want at least {wanted}, in which knobs and charts can be read")
+
+
+def window(mesh: Mesh, points: int, chosen: Choice, up: str, size: tuple[int, int]) -> None:
+    """Opens the viewer until it is closed."""
+    Viewer(mesh, points, chosen, up, size).plotter.show(title="warpsample")
+
+
+def save(mesh: Mesh, points: int, chosen: Choice, up: str, size: tuple[int, int], path: Path) -> str:
+    """Writes a .png of the viewer or an .html of its clouds on the mesh; a sentence about what is to be seen."""
+    viewer = Viewer(mesh, points, chosen, up, size, off_screen=True)
+    if path.suffix == ".png":
+        viewer.plotter.enable_anti_aliasing("msaa", multi_samples=8, all_renderers=True)
+        save_scene(viewer.plotter, path, viewer.summary())
+    else:
+        at, clouds = viewer.points, viewer.clouds
+        viewer.plotter.close()
+        seen = (clouds.position, clouds.pdf, lobe_of(chosen.claim).peak)
+        scene = clouds_on_mesh(viewer.vertices, mesh.faces, at.position, at.normal, viewer.scale, seen, up, size)
+        save_scene(scene, path, viewer.summary())
+    return viewer.summary()
