@@ -1,13 +1,18 @@
 """What all tests share. Statistical tests reject at ALPHA, so that a right suite fails by chance once in 10^4 machines."""
 
+import importlib.util
 import os
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 import warp as wp
 
 import warpsample as ws
+from warpsample import cli
+from warpsample.plotting import rendering
 
 wp.config.log_level = wp.LOG_WARNING
 wp.init()
@@ -62,3 +67,45 @@ def child_environment() -> dict[str, str]:
     """For child processes: no window, plain output, and no word of Warp's on Python 3.10."""
     kept = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY", "FORCE_COLOR")}
     return {**kept, "PYTHONWARNINGS": "ignore:Support for Python 3.10 is deprecated:FutureWarning"}
+
+
+@pytest.fixture
+def cube(tmp_path):
+    path = tmp_path / "cube.ply"
+    trimesh.creation.box().export(path)
+    return path
+
+
+@pytest.fixture
+def call(monkeypatch, capsys):
+    """Runs `warpsample ...`; gives (exit status, stdout, stderr)."""
+
+    def run(*arguments):
+        monkeypatch.setattr(sys, "argv", ["warpsample", *map(str, arguments)])
+        with pytest.raises(SystemExit) as stop:
+            cli.main()
+        return stop.value.code, *capsys.readouterr()
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def can_render():
+    """Skips where no picture can be made, and lets those be off-screen that are."""
+    try:
+        rendering.check_rendering()
+    except RuntimeError as error:
+        pytest.skip(str(error))
+
+
+@pytest.fixture(scope="session")
+def script(repository):
+    """Loads a script of viz/ by its name."""
+
+    def load(name):
+        specification = importlib.util.spec_from_file_location(name, repository / "viz" / f"{name}.py")
+        module = importlib.util.module_from_spec(specification)
+        specification.loader.exec_module(module)
+        return module
+
+    return load

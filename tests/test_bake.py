@@ -7,7 +7,6 @@ import re
 import numpy as np
 import pytest
 import trimesh
-from test_cli import call, cube  # noqa: F401  (fixtures)
 
 import warpsample as ws
 from warpsample import bake
@@ -48,7 +47,7 @@ def _columns(data):
 
 @pytest.mark.parametrize("suffix", bake.SUFFIXES)
 @pytest.mark.parametrize("at", ["vertices", "faces"])
-def test_every_file_holds_the_numbers(call, torus, tmp_path, suffix, at, monkeypatch):  # noqa: F811
+def test_every_file_holds_the_numbers(call, torus, tmp_path, suffix, at, monkeypatch):
     monkeypatch.setattr(bake, "_RAYS_PER_PART", 4096)  # several parts
     output = tmp_path / f"out{suffix}"
     status, out, err = call("bake", torus, "-o", output, "--at", at, "--samples", 64, "--seed", 3)
@@ -67,7 +66,7 @@ def test_every_file_holds_the_numbers(call, torus, tmp_path, suffix, at, monkeyp
     assert set(tmp_path.iterdir()) == {torus, output}
 
 
-def test_a_mesh_file_is_the_mesh_in_shades(call, torus, tmp_path):  # noqa: F811
+def test_a_mesh_file_is_the_mesh_in_shades(call, torus, tmp_path):
     output = tmp_path / "out.ply"
     call("bake", torus, "-o", output, "--samples", 64)
     made = trimesh.load(output, process=False)
@@ -77,7 +76,7 @@ def test_a_mesh_file_is_the_mesh_in_shades(call, torus, tmp_path):  # noqa: F811
     assert np.array_equal(made.visual.vertex_colors[:, 0], shades)
 
 
-def test_sky_at_points_and_light(call, torus, tmp_path):  # noqa: F811
+def test_sky_at_points_and_light(call, torus, tmp_path):
     output, light = tmp_path / "out.npz", tmp_path / "light.npy"
     np.save(light, np.dstack([np.ones((4, 8)), np.zeros((4, 8)), np.ones((4, 8))]))
     where = ["--at", "surface", "--points", 100, "--samples", 64]
@@ -100,7 +99,7 @@ def test_sky_at_points_and_light(call, torus, tmp_path):  # noqa: F811
     assert columns["value_g"].max() == 0.0
 
 
-def test_points_without_a_number_are_counted(call, tmp_path):  # noqa: F811
+def test_points_without_a_number_are_counted(call, tmp_path):
     path = tmp_path / "flawed.off"
     path.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n")
     _, out, _ = call("bake", path, "-o", tmp_path / "out.csv", "--at", "faces", "--samples", 64)
@@ -108,7 +107,7 @@ def test_points_without_a_number_are_counted(call, tmp_path):  # noqa: F811
     assert read(tmp_path / "out.csv")["status"].tolist() == [0, 2]
 
 
-def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, tmp_path, monkeypatch):  # noqa: F811
+def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, tmp_path, monkeypatch):
     output = tmp_path / "out.csv"
     output.write_text("old")
 
@@ -127,7 +126,7 @@ def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, 
 
 
 @pytest.mark.parametrize("suffix", bake.SUFFIXES)
-def test_a_full_disk_leaves_the_old_file(call, torus, tmp_path, monkeypatch, suffix):  # noqa: F811
+def test_a_full_disk_leaves_the_old_file(call, torus, tmp_path, monkeypatch, suffix):
     output = tmp_path / f"out{suffix}"
     output.write_text("old")
     write = bake._WRITERS[suffix]
@@ -159,7 +158,7 @@ def test_a_full_disk_leaves_the_old_file(call, torus, tmp_path, monkeypatch, suf
         (["-o", "x.csv", "--tolerance", "-1"], "error: tolerance: got -1.0"),
     ],
 )
-def test_bad_input_is_one_line(call, cube, tmp_path, monkeypatch, arguments, message):  # noqa: F811
+def test_bad_input_is_one_line(call, cube, tmp_path, monkeypatch, arguments, message):
     monkeypatch.chdir(tmp_path)
     status, out, err = call("bake", cube, *arguments)
     assert (status, out) == (2, "")

@@ -6,30 +6,9 @@ import sys
 
 import numpy as np
 import pytest
-import trimesh
 
 import warpsample as ws
-from warpsample import cli, export
-
-
-@pytest.fixture
-def cube(tmp_path):
-    path = tmp_path / "cube.ply"
-    trimesh.creation.box().export(path)
-    return path
-
-
-@pytest.fixture
-def call(monkeypatch, capsys):
-    """Runs `warpsample ...`; gives (exit status, stdout, stderr)."""
-
-    def run(*arguments):
-        monkeypatch.setattr(sys, "argv", ["warpsample", *map(str, arguments)])
-        with pytest.raises(SystemExit) as stop:
-            cli.main()
-        return stop.value.code, *capsys.readouterr()
-
-    return run
+from warpsample import export
 
 
 def test_info_counts_and_explains(call, tmp_path):
@@ -101,7 +80,10 @@ def test_an_interrupted_run_leaves_the_old_file_and_no_half_one(call, cube, tmp_
     ("arguments", "message"),
     [
         (["info", "nothing.ply"], "error: path: got 'nothing.ply', which is missing, want a mesh file"),
-        (["directions", "CUBE", "-o", "d.txt"], "error: --output: got 'd.txt', want a file that ends in .npz"),
+        (
+            ["directions", "CUBE", "-o", "d.txt"],
+            "error: --output: got 'd.txt', want a file that ends in one of .npz .vtp .ply",
+        ),
         (["directions", "CUBE", "-o", "no/d.npz"], "error: --output: got 'no/d.npz', whose folder does not exist"),
         (["directions", "CUBE", "-o", "d.npz", "--count", "0"], "error: --count: got 0, want a whole number from 1"),
         (["directions", "CUBE", "-o", "d.npz", "--samples", "-3"], "error: --samples: got -3"),

@@ -8,7 +8,7 @@ from conftest import ALPHA
 import warpsample as ws
 from warpsample.proof import defects, laws, routes, stress, twins, verify
 from warpsample.proof.charts import chart_of
-from warpsample.proof.histogram import cosine_lobe_angles, histogram_test
+from warpsample.proof.histogram import histogram_test, joined_test
 from warpsample.proof.integer_twins import expected
 
 RIGHT = ws.CosineHemisphere()
@@ -100,8 +100,10 @@ def test_charts_go_there_and_back(case):
 def test_viewer_histogram_rejects_the_wrong_lobe():
     u = ws.sample_square("independent", 1 << 14, 64, seed=1).reshape(-1, 2)
     angles = {law: np.arccos(d.sample(u)[:, 2]) for law, d in (("right", RIGHT), ("ball", ws.OffsetBall()))}
-    assert cosine_lobe_angles(angles["right"], 90)[1].p_value >= ALPHA
-    assert cosine_lobe_angles(angles["ball"], 90)[1].p_value < ALPHA
+    edges = np.linspace(0.0, np.pi / 2.0, 91)
+    tests = {law: joined_test(np.histogram(a, edges)[0], len(a) * np.diff(RIGHT.cdf(edges))) for law, a in angles.items()}
+    assert tests["right"].p_value >= ALPHA
+    assert tests["ball"].p_value < ALPHA
 
 
 def laws_broken(verdicts):

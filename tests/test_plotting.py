@@ -1,134 +1,228 @@
-"""Pictures: the data handed to the plotter, one render that is not blank, and the message where none can be made."""
+"""Pictures: what reaches them, that they tell right from wrong, and what is said where there can be none."""
 
-import importlib.util
 import re
 import subprocess
 import sys
+from dataclasses import replace
+from functools import partial
 
+import matplotlib.image
 import numpy as np
 import pytest
+from conftest import ALPHA
 
 import warpsample as ws
-from warpsample import plotting
-from warpsample.proof.histogram import cosine_lobe_angles
+from warpsample.plotting import rendering, scenes, sheets
+from warpsample.plotting.charts import AngleHistogram, LobeCharts
+from warpsample.proof.defects import Wrong
+from warpsample.proof.histogram import HistogramTest, joined_test
+
+PNG_SCRIPTS = ("shirley_overlay", "offset_family", "sequences")
 
 
-@pytest.fixture(scope="module")
-def viewer(repository):
-    specification = importlib.util.spec_from_file_location("direction_clouds", repository / "viz" / "direction_clouds.py")
-    module = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(module)
-    return module
+def picture(path):
+    return matplotlib.image.imread(path)[..., :3]
 
 
-@pytest.fixture(scope="module")
-def can_render():
-    try:
-        plotting.check_rendering()
-    except RuntimeError as error:
-        pytest.skip(str(error))
-
-
-def test_clouds_are_uniform_spheres_resting_on_the_surface(viewer, bunny_path):
-    points = ws.sample_surface(ws.load_mesh(bunny_path), 20, seed=1)
-    cloud = viewer.cloud_positions(points, ws.sample_directions(points, 4096).vectors, 0.1).reshape(20, 4096, 3)
-    centre = points.position + 0.05 * points.normal
-    from_centre = (cloud - centre[:, None]) / 0.05
-    assert np.abs(np.linalg.norm(from_centre, axis=-1) - 1.0).max() <= 1e-6
-    # Uniform on that sphere: mean 0, second moments 1/3; 4096 Owen-scrambled points are within 1/4096.
-    assert np.abs(from_centre.mean(axis=1)).max() <= 1e-3
-    assert np.abs(np.einsum("psi,psj->pij", from_centre, from_centre) / 4096 - np.eye(3) / 3).max() <= 1e-3
-
-
-def test_histogram_is_of_the_projected_sphere(viewer, plausible):
-    normals = np.random.default_rng(2).normal(size=(50, 3)).astype(np.float32)
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    theta = viewer.projected_sphere_angles(normals, 200_000, seed=3)
-    assert theta.shape == (200_000,)
-    edges, test = cosine_lobe_angles(theta, 90)
-    plausible(test.p_value)
-    assert test.dof == 89
-    assert edges[[0, -1]].tolist() == [0.0, np.pi / 2]
-    figure = plotting.lobe_histogram(edges, test, "caption")
-    above, below = figure.axes
-    assert above.get_title() == f"χ² = {test.chi_square:.1f}, dof = 89, p = {test.p_value:.3f}"
-    assert np.allclose(above.patches[0].get_data().values, test.observed / (200_000 * np.diff(edges)))
-    assert np.allclose(below.patches[-1].get_data().values, test.residuals)
-    assert below.get_xlabel().endswith("caption")
+def differing(a, b):
+    """Share of pixels that are clearly unlike."""
+    return (np.abs(a - b).max(axis=-1) > 0.2).mean()
 
 
 @pytest.mark.parametrize(
     ("points", "count", "shown"), [(10, 64, (10, 64)), (10_000, 1024, (10_000, 100)), (2_000_000, 4, (1_000_000, 1))]
 )
 def test_budget_bounds_what_is_drawn(points, count, shown):
-    assert plotting.budgeted(points, count) == shown
+    assert rendering.budgeted(points, count) == shown
+    said = rendering.clouds_told(shown, (points, count))
+    assert ("asked for" in said) == (shown != (points, count))
 
 
-def test_what_the_plotter_is_given(can_render, viewer):
-    import pyvista as pv
-
-    plotter = pv.Plotter(off_screen=True)
-    clouds = plotting.Clouds(np.random.default_rng(0).normal(size=(50, 3)), np.arange(50.0), "pdf [1/sr]")
-    position, normal = np.zeros((2, 3)), np.eye(3)[:2]
-    plotting.draw_clouds(plotter, np.eye(3), np.array([[0, 1, 2]]), position, normal, 0.5, clouds)
-    drawn = [actor.mapper.dataset for actor in plotter.actors.values() if getattr(actor, "mapper", None) is not None]
-    assert 50 in [data.n_points for data in drawn]
-    lines = next(data for data in drawn if data.n_lines)
-    assert np.allclose(lines.points.reshape(2, 2, 3)[:, 1], 0.5 * normal)
-    assert list(plotter.scalar_bars.keys()) == ["pdf [1/sr]"]
-    plotter.close()
+def test_cells_are_joined_until_each_expects_enough():
+    expected = np.array([0.0, 2.0, 4.0, 100.0, 3.0, 0.0, 4.0])
+    test = joined_test(np.array([1.0, 2.0, 3.0, 100.0, 3.0, 1.0, 3.0]), expected)
+    assert test.expected.tolist() == [6.0, 100.0, 7.0]
+    assert test.observed.tolist() == [6.0, 100.0, 7.0]
+    assert joined_test(np.array([4.0, 5.0]), np.array([4.0, 5.0])) is None
+    # A last cell too small to stand alone joins its neighbour.
+    assert joined_test(np.full(3, 6.0), np.array([8.0, 8.0, 2.0])).expected.tolist() == [8.0, 10.0]
 
 
-def test_screenshot_of_the_bunny(can_render, repository, tmp_path, child_environment):
-    """The README's command, smaller: both halves hold a picture, and nothing else is left in the folder."""
-    import matplotlib.image
+def histogram(p_value):
+    edges, density = np.linspace(0.0, 90.0, 7), np.array([0.2, 0.7, 1.0, 1.0, 0.7, 0.2])
+    residuals = np.array([0.5, -0.5, 30.0, 0.1, 0.0, -1.0])
+    test = None if p_value is None else HistogramTest(density, density, residuals, 12.5, 5, p_value)
+    middle = 0.5 * (edges[1:] + edges[:-1])
+    return AngleHistogram(edges, 1.1 * density, density, middle, density, residuals, test)
 
+
+@pytest.mark.parametrize(
+    ("p_value", "words"),
+    [
+        (0.3, "agrees\nχ² = 12.5, dof = 5, p = 0.300"),
+        (1e-9, "does NOT agree\nχ² = 12.5, dof = 5, p < 10⁻⁶"),
+        (1.0, "agrees, more evenly than chance\nχ² = 12.5, dof = 5, p = 1.000"),
+        (None, "too few directions to say\n"),
+    ],
+)
+def test_charts_show_their_data(p_value, words):
+    charts = LobeCharts((740, 900))
+    seen, disk = histogram(p_value), np.array([[0.1, 0.2], [0.3, -0.4]])
+    charts.draw(seen, seen, disk)
+    bars, curve, says, residuals = (artist for _, artist in charts.theta.moving)
+    assert np.array_equal(bars.get_data().values, seen.observed)
+    assert np.array_equal(curve.get_ydata(), seen.density)
+    assert says.get_text() == f"θ {words}"
+    assert np.array_equal(residuals.get_data().values, np.clip(seen.residuals, -6.0, 6.0))
+    assert np.array_equal(charts.disk.moving[0][1].get_xydata(), disk)
+
+
+def test_blitting_draws_what_a_whole_drawing_would():
+    """After any other histogram, also one with other axes."""
+    reused, wide = LobeCharts((740, 900)), histogram(0.5)
+    other = replace(wide, edges=2.0 * wide.edges, observed=3.0 * wide.observed, expected=3.0 * wide.expected, test=None)
+    disk = np.random.default_rng(0).uniform(-0.7, 0.7, (100, 2))
+    for theta, azimuth in ((wide, wide), (other, wide), (wide, other), (wide, wide)):
+        drawn = reused.draw(theta, azimuth, disk)
+        assert np.array_equal(drawn, LobeCharts((740, 900)).draw(theta, azimuth, disk))
+    assert (drawn.min(axis=-1) < 200).mean() > 0.05
+
+
+def test_light_adds_up():
+    """Two points apart are red and green, the same point twice is yellow."""
+    apart, share = sheets.overlay(np.array([[0.5, 0.0, 0.9]]), np.array([[-0.5, 0.0, 0.9]]), 200)
+    assert share == 0.0
+    assert apart[100, 150].tolist() == [1.0, 0.0, 0.0]
+    assert apart[100, 50].tolist() == [0.0, 1.0, 0.0]
+    both, share = sheets.overlay(np.array([[0.0, 0.5, 0.9]]), np.array([[0.0, 0.5, 0.9]]), 200)
+    assert share == 1.0
+    assert both[50, 100].tolist() == [1.0, 1.0, 0.0]  # +y is up
+
+
+def test_the_overlay_turns_yellow_for_the_right_set_alone(script):
+    """Keinert's identity: normalize(sphere + n) is the cosine set, point by point."""
+    found = script("shirley_overlay").directions(1024, "fibonacci", seed=0)
+    # Rounding of the float32 sphere is doubled near its far pole, where the sum is short.
+    assert np.abs(found["sphere"] - found["cosine"]).max() <= 1e-5
+    assert np.median(np.linalg.norm(found["ball"] - found["cosine"], axis=1)) > 0.05
+    _, right = sheets.overlay(found["cosine"], found["sphere"], 700)
+    _, wrong = sheets.overlay(found["cosine"], found["ball"], 700)
+    assert right > 0.99
+    assert wrong < 0.2
+
+
+def test_the_offset_family_is_what_it_says(script, plausible):
+    family = script("offset_family")
+    panels = family.sets(40_000, seed=1)
+    for panel in panels + family.spheres(40_000, seed=1):
+        plausible(panel.test.p_value)
+        assert (panel.observed * np.radians(np.diff(panel.edges))).sum() == pytest.approx(1.0)
+    radius = [np.linalg.norm(panel.points - [0.0, 1.0], axis=1) for panel in panels]
+    assert np.abs(radius[0] - 1.0).max() <= 1e-6  # the circle; the others are seen from the side, so within it
+    assert max(r.max() for r in radius) <= 1.0 + 1e-6
+    assert np.abs(np.linalg.norm(panels[1].directions, axis=1) - 1.0).max() <= 1e-6
+    wrong = family.panel(Wrong(ws.OffsetSphere(), sample=ws.OffsetBall().sample), "", "", 40_000, 1)
+    assert wrong.test.p_value < ALPHA
+
+
+def test_errors_fall_as_they_should(script, monkeypatch):
+    """As 1/sqrt(N) for independent points, faster for the others, and not at all for a wrong lobe."""
+    module = script("sequences")
+    (right,) = module.errors(("sky gradient",), 128, seed=0)
+    ratio = right.rmse["independent"][0] / right.rmse["independent"][-1]
+    assert ratio == pytest.approx(16.0, rel=0.3)  # a standard error of an RMSE over 128 is 6 %
+    for name in ("sobol", "fibonacci", "r2", "stratified"):
+        assert right.rmse[name][-1] < 0.1 * right.rmse["independent"][-1]
+    monkeypatch.setattr(module.ws, "sample_directions", partial(ws.sample_directions, distribution="offset_ball"))
+    (wrong,) = module.errors(("sky gradient",), 32, seed=0)
+    assert wrong.rmse["sobol"][-1] > 0.5 * wrong.rmse["sobol"][1]
+
+
+@pytest.mark.parametrize("name", PNG_SCRIPTS)
+def test_each_sheet_is_drawn(name, can_render, script, tmp_path, capsys):
+    file = tmp_path / f"{name}.png"
+    few = {"shirley_overlay": {"count": 300}, "offset_family": {"count": 5000}, "sequences": {"randomisations": 16}}
+    script(name).main(screenshot=file, size=(800, 640), **few[name])
+    assert capsys.readouterr().out.startswith(f"{file}: ")
+    drawn = picture(file)
+    assert drawn.shape == (640, 800, 3)
+    assert differing(drawn, drawn[:1, :1]) > 0.03
+    assert list(tmp_path.iterdir()) == [file]
+
+
+def test_a_wrong_sampler_is_another_picture(can_render, script, tmp_path, monkeypatch):
+    """Of the sheets: a ball where the sphere should be."""
+    family = script("offset_family")
+    family.main(count=5000, screenshot=tmp_path / "right.png", size=(800, 640))
+    ball = Wrong(ws.OffsetSphere(), sample=ws.OffsetBall().sample)
+    monkeypatch.setattr(family, "SETS", tuple((n, ball if n == "sphere" else d, *rest) for n, d, *rest in family.SETS))
+    family.main(count=5000, screenshot=tmp_path / "wrong.png", size=(800, 640))
+    changed = differing(picture(tmp_path / "right.png"), picture(tmp_path / "wrong.png"))
+    assert 0.002 < changed < 0.1  # the third histogram's alone
+
+
+def test_the_readme_picture(can_render, repository, tmp_path, child_environment):
+    """The README's command, smaller: knobs, scene and charts all hold a picture, and nothing else is left in the folder."""
     command = [sys.executable, repository / "viz" / "direction_clouds.py", "--screenshot", tmp_path / "clouds.png"]
-    options = ["--points", "30", "--samples", "100", "--size", "800", "400"]
+    options = ["--points", "30", "--samples", "100", "--size", "1200", "675"]
     done = subprocess.run([*command, *options], env=child_environment, capture_output=True, text=True, check=True)
-    assert done.stdout.startswith(f"{tmp_path / 'clouds.png'}: 30 points x 100 directions; χ² ")
+    assert done.stdout.startswith(f"{tmp_path / 'clouds.png'}: 30 points x 100 directions of offset_sphere(rho=1); θ agrees")
     assert [line for line in done.stderr.splitlines() if "CUDA" not in line] == []
-    image = matplotlib.image.imread(tmp_path / "clouds.png")
-    assert image.shape[:2] == (400, 800)
-    for half in (image[:, :400], image[:, 400:]):
-        assert (half.min(axis=-1) < 0.9).mean() > 0.05
+    image = picture(tmp_path / "clouds.png")
+    assert image.shape == (675, 1200, 3)
+    for part in (image[:, :200], image[:360, 204:640], image[370:, 204:640], image[:330, 660:], image[340:, 660:]):
+        assert (part.min(axis=-1) < 0.9).mean() > 0.02
     assert list(tmp_path.iterdir()) == [tmp_path / "clouds.png"]
 
 
-def test_occlusion_is_drawn_side_by_side(can_render, repository, tmp_path, capsys):
-    """The README's command, smaller: three pictures of the mesh, of what the estimate says."""
-    import matplotlib.image
+def test_a_scene_to_turn_in_a_browser(can_render, call, tmp_path):
+    file = tmp_path / "clouds.html"
+    status, _, err = call("view", "--points", 10, "--samples", 64, "--distribution", "offset_ball", "--screenshot", file)
+    assert (status, err) == (0, "")
+    page = file.read_text()
+    assert len(page) > 100_000
+    assert "10 points x 64 directions of offset_ball; θ agrees" in page
+    assert not re.search(r"<(script|link|img)[^>]*(src|href)=.https?:", page)
 
-    specification = importlib.util.spec_from_file_location("occlusion", repository / "viz" / "occlusion.py")
-    script = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(script)
-    script.main(samples=32, screenshot=tmp_path / "occlusion.png", size=(900, 340))
+
+def test_occlusion_is_drawn_side_by_side(can_render, script, tmp_path, capsys, bunny):
+    """The README's command, smaller: three pictures of the mesh, of what the estimate says."""
+    occlusion = script("occlusion")
+    occlusion.main(samples=32, screenshot=tmp_path / "occlusion.png", size=(900, 340))
     assert re.match(r".*occlusion.png: 6,102 vertices, \d+% of 195,264 rays cast", capsys.readouterr().out)
-    image = matplotlib.image.imread(tmp_path / "occlusion.png")[..., :3]
+    image = picture(tmp_path / "occlusion.png")
     for third in np.split(image, 3, axis=1):
-        assert (np.abs(third - image[0, 0]).max(axis=-1) > 0.1).mean() > 0.1
-    mesh = ws.load_mesh(script.BUNNY)
-    found = ws.ambient_occlusion(mesh, ws.vertex_points(mesh), 32)
-    panels = script.panels_of(found, 32)
+        assert differing(third, image[:1, :1]) > 0.08
+    found = ws.ambient_occlusion(bunny, ws.vertex_points(bunny), 32)
+    panels = occlusion.panels_of(found, 32)
     assert [panel.limits[0] for panel in panels] == [0.0, 0.0, 0.0]
     for panel, values in zip(panels, (found.value, found.standard_error, found.rays), strict=True):
         assert panel.value is values
 
 
-def test_a_cloud_cut_by_the_budget_is_thinner_and_whole(can_render, viewer, monkeypatch, tmp_path, capsys):
-    """The first part of a Fibonacci set would be a cap: every cloud's mean must stay at its sphere's centre."""
-    kept = {}
-    show = plotting.clouds_beside_histogram
-    monkeypatch.setattr(plotting.budgeted, "__defaults__", (2000,))
-    monkeypatch.setattr(plotting, "clouds_beside_histogram", lambda *a, **k: (kept.update(k, title=a[1]), show(*a, **k))[1])
-    monkeypatch.setattr(viewer, "HISTOGRAM_DRAWS", 50_000)
-    viewer.main(points=4, samples=4096, sequence="fibonacci", screenshot=tmp_path / "x.png", size=(800, 400))
-    clouds = kept["clouds"].position.reshape(4, 500, 3)
-    centres = kept["position"] + 0.5 * kept["scale"] * kept["normal"]
-    # 500 lattice points are within 1/500 of the uniform sphere's mean; the first 500 of 4096 were off by 0.44.
-    assert np.abs(clouds.mean(axis=1) - centres).max() <= 0.01 * kept["scale"]
-    assert "4 points x 500 directions (of 4 x 4,096 asked for)" in kept["title"]
-    assert "(of 4 x 4,096 asked for)" in capsys.readouterr().out
+def test_large_meshes_are_drawn_flat(can_render, monkeypatch):
+    """Smoothing a million faces takes seconds."""
+    import pyvista as pv
+
+    monkeypatch.setattr(scenes, "MOST_SMOOTH_FACES", 3)
+    mesh, plotter = ws.as_mesh(pv.Tetrahedron()), pv.Plotter(off_screen=True)
+    assert scenes.draw_mesh(plotter, mesh.vertices, mesh.faces).prop.interpolation.name == "FLAT"
+    monkeypatch.setattr(scenes, "MOST_SMOOTH_FACES", 4)
+    assert scenes.draw_mesh(plotter, mesh.vertices, mesh.faces).prop.interpolation.name != "FLAT"
+    plotter.close()
+
+
+def test_a_picture_that_fails_leaves_no_file(can_render, tmp_path, monkeypatch):
+    import pyvista as pv
+
+    def half(self, path, **keywords):
+        path.write_bytes(b"half")
+        raise OSError("disk full")
+
+    monkeypatch.setattr(pv.Plotter, "screenshot", half)
+    with pytest.raises(OSError, match="disk full"):
+        rendering.save_scene(pv.Plotter(off_screen=True), tmp_path / "x.png", "")
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize(
@@ -136,28 +230,58 @@ def test_a_cloud_cut_by_the_budget_is_thinner_and_whole(can_render, viewer, monk
     [
         ([], "error: there is no screen to open a window on: save a picture with --screenshot FILE"),
         (["--screenshot", "no/such/folder/x.png"], "error: --screenshot: got 'no/such/folder/x.png', whose folder"),
+        (["--screenshot", "x.jpg"], "error: --screenshot: got 'x.jpg', want a file that ends in .png or .html"),
         (["nothing.ply", "--screenshot", "x.png"], "error: path: got 'nothing.ply', which is missing"),
-        (["--size", "0", "9", "--screenshot", "x.png"], "error: --size: got 0 x 9, want at least 600 x 300"),
-        (["--points", "0", "--screenshot", "x.png"], "error: count: got 0"),
+        (["--size", "0", "9", "--screenshot", "x.png"], "error: --size: got 0 x 9, want at least 1200 x 675"),
         (["--distribution", "phong", "--screenshot", "x.png"], "error: distribution: got 'phong'"),
+        (
+            ["--distribution", "offset_disk", "--screenshot", "x.png"],
+            "error: distribution: got OffsetDisk()",
+        ),
+        (["--density", "phong", "--screenshot", "x.png"], "error: distribution: got 'phong'"),
+        (["--sequence", "halton", "--screenshot", "x.png"], "error: sequence: got 'halton'"),
+        (
+            ["--distribution", "beckmann(alpha=1e-6)", "--screenshot", "x.png"],
+            "error: distribution: got Beckmann(alpha=1e-06)",
+        ),
     ],
 )
-def test_viewer_says_what_is_wrong(arguments, message, repository, tmp_path, child_environment):
-    command = [sys.executable, repository / "viz" / "direction_clouds.py", *arguments]
-    done = subprocess.run(command, env=child_environment, capture_output=True, text=True, check=False, cwd=tmp_path)
-    assert done.returncode == 2
-    assert next(line for line in done.stderr.splitlines() if "CUDA" not in line).startswith(message)
-    assert "Traceback" not in done.stderr
+def test_viewer_says_what_is_wrong(arguments, message, call, tmp_path, monkeypatch, can_render):
+    for screen in ("DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(screen, raising=False)
+    monkeypatch.chdir(tmp_path)
+    status, out, err = call("view", *arguments)
+    assert (status, out) == (2, "")
+    assert err.startswith(message)
+    assert err.count("\n") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", [*PNG_SCRIPTS, "occlusion"])
+def test_scripts_say_what_is_wrong(name, script, tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr(rendering, "has_screen", lambda: False)
+    main = script(name).main
+    for wrong in ({}, {"screenshot": tmp_path / "no" / "x.png"}, {"screenshot": tmp_path / "x.gif"}):
+        with pytest.raises(SystemExit) as stop:
+            main(**wrong)
+        assert stop.value.code == 2
+        assert re.match(
+            r"error: (--screenshot: got .*|there is no screen to open a window on: .*)\n$", capsys.readouterr().err
+        )
+    if name != "occlusion":
+        with pytest.raises(SystemExit):
+            main(screenshot=tmp_path / "x.png", size=(100, 2000))
+        assert capsys.readouterr().err.startswith("error: --size: got 100 x 2000, want at least 600 of each")
     assert list(tmp_path.iterdir()) == []
 
 
 def test_a_missing_gl_library_is_a_sentence_and_no_crash(monkeypatch):
-    monkeypatch.setattr(plotting, "_PROBE", "import os; os.abort()")
+    monkeypatch.setattr(rendering, "_PROBE", "import os; os.abort()")
     with pytest.raises(RuntimeError, match="OpenGL library and none works here.*apt-get install libegl1 libgl1-mesa-dri"):
-        plotting.check_rendering()
+        rendering.check_rendering()
 
 
 def test_a_missing_pyvista_says_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "pyvista", None)
     with pytest.raises(ModuleNotFoundError, match=r"^pictures need pyvista: pip install 'warpsample\[viz\]'"):
-        plotting.check_rendering()
+        rendering.check_rendering()

@@ -27,12 +27,13 @@ def blocks(repository, language):
                 r"ambient occlusion: 0\.95[34]\d*, standard error 0\.002\d*, rays skipped: 0\.\d+\n$"
             ),
         ),
+        (2, r"^0\.7[45]\d* 6400\n$"),
         (1, r"^(.*\n)*\[ *-?\d\.?\d*(e-\d+)? +-?\d\.?\d*(e-\d+)? +(0\.666\d*|6\.66\d*e-01)\]\n$"),
     ],
 )
 def test_python_blocks_run_and_print_what_they_say(index, expected, repository, tmp_path, child_environment):
     found = blocks(repository, "python")
-    assert len(found) == 2
+    assert len(found) == 3
     script = tmp_path / "example.py"
     script.write_text(found[index])
     done = subprocess.run([sys.executable, script], env=child_environment, capture_output=True, text=True, check=True)
@@ -43,14 +44,18 @@ def test_python_blocks_run_and_print_what_they_say(index, expected, repository, 
 def test_shell_blocks_are_the_commands_that_are_tested(repository):
     commands = [line for block in blocks(repository, "sh") for line in block.splitlines()]
     assert commands == [
-        "python viz/direction_clouds.py --screenshot clouds.png",  # test_plotting.py, and .ci/run
+        "python viz/direction_clouds.py --screenshot direction_clouds.png",  # test_plotting.py, and .ci/run
         "python3 -m venv .venv && . .venv/bin/activate",  # .ci/run
         "pip install '.[viz,test]'",  # .ci/run
         "pytest",  # this
         "warpsample info MESH",
         "warpsample directions MESH -o directions.npz --count 10000 --samples 64",
         "warpsample bake MESH -o occlusion.ply --quantity ao --samples 256",
-        "python viz/occlusion.py --screenshot occlusion.png",  # test_plotting.py
+        "warpsample view MESH --up z --screenshot clouds.html",
+        "python viz/shirley_overlay.py --screenshot shirley_overlay.png",  # these: test_plotting.py
+        "python viz/offset_family.py --screenshot offset_family.png",
+        "python viz/sequences.py --screenshot sequences.png",
+        "python viz/occlusion.py --screenshot occlusion.png",
         "warpsample verify",  # test_verify.py, on fewer cases
         "warpsample verify --power",
         "warpsample bench directions",  # these: test_bench.py, on smaller sizes
@@ -62,18 +67,19 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
     ]
 
 
-def test_mesh_commands_run(repository, tmp_path, child_environment):
-    trimesh.creation.torus(2.0, 0.5).export(tmp_path / "torus.ply")
+def test_mesh_commands_run(repository, tmp_path, call, can_render, monkeypatch):
+    """As `warpsample` runs them, but in this process, which knows the kernels already."""
+    monkeypatch.chdir(tmp_path)
+    trimesh.creation.torus(2.0, 0.5).export("torus.ply")
     for line in (
         "info MESH",
         "directions MESH -o directions.npz --count 10000 --samples 64",
         "bake MESH -o occlusion.ply --quantity ao --samples 256",
+        "view MESH --up z --screenshot clouds.html",
     ):
         assert f"warpsample {line}" in (repository / "README.md").read_text()
-        command = [sys.executable, "-m", "warpsample.cli", *line.replace("MESH", "torus.ply").split()]
-        subprocess.run(command, env=child_environment, check=True, cwd=tmp_path, capture_output=True)
-    assert (tmp_path / "directions.npz").is_file()
-    assert (tmp_path / "occlusion.ply").is_file()
+        assert call(*line.replace("MESH", "torus.ply").split())[0] == 0
+    assert {path.name for path in tmp_path.iterdir()} == {"torus.ply", "directions.npz", "occlusion.ply", "clouds.html"}
 
 
 def test_the_table_of_distributions_is_that_of_the_registry(repository):

@@ -24,6 +24,7 @@ def panels_of(found: ws.Estimate, samples: int) -> list[Panel]:
     ]
 
 
+@fail_plainly()
 def main(
     mesh: Annotated[Path | None, typer.Argument(help="Mesh file; by default the bunny inside warp-lang.")] = None,
     samples: Annotated[int, typer.Option(help="Rays of each vertex.")] = 1024,
@@ -51,5 +52,4 @@ def main(
 
 if __name__ == "__main__":
     wp.config.log_level = wp.LOG_WARNING
-    with fail_plainly():
-        typer.run(main)
+    typer.run(main)

@@ -16,6 +16,7 @@ _TEXT, _SMALL = 11, 10
 _WIDTH = 7.4  # inches of the sheet, for which its text is sized
 _SURE = 1e-6  # p-values below it, or above 1 - it, are no chance
 _MOST_SIGMA = 6.0
+_MOST_WRONG = 3.0  # times the density: what is taller is cut
 _BAND = 2.0  # standard deviations
 
 
@@ -137,7 +138,8 @@ class _Histogram:
             self._below.set(xlim=(low, high), xticks=ticks)
             self._below.set_xticklabels([f"{tick:.4g}" for tick in ticks])
             self._above.set_xticklabels([])
-        top = _round_up(1.15 * float(seen.expected.max(initial=1e-9)))
+        tallest = float(seen.expected.max(initial=1e-9))
+        top = _round_up(1.15 * min(max(tallest, float(seen.observed.max())), _MOST_WRONG * tallest))
         if self._above.get_ylim() != (0.0, top):
             self._above.set_ylim(0.0, top)
 

@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from functools import lru_cache
 from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -85,9 +86,13 @@ def check_rendering() -> None:
     if not has_screen():
         # Without a screen VTK tries X first and complains on stderr before it takes EGL.
         os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
-    probe = subprocess.run([sys.executable, "-c", _PROBE], capture_output=True, check=False)
-    if probe.returncode != 0:
+    if not _renders(_PROBE):
         raise RuntimeError(_NO_GL)
+
+
+@lru_cache
+def _renders(probe: str) -> bool:
+    return subprocess.run([sys.executable, "-c", probe], capture_output=True, check=False).returncode == 0
 
 
 def budgeted(points: int, count: int, budget: int = MOST_POINTS) -> tuple[int, int]:
@@ -118,7 +123,7 @@ def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
             if path.suffix == ".png":
                 plotter.screenshot(partial, return_img=False)
             else:
-                plotter.export_html(partial)
+                plotter.trame.export_html(partial)
                 partial.write_text(partial.read_text().replace("</body>", _CAPTION.format(escape(caption)) + "</body>"))
     except ImportError as error:
         raise ModuleNotFoundError(f"an .html scene needs trame-pyvista: pip install 'warpsample[viz]' ({error})") from None

@@ -83,7 +83,7 @@ class Sheet:
         corners.SetCoordinateSystemToNormalizedViewport()
         mapper = vtkPolyDataMapper2D()
         mapper.SetTransformCoordinate(corners)
-        mapper.SetInputData(pv.Plane((0.5, 0.5, 0.0), i_resolution=1, j_resolution=1))
+        mapper.SetInputData(pv.Plane(center=(0.5, 0.5, 0.0), i_resolution=1, j_resolution=1))
         self.actor = vtkTexturedActor2D()
         self.actor.SetMapper(mapper)
         plotter.add_actor(self.actor, pickable=False)

@@ -142,7 +142,7 @@ def draw_half_angle(axes: "Axes", theta: float = 1.15) -> None:
         middle = (radius + 0.13) * np.array([np.sin(angle / 2), np.cos(angle / 2)]) + centre
         axes.text(*middle, name, fontsize=15, ha="center", va="center", color=INK)
     axes.text(-0.14, 0.5, "n", fontsize=15, color=INK)
-    axes.text(0.45, 1.36, "ω$_{temp}$", fontsize=15, color=DOTS)
+    axes.text(0.25, 1.0, "ω$_{temp}$", fontsize=14, color=DOTS)
     axes.text(0.62, 0.3, "ω, not yet\nnormalised", fontsize=12, color=LOBE)
     axes.set(aspect="equal", xlim=(-1.15, 1.45), ylim=(-0.15, 2.1))
     axes.set_title("why it is a cosine lobe: θ = 2θ′,\nso sin θ/2 dθ becomes sin 2θ′ dθ′", fontsize=12)

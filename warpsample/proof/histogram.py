@@ -74,18 +74,3 @@ def joined_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest | N
     if len(starts) < 2:
         return None
     return histogram_test(np.add.reduceat(observed, starts), np.add.reduceat(expected, starts))
-
-
-def cosine_lobe_angles(theta: np.ndarray, cells: int) -> tuple[np.ndarray, HistogramTest]:
-    """Angles from the normal against sin 2 theta, the density of theta in the cosine lobe.
-
-    Args:
-        theta: (N,) radians, from independent directions. Angles outside [0, pi/2] count in the nearest cell.
-        cells: of equal width over [0, pi/2].
-
-    Returns:
-        the (cells + 1,) edges in radians and the test.
-    """
-    edges = np.linspace(0.0, np.pi / 2, cells + 1)
-    observed, _ = np.histogram(np.clip(theta, 0.0, np.pi / 2), edges)
-    return edges, histogram_test(observed, theta.size * np.diff(np.sin(edges) ** 2))

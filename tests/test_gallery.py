@@ -1,0 +1,84 @@
+"""The notebook runs; the gallery makes its pictures and a page that a browser shows without any other file."""
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+
+import matplotlib.image
+import nbformat
+import pytest
+from nbclient import NotebookClient
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+HEADLESS = (
+    "--headless --no-sandbox --disable-quic --no-first-run --disable-background-networking --disable-component-update "
+    "--disable-sync --use-angle=swiftshader --enable-unsafe-swiftshader --virtual-time-budget=20000 --window-size=1000,900"
+)
+ASK = """<script>addEventListener("load", () => {
+  const said = document.createElement("pre"); said.id = "said";
+  said.textContent = JSON.stringify([...document.images].map(i => [i.alt, i.naturalWidth, i.naturalHeight]));
+  document.body.append(said); });</script>"""
+
+
+def test_the_notebook_runs(can_render, repository):
+    """From start to end; it shows four pictures, and its numbers are those that its text promises."""
+    notebook = nbformat.read(repository / "viz" / "tour.ipynb", as_version=4)
+    NotebookClient(notebook, timeout=300, kernel_name="python3").execute()
+    outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
+    assert sum("image/png" in output.get("data", {}) for output in outputs) == 4
+    text = "".join(output.get("text", "") + output.get("data", {}).get("text/plain", "") for output in outputs)
+    assert "((2000, 256, 3), {<Status.OK: 0>: 2000})" in text
+    assert "3.14159" in text
+    assert re.search(r"6,102 vertices, \d+ of 256 rays cast at each, RMS standard error 0\.00\d+", text)
+
+
+def test_every_picture_of_the_readme_is_in_the_gallery(repository, script):
+    shown = re.findall(r"!\[[^]]*\]\(viz/(\w+)\.png\)", (repository / "README.md").read_text())
+    assert len(shown) == len(set(shown))
+    assert set(shown) <= {shot.name for shot in script("gallery").SHOTS}
+    assert {shot.name for shot in script("gallery").SHOTS} - set(shown) <= {"direction_clouds_wrong"}
+
+
+def test_a_picture_that_cannot_be_made_is_a_sentence(script, tmp_path, monkeypatch, capsys):
+    gallery = script("gallery")
+    broken = gallery.Shot("x", "x", "x", "viz/nothing.py --screenshot FILE")
+    monkeypatch.setattr(gallery, "SHOTS", (broken,))
+    with pytest.raises(SystemExit):
+        gallery.main(output=tmp_path / "out")
+    said = capsys.readouterr().err
+    assert said.startswith("error: python viz/nothing.py --screenshot FILE: ")
+    assert "can't open file" in said
+    assert list((tmp_path / "out").iterdir()) == []
+    (tmp_path / "file").touch()
+    with pytest.raises(SystemExit):
+        gallery.main(output=tmp_path / "file")
+    assert "which is a file, want a folder" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_the_page_in_a_browser(can_render, repository, tmp_path, child_environment):
+    if CHROMIUM is None:
+        pytest.skip("no Chromium: apt-get install chromium")
+    command = [sys.executable, repository / "viz" / "gallery.py", "--no-benchmarks", "-o", tmp_path / "gallery"]
+    done = subprocess.run(command, env=child_environment, capture_output=True, text=True, check=True)
+    page = tmp_path / "gallery" / "index.html"
+    assert done.stdout == f"{page}: 6 pictures\n"
+    html = page.read_text(encoding="utf-8")
+    outside_scene = re.sub(r'srcdoc="[^"]*"', "", html)
+    assert not re.search(r"(src|href)=.(https?:|//|[\w./]+\.(png|js|css))", outside_scene)
+
+    asked, shot = tmp_path / "asked.html", tmp_path / "page.png"
+    asked.write_text(html.replace("</body>", ASK + "</body>"), encoding="utf-8")
+    browser = [CHROMIUM, *HEADLESS.split(), f"--user-data-dir={tmp_path / 'profile'}"]
+    dom = subprocess.run([*browser, "--dump-dom", asked.as_uri()], capture_output=True, text=True, check=True).stdout
+    images = json.loads(re.search(r'<pre id="said">(.*?)</pre>', dom)[1])
+    assert [name for name, _, _ in images] == re.findall(r'<img alt="([^"]*)"', html)
+    assert all(width >= 1600 and height >= 600 for _, width, height in images)
+    # Scrolled to its end the page shows the scene that can be turned: it must be drawn by the browser itself.
+    tall = [part if "window-size" not in part else "--window-size=1000,6000" for part in browser]
+    subprocess.run([*tall, f"--screenshot={shot}", page.as_uri()], capture_output=True, check=True)
+    scene = matplotlib.image.imread(shot)[-1500:, 200:800, :3]
+    colourful = (scene.max(axis=-1) - scene.min(axis=-1)) > 0.3  # viridis, which no text has
+    assert colourful.mean() > 0.005
