@@ -16,6 +16,8 @@ from warpsample.bench import child, directions, error, machine, peer_jobs, peers
 from warpsample.bench.integrands import INTEGRANDS, evaluate
 from warpsample.bench.timing import Spread
 
+pytestmark = pytest.mark.slow  # peers and timers, in processes of their own
+
 STARTS = [startup.Startup("cold", 0.5, 0.1, 2.0, 0.5)]
 
 

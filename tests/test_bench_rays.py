@@ -8,6 +8,8 @@ from test_bench import lines_of, not_blank, run_command
 
 from warpsample.bench import plots, rays, report, scenes, timing, tracers
 
+pytestmark = pytest.mark.slow  # peers and timers, in processes of their own
+
 
 @pytest.fixture(scope="module")
 def measured():

@@ -8,6 +8,8 @@ from test_bench import lines_of, not_blank, run_command
 
 from warpsample.bench import plots, report, visibility, visibility_jobs
 
+pytestmark = pytest.mark.slow  # peers and timers, in processes of their own
+
 TOOLS = ["warpsample", "trimesh + embreex"]
 
 

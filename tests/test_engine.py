@@ -157,6 +157,7 @@ announce("end")
 """
 
 
+@pytest.mark.slow
 def test_every_loop_of_directions_is_vectorised(tmp_path, child_environment):
     """By the compiler's own remarks, with a cold cache, in two processes."""
     halves = [VECTORISED[::2], VECTORISED[1::2]]
@@ -202,6 +203,7 @@ def all_kernels():
                 yield f"{func.key} {case}", elementwise(bound, width, out)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("label", "kernel"), [pytest.param(*pair, id=pair[0]) for pair in all_kernels()])
 def test_every_kernel_compiles_for_cuda(label, kernel, tmp_path):
     """To PTX, by the compiler inside warp-lang; no driver needed."""

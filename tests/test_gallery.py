@@ -22,6 +22,7 @@ ASK = """<script>addEventListener("load", () => {
   document.body.append(said); });</script>"""
 
 
+@pytest.mark.slow
 def test_the_notebook_runs(can_render, repository):
     """From start to end; it shows four pictures, and its numbers are those that its text promises."""
     notebook = nbformat.read(repository / "viz" / "tour.ipynb", as_version=4)

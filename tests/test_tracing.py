@@ -407,6 +407,7 @@ for kernel in (
 """
 
 
+@pytest.mark.slow
 def test_the_hot_loops_are_vectorised(tmp_path, child_environment):
     """By the compiler's own remarks.
 

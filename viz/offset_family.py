@@ -1,5 +1,6 @@
 """The projected offset sets: a circle, disk, sphere or ball about the tip of the normal, normalised."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
@@ -19,18 +20,28 @@ from warpsample.proof.histogram import joined_test
 SHOWN = 400  # points of a set that are drawn
 CELLS = 60
 SETS = (
-    ("circle", ws.OffsetCircle(), "1/π", lambda u: routes.circle(u[:, 0])),
-    ("disk", ws.OffsetDisk(), "2cos²θ/π", routes.disk),
-    ("sphere", ws.OffsetSphere(), "sin 2θ", routes.sphere),
-    ("ball", ws.OffsetBall(), "4cos³θ sinθ", routes.ball),
+    ("circle about n, in 2-D", ws.OffsetCircle(), "1/π", lambda u: routes.circle(u[:, 0])),
+    ("disk about n, in 2-D", ws.OffsetDisk(), "2cos²θ/π", routes.disk),
+    ("sphere about n, in 3-D", ws.OffsetSphere(), "sin 2θ", routes.sphere),
+    ("ball about n, in 3-D", ws.OffsetBall(), "4cos³θ sinθ", routes.ball),
 )
-RADII = (0.5, 0.9, 2.0)
+SPHERES = tuple(
+    (f"sphere of radius ρ = {rho:g}", ws.OffsetSphere(rho), "density", lambda u, rho=rho: rho * routes.sphere(u))
+    for rho in (0.5, 0.9, 2.0)
+)
 
 
 def panel(
-    distribution: Distribution, title: str, formula: str, count: int, seed: int, **points: np.ndarray
+    title: str,
+    distribution: Distribution,
+    formula: str,
+    points: Callable[[np.ndarray], np.ndarray],
+    count: int,
+    seed: int,
 ) -> sheets.SetPanel:
-    """Angles of `count` independent directions against the distribution's own density."""
+    """Angles of `count` independent directions against the distribution's own density, and a few points of its set."""
+    u = [ws.sample_square(name, 1, SHOWN, seed)[0] for name in ("r2", "independent")]
+    moved = points(np.concatenate(u, axis=1)[:, :3]) + np.eye(distribution.width)[-1]
     w = distribution.sample(ws.sample_square("independent", 1, count, seed)[0])
     chart = chart_of(distribution)
     low = 0.0 if chart is SPHERE else -np.pi / 2
@@ -40,8 +51,8 @@ def panel(
     fine = np.linspace(low, high, 10 * CELLS + 1)
     return sheets.SetPanel(
         title=title,
-        points=points.get("points"),
-        directions=points.get("directions"),
+        points=moved[:, [0, -1]],
+        directions=routes.normalized(moved)[:, [0, -1]],
         edges=np.degrees(edges),
         observed=observed / (count * np.diff(edges)),
         angles=np.degrees(0.5 * (fine[1:] + fine[:-1])),
@@ -51,24 +62,6 @@ def panel(
     )
 
 
-def sets(count: int, seed: int) -> list[sheets.SetPanel]:
-    """The four of the family, with points of each set and their projections, seen from the side."""
-    u = np.concatenate(
-        [ws.sample_square("r2", 2, SHOWN, seed)[0], ws.sample_square("independent", 1, SHOWN, seed)[0]], axis=1
-    )
-    found = []
-    for name, distribution, formula, points in SETS:
-        moved = points(u[:, :3]) + np.eye(distribution.width)[-1]
-        side = {"points": moved[:, [0, -1]], "directions": routes.normalized(moved)[:, [0, -1]]}
-        found.append(panel(distribution, f"{name} about n, in {distribution.width}-D", formula, count, seed, **side))
-    return found
-
-
-def spheres(count: int, seed: int) -> list[sheets.SetPanel]:
-    """Spheres of other radii."""
-    return [panel(ws.OffsetSphere(rho), f"sphere of radius ρ = {rho:g}", "density", count, seed) for rho in RADII]
-
-
 @fail_plainly()
 def main(
     count: Annotated[int, typer.Option(help="Independent directions of each histogram.")] = 200_000,
@@ -76,7 +69,7 @@ def main(
     screenshot: Annotated[
         Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)
     ] = None,
-    size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1600, 1300),
+    size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1600, 1650),
 ) -> None:
     """See the projected offset sets: points, histograms against their densities, other radii, and a proof.
 
@@ -87,9 +80,9 @@ def main(
     rendering.check_figure_size(size)
     check_integer(count, "--count", 1000, 100_000_000)
     rendering.check_rendering()
-    four, others = sets(count, seed), spheres(count, seed)
+    four, others = ([panel(*row, count, seed) for row in rows] for rows in (SETS, SPHERES))
     what = f"{count:,} independent directions each, seed {seed}"
-    figure = sheets.family_sheet(four, others, f"{what}; above: {SHOWN} points of each set, seen from the side")
+    figure = sheets.family_sheet(four, others, f"{what}; {SHOWN} points of each set, seen from the side")
     rendering.size_figure(figure, size)
     worst = min(each.test.p_value for each in four + others)
     show_or_save(figure, screenshot, f"{what}; smallest p-value of {len(four + others)} tests {worst:.3f}")

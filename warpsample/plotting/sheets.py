@@ -81,8 +81,8 @@ class SetPanel:
 
     Attributes:
         title: above.
-        points: (N, 2) of the set, normal up; None where the set is not drawn.
-        directions: (N, 2) the same, projected onto the unit circle or sphere; None as well.
+        points: (N, 2) of the set, normal up.
+        directions: (N, 2) the same, projected onto the unit circle or sphere.
         edges: (K + 1,) degrees.
         observed: (K,) per radian.
         angles: (M,) degrees.
@@ -92,8 +92,8 @@ class SetPanel:
     """
 
     title: str
-    points: np.ndarray | None
-    directions: np.ndarray | None
+    points: np.ndarray
+    directions: np.ndarray
     edges: np.ndarray
     observed: np.ndarray
     angles: np.ndarray
@@ -103,25 +103,22 @@ class SetPanel:
 
 
 def family_sheet(sets: list[SetPanel], spheres: list[SetPanel], caption: str) -> "Figure":
-    """The projected offset sets: points, histograms; spheres of other radii; and the half angle that proves the third.
+    """The projected offset sets and spheres of other radii: points, histograms; and the half angle that proves the third.
 
     Args:
-        sets: four, with points.
-        spheres: three, without.
+        sets: four.
+        spheres: three.
         caption: below.
     """
     from matplotlib.figure import Figure  # noqa: PLC0415
 
-    figure = Figure(figsize=(16.0, 13.0), layout="constrained", dpi=100)
-    grid = figure.subplots(3, 4, height_ratios=(1.15, 1.0, 1.0))
-    for column, panel in enumerate(sets):
-        _draw_set(grid[0, column], panel)
-        _draw_density(grid[1, column], panel)
-        grid[0, column].set_title(panel.title, fontsize=15)
-    for axes, panel in zip(grid[2], spheres, strict=False):
-        _draw_density(axes, panel)
-        axes.set_title(f"{panel.title}\n{axes.get_title()}", fontsize=12)
-    draw_half_angle(grid[2, 3])
+    figure = Figure(figsize=(16.0, 16.5), layout="constrained", dpi=100)
+    grid = figure.add_gridspec(4, 4, height_ratios=(1.15, 1.0, 1.15, 1.0))
+    for row, panels in ((0, sets), (2, spheres)):
+        for column, panel in enumerate(panels):
+            _draw_set(figure.add_subplot(grid[row, column]), panel)
+            _draw_density(figure.add_subplot(grid[row + 1, column]), panel)
+    draw_half_angle(figure.add_subplot(grid[2:, 3]))
     figure.supxlabel(caption, fontsize=11, color=INK)
     return figure
 
@@ -132,20 +129,18 @@ def draw_half_angle(axes: "Axes", theta: float = 1.15) -> None:
     axes.plot(np.sin(turn), 1.0 + np.cos(turn), color="0.7", linewidth=1)
     point = np.array([np.sin(theta), 1.0 + np.cos(theta)])
     for end, start, colour in (((0, 1), (0, 0), INK), (point, (0, 1), DOTS), (point, (0, 0), LOBE)):
-        axes.annotate(
-            "", end, start, arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2, "shrinkA": 0, "shrinkB": 0}
-        )
+        _arrow(axes, end, start, colour)
     axes.plot([0, 0], [1, 2], color="0.7", linewidth=1, linestyle="--")
     for centre, angle, radius, name in (((0, 1), theta, 0.35, "θ"), ((0, 0), theta / 2, 0.6, "θ′")):
         arc = np.linspace(0.0, angle, 40)
         axes.plot(centre[0] + radius * np.sin(arc), centre[1] + radius * np.cos(arc), color=INK, linewidth=1.2)
         middle = (radius + 0.13) * np.array([np.sin(angle / 2), np.cos(angle / 2)]) + centre
-        axes.text(*middle, name, fontsize=15, ha="center", va="center", color=INK)
-    axes.text(-0.14, 0.5, "n", fontsize=15, color=INK)
-    axes.text(0.25, 1.0, "ω$_{temp}$", fontsize=14, color=DOTS)
-    axes.text(0.62, 0.3, "ω, not yet\nnormalised", fontsize=12, color=LOBE)
-    axes.set(aspect="equal", xlim=(-1.15, 1.45), ylim=(-0.15, 2.1))
-    axes.set_title("why it is a cosine lobe: θ = 2θ′,\nso sin θ/2 dθ becomes sin 2θ′ dθ′", fontsize=12)
+        axes.text(*middle, name, fontsize=19, ha="center", va="center", color=INK)
+    axes.text(-0.2, 0.5, "n", fontsize=19, color=INK)
+    axes.text(0.97, 1.42, "ω$_{temp}$", fontsize=19, color=DOTS)
+    axes.text(0.86, 0.25, "ω, not yet\nnormalised", fontsize=15, color=LOBE)
+    axes.set(aspect="equal", xlim=(-1.1, 1.75), ylim=(-0.15, 2.1))
+    axes.set_title("why it is a cosine lobe: θ = 2θ′,\nso sin θ/2 dθ becomes sin 2θ′ dθ′", fontsize=15)
     axes.axis("off")
 
 
@@ -196,15 +191,20 @@ def sequence_sheet(
     return figure
 
 
+def _arrow(axes: "Axes", end: tuple[float, float], start: tuple[float, float], colour: str) -> None:
+    style = {"arrowstyle": "-|>", "color": colour, "linewidth": 2, "shrinkA": 0, "shrinkB": 0}
+    axes.annotate("", end, start, arrowprops=style)
+
+
 def _draw_set(axes: "Axes", panel: SetPanel) -> None:
     turn = np.linspace(-np.pi / 2, np.pi / 2, 91)
     axes.plot(np.sin(turn), np.cos(turn), color="0.75", linewidth=1)
     axes.plot(*panel.points.T, ".", color=BARS, markersize=4, label="n + point of the set")
     axes.plot(*panel.directions.T, ".", color=LOBE, markersize=4, label="projected: ω")
-    axes.annotate(
-        "", (0, 1), (0, 0), arrowprops={"arrowstyle": "-|>", "color": INK, "linewidth": 2, "shrinkA": 0, "shrinkB": 0}
-    )
-    axes.set(aspect="equal", xlim=(-1.3, 1.3), ylim=(-0.12, 2.35), xticks=(-1, 0, 1), yticks=(0, 1, 2))
+    _arrow(axes, (0, 1), (0, 0), INK)
+    reach = max(1.0, float(np.abs(panel.points - [0.0, 1.0]).max()))
+    axes.set(aspect="equal", xlim=(-1.3 * reach, 1.3 * reach), ylim=(min(-0.12, 0.95 - reach), 1.0 + 1.4 * reach))
+    axes.set_title(panel.title, fontsize=15)
     axes.legend(loc="upper center", ncols=2, frameon=False, fontsize=10, handletextpad=0.1, columnspacing=0.8, markerscale=2)
 
 
