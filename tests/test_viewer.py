@@ -254,6 +254,7 @@ def test_ten_million_directions_are_a_bounded_picture(can_render, monkeypatch):
     on_mesh, near = drawn(made)
     assert (len(on_mesh), len(near)) == (1_000_000, 1000)
     assert "1,000,000 points x 1 directions (of 10,000,000 x 1,000 asked for)" in made._says.input
+    assert "normals of 100,000 of them" in made._says.input
     assert np.abs(on_mesh).max() <= 0.5 + made.scale
     assert on_mesh.dtype == np.float32
     made.plotter.close()

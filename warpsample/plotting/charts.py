@@ -17,6 +17,7 @@ _WIDTH = 7.4  # inches of the sheet, for which its text is sized
 _SURE = 1e-6  # p-values below it, or above 1 - it, are no chance
 _MOST_SIGMA = 6.0
 _MOST_WRONG = 3.0  # times the density: what is taller is cut
+_MOST_STILLS = 64  # sheets of 3 MB that are kept
 _BAND = 2.0  # standard deviations
 
 
@@ -65,10 +66,18 @@ class LobeCharts:
         self._canvas = FigureCanvasAgg(self.figure)
         self.theta = _Histogram(self.figure, (0.1, 0.685, 0.88, 0.25), (0.1, 0.575, 0.88, 0.085), "θ", "from the normal")
         self.azimuth = _Histogram(self.figure, (0.1, 0.185, 0.37, 0.235), (0.1, 0.075, 0.37, 0.085), "φ", "about the normal")
-        self.theta.legend()
+        what = {
+            "loc": "upper right",
+            "bbox_to_anchor": (0.99, 1.005),
+            "frameon": False,
+            "fontsize": _TEXT,
+            "handlelength": 1.2,
+        }
+        self.figure.legend(handles=self.theta.handles, **what)
         self.disk = _Disk(self.figure, (0.56, 0.085, 0.42, 0.335))
         self._parts = (self.theta, self.azimuth, self.disk)
-        self._still: tuple[Any, Any] | None = None
+        self._frames: tuple[Any, ...] = ()
+        self._stills: dict[tuple[Any, ...], Any] = {}
 
     def draw(self, theta: AngleHistogram, azimuth: AngleHistogram, disk: np.ndarray) -> np.ndarray:
         """The sheet as (H, W, 3) uint8.
@@ -81,15 +90,29 @@ class LobeCharts:
         self.theta.show(theta)
         self.azimuth.show(azimuth)
         self.disk.show(disk)
-        frame = (*self.theta.frame, *self.azimuth.frame)
-        if self._still is None or self._still[0] != frame:
-            self._canvas.draw()  # animated artists stay out
-            self._still = (frame, self._canvas.copy_from_bbox(self.figure.bbox))
-        self._canvas.restore_region(self._still[1])
+        self._draw_still()
         for part in self._parts:
             for axes, artist in part.moving:
                 axes.draw_artist(artist)
         return np.asarray(self._canvas.buffer_rgba())[..., :3].copy()
+
+    def _draw_still(self) -> None:
+        """The axes, of which only those are drawn anew that span something else; animated artists stay out."""
+        frames = tuple(part.frame for part in self._parts)
+        if frames in self._stills:
+            self._canvas.restore_region(self._stills[frames])
+        elif not self._stills:
+            self._canvas.draw()
+        else:
+            self._canvas.restore_region(self._stills[self._frames])
+            for part, before, now in zip(self._parts, self._frames, frames, strict=True):
+                if before != now:
+                    part.draw_still(self._canvas)
+        if frames not in self._stills:
+            if len(self._stills) == _MOST_STILLS:
+                self._stills.clear()
+            self._stills[frames] = self._canvas.copy_from_bbox(self.figure.bbox)
+        self._frames = frames
 
 
 class _Histogram:
@@ -97,6 +120,7 @@ class _Histogram:
 
     def __init__(self, figure: Any, above: tuple[float, ...], below: tuple[float, ...], name: str, label: str):
         self._name = name
+        self._box = (above[0] - 0.1, below[1] - 0.075, above[0] + above[2] + 0.02, above[1] + above[3] + 0.012)
         self._above, self._below = figure.add_axes(above), figure.add_axes(below)
         one, unit = np.zeros(1), np.array([0.0, 1.0])
         bars = self._above.stairs(one, unit, fill=True, color=BARS, label="directions", animated=True)
@@ -104,8 +128,10 @@ class _Histogram:
         says = self._above.text(0.0, 1.03, "", transform=self._above.transAxes, fontsize=_TEXT, color=INK, animated=True)
         residuals = self._below.stairs(one, unit, fill=True, color=BARS, animated=True)
         self.moving = ((self._above, bars), (self._above, curve), (self._above, says), (self._below, residuals))
+        self.handles = [bars, curve]
         self._above.set_ylabel("density [1/rad]", fontsize=_TEXT)
         self._above.set_xticklabels([])
+        self._above.locator_params(axis="y", nbins=5)
         self._below.set(ylim=(-_MOST_SIGMA, _MOST_SIGMA), yticks=(-4, 0, 4))
         self._below.axhspan(-_BAND, _BAND, color="0.92")
         self._below.axhline(0, color="0.3", linewidth=0.8)
@@ -114,14 +140,20 @@ class _Histogram:
         for axes in (self._above, self._below):
             axes.tick_params(labelsize=_SMALL)
 
-    def legend(self) -> None:
-        """Says what bars and line are."""
-        self._above.legend(loc="upper right", frameon=False, fontsize=_TEXT, handlelength=1.2)
-
     @property
     def frame(self) -> tuple[float, ...]:
         """What the axes span."""
         return (*self._above.get_xlim(), *self._above.get_ylim())
+
+    def draw_still(self, canvas: Any) -> None:
+        """Draws the axes anew, with their labels around them."""
+        pixels = np.asarray(canvas.buffer_rgba())
+        height, width = pixels.shape[:2]
+        left, bottom, right, top = self._box
+        rows = slice(round((1.0 - top) * height), round((1.0 - bottom) * height))
+        pixels[rows, round(left * width) : round(right * width)] = 255
+        for axes in (self._above, self._below):
+            axes.draw(canvas.get_renderer())
 
     def show(self, seen: AngleHistogram) -> None:
         """Takes new data; the axes change in steps only, so that most drawings can keep them."""
@@ -133,7 +165,7 @@ class _Histogram:
         residuals.set_data(np.clip(seen.residuals, -_MOST_SIGMA, _MOST_SIGMA), seen.edges)
         low, high = float(seen.edges[0]), float(seen.edges[-1])
         if self._below.get_xlim() != (low, high):
-            ticks = np.linspace(low, high, 7)
+            ticks = np.linspace(low, high, 4)
             self._above.set(xlim=(low, high), xticks=ticks)
             self._below.set(xlim=(low, high), xticks=ticks)
             self._below.set_xticklabels([f"{tick:.4g}" for tick in ticks])
@@ -154,6 +186,7 @@ class _Disk:
         (rim,) = axes.plot(np.cos(turn), np.sin(turn), color=INK, linewidth=1, animated=True)
         says = axes.text(0.0, 1.03, "", transform=axes.transAxes, fontsize=_TEXT, color=INK, animated=True)
         self.moving = ((axes, points), (axes, rim), (axes, says))
+        self.frame = ()  # is always the same
         axes.set(aspect="equal", xlim=(-1.03, 1.03), ylim=(-1.03, 1.03), xticks=(-1, 0, 1), yticks=(-1, 0, 1))
         axes.tick_params(labelsize=_SMALL)
         axes.set_xlabel("ω·t", fontsize=_TEXT)
@@ -163,7 +196,7 @@ class _Disk:
         """Takes new points."""
         points, _, says = (artist for _, artist in self.moving)
         points.set_data(disk[:, 0], disk[:, 1])
-        says.set_text(f"{len(disk):,} directions of the chosen\npoint, seen along the normal")
+        says.set_text(f"{len(disk):,} directions of the\nchosen point, along n")
 
 
 def _round_up(x: float) -> float:

@@ -103,7 +103,7 @@ def budgeted(points: int, count: int, budget: int = MOST_POINTS) -> tuple[int, i
 
 def clouds_told(shown: tuple[int, int], asked: tuple[int, int]) -> str:
     """What a picture says of its budget: (points, directions of each) that are drawn, and that were asked for."""
-    said = f"{shown[0]:,} points x {shown[1]:,} directions"
+    said = f"{shown[0]:,} {'point' if shown[0] == 1 else 'points'} x {shown[1]:,} directions"
     return said if shown == asked else f"{said} (of {asked[0]:,} x {asked[1]:,} asked for)"
 
 

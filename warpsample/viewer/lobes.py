@@ -14,8 +14,8 @@ from warpsample.proof.quadrature import cell_masses
 from warpsample.proof.twins import frames
 from warpsample.surface import SurfacePoints
 
-CELLS, SECTORS = 60, 36
-_FINE = 6  # points of the density's line in a cell
+CELLS, SECTORS = 45, 24
+_FINE = 8  # points of the density's line in a cell
 _RINGS, _SPOKES = 96, 72
 _PILOT = 4096
 _ALMOST_ALL = 0.998
@@ -147,27 +147,35 @@ def lobe_of(claim: Distribution) -> Lobe:
         ValueError: it is narrower than float32 directions about a normal resolve.
     """
     pilot = claim.sample(sample_square("fibonacci", 1, _PILOT)[0])
-    pdf = claim.pdf(pilot)
-    reach = np.degrees(np.quantile(SPHERE.polar(pilot), _ALMOST_ALL))
+    high = _reach(claim, pilot)
+    edges = np.append(np.linspace(0.0, high, CELLS + 1), max(np.pi, high + 1e-9))
+    theta, azimuth = _masses(claim, edges)
+    fine = np.linspace(0.0, high, _FINE * CELLS + 1) if claim.symmetric else edges[:-1]
+    line = (np.diff(claim.cdf(fine)) if claim.symmetric else theta[:-1]) / np.diff(fine)
+    grid = SPHERE.point(np.linspace(0.0, high, _RINGS)[:, None], np.linspace(0.0, 1.0, _SPOKES)).astype(np.float32)
+    pdf, on_grid = claim.pdf(pilot), claim.pdf(grid)
+    peak = min(float(max(pdf.max(), on_grid.max())), _TALLEST * float(np.median(pdf)))
+    surface = np.minimum(on_grid / peak, 1.0)[..., None] * grid
+    return Lobe(surface, peak, edges, theta, azimuth, 0.5 * (fine[1:] + fine[:-1]), line)
+
+
+def _reach(claim: Distribution, pilot: np.ndarray) -> float:
+    """The angle, round in degrees, within which almost all directions are."""
+    reach = float(np.degrees(np.quantile(SPHERE.polar(pilot), _ALMOST_ALL)))
     if reach < _NARROWEST:
         raise ValueError(
             f"distribution: got {claim!r}, a lobe of {reach:.1g} degrees, want one of {_NARROWEST} at least to see"
         )
-    high = np.radians(next(angle for angle in _ROUND if angle >= reach - 1e-3))
-    edges = np.append(np.linspace(0.0, high, CELLS + 1), max(np.pi, high + 1e-9))
+    return float(np.radians(next(angle for angle in _ROUND if angle >= reach - 1e-3)))
+
+
+def _masses(claim: Distribution, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Chances of the cells of theta, and of the sectors."""
     if claim.symmetric:
-        theta, azimuth = np.diff(claim.cdf(edges)), np.full(SECTORS, 1.0 / SECTORS)
-        fine = np.linspace(0.0, high, _FINE * CELLS + 1)
-    else:
-        masses = cell_masses(claim, edges, SECTORS)
-        theta, azimuth, fine = masses.sum(axis=1), masses.sum(axis=0), edges[:-1]
-    line = np.diff(claim.cdf(fine)) / np.diff(fine) if claim.symmetric else theta[:-1] / np.diff(fine)
-    rings, turns = np.linspace(0.0, high, _RINGS), np.linspace(0.0, 1.0, _SPOKES)
-    grid = SPHERE.point(rings[:, None], turns).astype(np.float32)
-    on_grid = claim.pdf(grid)
-    peak = min(float(max(pdf.max(), on_grid.max())), _TALLEST * float(np.median(pdf)))
-    surface = np.minimum(on_grid / peak, 1.0)[..., None] * grid
-    return Lobe(surface, peak, edges, theta / theta.sum(), azimuth / azimuth.sum(), 0.5 * (fine[1:] + fine[:-1]), line)
+        return np.diff(claim.cdf(edges)), np.full(SECTORS, 1.0 / SECTORS)
+    masses = cell_masses(claim, edges, SECTORS)
+    masses /= masses.sum()
+    return masses.sum(axis=1), masses.sum(axis=0)
 
 
 def histograms(local: np.ndarray, lobe: Lobe) -> tuple[AngleHistogram, AngleHistogram]:

@@ -156,6 +156,8 @@ class Viewer:
             f"of {told(choice.distribution)},",
             "drawn at length pdf / largest pdf" + (f" of {density}" if density else ""),
         ]
+        if len(self.points) > MOST_NORMALS:
+            lines.append(f"normals of {MOST_NORMALS:,} of them")
         if self.clouds.outside:
             lines.append(f"{self.clouds.outside:,} of them outside that density, orange")
         return "\n".join(lines)
