@@ -52,6 +52,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample directions MESH -o directions.npz --count 10000 --samples 64",
         "warpsample bake MESH -o occlusion.ply --quantity ao --samples 256",
         "warpsample view MESH --up z --screenshot clouds.html",
+        "python viz/gallery.py",  # test_gallery.py, without the benchmarks
         "python viz/shirley_overlay.py --screenshot shirley_overlay.png",  # these: test_plotting.py
         "python viz/offset_family.py --screenshot offset_family.png",
         "python viz/sequences.py --screenshot sequences.png",
