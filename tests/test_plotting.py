@@ -206,7 +206,7 @@ def test_a_scene_to_turn_in_a_browser(can_render, call, tmp_path):
     assert (status, err) == (0, "")
     page = file.read_text()
     assert len(page) > 100_000
-    assert "10 points x 64 directions of offset_ball; θ agrees" in page
+    assert 'content:"10 points x 64 directions of offset_ball; θ agrees' in page
     assert not re.search(r"<(script|link|img)[^>]*(src|href)=.https?:", page)
 
 

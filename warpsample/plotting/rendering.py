@@ -1,10 +1,10 @@
 """Whether pictures can be made here, how much is drawn on one, and how it is saved."""
 
+import json
 import os
 import subprocess
 import sys
 from functools import lru_cache
-from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -45,7 +45,10 @@ AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 VIEW = {"x": (0.35, 0.3, 1.0), "y": (0.3, 0.35, 1.0), "z": (0.3, -1.0, 0.35)}
 """From where a mesh is seen whose axis of that name points up."""
 
-_CAPTION = '<p style="position:fixed;left:1em;bottom:0;font:14px sans-serif;color:#333333">{}</p>'
+# A style, since the scene's own script empties the body.
+_CAPTION = (
+    "<style>body::after{{content:{};position:fixed;z-index:9;left:1em;top:1em;font:15px sans-serif;color:#333}}</style>"
+)
 _PROBE = (
     "import pyvista as pv; p = pv.Plotter(off_screen=True, window_size=(16, 16)); p.add_mesh(pv.Sphere()); p.screenshot()"
 )
@@ -124,7 +127,8 @@ def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
                 plotter.screenshot(partial, return_img=False)
             else:
                 plotter.trame.export_html(partial)
-                partial.write_text(partial.read_text().replace("</body>", _CAPTION.format(escape(caption)) + "</body>"))
+                style = _CAPTION.format(json.dumps(caption, ensure_ascii=False).replace("<", "\\3c "))
+                partial.write_text(partial.read_text().replace("</head>", f"{style}</head>", 1))
     except ImportError as error:
         raise ModuleNotFoundError(f"an .html scene needs trame-pyvista: pip install 'warpsample[viz]' ({error})") from None
     finally:

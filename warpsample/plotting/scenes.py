@@ -261,7 +261,7 @@ def meshes_side_by_side(
             cmap=panel.colours,
             clim=panel.limits,
             lighting=False,
-            scalar_bar_args={**bar, "title": " " * (column + 1)},  # the title is above; bars of one title would be one
+            scalar_bar_args={**bar, "title": panel.title},  # too small to read but in a browser, which has no texts above
         )
         plotter.add_text(panel.title, font_size=11, color="black", position="upper_edge")
         look_from(plotter, up)
