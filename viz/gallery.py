@@ -132,7 +132,7 @@ def main(
     output: Annotated[
         Path, typer.Option("--output", "-o", help="The folder for the pictures and index.html; made if need be.")
     ] = Path("gallery"),
-    benchmarks: Annotated[bool, typer.Option(help="With the benchmarks' pictures; they take ten minutes.")] = True,
+    benchmarks: Annotated[bool, typer.Option(help="With the benchmarks' pictures; they take eleven minutes.")] = True,
 ) -> None:
     """Make every picture of the README, and a page that shows them and needs no other file."""
     if output.exists() and not output.is_dir():

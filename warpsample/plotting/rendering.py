@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 MOST_POINTS = 1_000_000
 """Cloud points that software rendering draws in a second."""
+MOST_NORMALS = 100_000
+"""Lines that it draws in a tenth of a second."""
 MOST_SMOOTH_FACES = 200_000
 """Faces whose shading is smoothed; of more, each is smaller than a few pixels, and smoothing takes seconds."""
 SCENE_SUFFIXES = (".png", ".html")

@@ -6,7 +6,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from warpsample.plotting.rendering import AXES, BARS, INK, LOBE, MOST_SMOOTH_FACES, SKY, SURFACE, VIEW, pixels_of
+from warpsample.plotting.rendering import (
+    AXES,
+    BARS,
+    INK,
+    LOBE,
+    MOST_NORMALS,
+    MOST_SMOOTH_FACES,
+    SKY,
+    SURFACE,
+    VIEW,
+    pixels_of,
+)
 from warpsample.polydata import surface
 
 if TYPE_CHECKING:
@@ -124,9 +135,10 @@ def draw_mesh(plotter: "pyvista.Plotter", vertices: np.ndarray, faces: np.ndarra
 
 
 def draw_normals(plotter: "pyvista.Plotter", position: np.ndarray, normal: np.ndarray, scale: float) -> None:
-    """Points, (P, 3), and their normals at length `scale`."""
+    """Points, (P, 3), and their normals at length `scale`; the first MOST_NORMALS of them."""
     import pyvista as pv  # noqa: PLC0415
 
+    position, normal = position[:MOST_NORMALS], normal[:MOST_NORMALS]
     ends = np.stack([position, position + scale * normal], axis=1).reshape(-1, 3)
     segments = pv.PolyData(ends, lines=np.insert(np.arange(len(ends)).reshape(-1, 2), 0, 2, axis=1).ravel())
     plotter.add_mesh(segments, color="black", line_width=2, pickable=False)

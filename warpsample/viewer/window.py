@@ -7,7 +7,7 @@ import numpy as np
 
 from warpsample.mesh import Mesh
 from warpsample.plotting.charts import LobeCharts
-from warpsample.plotting.rendering import INK, VIEW, budgeted, clouds_told
+from warpsample.plotting.rendering import INK, MOST_NORMALS, VIEW, budgeted, clouds_told
 from warpsample.plotting.scenes import (
     CloudActor,
     LobeActor,
@@ -25,7 +25,6 @@ from warpsample.viewer.lobes import Choice, all_clouds, lobe_of, one_cloud, told
 
 LENGTH = 0.06
 """Of a lobe on the mesh, over the diagonal of the mesh's box."""
-MOST_NORMALS = 100_000
 MOST_CHOSEN = 10_000  # directions of the enlarged cloud
 
 _COLUMNS = (controls.WIDTH, 0.37, 0.46)  # of the window's width
@@ -176,8 +175,7 @@ class Viewer:
     def _draw_mesh(self, mesh: Mesh, up: str) -> None:
         self.plotter.subplot(*_MESH)
         self.picker = MeshPicker(self.plotter, draw_mesh(self.plotter, self.vertices, mesh.faces), self.pick)
-        at = self.points
-        draw_normals(self.plotter, at.position[:MOST_NORMALS], at.normal[:MOST_NORMALS], self.scale)
+        draw_normals(self.plotter, self.points.position, self.points.normal, self.scale)
         self._clouds = CloudActor(self.plotter, point_size=2, bar=True)
         self._mark = Mark(self.plotter, _MARK)
         self._says = self._caption("", 0.98, "top")
