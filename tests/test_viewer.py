@@ -127,6 +127,28 @@ def state(viewer, menu):
     return [name for name, b in viewer.controls.menus[menu].buttons.items() if b.GetRepresentation().GetState()]
 
 
+def test_what_the_plotter_is_given(fresh, bunny):
+    """Points on the faces, normals of the lobe's length, clouds within the lobe, and densities from 0 to the peak, 1/pi."""
+    mappers = (getattr(actor, "mapper", None) for actor in fresh.plotter.renderers[1].actors.values())
+    scene = [mapper.dataset for mapper in mappers if mapper is not None]
+    ends = next(np.array(data.points) for data in scene if getattr(data, "n_lines", 0) == 20).reshape(20, 2, 3)
+    assert np.abs(ends[:, 1] - ends[:, 0] - fresh.scale * fresh.points.normal).max() <= 1e-6
+    corners = fresh.vertices[bunny.faces[fresh.points.face]]
+    off = np.einsum("pk,pk->p", ends[:, 0] - corners[:, 0], bunny.face_normals[fresh.points.face])
+    assert np.abs(off).max() <= 1e-6 * bunny.diagonal
+    assert any(getattr(data, "n_cells", 0) == len(bunny.faces) for data in scene)
+    on_mesh, _ = drawn(fresh)
+    assert len(on_mesh) == 20 * 256
+    away = np.linalg.norm(on_mesh.reshape(20, 256, 3) - fresh.points.position[:, None], axis=-1)
+    assert away.max() <= fresh.scale * (1.0 + 1e-5)
+    mapper = fresh._clouds.actor.mapper
+    assert mapper.scalar_range == (0.0, pytest.approx(1.0 / np.pi, rel=1e-5))
+    assert 0.0 < mapper.dataset["pdf"].min() < mapper.dataset["pdf"].max() <= 1.0 / np.pi * (1.0 + 1e-6)
+    # The chosen cloud lies on the translucent lobe: the sphere of diameter 1 on the tangent plane.
+    for points in (drawn(fresh)[1], np.array(fresh._lobe.actor.mapper.dataset.points)):
+        assert np.abs(np.linalg.norm(points - [0.0, 0.0, 0.5], axis=1) - 0.5).max() <= 1e-6
+
+
 def test_turning_one_knob_makes_it_wrong_and_right_again(fresh):
     assert fresh.clouds.theta.verdict().startswith("agrees")
     right = fresh.plotter.screenshot(return_img=True)
