@@ -15,6 +15,7 @@ from warpsample import cli
 from warpsample.bench import child, directions, error, machine, peer_jobs, peers, plots, report, scaling, startup, timing
 from warpsample.bench.integrands import INTEGRANDS, evaluate
 from warpsample.bench.timing import Spread
+from warpsample.cli import terminal
 
 pytestmark = pytest.mark.slow  # peers and timers, in processes of their own
 
@@ -22,7 +23,7 @@ STARTS = [startup.Startup("cold", 0.5, 0.1, 2.0, 0.5)]
 
 
 def lines_of(show, capsys, *found):
-    console = cli._console()
+    console = terminal.console()
     show(console, *found)
     lines = capsys.readouterr().out.splitlines()
     assert max(map(len, lines)) <= 120

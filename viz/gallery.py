@@ -13,7 +13,7 @@ from typing import Annotated
 import typer
 
 from warpsample.bench.machine import caption
-from warpsample.cli import fail_plainly, with_progress
+from warpsample.cli.terminal import fail_plainly, with_progress
 from warpsample.export import complete_or_absent
 from warpsample.plotting import rendering
 

@@ -8,7 +8,7 @@ import typer
 import warp as wp
 
 import warpsample as ws
-from warpsample.cli import fail_plainly, show_or_save
+from warpsample.cli.terminal import fail_plainly, show_or_save
 from warpsample.plotting import rendering
 from warpsample.plotting.scenes import Panel, meshes_side_by_side
 from warpsample.viewer.start import bunny

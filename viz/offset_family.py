@@ -10,7 +10,7 @@ import warp as wp
 
 import warpsample as ws
 from warpsample.arguments import check_integer
-from warpsample.cli import fail_plainly, show_or_save
+from warpsample.cli.terminal import fail_plainly, show_or_save
 from warpsample.distributions.record import Distribution
 from warpsample.plotting import rendering, sheets
 from warpsample.proof import routes

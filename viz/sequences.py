@@ -10,7 +10,7 @@ import warp as wp
 import warpsample as ws
 from warpsample.arguments import check_integer
 from warpsample.bench.integrands import INTEGRANDS, Integrand, evaluate
-from warpsample.cli import fail_plainly, show_or_save
+from warpsample.cli.terminal import fail_plainly, show_or_save
 from warpsample.plotting import rendering, sheets
 
 SHOWN = 256  # points of each square

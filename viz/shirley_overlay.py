@@ -9,7 +9,7 @@ import warp as wp
 
 import warpsample as ws
 from warpsample.arguments import check_integer
-from warpsample.cli import fail_plainly, show_or_save
+from warpsample.cli.terminal import fail_plainly, show_or_save
 from warpsample.plotting import rendering, sheets
 from warpsample.proof.routes import plus_normal
 

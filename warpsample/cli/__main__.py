@@ -1,0 +1,5 @@
+"""`python -m warpsample.cli`."""
+
+from warpsample.cli import main
+
+main()
