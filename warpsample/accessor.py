@@ -9,6 +9,7 @@ from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.estimate.plan import Estimate
 from warpsample.estimate.visibility import ambient_occlusion, sky_view_factor
+from warpsample.export import CLOUD_SCALE
 from warpsample.mesh import Mesh, as_mesh
 from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
 
@@ -57,7 +58,7 @@ class WarpsampleAccessor:
         """
         at = vertex_points(self.mesh) if points is None else sample_surface(self.mesh, points, seed)
         found = sample_directions(at, count, distribution, seed=seed, **options)
-        return found.to_polydata(at, 0.05 * self.mesh.diagonal if scale is None else scale)
+        return found.to_polydata(at, CLOUD_SCALE * self.mesh.diagonal if scale is None else scale)
 
     def ambient_occlusion(self, count: int = 256, at: At = "vertices", **options: Any) -> pv.PolyData:
         """A copy of the dataset with "ambient_occlusion" (1: open), "standard_error", "rays" and "status".
