@@ -135,7 +135,7 @@ def test_errors_fall_as_they_should(script, monkeypatch):
         assert right.rmse[name][-1] < 0.1 * right.rmse["independent"][-1]
     monkeypatch.setattr(module.ws, "sample_directions", partial(ws.sample_directions, distribution="offset_ball"))
     (wrong,) = module.errors(("sky gradient",), 32, seed=0)
-    assert wrong.rmse["sobol"][-1] > 0.5 * wrong.rmse["sobol"][1]
+    assert wrong.rmse["sobol"][-1] > 0.5 * wrong.rmse["sobol"][1]  # its bias stays; the right error fell by 300
 
 
 def test_the_overlay_is_drawn(can_render, script, tmp_path, capsys):
@@ -207,7 +207,8 @@ def test_a_scene_to_turn_in_a_browser(can_render, call, tmp_path):
     page = file.read_text()
     assert len(page) > 100_000
     assert 'content:"10 points x 64 directions of offset_ball; θ agrees' in page
-    assert not re.search(r"<(script|link|img)[^>]*(src|href)=.https?:", page)
+    elsewhere = re.compile(r"<(?:script|link|img)[^>]*(?:src|href)=.?(?:https?:)?//")
+    assert elsewhere.findall(f'{page}<script src="https://x/y.js">') == ['<script src="https://']  # the planted one alone
 
 
 def test_occlusion_is_drawn_as_estimated(script, bunny):

@@ -67,6 +67,7 @@ def test_azimuth_is_judged_about_the_tangent_that_the_kernels_take(points):
 
 def test_what_is_outside_the_density_is_counted_and_drawn_apart(points):
     seen = lobes.all_clouds(Choice(ws.UniformSphere(), COSINE, samples=256), points, 1.0)
+    # Half of every 256 points of Sobol's, but for those that rounding puts across the horizon.
     assert seen.outside == pytest.approx(0.5 * 256 * len(points), rel=1e-3)
     away = np.linalg.norm(seen.position - np.repeat(points.position, 256, axis=0), axis=1)[seen.pdf == 0.0]
     assert np.abs(away - lobes.OUTSIDE).max() <= 1e-5

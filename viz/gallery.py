@@ -150,7 +150,7 @@ def main(
     with TemporaryDirectory() as folder:
         scene = Path(folder) / "scene.html"
         make(SCENE, scene)
-        text = escape(scene.read_text())
+        text = escape(scene.read_text(encoding="utf-8"))
     page = _PAGE.substitute(
         figures="\n".join(figures), scene=text, scene_command=SCENE.replace("FILE", "scene.html"), machine=escape(caption())
     )

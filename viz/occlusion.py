@@ -8,7 +8,7 @@ import typer
 import warp as wp
 
 import warpsample as ws
-from warpsample.cli.terminal import fail_plainly, show_or_save
+from warpsample.cli.terminal import Size, fail_plainly, show_or_save
 from warpsample.plotting import rendering
 from warpsample.plotting.scenes import Panel, meshes_side_by_side
 from warpsample.viewer.start import bunny
@@ -34,7 +34,7 @@ def main(
     screenshot: Annotated[
         Path | None, typer.Option(help="No window, but a file: .png, or .html to turn in a browser.")
     ] = None,
-    size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1800, 680),
+    size: Size = (1800, 680),
 ) -> None:
     """Show ambient occlusion, its standard error and the rays it took on a mesh, side by side."""
     rendering.check_output(screenshot, rendering.SCENE_SUFFIXES)

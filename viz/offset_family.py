@@ -1,7 +1,6 @@
 """The projected offset sets: a circle, disk, sphere or ball about the tip of the normal, normalised."""
 
 from collections.abc import Callable
-from pathlib import Path
 from typing import Annotated
 
 import numpy as np
@@ -10,7 +9,7 @@ import warp as wp
 
 import warpsample as ws
 from warpsample.arguments import check_integer
-from warpsample.cli.terminal import fail_plainly, show_or_save
+from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
 from warpsample.distributions.record import Distribution
 from warpsample.plotting import rendering, sheets
 from warpsample.proof import routes
@@ -66,10 +65,8 @@ def panel(
 def main(
     count: Annotated[int, typer.Option(help="Independent directions of each histogram.")] = 200_000,
     seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
-    screenshot: Annotated[
-        Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)
-    ] = None,
-    size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1600, 1650),
+    screenshot: FigureFile = None,
+    size: Size = (1600, 1650),
 ) -> None:
     """See the projected offset sets: points, histograms against their densities, other radii, and a proof.
 

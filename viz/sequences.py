@@ -1,6 +1,5 @@
 """The point sequences: on the square, on the hemisphere, and the error of means over their directions."""
 
-from pathlib import Path
 from typing import Annotated
 
 import numpy as np
@@ -10,7 +9,7 @@ import warp as wp
 import warpsample as ws
 from warpsample.arguments import check_integer
 from warpsample.bench.integrands import INTEGRANDS, Integrand, evaluate
-from warpsample.cli.terminal import fail_plainly, show_or_save
+from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
 from warpsample.plotting import rendering, sheets
 
 SHOWN = 256  # points of each square
@@ -40,10 +39,8 @@ def _rmse(integrand: Integrand, w: np.ndarray) -> float:
 def main(
     randomisations: Annotated[int, typer.Option(help="Estimates of each mean.")] = 256,
     seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
-    screenshot: Annotated[
-        Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)
-    ] = None,
-    size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1600, 1100),
+    screenshot: FigureFile = None,
+    size: Size = (1600, 1100),
 ) -> None:
     """See the sequences on the square and on the hemisphere, and how fast means over their directions converge."""
     rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES)

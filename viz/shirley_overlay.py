@@ -1,6 +1,5 @@
 """Keinert's experiment: sphere + normal in green, the cosine set in red; yellow is agreement. And a wrong set beside it."""
 
-from pathlib import Path
 from typing import Annotated
 
 import numpy as np
@@ -9,7 +8,7 @@ import warp as wp
 
 import warpsample as ws
 from warpsample.arguments import check_integer
-from warpsample.cli.terminal import fail_plainly, show_or_save
+from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
 from warpsample.plotting import rendering, sheets
 from warpsample.proof.routes import plus_normal
 
@@ -33,10 +32,8 @@ def main(
     count: Annotated[int, typer.Option(help="Points of each set.")] = 1024,
     sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(ws.sequences.names())}.")] = "fibonacci",
     seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
-    screenshot: Annotated[
-        Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)
-    ] = None,
-    size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1600, 860),
+    screenshot: FigureFile = None,
+    size: Size = (1600, 860),
 ) -> None:
     """See that the sphere plus the normal, normalised, is the cosine set: drawn in green and red, it is yellow.
 

@@ -8,7 +8,7 @@ import warp as wp
 
 from warpsample import distributions, sequences
 from warpsample.cli import bench
-from warpsample.cli.terminal import console, fail_plainly, with_progress
+from warpsample.cli.terminal import Size, console, fail_plainly, with_progress
 from warpsample.mesh import load_mesh
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, help="Directions around the normals of a mesh.")
@@ -136,7 +136,7 @@ def view(
         Path | None,
         typer.Option(help="No window, but a file: .png, or .html of the clouds to turn in a browser.", show_default=False),
     ] = None,
-    size: Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")] = (1600, 900),
+    size: Size = (1600, 900),
 ) -> None:
     """See directions on a mesh: clouds around points, one of them enlarged, and how well they keep to a density.
 

@@ -4,7 +4,12 @@ import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
+
+import typer
+
+FigureFile = Annotated[Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)]
+Size = Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")]
 
 _PIPE_WIDTH = 120  # of tables where there is no terminal to fit
 

@@ -62,7 +62,7 @@ def has_screen() -> bool:
     return sys.platform != "linux" or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
-def check_output(screenshot: Path | None, suffixes: tuple[str, ...] = (".png",)) -> None:
+def check_output(screenshot: Path | None, suffixes: tuple[str, ...]) -> None:
     """Refuses a picture that nobody would see.
 
     Raises:
@@ -130,7 +130,8 @@ def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
             else:
                 plotter.trame.export_html(partial)
                 style = _CAPTION.format(json.dumps(caption, ensure_ascii=False).replace("<", "\\3c "))
-                partial.write_text(partial.read_text().replace("</head>", f"{style}</head>", 1))
+                page = partial.read_text(encoding="utf-8").replace("</head>", f"{style}</head>", 1)
+                partial.write_text(page, encoding="utf-8")
     except ImportError as error:
         raise ModuleNotFoundError(f"an .html scene needs trame-pyvista: pip install 'warpsample[viz]' ({error})") from None
     finally:

@@ -56,7 +56,7 @@ class Menu:
         self, plotter: "pyvista.Plotter", title: str, entries: list[str], top: float, choose: Callable[[str], None]
     ):
         """`top`: of the title, as a share of the window's height."""
-        self._plotter, self.entries = plotter, entries
+        self._plotter = plotter
         self._texts = [_text(plotter, title, _LEFT, top, bold=True)]
         self._tops = [top - (i + 1) * _ROW for i in range(len(entries))]
         self.buttons = {}

@@ -7,7 +7,7 @@ import numpy as np
 
 from warpsample.mesh import Mesh
 from warpsample.plotting.charts import LobeCharts
-from warpsample.plotting.rendering import INK, MOST_NORMALS, VIEW, budgeted, clouds_told
+from warpsample.plotting.rendering import INK, LOBE, MOST_NORMALS, VIEW, budgeted, clouds_told
 from warpsample.plotting.scenes import (
     CloudActor,
     LobeActor,
@@ -30,7 +30,6 @@ MOST_CHOSEN = 10_000  # directions of the enlarged cloud
 _COLUMNS = (controls.WIDTH, 0.37, 0.46)  # of the window's width
 _ROWS = (0.54, 0.46)
 _KNOBS, _MESH, _CLOUD, _CHARTS = (0, 0), (0, 1), (1, 1), (0, 2)
-_MARK = "#e8871e"
 
 
 class Viewer:
@@ -177,7 +176,7 @@ class Viewer:
         self.picker = MeshPicker(self.plotter, draw_mesh(self.plotter, self.vertices, mesh.faces), self.pick)
         draw_normals(self.plotter, self.points.position, self.points.normal, self.scale)
         self._clouds = CloudActor(self.plotter, point_size=2, bar=True)
-        self._mark = Mark(self.plotter, _MARK)
+        self._mark = Mark(self.plotter, LOBE)
         self._says = self._caption("", 0.98, "top")
         look_from(self.plotter, up, 1.05)
 
