@@ -5,6 +5,7 @@ import subprocess
 import sys
 
 ROOMS = [
+    "locks",
     "arguments",
     "registry",
     "numerics",

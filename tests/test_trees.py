@@ -28,6 +28,7 @@ MESHES = {
 
 
 @pytest.mark.parametrize("name", MESHES)
+@pytest.mark.filterwarnings("ignore:mesh. got faces of size:UserWarning")  # "halving"
 def test_every_face_is_in_one_leaf_and_every_box_around_what_is_below(name):
     scene = scene_of(ws.as_mesh(MESHES[name]))
     tree = scene.tree(2)
@@ -52,6 +53,7 @@ def test_every_face_is_in_one_leaf_and_every_box_around_what_is_below(name):
 
 
 @pytest.mark.parametrize("name", MESHES)
+@pytest.mark.filterwarnings("ignore:mesh. got faces of size:UserWarning")  # "halving"
 def test_both_tracers_answer_on_hostile_meshes(name):
     mesh = ws.as_mesh(MESHES[name])
     origins, directions = random_rays(2000)

@@ -8,6 +8,8 @@ from typing import Any, TypeAlias
 import numpy as np
 import warp as wp
 
+from warpsample.locks import making
+
 Array: TypeAlias = np.ndarray | wp.array
 
 _DIMENSIONS = {wp.vec2: 2, wp.vec3: 3}
@@ -40,6 +42,12 @@ class Vectors:
         return prod(self.shape)
 
 
+def cpu() -> wp.Device:
+    """The CPU as a device; the first call of a process starts Warp."""
+    with making:
+        return wp.get_device("cpu")
+
+
 def address_of(array: Array) -> int:
     """Of the first element, on the array's device."""
     return array.ptr or 0 if isinstance(array, wp.array) else array.__array_interface__["data"][0]
@@ -64,7 +72,7 @@ def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") 
     else:
         with np.errstate(over="ignore"):
             owner = array.astype(np.float32, order="C")
-    return Vectors(owner, owner.shape[:-1], width, wp.get_device("cpu"))
+    return Vectors(owner, owner.shape[:-1], width, cpu())
 
 
 def _warp_vectors(array: wp.array, width: int, argument: str) -> Vectors:

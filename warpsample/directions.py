@@ -12,7 +12,7 @@ import warp as wp
 
 from warpsample import sequences
 from warpsample.arguments import check_first_point, check_integer, check_seed
-from warpsample.arrays import Array, Vectors, address_of, as_vectors, check_out, new_vectors
+from warpsample.arrays import Array, Vectors, address_of, as_vectors, check_out, cpu, new_vectors
 from warpsample.distributions import as_spatial
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
@@ -188,7 +188,7 @@ def sample_square(sequence: str, points: int, count: int, seed: int = 0, first_p
     square = np.empty((points, count, 2), np.float32)
     inputs = [total, FLAT_BLOCK, count, seed, first_point, square.ctypes.data]
     tasks = -(-total // FLAT_BLOCK)
-    run(square_blocks(record.sample), tasks, inputs, wp.get_device("cpu"), check_workers(None), total)
+    run(square_blocks(record.sample), tasks, inputs, cpu(), check_workers(None), total)
     return square
 
 

@@ -1,7 +1,6 @@
 """How a kernel is run: over chunks of its tasks, on worker threads, on a device, within the memory that is free."""
 
 import os
-import threading
 from collections import defaultdict, deque
 from concurrent.futures import ThreadPoolExecutor, wait
 from ctypes import Structure
@@ -10,6 +9,7 @@ from typing import Any
 import warp as wp
 
 from warpsample.arguments import check_integer
+from warpsample.locks import making
 
 _FEW_CHUNKS, _MANY_CHUNKS = 4, 16  # of a worker: many even out threads of unlike speed, but each passes the GIL around,
 _CHUNK_WORK = 1 << 17  # so from this many directions a chunk on
@@ -22,7 +22,6 @@ _ALWAYS_FREE = 1 << 24  # bytes; asking the system for the rest takes 100 us
 _idle: dict[tuple[wp.Kernel, str], list[wp.Launch]] = defaultdict(list)
 _pool: ThreadPoolExecutor | None = None
 _pool_size = 0
-_pool_lock = threading.Lock()
 
 
 def check_workers(workers: int | None) -> int:
@@ -67,7 +66,6 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
     each = min(max(work // (workers * _CHUNK_WORK), _FEW_CHUNKS), _MANY_CHUNKS)
     shares = workers * each if workers > 1 else 1
     chunk = min(-(-tasks // shares), max(1, _MOST_WORK * tasks // work), _MOST_TASKS)
-    # Taken in this thread: the first one compiles the kernel, and compiling is once per process and thread.
     commands = [_take(kernel, inputs, device) for _ in range(workers)]
     try:
         _share(commands, chunk, tasks)
@@ -84,9 +82,9 @@ def _share(commands: list[wp.Launch], chunk: int, tasks: int) -> None:
     finally:
         # If that was interrupted: no thread may start another chunk, or still write to arrays that the caller lets go of.
         deque(starts, maxlen=0)
-        if others:
-            wait(others)
-    for future in others:
+        begun = [future for future in others if not future.cancel()]  # the rest would wait for other calls' chunks
+        wait(begun)
+    for future in begun:
         future.result()
 
 
@@ -95,8 +93,9 @@ def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
     try:
         command = _idle[kernel, device.alias].pop()
     except IndexError:
-        blank = [arg.type() if isinstance(x, Structure) else x for arg, x in zip(kernel.adj.args, inputs, strict=False)]
-        command = wp.launch(kernel, dim=1, inputs=[*blank, 0], device=device, record_tape=False, record_cmd=True)
+        with making:
+            blank = [arg.type() if isinstance(x, Structure) else x for arg, x in zip(kernel.adj.args, inputs, strict=False)]
+            command = wp.launch(kernel, dim=1, inputs=[*blank, 0], device=device, record_tape=False, record_cmd=True)
     for index, value in enumerate(inputs):
         if isinstance(value, Structure):
             command.set_param_at_index_from_ctype(index, value)
@@ -119,8 +118,18 @@ def _run_chunks(command: wp.Launch, starts: Any, chunk: int, tasks: int) -> None
 def _threads(workers: int) -> ThreadPoolExecutor:
     """The one pool of this process, grown when more are asked for."""
     global _pool, _pool_size  # noqa: PLW0603  (threads belong to the process)
-    with _pool_lock:
+    with making:
         if _pool is None or _pool_size < workers:
             _pool = ThreadPoolExecutor(workers, thread_name_prefix="warpsample")
             _pool_size = workers
         return _pool
+
+
+def _forget_threads() -> None:
+    """In a forked child: none of its parent's threads came along."""
+    global _pool, _pool_size
+    _pool, _pool_size = None, 0
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forget_threads)

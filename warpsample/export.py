@@ -11,9 +11,9 @@ from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
-import warp as wp
 
 from warpsample.arguments import check_integer, check_seed
+from warpsample.arrays import cpu
 from warpsample.directions import Directions, Status, sample_directions
 from warpsample.distributions import as_spatial
 from warpsample.engine import check_memory, check_workers
@@ -160,7 +160,7 @@ def _record(run: Run) -> dict[str, object]:
         digest = hashlib.sha256(file.read()).hexdigest()
     arguments = {key: str(value) if isinstance(value, Path) else value for key, value in asdict(run).items()}
     versions = {name: version(name) for name in ("warpsample", "warp-lang", "numpy", "trimesh")}
-    return {**arguments, "mesh_sha256": digest, "versions": versions, "cpu": wp.get_device("cpu").name}
+    return {**arguments, "mesh_sha256": digest, "versions": versions, "cpu": cpu().name}
 
 
 def write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None:

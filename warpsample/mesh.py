@@ -1,13 +1,13 @@
 """A validated triangle mesh: from a file or from what users hold, and what was wrong with it."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from warpsample.locks import once_property, read_only
 from warpsample.polydata import surface
 
 if TYPE_CHECKING:
@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 
 SUFFIXES = (".ply", ".obj", ".stl", ".off", ".glb", ".gltf", ".usd", ".usda", ".usdc", ".usdz")
 """Of the files that `load_mesh` reads."""
+
+LARGEST = 1e36
+"""Coordinate of a vertex: distances, which are float32, stay finite."""
 
 _SLIVER = 2.0**-48  # of abs(e1) abs(e2): below 16 roundings of the cross product the normal is noise
 
@@ -33,8 +36,8 @@ class MeshReport:
         nonmanifold_edges: with more than two.
         inconsistent_edges: that two faces run along in the same direction, so one of them is inside out.
         area: of all faces, in square units of the coordinates.
-        lower: smallest coordinates, (3,).
-        upper: largest coordinates, (3,).
+        lower: smallest coordinates of the vertices that faces use, (3,).
+        upper: largest coordinates of them, (3,).
     """
 
     vertices: int
@@ -55,25 +58,27 @@ class Mesh:
     """A triangle mesh.
 
     Attributes:
-        vertices: (V, 3) float64, finite, in the user's coordinates and unit; read-only.
-        faces: (F, 3) int32 indices of vertices, counter-clockwise seen from outside; read-only.
+        vertices: (V, 3) float64, within ±1e36, in the user's coordinates and unit; a read-only copy.
+        faces: (F, 3) int32 indices of vertices, counter-clockwise seen from outside; a read-only copy.
 
     Raises:
         TypeError: vertices are not real numbers or faces not whole ones.
-        ValueError: wrong shapes, no faces, an index that no vertex has, a coordinate that is not finite.
+        ValueError: wrong shapes, no faces, an index that no vertex has, a coordinate that is not finite or beyond 1e36.
     """
 
     vertices: np.ndarray
     faces: np.ndarray
 
     def __post_init__(self) -> None:
-        """Validates and brings both arrays to their types."""
+        """Validates, copies and freezes: what later calls read must stay what was checked here."""
         vertices = _check_vertices(np.asarray(self.vertices))
-        faces = _check_faces(np.asarray(self.faces), len(vertices))
-        for name, array in (("vertices", vertices), ("faces", faces)):
-            kept = array.view()  # read-only without locking the caller's own array: what is cached here must stay true
-            kept.flags.writeable = False
-            object.__setattr__(self, name, kept)
+        faces = _check_faces(np.array(self.faces, order="C"), len(vertices))
+        object.__setattr__(self, "vertices", read_only(vertices))
+        object.__setattr__(self, "faces", read_only(faces))
+
+    def __reduce__(self) -> tuple[type, tuple[np.ndarray, np.ndarray]]:
+        """Pickled and copied as what it is made of: checked and frozen again, its caches made anew."""
+        return Mesh, (self.vertices, self.faces)
 
     def to_polydata(self) -> "PolyData":
         """The triangles as PyVista's PolyData.
@@ -83,40 +88,54 @@ class Mesh:
         """
         return surface(self.vertices, self.faces)
 
-    @cached_property
-    def diagonal(self) -> float:
-        """Of the box around all vertices, in the unit of the coordinates."""
-        return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
+    @once_property
+    def used(self) -> np.ndarray:
+        """(V,) bool: the vertices that faces use. The others mean nothing: they may be anywhere."""
+        used = np.zeros(len(self.vertices), np.bool_)
+        used[self.faces] = True
+        return used
 
-    @cached_property
+    @once_property
+    def bounds(self) -> np.ndarray:
+        """(2, 3) float64: smallest and largest coordinates of the vertices that faces use."""
+        used = self.used[:, None]
+        return np.stack(
+            [self.vertices.min(axis=0, where=used, initial=np.inf), self.vertices.max(axis=0, where=used, initial=-np.inf)]
+        )
+
+    @once_property
+    def diagonal(self) -> float:
+        """Of the box `bounds`, in the unit of the coordinates."""
+        return float(np.linalg.norm(self.bounds[1] - self.bounds[0]))
+
+    @once_property
     def cross_products(self) -> np.ndarray:
         """(F, 3) float64: face normals times twice the area; exactly zero for degenerate faces."""
         corner, first, second = (self.vertices[self.faces[:, k]] for k in range(3))
         first -= corner
         second -= corner
         crosses = np.cross(first, second)
-        limit = _SLIVER * np.linalg.norm(first, axis=1) * np.linalg.norm(second, axis=1)
-        crosses[np.linalg.norm(crosses, axis=1) <= limit] = 0.0
+        crosses[lengths(crosses) <= _SLIVER * lengths(first) * lengths(second)] = 0.0
         return crosses
 
-    @cached_property
+    @once_property
     def face_areas(self) -> np.ndarray:
         """(F,) float64, square units; 0 for degenerate faces."""
-        return 0.5 * np.linalg.norm(self.cross_products, axis=1)
+        return 0.5 * lengths(self.cross_products)
 
-    @cached_property
+    @once_property
     def face_normals(self) -> np.ndarray:
         """(F, 3) float32, unit length; zero for degenerate faces."""
         return unit_or_zero(self.cross_products)
 
-    @cached_property
+    @once_property
     def vertex_normals(self) -> np.ndarray:
         """(V, 3) float32, unit length: the normals of its faces weighted by area; zero where they cancel or none is."""
         corners = self.faces.ravel()
         crosses = np.repeat(self.cross_products, 3, axis=0)
         return unit_or_zero(np.stack([np.bincount(corners, axis, len(self.vertices)) for axis in crosses.T], axis=1))
 
-    @cached_property
+    @once_property
     def report(self) -> MeshReport:
         """What is notable about this mesh; takes a sort of all edges."""
         start = self.faces.ravel().astype(np.int64)
@@ -129,13 +148,13 @@ class Mesh:
             faces=len(self.faces),
             degenerate_faces=int(np.count_nonzero(self.face_areas == 0.0)),
             duplicate_faces=len(self.faces) - len(np.unique(np.sort(self.faces, axis=1), axis=0)),
-            unreferenced_vertices=len(self.vertices) - len(np.unique(self.faces)),
+            unreferenced_vertices=int(np.count_nonzero(~self.used)),
             boundary_edges=int(np.count_nonzero(uses == 1)),
             nonmanifold_edges=int(np.count_nonzero(uses > 2)),
             inconsistent_edges=int(np.count_nonzero(same_way > 1)),
             area=float(self.face_areas.sum()),
-            lower=self.vertices.min(axis=0),
-            upper=self.vertices.max(axis=0),
+            lower=self.bounds[0],
+            upper=self.bounds[1],
         )
 
 
@@ -193,8 +212,17 @@ def as_mesh(value: Any) -> Mesh:
 
 def unit_or_zero(vectors: np.ndarray) -> np.ndarray:
     """(N, 3) float64 vectors as float32 unit ones; zero vectors stay zero."""
-    lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
-    return np.divide(vectors, lengths, out=np.zeros_like(vectors), where=lengths > 0.0).astype(np.float32)
+    largest = np.abs(vectors).max(axis=1, keepdims=True, initial=0.0)
+    scaled = np.divide(vectors, largest, out=np.zeros_like(vectors), where=largest > 0.0)
+    norms = np.linalg.norm(scaled, axis=1, keepdims=True)
+    return np.divide(scaled, norms, out=scaled, where=norms > 0.0).astype(np.float32)
+
+
+def lengths(vectors: np.ndarray) -> np.ndarray:
+    """(N,) of (N, 3) float64 vectors, those whose squares would under- or overflow too."""
+    largest = np.abs(vectors).max(axis=1, initial=0.0)
+    scaled = np.divide(vectors, largest[:, None], out=np.zeros_like(vectors), where=largest[:, None] > 0.0)
+    return largest * np.linalg.norm(scaled, axis=1)
 
 
 def _check_vertices(vertices: np.ndarray) -> np.ndarray:
@@ -202,12 +230,14 @@ def _check_vertices(vertices: np.ndarray) -> np.ndarray:
         raise TypeError(f"vertices: got dtype {vertices.dtype}, want real numbers")
     if vertices.ndim != 2 or vertices.shape[1] != 3 or len(vertices) == 0:
         raise ValueError(f"vertices: got shape {vertices.shape}, want (V, 3) with V of at least 3")
-    vertices = np.ascontiguousarray(vertices, np.float64)
-    broken = ~np.isfinite(vertices).all(axis=1)
+    vertices = np.array(vertices, np.float64, order="C")
+    broken = ~(np.abs(vertices) <= LARGEST).all(axis=1)
     if broken.any():
         first = int(np.argmax(broken))
+        flaw = "not finite" if not np.isfinite(vertices[broken]).all() else f"beyond {LARGEST:g}"
         raise ValueError(
-            f"vertices: got {broken.sum()} that are not finite, the first being number {first}, {vertices[first]}"
+            f"vertices: got {broken.sum()} that are {flaw}, the first being number {first}, {vertices[first]}, "
+            f"want coordinates from {-LARGEST:g} to {LARGEST:g}"
         )
     return vertices
 
@@ -223,7 +253,7 @@ def _check_faces(faces: np.ndarray, vertices: int) -> np.ndarray:
         raise ValueError(
             f"faces: got {outside.sum()} indices outside 0 to {vertices - 1}, the first in face {first}, {faces[first]}"
         )
-    return np.ascontiguousarray(faces, np.int32)
+    return faces.astype(np.int32, copy=False)
 
 
 def _read_trimesh(path: Path) -> tuple[np.ndarray, np.ndarray]:

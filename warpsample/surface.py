@@ -4,9 +4,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import warp as wp
 
 from warpsample.arguments import check_first_point, check_integer, check_seed
+from warpsample.arrays import cpu
 from warpsample.engine import check_memory, check_workers, run
 from warpsample.kernels.points import place_points
 from warpsample.mesh import as_mesh
@@ -112,7 +112,7 @@ def sample_surface(
     last = int(np.flatnonzero(mesh.face_areas)[-1])
     addresses = [a.ctypes.data for a in (mesh.vertices, mesh.faces, cumulative, position, face)]
     inputs = [seed, first_point, count, len(mesh.vertices), last, *addresses, weights.ctypes.data if barycentric else 0]
-    run(place_points(), count, inputs, wp.get_device("cpu"), workers, 8 * count)
+    run(place_points(), count, inputs, cpu(), workers, 8 * count)
     return SurfacePoints(position, mesh.face_normals[face], face, weights if barycentric else None)
 
 
@@ -125,7 +125,7 @@ def face_centers(mesh: Any) -> SurfacePoints:
     mesh = as_mesh(mesh)
     position = mesh.vertices[mesh.faces].mean(axis=1)
     thirds = np.full((len(position), 3), 1.0 / 3.0)
-    return SurfacePoints(position, mesh.face_normals, np.arange(len(position), dtype=np.int32), thirds)
+    return SurfacePoints(position, mesh.face_normals.copy(), np.arange(len(position), dtype=np.int32), thirds)
 
 
 def vertex_points(mesh: Any) -> SurfacePoints:
@@ -135,4 +135,4 @@ def vertex_points(mesh: Any) -> SurfacePoints:
         mesh: a Mesh or whatever `as_mesh` takes.
     """
     mesh = as_mesh(mesh)
-    return SurfacePoints(mesh.vertices, mesh.vertex_normals)
+    return SurfacePoints(mesh.vertices.copy(), mesh.vertex_normals.copy())

@@ -7,9 +7,9 @@ from math import log, sqrt
 from typing import Any
 
 import numpy as np
-import warp as wp
 
 from warpsample import sequences
+from warpsample.arrays import cpu
 from warpsample.bench.integrands import INTEGRANDS, Integrand
 from warpsample.bench.timing import Spread, interleave, stopwatch
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
@@ -112,7 +112,7 @@ def _means(
     lobe = CosineHemisphere()
     kernel = direction_means(sequences.get(sequence), lobe.about(), integrand.function)
     inputs = [seed, 0, count, out.__array_interface__["data"][0], lobe.kernel_parameters().__ctype__()]
-    return partial(run, kernel, len(out), inputs, wp.get_device("cpu"), check_workers(workers), len(out) * count)
+    return partial(run, kernel, len(out), inputs, cpu(), check_workers(workers), len(out) * count)
 
 
 def _measure(integrand: Integrand, randomisations: int, repeats: int, largest: int) -> list[Curve]:

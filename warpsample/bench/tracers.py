@@ -8,8 +8,8 @@ from itertools import pairwise, starmap
 from typing import Any, Protocol
 
 import numpy as np
-import warp as wp
 
+from warpsample.arrays import cpu
 from warpsample.bench.scenes import rays
 from warpsample.mesh import Mesh
 from warpsample.tracing.builtin import builtin_any_query, prepare_builtin
@@ -154,7 +154,7 @@ def builds(mesh: Mesh, workers: int) -> dict[str, Callable[[], object]]:
     return {
         "wide": lambda: Scene(mesh).tree(workers),
         "wide, refit": lambda: known.moved(mesh).tree(workers),
-        "wp.Mesh": lambda: Scene(mesh).builtin(wp.get_device("cpu")),
+        "wp.Mesh": lambda: Scene(mesh).builtin(cpu()),
         "Embree": lambda: embree_scene(mesh),
         "Open3D": lambda: open3d_scene(mesh),
     }

@@ -5,11 +5,11 @@ Each has rays of its own, in two independent randomisations, so that their diffe
 """
 
 from dataclasses import dataclass
-from functools import cache
 from math import cos, pi, sin, sqrt
 
 import numpy as np
 
+from warpsample.locks import once
 from warpsample.tracing.layout import CORNERS, PLANES, WIDTH
 
 REPLICATES = 2
@@ -44,7 +44,7 @@ class Cells:
         return self.bands * self.sectors * self.each * REPLICATES
 
 
-@cache
+@once
 def cells_of(count: int) -> Cells:
     """The cells for at most `count` rays a point, at least 2."""
     _, bands, sectors = next(grid for grid in _GRIDS[::-1] if count >= grid[0])

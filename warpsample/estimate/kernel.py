@@ -1,13 +1,12 @@
 """Numbers for each point in one kernel: cells are found empty or not, rays made, traced and summed; none is stored."""
 
-from functools import cache
-
 import warp as wp
 
 from warpsample.estimate.job import NONFINITE_POSITION, EstimateJob, Spot, bring_near, found_in, start
 from warpsample.kernels.job import normal_status, weigh_by_mask
 from warpsample.kernels.parameters import Parameters
 from warpsample.kernels.variates import LANES
+from warpsample.locks import once
 from warpsample.numerics import high_word, low_word, scaled_to_unit
 from warpsample.sequences.record import Sequence
 from warpsample.tracing.frontier import HORIZON_MARGIN, NEAR, NEAR_SLACK, frontier
@@ -33,7 +32,7 @@ _NOTHING = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 _ZERO = wp.constant(wp.float64(0.0))
 
 
-@cache
+@once
 def estimate_kernel(
     sequence: Sequence,
     about: wp.Function,

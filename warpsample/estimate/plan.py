@@ -10,6 +10,7 @@ import warp as wp
 
 from warpsample import sequences
 from warpsample.arguments import check_first_point, check_integer, check_number, check_seed
+from warpsample.arrays import cpu
 from warpsample.directions import Status
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.engine import check_memory, check_workers, run
@@ -204,7 +205,7 @@ class Plan:
             _check_active(active, len(points)),
             None if tolerance is None else check_number(tolerance, "tolerance", 1e-12, 1e12),
             bool(skip),
-            check_tracer(tracer, wp.get_device("cpu")),
+            check_tracer(tracer, cpu()),
             check_workers(workers),
         )
 
@@ -288,7 +289,7 @@ class _Runner:
         )
 
     def _run(self, job: Job, chosen: np.ndarray) -> None:
-        plan, quantity, cpu = self.plan, self.quantity, wp.get_device("cpu")
+        plan, quantity = self.plan, self.quantity
         wide, any_hit = plan.tracer == "wide", quantity.falloff is None
         order = order_of(job.rays, plan.workers) if len(plan.mesh.faces) >= MANY_FACES else None
         rows = np.flatnonzero(chosen) if order is None else order[chosen[order]]
@@ -300,12 +301,12 @@ class _Runner:
             )
         else:
             query = builtin_any_query if any_hit else builtin_query
-            slots, accelerator = (prepare_builtin, query), self.scene.builtin(cpu)
+            slots, accelerator = (prepare_builtin, query), self.scene.builtin(cpu())
             widen_lift(job.rays)
         about = CosineHemisphere("polar").about()
         what = (quantity.weigh, quantity.constant, quantity.binary and any_hit, quantity.channels)
         kernel = estimate_kernel(plan.sequence, about, *what, *slots, any_hit, wide)
-        run(kernel, len(rows), [job, accelerator], cpu, plan.workers, RAY_WORK * len(rows) * job.rays.count)
+        run(kernel, len(rows), [job, accelerator], cpu(), plan.workers, RAY_WORK * len(rows) * job.rays.count)
 
 
 def _check_active(active: Any, points: int) -> np.ndarray | None:

@@ -1,10 +1,9 @@
 """What a ray that meets nothing adds, by its direction: `wp.func`s (direction, Weights) -> vec3."""
 
-from functools import cache
-
 import warp as wp
 
 from warpsample.frames import frame_about, to_local
+from warpsample.locks import once
 
 _TURNS = wp.constant(wp.float32(0.15915494309189535))
 
@@ -67,7 +66,7 @@ def environment(d: wp.vec3, weights: Weights) -> wp.vec3:
     return wp.lerp(top, bottom, lower)
 
 
-@cache
+@once
 def radiance_of(function: wp.Function, colour: bool) -> wp.Function:
     """A user's function of the direction, which gives a float or, with colour, a vec3."""
     if colour:

@@ -1,19 +1,18 @@
 """Directions by blocks of pairs: see `kernels.job`."""
 
-from functools import cache
-
 import warp as wp
 
 from warpsample.kernels import FLAT_BLOCK
 from warpsample.kernels.job import DirectionJob, accessors, normal_status, point_id
 from warpsample.kernels.variates import LANES
+from warpsample.locks import once
 from warpsample.numerics import normalize, scaled_to_unit
 from warpsample.sequences.record import Sequence
 
 _BLOCK = wp.constant(wp.int64(FLAT_BLOCK))
 
 
-@cache
+@once
 def direction_blocks(
     sequence: Sequence,
     about: wp.Function,

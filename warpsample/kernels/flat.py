@@ -1,10 +1,9 @@
 """Flat arrays: a function of each element, and the points of a sequence."""
 
-from functools import cache
-
 import warp as wp
 
 from warpsample.kernels.parameters import Parameters
+from warpsample.locks import once
 
 
 @wp.func
@@ -41,7 +40,7 @@ _READ = {2: _read_2, 3: _read_3}
 _WRITE = {1: _write_1, 2: _write_2, 3: _write_3}
 
 
-@cache
+@once
 def elementwise(func: wp.Function, width: int, out_width: int) -> wp.Kernel:
     """A kernel over blocks of a flat array: func(x, Parameters) of each of `total` vectors."""
     read = _READ[width]
@@ -68,7 +67,7 @@ def elementwise(func: wp.Function, width: int, out_width: int) -> wp.Kernel:
     return elementwise
 
 
-@cache
+@once
 def square_blocks(sequence: wp.Function) -> wp.Kernel:
     """A kernel over blocks of consecutive (point, sample) pairs of a sequence alone."""
 

@@ -1,17 +1,16 @@
 """Means of a function over the directions of a point; directions never reach memory."""
 
-from functools import cache
-
 import warp as wp
 
 from warpsample.kernels.parameters import Parameters
 from warpsample.kernels.variates import CHUNK, LANES, fill_variates
+from warpsample.locks import once
 from warpsample.sequences.record import Sequence
 
 _Z = wp.constant(wp.vec3(0.0, 0.0, 1.0))
 
 
-@cache
+@once
 def direction_means(sequence: Sequence, about: wp.Function, function: wp.Function) -> wp.Kernel:
     """A kernel with a task for each point: the mean of function(direction), in float64, over `count` directions about +z.
 

@@ -1,10 +1,9 @@
 """A distribution's functions in the one form that kernels call: its scalars in a struct, its map about a normal."""
 
-from functools import cache
-
 import warp as wp
 
 from warpsample.frames import frame_about, to_world
+from warpsample.locks import once
 
 
 @wp.struct
@@ -20,7 +19,7 @@ class Parameters:
     z: wp.float32
 
 
-@cache
+@once
 def with_parameters(func: wp.Function, argument: type, count: int) -> wp.Function:
     """`func(x)`, `func(x, scalar)` or `func(x, scalar, vector)`, by `count`, as a wp.func of (x: argument, Parameters)."""
     if count == 0:
@@ -44,7 +43,7 @@ def with_parameters(func: wp.Function, argument: type, count: int) -> wp.Functio
     return call
 
 
-@cache
+@once
 def about_frame(sample: wp.Function, pdf: wp.Function) -> wp.Function:
     """A local map (u, Parameters) and its density as a map about a unit normal, (n, u, Parameters) -> (direction, pdf)."""
 

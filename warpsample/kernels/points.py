@@ -1,9 +1,8 @@
 """Uniform points of a mesh, from the cumulated areas of its faces."""
 
-from functools import cache
-
 import warp as wp
 
+from warpsample.locks import once
 from warpsample.numerics import high_word, low_word
 from warpsample.sequences.philox import philox4x32_10
 
@@ -11,7 +10,7 @@ _SURFACE_STREAM = wp.constant(wp.uint32(1))  # the fourth counter word; directio
 _WORD_STEP = wp.constant(wp.float64(2.0**-32))
 
 
-@cache
+@once
 def place_points() -> wp.Kernel:
     """A kernel with a task for each point: Philox draws the face with 64 bits and the place on it with 64."""
 

@@ -1,11 +1,10 @@
 """Directions row by row: see `kernels.job`."""
 
-from functools import cache
-
 import warp as wp
 
 from warpsample.kernels.job import DirectionJob, accessors, normal_status, point_id
 from warpsample.kernels.variates import LANES, fill_variates
+from warpsample.locks import once
 from warpsample.numerics import scaled_to_unit
 from warpsample.sequences.record import Sequence
 
@@ -13,7 +12,7 @@ MOST_ROWS = 128
 """Of a task, whose loops set up their constants once; one on CUDA."""
 
 
-@cache
+@once
 def direction_rows(
     sequence: Sequence,
     about: wp.Function,

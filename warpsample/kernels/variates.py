@@ -4,10 +4,9 @@ Sequence and map in one loop are a chain of 150 cycles through 100 instructions:
 its units idle. Apart they run 1.1 to 1.3 times faster, and a sequence that makes two points at a time can.
 """
 
-from functools import cache
-
 import warp as wp
 
+from warpsample.locks import once
 from warpsample.sequences.record import Sequence
 
 CHUNK = 64
@@ -16,7 +15,7 @@ LANES = 8
 """Of AVX2. Loops run over multiples of it, since a scalar remainder costs as much as a row."""
 
 
-@cache
+@once
 def fill_variates(sequence: Sequence, chunk: int) -> wp.Function:
     """A `wp.func` (seed, point, start, length, count, u) that fills u, 2 * chunk floats: u[0] of each sample, then u[1].
 

@@ -1,13 +1,14 @@
 """What a tree's nodes and leaves hold, from where the vertices are: when it is built, and again when they have moved."""
 
 from dataclasses import dataclass
-from functools import cache
 from itertools import pairwise
 
 import numpy as np
 import warp as wp
 
+from warpsample.arrays import cpu
 from warpsample.engine import run
+from warpsample.locks import once
 from warpsample.tracing.build import Topology
 from warpsample.tracing.layout import LEAF_BYTES, NODE_BYTES, WIDTH, AcceleratorJob
 
@@ -65,15 +66,14 @@ def fill(topology: Topology, vertices: np.ndarray, faces: np.ndarray, workers: i
         faces: (F, 3) int32.
         workers: threads.
     """
-    cpu = wp.get_device("cpu")
     leaves, nodes = len(topology.faces), len(topology.places)
     tree = Tree(topology, _in_lines((nodes, 8, WIDTH)), _in_lines((leaves, 10, WIDTH)))
     leaf_boxes, node_boxes = np.empty((leaves, 2, 3), np.float32), np.empty((nodes, 2, 3), np.float32)
     inputs = [a.ctypes.data for a in (topology.faces, vertices, faces, tree.leaves, leaf_boxes)]
-    run(_fill_leaves(), leaves, inputs, cpu, workers, 128 * leaves)
+    run(_fill_leaves(), leaves, inputs, cpu(), workers, 128 * leaves)
     for first, last in list(pairwise(topology.levels))[::-1]:  # from the bottom
         inputs = [a.ctypes.data for a in (topology.places, leaf_boxes, node_boxes, tree.nodes)]
-        run(_fill_nodes(), last - first, [first, *inputs], cpu, workers, 128 * (last - first))
+        run(_fill_nodes(), last - first, [first, *inputs], cpu(), workers, 128 * (last - first))
     return tree
 
 
@@ -85,7 +85,7 @@ def _in_lines(shape: tuple[int, ...]) -> np.ndarray:
     return raw[start : start + size].view(np.float32).reshape(shape)
 
 
-@cache
+@once
 def _fill_leaves() -> wp.Kernel:
     """A kernel with a task for each leaf: its rows of corners and its box."""
 
@@ -127,7 +127,7 @@ def _fill_leaves() -> wp.Kernel:
     return fill_leaves
 
 
-@cache
+@once
 def _fill_nodes() -> wp.Kernel:
     """A kernel with a task for each node of a level: its rows, from its children's boxes, and its own box."""
 

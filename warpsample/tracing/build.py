@@ -5,12 +5,13 @@ until there are sixteen.
 """
 
 from dataclasses import dataclass
-from functools import cache
 
 import numpy as np
 import warp as wp
 
+from warpsample.arrays import cpu
 from warpsample.engine import run
+from warpsample.locks import once
 from warpsample.tracing.layout import WIDTH
 from warpsample.tracing.sah import ALL_BINS, BINS, MOST_BINS, best_split, centres, fill_bins, partition
 
@@ -43,11 +44,10 @@ def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
         faces: (F, 3) int32.
         workers: threads.
     """
-    cpu = wp.get_device("cpu")
     count = len(faces)
     lower, upper = np.empty((count, 4), np.float32), np.empty((count, 4), np.float32)
     inputs = [a.ctypes.data for a in (vertices, faces, lower, upper)]
-    run(_triangle_boxes(), count, inputs, cpu, workers, 8 * count)
+    run(_triangle_boxes(), count, inputs, cpu(), workers, 8 * count)
     begins, ends = np.array([0], np.int32), np.array([count], np.int32)
     places, leaf_begins, leaf_ends, levels = [], [], [], [0]
     leaves = 0
@@ -55,7 +55,7 @@ def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
         children = np.zeros((3, len(begins), WIDTH), np.int32)
         by_area = int(len(levels) <= _SAH_LEVELS)
         inputs = [a.ctypes.data for a in (lower, upper, begins, ends, *children)]
-        run(_split_nodes(), len(begins), [by_area, *inputs], cpu, workers, 128 * int((ends - begins).sum()))
+        run(_split_nodes(), len(begins), [by_area, *inputs], cpu(), workers, 128 * int((ends - begins).sum()))
         begin, end, used = children
         inner = end - begin > WIDTH
         leaf = (used != 0) & ~inner
@@ -78,7 +78,7 @@ def _leaf_faces(order: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.nda
     return np.where(place < end[:, None], order[np.minimum(place, len(order) - 1)], -1).astype(np.int32)
 
 
-@cache
+@once
 def _triangle_boxes() -> wp.Kernel:
     """A kernel with a task for each triangle: its lower corner with the bits of its number, and its upper corner."""
 
@@ -100,7 +100,7 @@ def _triangle_boxes() -> wp.Kernel:
     return triangle_boxes
 
 
-@cache
+@once
 def _split_nodes() -> wp.Kernel:
     """A kernel with a task for each node of a level: the ranges of its children, and which of the sixteen there are."""
 

@@ -1,11 +1,11 @@
 """The order in which points are visited: along a Morton curve, where the caller's own jumps about."""
 
-from functools import cache
-
 import numpy as np
 import warp as wp
 
+from warpsample.arrays import cpu
 from warpsample.engine import run
+from warpsample.locks import once
 from warpsample.tracing.rays import Job, RayJob, local_origin
 
 _CELLS = 32  # along each axis: 15 bits, which NumPy sorts by radix in 20 ns a point
@@ -22,7 +22,7 @@ def order_of(job: Job, workers: int) -> np.ndarray | None:
     if job.points < _FEW_POINTS or job.count < _FEW_RAYS:
         return None
     cells = np.empty(job.points, np.uint16)
-    run(_point_cells(), job.points, [job, cells.ctypes.data], wp.get_device("cpu"), workers, job.points)
+    run(_point_cells(), job.points, [job, cells.ctypes.data], cpu(), workers, job.points)
     if np.count_nonzero(cells[1:] != cells[:-1]) < _COHERENT * job.points:
         return None
     return np.argsort(cells, kind="stable")
@@ -41,7 +41,7 @@ def _every_third(x: wp.int32) -> wp.int32:
     return (x | (x << 2)) & 0x1249
 
 
-@cache
+@once
 def _point_cells() -> wp.Kernel:
     """A kernel with a task for each point: the number on the curve of its cell of the mesh's box."""
 

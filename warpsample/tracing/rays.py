@@ -1,9 +1,8 @@
 """A user's rays, brought into the scene's own float32 coordinates one by one, asked, and answered in the user's."""
 
-from functools import cache
-
 import warp as wp
 
+from warpsample.locks import once
 from warpsample.numerics import scaled_to_unit
 from warpsample.tracing.layout import AHEAD, CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, REACH, SCRATCH, Accelerator
 
@@ -178,7 +177,7 @@ def _normalize(chunk: wp.uint64):
         k += 1
 
 
-@cache
+@once
 def ray_kernel(prepare: wp.Function, query: wp.Function) -> wp.Kernel:
     """A kernel with a task for each block of rays, in the job's order.
 

@@ -1,5 +1,6 @@
 """A mesh in the coordinates of its tracers, and the tracers' own data, kept while the mesh lives."""
 
+import warnings
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -7,44 +8,81 @@ import numpy as np
 import warp as wp
 
 from warpsample.engine import check_workers
+from warpsample.locks import making, read_only
 from warpsample.mesh import Mesh, as_mesh
 from warpsample.tracing.boxes import Tree, fill
 from warpsample.tracing.build import Topology, build
 from warpsample.tracing.layout import AcceleratorJob
 
-_LEAST_EXPONENT = -900
+SMALLEST = 1e-30
+"""Half size of a mesh that is traced: distances, which are float32, keep their digits."""
+
 _LEAST_EXTENT = 2.0**-16  # points of a plane across an axis are moved off it all the same
+_FAR = 16.0  # times as far as four fifths of the vertices: a part of its own, that the coordinates are not centred about
+_LOOKED_AT = 4096  # vertices or faces that tell how a mesh is spread out
+_COARSE = 2.0**-16  # of the scene: edges no longer than that are lost in the lift of a point off its face
 
 
 class Scene:
-    """A mesh moved to the origin and scaled to within 1 of it, in float64 and then rounded to float32.
+    """A mesh moved to about the origin and scaled to within 1 of it, in float64 and then rounded to float32.
 
     Attributes:
-        centre: (3,) float64, of the mesh's box.
+        centre: (3,) float64, of the mesh's box; where a few faces are far from all others, of the others' box.
         scale: a power of two, so that scaling a mesh by one changes no digit.
         extent: (3,), how far the mesh reaches from 0 on each axis, or a little more where that is next to nothing.
-        vertices: (V, 3) float32, (vertices - centre) * scale.
+        spread: (3,), the same without such far parts.
+        vertices: (V, 3) float32, (vertices - centre) * scale; 0 where no face uses one.
         faces: (F, 3) int32.
+
+    Raises:
+        ValueError: the mesh is so small that float32 distances lose their digits.
+
+    Warns:
+        UserWarning: most of the faces are too small for their distance from the centre.
     """
 
     def __init__(self, mesh: Mesh) -> None:
         """Builds nothing yet."""
-        lower, upper = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
-        self.centre = 0.5 * lower + 0.5 * upper
-        exponent = int(np.frexp(np.max(upper - self.centre))[1])
-        self.scale = 2.0 ** -max(exponent, _LEAST_EXPONENT)
-        self.extent = np.maximum((upper - self.centre) * self.scale, _LEAST_EXTENT)
-        self.vertices = ((mesh.vertices - self.centre) * self.scale).astype(np.float32)
+        lower, upper = mesh.bounds
+        middle = _main_part(mesh.vertices[mesh.used])
+        half = 0.5 * upper - 0.5 * lower
+        apart = half.max() > _FAR * (0.5 * middle[1] - 0.5 * middle[0]).max() > 0.0
+        near = middle if apart else mesh.bounds
+        self.centre = 0.5 * near[0] + 0.5 * near[1]
+        reach = np.maximum(upper - self.centre, self.centre - lower)
+        if 0.0 < reach.max() < SMALLEST:
+            raise ValueError(f"mesh: got one of half size {reach.max():.3g}, want at least {SMALLEST:g}; scale it up")
+        self.scale = 2.0 ** -int(np.frexp(reach.max())[1])
+        self.extent = np.maximum(reach * self.scale, _LEAST_EXTENT)
+        spread = (near[1] - self.centre) * self.scale
+        self.spread = np.maximum(spread, _LEAST_EXTENT) if apart else self.extent
+        placed = np.where(mesh.used[:, None], mesh.vertices, self.centre)
+        self.vertices = read_only(((placed - self.centre) * self.scale).astype(np.float32))
         self.faces = mesh.faces
         self._topology: Topology | None = None
         self._tree: Tree | None = None
         self._builtin: dict[str, wp.Mesh] = {}
+        self._warn_if_coarse(float(spread.max()))
+
+    def _warn_if_coarse(self, spread: float) -> None:
+        some = self.vertices[self.faces[:: -(-len(self.faces) // _LOOKED_AT)]].astype(np.float64)
+        edges = np.linalg.norm(some - np.roll(some, 1, axis=1), axis=2).max(axis=1)
+        if 0.0 < np.median(edges) < _COARSE * spread:
+            size, reach = float(np.median(edges)) / self.scale, spread / self.scale
+            warnings.warn(
+                f"mesh: got faces of size {size:.3g} (median) within {reach:.3g} of their centre, where points are moved off "
+                f"their faces by about {reach * 2.0**-19:.2g}; trace parts that are far apart as meshes of their own",
+                stacklevel=2,
+            )
 
     def tree(self, workers: int) -> Tree:
-        """The 16-wide tree, built at the first call."""
+        """The 16-wide tree, built at the first call, by whichever thread makes it."""
         if self._tree is None:
-            self._topology = self._topology or build(self.vertices, self.faces, workers)
-            self._tree = fill(self._topology, self.vertices, self.faces, workers)
+            with making:
+                if self._tree is None:
+                    topology = self._topology or build(self.vertices, self.faces, workers)
+                    tree = fill(topology, self.vertices, self.faces, workers)
+                    self._topology, self._tree = topology, tree
         return self._tree
 
     def moved(self, mesh: Mesh) -> "Scene":
@@ -55,21 +93,31 @@ class Scene:
 
     def builtin(self, device: wp.Device) -> AcceleratorJob:
         """The wp.Mesh on a device, built at the first call."""
-        if device.alias not in self._builtin:
-            points = wp.array(self.vertices, dtype=wp.vec3, device=device)
-            indices = wp.array(self.faces.ravel(), dtype=wp.int32, device=device)
-            self._builtin[device.alias] = wp.Mesh(points, indices)
-        return AcceleratorJob(mesh=self._builtin[device.alias].id, starts=1)
+        with making:
+            if device.alias not in self._builtin:
+                points = wp.array(self.vertices, dtype=wp.vec3, device=device)
+                indices = wp.array(self.faces.ravel(), dtype=wp.int32, device=device)
+                self._builtin[device.alias] = wp.Mesh(points, indices)
+            return AcceleratorJob(mesh=self._builtin[device.alias].id, starts=1)
 
 
 _scenes: WeakKeyDictionary[Mesh, Scene] = WeakKeyDictionary()
 
 
+def _main_part(vertices: np.ndarray) -> np.ndarray:
+    """(2, 3): the box of four fifths of the vertices, on each axis by itself; of a sample of them."""
+    return np.quantile(vertices[:: -(-len(vertices) // _LOOKED_AT)], [0.1, 0.9], axis=0)
+
+
 def scene_of(mesh: Mesh) -> Scene:
-    """The scene of a mesh; the same one while the mesh lives."""
-    if mesh not in _scenes:
-        _scenes[mesh] = Scene(mesh)
-    return _scenes[mesh]
+    """The scene of a mesh; the same one while the mesh lives, whichever threads ask."""
+    scene = _scenes.get(mesh)
+    if scene is None:
+        with making:
+            scene = _scenes.get(mesh)
+            if scene is None:
+                scene = _scenes[mesh] = Scene(mesh)
+    return scene
 
 
 def refit(mesh: Any, vertices: Any, workers: int | None = None) -> Mesh:
@@ -92,6 +140,8 @@ def refit(mesh: Any, vertices: Any, workers: int | None = None) -> Mesh:
     moved = Mesh(vertices, mesh.faces)
     before = scene_of(mesh)
     before.tree(workers)
-    _scenes[moved] = before.moved(moved)
-    _scenes[moved].tree(workers)
+    after = before.moved(moved)
+    after.tree(workers)
+    with making:
+        _scenes[moved] = after
     return moved

@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.arguments import check_number
-from warpsample.arrays import Array, address_of
+from warpsample.arrays import Array, address_of, cpu
 from warpsample.engine import check_memory, check_workers, run
 from warpsample.mesh import Mesh, as_mesh, unit_or_zero
 from warpsample.surface import SurfacePoints
@@ -174,7 +174,7 @@ class Triples:
             raise TypeError(f"{argument}: got dtype {array.dtype}, want float32 or float64")
         if array.ndim == 0 or array.shape[-1] != 3:
             raise ValueError(f"{argument}: got shape {array.shape}, want {shape}")
-        return cls(np.ascontiguousarray(array), array.shape[:-1], _DOUBLE[array.dtype.type], wp.get_device("cpu"))
+        return cls(np.ascontiguousarray(array), array.shape[:-1], _DOUBLE[array.dtype.type], cpu())
 
     def empty(self, dtype: Any) -> Array:
         """Uninitialised numbers, one for each vector, of the same kind and in the same place."""

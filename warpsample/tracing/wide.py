@@ -1,9 +1,8 @@
 """Queries of the tree: nodes are followed from the mask of the boxes that a ray meets; what is left of a mask waits."""
 
-from functools import cache
-
 import warp as wp
 
+from warpsample.locks import once
 from warpsample.tracing.intersect import Ray, boxes_met, lowest_bit, ray_in, triangle_distance, triangles_met
 from warpsample.tracing.layout import LEAF_BYTES, NODE_BYTES, WIDTH, Accelerator
 
@@ -58,7 +57,7 @@ def _take_up(ray: Ray, reach: wp.float32, top: wp.uint64, bottom: wp.uint64):
     return node, mask, top
 
 
-@cache
+@once
 def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
     """A query (Accelerator, ray, reach, scratch) -> (distance or inf, face or -1, nodes, leaves visited).
 
