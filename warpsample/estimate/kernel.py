@@ -9,7 +9,7 @@ from warpsample.kernels.variates import LANES
 from warpsample.locks import once
 from warpsample.numerics import high_word, low_word, scaled_to_unit
 from warpsample.sequences.record import Sequence
-from warpsample.tracing.frontier import HORIZON_MARGIN, NEAR, NEAR_SLACK, frontier
+from warpsample.tracing.frontier import HORIZON_MARGIN, NEAR, NEAR_SIZES, frontier
 from warpsample.tracing.intersect import ray_in
 from warpsample.tracing.layout import (
     BEAM_FLOATS,
@@ -21,7 +21,7 @@ from warpsample.tracing.layout import (
     START_FLOATS,
     Accelerator,
 )
-from warpsample.tracing.rays import extent_along, far_off, lift, local_origin, point_of
+from warpsample.tracing.rays import far_off, lift, local_origin, point_of, reach_along
 from warpsample.tracing.wide import nearest_of
 
 _NONFINITE_POSITION = wp.constant(wp.int32(NONFINITE_POSITION))
@@ -107,8 +107,8 @@ def estimate_kernel(
         distance = wp.float32(wp.INF)
         if wp.static(wide):
             if near != 0:
-                slack = wp.array(ptr=spot.room + NEAR_SLACK, shape=(1,), dtype=wp.float32)
-                met, triangle = nearest_of(spot.room + NEAR, near, ray_in(column), column, reach, slack[0])
+                sizes = wp.array(ptr=spot.room + NEAR_SIZES, shape=(2,), dtype=wp.float32)
+                met, triangle = nearest_of(spot.room + NEAR, near, ray_in(column), column, reach, sizes[0], sizes[1])
                 if triangle >= 0:
                     distance = met
                     reach = met
@@ -225,14 +225,17 @@ def estimate_kernel(
         room = wp.zeros(shape=(START_FLOATS,), dtype=wp.float32)
         point = point_of(job.rays, first_task + wp.int64(wp.tid()))
         normal = wp.array(ptr=job.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
-        side = wp.array(ptr=job.rays.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
         unit = scaled_to_unit(normal)
         spot = Spot()
         spot.id = job.first_point + wp.uint64(point)
         spot.n = wp.vec3(unit[0], unit[1], unit[2])
         spot.place = local_origin(job.rays, point)
-        spot.o = wp.vec3(spot.place) + wp.copysign(lift(job.rays, side), wp.dot(side, spot.n)) * side
-        spot.low = HORIZON_MARGIN * extent_along(job.rays, spot.n)
+        if wp.static(wide):
+            spot.o = wp.array(ptr=job.rays.starts + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+        else:
+            side = wp.array(ptr=job.rays.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+            spot.o = wp.vec3(spot.place) + wp.copysign(lift(job.rays, side), wp.dot(side, spot.n)) * side
+        spot.low = HORIZON_MARGIN * reach_along(job.rays, spot.n, spot.o)
         spot.reach = wp.float32(job.rays.reach)
         spot.chunk = floats.ptr
         spot.square = square.ptr

@@ -25,6 +25,7 @@ from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare
 from warpsample.tracing.intersect import prepare_wide
 from warpsample.tracing.order import order_of
 from warpsample.tracing.scene import scene_of
+from warpsample.tracing.starts import starts_of
 from warpsample.tracing.trace import (
     MANY_FACES,
     RAY_WORK,
@@ -41,6 +42,7 @@ if TYPE_CHECKING:
 
 _MOST_RAYS = 2**24  # of a point: hits are counted in float64 and rays in int32, and one point is one task
 _BYTES_PER_POINT = 80
+_MOST_REACH = 2.0**60  # of the scene's size: what is in it is at no distance at all from there on
 _TRIAL = 1 << 63  # of the seed
 _TRIAL_RAYS = 64
 _FEWEST_RAYS = 32
@@ -247,6 +249,7 @@ class _Runner:
         self.position = Triples.of(plan.points.position, "points.position")
         self.normal = np.ascontiguousarray(Triples.of(plan.points.normal, "points.normal").owner, np.float32)
         self.side = surface_normals(plan.mesh, plan.points, "points")
+        self.starts = self._starts() if plan.tracer == "wide" and len(plan.points) else None
 
     def result(self, seed: int, counts: np.ndarray) -> Estimate:
         """The estimate by counts[i] rays from the i-th point."""
@@ -269,10 +272,21 @@ class _Runner:
         unit = np.float32(self.quantity.unit)
         return Estimate(unit * value, unit * error, cast, status, skipped)
 
+    def _starts(self) -> np.ndarray:
+        """(P, 1, 3), where the rays of the points start."""
+        rays = job_of(self.scene, self.position, self.position, inf, self.position.owner, self.position.owner)
+        rays.normals = self.side.ctypes.data
+        tree = self.scene.tree(self.plan.workers).accelerator()
+        face = np.ascontiguousarray(self.plan.points.face, np.int32)
+        return starts_of(self.scene, rays, face, self.normal, tree, self.plan.workers)
+
     def _job(self, cells: Cells, seed: int) -> Job:
         plan, quantity = self.plan, self.quantity
         rays = job_of(self.scene, self.position, self.position, quantity.reach, self.position.owner, self.position.owner)
         rays.normals, rays.count = self.side.ctypes.data, cells.rays
+        if quantity.falloff is not None:  # is relative to the reach, so that must be a float32
+            rays.reach = min(rays.reach, _MOST_REACH)
+        rays.starts = 0 if self.starts is None else self.starts.ctypes.data
         return Job(
             rays=rays,
             seed=seed,

@@ -20,14 +20,6 @@ A plane's distance is rounded in the direction's inverse, in its product with th
 beside itself. Together that is 2^-18.6.
 """
 
-SLACK = 2.0**-18
-"""Times the cube of a leaf's size: the rounding of the sum of edge functions times distances, of what is in it.
-
-Seen along a ray that meets a triangle, its corners are within 2 sizes: an edge function is rounded by 2^-23 of 4 sizes
-squared, times 2 sizes, and there are three.
-"""
-
-_SLACK = wp.constant(wp.float32(SLACK))
 _PADDING = wp.constant(wp.float32(PADDING))
 _NOWHERE = wp.constant(wp.float32(2.0**60))  # times an inverse of 2^60 at most: finite
 _NODE_FLOATS = NODE_BYTES // 4
@@ -69,10 +61,11 @@ def fill(topology: Topology, vertices: np.ndarray, faces: np.ndarray, workers: i
     leaves, nodes = len(topology.faces), len(topology.places)
     tree = Tree(topology, _in_lines((nodes, 8, WIDTH)), _in_lines((leaves, 10, WIDTH)))
     leaf_boxes, node_boxes = np.empty((leaves, 2, 3), np.float32), np.empty((nodes, 2, 3), np.float32)
-    inputs = [a.ctypes.data for a in (topology.faces, vertices, faces, tree.leaves, leaf_boxes)]
+    edges = np.empty(leaves, np.float32)
+    inputs = [a.ctypes.data for a in (topology.faces, vertices, faces, tree.leaves, leaf_boxes, edges)]
     run(_fill_leaves(), leaves, inputs, cpu(), workers, 128 * leaves)
     for first, last in list(pairwise(topology.levels))[::-1]:  # from the bottom
-        inputs = [a.ctypes.data for a in (topology.places, leaf_boxes, node_boxes, tree.nodes)]
+        inputs = [a.ctypes.data for a in (topology.places, leaf_boxes, edges, node_boxes, tree.nodes)]
         run(_fill_nodes(), last - first, [first, *inputs], cpu(), workers, 128 * (last - first))
     return tree
 
@@ -87,7 +80,7 @@ def _in_lines(shape: tuple[int, ...]) -> np.ndarray:
 
 @once
 def _fill_leaves() -> wp.Kernel:
-    """A kernel with a task for each leaf: its rows of corners and its box."""
+    """A kernel with a task for each leaf: its rows of corners, its box and its longest side."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def fill_leaves(
@@ -96,6 +89,7 @@ def _fill_leaves() -> wp.Kernel:
         faces: wp.uint64,
         leaves: wp.uint64,
         boxes: wp.uint64,
+        edges: wp.uint64,
         first_task: wp.int64,
     ):
         leaf = wp.int32(first_task) + wp.tid()
@@ -105,6 +99,7 @@ def _fill_leaves() -> wp.Kernel:
         points = wp.array(ptr=vertices, shape=(_MOST_VERTICES,), dtype=wp.vec3)
         low = wp.vec3(_NOWHERE)
         high = wp.vec3(-_NOWHERE)
+        longest = wp.float32(0.0)
         for k in range(WIDTH):
             a = wp.vec3(0.0)  # three equal corners: no ray meets them
             b = a
@@ -114,8 +109,11 @@ def _fill_leaves() -> wp.Kernel:
                 a = points[corners[0]]
                 b = points[corners[1]]
                 c = points[corners[2]]
-                low = wp.min(wp.min(low, a), wp.min(b, c))
-                high = wp.max(wp.max(high, a), wp.max(b, c))
+                least = wp.min(wp.min(a, b), c)
+                most = wp.max(wp.max(a, b), c)
+                longest = wp.max(longest, wp.max(most - least))
+                low = wp.min(low, least)
+                high = wp.max(high, most)
             for axis in range(3):
                 rows[axis * WIDTH + k] = a[axis]
                 rows[(3 + axis) * WIDTH + k] = b[axis]
@@ -123,6 +121,8 @@ def _fill_leaves() -> wp.Kernel:
             rows[9 * WIDTH + k] = wp.cast(mine[k], wp.float32)
         box[0] = low
         box[1] = high
+        edge = wp.array(ptr=edges + wp.uint64(leaf) * wp.uint64(4), shape=(1,), dtype=wp.float32)
+        edge[0] = longest
 
     return fill_leaves
 
@@ -136,6 +136,7 @@ def _fill_nodes() -> wp.Kernel:
         first_node: wp.int32,
         places: wp.uint64,
         leaf_boxes: wp.uint64,
+        edges: wp.uint64,
         node_boxes: wp.uint64,
         nodes: wp.uint64,
         first_task: wp.int64,
@@ -150,24 +151,22 @@ def _fill_nodes() -> wp.Kernel:
             place = below[k]
             lower = wp.vec3(_NOWHERE)
             upper = wp.vec3(-_NOWHERE)
-            slack = wp.float32(0.0)
+            edge = wp.float32(0.0)
             if place != 0:
                 address = node_boxes + wp.uint64(place) * wp.uint64(24)
                 if place < 0:
                     address = leaf_boxes + wp.uint64(~place) * wp.uint64(24)
+                    edge = wp.array(ptr=edges + wp.uint64(~place) * wp.uint64(4), shape=(1,), dtype=wp.float32)[0]
                 box = wp.array(ptr=address, shape=(2,), dtype=wp.vec3)
                 low = wp.min(low, box[0])
                 high = wp.max(high, box[1])
                 lower = box[0] - wp.vec3(_PADDING)
                 upper = box[1] + wp.vec3(_PADDING)
-                extent = box[1] - box[0]
-                size = wp.max(wp.max(extent[0], extent[1]), extent[2])
-                slack = _SLACK * size * size * size
             for axis in range(3):
                 rows[axis * WIDTH + k] = lower[axis]
                 rows[(3 + axis) * WIDTH + k] = upper[axis]
             rows[6 * WIDTH + k] = wp.cast(place, wp.float32)
-            rows[7 * WIDTH + k] = slack
+            rows[7 * WIDTH + k] = edge
         own[0] = low
         own[1] = high
 

@@ -16,11 +16,11 @@ from warpsample.tracing.layout import LEAF_BYTES, MOST_STARTS, NODE_BYTES, WIDTH
 NEAR = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES))
 """Where the leaf around the point is, in bytes from the point's first node on."""
 
-NEAR_SLACK = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES + LEAF_BYTES))
-"""Where its slack of distances is."""
+NEAR_SIZES = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES + LEAF_BYTES))
+"""Where two numbers of it are: its triangles' longest side along an axis, and how far their corners are, likewise."""
 
 HORIZON_MARGIN = wp.constant(wp.float32(2.0**-20))
-"""Times `rays.extent_along` the normal: what is lower than this below the origin's horizon plane is below it for sure.
+"""Times `rays.reach_along` the normal: what is lower than this below the origin's horizon plane is below it for sure.
 
 A height's three products and sums, and the coordinates and the normal's components in them, are rounded to 2^-21.4 of that.
 An origin that is `rays.lift`ed off the surface, by 2^-19, thus has its own face, and all in its plane, below itself.
@@ -31,7 +31,7 @@ _LEAF = wp.constant(wp.uint64(LEAF_BYTES))
 _NODE_FLOATS = NODE_BYTES // 4
 _LEAF_FLOATS = LEAF_BYTES // 4
 _PLACES = wp.constant(wp.uint64(6 * 4 * WIDTH))
-_SLACKS = wp.constant(wp.uint64(7 * 4 * WIDTH))
+_EDGES = wp.constant(wp.uint64(7 * 4 * WIDTH))
 _FACES = wp.constant(wp.uint64(9 * 4 * WIDTH))
 _PADDING = wp.constant(wp.float32(PADDING))
 _NOWHERE = wp.constant(wp.float32(2.0**60))
@@ -104,8 +104,26 @@ def _copy_triangle(leaf: wp.uint64, k: wp.int32, near: wp.uint64, lane: wp.int32
 
 
 @wp.func
+def _farthest(node: wp.uint64, child: wp.int32, o: wp.vec3) -> wp.float32:
+    """How far a child's box reaches from the origin, along an axis, at most."""
+    rows = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
+    far = wp.float32(0.0)
+    for axis in range(3):
+        x = rows[axis * WIDTH + child]
+        y = rows[(3 + axis) * WIDTH + child]
+        far = wp.max(far, wp.max(y - o[axis], o[axis] - x))
+    return far
+
+
+@wp.func
 def _take_apart(
-    leaf: wp.uint64, n: wp.vec3, limit: wp.float32, slack: wp.float32, room: wp.uint64, triangles: wp.int32
+    leaf: wp.uint64,
+    n: wp.vec3,
+    limit: wp.float32,
+    edge: wp.float32,
+    far: wp.float32,
+    room: wp.uint64,
+    triangles: wp.int32,
 ) -> wp.int32:
     """How many triangles are around the point with those of a leaf that it is in; -1 if there is no room for them."""
     met = _triangles_above(leaf, n, limit)
@@ -113,8 +131,9 @@ def _take_apart(
     if triangles + count > WIDTH:
         return -1
     if count > 0:
-        most = wp.array(ptr=room + NEAR_SLACK, shape=(1,), dtype=wp.float32)
-        most[0] = wp.max(most[0], slack)
+        sizes = wp.array(ptr=room + NEAR_SIZES, shape=(2,), dtype=wp.float32)
+        sizes[0] = wp.max(sizes[0], edge)
+        sizes[1] = wp.max(sizes[1], far)
     for _ in range(count):
         _copy_triangle(leaf, lowest_bit(met), room + NEAR, triangles)
         met = met & (met - 1)
@@ -139,8 +158,9 @@ def frontier(
         room: address of START_FLOATS floats.
         scratch: address of SCRATCH words.
     """
-    slack = wp.array(ptr=room + NEAR_SLACK, shape=(1,), dtype=wp.float32)
-    slack[0] = 0.0
+    sizes = wp.array(ptr=room + NEAR_SIZES, shape=(2,), dtype=wp.float32)
+    sizes[0] = 0.0
+    sizes[1] = 0.0
     waiting = wp.array(ptr=scratch, shape=(WIDTH,), dtype=wp.int32)
     waiting[0] = 0
     waits = wp.int32(1)
@@ -153,7 +173,7 @@ def frontier(
             waits -= 1
             node = accelerator.nodes + wp.uint64(waiting[waits]) * _NODE
             places = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)
-            slacks = wp.array(ptr=node + _SLACKS, shape=(WIDTH,), dtype=wp.float32)
+            edges = wp.array(ptr=node + _EDGES, shape=(WIDTH,), dtype=wp.float32)
             visible, around = _visible(node, o, n, box_limit, reach)
             for _ in range(wp.bit_count(visible)):
                 child = lowest_bit(visible)
@@ -163,7 +183,8 @@ def frontier(
                 if ((around >> child) & 1) != 0:
                     if place < 0:
                         leaf = accelerator.leaves + wp.uint64(~place) * _LEAF
-                        apart = _take_apart(leaf, n, limit, slacks[child], room, triangles)
+                        far = _farthest(node, child, o)
+                        apart = _take_apart(leaf, n, limit, edges[child], far, room, triangles)
                         triangles = wp.max(triangles, apart)
                     elif waits < WIDTH:
                         waiting[waits] = place

@@ -16,6 +16,9 @@ _THIRD = wp.constant(wp.int32(6 * WIDTH))
 _NO_HIT = wp.constant(wp.int32(0x7F800000))  # the bits of infinity: bits of floats above 0 are ordered as they are
 _CHILD = wp.constant(wp.int32(WIDTH - 1))
 _SLOWEST = wp.constant(wp.float32(2.0**-60))
+_ASIDE = wp.constant(wp.float32(2.0**-18))
+_BEHIND = wp.constant(wp.float32(2.0**-14))
+_ZERO = wp.constant(wp.float64(0.0))
 
 
 @wp.struct
@@ -181,16 +184,24 @@ def boxes_met(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
 
 
 @wp.func
-def triangles_met(leaf: wp.uint64, ray: Ray, reach: wp.float32, slack: wp.float32) -> wp.int32:
-    """Mask of the leaf's triangles that the ray's line meets, and within reach but for rounding.
+def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, far: wp.float32) -> wp.int32:
+    """Mask of the leaf's triangles that the ray may meet within reach: a few too many, never one too few.
 
-    After Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection", without their second test in float64: rounding
-    is monotonic, so the sign of a difference of two rounded products is the exact one or 0. The two triangles at an edge
-    compute it from the same numbers, and 0 counts as inside of both: a ray at an edge meets at least one.
+    Edge functions of the triangles sheared onto the ray (Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection"),
+    in float32, by more than whose rounding a triangle must be missed here. `triangle_distance` decides.
 
-    The edge functions of a needle are differences of products so much larger that, as weights, they tell its distance
-    badly. So the distance only sorts out here, with the leaf's slack; `triangle_distance` decides.
+    Args:
+        leaf: its address.
+        ray: prepared.
+        reach: of the ray.
+        edge: the longest side, seen along an axis, of what is in the leaf.
+        far: at most how far along the ray's longest axis its corners are.
     """
+    # With u = 2^-24, e = edge and r = far + edge: a sheared corner is rounded by 5 u r, and that of a triangle that is met
+    # is within 2 e; an edge function so by 56 u r e; their sum weighted by distances, over the longest axis, by 418 u r r e.
+    r = far + edge
+    aside = _ASIDE * r * edge
+    behind = _BEHIND * r * r * edge
     first = wp.array(ptr=leaf + ray.first, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     along = wp.array(ptr=leaf + ray.along, shape=(_LEAF_FLOATS,), dtype=wp.float32)
@@ -212,8 +223,8 @@ def triangles_met(leaf: wp.uint64, ray: Ray, reach: wp.float32, slack: wp.float3
         sum = u + v + w
         size = wp.abs(sum)  # 0 where the triangle is seen from its edge, or is none
         t = fma(u, az, fma(v, bz, w * cz)) * ray.scale_along * wp.copysign(1.0, sum)
-        inside = wp.where(lesser(lesser(u, v), w) >= 0.0, 1, 0) | wp.where(greater(greater(u, v), w) <= 0.0, 1, 0)
-        ahead = wp.where(t > -slack, 1, 0) & wp.where(t < fma(reach, size, slack), 1, 0) & wp.where(size > 0.0, 1, 0)
+        inside = wp.where(lesser(lesser(u, v), w) >= -aside, 1, 0) | wp.where(greater(greater(u, v), w) <= aside, 1, 0)
+        ahead = wp.where(t > -behind, 1, 0) & wp.where(t < fma(reach, size, behind), 1, 0) & wp.where(size > 0.0, 1, 0)
         mask = mask | wp.where((inside & ahead) != 0, 1 << k, 0)
         k += 1
     return mask
@@ -225,12 +236,48 @@ def _corner(rows: wp.array[wp.float32], i: wp.int32) -> wp.vec3d:
 
 
 @wp.func
-def triangle_distance(leaf: wp.uint64, k: wp.int32, column: wp.uint64) -> wp.float32:
-    """From a ray's origin to the plane of a triangle; its normal in float64, in which the products are exact."""
+def _sheared(v: wp.vec3d, d: wp.vec3d, axis: wp.int32) -> wp.vec2d:
+    """Where the line through v along d meets the plane across an axis, times the direction's component on that axis."""
+    first = (axis + 1) % 3
+    second = (axis + 2) % 3
+    return wp.vec2d(v[first] * d[axis] - v[axis] * d[first], v[second] * d[axis] - v[axis] * d[second])
+
+
+@wp.func
+def _turn(a: wp.vec2d, b: wp.vec2d) -> wp.float64:
+    return a[0] * b[1] - a[1] * b[0]
+
+
+@wp.func
+def triangle_distance(leaf: wp.uint64, k: wp.int32, ray: Ray, column: wp.uint64, reach: wp.float32) -> wp.float32:
+    """From a ray's origin to a triangle of a leaf; -1 where the ray does not meet it within reach.
+
+    A function of the float32 ray and triangle alone, whichever leaf it is in: what is tested before may only spare it. In
+    float64, where the differences of corners are exact and the products to 2^-53, so the side of an edge on which a ray
+    passes is told by the ray and the edge, not by how far away the edge ends. Rounding is monotonic: the sign of a
+    difference of two rounded products is that of their difference, or 0. The two triangles at an edge compute it from the
+    same numbers, and 0 counts as inside of both: a ray at an edge meets at least one.
+    """
     rows = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
-    ray = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-    o = wp.vec3d(wp.float64(ray[ORIGIN]), wp.float64(ray[ORIGIN + CHUNK]), wp.float64(ray[ORIGIN + 2 * CHUNK]))
-    d = wp.vec3d(wp.float64(ray[DIRECTION]), wp.float64(ray[DIRECTION + CHUNK]), wp.float64(ray[DIRECTION + 2 * CHUNK]))
-    a = _corner(rows, k)
-    n = wp.cross(_corner(rows, _SECOND + k) - a, _corner(rows, _THIRD + k) - a)
-    return wp.float32(wp.dot(n, a - o) / wp.dot(n, d))
+    lanes = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    o = wp.vec3d(wp.float64(lanes[ORIGIN]), wp.float64(lanes[ORIGIN + CHUNK]), wp.float64(lanes[ORIGIN + 2 * CHUNK]))
+    d = wp.vec3d(
+        wp.float64(lanes[DIRECTION]), wp.float64(lanes[DIRECTION + CHUNK]), wp.float64(lanes[DIRECTION + 2 * CHUNK])
+    )
+    a = _corner(rows, k) - o
+    b = _corner(rows, _SECOND + k) - o
+    c = _corner(rows, _THIRD + k) - o
+    n = wp.cross(b - a, c - a)
+    distance = wp.float32(wp.dot(n, a) / wp.dot(n, d))  # NaN or infinite where the triangle is seen from its edge
+    met = wp.float32(-1.0)
+    if distance > 0.0 and distance < reach:
+        axis = wp.int32(ray.along / _ROW)
+        p = _sheared(a, d, axis)
+        q = _sheared(b, d, axis)
+        r = _sheared(c, d, axis)
+        u = _turn(r, q)
+        v = _turn(p, r)
+        w = _turn(q, p)
+        if wp.min(wp.min(u, v), w) >= _ZERO or wp.max(wp.max(u, v), w) <= _ZERO:
+            met = distance
+    return met

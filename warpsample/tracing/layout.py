@@ -3,7 +3,7 @@
 Rows of sixteen float32 fill one AVX-512 register or two of AVX2:
 
 - a node is eight: the children's lower x, y, z, upper x, y, z, their places (below 0 a leaf, ~place; 0 none), and the
-  slack of distances in a leaf;
+  longest side, along an axis, of the triangles in a leaf;
 - a leaf is ten: x, y, z of its triangles' first corners, of the second, of the third, and the faces' numbers.
 """
 
@@ -38,8 +38,8 @@ BEAM_FLOATS = 5 * WIDTH
 MOST_STARTS = 4
 """Nodes that the rays of a point start from."""
 
-START_FLOATS = MOST_STARTS * NODE_BYTES // 4 + LEAF_BYTES // 4 + 1
-"""These, the leaf of the triangles around the point, and its slack."""
+START_FLOATS = MOST_STARTS * NODE_BYTES // 4 + LEAF_BYTES // 4 + 2
+"""These, the leaf of the triangles around the point, their longest side and how far away they are."""
 
 
 @wp.struct

@@ -9,8 +9,11 @@ from warpsample.tracing.layout import AHEAD, CHUNK, CHUNK_FLOATS, DIRECTION, ORI
 FURTHEST = 6.0
 """From 0 on an axis; origins beyond come nearer first, in float64, so that float32 resolves the mesh."""
 
+LIFT = 2.0**-19
+"""Of how far a mesh reaches along a normal: so far are points moved off their face along it, which is 32 roundings."""
+
+_LIFT = wp.constant(wp.float32(LIFT))
 _FURTHEST = wp.constant(wp.float64(FURTHEST))
-_LIFT = wp.constant(wp.float32(2.0**-19))
 _ENTRY = wp.constant(wp.float64(1.25))
 _ZERO = wp.constant(wp.float64(0.0))
 _ONE = wp.constant(wp.float64(1.0))
@@ -24,9 +27,9 @@ class RayJob:
     """Scalars and addresses of `points` origins with `count` directions each, float32, or float64 where it says so.
 
     A task is `block` rays, at most CHUNK. A point x of the user's is (x - centre) * scale inside, where the mesh is within 1
-    of 0 on each axis, and its extent; a distance t inside is t * unit. Optional, else 0: normals (P, 3) float32, unit,
-    along which origins are moved by `lift` to the side of each direction; order (P,) int64, that of the visits; visits
-    (P, count, 2) int32, nodes and leaves.
+    of 0 on each axis, and its extent; a distance t inside is t * unit. Optional, else 0: normals (P, 3) float32, unit, of
+    the faces that origins are on; starts (P, 2, 3) float32, where rays to either side of these start, inside, else they are
+    moved by `lift`; order (P,) int64, that of the visits; visits (P, count, 2) int32, nodes and leaves.
     """
 
     points: wp.int64
@@ -37,6 +40,7 @@ class RayJob:
     origins: wp.uint64
     directions: wp.uint64
     normals: wp.uint64
+    starts: wp.uint64
     order: wp.uint64
     centre_x: wp.float64
     centre_y: wp.float64
@@ -75,20 +79,6 @@ def _unit(d: wp.vec3d, double: wp.int32) -> wp.vec3d:
 
 
 @wp.func
-def way_to_scene(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
-    """How far a ray that starts outside is from a cube around the scene; negative where it misses that."""
-    enter = _ZERO
-    leave = wp.float64(wp.INF)
-    for axis in range(3):
-        inverse = _ONE / wp.where(wp.abs(d[axis]) > _LEAST_STEP, d[axis], wp.copysign(_LEAST_STEP, d[axis]))
-        middle = -o[axis] * inverse
-        half = wp.abs(_ENTRY * inverse)
-        enter = wp.max(enter, middle - half)
-        leave = wp.min(leave, middle + half)
-    return wp.where(enter < leave, enter, -_ONE)
-
-
-@wp.func
 def point_of(job: RayJob, i: wp.int64) -> wp.int64:
     """The point that is the i-th to be visited."""
     if job.order == wp.uint64(0):
@@ -119,6 +109,14 @@ def extent_along(job: RayJob, n: wp.vec3) -> wp.float32:
 
 
 @wp.func
+def reach_along(job: RayJob, n: wp.vec3, o: wp.vec3) -> wp.float32:
+    """The same of the mesh and a point that may be outside of it."""
+    x = wp.abs(n[0]) * wp.max(job.extent_x, wp.abs(o[0]))
+    y = wp.abs(n[1]) * wp.max(job.extent_y, wp.abs(o[1]))
+    return x + y + wp.abs(n[2]) * wp.max(job.extent_z, wp.abs(o[2]))
+
+
+@wp.func
 def lift(job: RayJob, n: wp.vec3) -> wp.float32:
     """How far points of a face with that normal are moved off it: 32 roundings, and more where they are stored coarsely."""
     return _LIFT * extent_along(job, n) + job.coarseness
@@ -131,6 +129,23 @@ def far_off(o: wp.vec3d) -> wp.bool:
 
 
 @wp.func
+def way_to_scene(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
+    """How far a ray that starts outside is from a cube around the scene; negative where it misses that.
+
+    Or comes from so far away that float64 does not tell.
+    """
+    enter = _ZERO
+    leave = wp.float64(wp.INF)
+    for axis in range(3):
+        inverse = _ONE / wp.where(wp.abs(d[axis]) > _LEAST_STEP, d[axis], wp.copysign(_LEAST_STEP, d[axis]))
+        middle = -o[axis] * inverse
+        half = wp.abs(_ENTRY * inverse)
+        enter = wp.max(enter, middle - half)
+        leave = wp.min(leave, middle + half)
+    return wp.where(enter < leave and not far_off(o + enter * d), enter, -_ONE)
+
+
+@wp.func
 def _read(job: RayJob, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.uint64):
     """A ray from o into its column."""
     d = _direction(job, ray)
@@ -138,21 +153,21 @@ def _read(job: RayJob, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.u
     if far_off(o):
         unit = _unit(_vector(job.directions, job.double_directions, ray), job.double_directions)
         ahead = way_to_scene(o, unit)
-        o = o + ahead * unit
-    x = wp.float32(o[0])
-    y = wp.float32(o[1])
-    z = wp.float32(o[2])
-    if job.normals != wp.uint64(0):
-        normal = wp.array(ptr=job.normals + wp.uint64(point) * _FLOATS, shape=(1,), dtype=wp.vec3)
-        n = normal[0]
-        away = wp.copysign(lift(job, n), wp.dot(n, d))
-        x += away * n[0]
-        y += away * n[1]
-        z += away * n[2]
+        o = wp.where(ahead < _ZERO, o - o, o + ahead * unit)  # of a ray that misses: 0, and NaN where that is not finite
+    start = wp.vec3(o)
+    if job.normals != wp.uint64(0) and ahead == _ZERO:
+        n = wp.array(ptr=job.normals + wp.uint64(point) * _FLOATS, shape=(1,), dtype=wp.vec3)[0]
+        forward = wp.dot(n, d)
+        if job.starts == wp.uint64(0):
+            start += wp.copysign(lift(job, n), forward) * n
+        else:
+            start = wp.array(ptr=job.starts + wp.uint64(point) * _DOUBLES, shape=(2,), dtype=wp.vec3)[
+                wp.where(forward < 0.0, 1, 0)
+            ]
     rows = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-    rows[ORIGIN] = x
-    rows[ORIGIN + CHUNK] = y
-    rows[ORIGIN + 2 * CHUNK] = z
+    rows[ORIGIN] = start[0]
+    rows[ORIGIN + CHUNK] = start[1]
+    rows[ORIGIN + 2 * CHUNK] = start[2]
     rows[DIRECTION] = d[0]
     rows[DIRECTION + CHUNK] = d[1]
     rows[DIRECTION + 2 * CHUNK] = d[2]

@@ -70,8 +70,8 @@ class Scene:
         if 0.0 < np.median(edges) < _COARSE * spread:
             size, reach = float(np.median(edges)) / self.scale, spread / self.scale
             warnings.warn(
-                f"mesh: got faces of size {size:.3g} (median) within {reach:.3g} of their centre, where points are moved off "
-                f"their faces by about {reach * 2.0**-19:.2g}; trace parts that are far apart as meshes of their own",
+                f"mesh: got faces of size {size:.3g} (median) within {reach:.3g} of their centre, where points are moved "
+                f"off their faces by about {reach * 2.0**-19:.2g}; trace parts that are far apart as meshes of their own",
                 stacklevel=2,
             )
 

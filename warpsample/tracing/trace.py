@@ -19,6 +19,7 @@ from warpsample.tracing.layout import CHUNK, AcceleratorJob
 from warpsample.tracing.order import order_of
 from warpsample.tracing.rays import Job, ray_kernel
 from warpsample.tracing.scene import Scene, scene_of
+from warpsample.tracing.starts import starts_of
 from warpsample.tracing.wide import wide_query
 
 TRACERS = ("wide", "warp")
@@ -29,6 +30,8 @@ MANY_FACES = 1 << 18
 
 RAY_WORK = 64
 """Directions that take as long to sample as a ray to trace."""
+
+_MOST_DISTANCE = float(np.finfo(np.float32).max)  # what is farther is not met: its distance would not be finite
 
 _DOUBLE = {np.float32: False, np.float64: True, wp.vec3: False, wp.vec3d: True, wp.float32: False, wp.float64: True}
 
@@ -94,6 +97,7 @@ def trace(
     way = Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
     _check_pair(start, way)
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
+    reach = min(reach, _MOST_DISTANCE)
     name = check_tracer(tracer, way.device)
     normals = surface_normals(mesh, origins) if isinstance(origins, SurfacePoints) else None
     rays = prod(way.shape)
@@ -105,6 +109,10 @@ def trace(
         job = job_of(scene, start, way, reach, distance, face)
         if normals is not None:
             job.normals = normals.ctypes.data
+            if name == "wide":
+                own = np.ascontiguousarray(origins.face, np.int32)
+                starts = starts_of(scene, job, own, None, scene.tree(workers).accelerator(), workers)
+                job.starts = starts.ctypes.data
         answer(scene, job, name, any_hit, way.device, workers)
     return Hits(distance, face, name)
 
@@ -219,7 +227,7 @@ def job_of(scene: Scene, start: Triples, way: Triples, reach: float, distance: A
 
 def _coarseness(scene: Scene, double: bool) -> float:
     """Two spacings of the user's numbers at the mesh, in the scene's coordinates."""
-    largest = np.max(np.abs(scene.centre)) + 1.0 / scene.scale
+    largest = np.max(np.abs(scene.centre)) + np.max(scene.spread) / scene.scale
     return 2.0 * float(np.spacing((np.float64 if double else np.float32)(largest))) * scene.scale
 
 

@@ -3,27 +3,36 @@
 import warp as wp
 
 from warpsample.locks import once
-from warpsample.tracing.intersect import Ray, boxes_met, lowest_bit, ray_in, triangle_distance, triangles_met
+from warpsample.tracing.intersect import Ray, boxes_met, greater, lowest_bit, ray_in, triangle_distance, triangles_near
 from warpsample.tracing.layout import LEAF_BYTES, NODE_BYTES, WIDTH, Accelerator
 
 _NODE = wp.constant(wp.uint64(NODE_BYTES))
 _LEAF = wp.constant(wp.uint64(LEAF_BYTES))
 _PLACES = wp.constant(wp.uint64(6 * WIDTH * 4))
-_SLACKS = wp.constant(wp.uint64(7 * WIDTH * 4))
+_EDGES = wp.constant(wp.uint64(7 * WIDTH * 4))
+_UPPER = wp.constant(wp.uint64(3 * WIDTH * 4))
 _FACES = wp.constant(wp.uint64(9 * WIDTH * 4))
 _WAITING = wp.constant(wp.uint64(4 * 4))
 
 
 @wp.func
-def nearest_of(leaf: wp.uint64, lanes: wp.int32, ray: Ray, column: wp.uint64, reach: wp.float32, slack: wp.float32):
+def nearest_of(
+    leaf: wp.uint64,
+    lanes: wp.int32,
+    ray: Ray,
+    column: wp.uint64,
+    reach: wp.float32,
+    edge: wp.float32,
+    far: wp.float32,
+):
     """(distance, place in the leaf) of the nearest triangle met, of those in the mask `lanes`; (reach, -1) if none is."""
-    met = triangles_met(leaf, ray, reach, slack) & lanes
+    met = triangles_near(leaf, ray, reach, edge, far) & lanes
     nearest = wp.int32(-1)
     for _ in range(wp.bit_count(met)):
         triangle = lowest_bit(met)
         met = met & (met - 1)
-        distance = triangle_distance(leaf, triangle, column)
-        if distance > 0.0 and distance < reach:
+        distance = triangle_distance(leaf, triangle, ray, column, reach)
+        if distance > 0.0:
             reach = distance
             nearest = triangle
     return reach, nearest
@@ -95,8 +104,11 @@ def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
             if place < 0:
                 visited_leaves += 1
                 leaf = accelerator.leaves + wp.uint64(~place) * _LEAF
-                slacks = wp.array(ptr=node + _SLACKS, shape=(WIDTH,), dtype=wp.float32)
-                reach, triangle = nearest_of(leaf, -1, ray, column, reach, slacks[child])
+                edges = wp.array(ptr=node + _EDGES, shape=(WIDTH,), dtype=wp.float32)
+                lower = wp.array(ptr=node + ray.along, shape=(WIDTH,), dtype=wp.float32)
+                upper = wp.array(ptr=node + ray.along + _UPPER, shape=(WIDTH,), dtype=wp.float32)
+                far = greater(upper[child] - ray.origin_along, ray.origin_along - lower[child])
+                reach, triangle = nearest_of(leaf, -1, ray, column, reach, edges[child], far)
                 if triangle >= 0:
                     hit = triangle
                     hit_leaf = leaf

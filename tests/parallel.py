@@ -1,0 +1,148 @@
+"""Work for threads and processes, run as a script by test_threads.py: what crashes, crashes alone. Exit status 1: wrong."""
+
+import multiprocessing
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import trimesh
+
+import warpsample as ws
+
+THREADS = 8
+TORUS = trimesh.creation.torus(2.0, 0.5)
+
+
+def torus(seed=0):
+    """A mesh that nothing has asked anything of."""
+    return ws.Mesh(TORUS.vertices + np.random.default_rng(seed).normal(0.0, 0.01, TORUS.vertices.shape), TORUS.faces)
+
+
+def answers(mesh, first=0, last=None):
+    """What the package says of some faces of a mesh, by every way through it: sampled, traced, estimated."""
+    centers = ws.face_centers(mesh)
+    rows = slice(first, last)
+    points = ws.SurfacePoints(centers.position[rows], centers.normal[rows], centers.face[rows])
+    directions = ws.sample_directions(points, 16, "beckmann(alpha=0.5)", first_point=first, pdf=True)
+    hits = ws.trace(mesh, points, directions.vectors)
+    occlusion = ws.ambient_occlusion(mesh, points, 64, first_point=first)
+    blocked = ws.trace(mesh, points.position, points.normal, any_hit=True, tracer="warp").face >= 0
+    return directions.vectors, directions.pdf, hits.distance, hits.face, occlusion.value, occlusion.standard_error, blocked
+
+
+def same(found, right):
+    return all(np.array_equal(a, b) for a, b in zip(found, right, strict=True))
+
+
+def by_slices(mesh):
+    """`answers` of all faces, a slice for each thread, all at once."""
+    bounds = np.linspace(0, len(mesh.faces), THREADS + 1).astype(int)
+    barrier = threading.Barrier(THREADS)
+
+    def part(k):
+        barrier.wait()
+        return answers(mesh, bounds[k], bounds[k + 1])
+
+    with ThreadPoolExecutor(THREADS) as threads:
+        return [np.concatenate(parts) for parts in zip(*threads.map(part, range(THREADS)), strict=True)]
+
+
+def first_use():
+    """Kernels that no thread has loaded yet, and a mesh without a tree."""
+    mesh = torus()
+    return same(by_slices(mesh), answers(mesh))
+
+
+def new_meshes():
+    """Kernels are loaded; one new mesh after the other."""
+    answers(torus())
+    return all(same(by_slices(torus(seed)), answers(torus(seed))) for seed in range(30))
+
+
+def refits():
+    """Threads that bend one mesh, each in its own way, while others trace it."""
+    mesh = torus()
+
+    def bent(k):
+        return answers(ws.refit(mesh, mesh.vertices * (1.0 + 0.1 * k)) if k % 2 else mesh)
+
+    with ThreadPoolExecutor(THREADS) as threads:
+        return all(same(found, bent(k)) for k, found in enumerate(threads.map(bent, range(THREADS))))
+
+
+def in_child(seed):
+    """Enough for the threads of the pool: above 2^17 directions, and estimates."""
+    mesh = torus(seed)
+    return (ws.sample_directions(ws.face_centers(mesh), 256, workers=2).vectors, *answers(mesh))
+
+
+def processes(method):
+    """A pool of processes after this one has used its threads."""
+    right = [in_child(seed) for seed in range(3)]
+    with multiprocessing.get_context(method).Pool(2) as pool:
+        found = pool.map_async(in_child, range(3)).get(timeout=100)
+    return all(same(a, b) for a, b in zip(found, right, strict=True))
+
+
+def fork_while_making():
+    """Forks again and again while another thread builds trees and loads kernels."""
+    stop = threading.Event()
+
+    def make():
+        seed = 0
+        while not stop.is_set():
+            seed += 1
+            answers(torus(seed))
+
+    thread = threading.Thread(target=make)
+    thread.start()
+    right = in_child(1)
+    pool = multiprocessing.get_context("fork")
+    try:
+        for _ in range(10):
+            with pool.Pool(1) as one:
+                if not same(one.apply_async(in_child, (1,)).get(timeout=60), right):
+                    return False
+    finally:
+        stop.set()
+        thread.join()
+    return True
+
+
+def stress(seconds=60.0, threads=16):
+    """Mixed calls from many threads, on meshes that they share and meshes of their own; every answer as by one thread."""
+    shared = [torus(seed) for seed in range(4)]
+    moved = [1.5 * mesh.vertices for mesh in shared]
+    end = time.monotonic() + seconds
+    jobs = {
+        "shared": lambda k, rng: answers(shared[k]),
+        "own": lambda k, rng: answers(torus(k)),
+        "refit": lambda k, rng: answers(ws.refit(shared[k], moved[k])),
+        "surface": lambda k, rng: (ws.sample_surface(torus(k), 1000, seed=k).position,),
+        "sky": lambda k, rng: (ws.sky_view_factor(shared[k], ws.vertex_points(shared[k]), 40).value,),
+        "cold": lambda k, rng: (ws.sample_directions(np.eye(3), 20, KINDS[k](), sequence=SEQUENCES[k]).vectors,),
+    }
+
+    def work(thread):
+        rng = np.random.default_rng(thread)
+        done = []
+        while time.monotonic() < end:
+            name, k = rng.choice(list(jobs)), int(rng.integers(4))
+            done.append((name, k, jobs[name](k, rng)))
+            done = done[-20:]
+        return done
+
+    with ThreadPoolExecutor(threads) as pool:
+        done = [item for part in pool.map(work, range(threads)) for item in part]
+    right = {(name, k): jobs[name](k, None) for name, k, _ in done}
+    return len(done) >= threads and all(same(found, right[name, k]) for name, k, found in done)
+
+
+KINDS = (ws.GGX, ws.UniformSphere, ws.OffsetBall, ws.VonMisesFisher)
+SEQUENCES = ("sobol", "r2", "independent", "stratified")
+
+if __name__ == "__main__":
+    task, *rest = sys.argv[1:]
+    sys.exit(0 if globals()[task](*rest) else 1)

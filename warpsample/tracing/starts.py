@@ -1,0 +1,327 @@
+"""Where the rays of points on a surface start: a little in front of the face that a point lies on, and of no other's back.
+
+What lies on an edge or a corner sees what points of its own face just beside it see. So of the faces that touch a point,
+those that rise above its own are looked at: the start moves towards the middle of its own face, as little as brings it to
+that side of them. A face that stands across the point's own, as a wall in the middle of a floor, has the point on its front.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import warp as wp
+
+from warpsample.arrays import cpu
+from warpsample.engine import run
+from warpsample.locks import once
+from warpsample.numerics import normalize
+from warpsample.tracing.intersect import greater, lesser, lowest_bit
+from warpsample.tracing.layout import LEAF_BYTES, NODE_BYTES, SCRATCH, WIDTH, Accelerator, AcceleratorJob
+from warpsample.tracing.rays import LIFT, Job, RayJob, local_origin
+from warpsample.tracing.wide import put_aside
+
+if TYPE_CHECKING:
+    from warpsample.tracing.scene import Scene
+
+_LIFT = wp.constant(wp.float64(LIFT))
+_TWICE = wp.constant(wp.float32(2.0 * LIFT))
+_NODE = wp.constant(wp.uint64(NODE_BYTES))
+_LEAF = wp.constant(wp.uint64(LEAF_BYTES))
+_PLACES = wp.constant(wp.uint64(6 * WIDTH * 4))
+_FACES = wp.constant(wp.uint64(9 * WIDTH * 4))
+_WAITING = wp.constant(wp.uint64(4 * 4))
+_NODE_FLOATS = NODE_BYTES // 4
+_LEAF_FLOATS = LEAF_BYTES // 4
+_THIRD = wp.constant(wp.float64(1.0 / 3.0))
+_HALF = wp.constant(wp.float64(0.5))
+_ZERO = wp.constant(wp.float64(0.0))
+_ONE = wp.constant(wp.float64(1.0))
+_TWO = wp.constant(wp.float64(2.0))
+_NOWHERE = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
+
+
+@wp.struct
+class StartJob:
+    """Scalars and addresses.
+
+    rays: of the points: their places, and in `normals` the unit normals of their faces, their own where they lie on none.
+    towards: (P, 3) float32, directions to the side of the face from which a point looks; 0: both sides, `normals` first.
+    face: (P,) int32, -1 where it is not known.
+    vertices, triangles: (V, 3) float32 and (F, 3) int32 of the scene.
+    starts: (P, sides, 3) float32, where they start; in the scene's coordinates.
+    """
+
+    rays: RayJob
+    towards: wp.uint64
+    face: wp.uint64
+    vertices: wp.uint64
+    triangles: wp.uint64
+    spread_x: wp.float32
+    spread_y: wp.float32
+    spread_z: wp.float32
+    starts: wp.uint64
+
+
+_Job = type(StartJob().__ctype__())
+
+
+@wp.struct
+class Facet:
+    """A face: corners, unit normal (0 of what is too thin to have one), and how far points of it are moved off it."""
+
+    a: wp.vec3d
+    b: wp.vec3d
+    c: wp.vec3d
+    n: wp.vec3d
+    lift: wp.float64
+
+
+@wp.struct
+class Seat:
+    """Where a point sits.
+
+    p: its place. own: its face, -1 if none is known. facet: that. side: 1 where it looks from the front, else -1. o: a lift
+    above its face. inwards: how far the start moves towards the middle of the face, as a share. aside: off faces across it.
+    best: in search of a face, the cosine between the direction it looks in and the normal of the best one, in magnitude.
+    """
+
+    p: wp.vec3d
+    own: wp.int32
+    facet: Facet
+    side: wp.float64
+    o: wp.vec3d
+    inwards: wp.float64
+    aside: wp.vec3d
+    best: wp.float64
+
+
+@wp.func
+def _double(v: wp.vec3) -> wp.vec3d:
+    return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
+
+
+@wp.func
+def _with_normal(job: StartJob, facet: Facet, n: wp.vec3d) -> Facet:
+    """A facet with that unit normal, along which points are moved off it by 32 roundings of its corners."""
+    spread = wp.vec3d(wp.float64(job.spread_x), wp.float64(job.spread_y), wp.float64(job.spread_z))
+    facet.n = n
+    facet.lift = wp.float64(job.rays.coarseness)
+    for axis in range(3):
+        reach = wp.max(wp.max(wp.abs(facet.a[axis]), wp.abs(facet.b[axis])), wp.abs(facet.c[axis]))
+        facet.lift += _LIFT * wp.abs(n[axis]) * wp.max(reach, spread[axis])
+    return facet
+
+
+@wp.func
+def _facet(job: StartJob, face: wp.int32) -> Facet:
+    corners = wp.array(ptr=job.triangles + wp.uint64(face) * wp.uint64(12), shape=(1,), dtype=wp.vec3i)[0]
+    facet = Facet()
+    facet.a = _double(wp.array(ptr=job.vertices + wp.uint64(corners[0]) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0])
+    facet.b = _double(wp.array(ptr=job.vertices + wp.uint64(corners[1]) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0])
+    facet.c = _double(wp.array(ptr=job.vertices + wp.uint64(corners[2]) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0])
+    n = wp.cross(facet.b - facet.a, facet.c - facet.a)
+    area = wp.length(n)
+    longest = wp.max(wp.max(wp.length(facet.b - facet.a), wp.length(facet.c - facet.b)), wp.length(facet.a - facet.c))
+    if area > _ZERO:
+        facet = _with_normal(job, facet, n / area)
+    if area <= facet.lift * longest:  # thinner than its lift: its normal is rounded to nothing
+        facet.n = _NOWHERE
+    return facet
+
+
+@wp.func
+def _within(facet: Facet, start: wp.vec3d, end: wp.vec3d, p: wp.vec3d) -> wp.bool:
+    """Whether a point of a facet's plane is on the inner side of an edge, or as near to it as two lifts."""
+    edge = end - start
+    return wp.dot(wp.cross(edge, p - start), facet.n) >= -_TWO * facet.lift * wp.length(edge)
+
+
+@wp.func
+def _touches(facet: Facet, p: wp.vec3d) -> wp.bool:
+    """Whether a point is as near to a facet as two lifts."""
+    near = wp.abs(wp.dot(facet.n, p - facet.a)) <= _TWO * facet.lift and wp.dot(facet.n, facet.n) > _ZERO
+    inside = _within(facet, facet.a, facet.b, p) and _within(facet, facet.b, facet.c, p)
+    return near and inside and _within(facet, facet.c, facet.a, p)
+
+
+@wp.func
+def _settled(seat: Seat, other: Facet) -> Seat:
+    """The seat, brought to its own side of another facet that touches the point."""
+    own = seat.facet
+    up = seat.side * own.n
+    rises = wp.max(wp.max(wp.dot(up, other.a - own.a), wp.dot(up, other.b - own.a)), wp.dot(up, other.c - own.a))
+    a = wp.dot(other.n, own.a - other.a)
+    b = wp.dot(other.n, own.b - other.a)
+    c = wp.dot(other.n, own.c - other.a)
+    front = wp.max(wp.max(a, b), c) > other.lift
+    back = wp.min(wp.min(a, b), c) < -other.lift
+    if rises > own.lift and (front or back):
+        side = wp.where(front and back, seat.side, wp.where(front, _ONE, -_ONE))
+        height = side * wp.dot(other.n, seat.o - other.a)
+        if height < _HALF * other.lift:
+            if front and back:
+                seat.aside += (side * (other.lift - height)) * other.n
+            else:
+                gain = side * ((a + b + c) * _THIRD - wp.dot(other.n, seat.p - other.a))
+                if gain > _THIRD * other.lift:
+                    seat.inwards = wp.max(seat.inwards, (other.lift - height) / gain)
+    return seat
+
+
+@wp.func
+def _look_at(job: StartJob, seat: Seat, face: wp.int32, look: wp.vec3d, searching: wp.bool) -> Seat:
+    """The seat after a look at a face that may touch the point: whether it is its own, or else stands beside it."""
+    facet = _facet(job, face)
+    if face != seat.own and _touches(facet, seat.p):
+        if searching:
+            cosine = wp.abs(wp.dot(facet.n, look))
+            if cosine > seat.best or (cosine == seat.best and face < seat.own):
+                seat.best = cosine
+                seat.own = face
+        else:
+            seat = _settled(seat, facet)
+    return seat
+
+
+@wp.func
+def _around(node: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
+    """Mask of the children whose boxes are as near to a point as r along each axis."""
+    rows = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
+    places = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)
+    mask = wp.int32(0)
+    k = wp.int32(0)
+    while k < WIDTH:
+        x = wp.where(rows[k] <= p[0] + r, 1, 0) & wp.where(rows[3 * WIDTH + k] >= p[0] - r, 1, 0)
+        y = wp.where(rows[WIDTH + k] <= p[1] + r, 1, 0) & wp.where(rows[4 * WIDTH + k] >= p[1] - r, 1, 0)
+        z = wp.where(rows[2 * WIDTH + k] <= p[2] + r, 1, 0) & wp.where(rows[5 * WIDTH + k] >= p[2] - r, 1, 0)
+        mask = mask | ((x & y & z & wp.where(places[k] != 0, 1, 0)) << k)
+        k += 1
+    return mask
+
+
+@wp.func
+def _beside(rows: wp.array[wp.float32], k: wp.int32, x: wp.float32, r: wp.float32) -> wp.int32:
+    """1 where a coordinate is between those of a triangle's corners, or as near to them as r."""
+    a = rows[k]
+    b = rows[3 * WIDTH + k]
+    c = rows[6 * WIDTH + k]
+    return wp.where(lesser(lesser(a, b), c) <= x + r, 1, 0) & wp.where(greater(greater(a, b), c) >= x - r, 1, 0)
+
+
+@wp.func
+def _touched(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
+    """Mask of the triangles whose boxes are as near to a point as r along each axis."""
+    xs = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    ys = wp.array(ptr=leaf + wp.uint64(4 * WIDTH), shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    zs = wp.array(ptr=leaf + wp.uint64(8 * WIDTH), shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    faces = wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)
+    mask = wp.int32(0)
+    k = wp.int32(0)
+    while k < WIDTH:
+        near = _beside(xs, k, p[0], r) & _beside(ys, k, p[1], r) & _beside(zs, k, p[2], r)
+        mask = mask | ((near & wp.where(faces[k] >= 0, 1, 0)) << k)
+        k += 1
+    return mask
+
+
+@wp.func
+def _look_around(
+    job: StartJob, tree: Accelerator, seat: Seat, look: wp.vec3d, searching: wp.bool, scratch: wp.uint64
+) -> Seat:
+    """The seat after a look at all faces that touch the point."""
+    p = wp.vec3(seat.p)
+    r = _TWICE * (job.rays.extent_x + job.rays.extent_y + job.rays.extent_z) + 2.0 * job.rays.coarseness
+    node = tree.nodes
+    mask = _around(node, p, r)
+    top = scratch
+    while mask != 0 or top != scratch:
+        if mask == 0:
+            top -= _WAITING
+            node = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)[0]
+            mask = wp.array(ptr=top, shape=(4,), dtype=wp.int32)[2]
+        child = lowest_bit(mask)
+        mask = mask & (mask - 1)
+        place = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)[child]
+        if place < 0:
+            leaf = tree.leaves + wp.uint64(~place) * _LEAF
+            touched = _touched(leaf, p, r)
+            faces = wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)
+            for _ in range(wp.bit_count(touched)):
+                seat = _look_at(job, seat, faces[lowest_bit(touched)], look, searching)
+                touched = touched & (touched - 1)
+        else:
+            if mask != 0:
+                top = put_aside(top, node, mask, 0.0)
+            node = tree.nodes + wp.uint64(place) * _NODE
+            mask = _around(node, p, r)
+    return seat
+
+
+@wp.func
+def _start(job: StartJob, tree: Accelerator, seat: Seat, look: wp.vec3d, scratch: wp.uint64) -> wp.vec3:
+    """Where the rays of a point that sits on a face start, to the side to which it looks."""
+    own = seat.facet
+    seat.side = wp.copysign(_ONE, wp.dot(own.n, look))
+    seat.inwards = _ZERO
+    seat.aside = _NOWHERE
+    height = seat.side * wp.dot(own.n, seat.p - own.a)
+    seat.o = seat.p + (seat.side * wp.clamp(own.lift - height, _ZERO, _TWO * own.lift)) * own.n
+    seat = _look_around(job, tree, seat, look, False, scratch)
+    middle = (own.a + own.b + own.c) * _THIRD
+    return wp.vec3(seat.o + wp.min(seat.inwards, _HALF) * (middle - seat.p) + seat.aside)
+
+
+def starts_of(
+    scene: "Scene", rays: Job, face: np.ndarray, towards: np.ndarray | None, tree: AcceleratorJob, workers: int
+) -> np.ndarray:
+    """(P, sides, 3) float32, the starts of P points in the scene's coordinates.
+
+    Args:
+        scene: what they are on.
+        rays: their places, and in `normals` the unit normals of their faces, their own where they lie on none.
+        face: (P,) int32, -1 where it is not known: then of those that touch a point the one that faces its normal best.
+        towards: (P, 3) float32, to which side of its face each looks; None for both, that of the normal first.
+        tree: of the scene.
+        workers: threads.
+    """
+    sides = 2 if towards is None else 1
+    starts = np.empty((rays.points, sides, 3), np.float32)
+    job = _Job(rays=rays, towards=0 if towards is None else towards.ctypes.data, face=face.ctypes.data)
+    job.vertices, job.triangles = scene.vertices.ctypes.data, scene.faces.ctypes.data
+    job.spread_x, job.spread_y, job.spread_z = scene.spread
+    job.starts = starts.ctypes.data
+    run(_start_kernel(sides), rays.points, [job, tree], cpu(), workers, 16 * rays.points)
+    return starts
+
+
+@once
+def _start_kernel(sides: int) -> wp.Kernel:
+    """A kernel with a task for each point."""
+    stride = wp.uint64(12 * sides)
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def find_starts(job: StartJob, tree: Accelerator, first_task: wp.int64):
+        words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
+        i = first_task + wp.int64(wp.tid())
+        at = wp.uint64(i) * wp.uint64(12)
+        seat = Seat()
+        seat.p = local_origin(job.rays, i)
+        seat.own = wp.array(ptr=job.face + wp.uint64(i) * wp.uint64(4), shape=(1,), dtype=wp.int32)[0]
+        normal = wp.array(ptr=job.rays.normals + at, shape=(1,), dtype=wp.vec3)[0]
+        toward = normal
+        if wp.static(sides == 1):
+            toward = normalize(wp.array(ptr=job.towards + at, shape=(1,), dtype=wp.vec3)[0])
+        look = _double(toward)
+        known = seat.own >= 0
+        if not known and wp.dot(look, look) > _ZERO:
+            seat = _look_around(job, tree, seat, look, True, words.ptr)
+        if seat.own >= 0:
+            seat.facet = _facet(job, seat.own)
+            if known:  # the mesh's own normal, before its corners were rounded
+                seat.facet = _with_normal(job, seat.facet, _double(normal))
+        starts = wp.array(ptr=job.starts + wp.uint64(i) * stride, shape=(2,), dtype=wp.vec3)
+        for side in range(wp.static(sides)):
+            starts[side] = wp.vec3(seat.p)
+            if wp.dot(seat.facet.n, seat.facet.n) > _ZERO:
+                starts[side] = _start(job, tree, seat, wp.where(side == 0, look, -look), words.ptr)
+
+    return find_starts
