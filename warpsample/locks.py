@@ -59,6 +59,5 @@ class once_property(Generic[T]):  # noqa: N801  (used as a decorator, like `func
 
 
 def read_only(array: np.ndarray) -> np.ndarray:
-    """A view of an array of our own that nobody can make writeable again, as its base is not."""
-    array.flags.writeable = False
-    return array.view()
+    """A copy on immutable memory, so that nobody can make it writeable again."""
+    return np.ndarray(array.shape, array.dtype, array.tobytes())
