@@ -87,6 +87,13 @@ def test_cdf_is_the_integral_of_the_density(case):
     assert np.abs(case.cdf(evidence.edges[1:]) - masses).max() <= 5e-4  # half a held edge of OffsetSphere
 
 
+@pytest.mark.parametrize("case", [case for case in CASES if case.symmetric], ids=repr)
+def test_chances_are_0_below_all_angles_and_1_above(case):
+    """Also where the formula itself would turn round; in float64, whatever the angles are."""
+    assert case.cdf([-4.0, 4.0]).tolist() == pytest.approx([0.0, 1.0], abs=1e-15)  # a few roundings
+    assert case.cdf(np.float32([0.5, 1.0])).dtype == np.float64
+
+
 def test_cdf_that_is_not_closed_says_so():
     with pytest.raises(NotImplementedError, match=r"VisibleGGX\(alpha=0.5.*: its density is not one of the angle alone"):
         ws.VisibleGGX(0.5).cdf(0.1)
@@ -168,7 +175,7 @@ def test_bad_warp_arrays_are_named():
             ValueError,
             r"view: got \(0, 0, -1\), want three finite numbers, not all 0",
         ),
-        (lambda: ws.VisibleGGX(0.1, (0, 0)), TypeError, r"view: got \(0, 0\), want three finite numbers"),
+        (lambda: ws.VisibleGGX(0.1, (0, 0)), ValueError, r"view: got \(0, 0\), want three finite numbers"),
         (lambda: ws.VisibleBeckmann(0.1, (0, 0, 0)), ValueError, r"view: got \(0, 0, 0\), want three finite numbers"),
         (
             lambda: ws.OffsetDisk().invert([[0.0, 1.0]]),

@@ -47,7 +47,8 @@ def test_pictures_lie_as_they_say(tmp_path):
     picture[:8, 8] = 128
     header = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16 +X 32\n"
     path = tmp_path / "sky.hdr"
-    path.write_bytes(header + np.dstack([picture, np.where(picture[..., :1] > 0, 129, 0)]).astype(np.uint8).tobytes())
+    content = header + np.dstack([picture, np.where(picture[..., :1] > 0, 129, 0)]).astype(np.uint8).tobytes()
+    path.write_bytes(content)
     pytest.importorskip("pyvista")
     walls = at(np.tile([0.0, 0.0, 9.0], (4, 1)), [(1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0)])
     found = ws.irradiance(square(0.0), walls, path, 4096).value
@@ -56,11 +57,44 @@ def test_pictures_lie_as_they_say(tmp_path):
     assert np.abs(found[0] - found[2]).max() < 0.5 * found[1].min()
     on_y = ws.irradiance(square(0.0), walls, path, 4096, up=(1, 0, 0)).value
     assert on_y[0].min() > 0.02 > 20 * on_y[2].max()  # its upper half is now about x, but for the rim that is blended
+    for damaged in (b"", b"hello", header, content[:-100]):
+        path.write_bytes(damaged)
+        with pytest.raises(ValueError, match=r"^radiance: got '.*sky\.hdr', which cannot be read, want an \.hdr file"):
+            ws.irradiance(square(0.0), walls, path, 64)
+
+
+@wp.func
+def _float32(d: wp.vec3):
+    return wp.float32(2.0)
 
 
 @wp.func
 def _whole(d: wp.vec3):
-    return 3
+    return 2
+
+
+@wp.func
+def _for_kernels_alone(d: wp.vec3) -> wp.float64:
+    return wp.where(d[0] > 2.0, wp.float64(1.0), wp.float64(2.0))
+
+
+@pytest.mark.parametrize("radiance", [_float32, _whole, _for_kernels_alone], ids=lambda f: f.key)
+def test_a_function_may_give_any_number(radiance):
+    one = at([0.0, 0.0, 0.0], [0.0, 0.0, 1.0])
+    found = ws.irradiance(square(), one, radiance, 64).value
+    uniform = 2.0 * pi * ws.ambient_occlusion(square(), one, 64).value
+    assert found.shape == (1,)
+    assert np.abs(found - uniform).max() <= 2.0**-22 * 2.0 * pi  # the same rays; two roundings to float32
+
+
+@wp.func
+def _yes(d: wp.vec3):
+    return d[2] > 0.0
+
+
+@wp.func
+def _not_annotated(d: wp.vec3):
+    return wp.where(d[0] > 2.0, 1.0, 2.0)
 
 
 @pytest.mark.parametrize(
@@ -70,9 +104,13 @@ def _whole(d: wp.vec3):
         (np.full((4, 4), -1.0), "radiance: got numbers that are below 0"),
         (np.full((4, 4), np.nan), "radiance: got numbers that are below 0 or not finite"),
         ("sky.png", "radiance: got 'sky.png', which is missing"),
-        (_whole, "radiance: got a function that gives int"),
+        (np.full((4, 4), 1e300), "radiance: got numbers that are below 0 or not finite, want finite float32"),
+        (np.ma.masked_less(np.ones((4, 4)), 2.0), "radiance: got a masked array, want an array of numbers"),
+        ([[1.0, 2.0], [3.0]], "radiance: got .* which makes no array"),
+        (_yes, "radiance: got a function that gives bool"),
+        (_not_annotated, "radiance: got a function that cannot be called with a direction .* annotated"),
         ("text", "radiance: got 'text'"),
-        (None, "radiance: got NoneType"),
+        (None, "radiance: got None, want an array of numbers, a path or a wp.func"),
     ],
 )
 def test_bad_light_is_named(bunny, points, radiance, message):

@@ -82,7 +82,7 @@ def test_the_accessor_gives_what_the_functions_give(ball):
     assert "ambient_occlusion" not in ball.point_data
     seen = ball.warpsample.sky_view_factor(32, at="faces")
     assert np.array_equal(seen.cell_data["sky_view_factor"], ws.sky_view_factor(mesh, ws.face_centers(mesh), 32).value)
-    with pytest.raises(ValueError, match="^at: got 'corners', want 'vertices' or 'faces'"):
+    with pytest.raises(ValueError, match="^at: got 'corners', want one of vertices, faces"):
         ball.warpsample.ambient_occlusion(32, at="corners")
 
 

@@ -1,9 +1,10 @@
 """`mesh.warpsample` on every pyvista.PolyData; PyVista finds this file by the entry point `pyvista.accessors`."""
 
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import pyvista as pv
 
+from warpsample.arguments import check_choice, check_integer, check_scale
 from warpsample.directions import sample_directions
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
@@ -56,9 +57,12 @@ class WarpsampleAccessor:
         Raises:
             TypeError, ValueError: an argument that cannot be used; names it.
         """
-        at = vertex_points(self.mesh) if points is None else sample_surface(self.mesh, points, seed)
-        found = sample_directions(at, count, distribution, seed=seed, **options)
-        return found.to_polydata(at, CLOUD_SCALE * self.mesh.diagonal if scale is None else scale)
+        length = CLOUD_SCALE * self.mesh.diagonal if scale is None else check_scale(scale)
+        if points is None:
+            at = vertex_points(self.mesh)
+        else:
+            at = sample_surface(self.mesh, check_integer(points, "points", 1, 2**31 - 1), seed)
+        return sample_directions(at, count, distribution, seed=seed, **options).to_polydata(at, length)
 
     def ambient_occlusion(self, count: int = 256, at: At = "vertices", **options: Any) -> pv.PolyData:
         """A copy of the dataset with "ambient_occlusion" (1: open), "standard_error", "rays" and "status".
@@ -87,8 +91,7 @@ class WarpsampleAccessor:
         return self._with("sky_view_factor", at, sky_view_factor(self.mesh, self._points(at), count, **options))
 
     def _points(self, at: At) -> SurfacePoints:
-        if at not in ("vertices", "faces"):
-            raise ValueError(f"at: got {at!r}, want 'vertices' or 'faces'")
+        at = check_choice(at, "at", get_args(At))
         return vertex_points(self.mesh) if at == "vertices" else face_centers(self.mesh)
 
     def _with(self, name: str, at: At, found: Estimate) -> pv.PolyData:

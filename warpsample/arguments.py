@@ -1,9 +1,69 @@
 """Checks of arguments, each with an error that names the argument, what it got and what it wants."""
 
-from math import hypot, inf
+from collections.abc import Sequence
+from math import inf
 from numbers import Real
 from operator import index
+from os import PathLike, fspath
+from pathlib import Path
 from typing import Any
+
+import numpy as np
+
+_LONGEST = 80  # characters of a value in a message
+
+
+def told(value: Any) -> str:
+    """`value` as a message shows it: short, on one line, and without an error of its own."""
+    try:
+        text = repr(value)
+    except Exception:  # whatever the value's own code raises; Python itself refuses to print ints of 5,000 digits
+        return f"a value of type {type(value).__name__}"
+    text = " ".join(text.splitlines())
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
+
+
+def check_flag(value: Any, argument: str) -> bool:
+    """`value` as a bool, if it is one: "no" and 2 are true to Python, and mean nothing here.
+
+    Raises:
+        TypeError: something else.
+    """
+    if not isinstance(value, bool | np.bool_):
+        raise TypeError(f"{argument}: got {told(value)}, want True or False")
+    return bool(value)
+
+
+def check_choice(value: Any, argument: str, choices: Sequence[str]) -> str:
+    """`value`, if it is one of the names.
+
+    Raises:
+        TypeError: not a string.
+        ValueError: another one.
+    """
+    if not isinstance(value, str) or value not in choices:
+        kind = ValueError if isinstance(value, str) else TypeError
+        raise kind(f"{argument}: got {told(value)}, want one of {', '.join(choices)}")
+    return value
+
+
+def check_file(value: Any, argument: str, wants: str) -> Path:
+    """`value` as the path of a file that exists.
+
+    Raises:
+        TypeError: no path.
+        FileNotFoundError: there is no such file.
+    """
+    if not isinstance(value, str | PathLike) or not isinstance(fspath(value), str):
+        raise TypeError(f"{argument}: got {told(value)}, want the path of {wants}")
+    path = Path(value)
+    try:
+        flaw = "" if path.is_file() else "a folder" if path.is_dir() else "missing"
+    except (OSError, ValueError):  # too long a name, a folder that may not be read, a zero byte
+        flaw = "not to be reached"
+    if flaw:
+        raise FileNotFoundError(f"{argument}: got {str(path)!r}, which is {flaw}, want {wants}")
+    return path
 
 
 def check_integer(value: Any, argument: str, low: int, high: int, wants: str | None = None) -> int:
@@ -15,13 +75,11 @@ def check_integer(value: Any, argument: str, low: int, high: int, wants: str | N
     """
     wants = wants or (f"a whole number of at least {low}" if high >= 2**62 else f"a whole number from {low} to {high}")
     try:
-        number = index(value)
+        number = index(None if isinstance(value, bool | np.bool_ | np.ma.MaskedArray) else value)
     except TypeError:
-        raise TypeError(f"{argument}: got {value!r}, want {wants}") from None
-    if isinstance(value, bool):
-        raise TypeError(f"{argument}: got {value!r}, want {wants}")
+        raise TypeError(f"{argument}: got {told(value)}, want {wants}") from None
     if not low <= number <= high:
-        raise ValueError(f"{argument}: got {number}, want {wants}")
+        raise ValueError(f"{argument}: got {told(number)}, want {wants}")
     return number
 
 
@@ -34,27 +92,19 @@ def check_number(value: Any, argument: str, low: float, high: float) -> float:
     """
     wants = f"a number from {low:g} to {high:g}"
     if not isinstance(value, Real) or isinstance(value, bool):
-        raise TypeError(f"{argument}: got {value!r}, want {wants}")
-    if not low <= value <= high:
-        raise ValueError(f"{argument}: got {value!r}, want {wants}")
-    return float(value)
-
-
-def check_view(value: Any, argument: str) -> tuple[float, float, float]:
-    """`value` as a unit vector, if it is a direction at or above the surface.
-
-    Raises:
-        TypeError, ValueError: not three finite numbers, the zero vector, or below.
-    """
-    wants = "three finite numbers, not all 0, the last at least 0"
+        raise TypeError(f"{argument}: got {told(value)}, want {wants}")
     try:
-        x, y, z = (float(v) for v in value)
-    except (TypeError, ValueError):
-        raise TypeError(f"{argument}: got {value!r}, want {wants}") from None
-    length = hypot(x, y, z)
-    if not (0.0 < length < inf and z >= 0.0):
-        raise ValueError(f"{argument}: got {value!r}, want {wants}")
-    return x / length, y / length, z / length
+        number = float(value)
+    except OverflowError:  # an int beyond float64
+        number = inf if value > 0 else -inf
+    if not low <= number <= high:
+        raise ValueError(f"{argument}: got {told(value)}, want {wants}")
+    return number
+
+
+def check_scale(scale: Any) -> float:
+    """A length that directions are drawn by, within what float32 holds."""
+    return check_number(scale, "scale", -1e30, 1e30)
 
 
 def check_seed(seed: Any) -> int:

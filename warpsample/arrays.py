@@ -2,12 +2,13 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import prod
+from math import frexp, hypot, inf, ldexp, prod
 from typing import Any, TypeAlias
 
 import numpy as np
 import warp as wp
 
+from warpsample.arguments import told
 from warpsample.locks import making
 
 Array: TypeAlias = np.ndarray | wp.array
@@ -53,6 +54,84 @@ def address_of(array: Array) -> int:
     return array.ptr or 0 if isinstance(array, wp.array) else array.__array_interface__["data"][0]
 
 
+def as_ndarray(value: Any, argument: str, wants: str = "an array") -> np.ndarray:
+    """`value` as NumPy has it, without a copy where it is an array.
+
+    Raises:
+        TypeError: an array with a mask, which nothing here heeds; or what NumPy makes no array of, such as ragged lists.
+    """
+    if _has_mask(value):
+        raise TypeError(f"{argument}: got a masked array, want {wants} without a mask, as numpy.ma.filled gives")
+    try:
+        return np.asarray(value)
+    except Exception as error:  # whatever the value's own code raises
+        raise TypeError(f"{argument}: got {told(value)}, which makes no array ({error}), want {wants}") from error
+
+
+def _has_mask(value: Any) -> bool:
+    return isinstance(value, np.ma.MaskedArray) or (isinstance(value, list | tuple) and any(map(_has_mask, value)))
+
+
+def as_real(value: Any, argument: str, wants: str = "real numbers") -> np.ndarray:
+    """`value` as float32 where it is that already, else as float64.
+
+    Raises:
+        TypeError: not an array of real numbers.
+    """
+    array = as_ndarray(value, argument, wants)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{argument}: got {f'dtype {array.dtype}' if array.ndim else told(value)}, want {wants}")
+    if array.dtype in (np.float32, np.float64):
+        return array
+    with np.errstate(over="ignore"):
+        return array.astype(np.float64)
+
+
+def as_mask(value: Any, argument: str, shape: tuple[int, ...]) -> np.ndarray:
+    """`value` as uint8, C-contiguous, if it is an array of bool of that shape.
+
+    Raises:
+        TypeError: of something else.
+        ValueError: of another shape.
+    """
+    mask = value.numpy() if isinstance(value, wp.array) else as_ndarray(value, argument, "bool")
+    if mask.dtype not in (np.bool_, np.uint8):
+        raise TypeError(f"{argument}: got dtype {mask.dtype}, want bool")
+    if mask.shape != shape:
+        raise ValueError(f"{argument}: got shape {mask.shape}, want {shape}, one for each point")
+    return np.ascontiguousarray(mask).view(np.uint8)
+
+
+def as_unit(value: Any, argument: str, wants: str = "three finite numbers, not all 0") -> tuple[float, float, float]:
+    """`value` as a unit vector.
+
+    Raises:
+        TypeError: not numbers.
+        ValueError: not three finite ones, or all 0.
+    """
+    vector = as_real(value, argument, wants)
+    largest = float(np.abs(vector).max()) if vector.shape == (3,) else 0.0
+    if not 0.0 < largest < inf:
+        raise ValueError(f"{argument}: got {told(value)}, want {wants}")
+    # By a power of two, which changes no digit, so that no square over- or underflows.
+    x, y, z = (ldexp(v, -frexp(largest)[1]) for v in vector.tolist())
+    length = hypot(x, y, z)
+    return x / length, y / length, z / length
+
+
+def as_view(value: Any, argument: str) -> tuple[float, float, float]:
+    """`value` as a unit vector, if it is a direction at or above the surface.
+
+    Raises:
+        TypeError, ValueError: not three finite numbers, the zero vector, or below.
+    """
+    wants = "three finite numbers, not all 0, the last at least 0"
+    view = as_unit(value, argument, wants)
+    if view[2] < 0.0:
+        raise ValueError(f"{argument}: got {told(value)}, want {wants}")
+    return view
+
+
 def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") -> Vectors:
     """`value` as float32 vectors; without a copy where it is C-contiguous float32 already.
 
@@ -62,7 +141,7 @@ def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") 
     """
     if isinstance(value, wp.array):
         return _warp_vectors(value, width, argument)
-    array = np.asarray(value)
+    array = as_ndarray(value, argument)
     if array.dtype not in (np.float32, np.float64):
         raise TypeError(f"{argument}: got dtype {array.dtype}, want float32 (or float64, which is rounded to float32)")
     if array.ndim == 0 or array.shape[-1] != width:
@@ -111,6 +190,7 @@ def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
         if vectors.device != like.device:
             raise ValueError(f"out: got an array on {vectors.device}, want one on {like.device}, where the normals are")
     elif isinstance(out, np.ndarray) and isinstance(like.owner, np.ndarray):
+        as_ndarray(out, "out", want)
         if out.dtype != np.float32:
             raise TypeError(f"out: got dtype {out.dtype}, want {want}")
         if not (out.flags.c_contiguous and out.flags.writeable):

@@ -11,8 +11,8 @@ import numpy as np
 import warp as wp
 
 from warpsample import sequences
-from warpsample.arguments import check_first_point, check_integer, check_seed
-from warpsample.arrays import Array, Vectors, address_of, as_vectors, check_out, cpu, new_vectors
+from warpsample.arguments import check_first_point, check_flag, check_integer, check_scale, check_seed, told
+from warpsample.arrays import Array, Vectors, address_of, as_mask, as_vectors, check_out, cpu, new_vectors
 from warpsample.distributions import as_spatial
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
@@ -70,7 +70,7 @@ class Directions:
 
         Args:
             points: what the directions are at, in the same rows; by default all start at the origin.
-            scale: of a direction, in the unit of the positions.
+            scale: of a direction, in the unit of the positions; at most 1e30.
 
         Returns:
             "Normals" (the directions, which .ply keeps too), "point" (the row) and, where it is kept, "pdf". Rows whose
@@ -78,10 +78,14 @@ class Directions:
 
         Raises:
             ModuleNotFoundError: PyVista is missing.
-            ValueError: another number of points.
+            TypeError: not SurfacePoints, or a scale that is no number.
+            ValueError: another number of points, or a scale that is too large.
         """
+        scale = check_scale(scale)
         vectors, pdf, status = (a.numpy() if isinstance(a, wp.array) else a for a in (self.vectors, self.pdf, self.status))
         rows = np.flatnonzero(status == 0)
+        if not isinstance(points, SurfacePoints | None):
+            raise TypeError(f"points: got {told(points)}, want SurfacePoints, as sample_surface gives them")
         if points is not None and len(points) != len(status):
             raise ValueError(f"points: got {len(points)} points, want {len(status)}, one for each row of directions")
         start = np.zeros((1, 1, 3)) if points is None else points.position[rows, None].astype(np.float64)
@@ -142,7 +146,7 @@ def sample_directions(
         sequences.get(sequence),
         count,
         check_seed(seed),
-        bool(pdf),
+        check_flag(pdf, "pdf"),
         check_workers(workers),
     )
     first_point = check_first_point(first_point, given.count)
@@ -150,11 +154,11 @@ def sample_directions(
     target = _check_device(device, given)
     shape = (given.count, count)
     vectors = None if out is None else check_out(out, given, shape)
-    size = prod(shape) * ((12 if out is None else 0) + (4 if pdf else 0)) + given.count
+    size = prod(shape) * ((12 if out is None else 0) + (4 if plan.pdf else 0)) + given.count
     if given.device.is_cpu:
         check_memory(size, f"{prod(shape):,} directions", _STREAM_HINT)
     vectors = vectors or new_vectors(given, shape, 3)
-    densities = new_vectors(given, shape, 1) if pdf else None
+    densities = new_vectors(given, shape, 1) if plan.pdf else None
     if target == given.device:
         status = plan.fill(given, vectors, densities, mask, first_point)
     else:
@@ -273,23 +277,20 @@ def _same_high_word(first_point: int, points: int) -> list[tuple[int, int]]:
 def _check_active(active: Any, normals: Vectors) -> Array | None:
     if active is None:
         return None
-    mask = active.numpy() if isinstance(active, wp.array) else np.asarray(active)
-    if mask.dtype not in (np.bool_, np.uint8):
-        raise TypeError(f"active: got dtype {mask.dtype}, want bool")
-    if mask.shape != normals.shape:
-        raise ValueError(f"active: got shape {mask.shape}, want {normals.shape}, one for each normal")
-    mask = np.ascontiguousarray(mask).view(np.uint8)
+    mask = as_mask(active, "active", normals.shape)
     return wp.array(mask, dtype=wp.uint8, device=normals.device) if isinstance(normals.owner, wp.array) else mask
 
 
 def _check_device(device: Any, normals: Vectors) -> wp.Device:
     if device is None:
         return normals.device
+    known = ", ".join(str(d) for d in wp.get_devices())
+    if not isinstance(device, str | wp.Device):
+        raise TypeError(f"device: got {told(device)}, want one of {known}")
     try:
         target = wp.get_device(device)
     except Exception as error:  # Warp raises several types for a device that does not exist
-        known = ", ".join(str(d) for d in wp.get_devices())
-        raise ValueError(f"device: got {device!r}, want one of {known}") from error
+        raise ValueError(f"device: got {told(device)}, want one of {known}") from error
     if isinstance(normals.owner, wp.array) and target != normals.device:
         raise ValueError(f"device: got {target}, want {normals.device}, where the normals are")
     return target

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from warpsample.arguments import check_file
+from warpsample.arrays import as_ndarray, as_real
 from warpsample.locks import once_property, read_only
 from warpsample.polydata import surface
 
@@ -71,8 +73,8 @@ class Mesh:
 
     def __post_init__(self) -> None:
         """Validates, copies and freezes: what later calls read must stay what was checked here."""
-        vertices = _check_vertices(np.asarray(self.vertices))
-        faces = _check_faces(np.array(self.faces, order="C"), len(vertices))
+        vertices = _check_vertices(as_real(self.vertices, "vertices"))
+        faces = _check_faces(as_ndarray(self.faces, "faces", "whole numbers").copy(order="C"), len(vertices))
         object.__setattr__(self, "vertices", read_only(vertices))
         object.__setattr__(self, "faces", read_only(faces))
 
@@ -164,15 +166,12 @@ def load_mesh(path: str | PathLike) -> Mesh:
     Several meshes in one file become one, each where its scene places it; polygons are split into triangles.
 
     Raises:
+        TypeError: no path.
         FileNotFoundError: no such file.
         ValueError: another suffix, no mesh in it, or a file that is truncated or damaged; names the path.
         ModuleNotFoundError: a .usd file without usd-core; says how to install it.
     """
-    path = Path(path)
-    if not path.is_file():
-        raise FileNotFoundError(
-            f"path: got {str(path)!r}, which is {'a folder' if path.is_dir() else 'missing'}, want a mesh file"
-        )
+    path = check_file(path, "path", "a mesh file")
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise ValueError(f"path: got {path.name!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
@@ -186,13 +185,18 @@ def load_mesh(path: str | PathLike) -> Mesh:
         raise ValueError(f"path: got {str(path)!r}, which cannot be read as a mesh: {reason[0]}") from error
 
 
-def as_mesh(value: Any) -> Mesh:
+def as_mesh(mesh: Any) -> Mesh:
     """What users hold, as a Mesh: Mesh, (vertices, faces), pyvista.PolyData, trimesh.Trimesh or meshio.Mesh.
 
     Raises:
         TypeError: something else.
         ValueError: what it holds is no valid triangle mesh.
     """
+    return mesh_of(mesh, "mesh", "a warpsample.Mesh")
+
+
+def mesh_of(value: Any, argument: str, wants: str) -> Mesh:
+    """As `as_mesh`, for another argument."""
     if isinstance(value, Mesh):
         return value
     if isinstance(value, tuple) and len(value) == 2:
@@ -205,7 +209,7 @@ def as_mesh(value: Any) -> Mesh:
     if hasattr(value, "points") and hasattr(value, "cells_dict"):
         return Mesh(value.points, value.cells_dict.get("triangle", np.empty((0, 3), np.int32)))
     raise TypeError(
-        f"mesh: got {type(value).__name__}, want a warpsample.Mesh, a tuple (vertices, faces), "
+        f"{argument}: got {type(value).__name__}, want {wants}, a tuple (vertices, faces), "
         "a pyvista.PolyData, a trimesh.Trimesh or a meshio.Mesh"
     )
 
@@ -226,8 +230,6 @@ def lengths(vectors: np.ndarray) -> np.ndarray:
 
 
 def _check_vertices(vertices: np.ndarray) -> np.ndarray:
-    if vertices.dtype.kind not in "fiu":
-        raise TypeError(f"vertices: got dtype {vertices.dtype}, want real numbers")
     if vertices.ndim != 2 or vertices.shape[1] != 3 or len(vertices) == 0:
         raise ValueError(f"vertices: got shape {vertices.shape}, want (V, 3) with V of at least 3")
     vertices = np.array(vertices, np.float64, order="C")

@@ -5,6 +5,8 @@ import pkgutil
 from types import ModuleType
 from typing import Any
 
+from warpsample.arguments import check_choice
+
 
 def records_of(package: ModuleType) -> dict[str, Any]:
     """What the modules of `package` define as `RECORD`, by its name."""
@@ -13,7 +15,10 @@ def records_of(package: ModuleType) -> dict[str, Any]:
 
 
 def look_up(known: dict[str, Any], name: str, argument: str) -> Any:
-    """known[name], or a ValueError that names the argument, what it got and the names that exist."""
-    if name not in known:
-        raise ValueError(f"{argument}: got {name!r}, want one of {', '.join(sorted(known))}")
-    return known[name]
+    """known[name], or an error that names the argument, what it got and the names that exist.
+
+    Raises:
+        TypeError: not a string.
+        ValueError: another one.
+    """
+    return known[check_choice(name, argument, sorted(known))]

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from warpsample.arguments import check_first_point, check_integer, check_seed
-from warpsample.arrays import cpu
+from warpsample.arguments import check_first_point, check_flag, check_integer, check_seed, told
+from warpsample.arrays import as_ndarray, as_real, cpu
 from warpsample.engine import check_memory, check_workers, run
 from warpsample.kernels.points import place_points
 from warpsample.mesh import as_mesh
@@ -23,14 +23,15 @@ class SurfacePoints:
     """Points with normals, one per row.
 
     Attributes:
-        position: (P, 3) float64 or float32, in the user's coordinates.
+        position: (P, 3) float64 or float32, in the user's coordinates; other real numbers become float64, here as below.
         normal: (P, 3) float32 or float64; need not be of unit length. A zero normal (degenerate face) is skipped and
             counted wherever directions are asked for.
         face: (P,) int32, the face a point lies on, -1 where it lies on none (the default).
         barycentric: (P, 3) float64 weights of the face's corners, or None.
 
     Raises:
-        ValueError: shapes that do not agree.
+        TypeError: not real numbers, or faces that are not whole ones.
+        ValueError: shapes that do not agree, or faces below -1.
     """
 
     position: np.ndarray
@@ -39,13 +40,13 @@ class SurfacePoints:
     barycentric: np.ndarray | None = None
 
     def __post_init__(self) -> None:
-        """Checks the shapes and fills in the faces."""
-        position, normal = np.asarray(self.position), np.asarray(self.normal)
+        """Checks types and shapes and fills in the faces."""
+        position, normal = as_real(self.position, "position"), as_real(self.normal, "normal")
         if position.ndim != 2 or position.shape[1] != 3:
             raise ValueError(f"position: got shape {position.shape}, want (P, 3)")
         points = len(position)
-        face = np.full(points, -1, np.int32) if self.face is None else np.asarray(self.face)
-        barycentric = None if self.barycentric is None else np.asarray(self.barycentric)
+        face = np.full(points, -1, np.int32) if self.face is None else _check_face(self.face)
+        barycentric = None if self.barycentric is None else as_real(self.barycentric, "barycentric")
         fields = {"position": position, "normal": normal, "face": face, "barycentric": barycentric}
         shapes = {"normal": (points, 3), "face": (points,), "barycentric": (points, 3)}
         for name, array in fields.items():
@@ -96,7 +97,7 @@ def sample_surface(
 
     Source: Turk 1990, "Generating Random Points in Triangles", method 2.
     """
-    mesh = as_mesh(mesh)
+    mesh, barycentric = as_mesh(mesh), check_flag(barycentric, "barycentric")
     count = check_integer(count, "count", 1, 2**31 - 1)
     seed, first_point, workers = check_seed(seed), check_first_point(first_point, count), check_workers(workers)
     if not mesh.face_areas.any():
@@ -136,3 +137,12 @@ def vertex_points(mesh: Any) -> SurfacePoints:
     """
     mesh = as_mesh(mesh)
     return SurfacePoints(mesh.vertices.copy(), mesh.vertex_normals.copy())
+
+
+def _check_face(value: Any) -> np.ndarray:
+    face = as_ndarray(value, "face")
+    if face.dtype.kind not in "iu" and face.size:
+        raise TypeError(f"face: got {f'dtype {face.dtype}' if face.ndim else told(value)}, want whole numbers")
+    if face.size and not (face.min() >= -1 and face.max() < 2**31):
+        raise ValueError(f"face: got numbers from {face.min()} to {face.max()}, want -1 (none) to the last of the mesh")
+    return face.astype(np.int32, copy=False)

@@ -5,6 +5,7 @@ import sys
 from dataclasses import fields
 from typing import Any
 
+from warpsample.arguments import told
 from warpsample.distributions.record import Distribution
 from warpsample.registry import look_up, records_of
 
@@ -35,7 +36,7 @@ def as_distribution(value: Any) -> Distribution:
     if isinstance(value, Distribution):
         return value
     if not isinstance(value, str):
-        raise TypeError(f"distribution: got {value!r}, want a name or an instance such as CosineHemisphere()")
+        raise TypeError(f"distribution: got {told(value)}, want a name or an instance such as CosineHemisphere()")
     name, _, inside = value.partition("(")
     kind = get(name.strip())
     try:
@@ -43,7 +44,7 @@ def as_distribution(value: Any) -> Distribution:
     except (TypeError, SyntaxError) as error:
         example = f"{name}({', '.join(f'{field.name}=...' for field in fields(kind))})"
         reason = "" if "__init__()" in str(error) or isinstance(error, SyntaxError) else f" ({error})"
-        raise TypeError(f"distribution: got {value!r}, want {example}{reason}") from None
+        raise TypeError(f"distribution: got {told(value)}, want {example}{reason}") from None
 
 
 def as_spatial(value: Any) -> Distribution:
@@ -59,7 +60,10 @@ def as_spatial(value: Any) -> Distribution:
 
 
 def _keywords(text: str) -> dict[str, Any]:
-    call = ast.parse(f"_({text})", mode="eval").body
+    try:
+        call = ast.parse(f"_({text})", mode="eval").body
+    except (ValueError, RecursionError, MemoryError) as error:  # zero bytes; more brackets than the parser has room for
+        raise SyntaxError from error
     if not isinstance(call, ast.Call) or call.args or any(keyword.arg is None for keyword in call.keywords):
         raise TypeError("parameters go by name")
     try:

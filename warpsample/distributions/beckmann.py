@@ -1,7 +1,6 @@
 """Normals of a rough surface whose slopes are Gaussian."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -68,7 +67,7 @@ class Beckmann(Distribution):
         """The `wp.func`s to use in kernels of your own."""
         return Maps(square_to_beckmann, square_to_beckmann_pdf, beckmann_to_square)
 
-    def cdf(self, theta: Any) -> np.ndarray:
+    def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - exp(-tan^2 theta / alpha^2). See `Distribution.cdf`."""
         return -np.expm1(-((np.tan(np.clip(theta, 0.0, np.pi / 2.0)) / self.alpha) ** 2))
 

@@ -1,11 +1,12 @@
 """The cosine lobe, by four methods of one density: cos(theta) / pi per steradian above the surface."""
 
 from dataclasses import dataclass
-from typing import Any, Literal, get_args
+from typing import Literal, get_args
 
 import numpy as np
 import warp as wp
 
+from warpsample.arguments import check_choice
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.distributions.uniform_disk import square_to_concentric_disk, uniform_disk_to_square_concentric
 from warpsample.distributions.uniform_sphere import square_to_uniform_sphere
@@ -156,8 +157,7 @@ class CosineHemisphere(Distribution):
 
     def __post_init__(self) -> None:
         """Checks the method's name."""
-        if self.method not in _MAPS:
-            raise ValueError(f"method: got {self.method!r}, want one of {', '.join(get_args(Method))}")
+        check_choice(self.method, "method", get_args(Method))
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
@@ -169,7 +169,7 @@ class CosineHemisphere(Distribution):
         """The `wp.func`s to use in kernels of your own."""
         return _MAPS[self.method]
 
-    def cdf(self, theta: Any) -> np.ndarray:
+    def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """sin^2 theta. See `Distribution.cdf`."""
         return np.sin(np.clip(theta, 0.0, np.pi / 2.0)) ** 2
 

@@ -1,7 +1,6 @@
 """Normals of a rough surface with the long tails of a sphere cut in pieces: Trowbridge and Reitz, GGX."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -66,7 +65,7 @@ class GGX(Distribution):
         """The `wp.func`s to use in kernels of your own."""
         return Maps(square_to_ggx, square_to_ggx_pdf, ggx_to_square)
 
-    def cdf(self, theta: Any) -> np.ndarray:
+    def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """sin^2 theta / (sin^2 theta + alpha^2 cos^2 theta). See `Distribution.cdf`."""
         sine, cosine = np.sin(np.clip(theta, 0.0, np.pi / 2.0)), np.cos(np.clip(theta, 0.0, np.pi / 2.0))
         return sine**2 / (sine**2 + (self.alpha * cosine) ** 2)

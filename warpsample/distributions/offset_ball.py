@@ -1,7 +1,6 @@
 """A uniform point of the ball that touches the surface point from above, seen from there: the cosine cubed."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -51,7 +50,7 @@ class OffsetBall(Distribution):
         """The `wp.func`s to use in kernels of your own."""
         return Maps(square_to_offset_ball, square_to_offset_ball_pdf, offset_ball_to_square)
 
-    def cdf(self, theta: Any) -> np.ndarray:
+    def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - cos^4 theta. See `Distribution.cdf`."""
         sin_squared = np.sin(np.clip(theta, 0.0, np.pi / 2.0)) ** 2
         return sin_squared * (2.0 - sin_squared)

@@ -1,7 +1,6 @@
 """In the plane: a point of the circle that touches the surface point, seen from there: uniform in angle."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -48,7 +47,7 @@ class OffsetCircle(Distribution):
         """The `wp.func`s to use in kernels of your own."""
         return Maps(square_to_offset_circle, square_to_offset_circle_pdf, offset_circle_to_square)
 
-    def cdf(self, theta: Any) -> np.ndarray:
+    def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """Theta / pi + 1/2, where Chizhov prints + 1. See `Distribution.cdf`."""
         return np.clip(theta, -np.pi / 2.0, np.pi / 2.0) / np.pi + 0.5
 

@@ -1,7 +1,6 @@
 """In the plane: a point of the disk that touches the surface point, seen from there: the cosine squared."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -46,7 +45,7 @@ class OffsetDisk(Distribution):
         """The `wp.func`s to use in kernels of your own."""
         return Maps(square_to_offset_disk, square_to_offset_disk_pdf)
 
-    def cdf(self, theta: Any) -> np.ndarray:
+    def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """(theta + sin theta cos theta) / pi + 1/2, where Chizhov prints + 1. See `Distribution.cdf`."""
         theta = np.clip(theta, -np.pi / 2.0, np.pi / 2.0)
         return (theta + np.sin(theta) * np.cos(theta)) / np.pi + 0.5

@@ -1,7 +1,6 @@
 """The normal plus a sphere's point of any radius, normalised: Shirley's trick with its radius as a parameter."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -115,7 +114,7 @@ class OffsetSphere(Distribution):
         """Half of 7e-4 of the directions are within the held edge."""
         return 1e-2 if self.support == "cone" else super().thinnest_tail
 
-    def cdf(self, theta: Any) -> np.ndarray:
+    def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """By the sphere's own angles to the one or two points that are seen at theta. See `Distribution.cdf`."""
         theta = np.clip(theta, 0.0, self.largest_angle)
         beyond = np.arcsin(np.clip(np.sin(theta) / self.rho, -1.0, 1.0))

@@ -1,7 +1,6 @@
 """Powers of the cosine: Phong's lobe about the normal."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -68,7 +67,7 @@ class PowerCosine(Distribution):
         """The `wp.func`s to use in kernels of your own."""
         return Maps(square_to_power_cosine, square_to_power_cosine_pdf, power_cosine_to_square)
 
-    def cdf(self, theta: Any) -> np.ndarray:
+    def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - cos^(n + 1) theta. See `Distribution.cdf`."""
         # log cos = log1p(-2 sin^2(theta / 2)), which keeps the digits of narrow lobes.
         with np.errstate(divide="ignore"):

@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.arguments import check_number
-from warpsample.arrays import Array, as_vectors, new_vectors
+from warpsample.arrays import Array, as_ndarray, as_real, as_vectors, new_vectors
 from warpsample.engine import check_workers, run
 from warpsample.kernels import FLAT_BLOCK
 from warpsample.kernels.flat import elementwise
@@ -112,11 +112,16 @@ class Distribution:
             theta: (...) radians, in [0, pi]; with a sign for directions in the plane; for points of a disk the radius.
 
         Returns:
-            (...) float64 in [0, 1].
+            (...) float64 in [0, 1]; 0 below that range and 1 above it.
 
         Raises:
+            TypeError: theta is not real numbers.
             NotImplementedError: no closed form is known.
         """
+        return self._cdf(np.clip(as_real(theta, "theta").astype(np.float64), 0.0 if self.width == 3 else -pi, pi))
+
+    def _cdf(self, theta: np.ndarray) -> np.ndarray:
+        """`cdf` of float64 angles that can be."""
         raise NotImplementedError(f"{self!r}: its density is not one of the angle alone")
 
     def seam(self, u: np.ndarray) -> np.ndarray:
@@ -208,7 +213,7 @@ def _pack(values: tuple[Any, ...]) -> Parameters:
 
 def _in_square(u: Any) -> Any:
     """u, if its values are in [0, 1); float64 values that would round up to 1 become the float32 below it."""
-    array = np.asarray(u)
+    array = as_ndarray(u, "u")
     if array.dtype in (np.float32, np.float64) and array.size:
         if not (array.min() >= 0.0 and array.max() < 1.0):
             raise ValueError(f"u: got values from {array.min()} to {array.max()}, want [0, 1)")

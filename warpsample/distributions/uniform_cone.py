@@ -1,7 +1,6 @@
 """Directions within an angle of the normal, all equally likely."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -69,9 +68,10 @@ class UniformCone(Distribution):
             cosine = check_number(self.cos_angle, "cos_angle", -1.0, float(np.nextafter(1.0, 0.0)))
             object.__setattr__(self, "one_minus_cos", 1.0 - cosine)
         else:
-            if self.cos_angle not in (None, 1.0 - self.one_minus_cos):
-                raise TypeError(f"cos_angle: got {self.cos_angle!r} beside one_minus_cos, want one of the two")
             object.__setattr__(self, "one_minus_cos", check_number(self.one_minus_cos, "one_minus_cos", _LEAST, 2.0))
+            beside = None if self.cos_angle is None else check_number(self.cos_angle, "cos_angle", -1.0, 1.0)
+            if beside not in (None, 1.0 - self.one_minus_cos):
+                raise TypeError(f"cos_angle: got {beside!r} beside one_minus_cos, want one of the two")
         object.__setattr__(self, "cos_angle", 1.0 - self.one_minus_cos)
 
     @classmethod
@@ -89,9 +89,9 @@ class UniformCone(Distribution):
         """The angle between axis and edge."""
         return float(2.0 * np.arcsin(np.sqrt(0.5 * self.one_minus_cos)))
 
-    def cdf(self, theta: Any) -> np.ndarray:
+    def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """The share of the cone's 1 - cos. See `Distribution.cdf`."""
-        return np.minimum(2.0 * np.sin(0.5 * np.asarray(theta, np.float64)) ** 2 / self.one_minus_cos, 1.0)
+        return np.minimum(2.0 * np.sin(0.5 * theta) ** 2 / self.one_minus_cos, 1.0)
 
 
 RECORD = UniformCone

@@ -1,11 +1,12 @@
 """The unit disk, by two maps of the square that keep area: under the cosine lobe, and for lenses."""
 
 from dataclasses import dataclass
-from typing import Any, Literal, get_args
+from typing import Literal, get_args
 
 import numpy as np
 import warp as wp
 
+from warpsample.arguments import check_choice
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.numerics import GRID, clamp_uniform, sincos_eighth, sincos_turns, turns_of
 
@@ -95,8 +96,7 @@ class UniformDisk(Distribution):
 
     def __post_init__(self) -> None:
         """Checks the method's name."""
-        if self.method not in _MAPS:
-            raise ValueError(f"method: got {self.method!r}, want one of {', '.join(get_args(Method))}")
+        check_choice(self.method, "method", get_args(Method))
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
@@ -113,7 +113,7 @@ class UniformDisk(Distribution):
         """The radius."""
         return 1.0
 
-    def cdf(self, theta: Any) -> np.ndarray:
+    def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """The square of the radius. See `Distribution.cdf`."""
         return np.clip(theta, 0.0, 1.0) ** 2
 

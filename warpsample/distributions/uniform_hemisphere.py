@@ -1,7 +1,6 @@
 """Every direction above the surface equally likely."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -46,7 +45,7 @@ class UniformHemisphere(Distribution):
         """The `wp.func`s to use in kernels of your own."""
         return Maps(square_to_uniform_hemisphere, square_to_uniform_hemisphere_pdf, uniform_hemisphere_to_square)
 
-    def cdf(self, theta: Any) -> np.ndarray:
+    def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - cos theta. See `Distribution.cdf`."""
         return 2.0 * np.sin(0.5 * np.clip(theta, 0.0, np.pi / 2.0)) ** 2
 

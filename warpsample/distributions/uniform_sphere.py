@@ -1,7 +1,6 @@
 """Every direction equally likely."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -47,9 +46,9 @@ class UniformSphere(Distribution):
         """The `wp.func`s to use in kernels of your own."""
         return Maps(square_to_uniform_sphere, square_to_uniform_sphere_pdf, uniform_sphere_to_square)
 
-    def cdf(self, theta: Any) -> np.ndarray:
+    def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """(1 - cos theta) / 2. See `Distribution.cdf`."""
-        return np.sin(0.5 * np.asarray(theta, np.float64)) ** 2
+        return np.sin(0.5 * theta) ** 2
 
 
 RECORD = UniformSphere

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import warp as wp
 
-from warpsample.arguments import check_view
+from warpsample.arrays import as_view
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.distributions.visible_ggx import blurred_facing
 from warpsample.numerics import GRID, HALF, ONE, TWO, ZERO, clamp_uniform
@@ -143,7 +143,7 @@ class VisibleBeckmann(Distribution):
     def __post_init__(self) -> None:
         """Checks the roughness and the view."""
         super().__post_init__()
-        object.__setattr__(self, "view", check_view(self.view, "view"))
+        object.__setattr__(self, "view", as_view(self.view, "view"))
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import warp as wp
 
-from warpsample.arguments import check_view
+from warpsample.arrays import as_view
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.numerics import ZERO, clamp_uniform, fma, polish, sincos_turns, turns_of
 
@@ -119,7 +119,7 @@ class VisibleGGX(Distribution):
     def __post_init__(self) -> None:
         """Checks the roughness and the view."""
         super().__post_init__()
-        object.__setattr__(self, "view", check_view(self.view, "view"))
+        object.__setattr__(self, "view", as_view(self.view, "view"))
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:

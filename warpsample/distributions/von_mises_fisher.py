@@ -1,7 +1,6 @@
 """The Gaussian of the sphere."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import warp as wp
@@ -77,9 +76,9 @@ class VonMisesFisher(Distribution):
         """The `wp.func`s to use in kernels of your own."""
         return Maps(square_to_von_mises_fisher, square_to_von_mises_fisher_pdf, von_mises_fisher_to_square)
 
-    def cdf(self, theta: Any) -> np.ndarray:
+    def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """The share of e^(kappa cos theta) beyond. See `Distribution.cdf`."""
-        versine = 2.0 * np.sin(0.5 * np.asarray(theta, np.float64)) ** 2
+        versine = 2.0 * np.sin(0.5 * theta) ** 2
         return np.expm1(-self.kappa * versine) / np.expm1(-2.0 * self.kappa)
 
 

@@ -3,16 +3,20 @@
 from dataclasses import replace
 from math import pi
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import warp as wp
 
+from warpsample.arguments import check_file
+from warpsample.arrays import as_real, as_unit
 from warpsample.estimate.plan import Estimate, Plan, Quantity
-from warpsample.estimate.visibility import check_direction, vector_weights
+from warpsample.estimate.visibility import vector_weights
 from warpsample.estimate.weights import environment, radiance_of
 from warpsample.surface import SurfacePoints
+
+_NUMBERS = (float, int, wp.float16, wp.float32, wp.float64, wp.int8, wp.int16, wp.int32, wp.int64)
+_NUMBERS += (wp.uint8, wp.uint16, wp.uint32, wp.uint64)
 
 
 def irradiance(
@@ -46,7 +50,7 @@ def irradiance(
         ModuleNotFoundError: an .hdr file without PyVista.
     """
     plan = Plan.of(mesh, points, count, **options)
-    axis = check_direction(up, "up")
+    axis = as_unit(up, "up")
     if isinstance(radiance, wp.Function):
         colour = _gives_colour(radiance)
         return plan.estimate(Quantity(radiance_of(radiance, colour), channels=3 if colour else 1, unit=pi))
@@ -60,19 +64,24 @@ def irradiance(
 
 
 def _gives_colour(function: wp.Function) -> bool:
-    """Whether a function of the direction gives a vec3.
+    """Whether a function of the direction gives a vec3, and not a number.
 
     Raises:
         TypeError: it gives something else, or cannot be called so.
     """
     wants = "want a wp.func (direction: wp.vec3) -> float or wp.vec3"
     try:
-        value = function(wp.vec3(0.0, 0.0, 1.0))
-    except Exception as error:  # whatever its author's code raises
-        raise TypeError(f"radiance: got a function that cannot be called with a direction ({error}), {wants}") from error
-    if isinstance(value, wp.vec3 | float):
-        return isinstance(value, wp.vec3)
-    raise TypeError(f"radiance: got a function that gives {type(value).__name__}, {wants}")
+        kind = type(function(wp.vec3(0.0, 0.0, 1.0)))
+    except Exception as error:  # whatever its author's code raises; and some of Warp, as wp.where, is for kernels alone
+        kind = getattr(function.func, "__annotations__", {}).get("return")
+        if not isinstance(kind, type):
+            raise TypeError(
+                f"radiance: got a function that cannot be called with a direction ({error}), {wants}, "
+                "annotated with what it returns if it is for kernels alone"
+            ) from error
+    if kind not in (wp.vec3, *_NUMBERS):
+        raise TypeError(f"radiance: got a function that gives {kind.__name__}, {wants}")
+    return kind is wp.vec3
 
 
 def _picture(radiance: Any) -> np.ndarray:
@@ -82,19 +91,18 @@ def _picture(radiance: Any) -> np.ndarray:
         TypeError, ValueError: not a picture of radiances.
     """
     if isinstance(radiance, str | PathLike):
-        radiance = read_hdr(Path(radiance))
-    picture = np.asarray(radiance)
-    if picture.dtype.kind not in "fiu":
-        raise TypeError(f"radiance: got {type(radiance).__name__}, want an array of numbers, a path or a wp.func")
+        radiance = read_hdr(radiance)
+    picture = as_real(radiance, "radiance", "an array of numbers, a path or a wp.func")
     if picture.ndim not in (2, 3) or picture.shape[2:] not in ((), (3,)) or 0 in picture.shape:
         raise ValueError(f"radiance: got shape {picture.shape}, want (H, W) or (H, W, 3)")
-    picture = picture.astype(np.float32)
+    with np.errstate(over="ignore"):
+        picture = picture.astype(np.float32)
     if not (np.isfinite(picture).all() and picture.min() >= 0.0):
-        raise ValueError("radiance: got numbers that are below 0 or not finite, want finite ones of at least 0")
+        raise ValueError("radiance: got numbers that are below 0 or not finite, want finite float32 of at least 0")
     return picture
 
 
-def read_hdr(path: Path) -> np.ndarray:
+def read_hdr(path: str | PathLike) -> np.ndarray:
     """(H, W, 3) float32, the picture in a Radiance .hdr file, by VTK; row 0 on top.
 
     Raises:
@@ -102,16 +110,22 @@ def read_hdr(path: Path) -> np.ndarray:
         ValueError: another suffix, or a file that VTK cannot read.
         ModuleNotFoundError: without PyVista.
     """
-    if not path.is_file():
-        raise FileNotFoundError(f"radiance: got {str(path)!r}, which is missing, want an .hdr file")
+    path = check_file(path, "radiance", "an .hdr file")
     if path.suffix.lower() != ".hdr":
         raise ValueError(f"radiance: got {path.name!r}, want a file that ends in .hdr")
     try:
-        import pyvista as pv  # noqa: PLC0415
+        from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: PLC0415
+        from vtkmodules.vtkIOImage import vtkHDRReader  # noqa: PLC0415
     except ModuleNotFoundError:
         raise ModuleNotFoundError(
             f"radiance: got {path.name!r}, which needs PyVista: pip install 'warpsample[viz]'"
         ) from None
-    image = pv.read(path)
-    width, height, _ = image.dimensions
-    return np.asarray(image.point_data.active_scalars).reshape(height, width, 3)[::-1]
+    reader, faults = vtkHDRReader(), []
+    reader.AddObserver("ErrorEvent", lambda *told: faults.append(told))  # heard here, it is not printed
+    reader.SetFileName(str(path))
+    reader.Update()
+    if faults:
+        raise ValueError(f"radiance: got {str(path)!r}, which cannot be read, want an .hdr file that is whole")
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1]

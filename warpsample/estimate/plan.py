@@ -9,8 +9,8 @@ import numpy as np
 import warp as wp
 
 from warpsample import sequences
-from warpsample.arguments import check_first_point, check_integer, check_number, check_seed
-from warpsample.arrays import cpu
+from warpsample.arguments import check_choice, check_first_point, check_flag, check_integer, check_number, check_seed
+from warpsample.arrays import as_mask, cpu
 from warpsample.directions import Status
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.engine import check_memory, check_workers, run
@@ -18,7 +18,7 @@ from warpsample.estimate.cells import Cells, cells_of
 from warpsample.estimate.job import NONFINITE_POSITION, Job
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.weights import WeightsJob
-from warpsample.mesh import Mesh, as_mesh
+from warpsample.mesh import Mesh, as_mesh, mesh_of
 from warpsample.sequences.record import Sequence
 from warpsample.surface import SurfacePoints
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
@@ -115,12 +115,15 @@ class Estimate:
 
         Raises:
             ModuleNotFoundError: PyVista is missing.
+            TypeError: neither points nor a mesh.
             ValueError: another number of points, or as many vertices as faces and no `at`.
         """
+        if at is not None:
+            check_choice(at, "at", ("vertices", "faces"))
         if isinstance(on, SurfacePoints):
             made, sizes = on.to_polydata(), {"points": len(on)}
         else:
-            mesh = as_mesh(on)
+            mesh = mesh_of(on, "on", "SurfacePoints, a warpsample.Mesh")
             made, sizes = mesh.to_polydata(), {"vertices": len(mesh.vertices), "faces": len(mesh.faces)}
         fit = [name for name, size in sizes.items() if size == len(self.status) and at in (None, name)]
         if len(fit) != 1:
@@ -187,6 +190,7 @@ class Plan:
         skip: bool = True,
         tracer: str = "auto",
         workers: int | None = None,
+        **unknown: Any,
     ) -> "Plan":
         """The plan of a call's arguments.
 
@@ -194,6 +198,9 @@ class Plan:
             TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
             MemoryError: more than is free.
         """
+        if unknown:
+            known = ", ".join(item.name for item in fields(cls)[3:])
+            raise TypeError(f"{', '.join(unknown)}: got an unknown argument, want one of {known}")
         if not isinstance(points, SurfacePoints):
             raise TypeError(f"points: got {type(points).__name__}, want SurfacePoints, as sample_surface gives them")
         check_memory(_BYTES_PER_POINT * len(points), f"the numbers of {len(points):,} points", "take them in parts")
@@ -204,9 +211,9 @@ class Plan:
             sequences.get(sequence),
             check_seed(seed),
             check_first_point(first_point, len(points)),
-            _check_active(active, len(points)),
+            None if active is None else as_mask(active, "active", (len(points),)),
             None if tolerance is None else check_number(tolerance, "tolerance", 1e-12, 1e12),
-            bool(skip),
+            check_flag(skip, "skip"),
             check_tracer(tracer, cpu()),
             check_workers(workers),
         )
@@ -214,7 +221,7 @@ class Plan:
     def estimate(self, quantity: Quantity) -> Estimate:
         """The numbers."""
         runner = _Runner(self, quantity)
-        if self.tolerance is None:
+        if self.tolerance is None or len(self.points) == 0:
             return runner.result(self.seed, np.full(len(self.points), self.count))
         trial = runner.result(self.seed ^ _TRIAL, np.full(len(self.points), min(_TRIAL_RAYS, self.count)))
         needed = self._needed(trial, self.tolerance)
@@ -321,12 +328,3 @@ class _Runner:
         what = (quantity.weigh, quantity.constant, quantity.binary and any_hit, quantity.channels)
         kernel = estimate_kernel(plan.sequence, about, *what, *slots, any_hit, wide)
         run(kernel, len(rows), [job, accelerator], cpu(), plan.workers, RAY_WORK * len(rows) * job.rays.count)
-
-
-def _check_active(active: Any, points: int) -> np.ndarray | None:
-    if active is None:
-        return None
-    mask = np.asarray(active)
-    if mask.dtype not in (np.bool_, np.uint8) or mask.shape != (points,):
-        raise ValueError(f"active: got {mask.dtype} of shape {mask.shape}, want bool of shape {(points,)}")
-    return np.ascontiguousarray(mask).view(np.uint8)

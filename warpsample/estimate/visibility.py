@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.arguments import check_number
+from warpsample.arrays import as_unit
 from warpsample.estimate.plan import Estimate, Plan, Quantity
 from warpsample.estimate.weights import WeightsJob, above, everywhere, itself
 from warpsample.surface import SurfacePoints
@@ -103,7 +104,7 @@ def sky_view_factor(
     """
     plan = Plan.of(mesh, points, count, **options)
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
-    axis = check_direction(up, "up")
+    axis = as_unit(up, "up")
     found = plan.estimate(Quantity(above, binary=True, weights=vector_weights(axis), reach=reach))
     normal = np.asarray(points.normal, np.float64)
     with np.errstate(invalid="ignore"):
@@ -140,23 +141,7 @@ def bent_normals(
     return plan.estimate(Quantity(itself, channels=3, reach=reach))
 
 
-def check_direction(value: Any, argument: str) -> np.ndarray:
-    """`value` as a unit vector, (3,) float64.
-
-    Raises:
-        ValueError: not three finite numbers, or all 0; names the argument.
-    """
-    try:
-        vector = np.array([float(x) for x in value])
-    except (TypeError, ValueError):
-        vector = np.zeros(0)
-    length = float(np.linalg.norm(vector)) if vector.shape == (3,) else 0.0
-    if not 0.0 < length < inf:
-        raise ValueError(f"{argument}: got {value!r}, want three finite numbers, not all 0")
-    return vector / length
-
-
-def vector_weights(vector: np.ndarray) -> WeightsJob:
+def vector_weights(vector: tuple[float, float, float]) -> WeightsJob:
     """What `weights.above` takes."""
     x, y, z = vector
     return WeightsJob(x=x, y=y, z=z)

@@ -68,7 +68,7 @@ def environment(d: wp.vec3, weights: Weights) -> wp.vec3:
 
 @once
 def radiance_of(function: wp.Function, colour: bool) -> wp.Function:
-    """A user's function of the direction, which gives a float or, with colour, a vec3."""
+    """A user's function of the direction, which gives a number of any type or, with colour, a vec3."""
     if colour:
 
         @wp.func
@@ -79,6 +79,6 @@ def radiance_of(function: wp.Function, colour: bool) -> wp.Function:
 
         @wp.func
         def radiance(d: wp.vec3, weights: Weights):
-            return wp.vec3(function(d), 0.0, 0.0)
+            return wp.vec3(wp.float32(function(d)), 0.0, 0.0)
 
     return radiance

@@ -7,6 +7,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 import warp as wp
 
+from warpsample.arrays import as_real
 from warpsample.engine import check_workers
 from warpsample.locks import making, read_only
 from warpsample.mesh import Mesh, as_mesh
@@ -135,8 +136,9 @@ def refit(mesh: Any, vertices: Any, workers: int | None = None) -> Mesh:
         TypeError, ValueError: vertices that are not V finite points.
     """
     mesh, workers = as_mesh(mesh), check_workers(workers)
-    if np.shape(vertices) != mesh.vertices.shape:
-        raise ValueError(f"vertices: got shape {np.shape(vertices)}, want {mesh.vertices.shape}, that of the mesh's own")
+    vertices = as_real(vertices, "vertices")
+    if vertices.shape != mesh.vertices.shape:
+        raise ValueError(f"vertices: got shape {vertices.shape}, want {mesh.vertices.shape}, that of the mesh's own")
     moved = Mesh(vertices, mesh.faces)
     before = scene_of(mesh)
     before.tree(workers)

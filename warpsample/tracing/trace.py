@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.arguments import check_number
-from warpsample.arrays import Array, address_of, cpu
+from warpsample.arguments import check_choice, check_flag, check_number
+from warpsample.arrays import Array, address_of, as_ndarray, cpu
 from warpsample.engine import check_memory, check_workers, run
 from warpsample.mesh import Mesh, as_mesh, unit_or_zero
 from warpsample.surface import SurfacePoints
@@ -92,7 +92,7 @@ def trace(
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
         MemoryError: more than is free.
     """
-    mesh, workers = as_mesh(mesh), check_workers(workers)
+    mesh, workers, any_hit = as_mesh(mesh), check_workers(workers), check_flag(any_hit, "any_hit")
     start = Triples.of(origins.position if isinstance(origins, SurfacePoints) else origins, "origins", "(P, 3) or (3,)")
     way = Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
     _check_pair(start, way)
@@ -130,7 +130,7 @@ def answer(scene: Scene, job: Job, tracer: str, any_hit: bool, device: wp.Device
     """
     if tracer == "wide":
         tree = scene.tree(workers)
-        kernel, accelerator = ray_kernel(prepare_wide, wide_query(bool(any_hit))), tree.accelerator()
+        kernel, accelerator = ray_kernel(prepare_wide, wide_query(any_hit)), tree.accelerator()
     else:
         kernel, accelerator = ray_kernel(prepare_builtin, builtin_query), scene.builtin(device)
         widen_lift(job)
@@ -177,7 +177,7 @@ class Triples:
             if not value.is_contiguous:
                 raise ValueError(f"{argument}: got a wp.array that is not contiguous, want a contiguous one")
             return cls(value, value.shape if vectors else value.shape[:-1], _DOUBLE[value.dtype], value.device)
-        array = np.asarray(value)
+        array = as_ndarray(value, argument)
         if array.dtype not in (np.float32, np.float64):
             raise TypeError(f"{argument}: got dtype {array.dtype}, want float32 or float64")
         if array.ndim == 0 or array.shape[-1] != 3:
@@ -248,10 +248,9 @@ def check_tracer(tracer: Any, device: wp.Device) -> str:
     """The tracer to use on a device.
 
     Raises:
-        ValueError: no tracer, or none of that device's.
+        TypeError, ValueError: no tracer, or none of that device's.
     """
-    if tracer not in ("auto", *TRACERS):
-        raise ValueError(f"tracer: got {tracer!r}, want one of auto, {', '.join(TRACERS)}")
+    check_choice(tracer, "tracer", ("auto", *TRACERS))
     if tracer == "wide" and not device.is_cpu:
         raise ValueError(f"tracer: got 'wide' for rays on {device}, want 'warp' or 'auto': the wide tree is for the CPU")
     return tracer if tracer != "auto" else ("wide" if device.is_cpu else "warp")

@@ -1,0 +1,169 @@
+"""What each argument of each public function takes, and what none does: for the sweep of test_arguments.py."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from math import inf, nan
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+import warpsample as ws
+
+VERTICES = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 1.0]])
+FACES = np.array([[0, 1, 2], [0, 2, 3]])
+MESH = ws.Mesh(VERTICES, FACES)
+POINTS = ws.vertex_points(MESH)
+UNIT = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.6, 0.0, 0.8], [0.0, 0.6, 0.8]], np.float32)
+COUNT = 16
+
+
+@dataclass(frozen=True)
+class Kind:
+    """What an argument takes: an example; labels of `values` that are as good, since its docstring says so; its own values.
+
+    `said` is what an error may call it, where that is not its name: the part of it that is wrong, or what it stands for.
+    """
+
+    good: Any
+    valid: frozenset[str] = frozenset()
+    said: tuple[str, ...] = ()
+    wrong: tuple[Any, ...] = ()
+
+
+def kind(good, *valid, said=(), wrong=()):
+    return Kind(good, frozenset(valid), said, wrong)
+
+
+WHOLE = "int32(2)"
+NUMBER = ("float32(0.5)", "Fraction(1, 2)")
+LIMITLESS = (*NUMBER, WHOLE, "1.5", "2**70", "10**5000", "inf")
+POSITIVE = (*NUMBER, WHOLE, "1.5")
+FLAG = ("True", "np.True_")
+IN_MESH = ("mesh", "vertices", "faces")
+BAD_MESHES = (
+    (VERTICES, FACES.astype(float)),
+    (VERTICES, np.ma.masked_array(FACES)),
+    (VERTICES, [[0, 1, 2], [0, 1]]),
+    (np.ma.masked_array(VERTICES), FACES),
+    ("3", "3"),
+    (None, None),
+    [VERTICES, FACES],
+)
+NO_LIGHT = (np.full((4, 4), nan), np.full((4, 4), -1.0), np.full((4, 4), 1e300), "3.hdr", Path("3.hdr"), ws.trace)
+
+KINDS = {
+    "mesh": kind(MESH, said=IN_MESH, wrong=BAD_MESHES),
+    "on": kind(MESH, said=("vertices", "faces"), wrong=BAD_MESHES),
+    "vertices": kind(VERTICES + 1.0, wrong=(VERTICES * nan,)),
+    "faces": kind(FACES, wrong=(FACES.astype(float), FACES - 1, FACES + 2)),
+    "path": kind(Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd", wrong=("a\0b", "long" * 1000)),
+    "points": kind(POINTS, wrong=(MESH, UNIT)),
+    "sample_square.points": kind(4, WHOLE),
+    "accessor.sample_directions.points": kind(4, WHOLE),
+    "count": kind(COUNT, WHOLE, wrong=(0, np.float64(2.0), np.ma.masked_array(2))),
+    "seed": kind(3, WHOLE),
+    "first_point": kind(3, WHOLE),
+    "workers": kind(1, WHOLE, wrong=(0,)),
+    "max_distance": kind(1.5, *LIMITLESS),
+    "falloff": kind(2.0, *POSITIVE),
+    "tolerance": kind(0.1, *POSITIVE, wrong=(0.0,)),
+    "scale": kind(0.1, *POSITIVE, "-1", "2**70"),
+    "alpha": kind(0.5, *NUMBER),
+    "kappa": kind(0.5, *POSITIVE),
+    "rho": kind(0.5, *POSITIVE),
+    "exponent": kind(0.5, *POSITIVE),
+    "cos_angle": kind(0.5, *NUMBER, "-1"),
+    "one_minus_cos": kind(0.5, *POSITIVE, said=("cos_angle",)),
+    "method": kind("polar"),
+    "view": kind(np.array([0.0, 0.6, 0.8]), wrong=("123", (0, 0, 0), (0, 0, -1), (nan, 0, 1))),
+    "up": kind(np.array([0.0, 0.6, 0.8]), wrong=("123", (0, 0, 0), (inf, 0, 1))),
+    "barycentric": kind(False, *FLAG),
+    "pdf": kind(True, *FLAG),
+    "any_hit": kind(False, *FLAG),
+    "skip": kind(False, *FLAG),
+    "active": kind(np.array([True, False, True, True]), "bool"),
+    "distribution": kind("cosine_hemisphere", wrong=(ws.GGX, "ggx(alpha=\0)", "ggx(alpha=" + "(" * 1000)),
+    "sequence": kind("fibonacci"),
+    "sample_directions.sequence": kind("sobol"),
+    "accessor.sample_directions.sequence": kind("sobol"),
+    "tracer": kind("wide"),
+    "device": kind("cpu"),
+    "at": kind("vertices"),
+    "out": kind(np.zeros((4, COUNT, 3), np.float32), wrong=(np.zeros((4, COUNT, 3)),)),
+    "normals": kind(UNIT, wrong=(FACES, MESH)),
+    "origins": kind(UNIT, said=("directions",), wrong=(FACES, MESH)),
+    "directions": kind(-UNIT, wrong=(FACES, MESH, POINTS)),
+    "position": kind(VERTICES),
+    "normal": kind(UNIT),
+    "face": kind(
+        np.array([0, 1, -1, 0]), "of Warp", wrong=([0.0, 1.0, 0.0, 1.0], [-2, 0, 0, 0], [2**31, 0, 0, 0], [2**64, 0, 0, 0])
+    ),
+    "SurfacePoints.barycentric": kind(np.full((4, 3), 1 / 3)),
+    "u": kind(
+        np.full((4, 2), 0.5), "one axis more", wrong=(np.full((4, 2), nan), np.full((4, 2), 1.0), np.full((4, 2), -0.1))
+    ),
+    "w": kind(UNIT, "one axis more", wrong=(FACES,)),
+    "theta": kind(
+        np.linspace(0.0, 3.0, 4),
+        *("float32(0.5)", WHOLE, "-1", "1.5", "nan", "inf", "[]", "[[]]", "one less", "one axis more", "no axis", "of Warp"),
+    ),
+    "radiance": kind(np.ones((4, 4)), "one less", wrong=NO_LIGHT),
+    "sequences.get.name": kind("sobol", said=("sequence",)),
+    "distributions.get.name": kind("ggx", said=("distribution",)),
+    "value": kind("ggx(alpha=0.5)", said=("distribution",)),
+}
+NEEDS = {"falloff": {"max_distance": 2.0}}  # to be of use
+NO_DEFAULT = {"UniformCone.cos_angle", "UniformCone.one_minus_cos"}  # one of the two must be given
+
+
+def kind_of(name, argument):
+    return KINDS.get(f"{name}.{argument}") or KINDS[argument]
+
+
+def values(example):
+    """By label: what is wrong nearly everywhere, and arrays that are wrong in one way each."""
+    plain = {
+        "None": None,
+        "an object": object(),
+        "text": "3",
+        "bytes": b"3",
+        "[]": [],
+        "[[]]": [[]],
+        "{}": {},
+        "a set": {0.0, 1.0, 2.0},
+        "a function": lambda *_: 1,
+        "a type": float,
+        "a path": Path("3"),
+        "1j": 1j,
+        "nan": nan,
+        "inf": inf,
+        "-1": -1,
+        "2**70": 2**70,
+        "10**5000": 10**5000,
+        "1.5": 1.5,
+        "True": True,
+        "np.True_": np.True_,
+        "float32(0.5)": np.float32(0.5),
+        "Fraction(1, 2)": Fraction(1, 2),
+        "int32(2)": np.int32(2),
+        "np.ma.masked": np.ma.masked,
+    }
+    array = example if isinstance(example, np.ndarray) else np.ones((4, 3))
+    rows = [row.tolist() if row.ndim else [row.item()] for row in array]
+    return plain | {
+        "masked": np.ma.masked_array(array),
+        "masked rows": [np.ma.masked_array(row) for row in array],
+        "complex": array.astype(complex),
+        "objects": array.astype(object),
+        "texts": array.astype(str),
+        "bool": array.astype(bool),
+        "times": np.zeros(array.shape, "datetime64[s]"),
+        "records": np.zeros(array.shape, [("x", float)]),
+        "one less": array[..., :-1],
+        "one axis more": array[None, None],
+        "no axis": np.array(array.ravel()[0]),
+        "ragged": [*rows[:-1], [1.0, [2.0]]],
+        "of Warp": wp.zeros(4, dtype=wp.int8, device="cpu"),
+    }
