@@ -16,7 +16,7 @@ from warpsample.locks import once
 from warpsample.numerics import normalize
 from warpsample.tracing.intersect import greater, lesser, lowest_bit
 from warpsample.tracing.layout import LEAF_BYTES, NODE_BYTES, SCRATCH, WIDTH, Accelerator, AcceleratorJob
-from warpsample.tracing.rays import LIFT, Job, RayJob, local_origin
+from warpsample.tracing.rays import LIFT, Job, RayJob, lift, local_origin
 from warpsample.tracing.wide import put_aside
 
 if TYPE_CHECKING:
@@ -36,6 +36,7 @@ _HALF = wp.constant(wp.float64(0.5))
 _ZERO = wp.constant(wp.float64(0.0))
 _ONE = wp.constant(wp.float64(1.0))
 _TWO = wp.constant(wp.float64(2.0))
+_THIN = wp.constant(wp.int32(-2))  # the face of a point that lies on none but those without a normal
 _NOWHERE = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 
 
@@ -79,9 +80,10 @@ class Facet:
 class Seat:
     """Where a point sits.
 
-    p: its place. own: its face, -1 if none is known. facet: that. side: 1 where it looks from the front, else -1. o: a lift
-    above its face. inwards: how far the start moves towards the middle of the face, as a share. aside: off faces across it.
-    best: in search of a face, the cosine between the direction it looks in and the normal of the best one, in magnitude.
+    p: its place. own: its face, below 0 if none is known. facet: that. side: 1 where it looks from the front, else -1.
+    o: a lift above its face. inside: whether it is off its face's edges. inwards: how far the start moves towards the middle
+    of the face, as a share. aside: off faces across it. best: in search of a face, the cosine between the direction it looks
+    in and the normal of the best one, in magnitude.
     """
 
     p: wp.vec3d
@@ -89,6 +91,7 @@ class Seat:
     facet: Facet
     side: wp.float64
     o: wp.vec3d
+    inside: wp.bool
     inwards: wp.float64
     aside: wp.vec3d
     best: wp.float64
@@ -129,18 +132,23 @@ def _facet(job: StartJob, face: wp.int32) -> Facet:
 
 
 @wp.func
-def _within(facet: Facet, start: wp.vec3d, end: wp.vec3d, p: wp.vec3d) -> wp.bool:
-    """Whether a point of a facet's plane is on the inner side of an edge, or as near to it as two lifts."""
+def _inwards(facet: Facet, start: wp.vec3d, end: wp.vec3d, p: wp.vec3d) -> wp.float64:
+    """How far a point of a facet's plane is on the inner side of an edge."""
     edge = end - start
-    return wp.dot(wp.cross(edge, p - start), facet.n) >= -_TWO * facet.lift * wp.length(edge)
+    return wp.dot(wp.cross(edge, p - start), facet.n) / wp.length(edge)
+
+
+@wp.func
+def _within(facet: Facet, p: wp.vec3d) -> wp.float64:
+    """How far a point of a facet's plane is on the inner side of all its edges."""
+    first = wp.min(_inwards(facet, facet.a, facet.b, p), _inwards(facet, facet.b, facet.c, p))
+    return wp.min(first, _inwards(facet, facet.c, facet.a, p))
 
 
 @wp.func
 def _touches(facet: Facet, p: wp.vec3d) -> wp.bool:
     """Whether a point is as near to a facet as two lifts."""
-    near = wp.abs(wp.dot(facet.n, p - facet.a)) <= _TWO * facet.lift and wp.dot(facet.n, facet.n) > _ZERO
-    inside = _within(facet, facet.a, facet.b, p) and _within(facet, facet.b, facet.c, p)
-    return near and inside and _within(facet, facet.c, facet.a, p)
+    return wp.abs(wp.dot(facet.n, p - facet.a)) <= _TWO * facet.lift and _within(facet, p) >= -_TWO * facet.lift
 
 
 @wp.func
@@ -152,18 +160,15 @@ def _settled(seat: Seat, other: Facet) -> Seat:
     a = wp.dot(other.n, own.a - other.a)
     b = wp.dot(other.n, own.b - other.a)
     c = wp.dot(other.n, own.c - other.a)
-    front = wp.max(wp.max(a, b), c) > other.lift
-    back = wp.min(wp.min(a, b), c) < -other.lift
-    if rises > own.lift and (front or back):
-        side = wp.where(front and back, seat.side, wp.where(front, _ONE, -_ONE))
-        height = side * wp.dot(other.n, seat.o - other.a)
-        if height < _HALF * other.lift:
-            if front and back:
-                seat.aside += (side * (other.lift - height)) * other.n
-            else:
-                gain = side * ((a + b + c) * _THIRD - wp.dot(other.n, seat.p - other.a))
-                if gain > _THIRD * other.lift:
-                    seat.inwards = wp.max(seat.inwards, (other.lift - height) / gain)
+    across = wp.max(wp.max(a, b), c) > other.lift and wp.min(wp.min(a, b), c) < -other.lift and seat.inside
+    gain = (a + b + c) * _THIRD - wp.dot(other.n, seat.p - other.a)
+    side = wp.where(across, seat.side, wp.copysign(_ONE, gain))
+    height = side * wp.dot(other.n, seat.o - other.a)
+    if rises > own.lift and height < _HALF * other.lift:
+        if across:
+            seat.aside += (side * (other.lift - height)) * other.n
+        elif wp.abs(gain) > _THIRD * other.lift:
+            seat.inwards = wp.max(seat.inwards, (other.lift - height) / wp.abs(gain))
     return seat
 
 
@@ -171,10 +176,13 @@ def _settled(seat: Seat, other: Facet) -> Seat:
 def _look_at(job: StartJob, seat: Seat, face: wp.int32, look: wp.vec3d, searching: wp.bool) -> Seat:
     """The seat after a look at a face that may touch the point: whether it is its own, or else stands beside it."""
     facet = _facet(job, face)
-    if face != seat.own and _touches(facet, seat.p):
+    if wp.dot(facet.n, facet.n) == _ZERO:
+        if seat.own == -1:
+            seat.own = _THIN
+    elif face != seat.own and _touches(facet, seat.p):
         if searching:
             cosine = wp.abs(wp.dot(facet.n, look))
-            if cosine > seat.best or (cosine == seat.best and face < seat.own):
+            if seat.own < 0 or cosine > seat.best or (cosine == seat.best and face < seat.own):
                 seat.best = cosine
                 seat.own = face
         else:
@@ -261,6 +269,7 @@ def _start(job: StartJob, tree: Accelerator, seat: Seat, look: wp.vec3d, scratch
     """Where the rays of a point that sits on a face start, to the side to which it looks."""
     own = seat.facet
     seat.side = wp.copysign(_ONE, wp.dot(own.n, look))
+    seat.inside = _within(own, seat.p) > _TWO * own.lift
     seat.inwards = _ZERO
     seat.aside = _NOWHERE
     height = seat.side * wp.dot(own.n, seat.p - own.a)
@@ -321,7 +330,11 @@ def _start_kernel(sides: int) -> wp.Kernel:
         starts = wp.array(ptr=job.starts + wp.uint64(i) * stride, shape=(2,), dtype=wp.vec3)
         for side in range(wp.static(sides)):
             starts[side] = wp.vec3(seat.p)
-            if wp.dot(seat.facet.n, seat.facet.n) > _ZERO:
+            if seat.own == _THIN:
+                starts[side] = (
+                    wp.vec3(seat.p) + wp.where(side == 0, lift(job.rays, toward), -lift(job.rays, toward)) * toward
+                )
+            elif wp.dot(seat.facet.n, seat.facet.n) > _ZERO:
                 starts[side] = _start(job, tree, seat, wp.where(side == 0, look, -look), words.ptr)
 
     return find_starts

@@ -1,0 +1,125 @@
+"""Where rays of surface points start: at corners, edges, the foot of a wall; in any closed room, however it is stored."""
+
+import numpy as np
+import pytest
+import trimesh
+from estimate_cases import at, same
+from trimesh import creation
+
+import warpsample as ws
+
+ROOMS = {
+    "box": creation.box(),
+    "flat": creation.box((1.0, 1.0, 1e-3)),
+    "tetrahedron": creation.cone(1.0, 2.0, sections=3),
+    "cone": creation.cone(1.0, 3.0, sections=40),
+    "torus": creation.torus(1.0, 0.3, major_sections=24, minor_sections=12),
+    "annulus": creation.annulus(0.5, 1.0, 1.0),  # edges that stand out into the room
+    "star": trimesh.Trimesh(  # saddles: spikes of many lengths on a sphere
+        creation.icosphere(2).vertices * np.random.default_rng(3).uniform(0.3, 1.0, (162, 1)), creation.icosphere(2).faces
+    ),
+}
+
+
+def turned(seed):
+    """A rotation, so that no wall is along an axis; none for 0."""
+    q = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0]
+    return np.eye(3) if seed == 0 else q * np.sign(np.linalg.det(q))
+
+
+def on_all_edges(mesh):
+    """Corners and points along every edge of every face, with the face's normal."""
+    corners, next_ones = mesh.vertices[mesh.faces], mesh.vertices[np.roll(mesh.faces, -1, axis=1)]
+    shares = np.array([0.0, 0.3, 0.5])[:, None, None, None]
+    position = ((1.0 - shares) * corners + shares * next_ones).reshape(-1, 3)
+    face = np.broadcast_to(np.arange(len(mesh.faces))[:, None], (3, len(mesh.faces), 3)).ravel()
+    return position, mesh.face_normals[face], face
+
+
+@pytest.mark.parametrize("turn", [0, 3])
+@pytest.mark.parametrize("name", ROOMS)
+def test_no_point_of_a_closed_room_sees_out_of_it(name, turn):
+    """Stored with shared corners or as an .stl's, wound inwards, or outwards and looked at from behind."""
+    vertices, faces = ROOMS[name].vertices @ turned(turn).T, ROOMS[name].faces
+    split = vertices[faces].reshape(-1, 3), np.arange(faces.size).reshape(-1, 3)
+    for corners, triangles in ((vertices, faces), split):
+        for inside, wound in ((1.0, triangles[:, ::-1]), (-1.0, triangles)):
+            mesh = ws.as_mesh((corners, wound))
+            vertex, center = ws.vertex_points(mesh), ws.face_centers(mesh)
+            position, normal, face = on_all_edges(mesh)
+            for points in (
+                ws.SurfacePoints(vertex.position, inside * vertex.normal),
+                ws.SurfacePoints(center.position, inside * center.normal, center.face),
+                ws.SurfacePoints(position, inside * normal, face),
+                ws.SurfacePoints(position, inside * normal),
+            ):
+                found = ws.ambient_occlusion(mesh, points, 256)
+                assert same(found, ws.ambient_occlusion(mesh, points, 256, skip=False))
+                assert found.value.max() == 0.0
+                hits = ws.trace(mesh, points, ws.sample_directions(points, 32).vectors)
+                assert (hits.face[found.status == 0] >= 0).all()
+
+
+# A floor and a wall on it
+
+
+def corner(side, across=0.0, wall_first=1.0):
+    """A floor z = 0 from x = -across to 1, and a wall at x = 0 up from it, its front towards +x or, for side -1, -x."""
+    floor = [(-across, -9, 0), (9, -9, 0), (9, 9, 0), (-across, 9, 0)]
+    wall = [(0, -9, 0), (0, 9, 0), (0, 9, 1e4), (0, -9, 1e4)]
+    front = [(4, 5, 6), (4, 6, 7)]
+    return ws.as_mesh((floor + wall, [(0, 1, 2), (0, 2, 3), *(f[:: int(side)] for f in front)]))
+
+
+# An endless wall hides half of the lobe. This one is 18 long and a point is at least 4 from its ends: up to
+# 0.5 (1 - 1/sqrt(1 + (x/4)^2)) of the lobe passes it, nothing where x is 0; 1,024 rays are right to 0.01.
+HALF = 0.012
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_on_the_foot_of_a_wall_a_point_sees_what_its_face_sees_just_beside_it(side):
+    mesh = corner(side)
+    where = [(0.0, 0.0, 0.0), (0.0, 3.3, 0.0), (1e-9, 0.7, 0.0), (0.0, -5.0, 0.0)]
+    beside = ws.ambient_occlusion(mesh, at((1e-4, 0.3, 0.0), (0, 0, 1)), 1024).value[0]
+    assert abs(beside - 0.5) <= HALF
+    for face in (None, np.array([1, 1, 1, 0])):
+        points = ws.SurfacePoints(np.array(where), np.float32([(0, 0, 1)] * 4), face)
+        found = ws.ambient_occlusion(mesh, points, 1024)
+        assert np.abs(found.value - 0.5).max() <= HALF
+        assert same(found, ws.ambient_occlusion(mesh, points, 1024, skip=False))
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_wall_in_the_middle_of_a_floor_has_the_points_on_its_foot_on_its_front(side):
+    mesh = corner(side, across=9.0)
+    foot = at((0.0, 0.4, 0.0), (0, 0, 1))
+    assert abs(ws.ambient_occlusion(mesh, foot, 1024).value[0] - 0.5) <= HALF
+    towards = np.float32([[side, 0.0, 0.2], [-side, 0.0, 0.2]])
+    hits = ws.trace(mesh, ws.SurfacePoints(np.repeat(foot.position, 2, 0), np.repeat(foot.normal, 2, 0)), towards)
+    assert hits.face.tolist()[0] == -1
+    assert hits.face[1] in (2, 3)
+
+
+def test_what_floats_starts_where_it_is(bunny, points):
+    """And what is on the surface, within a few millionths of it, on the side of its normal."""
+    from warpsample.tracing import trace as tracing
+
+    started = []
+
+    def watched(scene, *arguments):
+        started.append(tracing_starts(scene, *arguments) / scene.scale + scene.centre)
+        return started[-1]
+
+    tracing_starts = tracing.starts_of
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(tracing, "starts_of", watched)
+        ways = points.normal[:, None]
+        ws.trace(bunny, points, ways)
+        floating = ws.SurfacePoints(points.position + 0.01 * points.normal, points.normal)
+        ws.trace(bunny, floating, ways)
+    height = ((started[0] - points.position[:, None]) * points.normal[:, None]).sum(axis=2)
+    # 32 roundings (2^-24) of up to 1.4 along a normal and three axes; rounded to float32 themselves.
+    assert (height[:, 0] >= 0.25 * 2.0**-19).all()
+    assert (height[:, 0] <= 3.0 * 2.0**-19).all()
+    assert (height[:, 1] <= -0.25 * 2.0**-19).all()
+    assert np.abs(started[1] - floating.position[:, None]).max() <= 2.0**-24
