@@ -75,7 +75,7 @@ class Spot:
 
 
 @wp.func
-def _aim(local: wp.uint64, n: wp.vec3, o: wp.vec3, low: wp.float32, beam: wp.uint64):
+def aim(local: wp.uint64, n: wp.vec3, o: wp.vec3, low: wp.float32, beam: wp.uint64):
     """Turns a beam of `Cells` about a normal and starts it from an origin."""
     frame = frame_about(n)
     vectors = wp.array(ptr=local, shape=(_BEAM_LOCAL,), dtype=wp.float32)
@@ -124,7 +124,7 @@ def bring_near(spot: Spot, column: wp.uint64):
 @wp.func
 def found_in(job: EstimateJob, accelerator: Accelerator, spot: Spot, cell: wp.int32, near: wp.int32):
     """(whether a ray of a sector or cell may meet something, which of the triangles around the point)."""
-    _aim(job.beams + wp.uint64(cell) * _BEAM, spot.n, spot.o, spot.low, spot.beam)
+    aim(job.beams + wp.uint64(cell) * _BEAM, spot.n, spot.o, spot.low, spot.beam)
     if near != 0:
         near = triangles_in(spot.room + NEAR, spot.beam) & near
     found = wp.where(near != 0, 1, 0)

@@ -46,7 +46,7 @@ def _beyond(low: wp.float32, high: wp.float32, x: wp.float32) -> wp.float32:
 
 
 @wp.func
-def _visible(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: wp.float32):
+def visible(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: wp.float32):
     """Masks of the children that reach above the horizon and into reach, and of those whose boxes the origin is in."""
     rows = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
     places = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)
@@ -69,7 +69,7 @@ def _visible(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: 
 
 
 @wp.func
-def _triangles_above(leaf: wp.uint64, n: wp.vec3, limit: wp.float32) -> wp.int32:
+def triangles_above(leaf: wp.uint64, n: wp.vec3, limit: wp.float32) -> wp.int32:
     """Mask of the leaf's triangles that reach above the horizon."""
     faces = wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)
     mask = wp.int32(0)
@@ -126,7 +126,7 @@ def _take_apart(
     triangles: wp.int32,
 ) -> wp.int32:
     """How many triangles are around the point with those of a leaf that it is in; -1 if there is no room for them."""
-    met = _triangles_above(leaf, n, limit)
+    met = triangles_above(leaf, n, limit)
     count = wp.bit_count(met)
     if triangles + count > WIDTH:
         return -1
@@ -174,10 +174,10 @@ def frontier(
             node = accelerator.nodes + wp.uint64(waiting[waits]) * _NODE
             places = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)
             edges = wp.array(ptr=node + _EDGES, shape=(WIDTH,), dtype=wp.float32)
-            visible, around = _visible(node, o, n, box_limit, reach)
-            for _ in range(wp.bit_count(visible)):
-                child = lowest_bit(visible)
-                visible = visible & (visible - 1)
+            seen, around = visible(node, o, n, box_limit, reach)
+            for _ in range(wp.bit_count(seen)):
+                child = lowest_bit(seen)
+                seen = seen & (seen - 1)
                 place = places[child]
                 apart = wp.int32(-1)
                 if ((around >> child) & 1) != 0:
