@@ -222,7 +222,9 @@ def test_triangles_are_met_as_in_long_double_and_seldom_looked_at_in_vain(hit):
     sure = (clear > 1e-8) & ~(np.abs(right / reach[:, None] - 1.0) <= 1e-6)
     assert np.array_equal(np.isfinite(right)[sure], (distances > 0.0)[sure])
     both = np.isfinite(right) & (distances > 0.0) & sure
-    assert (np.abs(distances / right - 1.0)[both] <= 2.0**-23).all()
+    # float32 of what float64 makes of corners as far as an edge, all but seen from the edge where clear is small.
+    error = 2.0**-23 * right[both] + 2.0**-48 * np.broadcast_to(edge[:, None], right.shape)[both] / clear[both]
+    assert (np.abs(distances - right)[both] <= error).all()
     if hit:
         assert both.mean() >= 0.3
     else:  # the margin is 2^-18 of far / edge: of those not flat that are large, up to a thousandth
