@@ -57,6 +57,26 @@ def test_an_interrupt_stops_the_threads_before_the_call_returns(monkeypatch):
     assert engine._threads(2).submit(out.sum).result() == done
 
 
+def test_fewer_threads_than_asked_for_do_the_work(monkeypatch):
+    """As where the system gives no more, or Python is ending."""
+
+    class NoMore:
+        left = 1
+
+        def submit(self, work, *arguments):
+            if self.left == 0:
+                raise RuntimeError("can't start new thread")
+            self.left -= 1
+            return engine.ThreadPoolExecutor(1).submit(work, *arguments)
+
+    pool = NoMore()
+    monkeypatch.setattr(engine, "_threads", lambda _: pool)
+    out = np.zeros(10_000, np.int32)
+    engine.run(_count, len(out), [wp.array(out, device=CPU, copy=False)], CPU, 4, 10**9)
+    assert (out == 1).all()
+    assert pool.left == 0
+
+
 def test_an_error_in_a_worker_reaches_the_caller():
     with pytest.raises(Exception, match="argument"):
         engine.run(_count, 10, ["not an array"], CPU, 2, 10**9)

@@ -12,11 +12,11 @@ ROOMS = {
     "box": creation.box(),
     "flat": creation.box((1.0, 1.0, 1e-3)),
     "tetrahedron": creation.cone(1.0, 2.0, sections=3),
-    "cone": creation.cone(1.0, 3.0, sections=40),
-    "torus": creation.torus(1.0, 0.3, major_sections=24, minor_sections=12),
+    "cone": creation.cone(1.0, 3.0, sections=20),
+    "torus": creation.torus(1.0, 0.3, major_sections=12, minor_sections=8),
     "annulus": creation.annulus(0.5, 1.0, 1.0),  # edges that stand out into the room
     "star": trimesh.Trimesh(  # saddles: spikes of many lengths on a sphere
-        creation.icosphere(2).vertices * np.random.default_rng(3).uniform(0.3, 1.0, (162, 1)), creation.icosphere(2).faces
+        creation.icosphere(1).vertices * np.random.default_rng(3).uniform(0.3, 1.0, (42, 1)), creation.icosphere(1).faces
     ),
 }
 

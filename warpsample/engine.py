@@ -2,7 +2,8 @@
 
 import os
 from collections import defaultdict, deque
-from concurrent.futures import ThreadPoolExecutor, wait
+from concurrent.futures import Future, ThreadPoolExecutor, wait
+from contextlib import suppress
 from ctypes import Structure
 from typing import Any
 
@@ -76,8 +77,11 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
 def _share(commands: list[wp.Launch], chunk: int, tasks: int) -> None:
     """Runs all tasks, in chunks, a thread for each command; the calling thread is one, since others take time to wake."""
     starts = iter(range(0, tasks, chunk))
-    others = [_threads(len(commands) - 1).submit(_run_chunks, command, starts, chunk, tasks) for command in commands[1:]]
+    others: list[Future] = []
     try:
+        with suppress(RuntimeError):  # the system gives no more threads, or Python is ending: so fewer share the work
+            for command in commands[1:]:
+                others.append(_threads(len(commands) - 1).submit(_run_chunks, command, starts, chunk, tasks))  # noqa: PERF401
         _run_chunks(commands[0], starts, chunk, tasks)
     finally:
         # If that was interrupted: no thread may start another chunk, or still write to arrays that the caller lets go of.

@@ -36,7 +36,10 @@ def ambient_occlusion(
     Args:
         mesh: a Mesh or whatever `as_mesh` takes; pass a Mesh to keep its tree from call to call.
         points: P of them. The lobe is about the normal, of any length; rays leave from a millionth of the mesh's size above
-            the face, on the normal's side, and what goes into the face is blocked by it.
+            the face, on the normal's side, and what goes into the face is blocked by it. A point on an edge or a corner sees
+            what points of its own face just beside it see: at the foot of a wall half of the sky, in a closed room none. If
+            no face is given, that is the one of those at the point that faces the normal best. On a wall's foot in the
+            middle of a floor, off its edges, a point is in front of the wall.
         count: rays of each point, 2 to 2^24. Rounded down, so that all cells have as many: to a multiple of 2, from 32 on
             of 8, from 256 of 16, from 448 of 64, from 4,096 of 128, from 16,384 of 256.
         max_distance: what is as far or farther does not occlude, in units of the coordinates.
@@ -57,6 +60,9 @@ def ambient_occlusion(
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
         MemoryError: more than is free.
+
+    Warns:
+        UserWarning: parts of the mesh are so far apart that its coordinates are too coarse for most of its faces.
     """
     plan = Plan.of(mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers)
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)

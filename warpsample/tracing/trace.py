@@ -76,11 +76,12 @@ def trace(
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
         origins: (P, 3) float32 or float64, in the coordinates of the mesh; or (3,), one for all rays; or SurfacePoints,
-            which are moved off their face, to the side of each direction, by two millionths of the mesh's extent
-            in that direction. Others are
-            taken as they are; a face at distance 0 is not met, but rounding may bring it in front.
+            which are moved off their face, to the side of each direction, by two millionths of the mesh's extent that way,
+            and at an edge or a corner towards the middle of their face, off the others (see `ambient_occlusion`). Others
+            are taken as they are; a face at distance 0 is not met, but rounding may bring it in front. From farther than
+            some 10^9 times the mesh's size, float64 does not tell where a ray goes: it meets nothing.
         directions: (P, 3), one for each origin, or (P, n, 3), n for each; of any length.
-        max_distance: meets only what is nearer, in units of the coordinates.
+        max_distance: meets only what is nearer, in units of the coordinates; in any case than float32 has distances, 3e38.
         any_hit: whether some face is enough: up to twice as fast.
         tracer: "wide", "warp" (wp.Mesh) or "auto": wide on the CPU.
         workers: threads on the CPU, all cores by default.
