@@ -161,7 +161,7 @@ def test_turning_one_knob_makes_it_wrong_and_right_again(fresh):
     charts = np.s_[:, 660:]
     assert (np.abs(right[charts].astype(int) - wrong[charts]).max(axis=-1) > 50).mean() > 0.02
     # The sphere of radius 0.8 about the normal's tip: nothing beyond asin 0.8.
-    _, near = drawn(fresh)
+    near = drawn(fresh)[1].astype(np.float64)
     sine = np.hypot(near[:, 0], near[:, 1]) / np.linalg.norm(near, axis=1)
     assert sine.max() <= 0.8 + 1e-6
     turn(fresh, "scalar", 0.0)

@@ -50,7 +50,7 @@ class OffsetCircle(Distribution):
 
     def cdf(self, theta: Any) -> np.ndarray:
         """Theta / pi + 1/2, where Chizhov prints + 1. See `Distribution.cdf`."""
-        return np.clip(theta, -np.pi / 2.0, np.pi / 2.0) / np.pi + 0.5
+        return np.clip(theta, -np.pi / 2.0, np.pi / 2.0, dtype=np.float64) / np.pi + 0.5
 
 
 RECORD = OffsetCircle
