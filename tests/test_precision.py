@@ -1,6 +1,7 @@
 """Judges compute in double precision, and so give the same verdicts on every processor."""
 
 import ast
+import re
 import subprocess
 import sys
 
@@ -13,8 +14,12 @@ from warpsample.proof import laws, verify
 from warpsample.proof.charts import DISK, PLANE, SPHERE
 
 SINGLE = np.array([0.25, 0.5], np.float32)
-DISABLED = ("X86_V4 AVX512_ICL AVX512_SPR", "X86_V3 X86_V4 AVX512_ICL AVX512_SPR")
-JUDGES = ("test_precision.py", "test_harness.py", "test_numerics.py", "test_distributions.py")
+# Of angles and probabilities in float64: loops of NumPy 1 round by where an array begins, and p-values of n directions add n
+# roundings. float32 would leave 1e-7 of an angle, and 1e-9 of the least sensitive p-value.
+ROUNDING = 1e-11
+# What stands and falls with NumPy's loops, in half a minute.
+JUDGES = ("precision", "numerics", "harness", "distributions")
+AMONG_THEM = "precision or numerics or charts or quadrature or cdf or every_law and Uniform"
 
 
 @pytest.mark.parametrize(
@@ -71,14 +76,12 @@ def test_judges_of_float32_are_those_of_the_same_numbers_in_float64(case):
     w = case.sample(ws.sample_square("independent", 1, 1000, seed=1)[0])
     wide = w.astype(np.float64)
     chart = {"per steradian": SPHERE, "per unit area": DISK, "per radian": PLANE}[case.measure]
-    assert np.array_equal(chart.polar(w), chart.polar(wide))
-    assert np.array_equal(chart.azimuth(w), chart.azimuth(wide))
-    for judge in (laws.azimuth_p_value, laws.azimuth_gap_p_value, laws.length_error):
-        assert judge(w) == judge(wide)
+    for judge in (chart.polar, chart.azimuth, laws.azimuth_p_value, laws.azimuth_gap_p_value, laws.length_error):
+        assert np.abs(judge(w) - judge(wide)).max() <= ROUNDING
     angles = chart.polar(w).astype(np.float32)
     assert case.cdf(angles).dtype == np.float64
-    assert np.array_equal(case.cdf(angles), case.cdf(angles.astype(np.float64)))
-    assert laws.uniform_p_value(angles) == laws.uniform_p_value(angles.astype(np.float64))
+    for judge in (case.cdf, laws.uniform_p_value):
+        assert np.abs(judge(angles) - judge(angles.astype(np.float64))).max() <= ROUNDING
 
 
 def is_literal(node):
@@ -110,16 +113,22 @@ def test_no_power_is_taken_where_nobody_sees_it(repository):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("disabled", DISABLED)
-def test_verdicts_hold_on_lesser_processors(disabled, repository, child_environment):
-    umath = pytest.importorskip("numpy._core._multiarray_umath", reason="NumPy 1 names its features otherwise")
-    names = [name for name in disabled.split() if name in umath.__cpu_dispatch__ and umath.__cpu_features__[name]]
-    if not names:
-        pytest.skip("this processor has none of these features, or NumPy makes nothing of them")
-    arguments = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *(f"tests/{name}" for name in JUDGES)]
-    environment = {**child_environment, "NPY_DISABLE_CPU_FEATURES": " ".join(names)}
-    environment = {name: value for name, value in environment.items() if not name.startswith(("PYTEST_", "COV_"))}
+@pytest.mark.parametrize("without", ["AVX-512", "all"])
+def test_verdicts_hold_on_lesser_processors(without, repository, child_environment):
+    umath = pytest.importorskip("numpy._core._multiarray_umath", reason="NumPy 1 keeps it elsewhere")
+    usable = [name for name in umath.__cpu_dispatch__ if umath.__cpu_features__[name]]
+    disabled = [name for name in usable if without == "all" or "512" in name or name == "X86_V4"]
+    if not disabled:
+        pytest.skip("this processor has none of these features, or NumPy does not use them")
+    environment = {name: value for name, value in child_environment.items() if not name.startswith(("PYTEST_", "COV_"))}
+    files = [f"tests/test_{name}.py" for name in JUDGES]
     done = subprocess.run(
-        arguments, cwd=repository, env=environment, capture_output=True, text=True, timeout=600, check=False
+        [*(sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-k", AMONG_THEM), *files],
+        cwd=repository,
+        env={**environment, "NPY_DISABLE_CPU_FEATURES": " ".join(disabled)},
+        capture_output=True,
+        text=True,
+        check=False,
     )
     assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-1000:]
+    assert int(re.search(r"(\d+) passed", done.stdout)[1]) >= 100
