@@ -6,13 +6,16 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import precision
 import pytest
 import trimesh
 import warp as wp
 
-import warpsample as ws
-from warpsample import cli
-from warpsample.plotting import rendering
+precision.watch()  # before our modules take what it replaces
+
+import warpsample as ws  # noqa: E402
+from warpsample import cli  # noqa: E402
+from warpsample.plotting import rendering  # noqa: E402
 
 wp.config.log_level = wp.LOG_WARNING
 wp.init()

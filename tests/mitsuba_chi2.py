@@ -19,6 +19,7 @@ from mitsuba import chi2  # noqa: E402  (after the variant)
 
 import warpsample as ws  # noqa: E402
 from warpsample.proof import verify  # noqa: E402
+from warpsample.proof.charts import PLANE, SPHERE  # noqa: E402
 
 FINE = 64  # subintervals of a cell in its quadrature: at its default, 4, it rejects right samplers
 LEVEL = 0.01
@@ -37,18 +38,18 @@ def sample(case, u):
     """Mitsuba's points of its domain from its variates."""
     w = case.sample(np.array(u).T.astype(np.float32))
     if case.measure == "per radian":
-        return mi.Vector2f(np.stack([np.arctan2(w[:, 0], w[:, 1]), 0 * w[:, 0]]).astype(np.float32))
+        return mi.Vector2f(np.stack([PLANE.polar(w), 0 * w[:, 0]]).astype(np.float32))
     return (mi.Vector3f if case.width == 3 else mi.Vector2f)(np.ascontiguousarray(w.T))
 
 
 def pdf(case, p):
-    p = np.array(p).astype(np.float32)
-    return mi.Float(case.pdf(np.stack([np.sin(p), np.cos(p)], axis=1) if case.measure == "per radian" else p.T))
+    w = PLANE.point(np.array(p, np.float64), 0.0) if case.measure == "per radian" else np.array(p).T
+    return mi.Float(case.pdf(w.astype(np.float32)))
 
 
 def resolved(case):
     w = case.sample(ws.sample_square("sobol", 1, 1024)[0])
-    return case.width == 2 or np.median(np.arccos(np.clip(w[:, 2], -1, 1))) > NARROWEST
+    return case.width == 2 or np.median(SPHERE.polar(w)) > NARROWEST
 
 
 def main():

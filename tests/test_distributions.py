@@ -62,8 +62,8 @@ def test_invert_gives_uniform_variates(case, plausible):
 def test_cosine_lobe_moments_and_tails(distribution, plausible):
     z = np.concatenate([independent_directions(distribution, 1 << 15, seed)[:, 2] for seed in range(5)]).astype(np.float64)
     assert len(z) >= 10**7
-    for power, mean, variance in ((1, 2.0 / 3.0, 1.0 / 18.0), (2, 0.5, 1.0 / 12.0)):
-        assert abs((z**power).mean() - mean) <= 5.3 * np.sqrt(variance / len(z))  # p = 1e-7, the suite's level
+    for power, mean, variance in ((z, 2.0 / 3.0, 1.0 / 18.0), (z * z, 0.5, 1.0 / 12.0)):
+        assert abs(power.mean() - mean) <= 5.3 * np.sqrt(variance / len(z))  # p = 1e-7, the suite's level
     plausible(laws.uniform_p_value(z[: 1 << 20] ** 2))  # cos^2 of a cosine-weighted direction is uniform
     for limit in (0.01, 0.001):
         plausible(laws.count_p_value((z < limit).sum(), len(z), limit**2))

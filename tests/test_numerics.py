@@ -187,7 +187,8 @@ def test_maps_can_be_differentiated():
     with tape:
         wp.launch(_height_and_x, 100, inputs=[u], outputs=[out], device="cpu")
     tape.backward(grads={out: wp.ones(100, dtype=wp.float32, device="cpu")})
-    r, z, phi = np.sqrt(points[:, 0]), np.sqrt(1 - points[:, 0]), 2 * np.pi * points[:, 1]
+    height, turns = points.T.astype(np.float64)
+    r, z, phi = np.sqrt(height), np.sqrt(1 - height), 2 * np.pi * turns
     exact = np.stack([np.cos(phi) / (2 * r) - 1 / z, -2 * np.pi * r * np.sin(phi)], axis=1)
     assert np.abs(u.grad.numpy() - exact).max() <= 2e-5
 

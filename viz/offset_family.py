@@ -40,7 +40,7 @@ def panel(
 ) -> sheets.SetPanel:
     """Angles of `count` independent directions against the distribution's own density, and a few points of its set."""
     u = [ws.sample_square(name, 1, SHOWN, seed)[0] for name in ("r2", "independent")]
-    moved = points(np.concatenate(u, axis=1)[:, :3]) + np.eye(distribution.width)[-1]
+    moved = points(np.concatenate(u, axis=1)[:, :3].astype(np.float64)) + np.eye(distribution.width)[-1]
     w = distribution.sample(ws.sample_square("independent", 1, count, seed)[0])
     chart = chart_of(distribution)
     low = 0.0 if chart is SPHERE else -np.pi / 2

@@ -19,7 +19,7 @@ def directions(count: int, sequence: str, seed: int) -> dict[str, np.ndarray]:
     """(count, 3) of each set, row by row from the same points of the square: cosine, sphere, ball."""
     u = ws.sample_square(sequence, 1, count, seed)[0]
     sphere = ws.UniformSphere().sample(u).astype(np.float64)
-    radius = np.cbrt(ws.sample_square("independent", 1, count, seed)[0, :, :1])
+    radius = np.cbrt(ws.sample_square("independent", 1, count, seed)[0, :, :1].astype(np.float64))
     return {
         "cosine": ws.CosineHemisphere("polar").sample(u),
         "sphere": plus_normal(sphere),

@@ -77,13 +77,13 @@ class Curve:
             if a.rmse >= rmse >= b.rmse:
                 share = log(a.rmse / rmse) / log(a.rmse / b.rmse) if a.rmse > b.rmse else 0.0
                 times = a.microseconds.median, b.microseconds.median
-                return times[0] * (times[1] / times[0]) ** share, False
+                return times[0] * float(np.float_power(times[1] / times[0], share)), False
         first, last = self.points[0], self.points[-1]
         if rmse > first.rmse:
             return first.microseconds.median, True
         if self.slope is None or self.slope >= 0.0 or last.rmse <= FLOOR:
             return None
-        return last.microseconds.median * (rmse / last.rmse) ** (1.0 / self.slope), True
+        return last.microseconds.median * float(np.float_power(rmse / last.rmse, 1.0 / self.slope)), True
 
 
 def groups(randomisations: int, repeats: int, largest: int) -> list[Callable[[], list[Curve]]]:

@@ -189,7 +189,7 @@ def build(tool: str, scene: str, points: int, workers: int, target: float, refer
     count = _TRIAL
     for _ in range(_TRIALS):
         error = float(np.sqrt(np.mean((run(count) - right) ** 2)))
-        count = max(2, round(count * (error / target) ** (1.0 / rate)))
+        count = max(2, round(count * float(np.float_power(error / target, 1.0 / rate))))
     if open_points:
         chosen = np.resize(np.flatnonzero(right == 1.0), points)  # as many, so that what a call costs weighs the same
         at = SurfacePoints(at.position[chosen], at.normal[chosen], at.face[chosen])
@@ -203,7 +203,7 @@ def build(tool: str, scene: str, points: int, workers: int, target: float, refer
         cast = float(run.last.rays.mean()) if isinstance(run, Ours) and run.last else float(count)
         error = float(np.sqrt(np.mean((values[0] - right) ** 2)))
         told = {"version": version(library), "count": count, "cast": cast, "rmse": error, "points": len(right)}
-        return {**told, "to_target": 1.0 if open_points else (error / target) ** (1.0 / rate)}
+        return {**told, "to_target": 1.0 if open_points else float(np.float_power(error / target, 1.0 / rate))}
 
     return Job(work, report)
 

@@ -69,7 +69,7 @@ class Beckmann(Distribution):
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - exp(-tan^2 theta / alpha^2). See `Distribution.cdf`."""
-        return -np.expm1(-((np.tan(np.clip(theta, 0.0, np.pi / 2.0)) / self.alpha) ** 2))
+        return -np.expm1(-((np.tan(np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) / self.alpha) ** 2))
 
 
 RECORD = Beckmann

@@ -171,7 +171,7 @@ class CosineHemisphere(Distribution):
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """sin^2 theta. See `Distribution.cdf`."""
-        return np.sin(np.clip(theta, 0.0, np.pi / 2.0)) ** 2
+        return np.sin(np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) ** 2
 
 
 RECORD = CosineHemisphere

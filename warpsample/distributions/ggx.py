@@ -67,7 +67,8 @@ class GGX(Distribution):
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """sin^2 theta / (sin^2 theta + alpha^2 cos^2 theta). See `Distribution.cdf`."""
-        sine, cosine = np.sin(np.clip(theta, 0.0, np.pi / 2.0)), np.cos(np.clip(theta, 0.0, np.pi / 2.0))
+        theta = np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)
+        sine, cosine = np.sin(theta), np.cos(theta)
         return sine**2 / (sine**2 + (self.alpha * cosine) ** 2)
 
 

@@ -52,7 +52,7 @@ class OffsetBall(Distribution):
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - cos^4 theta. See `Distribution.cdf`."""
-        sin_squared = np.sin(np.clip(theta, 0.0, np.pi / 2.0)) ** 2
+        sin_squared = np.sin(np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) ** 2
         return sin_squared * (2.0 - sin_squared)
 
 

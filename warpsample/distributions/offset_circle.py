@@ -49,7 +49,7 @@ class OffsetCircle(Distribution):
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """Theta / pi + 1/2, where Chizhov prints + 1. See `Distribution.cdf`."""
-        return np.clip(theta, -np.pi / 2.0, np.pi / 2.0) / np.pi + 0.5
+        return np.clip(theta, -np.pi / 2.0, np.pi / 2.0, dtype=np.float64) / np.pi + 0.5
 
 
 RECORD = OffsetCircle

@@ -47,7 +47,7 @@ class OffsetDisk(Distribution):
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """(theta + sin theta cos theta) / pi + 1/2, where Chizhov prints + 1. See `Distribution.cdf`."""
-        theta = np.clip(theta, -np.pi / 2.0, np.pi / 2.0)
+        theta = np.clip(theta, -np.pi / 2.0, np.pi / 2.0, dtype=np.float64)
         return (theta + np.sin(theta) * np.cos(theta)) / np.pi + 0.5
 
 

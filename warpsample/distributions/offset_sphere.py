@@ -116,7 +116,7 @@ class OffsetSphere(Distribution):
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """By the sphere's own angles to the one or two points that are seen at theta. See `Distribution.cdf`."""
-        theta = np.clip(theta, 0.0, self.largest_angle)
+        theta = np.clip(theta, 0.0, self.largest_angle, dtype=np.float64)
         beyond = np.arcsin(np.clip(np.sin(theta) / self.rho, -1.0, 1.0))
         far = np.sin(0.5 * (theta + beyond)) ** 2
         return far + np.sin(0.5 * (beyond - theta)) ** 2 if self.support == "cone" else far

@@ -71,7 +71,7 @@ class PowerCosine(Distribution):
         """1 - cos^(n + 1) theta. See `Distribution.cdf`."""
         # log cos = log1p(-2 sin^2(theta / 2)), which keeps the digits of narrow lobes.
         with np.errstate(divide="ignore"):
-            log_cos = np.log1p(-2.0 * np.sin(0.5 * np.clip(theta, 0.0, np.pi / 2.0)) ** 2)
+            log_cos = np.log1p(-2.0 * np.sin(0.5 * np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) ** 2)
         return -np.expm1((self.exponent + 1.0) * log_cos)
 
 

@@ -115,7 +115,7 @@ class UniformDisk(Distribution):
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """The square of the radius. See `Distribution.cdf`."""
-        return np.clip(theta, 0.0, 1.0) ** 2
+        return np.clip(theta, 0.0, 1.0, dtype=np.float64) ** 2
 
 
 RECORD = UniformDisk

@@ -47,7 +47,7 @@ class UniformHemisphere(Distribution):
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - cos theta. See `Distribution.cdf`."""
-        return 2.0 * np.sin(0.5 * np.clip(theta, 0.0, np.pi / 2.0)) ** 2
+        return 2.0 * np.sin(0.5 * np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) ** 2
 
 
 RECORD = UniformHemisphere

@@ -237,9 +237,10 @@ class Plan:
         rays = min(_TRIAL_RAYS, self.count)
         error = trial.standard_error.reshape(len(self.points), -1).max(axis=1)
         error += np.where(trial.rays > 0, _UNSEEN / rays, 0.0)
-        needed = rays * (error / tolerance) ** (1.0 / self.sequence.rate)
-        steps = np.ceil(np.log2(np.clip(needed, _FEWEST_RAYS, self.count)))
-        return np.minimum(2 ** steps.astype(np.int64), self.count)
+        needed = rays * np.float_power(error / tolerance, 1.0 / self.sequence.rate)  # in float64
+        # A power of two is its own: a logarithm's last digit, which depends on the processor, must not double the rays.
+        half, steps = np.frexp(np.clip(needed, _FEWEST_RAYS, self.count))
+        return np.minimum(2 ** (steps.astype(np.int64) - (half == 0.5)), self.count)
 
 
 def rays_of(counts: np.ndarray) -> np.ndarray:

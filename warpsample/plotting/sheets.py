@@ -245,7 +245,12 @@ def _draw_convergence(axes: "Axes", curve: Convergence) -> None:
     for power in (-0.5, -1.0):
         label = "$N^{-1/2}$, $N^{-1}$" if power == -1.0 else None
         axes.loglog(
-            curve.counts, first * (curve.counts / curve.counts[0]) ** power, ":", color="0.5", linewidth=1.2, label=label
+            curve.counts,
+            first * np.float_power(curve.counts / curve.counts[0], power),
+            ":",
+            color="0.5",
+            linewidth=1.2,
+            label=label,
         )
     axes.set_title(curve.title, fontsize=13)
     axes.set_xlabel("samples N of an estimate")

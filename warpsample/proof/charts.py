@@ -42,10 +42,11 @@ class Chart:
         return np.arctan2(radius, w[..., 2]) if w.shape[-1] == 3 else radius
 
     def azimuth(self, w: np.ndarray) -> np.ndarray:
-        """In [0, 1] of `azimuths`."""
+        """In [0, 1] of `azimuths`, float64."""
         if self.azimuths == 1.0:
             return np.full(w.shape[:-1], 0.5)
-        return (np.arctan2(w[..., 1], w[..., 0]).astype(np.float64) / (2.0 * np.pi)) % 1.0
+        w = w.astype(np.float64)
+        return (np.arctan2(w[..., 1], w[..., 0]) / (2.0 * np.pi)) % 1.0
 
     def point(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
         """w of broadcast coordinates, float64."""

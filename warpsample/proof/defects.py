@@ -15,6 +15,7 @@ from warpsample.distributions.record import Distribution
 from warpsample.distributions.uniform_disk import UniformDisk
 from warpsample.distributions.uniform_hemisphere import UniformHemisphere
 from warpsample.distributions.uniform_sphere import UniformSphere
+from warpsample.proof.charts import DISK
 from warpsample.proof.evidence import Evidence, Subject, independent
 from warpsample.proof.routes import plus_normal
 from warpsample.proof.streams import judge_stream
@@ -78,16 +79,18 @@ def _one_below(w: np.ndarray, u: np.ndarray) -> None:
 def _with_seam(u: np.ndarray) -> np.ndarray:
     """The concentric disk with the first octant's angle one percent short: it no longer meets the second."""
     p = UniformDisk("concentric").sample(u)
-    turns = np.arctan2(p[..., 1], p[..., 0])
-    short = np.where((turns >= 0) & (turns < np.pi / 4), 0.01 * turns, 0)
-    turned = (p[..., 0] + 1j * p[..., 1]) * np.exp(-1j * short)
+    turns = DISK.azimuth(p)
+    short = np.where(turns < 0.125, 0.01 * turns, 0.0)
+    turned = (p[..., 0] + 1j * p[..., 1]) * np.exp(-2j * np.pi * short)
     return np.stack([turned.real, turned.imag], axis=-1).astype(_F)
 
 
 def _rough_beckmann(u: np.ndarray) -> np.ndarray:
-    """sin theta as sqrt(1 - cos^2 theta), in float32."""
-    cosine = 1 / np.sqrt(1 - _F(1e-6) * np.log1p(-u[..., 0]))
-    x, y = np.sqrt(np.maximum(1 - cosine * cosine, 0)) * np.stack([f(_F(2 * np.pi) * u[..., 1]) for f in (np.cos, np.sin)])
+    """sin theta as sqrt(1 - cos^2 theta), in float32; cos theta and the azimuth are right."""
+    u = u.astype(np.float64)
+    cosine = (1 / np.sqrt(1 - 1e-6 * np.log1p(-u[..., 0]))).astype(_F)
+    circle = np.stack([f(2 * np.pi * u[..., 1]) for f in (np.cos, np.sin)]).astype(_F)
+    x, y = np.sqrt(np.maximum(1 - cosine * cosine, 0)) * circle
     return np.stack([x, y, cosine], axis=-1)
 
 

@@ -89,7 +89,7 @@ def area_stretch_error(sampler: Sampler, u: np.ndarray, step: float = 2.0**-11) 
     stretch = (np.abs(area(a, b, c)) + np.abs(area(a, c, d))) / (2.0 * step) ** 2
     weights = np.outer((1, 4, 1), (1, 4, 1)) / 36.0
     inverse = sum(
-        weights[i, j] / sampler.pdf(sampler.sample((u + step * np.array((i - 1, j - 1))).astype(np.float32)))
+        weights[i, j] / sampler.pdf(sampler.sample((u + step * np.array((i - 1, j - 1))).astype(np.float32))).astype(float)
         for i in range(3)
         for j in range(3)
     )
@@ -160,7 +160,7 @@ def moments_p_value(sampler: Sampler, a: np.ndarray, edges: np.ndarray) -> float
 
     scale = np.abs(a).mean()
     first, second, fourth = (
-        float(cell_masses(sampler, edges, _COLUMNS, weight).sum()) / scale**weight for weight in (1, 2, 4)
+        float(cell_masses(sampler, edges, _COLUMNS, weight).sum()) / np.float_power(scale, weight) for weight in (1, 2, 4)
     )
     errors = [
         ((a / scale).mean() - first) / np.sqrt(second - first**2),
@@ -171,7 +171,7 @@ def moments_p_value(sampler: Sampler, a: np.ndarray, edges: np.ndarray) -> float
 
 def azimuth_p_value(w: np.ndarray) -> float:
     """Rayleigh's test for one preferred azimuth: n R^2 of the mean unit vector is exponential (Mardia and Jupp 2000)."""
-    turns = np.exp(1j * np.arctan2(w[..., 1], w[..., 0]).astype(np.float64))
+    turns = np.exp(2j * np.pi * DISK.azimuth(w))
     return _number(np.exp(-(np.abs(turns.mean()) ** 2) * len(turns)))
 
 
@@ -180,9 +180,9 @@ def azimuth_gap_p_value(w: np.ndarray) -> float:
 
     n uniform points leave a gap above x turns somewhere with probability about n (1 - x)^(n - 1) (Whitworth 1897).
     """
-    turns = np.sort(np.arctan2(w[:, 1], w[:, 0]).astype(np.float64) / (2.0 * np.pi))
+    turns = np.sort(DISK.azimuth(w))
     widest = max(np.diff(turns).max(), 1.0 - (turns[-1] - turns[0]))
-    return _number(min(1.0, len(turns) * (1.0 - widest) ** (len(turns) - 1)))
+    return _number(min(1.0, len(turns) * np.float_power(1.0 - widest, len(turns) - 1)))
 
 
 def count_p_value(observed: int, draws: int, probability: float) -> float:
@@ -196,7 +196,7 @@ def uniform_p_value(values: np.ndarray) -> float:
     """Kolmogorov-Smirnov p-value of independent values against the uniform distribution on (0, 1)."""
     from scipy.stats import kstest  # noqa: PLC0415  (slow to import)
 
-    return _number(kstest(values, "uniform", method="asymp").pvalue)
+    return _number(kstest(np.asarray(values, np.float64), "uniform", method="asymp").pvalue)
 
 
 def correlation_p_value(a: np.ndarray, b: np.ndarray) -> float:

@@ -47,7 +47,7 @@ def _masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int, node
     fine = 1 if sampler.symmetric else max(1, nodes // 4)
     turns = (np.arange(columns * fine) + 0.5) / (columns * fine)
     density = sampler.pdf(chart.point(a[..., None], turns).astype(np.float32)).astype(np.float64)
-    ring = (density * (chart.element(a) * a**weight * step)[..., None]).sum(axis=1)
+    ring = (density * (chart.element(a) * np.float_power(a, weight) * step)[..., None]).sum(axis=1)
     rows = np.add.reduceat(ring, np.flatnonzero(np.diff(owner, prepend=-1)), axis=0)
     return rows.reshape(len(rows), columns, fine).sum(axis=2) * chart.azimuths / (columns * fine)
 

@@ -54,10 +54,6 @@ def _constant(value: float) -> Callable[[Any, np.ndarray], np.ndarray]:
     return lambda d, w: np.full(w.shape[:-1], value)
 
 
-def _cosine_power(factor: float, power: int) -> Callable[[Any, np.ndarray], np.ndarray]:
-    return lambda d, w: factor * w[..., -1] ** power
-
-
 def _beckmann(d: Any, u: np.ndarray) -> np.ndarray:
     return np.arctan(_parameter(d, "alpha") * np.sqrt(-np.log1p(-u)))
 
@@ -227,11 +223,14 @@ def _von_mises_fisher_density(d: Any, w: np.ndarray) -> np.ndarray:
 
 _TWINS = {
     "beckmann": (_by_theta(_beckmann), _beckmann_density),
-    "cosine_hemisphere": (_cosine, _cosine_power(1.0 / np.pi, 1)),
+    "cosine_hemisphere": (_cosine, lambda d, w: w[..., 2] / np.pi),
     "ggx": (_by_theta(_ggx), lambda d, w: _ggx_normals(_parameter(d, "alpha"), w) * np.cos(polar_angle(w))),
-    "offset_ball": (_by_theta(lambda d, u: np.arccos((1.0 - u) ** 0.25)), _cosine_power(2.0 / np.pi, 3)),
+    "offset_ball": (
+        _by_theta(lambda d, u: np.arccos(np.sqrt(np.sqrt(1.0 - u)))),
+        lambda d, w: 2.0 / np.pi * w[..., 2] ** 2 * w[..., 2],
+    ),
     "offset_circle": (_offset_circle, _constant(1.0 / np.pi)),
-    "offset_disk": (_offset_disk, _cosine_power(2.0 / np.pi, 2)),
+    "offset_disk": (_offset_disk, lambda d, w: 2.0 / np.pi * w[..., 1] ** 2),
     "offset_sphere": (_by_theta(_offset_sphere), _offset_sphere_density),
     "power_cosine": (_by_theta(_power), _power_density),
     "uniform_cone": (_by_theta(_cone), lambda d, w: np.full(w.shape[:-1], 1.0 / (TAU * _parameter(d, "one_minus_cos")))),

@@ -180,11 +180,8 @@ def _masses(claim: Distribution, edges: np.ndarray) -> tuple[np.ndarray, np.ndar
 
 def histograms(local: np.ndarray, lobe: Lobe) -> tuple[AngleHistogram, AngleHistogram]:
     """Angles to the normal and about it against the lobe's: local is (N, 3), unit vectors."""
-    x, y, z = np.ascontiguousarray(local.T)
-    theta, turns = np.arctan2(np.hypot(x, y), z), np.arctan2(y, x) / np.float32(2.0 * np.pi)
-    high = lobe.edges[-2]
-    cell = np.minimum((theta * np.float32(CELLS / high)).astype(np.intp), CELLS)
-    sector = np.minimum(((turns % 1.0) * SECTORS).astype(np.intp), SECTORS - 1)
+    cell = np.minimum((SPHERE.polar(local) * (CELLS / lobe.edges[-2])).astype(np.intp), CELLS)
+    sector = np.minimum((SPHERE.azimuth(local) * SECTORS).astype(np.intp), SECTORS - 1)
     around = np.linspace(0.0, 2.0 * np.pi, SECTORS + 1)
     middle = 0.5 * (around[1:] + around[:-1])
     density = lobe.azimuth * SECTORS / (2.0 * np.pi)
