@@ -67,13 +67,18 @@ _Job = type(StartJob().__ctype__())
 
 @wp.struct
 class Facet:
-    """A face: corners, unit normal (0 of what is too thin to have one), and how far points of it are moved off it."""
+    """A face: its corners, unit normal (0 if it is too thin to have one) and twice its area.
+
+    lift: how far points of it are moved off it. slack: how far beside it they may be, since corners are rounded along it, too.
+    """
 
     a: wp.vec3d
     b: wp.vec3d
     c: wp.vec3d
     n: wp.vec3d
+    area: wp.float64
     lift: wp.float64
+    slack: wp.float64
 
 
 @wp.struct
@@ -82,8 +87,9 @@ class Seat:
 
     p: its place. own: its face, below 0 if none is known. facet: that. side: 1 where it looks from the front, else -1.
     o: a lift above its face. inside: whether it is off its face's edges. inwards: how far the start moves towards the middle
-    of the face, as a share. aside: off faces across it. best: in search of a face, the cosine between the direction it looks
-    in and the normal of the best one, in magnitude.
+    of the face, as a share. aside: off faces across it. In search of a face: of those whose normals are along the direction
+    in which the point looks, the one with the greatest cosine; of those against it, likewise; and of all, the sum of cosines
+    times areas.
     """
 
     p: wp.vec3d
@@ -94,7 +100,11 @@ class Seat:
     inside: wp.bool
     inwards: wp.float64
     aside: wp.vec3d
-    best: wp.float64
+    along: wp.int32
+    best_along: wp.float64
+    against: wp.int32
+    best_against: wp.float64
+    ahead: wp.float64
 
 
 @wp.func
@@ -108,9 +118,11 @@ def _with_normal(job: StartJob, facet: Facet, n: wp.vec3d) -> Facet:
     spread = wp.vec3d(wp.float64(job.spread_x), wp.float64(job.spread_y), wp.float64(job.spread_z))
     facet.n = n
     facet.lift = wp.float64(job.rays.coarseness)
+    facet.slack = facet.lift
     for axis in range(3):
         reach = wp.max(wp.max(wp.abs(facet.a[axis]), wp.abs(facet.b[axis])), wp.abs(facet.c[axis]))
         facet.lift += _LIFT * wp.abs(n[axis]) * wp.max(reach, spread[axis])
+        facet.slack += _LIFT * wp.max(reach, spread[axis])
     return facet
 
 
@@ -122,11 +134,11 @@ def _facet(job: StartJob, face: wp.int32) -> Facet:
     facet.b = _double(wp.array(ptr=job.vertices + wp.uint64(corners[1]) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0])
     facet.c = _double(wp.array(ptr=job.vertices + wp.uint64(corners[2]) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0])
     n = wp.cross(facet.b - facet.a, facet.c - facet.a)
-    area = wp.length(n)
+    facet.area = wp.length(n)
     longest = wp.max(wp.max(wp.length(facet.b - facet.a), wp.length(facet.c - facet.b)), wp.length(facet.a - facet.c))
-    if area > _ZERO:
-        facet = _with_normal(job, facet, n / area)
-    if area <= facet.lift * longest:  # thinner than its lift: its normal is rounded to nothing
+    if facet.area > _ZERO:
+        facet = _with_normal(job, facet, n / facet.area)
+    if facet.area <= facet.lift * longest:  # thinner than its lift: its normal is rounded to nothing
         facet.n = _NOWHERE
     return facet
 
@@ -148,7 +160,7 @@ def _within(facet: Facet, p: wp.vec3d) -> wp.float64:
 @wp.func
 def _touches(facet: Facet, p: wp.vec3d) -> wp.bool:
     """Whether a point is as near to a facet as two lifts."""
-    return wp.abs(wp.dot(facet.n, p - facet.a)) <= _TWO * facet.lift and _within(facet, p) >= -_TWO * facet.lift
+    return wp.abs(wp.dot(facet.n, p - facet.a)) <= _TWO * facet.lift and _within(facet, p) >= -facet.slack
 
 
 @wp.func
@@ -173,6 +185,12 @@ def _settled(seat: Seat, other: Facet) -> Seat:
 
 
 @wp.func
+def _better(cosine: wp.float64, face: wp.int32, best: wp.float64, known: wp.int32) -> wp.bool:
+    """Whether a face is to be preferred to the one known; of equal ones the first, in whichever order they are looked at."""
+    return cosine >= _ZERO and (known < 0 or cosine > best or (cosine == best and face < known))
+
+
+@wp.func
 def _look_at(job: StartJob, seat: Seat, face: wp.int32, look: wp.vec3d, searching: wp.bool) -> Seat:
     """The seat after a look at a face that may touch the point: whether it is its own, or else stands beside it."""
     facet = _facet(job, face)
@@ -181,10 +199,14 @@ def _look_at(job: StartJob, seat: Seat, face: wp.int32, look: wp.vec3d, searchin
             seat.own = _THIN
     elif face != seat.own and _touches(facet, seat.p):
         if searching:
-            cosine = wp.abs(wp.dot(facet.n, look))
-            if seat.own < 0 or cosine > seat.best or (cosine == seat.best and face < seat.own):
-                seat.best = cosine
-                seat.own = face
+            cosine = wp.dot(facet.n, look)
+            seat.ahead += cosine * facet.area
+            if _better(cosine, face, seat.best_along, seat.along):
+                seat.best_along = cosine
+                seat.along = face
+            if _better(-cosine, face, seat.best_against, seat.against):
+                seat.best_against = -cosine
+                seat.against = face
         else:
             seat = _settled(seat, facet)
     return seat
@@ -269,7 +291,7 @@ def _start(job: StartJob, tree: Accelerator, seat: Seat, look: wp.vec3d, scratch
     """Where the rays of a point that sits on a face start, to the side to which it looks."""
     own = seat.facet
     seat.side = wp.copysign(_ONE, wp.dot(own.n, look))
-    seat.inside = _within(own, seat.p) > _TWO * own.lift
+    seat.inside = _within(own, seat.p) > own.slack
     seat.inwards = _ZERO
     seat.aside = _NOWHERE
     height = seat.side * wp.dot(own.n, seat.p - own.a)
@@ -322,7 +344,12 @@ def _start_kernel(sides: int) -> wp.Kernel:
         look = _double(toward)
         known = seat.own >= 0
         if not known and wp.dot(look, look) > _ZERO:
+            seat.along = -1
+            seat.against = -1
             seat = _look_around(job, tree, seat, look, True, words.ptr)
+            # A vertex' normal is the sum of its faces' by area: of a spike it may be against some that it is of.
+            found = wp.where(seat.ahead >= _ZERO, seat.along, seat.against)
+            seat.own = wp.where(found >= 0, found, seat.own)
         if seat.own >= 0:
             seat.facet = _facet(job, seat.own)
             if known:  # the mesh's own normal, before its corners were rounded
