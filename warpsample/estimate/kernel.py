@@ -4,6 +4,7 @@ from functools import cache
 
 import warp as wp
 
+from warpsample.estimate.intervals import edge_variance, posterior, worth_of_prior
 from warpsample.estimate.job import NONFINITE_POSITION, EstimateJob, Spot, bring_near, found_in, start
 from warpsample.kernels.job import normal_status, weigh_by_mask
 from warpsample.kernels.parameters import Parameters
@@ -31,6 +32,8 @@ _LAST_UNIFORM = wp.constant(wp.float32(1.0 - 2.0**-24))
 _SQUARE = 2 * CHUNK
 _NOTHING = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 _ZERO = wp.constant(wp.float64(0.0))
+_ONE = wp.constant(wp.float64(1.0))
+_HALF = wp.constant(wp.float64(0.5))
 
 
 @cache
@@ -61,6 +64,7 @@ def estimate_kernel(
         wide: whether the query is that of the wide tree, which can be searched for what to skip.
     """
     sample = sequence.sample
+    worth = wp.constant(wp.float64(worth_of_prior(counts)))
 
     @wp.func
     def spread(job: EstimateJob, spot: Spot, cell: wp.int32, first: wp.int32, length: wp.int32):
@@ -120,7 +124,10 @@ def estimate_kernel(
 
     @wp.func
     def sum_cell(job: EstimateJob, accelerator: Accelerator, spot: Spot, cell: wp.int32, found: wp.int32, near: wp.int32):
-        """(sum of the weights of both replicates' rays, how much more the first has, rays cast)."""
+        """(sum of the weights of both replicates' rays, how much more the first has, rays cast, that met nothing, jump).
+
+        The jump is by how much a ray's weight changes where an edge begins, squared.
+        """
         # Scalars: a vector of doubles goes through memory, and costs half as much as a ray. Hits are whole numbers.
         hits = wp.int32(0)
         more_hits = wp.int32(0)
@@ -131,6 +138,8 @@ def estimate_kernel(
         more_y = _ZERO
         more_z = _ZERO
         cast = wp.int32(0)
+        free = 2 * job.each
+        w = wp.vec3(1.0, 0.0, 0.0)
         for first in range(0, 2 * job.each, CHUNK):
             length = wp.min(CHUNK, 2 * job.each - first)
             padded = (length + LANES - 1) / LANES * LANES
@@ -153,6 +162,7 @@ def estimate_kernel(
                         distance = distance_of(accelerator, spot, near, column, reach)
                     if distance < wp.INF:
                         share = 0.0
+                        free -= 1
                         if wp.static(not any_hit):
                             t = (distance + (spot.reach - reach)) / spot.reach
                             share = 1.0 - wp.pow(1.0 - t, job.falloff)
@@ -172,13 +182,32 @@ def estimate_kernel(
         if wp.static(counts):
             x = wp.float64(hits)
             more_x = wp.float64(more_hits)
-        return wp.vec3d(x, y, z), wp.vec3d(more_x, more_y, more_z), cast
+            free = hits  # and weighs 1
+        jump = wp.vec3d(_ONE, _ZERO, _ZERO)
+        if wp.static(not any_hit):
+            # What ends at an edge occludes by anything from nothing to what the others do, and so does what begins there.
+            if free < 2 * job.each:
+                jump[0] = (wp.float64(2 * job.each) - x) / wp.float64(2 * job.each - free)
+            jump[0] = _HALF * jump[0] * jump[0]
+        elif wp.static(not counts):
+            jump = wp.vec3d(wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2]))  # of one ray, where none met nothing
+            if free > 0:
+                jump = wp.vec3d(x, y, z) / wp.float64(free)
+            jump = wp.cw_mul(jump, jump)
+        return wp.vec3d(x, y, z), wp.vec3d(more_x, more_y, more_z), cast, free, jump
 
     @wp.func
     def sum_lobe(job: EstimateJob, accelerator: Accelerator, spot: Spot):
-        """(sum of the weights of all rays, square of its standard error, rays cast, rays in empty cells)."""
+        """(sum of the weights of all rays, square of its standard error, square of its spread, degrees of freedom, rays
+        cast, rays in empty cells).
+        """
         total = _NOTHING
         variance = _NOTHING
+        mixed = wp.int32(0)
+        expected = _NOTHING
+        unseen = _NOTHING
+        rest = _NOTHING
+        fourth = _NOTHING
         cast = wp.int32(0)
         empty = wp.int32(0)
         starts = wp.int32(-1)
@@ -209,13 +238,37 @@ def estimate_kernel(
                         empty += 2 * job.each
                     if wp.static(constant) and found == 0:
                         total[0] += wp.float64(2 * job.each)
+                        if wp.static(not any_hit):
+                            unseen[0] += _HALF
                     else:
                         cell = sector * job.bands + step - 1
-                        add, difference, rays = sum_cell(job, accelerator, spot, cell, found, cell_near)
+                        add, difference, rays, free, jump = sum_cell(job, accelerator, spot, cell, found, cell_near)
+                        squares = wp.cw_mul(difference, difference)
                         total += add
-                        variance += wp.cw_mul(difference, difference)
+                        variance += squares
                         cast += rays
-        return total, variance, cast, empty
+                        edge = edge_variance(free, 2 * job.each, job.edge)
+                        if edge > _ZERO:
+                            mixed += 1
+                        if wp.static(counts):
+                            expected[0] += edge
+                        else:
+                            expected += edge * jump
+                            unseen += jump
+                            if edge == _ZERO:
+                                rest += squares
+                                fourth += wp.cw_mul(squares, squares)
+        cells = job.bands * job.sectors
+        if wp.static(counts):
+            unseen[0] = wp.float64(cells)
+        spread = _NOTHING
+        degrees = _NOTHING
+        for c in range(channels):
+            of_ray = unseen[c] / wp.float64(cells)
+            square, freedom = posterior(variance[c], expected[c], of_ray, rest[c], fourth[c], mixed, cells, worth)
+            spread[c] = square
+            degrees[c] = freedom
+        return total, variance, spread, degrees, cast, empty
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def estimate(job: EstimateJob, accelerator: Accelerator, first_task: wp.int64):
@@ -248,18 +301,24 @@ def estimate_kernel(
             status = _NONFINITE_POSITION
         total = _NOTHING
         variance = _NOTHING
+        spread = _NOTHING
+        degrees = _NOTHING
         cast = wp.int32(0)
         empty = wp.int32(0)
         if status == 0:
             start(spot.chunk, spot.o, spot.reach)
-            total, variance, cast, empty = sum_lobe(job, accelerator, spot)
+            total, variance, spread, degrees, cast, empty = sum_lobe(job, accelerator, spot)
         rays = wp.float64(2 * job.each * job.bands * job.sectors)
         at = wp.uint64(point) * wp.uint64(4 * channels)
         value = wp.array(ptr=job.value + at, shape=(channels,), dtype=wp.float32)
         error = wp.array(ptr=job.error + at, shape=(channels,), dtype=wp.float32)
+        spreads = wp.array(ptr=job.spread + at, shape=(channels,), dtype=wp.float32)
+        freedom = wp.array(ptr=job.degrees + at, shape=(channels,), dtype=wp.float32)
         for c in range(channels):
             value[c] = wp.float32(total[c] / rays)
             error[c] = wp.float32(wp.sqrt(variance[c]) / rays)
+            spreads[c] = wp.float32(wp.sqrt(spread[c]) / rays)
+            freedom[c] = wp.float32(degrees[c])
         at = wp.uint64(point) * wp.uint64(4)
         counts = wp.array(ptr=job.cast + at, shape=(1,), dtype=wp.int32)
         counts[0] = cast

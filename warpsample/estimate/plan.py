@@ -14,6 +14,7 @@ from warpsample.directions import Status
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.engine import check_memory, check_workers, run
 from warpsample.estimate.cells import Cells, cells_of
+from warpsample.estimate.intervals import Interval, interval_of
 from warpsample.estimate.job import NONFINITE_POSITION, Job
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.weights import WeightsJob
@@ -39,7 +40,7 @@ if TYPE_CHECKING:
     from pyvista import PolyData
 
 _MOST_RAYS = 2**24  # of a point: hits are counted in float64 and rays in int32, and one point is one task
-_BYTES_PER_POINT = 80
+_BYTES_PER_POINT = 120
 _TRIAL = 1 << 63  # of the seed
 _TRIAL_RAYS = 64
 _FEWEST_RAYS = 32
@@ -91,9 +92,15 @@ class Estimate:
 
     value: np.ndarray
     standard_error: np.ndarray
+    spread: np.ndarray
+    degrees_of_freedom: np.ndarray
     rays: np.ndarray
     status: np.ndarray
     skipped: Skipped
+
+    def interval(self, level: float = 0.95) -> Interval:
+        """Where the number of each point lies, in `level` of all estimates: (lower, upper), of `value`'s shape and unit."""
+        return interval_of(self.value, self.spread, self.degrees_of_freedom, check_number(level, "level", 0.01, 0.9999))
 
     def counts(self) -> dict[PointStatus, int]:
         """How many points have each status; those that occur."""
@@ -251,12 +258,12 @@ class _Runner:
         """The estimate by counts[i] rays from the i-th point."""
         points, channels = len(counts), self.quantity.channels
         shape = (points,) if channels == 1 else (points, channels)
-        value, error = np.zeros(shape, np.float32), np.zeros(shape, np.float32)
+        value, error, spread, degrees = (np.zeros(shape, np.float32) for _ in range(4))
         cast, empty, status = (np.zeros(points, kind) for kind in (np.int32, np.int32, np.uint8))
         for count in np.unique(counts):
             job = self._job(cells_of(int(count)), seed)
-            outputs = (value, error, cast, empty, status)
-            job.value, job.error, job.cast, job.empty, job.status = (array.ctypes.data for array in outputs)
+            job.value, job.error, job.spread, job.degrees = (array.ctypes.data for array in (value, error, spread, degrees))
+            job.cast, job.empty, job.status = (array.ctypes.data for array in (cast, empty, status))
             self._run(job, counts == count)
         total = np.where(status == 0, rays_of(counts), 0) if points else counts
         skipped = Skipped(
@@ -266,7 +273,7 @@ class _Runner:
             weightless_rays=int((total - cast - empty).sum()),
         )
         unit = np.float32(self.quantity.unit)
-        return Estimate(unit * value, unit * error, cast, status, skipped)
+        return Estimate(unit * value, unit * error, unit * spread, degrees, cast, status, skipped)
 
     def _job(self, cells: Cells, seed: int) -> Job:
         plan, quantity = self.plan, self.quantity
@@ -284,6 +291,7 @@ class _Runner:
             beams=cells.beams.ctypes.data if cells.beams.size and plan.skip else 0,
             skip=plan.skip,
             falloff=quantity.falloff or 0.0,
+            edge=plan.sequence.edge_variance(cells.each),
             weights=quantity.weights,
         )
 
