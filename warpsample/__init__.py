@@ -17,6 +17,7 @@ from warpsample.distributions.uniform_sphere import UniformSphere
 from warpsample.distributions.visible_beckmann import VisibleBeckmann
 from warpsample.distributions.visible_ggx import VisibleGGX
 from warpsample.distributions.von_mises_fisher import VonMisesFisher
+from warpsample.estimate.intervals import Interval
 from warpsample.estimate.irradiance import irradiance
 from warpsample.estimate.plan import Estimate, PointStatus, Skipped
 from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
@@ -32,6 +33,7 @@ __all__ = [
     "Directions",
     "Estimate",
     "Hits",
+    "Interval",
     "Mesh",
     "MeshReport",
     "OffsetBall",

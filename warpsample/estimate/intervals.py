@@ -1,10 +1,11 @@
 """How sure an estimate is: what its few squared differences and what is known of edges say together, and t from it.
 
-A cell that some rays left and some did not is *mixed*: an edge passes through it. The two replicates of such a cell differ by
-about one ray whatever the scene, since a low-discrepancy set is that even (`Sequence.edge`). So its difference is not the only
-witness of its error: the variance of the mixed cells is the mean of what their differences say and of what the edges let
-expect, as if that were some differences more. This is the conjugate prior of a normal variance, and the posterior is a
-t distribution. Cells without an edge speak for themselves.
+A cell that some rays left and some did not is *mixed*: an edge passes through it. How many rays of a low-discrepancy set are
+on one side of an edge varies by about one, whatever the edge (`Sequence.edge`). So the difference between a cell's two
+replicates is not the only witness of its error. What edges let expect counts as if it were some differences more, which is
+the conjugate prior of a normal's variance, and the posterior is a t distribution; where the differences exceed what edges
+make, as among leaves, it counts for less. Cells without an edge speak for themselves. An event that no ray has met is
+worth half a ray.
 """
 
 from typing import NamedTuple
@@ -12,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 import warp as wp
 
-_UNSEEN = wp.constant(wp.float64(0.25))  # the variance of what no ray has met: half a ray, squared
-_WORTH_OF_COUNTS = 8.0  # differences: from edge to edge the variance varies by about half of it, 2 / 8 its square
+_UNSEEN = wp.constant(wp.float64(0.25))  # variance of what no ray has met: half a ray, squared
+_WORTH_OF_COUNTS = 16.0  # differences: the variance varies by a third of itself from edge to edge, at 4 to 8 samples
 _WORTH_OF_WEIGHTS = 4.0  # by how much an edge changes a weight is not known, but read off the rays
 _ZERO = wp.constant(wp.float64(0.0))
 _ONE = wp.constant(wp.float64(1.0))
@@ -77,12 +78,14 @@ def posterior(
         fourth: the sum of the squares of what adds up to `rest`.
         mixed: cells.
         cells: all.
-        worth: differences that the expectation is worth.
+        worth: differences that the expectation is worth; less by the square of how far they exceed it.
     """
+    edges = expected + _UNSEEN * unseen
+    seen = wp.where(mixed > 0, variance - rest, _ZERO)
+    if seen > edges:
+        worth *= (edges / seen) * (edges / seen)
     degrees = worth + wp.float64(mixed)
-    # The squares are summed up in another order, so a difference of 0 may come out below.
-    seen = wp.max(variance - rest, _ZERO)
-    shrunk = (worth * (expected + _UNSEEN * unseen) + wp.float64(mixed) * seen) / degrees
+    shrunk = (worth * edges + wp.float64(mixed) * wp.max(seen, _ZERO)) / degrees  # rounding leaves seen below 0
     square = shrunk + rest
     if rest > _ZERO:
         # Welch and Satterthwaite; of normal differences, E[d^4] = 3 E[d^2]^2.

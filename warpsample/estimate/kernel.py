@@ -198,12 +198,11 @@ def estimate_kernel(
 
     @wp.func
     def sum_lobe(job: EstimateJob, accelerator: Accelerator, spot: Spot):
-        """(sum of the weights of all rays, square of its standard error, square of its spread, degrees of freedom, rays
-        cast, rays in empty cells).
-        """
+        """(sum of the weights of all rays, squares of its standard error and spread, degrees, rays cast, in empty cells)."""
         total = _NOTHING
         variance = _NOTHING
         mixed = wp.int32(0)
+        edges = _ZERO
         expected = _NOTHING
         unseen = _NOTHING
         rest = _NOTHING
@@ -251,7 +250,7 @@ def estimate_kernel(
                         if edge > _ZERO:
                             mixed += 1
                         if wp.static(counts):
-                            expected[0] += edge
+                            edges += edge
                         else:
                             expected += edge * jump
                             unseen += jump
@@ -260,6 +259,7 @@ def estimate_kernel(
                                 fourth += wp.cw_mul(squares, squares)
         cells = job.bands * job.sectors
         if wp.static(counts):
+            expected[0] = edges
             unseen[0] = wp.float64(cells)
         spread = _NOTHING
         degrees = _NOTHING

@@ -84,7 +84,13 @@ class Estimate:
         value: (P,) float32, or (P, 3); 0 where the status is not 0.
         standard_error: of the same shape and unit. Each cell of the lobe has two independent randomisations of its rays; the
             squares of their differences add up to an unbiased estimate of the variance, whatever the sequence. Below 32 rays
-            there is one cell, so one difference, then 4 cells, 8 from 256 rays on, 32 from 448. 0 where all rays agree.
+            there is one cell, so one difference, then 4 cells, 8 from 256 rays on, 32 from 448. 0 where all rays agree. So
+            it is right on average, not at each point. Of the points that are not proven open what is right is within one
+            of them at 44 % on the bunny and 62 % in the city by 64 rays, 52 and 66 % by 256; within two at 58 and 82 %, 70
+            and 89 %. `interval` is for that.
+        spread: of the same shape and unit, the scale of the t distribution by which `interval` goes; never 0 where there is
+            a number, but under no light.
+        degrees_of_freedom: of the same shape, those of that distribution, float32, at least 1.
         rays: (P,) int32, rays cast.
         status: (P,) uint8, a `PointStatus`.
         skipped: what was not done.
@@ -99,7 +105,28 @@ class Estimate:
     skipped: Skipped
 
     def interval(self, level: float = 0.95) -> Interval:
-        """Where the number of each point lies, in `level` of all estimates: (lower, upper), of `value`'s shape and unit."""
+        """Where the right number of each point lies: between the two in a share of about `level` of all estimates.
+
+        value -+ spread * (the quantile of t), see `estimate.intervals`. A level of 0.95, of the points that are not proven
+        open, in 200 runs at 200 points each: 95 to 97 % on bunny and city from 32 to 4,096 rays by the default sequence, 94
+        to 97.3 % by any; 94 to 97 % on the floors and walls of streets, 92 to 99 % under single edges, where few rays decide
+        and 95 % may not be among what can happen. The same by other quantities, but for a short `max_distance` and `falloff`
+        on the bunny: up to 98 %. Among leaves, many edges to a cell, it is 90 to 94 %. Below 32 rays nothing is promised.
+        `pytest -m slow tests/test_intervals.py` measures again.
+
+        A pure function of the numbers above, so that `skip` changes none of its bits: a point that is proven open, whose
+        interval could be empty, has that of any point all of whose rays agree, half a ray's weight times the quantile.
+        Not cut to what is possible, as 0 to 1 for occlusion. (value, value) where the status is not 0.
+
+        Args:
+            level: 0.01 to 0.9999.
+
+        Returns:
+            (lower, upper), each of `value`'s shape and unit.
+
+        Raises:
+            TypeError, ValueError: a level that is none.
+        """
         return interval_of(self.value, self.spread, self.degrees_of_freedom, check_number(level, "level", 0.01, 0.9999))
 
     def counts(self) -> dict[PointStatus, int]:
