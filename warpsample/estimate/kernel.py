@@ -64,6 +64,7 @@ def estimate_kernel(
         wide: whether the query is that of the wide tree, which can be searched for what to skip.
     """
     sample = sequence.sample
+    open_jump = _ONE if any_hit else _HALF
     worth = wp.constant(wp.float64(worth_of_prior(counts)))
 
     @wp.func
@@ -123,11 +124,26 @@ def estimate_kernel(
         return distance
 
     @wp.func
-    def sum_cell(job: EstimateJob, accelerator: Accelerator, spot: Spot, cell: wp.int32, found: wp.int32, near: wp.int32):
-        """(sum of the weights of both replicates' rays, how much more the first has, rays cast, that met nothing, jump).
+    def jump_at(w: wp.vec3, total: wp.vec3d, free: wp.int32, rays: wp.int32) -> wp.vec3d:
+        """By how much a ray's weight changes where an edge begins, squared: of a cell's total and its free rays.
 
-        The jump is by how much a ray's weight changes where an edge begins, squared.
+        w is the weight of one ray, for where none is free.
         """
+        jump = wp.vec3d(_ONE, _ZERO, _ZERO)
+        if wp.static(not any_hit):
+            # What ends at an edge occludes by anything from nothing to what the others do, and so does what begins there.
+            if free < rays:
+                jump[0] = (wp.float64(rays) - total[0]) / wp.float64(rays - free)
+            return wp.vec3d(_HALF * jump[0] * jump[0], _ZERO, _ZERO)
+        if wp.static(not counts):
+            jump = wp.vec3d(wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2]))
+            if free > 0:
+                jump = total / wp.float64(free)
+        return wp.cw_mul(jump, jump)
+
+    @wp.func
+    def sum_cell(job: EstimateJob, accelerator: Accelerator, spot: Spot, cell: wp.int32, found: wp.int32, near: wp.int32):
+        """(sum of the weights of both replicates' rays, how much more the first has, rays cast, free, a weight)."""
         # Scalars: a vector of doubles goes through memory, and costs half as much as a ray. Hits are whole numbers.
         hits = wp.int32(0)
         more_hits = wp.int32(0)
@@ -183,18 +199,27 @@ def estimate_kernel(
             x = wp.float64(hits)
             more_x = wp.float64(more_hits)
             free = hits  # and weighs 1
-        jump = wp.vec3d(_ONE, _ZERO, _ZERO)
-        if wp.static(not any_hit):
-            # What ends at an edge occludes by anything from nothing to what the others do, and so does what begins there.
-            if free < 2 * job.each:
-                jump[0] = (wp.float64(2 * job.each) - x) / wp.float64(2 * job.each - free)
-            jump[0] = _HALF * jump[0] * jump[0]
-        elif wp.static(not counts):
-            jump = wp.vec3d(wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2]))  # of one ray, where none met nothing
-            if free > 0:
-                jump = wp.vec3d(x, y, z) / wp.float64(free)
-            jump = wp.cw_mul(jump, jump)
-        return wp.vec3d(x, y, z), wp.vec3d(more_x, more_y, more_z), cast, free, jump
+        return wp.vec3d(x, y, z), wp.vec3d(more_x, more_y, more_z), cast, free, w
+
+    @wp.func
+    def widths_of(
+        variance: wp.vec3d,
+        expected: wp.vec3d,
+        unseen: wp.vec3d,
+        rest: wp.vec3d,
+        fourth: wp.vec3d,
+        mixed: wp.int32,
+        cells: wp.int32,
+    ):
+        """`posterior` of each channel; `unseen` is summed over the cells."""
+        width = _NOTHING
+        degrees = _NOTHING
+        for c in range(channels):
+            of_ray = unseen[c] / wp.float64(cells)
+            square, freedom = posterior(variance[c], expected[c], of_ray, rest[c], fourth[c], mixed, cells, worth)
+            width[c] = square
+            degrees[c] = freedom
+        return width, degrees
 
     @wp.func
     def sum_lobe(job: EstimateJob, accelerator: Accelerator, spot: Spot):
@@ -202,7 +227,6 @@ def estimate_kernel(
         total = _NOTHING
         variance = _NOTHING
         mixed = wp.int32(0)
-        edges = _ZERO
         expected = _NOTHING
         unseen = _NOTHING
         rest = _NOTHING
@@ -237,38 +261,25 @@ def estimate_kernel(
                         empty += 2 * job.each
                     if wp.static(constant) and found == 0:
                         total[0] += wp.float64(2 * job.each)
-                        if wp.static(not any_hit):
-                            unseen[0] += _HALF
+                        unseen[0] += open_jump
                     else:
                         cell = sector * job.bands + step - 1
-                        add, difference, rays, free, jump = sum_cell(job, accelerator, spot, cell, found, cell_near)
+                        add, difference, rays, free, w = sum_cell(job, accelerator, spot, cell, found, cell_near)
                         squares = wp.cw_mul(difference, difference)
                         total += add
                         variance += squares
                         cast += rays
                         edge = edge_variance(free, 2 * job.each, job.edge)
+                        jump = jump_at(w, add, free, 2 * job.each)
+                        expected += edge * jump
+                        unseen += jump
                         if edge > _ZERO:
                             mixed += 1
-                        if wp.static(counts):
-                            edges += edge
                         else:
-                            expected += edge * jump
-                            unseen += jump
-                            if edge == _ZERO:
-                                rest += squares
-                                fourth += wp.cw_mul(squares, squares)
-        cells = job.bands * job.sectors
-        if wp.static(counts):
-            expected[0] = edges
-            unseen[0] = wp.float64(cells)
-        spread = _NOTHING
-        degrees = _NOTHING
-        for c in range(channels):
-            of_ray = unseen[c] / wp.float64(cells)
-            square, freedom = posterior(variance[c], expected[c], of_ray, rest[c], fourth[c], mixed, cells, worth)
-            spread[c] = square
-            degrees[c] = freedom
-        return total, variance, spread, degrees, cast, empty
+                            rest += squares
+                            fourth += wp.cw_mul(squares, squares)
+        width, degrees = widths_of(variance, expected, unseen, rest, fourth, mixed, job.bands * job.sectors)
+        return total, variance, width, degrees, cast, empty
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def estimate(job: EstimateJob, accelerator: Accelerator, first_task: wp.int64):
@@ -301,13 +312,13 @@ def estimate_kernel(
             status = _NONFINITE_POSITION
         total = _NOTHING
         variance = _NOTHING
-        spread = _NOTHING
+        width = _NOTHING
         degrees = _NOTHING
         cast = wp.int32(0)
         empty = wp.int32(0)
         if status == 0:
             start(spot.chunk, spot.o, spot.reach)
-            total, variance, spread, degrees, cast, empty = sum_lobe(job, accelerator, spot)
+            total, variance, width, degrees, cast, empty = sum_lobe(job, accelerator, spot)
         rays = wp.float64(2 * job.each * job.bands * job.sectors)
         at = wp.uint64(point) * wp.uint64(4 * channels)
         value = wp.array(ptr=job.value + at, shape=(channels,), dtype=wp.float32)
@@ -317,7 +328,7 @@ def estimate_kernel(
         for c in range(channels):
             value[c] = wp.float32(total[c] / rays)
             error[c] = wp.float32(wp.sqrt(variance[c]) / rays)
-            spreads[c] = wp.float32(wp.sqrt(spread[c]) / rays)
+            spreads[c] = wp.float32(wp.sqrt(width[c]) / rays)
             freedom[c] = wp.float32(degrees[c])
         at = wp.uint64(point) * wp.uint64(4)
         counts = wp.array(ptr=job.cast + at, shape=(1,), dtype=wp.int32)

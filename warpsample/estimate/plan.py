@@ -90,7 +90,7 @@ class Estimate:
             and 89 %. `interval` is for that.
         spread: of the same shape and unit, the scale of the t distribution by which `interval` goes; never 0 where there is
             a number, but under no light.
-        degrees_of_freedom: of the same shape, those of that distribution, float32, at least 1.
+        degrees_of_freedom: of the same shape, those of that distribution, float32: at least 1, or 0 without a number.
         rays: (P,) int32, rays cast.
         status: (P,) uint8, a `PointStatus`.
         skipped: what was not done.
