@@ -71,6 +71,7 @@ KINDS = {
     "tolerance": kind(0.1, *POSITIVE, wrong=(0.0,)),
     "scale": kind(0.1, *POSITIVE, "-1", "2**70"),
     "alpha": kind(0.5, *NUMBER),
+    "level": kind(0.95, *NUMBER),
     "kappa": kind(0.5, *POSITIVE),
     "rho": kind(0.5, *POSITIVE),
     "exponent": kind(0.5, *POSITIVE),

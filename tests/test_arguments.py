@@ -18,12 +18,20 @@ from warpsample.distributions.record import Distribution
 from warpsample.estimate.plan import Plan
 
 PACKAGE = Path(ws.__file__).parent
-RESULTS = (ws.Directions, ws.Estimate, ws.Hits, ws.MeshReport, ws.Skipped, ws.SkyView)  # which users read and do not make
+RESULTS = (
+    ws.Directions,
+    ws.Estimate,
+    ws.Hits,
+    ws.Interval,
+    ws.MeshReport,
+    ws.Skipped,
+    ws.SkyView,
+)  # which users read and do not make
 FOR_PROOFS = ("seam",)  # takes what `sample` has taken
 PLANE = pv.PolyData.from_regular_faces(VERTICES, FACES)
 EXAMPLES = {
     ws.Directions: ws.Directions(np.zeros((4, COUNT, 3), np.float32), None, np.zeros(4, np.uint8)),
-    ws.Estimate: ws.Estimate(*np.zeros((2, 4), np.float32), np.zeros(4, int), np.zeros(4, np.uint8), ws.Skipped()),
+    ws.Estimate: ws.Estimate(*np.zeros((4, 4), np.float32), np.zeros(4, int), np.zeros(4, np.uint8), ws.Skipped()),
     ws.GGX: ws.GGX(0.5),
     ws.Mesh: MESH,
     ws.SurfacePoints: POINTS,

@@ -47,7 +47,8 @@ def test_numbers_go_where_they_are_of():
     at_vertices = ws.sky_view_factor(SQUARE, ws.vertex_points(SQUARE), 32)
     assert np.array_equal(at_faces.to_polydata(SQUARE).cell_data["value"], at_faces.value)
     on_vertices = at_vertices.to_polydata(SQUARE)
-    assert set(on_vertices.point_data) == {"value", "standard_error", "rays", "status", "below_horizon"}
+    numbers = {"value", "standard_error", "spread", "degrees_of_freedom", "below_horizon"}
+    assert set(on_vertices.point_data) == numbers | {"rays", "status"}
     assert on_vertices.point_data["status"][4] == ws.PointStatus.ZERO_NORMAL
     points = ws.sample_surface(SQUARE, 3)
     assert ws.sky_view_factor(SQUARE, points, 32).to_polydata(points).n_points == 3

@@ -17,8 +17,9 @@ from warpsample.distributions.uniform_sphere import UniformSphere
 from warpsample.distributions.visible_beckmann import VisibleBeckmann
 from warpsample.distributions.visible_ggx import VisibleGGX
 from warpsample.distributions.von_mises_fisher import VonMisesFisher
+from warpsample.estimate.intervals import Interval
 from warpsample.estimate.irradiance import irradiance
-from warpsample.estimate.plan import Estimate, PointStatus, Skipped
+from warpsample.estimate.result import Estimate, PointStatus, Skipped
 from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
 from warpsample.mesh import Mesh, MeshReport, as_mesh, load_mesh
 from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
@@ -32,6 +33,7 @@ __all__ = [
     "Directions",
     "Estimate",
     "Hits",
+    "Interval",
     "Mesh",
     "MeshReport",
     "OffsetBall",

@@ -8,7 +8,7 @@ from warpsample.arguments import check_choice, check_integer, check_scale
 from warpsample.directions import sample_directions
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
-from warpsample.estimate.plan import Estimate
+from warpsample.estimate.result import Estimate
 from warpsample.estimate.visibility import ambient_occlusion, sky_view_factor
 from warpsample.export import CLOUD_SCALE
 from warpsample.mesh import Mesh, as_mesh

@@ -12,7 +12,7 @@ import numpy as np
 
 from warpsample.arguments import check_integer
 from warpsample.estimate.irradiance import irradiance, read_hdr
-from warpsample.estimate.plan import Estimate, PointStatus, Skipped
+from warpsample.estimate.result import Estimate, PointStatus, Skipped
 from warpsample.estimate.visibility import ambient_occlusion, sky_view_factor
 from warpsample.export import complete_or_absent, write_array
 from warpsample.mesh import Mesh, load_mesh

@@ -17,7 +17,7 @@ from warpsample.bench.child import Job
 from warpsample.bench.scaling import peak_megabytes
 from warpsample.bench.scenes import SCENES
 from warpsample.bench.tracers import embree_scene, open3d_scene
-from warpsample.estimate.plan import Estimate
+from warpsample.estimate.result import Estimate
 from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.mesh import Mesh
 from warpsample.registry import look_up

@@ -10,7 +10,8 @@ import warp as wp
 
 from warpsample.arguments import check_file
 from warpsample.arrays import as_real, as_unit
-from warpsample.estimate.plan import Estimate, Plan, Quantity
+from warpsample.estimate.plan import Plan, Quantity
+from warpsample.estimate.result import Estimate
 from warpsample.estimate.visibility import vector_weights
 from warpsample.estimate.weights import environment, radiance_of
 from warpsample.surface import SurfacePoints
@@ -60,7 +61,10 @@ def irradiance(
     weights = vector_weights(axis)
     weights.pixels, (weights.height, weights.width) = pixels.ctypes.data, picture.shape[:2]
     found = plan.estimate(Quantity(environment, channels=3, weights=weights, unit=pi))
-    return found if colour else replace(found, value=found.value[:, 0], standard_error=found.standard_error[:, 0])
+    if colour:
+        return found
+    numbers = ("value", "standard_error", "spread", "degrees_of_freedom")
+    return replace(found, **{name: getattr(found, name)[:, 0] for name in numbers})
 
 
 def _gives_colour(function: wp.Function) -> bool:

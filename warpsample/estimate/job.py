@@ -28,7 +28,8 @@ class EstimateJob:
     normals, active: (P, 3) float32, (P,) uint8 or 0: the lobes' axes, and which points count.
     each, bands, sectors, beams: as `Cells` has them; beams 0 tests none.
     skip: whether the tree is searched for what cannot be met.
-    value, error: (P, channels) float32.
+    edge: what is expected at most of an edge through a cell, see `edge_variance`.
+    value, error, spread, degrees: (P, channels) float32.
     cast, empty, status: (P,) int32, int32, uint8: rays cast, rays in parts of the lobe that meet nothing, why not.
     """
 
@@ -43,9 +44,12 @@ class EstimateJob:
     beams: wp.uint64
     skip: wp.int32
     falloff: wp.float32
+    edge: wp.float32
     weights: Weights
     value: wp.uint64
     error: wp.uint64
+    spread: wp.uint64
+    degrees: wp.uint64
     cast: wp.uint64
     empty: wp.uint64
     status: wp.uint64

@@ -2,6 +2,7 @@
 
 import warp as wp
 
+from warpsample.estimate.intervals import edge_variance, posterior, worth_of_prior
 from warpsample.estimate.job import NONFINITE_POSITION, EstimateJob, Spot, bring_near, found_in, start
 from warpsample.kernels.job import normal_status, weigh_by_mask
 from warpsample.kernels.parameters import Parameters
@@ -30,6 +31,8 @@ _LAST_UNIFORM = wp.constant(wp.float32(1.0 - 2.0**-24))
 _SQUARE = 2 * CHUNK
 _NOTHING = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 _ZERO = wp.constant(wp.float64(0.0))
+_ONE = wp.constant(wp.float64(1.0))
+_HALF = wp.constant(wp.float64(0.5))
 
 
 @once
@@ -60,6 +63,8 @@ def estimate_kernel(
         wide: whether the query is that of the wide tree, which can be searched for what to skip.
     """
     sample = sequence.sample
+    open_jump = _ONE if any_hit else _HALF
+    worth = wp.constant(wp.float64(worth_of_prior(counts)))
 
     @wp.func
     def spread(job: EstimateJob, spot: Spot, cell: wp.int32, first: wp.int32, length: wp.int32):
@@ -118,8 +123,26 @@ def estimate_kernel(
         return distance
 
     @wp.func
+    def jump_at(w: wp.vec3, total: wp.vec3d, free: wp.int32, rays: wp.int32) -> wp.vec3d:
+        """By how much a ray's weight changes where an edge begins, squared: of a cell's total and its free rays.
+
+        w is the weight of one ray, for where none is free.
+        """
+        jump = wp.vec3d(_ONE, _ZERO, _ZERO)
+        if wp.static(not any_hit):
+            # What ends at an edge occludes by anything from nothing to what the others do, and so does what begins there.
+            if free < rays:
+                jump[0] = (wp.float64(rays) - total[0]) / wp.float64(rays - free)
+            return wp.vec3d(_HALF * jump[0] * jump[0], _ZERO, _ZERO)
+        if wp.static(not counts):
+            jump = wp.vec3d(wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2]))
+            if free > 0:
+                jump = total / wp.float64(free)
+        return wp.cw_mul(jump, jump)
+
+    @wp.func
     def sum_cell(job: EstimateJob, accelerator: Accelerator, spot: Spot, cell: wp.int32, found: wp.int32, near: wp.int32):
-        """(sum of the weights of both replicates' rays, how much more the first has, rays cast)."""
+        """(sum of the weights of both replicates' rays, how much more the first has, rays cast, free, a weight)."""
         # Scalars: a vector of doubles goes through memory, and costs half as much as a ray. Hits are whole numbers.
         hits = wp.int32(0)
         more_hits = wp.int32(0)
@@ -130,6 +153,8 @@ def estimate_kernel(
         more_y = _ZERO
         more_z = _ZERO
         cast = wp.int32(0)
+        free = 2 * job.each
+        w = wp.vec3(1.0, 0.0, 0.0)
         for first in range(0, 2 * job.each, CHUNK):
             length = wp.min(CHUNK, 2 * job.each - first)
             padded = (length + LANES - 1) / LANES * LANES
@@ -152,6 +177,7 @@ def estimate_kernel(
                         distance = distance_of(accelerator, spot, near, column, reach)
                     if distance < wp.INF:
                         share = 0.0
+                        free -= 1
                         if wp.static(not any_hit):
                             t = (distance + (spot.reach - reach)) / spot.reach
                             share = 1.0 - wp.pow(1.0 - t, job.falloff)
@@ -171,13 +197,39 @@ def estimate_kernel(
         if wp.static(counts):
             x = wp.float64(hits)
             more_x = wp.float64(more_hits)
-        return wp.vec3d(x, y, z), wp.vec3d(more_x, more_y, more_z), cast
+            free = hits  # and weighs 1
+        return wp.vec3d(x, y, z), wp.vec3d(more_x, more_y, more_z), cast, free, w
+
+    @wp.func
+    def widths_of(
+        variance: wp.vec3d,
+        expected: wp.vec3d,
+        unseen: wp.vec3d,
+        rest: wp.vec3d,
+        fourth: wp.vec3d,
+        mixed: wp.int32,
+        cells: wp.int32,
+    ):
+        """`posterior` of each channel; `unseen` is summed over the cells."""
+        width = _NOTHING
+        degrees = _NOTHING
+        for c in range(channels):
+            of_ray = unseen[c] / wp.float64(cells)
+            square, freedom = posterior(variance[c], expected[c], of_ray, rest[c], fourth[c], mixed, cells, worth)
+            width[c] = square
+            degrees[c] = freedom
+        return width, degrees
 
     @wp.func
     def sum_lobe(job: EstimateJob, accelerator: Accelerator, spot: Spot):
-        """(sum of the weights of all rays, square of its standard error, rays cast, rays in empty cells)."""
+        """(sum of the weights of all rays, squares of its standard error and spread, degrees, rays cast, in empty cells)."""
         total = _NOTHING
         variance = _NOTHING
+        mixed = wp.int32(0)
+        expected = _NOTHING
+        unseen = _NOTHING
+        rest = _NOTHING
+        fourth = _NOTHING
         cast = wp.int32(0)
         empty = wp.int32(0)
         starts = wp.int32(-1)
@@ -208,13 +260,25 @@ def estimate_kernel(
                         empty += 2 * job.each
                     if wp.static(constant) and found == 0:
                         total[0] += wp.float64(2 * job.each)
+                        unseen[0] += open_jump
                     else:
                         cell = sector * job.bands + step - 1
-                        add, difference, rays = sum_cell(job, accelerator, spot, cell, found, cell_near)
+                        add, difference, rays, free, w = sum_cell(job, accelerator, spot, cell, found, cell_near)
+                        squares = wp.cw_mul(difference, difference)
                         total += add
-                        variance += wp.cw_mul(difference, difference)
+                        variance += squares
                         cast += rays
-        return total, variance, cast, empty
+                        edge = edge_variance(free, 2 * job.each, job.edge)
+                        jump = jump_at(w, add, free, 2 * job.each)
+                        expected += edge * jump
+                        unseen += jump
+                        if edge > _ZERO:
+                            mixed += 1
+                        else:
+                            rest += squares
+                            fourth += wp.cw_mul(squares, squares)
+        width, degrees = widths_of(variance, expected, unseen, rest, fourth, mixed, job.bands * job.sectors)
+        return total, variance, width, degrees, cast, empty
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def estimate(job: EstimateJob, accelerator: Accelerator, first_task: wp.int64):
@@ -250,18 +314,24 @@ def estimate_kernel(
             status = _NONFINITE_POSITION
         total = _NOTHING
         variance = _NOTHING
+        width = _NOTHING
+        degrees = _NOTHING
         cast = wp.int32(0)
         empty = wp.int32(0)
         if status == 0:
             start(spot.chunk, spot.o, spot.reach)
-            total, variance, cast, empty = sum_lobe(job, accelerator, spot)
+            total, variance, width, degrees, cast, empty = sum_lobe(job, accelerator, spot)
         rays = wp.float64(2 * job.each * job.bands * job.sectors)
         at = wp.uint64(point) * wp.uint64(4 * channels)
         value = wp.array(ptr=job.value + at, shape=(channels,), dtype=wp.float32)
         error = wp.array(ptr=job.error + at, shape=(channels,), dtype=wp.float32)
+        spreads = wp.array(ptr=job.spread + at, shape=(channels,), dtype=wp.float32)
+        freedom = wp.array(ptr=job.degrees + at, shape=(channels,), dtype=wp.float32)
         for c in range(channels):
             value[c] = wp.float32(total[c] / rays)
             error[c] = wp.float32(wp.sqrt(variance[c]) / rays)
+            spreads[c] = wp.float32(wp.sqrt(width[c]) / rays)
+            freedom[c] = wp.float32(degrees[c])
         at = wp.uint64(point) * wp.uint64(4)
         counts = wp.array(ptr=job.cast + at, shape=(1,), dtype=wp.int32)
         counts[0] = cast

@@ -1,24 +1,23 @@
-"""What all estimates share: the checked call, its run on a device, and what comes of it."""
+"""What all estimates share: the checked call, and its run."""
 
 from dataclasses import dataclass, field, fields, replace
-from enum import IntEnum
 from math import inf
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any
 
 import numpy as np
 import warp as wp
 
 from warpsample import sequences
-from warpsample.arguments import check_choice, check_first_point, check_flag, check_integer, check_number, check_seed
+from warpsample.arguments import check_first_point, check_flag, check_integer, check_number, check_seed
 from warpsample.arrays import as_mask, cpu
-from warpsample.directions import Status
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.engine import check_memory, check_workers, run
 from warpsample.estimate.cells import Cells, cells_of
-from warpsample.estimate.job import NONFINITE_POSITION, Job
+from warpsample.estimate.job import Job
 from warpsample.estimate.kernel import estimate_kernel
+from warpsample.estimate.result import Estimate, Skipped
 from warpsample.estimate.weights import WeightsJob
-from warpsample.mesh import Mesh, as_mesh, mesh_of
+from warpsample.mesh import Mesh, as_mesh
 from warpsample.sequences.record import Sequence
 from warpsample.surface import SurfacePoints
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
@@ -37,102 +36,13 @@ from warpsample.tracing.trace import (
 )
 from warpsample.tracing.wide import wide_query
 
-if TYPE_CHECKING:
-    from pyvista import PolyData
-
 _MOST_RAYS = 2**24  # of a point: hits are counted in float64 and rays in int32, and one point is one task
-_BYTES_PER_POINT = 80
+_BYTES_PER_POINT = 132
 _MOST_REACH = 2.0**60  # of the scene's size: what is in it is at no distance at all from there on
 _TRIAL = 1 << 63  # of the seed
 _TRIAL_RAYS = 64
 _FEWEST_RAYS = 32
 _UNSEEN = 0.6  # rays' worth of error that a trial may not have seen: with less, points that look easy spoil the RMSE
-
-
-class PointStatus(IntEnum):
-    """Why a point has a number or not."""
-
-    OK = Status.OK
-    INACTIVE = Status.INACTIVE
-    ZERO_NORMAL = Status.ZERO_NORMAL
-    NONFINITE_NORMAL = Status.NONFINITE_NORMAL
-    NONFINITE_POSITION = NONFINITE_POSITION
-
-
-@dataclass(frozen=True)
-class Skipped:
-    """What was not done, and did not have to be.
-
-    Attributes:
-        points: without a number: inactive, without a normal, nowhere.
-        open_points: that no ray was cast from, since nothing is where it would go.
-        empty_rays: in parts of the lobe that meet nothing, of `open_points` or others; their answer is known.
-        weightless_rays: below the sky's horizon, or where the radiance is 0.
-        unneeded_rays: that `tolerance` saved, less those of the trial that told so.
-    """
-
-    points: int = 0
-    open_points: int = 0
-    empty_rays: int = 0
-    weightless_rays: int = 0
-    unneeded_rays: int = 0
-
-
-@dataclass(frozen=True, eq=False)
-class Estimate:
-    """A number for each of P points.
-
-    Attributes:
-        value: (P,) float32, or (P, 3); 0 where the status is not 0.
-        standard_error: of the same shape and unit. Each cell of the lobe has two independent randomisations of its rays; the
-            squares of their differences add up to an unbiased estimate of the variance, whatever the sequence. Below 32 rays
-            there is one cell, so one difference, then 4 cells, 8 from 256 rays on, 32 from 448. 0 where all rays agree.
-        rays: (P,) int32, rays cast.
-        status: (P,) uint8, a `PointStatus`.
-        skipped: what was not done.
-    """
-
-    value: np.ndarray
-    standard_error: np.ndarray
-    rays: np.ndarray
-    status: np.ndarray
-    skipped: Skipped
-
-    def counts(self) -> dict[PointStatus, int]:
-        """How many points have each status; those that occur."""
-        return {PointStatus(code): int(n) for code, n in enumerate(np.bincount(self.status)) if n}
-
-    def to_polydata(self, on: Any, at: Literal["vertices", "faces"] | None = None) -> "PolyData":
-        """The numbers on what they are of, as PyVista's PolyData.
-
-        Args:
-            on: the SurfacePoints of the estimate; or the mesh (a Mesh or whatever `as_mesh` takes), if they were its
-                vertices or the centres of its faces.
-            at: which of the two; by default the one of which there are as many as numbers.
-
-        Returns:
-            a copy with an array for each field: "value", "standard_error", "rays", "status" and what else there is.
-
-        Raises:
-            ModuleNotFoundError: PyVista is missing.
-            TypeError: neither points nor a mesh.
-            ValueError: another number of points, or as many vertices as faces and no `at`.
-        """
-        if at is not None:
-            check_choice(at, "at", ("vertices", "faces"))
-        if isinstance(on, SurfacePoints):
-            made, sizes = on.to_polydata(), {"points": len(on)}
-        else:
-            mesh = mesh_of(on, "on", "SurfacePoints, a warpsample.Mesh")
-            made, sizes = mesh.to_polydata(), {"vertices": len(mesh.vertices), "faces": len(mesh.faces)}
-        fit = [name for name, size in sizes.items() if size == len(self.status) and at in (None, name)]
-        if len(fit) != 1:
-            raise ValueError(f"on: got {sizes} for {len(self.status)} numbers, want as many of one kind; at={at!r}")
-        data = made.cell_data if fit == ["faces"] else made.point_data
-        for item in fields(self):
-            if item.name != "skipped":
-                data[item.name] = getattr(self, item.name)
-        return made
 
 
 @dataclass(frozen=True)
@@ -263,12 +173,12 @@ class _Runner:
         """The estimate by counts[i] rays from the i-th point."""
         points, channels = len(counts), self.quantity.channels
         shape = (points,) if channels == 1 else (points, channels)
-        value, error = np.zeros(shape, np.float32), np.zeros(shape, np.float32)
+        value, error, spread, degrees = (np.zeros(shape, np.float32) for _ in range(4))
         cast, empty, status = (np.zeros(points, kind) for kind in (np.int32, np.int32, np.uint8))
         for count in np.unique(counts):
             job = self._job(cells_of(int(count)), seed)
-            outputs = (value, error, cast, empty, status)
-            job.value, job.error, job.cast, job.empty, job.status = (array.ctypes.data for array in outputs)
+            job.value, job.error, job.spread, job.degrees = (array.ctypes.data for array in (value, error, spread, degrees))
+            job.cast, job.empty, job.status = (array.ctypes.data for array in (cast, empty, status))
             self._run(job, counts == count)
         total = np.where(status == 0, rays_of(counts), 0) if points else counts
         skipped = Skipped(
@@ -278,7 +188,7 @@ class _Runner:
             weightless_rays=int((total - cast - empty).sum()),
         )
         unit = np.float32(self.quantity.unit)
-        return Estimate(unit * value, unit * error, cast, status, skipped)
+        return Estimate(unit * value, unit * error, unit * spread, degrees, cast, status, skipped)
 
     def _starts(self) -> np.ndarray:
         """(P, 1, 3), where the rays of the points start."""
@@ -307,6 +217,7 @@ class _Runner:
             beams=cells.beams.ctypes.data if cells.beams.size and plan.skip else 0,
             skip=plan.skip,
             falloff=quantity.falloff or 0.0,
+            edge=plan.sequence.edge_variance(cells.each),
             weights=quantity.weights,
         )
 

@@ -8,7 +8,8 @@ import numpy as np
 
 from warpsample.arguments import check_number
 from warpsample.arrays import as_unit
-from warpsample.estimate.plan import Estimate, Plan, Quantity
+from warpsample.estimate.plan import Plan, Quantity
+from warpsample.estimate.result import Estimate
 from warpsample.estimate.weights import WeightsJob, above, everywhere, itself
 from warpsample.surface import SurfacePoints
 

@@ -39,5 +39,6 @@ RECORD = Sequence(
     summary="independent points from pcg4d, the fastest",
     pair=independent_pair,
     rate=0.5,
+    edge=1.0,
     source="Jarzynski and Olano 2020, listing 13",
 )

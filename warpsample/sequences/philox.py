@@ -62,5 +62,6 @@ RECORD = Sequence(
     summary="independent points from Philox4x32-10, the strictest generator",
     pair=philox_pair,
     rate=0.5,
+    edge=1.0,
     source="Salmon et al. 2011, section 4.4",
 )

@@ -22,6 +22,7 @@ RECORD = Sequence(
     name="r2",
     sample=r2,
     progressive=True,
+    edge=0.45,
     summary="additive recurrence of the plastic number, cheap and progressive",
     source="Roberts 2018, The Unreasonable Effectiveness of Quasirandom Sequences",
 )

@@ -18,6 +18,8 @@ class Sequence:
         pair: where one evaluation makes two points: `wp.func` (seed, point, half: uint32, count) -> vec4, those of samples
             2 half and 2 half + 1.
         rate: the RMSE of n samples of a step, such as visibility is, falls about as n to the power of -rate.
+        edge: where an edge passes through a square, two sets of n samples differ in how many are on one side of it: with a
+            variance of about half of n to the power of `edge`, from 4 samples to 64. 1: as independent samples do.
         progressive: the first m of n points are those of any other n; else count must be known.
         summary: one line for tables.
         source: where it comes from.
@@ -30,3 +32,8 @@ class Sequence:
     source: str
     pair: wp.Function | None = None
     rate: float = 0.75
+    edge: float = 0.25
+
+    def edge_variance(self, count: int) -> float:
+        """That of the difference between two sets of `count` samples, in samples squared."""
+        return 0.5 * count**self.edge

@@ -36,6 +36,7 @@ RECORD = Sequence(
     name="stratified",
     sample=stratified,
     progressive=False,
+    edge=0.36,
     summary="one jittered point in each cell of an equal-area grid",
     source="Pharr, Jakob, Humphreys 2023, section 8.5, with rows of two lengths for any count",
 )

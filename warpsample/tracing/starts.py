@@ -35,6 +35,7 @@ _THIRD = wp.constant(wp.float64(1.0 / 3.0))
 _HALF = wp.constant(wp.float64(0.5))
 _ZERO = wp.constant(wp.float64(0.0))
 _ONE = wp.constant(wp.float64(1.0))
+_SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # cosine of two normals that are one, rounded to float32
 _TWO = wp.constant(wp.float64(2.0))
 _THIN = wp.constant(wp.int32(-2))  # the face of a point that lies on none but those without a normal
 _NOWHERE = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
@@ -49,6 +50,7 @@ class StartJob:
     face: (P,) int32, -1 where it is not known.
     vertices, triangles: (V, 3) float32 and (F, 3) int32 of the scene.
     starts: (P, sides, 3) float32, where they start; in the scene's coordinates.
+    sides: 1 or 2.
     """
 
     rays: RayJob
@@ -60,6 +62,7 @@ class StartJob:
     spread_y: wp.float32
     spread_z: wp.float32
     starts: wp.uint64
+    sides: wp.int32
 
 
 _Job = type(StartJob().__ctype__())
@@ -69,7 +72,7 @@ _Job = type(StartJob().__ctype__())
 class Facet:
     """A face: its corners, unit normal (0 if it is too thin to have one) and twice its area.
 
-    lift: how far points of it are moved off it. slack: how far beside it they may be, since corners are rounded along it, too.
+    lift: how far points of it are moved off it. slack: how far beside it they may be, since its corners are rounded.
     """
 
     a: wp.vec3d
@@ -108,6 +111,11 @@ class Seat:
 
 
 @wp.func
+def _vector(address: wp.uint64, i: wp.int64) -> wp.vec3:
+    return wp.array(ptr=address + wp.uint64(i) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+
+
+@wp.func
 def _double(v: wp.vec3) -> wp.vec3d:
     return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
 
@@ -130,9 +138,9 @@ def _with_normal(job: StartJob, facet: Facet, n: wp.vec3d) -> Facet:
 def _facet(job: StartJob, face: wp.int32) -> Facet:
     corners = wp.array(ptr=job.triangles + wp.uint64(face) * wp.uint64(12), shape=(1,), dtype=wp.vec3i)[0]
     facet = Facet()
-    facet.a = _double(wp.array(ptr=job.vertices + wp.uint64(corners[0]) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0])
-    facet.b = _double(wp.array(ptr=job.vertices + wp.uint64(corners[1]) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0])
-    facet.c = _double(wp.array(ptr=job.vertices + wp.uint64(corners[2]) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0])
+    facet.a = _double(_vector(job.vertices, wp.int64(corners[0])))
+    facet.b = _double(_vector(job.vertices, wp.int64(corners[1])))
+    facet.c = _double(_vector(job.vertices, wp.int64(corners[2])))
     n = wp.cross(facet.b - facet.a, facet.c - facet.a)
     facet.area = wp.length(n)
     longest = wp.max(wp.max(wp.length(facet.b - facet.a), wp.length(facet.c - facet.b)), wp.length(facet.a - facet.c))
@@ -287,8 +295,23 @@ def _look_around(
 
 
 @wp.func
-def _start(job: StartJob, tree: Accelerator, seat: Seat, look: wp.vec3d, scratch: wp.uint64) -> wp.vec3:
-    """Where the rays of a point that sits on a face start, to the side to which it looks."""
+def _own(seat: Seat) -> wp.int32:
+    """The face that a point is of, found by its normal: that of the face, or the sum of several by area, or the opposite.
+
+    The sum at the tip of a spike is against some of the faces that it is of. Below 0 if there is none.
+    """
+    along = seat.best_along > _SAME
+    against = seat.best_against > _SAME
+    forward = seat.ahead >= _ZERO
+    if along != against:
+        forward = along
+    found = wp.where(forward, seat.along, seat.against)
+    return wp.where(found >= 0, found, seat.own)
+
+
+@wp.func
+def _sitting(seat: Seat, look: wp.vec3d) -> Seat:
+    """The seat a lift above its face, to the side to which the point looks."""
     own = seat.facet
     seat.side = wp.copysign(_ONE, wp.dot(own.n, look))
     seat.inside = _within(own, seat.p) > own.slack
@@ -296,8 +319,18 @@ def _start(job: StartJob, tree: Accelerator, seat: Seat, look: wp.vec3d, scratch
     seat.aside = _NOWHERE
     height = seat.side * wp.dot(own.n, seat.p - own.a)
     seat.o = seat.p + (seat.side * wp.clamp(own.lift - height, _ZERO, _TWO * own.lift)) * own.n
-    seat = _look_around(job, tree, seat, look, False, scratch)
-    middle = (own.a + own.b + own.c) * _THIRD
+    return seat
+
+
+@wp.func
+def _start(job: StartJob, seat: Seat, look: wp.vec3d) -> wp.vec3:
+    """Where the rays of a seat start: where it is, if it is on no face."""
+    if seat.own == _THIN:
+        towards = wp.vec3(look)
+        return wp.vec3(seat.p) + lift(job.rays, towards) * towards
+    if wp.dot(seat.facet.n, seat.facet.n) == _ZERO:
+        return wp.vec3(seat.p)
+    middle = (seat.facet.a + seat.facet.b + seat.facet.c) * _THIRD
     return wp.vec3(seat.o + wp.min(seat.inwards, _HALF) * (middle - seat.p) + seat.aside)
 
 
@@ -319,49 +352,45 @@ def starts_of(
     job = _Job(rays=rays, towards=0 if towards is None else towards.ctypes.data, face=face.ctypes.data)
     job.vertices, job.triangles = scene.vertices.ctypes.data, scene.faces.ctypes.data
     job.spread_x, job.spread_y, job.spread_z = scene.spread
-    job.starts = starts.ctypes.data
-    run(_start_kernel(sides), rays.points, [job, tree], cpu(), workers, 16 * rays.points)
+    job.starts, job.sides = starts.ctypes.data, sides
+    run(_start_kernel(), rays.points, [job, tree], cpu(), workers, 16 * rays.points)
     return starts
 
 
 @once
-def _start_kernel(sides: int) -> wp.Kernel:
+def _start_kernel() -> wp.Kernel:
     """A kernel with a task for each point."""
-    stride = wp.uint64(12 * sides)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def find_starts(job: StartJob, tree: Accelerator, first_task: wp.int64):
         words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
         i = first_task + wp.int64(wp.tid())
-        at = wp.uint64(i) * wp.uint64(12)
         seat = Seat()
         seat.p = local_origin(job.rays, i)
         seat.own = wp.array(ptr=job.face + wp.uint64(i) * wp.uint64(4), shape=(1,), dtype=wp.int32)[0]
-        normal = wp.array(ptr=job.rays.normals + at, shape=(1,), dtype=wp.vec3)[0]
-        toward = normal
-        if wp.static(sides == 1):
-            toward = normalize(wp.array(ptr=job.towards + at, shape=(1,), dtype=wp.vec3)[0])
-        look = _double(toward)
+        seat.along = -1
+        seat.against = -1
+        normal = _vector(job.rays.normals, i)
+        look = _double(normal)
+        if job.sides == 1:
+            look = _double(normalize(_vector(job.towards, i)))
         known = seat.own >= 0
-        if not known and wp.dot(look, look) > _ZERO:
-            seat.along = -1
-            seat.against = -1
-            seat = _look_around(job, tree, seat, look, True, words.ptr)
-            # A vertex' normal is the sum of its faces' by area: of a spike it may be against some that it is of.
-            found = wp.where(seat.ahead >= _ZERO, seat.along, seat.against)
-            seat.own = wp.where(found >= 0, found, seat.own)
-        if seat.own >= 0:
-            seat.facet = _facet(job, seat.own)
-            if known:  # the mesh's own normal, before its corners were rounded
-                seat.facet = _with_normal(job, seat.facet, _double(normal))
-        starts = wp.array(ptr=job.starts + wp.uint64(i) * stride, shape=(2,), dtype=wp.vec3)
-        for side in range(wp.static(sides)):
-            starts[side] = wp.vec3(seat.p)
-            if seat.own == _THIN:
-                starts[side] = (
-                    wp.vec3(seat.p) + wp.where(side == 0, lift(job.rays, toward), -lift(job.rays, toward)) * toward
-                )
-            elif wp.dot(seat.facet.n, seat.facet.n) > _ZERO:
-                starts[side] = _start(job, tree, seat, wp.where(side == 0, look, -look), words.ptr)
+        if known:
+            seat.facet = _with_normal(job, _facet(job, seat.own), _double(normal))  # from before corners were rounded
+        # First the search for its own face, if that is not known; then a start for each side.
+        for step in range(wp.where(known, 1, 0), job.sides + 1):
+            if step > 0 and seat.own >= 0:
+                seat = _sitting(seat, look)
+            if wp.dot(look, look) > _ZERO and (step == 0 or seat.own >= 0):
+                seat = _look_around(job, tree, seat, look, step == 0, words.ptr)
+            if step == 0:
+                seat.own = _own(seat)
+                if seat.own >= 0:
+                    seat.facet = _facet(job, seat.own)
+            else:
+                at = job.starts + wp.uint64(12) * (wp.uint64(i) * wp.uint64(job.sides) + wp.uint64(step - 1))
+                start = wp.array(ptr=at, shape=(1,), dtype=wp.vec3)
+                start[0] = _start(job, seat, look)
+                look = -look
 
     return find_starts

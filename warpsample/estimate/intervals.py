@@ -1,0 +1,96 @@
+"""How sure an estimate is: what its few squared differences and what is known of edges say together, and t from it.
+
+A cell that some rays left and some did not is *mixed*: an edge passes through it. How many rays of a low-discrepancy set are
+on one side of an edge varies by about one, whatever the edge (`Sequence.edge`). So the difference between a cell's two
+replicates is not the only witness of its error. What edges let expect counts as if it were some differences more, which is
+the conjugate prior of a normal's variance, and the posterior is a t distribution; where the differences exceed what edges
+make, as among leaves, it counts for less. Cells without an edge speak for themselves. An event that no ray has met is
+worth half a ray.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+import warp as wp
+
+_UNSEEN = wp.constant(wp.float64(0.25))  # variance of what no ray has met: half a ray, squared
+_WORTH_OF_COUNTS = 16.0  # differences: the variance varies by a third of itself from edge to edge, at 4 to 8 samples
+_WORTH_OF_WEIGHTS = 4.0  # by how much an edge changes a weight is not known, but read off the rays
+_ZERO = wp.constant(wp.float64(0.0))
+_ONE = wp.constant(wp.float64(1.0))
+_TWO = wp.constant(wp.float64(2.0))
+_THREE = wp.constant(wp.float64(3.0))
+
+
+class Interval(NamedTuple):
+    """Where a number lies.
+
+    Attributes:
+        lower: (P,) float32, or (P, 3).
+        upper: of the same shape.
+    """
+
+    lower: np.ndarray
+    upper: np.ndarray
+
+
+def interval_of(value: np.ndarray, spread: np.ndarray, degrees: np.ndarray, level: float) -> Interval:
+    """The interval about a value with that much of a t distribution, of a scale and degrees of freedom."""
+    from scipy.special import stdtrit  # noqa: PLC0415  (slow to import)
+
+    half = spread * stdtrit(np.maximum(degrees, 1.0).astype(np.float64), 0.5 + 0.5 * level)
+    return Interval((value - half).astype(np.float32), (value + half).astype(np.float32))
+
+
+def worth_of_prior(counts: bool) -> float:
+    """How many differences the expectation is worth: of a sum of rays that count 1 or 0, or of other weights."""
+    return _WORTH_OF_COUNTS if counts else _WORTH_OF_WEIGHTS
+
+
+@wp.func
+def edge_variance(free: wp.int32, rays: wp.int32, limit: wp.float32) -> wp.float64:
+    """The variance to expect of the difference between a cell's replicates, in rays squared; 0 where all rays agree.
+
+    That of independent rays, of which `free` went one way, or a limit if that is less.
+    """
+    share = wp.float64(free) * wp.float64(rays - free) / wp.float64(rays - 1)
+    return wp.min(share, wp.float64(limit))
+
+
+@wp.func
+def posterior(
+    variance: wp.float64,
+    expected: wp.float64,
+    unseen: wp.float64,
+    rest: wp.float64,
+    fourth: wp.float64,
+    mixed: wp.int32,
+    cells: wp.int32,
+    worth: wp.float64,
+):
+    """(square of the scale, degrees of freedom) of the t distribution of a sum of rays.
+
+    Args:
+        variance: the sum of the cells' squared differences.
+        expected: of the mixed cells, what `edge_variance` expects of that.
+        unseen: what a ray more would add, squared.
+        rest: the part of `variance` that is of other cells.
+        fourth: the sum of the squares of what adds up to `rest`.
+        mixed: cells.
+        cells: all.
+        worth: differences that the expectation is worth; less by the square of how far they exceed it.
+    """
+    edges = expected + _UNSEEN * unseen
+    seen = wp.where(mixed > 0, variance - rest, _ZERO)
+    if seen > edges:
+        worth *= (edges / seen) * (edges / seen)
+    degrees = worth + wp.float64(mixed)
+    shrunk = (worth * edges + wp.float64(mixed) * wp.max(seen, _ZERO)) / degrees  # rounding leaves seen below 0
+    square = shrunk + rest
+    if rest > _ZERO:
+        # Welch and Satterthwaite; of normal differences, E[d^4] = 3 E[d^2]^2.
+        own = wp.clamp(_THREE * (rest / fourth) * rest - _TWO, _ONE, wp.float64(cells))
+        first = shrunk / square
+        second = rest / square
+        degrees = _ONE / (first * first / degrees + second * second / own)
+    return square, degrees
