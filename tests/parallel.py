@@ -111,6 +111,28 @@ def fork_while_making():
     return True
 
 
+def faces_changed():
+    """The caller's own faces of points, changed between their check and their use, as by another thread."""
+    from warpsample.estimate import plan
+    from warpsample.tracing import trace
+
+    mesh = torus()
+    points = ws.sample_surface(mesh, 1000)
+    right = ws.ambient_occlusion(mesh, points, 40).value, ws.trace(mesh, points, points.normal).distance
+    good = points.face.copy()
+    for module in (plan, trace):
+        starts_of = module.starts_of
+
+        def changed_first(*arguments, starts_of=starts_of):
+            points.face[:] = 2**30
+            return starts_of(*arguments)
+
+        module.starts_of = changed_first
+    occlusion = ws.ambient_occlusion(mesh, points, 40).value
+    points.face[:] = good
+    return same((occlusion, ws.trace(mesh, points, points.normal).distance), right)
+
+
 def stress(seconds=60.0, threads=16):
     """Mixed calls from many threads, on meshes that they share and meshes of their own; every answer as by one thread."""
     shared = [torus(seed) for seed in range(4)]

@@ -57,6 +57,35 @@ def test_an_interrupt_stops_the_threads_before_the_call_returns(monkeypatch):
     assert engine._threads(2).submit(out.sum).result() == done
 
 
+def test_however_often_it_is_interrupted_a_call_outlasts_its_threads(monkeypatch):
+    """They write to arrays that are gone after it."""
+    run_chunks, patient, begun, waits = engine._run_chunks, engine.wait, threading.Event(), []
+    ended = []
+
+    def slow_elsewhere(*arguments):
+        if threading.current_thread() is threading.main_thread():
+            begun.wait(10.0)
+            return
+        begun.set()
+        patient([engine._threads(2).submit(threading.Event().wait, 0.2)])  # some work
+        run_chunks(*arguments)
+        ended.append(True)
+
+    def impatient(futures):
+        waits.append(futures)
+        if len(waits) <= 3:
+            raise KeyboardInterrupt
+        return patient(futures)
+
+    monkeypatch.setattr(engine, "_run_chunks", slow_elsewhere)
+    monkeypatch.setattr(engine, "wait", impatient)
+    out = np.zeros(1000, np.int32)
+    with pytest.raises(KeyboardInterrupt):
+        engine.run(_count, len(out), [wp.array(out, device=CPU, copy=False)], CPU, 2, 10**9)
+    assert ended == [True]
+    assert len(waits) == 4
+
+
 def test_fewer_threads_than_asked_for_do_the_work(monkeypatch):
     """As where the system gives no more, or Python is ending."""
 

@@ -149,6 +149,39 @@ def test_meshes_too_small_for_distances_are_refused_where_distances_are_asked_fo
         ws.trace(tiny, [0.0, 0.0, 0.0], [[1.0, 0.0, 0.0]])
 
 
+def test_meshes_too_small_for_areas_are_refused():
+    with pytest.raises(ValueError, match="mesh: got one of size 1e-161, want at least 1e-140"):
+        ws.sample_surface(ws.Mesh(np.eye(3) * 1e-161, [[0, 1, 2]]), 10)
+
+
+@pytest.mark.parametrize("length", [1e-300, 1e-50, 1e50, 1e300])
+def test_normals_of_any_length_are_normals(length):
+    """In float64, where they have one; as in float32."""
+    up = np.random.default_rng(6).normal(size=(50, 3))
+    scaled = up * 2.0 ** np.round(np.log2(length))
+    assert np.array_equal(ws.sample_directions(scaled, 3).vectors, ws.sample_directions(up, 3).vectors)
+    mesh = ws.as_mesh(creation.icosphere(1))
+    found, right = (ws.ambient_occlusion(mesh, ws.SurfacePoints(2.0 * up, n), 64) for n in (scaled, up))
+    assert same(found, right)
+    assert found.counts() == {ws.PointStatus.OK: 50}
+
+
+def test_a_light_too_bright_to_be_summed_is_refused():
+    mesh = ws.as_mesh(creation.box())
+    with pytest.raises(ValueError, match=r"radiance: got numbers that are .* above 1e\+37"):
+        ws.irradiance(mesh, ws.face_centers(mesh), np.full((2, 4), 3e38))
+
+
+def test_a_mask_that_lies_where_results_go_is_read_before():
+    normals = np.random.default_rng(7).normal(size=(200, 3)).astype(np.float32)
+    right = ws.sample_directions(normals, 16).vectors
+    out = np.ones_like(right)
+    active = out.reshape(-1).view(np.uint8)[:200].view(np.bool_)
+    active[:] = True
+    found = ws.sample_directions(normals, 16, active=active, out=out)
+    assert np.array_equal(found.vectors, right)
+
+
 def test_areas_of_tiny_faces_keep_their_digits():
     rng = np.random.default_rng(4)
     vertices, faces = rng.normal(size=(30, 3)), rng.permutation(30).reshape(-1, 3)

@@ -60,6 +60,62 @@ def test_no_point_of_a_closed_room_sees_out_of_it(name, turn):
                 assert (hits.face[found.status == 0] >= 0).all()
 
 
+def test_next_to_an_acute_edge_no_point_sees_out():
+    """An attic of 10 x 14: points of floor and roof from 10^-12 to 10^-2 off the eave."""
+    distance = 10.0 ** np.arange(-12.0, -2.0, 0.1)
+    for angle in np.radians([45.0, 20.0, 5.0, 1.0]):
+        profile = np.array([[0.0, 0.0], [10.0, 0.0], [5.0, 5.0 * np.tan(angle)]])
+        vertices = np.array([[x, y, z] for y in (0.0, 14.0) for x, z in profile])
+        triangles = [(0, 1, 2), (5, 4, 3), (0, 3, 4), (0, 4, 1), (1, 4, 5), (1, 5, 2), (2, 5, 3), (2, 3, 0)]
+        room = ws.as_mesh((vertices, np.array(triangles)[:, ::-1]))
+        room = room if room.face_normals[3, 2] > 0.9 else ws.as_mesh((vertices, triangles))
+        along = np.full(len(distance), 5.0)
+        floor = np.stack([10.0 - distance, along, 0.0 * distance], axis=1)
+        roof = np.stack([10.0 - distance * np.cos(angle), along, distance * np.sin(angle)], axis=1)
+        for position, face in ((floor, 3), (roof, 4)):
+            normal = np.repeat(room.face_normals[[face]], len(distance), axis=0)
+            for known in (None, np.full(len(distance), face)):
+                points = ws.SurfacePoints(position, normal, known)
+                assert ws.ambient_occlusion(room, points, 128).value.max() == 0.0
+                assert (ws.trace(room, points, ws.sample_directions(points, 16).vectors).face >= 0).all()
+
+
+SPIKE = np.array(  # of 3.5 degrees: at its first vertex the sum of the normals is against one of them
+    [
+        (-0.054020, -0.116001, 0.038622),
+        (-0.003089, 0.104871, -0.108134),
+        (0.029919, -0.049113, -0.017599),
+        (-0.057033, -0.011214, -0.032946),
+    ]
+)
+SOLIDS = {
+    "box": creation.box(),
+    "thin plate": creation.box((100.0, 83.1, 0.3)),
+    "spike": trimesh.Trimesh(SPIKE, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]),
+    "ball": creation.icosphere(2),
+    "blade": trimesh.Trimesh(creation.icosphere(1).vertices * [1.25, 1.23, 0.01], creation.icosphere(1).faces),
+}
+
+
+@pytest.mark.parametrize("turn", [0, 3])
+@pytest.mark.parametrize("name", SOLIDS)
+def test_a_convex_solid_sees_only_sky_from_outside_and_none_from_inside(name, turn):
+    vertices, faces = SOLIDS[name].vertices @ turned(turn).T, SOLIDS[name].faces
+    split = vertices[faces].reshape(-1, 3), np.arange(faces.size).reshape(-1, 3)
+    for inside, (corners, triangles) in ((False, (vertices, faces)), (False, split), (True, (vertices, faces[:, ::-1]))):
+        mesh = ws.as_mesh((corners, triangles))
+        position, normal, face = on_all_edges(mesh)
+        for points in (ws.vertex_points(mesh), ws.SurfacePoints(position, normal, face), ws.SurfacePoints(position, normal)):
+            value = ws.ambient_occlusion(mesh, points, 128).value
+            assert (value == (0.0 if inside else 1.0)).all()
+
+
+def test_a_convex_solid_casts_no_ray_from_its_vertices():
+    for name in ("box", "ball"):
+        mesh = ws.as_mesh(SOLIDS[name])
+        assert ws.ambient_occlusion(mesh, ws.vertex_points(mesh), 64).rays.sum() == 0
+
+
 # A floor and a wall on it
 
 

@@ -23,7 +23,7 @@ def alone(child_environment):
     return run
 
 
-@pytest.mark.parametrize("task", ["first_use", "new_meshes", "refits"])
+@pytest.mark.parametrize("task", ["first_use", "new_meshes", "refits", "faces_changed"])
 def test_threads_answer_as_one(alone, task):
     alone(task)
 

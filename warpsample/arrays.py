@@ -13,6 +13,7 @@ from warpsample.locks import making
 
 Array: TypeAlias = np.ndarray | wp.array
 
+_SHORTEST, _LONGEST = 1e-30, 1e30  # of a vector in float64 whose components keep their digits in float32
 _DIMENSIONS = {wp.vec2: 2, wp.vec3: 3}
 
 
@@ -99,7 +100,7 @@ def as_mask(value: Any, argument: str, shape: tuple[int, ...]) -> np.ndarray:
         raise TypeError(f"{argument}: got dtype {mask.dtype}, want bool")
     if mask.shape != shape:
         raise ValueError(f"{argument}: got shape {mask.shape}, want {shape}, one for each point")
-    return np.ascontiguousarray(mask).view(np.uint8)
+    return np.array(mask, order="C").view(np.uint8)  # a copy: it may lie where results are written to
 
 
 def as_unit(value: Any, argument: str, wants: str = "three finite numbers, not all 0") -> tuple[float, float, float]:
@@ -146,12 +147,25 @@ def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") 
         raise TypeError(f"{argument}: got dtype {array.dtype}, want float32 (or float64, which is rounded to float32)")
     if array.ndim == 0 or array.shape[-1] != width:
         raise ValueError(f"{argument}: got shape {array.shape}, want {shape.format(width)}")
-    if array.dtype == np.float32:
-        owner = np.ascontiguousarray(array)
-    else:
-        with np.errstate(over="ignore"):
-            owner = array.astype(np.float32, order="C")
+    owner = as_directions(array) if argument == "normals" else _rounded(array)
     return Vectors(owner, owner.shape[:-1], width, cpu())
+
+
+def _rounded(array: np.ndarray) -> np.ndarray:
+    """float32, C-contiguous; without a copy where it is that."""
+    with np.errstate(over="ignore"):
+        return np.ascontiguousarray(array, np.float32)
+
+
+def as_directions(array: np.ndarray) -> np.ndarray:
+    """(..., 3) vectors of any length as float32 ones: scaled by a power of two where their length has no float32."""
+    if array.dtype != np.float32:
+        largest = np.abs(array).max(axis=-1, initial=0.0)
+        outside = np.isfinite(largest) & (largest > 0.0) & ~((largest > _SHORTEST) & (largest < _LONGEST))
+        if outside.any():
+            array = array.copy()
+            array[outside] = np.ldexp(array[outside], -np.frexp(largest[outside])[1][:, None])
+    return _rounded(array)
 
 
 def _warp_vectors(array: wp.array, width: int, argument: str) -> Vectors:

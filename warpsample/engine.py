@@ -84,12 +84,27 @@ def _share(commands: list[wp.Launch], chunk: int, tasks: int) -> None:
                 others.append(_threads(len(commands) - 1).submit(_run_chunks, command, starts, chunk, tasks))  # noqa: PERF401
         _run_chunks(commands[0], starts, chunk, tasks)
     finally:
-        # If that was interrupted: no thread may start another chunk, or still write to arrays that the caller lets go of.
-        deque(starts, maxlen=0)
-        begun = [future for future in others if not future.cancel()]  # the rest would wait for other calls' chunks
-        wait(begun)
-    for future in begun:
-        future.result()
+        _outlast(starts, others)
+    for future in others:
+        if not future.cancelled():
+            future.result()
+
+
+def _outlast(starts: Any, others: list[Future]) -> None:
+    """Waits until no thread is at work any more, however often that is interrupted, and lets none start another chunk.
+
+    They write to arrays that the caller lets go of.
+    """
+    interrupt = None
+    while True:
+        try:
+            deque(starts, maxlen=0)
+            wait([future for future in others if not future.cancel()])  # the rest would wait for other calls' chunks
+            break
+        except KeyboardInterrupt as again:
+            interrupt = again
+    if interrupt:
+        raise interrupt
 
 
 def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:

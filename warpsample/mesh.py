@@ -21,6 +21,7 @@ SUFFIXES = (".ply", ".obj", ".stl", ".off", ".glb", ".gltf", ".usd", ".usda", ".
 LARGEST = 1e36
 """Coordinate of a vertex: distances, which are float32, stay finite."""
 
+_SMALLEST = 1e-140  # of a mesh with areas
 _SLIVER = 2.0**-48  # of abs(e1) abs(e2): below 16 roundings of the cross product the normal is noise
 
 
@@ -112,7 +113,13 @@ class Mesh:
 
     @once_property
     def cross_products(self) -> np.ndarray:
-        """(F, 3) float64: face normals times twice the area; exactly zero for degenerate faces."""
+        """(F, 3) float64: face normals times twice the area; exactly zero for degenerate faces.
+
+        Raises:
+            ValueError: the mesh is so small that areas have no float64.
+        """
+        if 0.0 < np.ptp(self.bounds, axis=0).max() < _SMALLEST:
+            raise ValueError(f"mesh: got one of size {np.ptp(self.bounds, axis=0).max():.3g}, want at least {_SMALLEST:g}")
         corner, first, second = (self.vertices[self.faces[:, k]] for k in range(3))
         first -= corner
         second -= corner

@@ -19,6 +19,8 @@ from warpsample.surface import SurfacePoints
 _NUMBERS = (float, int, wp.float16, wp.float32, wp.float64, wp.int8, wp.int16, wp.int32, wp.int64)
 _NUMBERS += (wp.uint8, wp.uint16, wp.uint32, wp.uint64)
 
+_BRIGHTEST = 1e37  # of a picture: pi times that is a float32
+
 
 def irradiance(
     mesh: Any,
@@ -33,7 +35,7 @@ def irradiance(
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
         points: P of them; as for `ambient_occlusion`.
-        radiance: an equirectangular picture, (H, W) or (H, W, 3), finite numbers of at least 0, or the path of an .hdr file:
+        radiance: an equirectangular picture, (H, W) or (H, W, 3), numbers from 0 to 1e37, or the path of an .hdr file:
             row 0 is about `up`, columns go round it, counter-clockwise seen from there, for up = (0, 0, 1) from x towards
             y; read off bilinearly. Or a wp.func (direction: wp.vec3) -> float or wp.vec3, in the mesh's coordinates. A
             small bright sun takes many rays: they are spread by the cosine alone.
@@ -101,8 +103,8 @@ def _picture(radiance: Any) -> np.ndarray:
         raise ValueError(f"radiance: got shape {picture.shape}, want (H, W) or (H, W, 3)")
     with np.errstate(over="ignore"):
         picture = picture.astype(np.float32)
-    if not (np.isfinite(picture).all() and picture.min() >= 0.0):
-        raise ValueError("radiance: got numbers that are below 0 or not finite, want finite float32 of at least 0")
+    if not (picture.min() >= 0.0 and picture.max() <= _BRIGHTEST):
+        raise ValueError(f"radiance: got numbers that are below 0, above {_BRIGHTEST:g} or not finite, want none of these")
     return picture
 
 

@@ -9,7 +9,7 @@ import warp as wp
 
 from warpsample import sequences
 from warpsample.arguments import check_first_point, check_flag, check_integer, check_number, check_seed
-from warpsample.arrays import as_mask, cpu
+from warpsample.arrays import as_directions, as_mask, cpu
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.engine import check_memory, check_workers, run
 from warpsample.estimate.cells import Cells, cells_of
@@ -30,8 +30,8 @@ from warpsample.tracing.trace import (
     RAY_WORK,
     Triples,
     check_tracer,
+    faces_and_normals,
     job_of,
-    surface_normals,
     widen_lift,
 )
 from warpsample.tracing.wide import wide_query
@@ -165,8 +165,8 @@ class _Runner:
     def __init__(self, plan: Plan, quantity: Quantity) -> None:
         self.plan, self.quantity, self.scene = plan, quantity, scene_of(plan.mesh)
         self.position = Triples.of(plan.points.position, "points.position")
-        self.normal = np.ascontiguousarray(Triples.of(plan.points.normal, "points.normal").owner, np.float32)
-        self.side = surface_normals(plan.mesh, plan.points, "points")
+        self.normal = as_directions(Triples.of(plan.points.normal, "points.normal").owner)
+        self.face, self.side = faces_and_normals(plan.mesh, plan.points, "points")
         self.starts = self._starts() if plan.tracer == "wide" and len(plan.points) else None
 
     def result(self, seed: int, counts: np.ndarray) -> Estimate:
@@ -195,8 +195,7 @@ class _Runner:
         rays = job_of(self.scene, self.position, self.position, inf, self.position.owner, self.position.owner)
         rays.normals = self.side.ctypes.data
         tree = self.scene.tree(self.plan.workers).accelerator()
-        face = np.ascontiguousarray(self.plan.points.face, np.int32)
-        return starts_of(self.scene, rays, face, self.normal, tree, self.plan.workers)
+        return starts_of(self.scene, rays, self.face, self.normal, tree, self.plan.workers)
 
     def _job(self, cells: Cells, seed: int) -> Job:
         plan, quantity = self.plan, self.quantity

@@ -124,8 +124,9 @@ def scene_of(mesh: Mesh) -> Scene:
 def refit(mesh: Any, vertices: Any, workers: int | None = None) -> Mesh:
     """The mesh with its vertices moved, ready to be traced: several times as fast as building its tree anew.
 
-    Rays get the same answers as from a new tree, and get them more slowly the further the vertices have moved: a tree keeps
-    those triangles together that were near to each other when it was built.
+    Rays get the same answers as from a new tree, but for which of several faces at one distance is named. They get them more
+    slowly the further the vertices have moved: a tree keeps those triangles together that were near to each other when it
+    was built.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes; a tree that it has is used, one that it has not is built.

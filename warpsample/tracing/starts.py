@@ -33,6 +33,7 @@ _NODE_FLOATS = NODE_BYTES // 4
 _LEAF_FLOATS = LEAF_BYTES // 4
 _THIRD = wp.constant(wp.float64(1.0 / 3.0))
 _HALF = wp.constant(wp.float64(0.5))
+_TENTH = wp.constant(wp.float64(0.1))
 _ZERO = wp.constant(wp.float64(0.0))
 _ONE = wp.constant(wp.float64(1.0))
 _SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # cosine of two normals that are one, rounded to float32
@@ -89,10 +90,10 @@ class Seat:
     """Where a point sits.
 
     p: its place. own: its face, below 0 if none is known. facet: that. side: 1 where it looks from the front, else -1.
-    o: a lift above its face. inside: whether it is off its face's edges. inwards: how far the start moves towards the middle
-    of the face, as a share. aside: off faces across it. In search of a face: of those whose normals are along the direction
-    in which the point looks, the one with the greatest cosine; of those against it, likewise; and of all, the sum of cosines
-    times areas.
+    o: a lift above its face. moved: how far from p. inside: whether p is off its face's edges. inwards: how far the start
+    moves towards the middle of the face, as a share. aside: off faces across it. In search of a face: of those whose normals
+    are along the direction in which the point looks, the one with the greatest cosine; of those against it, likewise; and of
+    all, the sum of cosines times areas.
     """
 
     p: wp.vec3d
@@ -100,6 +101,7 @@ class Seat:
     facet: Facet
     side: wp.float64
     o: wp.vec3d
+    moved: wp.float64
     inside: wp.bool
     inwards: wp.float64
     aside: wp.vec3d
@@ -166,9 +168,10 @@ def _within(facet: Facet, p: wp.vec3d) -> wp.float64:
 
 
 @wp.func
-def _touches(facet: Facet, p: wp.vec3d) -> wp.bool:
-    """Whether a point is as near to a facet as two lifts."""
-    return wp.abs(wp.dot(facet.n, p - facet.a)) <= _TWO * facet.lift and _within(facet, p) >= -facet.slack
+def _touches(facet: Facet, p: wp.vec3d, moved: wp.float64) -> wp.bool:
+    """Whether a point is as near to a facet as two lifts, or may be brought as near by a move."""
+    near = wp.abs(wp.dot(facet.n, p - facet.a)) <= _TWO * facet.lift + moved
+    return near and _within(facet, p) >= -facet.slack - moved
 
 
 @wp.func
@@ -205,7 +208,7 @@ def _look_at(job: StartJob, seat: Seat, face: wp.int32, look: wp.vec3d, searchin
     if wp.dot(facet.n, facet.n) == _ZERO:
         if seat.own == -1:
             seat.own = _THIN
-    elif face != seat.own and _touches(facet, seat.p):
+    elif face != seat.own and _touches(facet, seat.p, seat.moved):
         if searching:
             cosine = wp.dot(facet.n, look)
             seat.ahead += cosine * facet.area
@@ -267,7 +270,7 @@ def _look_around(
 ) -> Seat:
     """The seat after a look at all faces that touch the point."""
     p = wp.vec3(seat.p)
-    r = _TWICE * (job.rays.extent_x + job.rays.extent_y + job.rays.extent_z) + 2.0 * job.rays.coarseness
+    r = 2.0 * _TWICE * (job.rays.extent_x + job.rays.extent_y + job.rays.extent_z) + 4.0 * job.rays.coarseness
     node = tree.nodes
     mask = _around(node, p, r)
     top = scratch
@@ -310,7 +313,7 @@ def _own(seat: Seat) -> wp.int32:
 
 
 @wp.func
-def _sitting(seat: Seat, look: wp.vec3d) -> Seat:
+def _sitting(job: StartJob, seat: Seat, look: wp.vec3d, known: wp.bool) -> Seat:
     """The seat a lift above its face, to the side to which the point looks."""
     own = seat.facet
     seat.side = wp.copysign(_ONE, wp.dot(own.n, look))
@@ -318,7 +321,14 @@ def _sitting(seat: Seat, look: wp.vec3d) -> Seat:
     seat.inwards = _ZERO
     seat.aside = _NOWHERE
     height = seat.side * wp.dot(own.n, seat.p - own.a)
-    seat.o = seat.p + (seat.side * wp.clamp(own.lift - height, _ZERO, _TWO * own.lift)) * own.n
+    away = wp.clamp(own.lift - height, _ZERO, _TWO * own.lift)
+    way = seat.side * own.n
+    steep = wp.dot(way, look)
+    if not known and steep > _TENTH and away > _ZERO:  # a vertex: along its normal, above all faces if none is in the way
+        way = look
+        away = wp.max(away / steep, _with_normal(job, own, look).lift)
+    seat.o = seat.p + away * way
+    seat.moved = away
     return seat
 
 
@@ -380,7 +390,7 @@ def _start_kernel() -> wp.Kernel:
         # First the search for its own face, if that is not known; then a start for each side.
         for step in range(wp.where(known, 1, 0), job.sides + 1):
             if step > 0 and seat.own >= 0:
-                seat = _sitting(seat, look)
+                seat = _sitting(job, seat, look, known)
             if wp.dot(look, look) > _ZERO and (step == 0 or seat.own >= 0):
                 seat = _look_around(job, tree, seat, look, step == 0, words.ptr)
             if step == 0:

@@ -100,7 +100,7 @@ def trace(
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
     reach = min(reach, _MOST_DISTANCE)
     name = check_tracer(tracer, way.device)
-    normals = surface_normals(mesh, origins) if isinstance(origins, SurfacePoints) else None
+    own, normals = faces_and_normals(mesh, origins) if isinstance(origins, SurfacePoints) else (None, None)
     rays = prod(way.shape)
     if way.device.is_cpu:
         check_memory(8 * rays, f"the hits of {rays:,} rays", "trace them in parts")
@@ -111,7 +111,6 @@ def trace(
         if normals is not None:
             job.normals = normals.ctypes.data
             if name == "wide":
-                own = np.ascontiguousarray(origins.face, np.int32)
                 starts = starts_of(scene, job, own, None, scene.tree(workers).accelerator(), workers)
                 job.starts = starts.ctypes.data
         answer(scene, job, name, any_hit, way.device, workers)
@@ -257,17 +256,17 @@ def check_tracer(tracer: Any, device: wp.Device) -> str:
     return tracer if tracer != "auto" else ("wide" if device.is_cpu else "warp")
 
 
-def surface_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origins") -> np.ndarray:
-    """(P, 3) float32, unit or zero: the faces', and the points' own where they lie on none.
+def faces_and_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origins") -> tuple[np.ndarray, np.ndarray]:
+    """(P,) int32, a copy of the points' faces; and (P, 3) float32, unit or zero, the normals of these, else the points' own.
 
     Raises:
         ValueError: a face that the mesh has not; names the argument.
     """
-    face = np.asarray(points.face)
+    face = np.array(points.face, np.int32, order="C")
     if face.size and not (face.min() >= -1 and face.max() < len(mesh.faces)):
         raise ValueError(
             f"{argument}: got points on faces {face.min()} to {face.max()}, want -1 (none) to {len(mesh.faces) - 1}"
         )
     own = np.asarray(points.normal, np.float64)
     own = unit_or_zero(np.where(np.isfinite(own).all(axis=1, keepdims=True), own, 0.0))
-    return np.where(face[:, None] >= 0, mesh.face_normals[face], own)
+    return face, np.where(face[:, None] >= 0, mesh.face_normals[face], own)
