@@ -77,6 +77,9 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
 def _share(commands: list[wp.Launch], chunk: int, tasks: int) -> None:
     """Runs all tasks, in chunks, a thread for each command; the calling thread is one, since others take time to wake."""
     starts = iter(range(0, tasks, chunk))
+    if len(commands) == 1:
+        _run_chunks(commands[0], starts, chunk, tasks)
+        return
     others: list[Future] = []
     try:
         with suppress(RuntimeError):  # the system gives no more threads, or Python is ending: so fewer share the work

@@ -225,6 +225,9 @@ def estimate_kernel(
         """(sum of the weights of all rays, squares of its standard error and spread, degrees, rays cast, in empty cells)."""
         total = _NOTHING
         variance = _NOTHING
+        hits = wp.int32(0)
+        squared = _ZERO
+        edges = _ZERO
         mixed = wp.int32(0)
         expected = _NOTHING
         unseen = _NOTHING
@@ -259,24 +262,38 @@ def estimate_kernel(
                     if found == 0:
                         empty += 2 * job.each
                     if wp.static(constant) and found == 0:
-                        total[0] += wp.float64(2 * job.each)
-                        unseen[0] += open_jump
+                        if wp.static(counts):
+                            hits += 2 * job.each
+                        else:
+                            total[0] += wp.float64(2 * job.each)
+                            unseen[0] += open_jump
                     else:
                         cell = sector * job.bands + step - 1
                         add, difference, rays, free, w = sum_cell(job, accelerator, spot, cell, found, cell_near)
-                        squares = wp.cw_mul(difference, difference)
-                        total += add
-                        variance += squares
                         cast += rays
-                        edge = edge_variance(free, 2 * job.each, job.edge)
-                        jump = jump_at(w, add, free, 2 * job.each)
-                        expected += edge * jump
-                        unseen += jump
-                        if edge > _ZERO:
+                        edge = _ZERO
+                        if free > 0 and free < 2 * job.each:
+                            edge = edge_variance(free, 2 * job.each, job.edge)
                             mixed += 1
+                        if wp.static(counts):  # scalars again; where all rays agree their difference is 0
+                            hits += free
+                            squared += difference[0] * difference[0]
+                            edges += edge
                         else:
-                            rest += squares
-                            fourth += wp.cw_mul(squares, squares)
+                            squares = wp.cw_mul(difference, difference)
+                            total += add
+                            variance += squares
+                            jump = jump_at(w, add, free, 2 * job.each)
+                            expected += edge * jump
+                            unseen += jump
+                            if edge == _ZERO:
+                                rest += squares
+                                fourth += wp.cw_mul(squares, squares)
+        if wp.static(counts):
+            total[0] = wp.float64(hits)
+            variance[0] = squared
+            expected[0] = edges
+            unseen[0] = wp.float64(job.bands * job.sectors)
         width, degrees = widths_of(variance, expected, unseen, rest, fourth, mixed, job.bands * job.sectors)
         return total, variance, width, degrees, cast, empty
 

@@ -23,6 +23,7 @@ from warpsample.surface import SurfacePoints
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
 from warpsample.tracing.intersect import prepare_wide
 from warpsample.tracing.order import order_of
+from warpsample.tracing.rays import Job as RayJob
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.starts import starts_of
 from warpsample.tracing.trace import (
@@ -167,7 +168,7 @@ class _Runner:
         self.position = Triples.of(plan.points.position, "points.position")
         self.normal = as_directions(Triples.of(plan.points.normal, "points.normal").owner)
         self.face, self.side = faces_and_normals(plan.mesh, plan.points, "points")
-        self.starts = self._starts() if plan.tracer == "wide" and len(plan.points) else None
+        self.rays = self._rays() if len(plan.points) else None
 
     def result(self, seed: int, counts: np.ndarray) -> Estimate:
         """The estimate by counts[i] rays from the i-th point."""
@@ -190,22 +191,24 @@ class _Runner:
         unit = np.float32(self.quantity.unit)
         return Estimate(unit * value, unit * error, unit * spread, degrees, cast, status, skipped)
 
-    def _starts(self) -> np.ndarray:
-        """(P, 1, 3), where the rays of the points start."""
-        rays = job_of(self.scene, self.position, self.position, inf, self.position.owner, self.position.owner)
+    def _rays(self) -> RayJob:
+        """From where the rays of all points start; without their number."""
+        plan, quantity = self.plan, self.quantity
+        rays = job_of(self.scene, self.position, self.position, quantity.reach, self.position.owner, self.position.owner)
         rays.normals = self.side.ctypes.data
-        tree = self.scene.tree(self.plan.workers).accelerator()
-        return starts_of(self.scene, rays, self.face, self.normal, tree, self.plan.workers)
+        if quantity.falloff is not None:  # is relative to the reach, so that must be a float32
+            rays.reach = min(rays.reach, _MOST_REACH)
+        if plan.tracer == "wide":
+            tree = self.scene.tree(plan.workers).accelerator()
+            self.starts = starts_of(self.scene, rays, self.face, self.normal, tree, plan.workers)
+            rays.starts = self.starts.ctypes.data
+        return rays
 
     def _job(self, cells: Cells, seed: int) -> Job:
         plan, quantity = self.plan, self.quantity
-        rays = job_of(self.scene, self.position, self.position, quantity.reach, self.position.owner, self.position.owner)
-        rays.normals, rays.count = self.side.ctypes.data, cells.rays
-        if quantity.falloff is not None:  # is relative to the reach, so that must be a float32
-            rays.reach = min(rays.reach, _MOST_REACH)
-        rays.starts = 0 if self.starts is None else self.starts.ctypes.data
+        self.rays.count = cells.rays
         return Job(
-            rays=rays,
+            rays=self.rays,
             seed=seed,
             first_point=plan.first_point,
             normals=self.normal.ctypes.data,

@@ -17,7 +17,6 @@ _NO_HIT = wp.constant(wp.int32(0x7F800000))  # the bits of infinity: bits of flo
 _CHILD = wp.constant(wp.int32(WIDTH - 1))
 _SLOWEST = wp.constant(wp.float32(2.0**-60))
 _ASIDE = wp.constant(wp.float32(2.0**-18))
-_BEHIND = wp.constant(wp.float32(2.0**-14))
 _ZERO = wp.constant(wp.float64(0.0))
 
 
@@ -197,11 +196,14 @@ def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float3
         edge: the longest side, seen along an axis, of what is in the leaf.
         far: at most how far along the ray's longest axis its corners are.
     """
-    # With u = 2^-24, e = edge and r = far + edge: a sheared corner is rounded by 5 u r, and that of a triangle that is met
-    # is within 2 e; an edge function so by 56 u r e; their sum weighted by distances, over the longest axis, by 418 u r r e.
+    # With u = 2^-24, e = edge and r = far + edge: a sheared corner is rounded by 4 u r, and that of a triangle that is met
+    # is within 2 e. So an edge function is rounded by 48 u r e, and their sum weighted by the distances along the longest
+    # axis, over the direction's share of it, at least 3^-0.5, by 313 u r e far. What is nearer than reach exceeds reach
+    # times the sum of edge functions by no more than 750 u r e r.
     r = far + edge
     aside = _ASIDE * r * edge
-    behind = _BEHIND * r * r * edge
+    behind = 5.0 * far * aside
+    beyond = 12.0 * r * aside
     first = wp.array(ptr=leaf + ray.first, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     along = wp.array(ptr=leaf + ray.along, shape=(_LEAF_FLOATS,), dtype=wp.float32)
@@ -224,60 +226,68 @@ def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float3
         size = wp.abs(sum)  # 0 where the triangle is seen from its edge, or is none
         t = fma(u, az, fma(v, bz, w * cz)) * ray.scale_along * wp.copysign(1.0, sum)
         inside = wp.where(lesser(lesser(u, v), w) >= -aside, 1, 0) | wp.where(greater(greater(u, v), w) <= aside, 1, 0)
-        ahead = wp.where(t > -behind, 1, 0) & wp.where(t < fma(reach, size, behind), 1, 0) & wp.where(size > 0.0, 1, 0)
+        ahead = wp.where(t > -behind, 1, 0) & wp.where(t < fma(reach, size, beyond), 1, 0) & wp.where(size > 0.0, 1, 0)
         mask = mask | wp.where((inside & ahead) != 0, 1 << k, 0)
         k += 1
     return mask
 
 
 @wp.func
-def _corner(rows: wp.array[wp.float32], i: wp.int32) -> wp.vec3d:
-    return wp.vec3d(wp.float64(rows[i]), wp.float64(rows[i + WIDTH]), wp.float64(rows[i + 2 * WIDTH]))
+def _from(rows: wp.array[wp.float32], i: wp.int32, origin: wp.float32) -> wp.float64:
+    """A coordinate seen from the origin, exactly."""
+    return wp.float64(rows[i]) - wp.float64(origin)
 
 
 @wp.func
-def _sheared(v: wp.vec3d, d: wp.vec3d, axis: wp.int32) -> wp.vec2d:
-    """Where the line through v along d meets the plane across an axis, times the direction's component on that axis."""
-    first = (axis + 1) % 3
-    second = (axis + 2) % 3
-    return wp.vec2d(v[first] * d[axis] - v[axis] * d[first], v[second] * d[axis] - v[axis] * d[second])
-
-
-@wp.func
-def _turn(a: wp.vec2d, b: wp.vec2d) -> wp.float64:
-    return a[0] * b[1] - a[1] * b[0]
+def _inside(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: wp.float64, cy: wp.float64) -> wp.bool:
+    """Whether 0 is in a triangle of the plane or on its edge."""
+    u = cx * by - cy * bx
+    v = ax * cy - ay * cx
+    w = bx * ay - by * ax
+    return (u >= _ZERO and v >= _ZERO and w >= _ZERO) or (u <= _ZERO and v <= _ZERO and w <= _ZERO)
 
 
 @wp.func
 def triangle_distance(leaf: wp.uint64, k: wp.int32, ray: Ray, column: wp.uint64, reach: wp.float32) -> wp.float32:
     """From a ray's origin to a triangle of a leaf; -1 where the ray does not meet it within reach.
 
-    A function of the float32 ray and triangle alone, whichever leaf it is in: what is tested before may only spare it. In
-    float64, where the differences of corners are exact and the products to 2^-53, so the side of an edge on which a ray
-    passes is told by the ray and the edge, not by how far away the edge ends. Rounding is monotonic: the sign of a
-    difference of two rounded products is that of their difference, or 0. The two triangles at an edge compute it from the
-    same numbers, and 0 counts as inside of both: a ray at an edge meets at least one.
+    A function of the float32 ray and triangle alone, whichever leaf it is in: what is tested before may only spare it. As
+    `triangles_near`, in float64, where the differences of coordinates are exact: on which side of an edge a ray passes is
+    told by the ray and the edge, not by how far away the edge ends. Rounding is monotonic: the sign of a difference of two
+    rounded products is that of their difference, or 0. The two triangles at an edge compute it from the same numbers, and 0
+    counts as inside of both: a ray at an edge meets at least one.
     """
-    rows = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
-    lanes = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-    o = wp.vec3d(wp.float64(lanes[ORIGIN]), wp.float64(lanes[ORIGIN + CHUNK]), wp.float64(lanes[ORIGIN + 2 * CHUNK]))
-    d = wp.vec3d(
-        wp.float64(lanes[DIRECTION]), wp.float64(lanes[DIRECTION + CHUNK]), wp.float64(lanes[DIRECTION + 2 * CHUNK])
-    )
-    a = _corner(rows, k) - o
-    b = _corner(rows, _SECOND + k) - o
-    c = _corner(rows, _THIRD + k) - o
-    n = wp.cross(b - a, c - a)
-    distance = wp.float32(wp.dot(n, a) / wp.dot(n, d))  # NaN or infinite where the triangle is seen from its edge
+    first = wp.array(ptr=leaf + ray.first, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    along = wp.array(ptr=leaf + ray.along, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    lane = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    d_first = wp.float64(lane[DIRECTION + wp.int32(ray.first / _ROW) * CHUNK])
+    d_second = wp.float64(lane[DIRECTION + wp.int32(ray.second / _ROW) * CHUNK])
+    d_along = wp.float64(lane[DIRECTION + wp.int32(ray.along / _ROW) * CHUNK])
+    az = _from(along, k, ray.origin_along)
+    bz = _from(along, _SECOND + k, ray.origin_along)
+    cz = _from(along, _THIRD + k, ray.origin_along)
+    ax = _from(first, k, ray.origin_first)
+    bx = _from(first, _SECOND + k, ray.origin_first)
+    cx = _from(first, _THIRD + k, ray.origin_first)
+    ay = _from(second, k, ray.origin_second)
+    by = _from(second, _SECOND + k, ray.origin_second)
+    cy = _from(second, _THIRD + k, ray.origin_second)
+    nx = (by - ay) * (cz - az) - (bz - az) * (cy - ay)
+    ny = (bz - az) * (cx - ax) - (bx - ax) * (cz - az)
+    nz = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+    height = nx * ax + ny * ay + nz * az
+    slope = nx * d_first + ny * d_second + nz * d_along  # 0 where the triangle is seen from its edge
     met = wp.float32(-1.0)
-    if distance > 0.0 and distance < reach:
-        axis = wp.int32(ray.along / _ROW)
-        p = _sheared(a, d, axis)
-        q = _sheared(b, d, axis)
-        r = _sheared(c, d, axis)
-        u = _turn(r, q)
-        v = _turn(p, r)
-        w = _turn(q, p)
-        if wp.min(wp.min(u, v), w) >= _ZERO or wp.max(wp.max(u, v), w) <= _ZERO:
+    if height * slope > _ZERO and _inside(
+        ax * d_along - az * d_first,
+        ay * d_along - az * d_second,
+        bx * d_along - bz * d_first,
+        by * d_along - bz * d_second,
+        cx * d_along - cz * d_first,
+        cy * d_along - cz * d_second,
+    ):
+        distance = wp.float32(height / slope)
+        if distance > 0.0 and distance < reach:
             met = distance
     return met

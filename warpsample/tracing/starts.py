@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 _LIFT = wp.constant(wp.float64(LIFT))
 _TWICE = wp.constant(wp.float32(2.0 * LIFT))
+_ROUNDING = wp.constant(wp.float32(2.0**-18))
 _NODE = wp.constant(wp.uint64(NODE_BYTES))
 _LEAF = wp.constant(wp.uint64(LEAF_BYTES))
 _PLACES = wp.constant(wp.uint64(6 * WIDTH * 4))
@@ -90,7 +91,7 @@ class Seat:
     """Where a point sits.
 
     p: its place. own: its face, below 0 if none is known. facet: that. side: 1 where it looks from the front, else -1.
-    o: a lift above its face. moved: how far from p. inside: whether p is off its face's edges. inwards: how far the start
+    o: a lift above its face. moved: how far from p. inwards: how far the start
     moves towards the middle of the face, as a share. aside: off faces across it. In search of a face: of those whose normals
     are along the direction in which the point looks, the one with the greatest cosine; of those against it, likewise; and of
     all, the sum of cosines times areas.
@@ -102,7 +103,6 @@ class Seat:
     side: wp.float64
     o: wp.vec3d
     moved: wp.float64
-    inside: wp.bool
     inwards: wp.float64
     aside: wp.vec3d
     along: wp.int32
@@ -137,12 +137,18 @@ def _with_normal(job: StartJob, facet: Facet, n: wp.vec3d) -> Facet:
 
 
 @wp.func
-def _facet(job: StartJob, face: wp.int32) -> Facet:
+def _corners(job: StartJob, face: wp.int32) -> Facet:
     corners = wp.array(ptr=job.triangles + wp.uint64(face) * wp.uint64(12), shape=(1,), dtype=wp.vec3i)[0]
     facet = Facet()
     facet.a = _double(_vector(job.vertices, wp.int64(corners[0])))
     facet.b = _double(_vector(job.vertices, wp.int64(corners[1])))
     facet.c = _double(_vector(job.vertices, wp.int64(corners[2])))
+    return facet
+
+
+@wp.func
+def _facet(job: StartJob, face: wp.int32) -> Facet:
+    facet = _corners(job, face)
     n = wp.cross(facet.b - facet.a, facet.c - facet.a)
     facet.area = wp.length(n)
     longest = wp.max(wp.max(wp.length(facet.b - facet.a), wp.length(facet.c - facet.b)), wp.length(facet.a - facet.c))
@@ -183,7 +189,8 @@ def _settled(seat: Seat, other: Facet) -> Seat:
     a = wp.dot(other.n, own.a - other.a)
     b = wp.dot(other.n, own.b - other.a)
     c = wp.dot(other.n, own.c - other.a)
-    across = wp.max(wp.max(a, b), c) > other.lift and wp.min(wp.min(a, b), c) < -other.lift and seat.inside
+    across = wp.max(wp.max(a, b), c) > other.lift and wp.min(wp.min(a, b), c) < -other.lift
+    across = across and _within(own, seat.p) > own.slack  # and not at an edge of its face
     gain = (a + b + c) * _THIRD - wp.dot(other.n, seat.p - other.a)
     side = wp.where(across, seat.side, wp.copysign(_ONE, gain))
     height = side * wp.dot(other.n, seat.o - other.a)
@@ -203,12 +210,12 @@ def _better(cosine: wp.float64, face: wp.int32, best: wp.float64, known: wp.int3
 
 @wp.func
 def _look_at(job: StartJob, seat: Seat, face: wp.int32, look: wp.vec3d, searching: wp.bool) -> Seat:
-    """The seat after a look at a face that may touch the point: whether it is its own, or else stands beside it."""
+    """The seat after a look at another face that may touch the point: as its own, or else as one beside it."""
     facet = _facet(job, face)
     if wp.dot(facet.n, facet.n) == _ZERO:
         if seat.own == -1:
             seat.own = _THIN
-    elif face != seat.own and _touches(facet, seat.p, seat.moved):
+    elif _touches(facet, seat.p, seat.moved):
         if searching:
             cosine = wp.dot(facet.n, look)
             seat.ahead += cosine * facet.area
@@ -249,8 +256,21 @@ def _beside(rows: wp.array[wp.float32], k: wp.int32, x: wp.float32, r: wp.float3
 
 
 @wp.func
+def _corner(leaf: wp.uint64, first_row: wp.int32, k: wp.int32, p: wp.vec3) -> wp.vec3:
+    """A corner of a leaf's k-th triangle, seen from a point."""
+    rows = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    at = first_row * WIDTH + k
+    return wp.vec3(rows[at] - p[0], rows[at + WIDTH] - p[1], rows[at + 2 * WIDTH] - p[2])
+
+
+@wp.func
+def _size(v: wp.vec3) -> wp.float32:
+    return wp.abs(v[0]) + wp.abs(v[1]) + wp.abs(v[2])
+
+
+@wp.func
 def _touched(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
-    """Mask of the triangles whose boxes are as near to a point as r along each axis."""
+    """Mask of the triangles that may be as near to a point as r: a few too many, never one too few."""
     xs = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     ys = wp.array(ptr=leaf + wp.uint64(4 * WIDTH), shape=(_LEAF_FLOATS,), dtype=wp.float32)
     zs = wp.array(ptr=leaf + wp.uint64(8 * WIDTH), shape=(_LEAF_FLOATS,), dtype=wp.float32)
@@ -259,6 +279,18 @@ def _touched(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
     k = wp.int32(0)
     while k < WIDTH:
         near = _beside(xs, k, p[0], r) & _beside(ys, k, p[1], r) & _beside(zs, k, p[2], r)
+        a = _corner(leaf, 0, k, p)
+        b = _corner(leaf, 3, k, p)
+        c = _corner(leaf, 6, k, p)
+        n = wp.cross(b - a, c - a)
+        far = greater(greater(_size(a), _size(b)), _size(c))
+        # A component of the normal is rounded by 2^-23 of two edges, each within 2 far; then come products and sums.
+        rounding = _ROUNDING * far * far
+        beside = (r * _size(n) + rounding * far) * far * 4.0
+        near = near & wp.where(wp.abs(wp.dot(n, a)) <= r * _size(n) + rounding * far, 1, 0)
+        near = near & wp.where(wp.dot(n, wp.cross(a, b)) >= -beside, 1, 0)
+        near = near & wp.where(wp.dot(n, wp.cross(b, c)) >= -beside, 1, 0)
+        near = near & wp.where(wp.dot(n, wp.cross(c, a)) >= -beside, 1, 0)
         mask = mask | ((near & wp.where(faces[k] >= 0, 1, 0)) << k)
         k += 1
     return mask
@@ -287,8 +319,10 @@ def _look_around(
             touched = _touched(leaf, p, r)
             faces = wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)
             for _ in range(wp.bit_count(touched)):
-                seat = _look_at(job, seat, faces[lowest_bit(touched)], look, searching)
+                face = faces[lowest_bit(touched)]
                 touched = touched & (touched - 1)
+                if face != seat.own:
+                    seat = _look_at(job, seat, face, look, searching)
         else:
             if mask != 0:
                 top = put_aside(top, node, mask, 0.0)
@@ -317,7 +351,6 @@ def _sitting(job: StartJob, seat: Seat, look: wp.vec3d, known: wp.bool) -> Seat:
     """The seat a lift above its face, to the side to which the point looks."""
     own = seat.facet
     seat.side = wp.copysign(_ONE, wp.dot(own.n, look))
-    seat.inside = _within(own, seat.p) > own.slack
     seat.inwards = _ZERO
     seat.aside = _NOWHERE
     height = seat.side * wp.dot(own.n, seat.p - own.a)
@@ -386,7 +419,7 @@ def _start_kernel() -> wp.Kernel:
             look = _double(normalize(_vector(job.towards, i)))
         known = seat.own >= 0
         if known:
-            seat.facet = _with_normal(job, _facet(job, seat.own), _double(normal))  # from before corners were rounded
+            seat.facet = _with_normal(job, _corners(job, seat.own), _double(normal))  # from before corners were rounded
         # First the search for its own face, if that is not known; then a start for each side.
         for step in range(wp.where(known, 1, 0), job.sides + 1):
             if step > 0 and seat.own >= 0:
