@@ -32,7 +32,7 @@ def _triangles(
     leaves: wp.array2d[wp.float32],
     chunks: wp.array2d[wp.float32],
     sizes: wp.array2d[wp.float32],
-    near: wp.array[wp.int32],
+    near: wp.array2d[wp.int32],
     distances: wp.array2d[wp.float32],
 ):
     i = wp.tid()
@@ -40,9 +40,11 @@ def _triangles(
     leaf = leaves.ptr + wp.uint64(i) * wp.uint64(LEAF_BYTES)
     prepare_wide(chunk, 16)
     ray = ray_in(chunk)
-    near[i] = triangles_near(leaf, ray, sizes[i, 2], sizes[i, 0], sizes[i, 1])
+    met, sure = triangles_near(leaf, ray, sizes[i, 2], sizes[i, 0], sizes[i, 1])
+    near[i, 0] = met
+    near[i, 1] = sure
     for k in range(WIDTH):
-        distances[i, k] = triangle_distance(leaf, k, ray, chunk, sizes[i, 2])
+        distances[i, k] = triangle_distance(leaf, k, 0, ray, chunk, sizes[i, 2])
 
 
 @wp.kernel(enable_backward=False, module="unique")
@@ -213,11 +215,15 @@ def test_triangles_are_met_as_in_long_double_and_seldom_looked_at_in_vain(hit):
     far = np.abs(triangles - origins[:, None, None]).max(axis=(1, 2, 3))
     reach = np.where(rng.uniform(size=N) < 0.5, 2.0**60, far * rng.uniform(0.2, 1.0, N))
     inputs = [leaves(triangles), chunks(origins, ways), on_cpu(np.stack([edge, far, reach], axis=1))]
-    outputs = wp.zeros(N, wp.int32, device="cpu"), wp.zeros((N, WIDTH), wp.float32, device="cpu")
+    outputs = wp.zeros((N, 2), wp.int32, device="cpu"), wp.zeros((N, WIDTH), wp.float32, device="cpu")
     near, distances = launch(_triangles, N, inputs, *outputs)
-    near = bits(near)
+    near, sure_in = bits(near[:, 0]), bits(near[:, 1])
     assert near[distances > 0.0].all()
     right, clear = meets(origins, ways, triangles)
+    ahead = near & sure_in & (reach == 2.0**60)[:, None] & (clear > 1e-8)
+    assert np.array_equal(distances[ahead] > 0.0, np.isfinite(right[ahead]))
+    assert sure_in.mean() >= (0.1 if hit else 0.0)
+    assert hit or not np.isfinite(right[sure_in & (clear > 1e-8)]).any()
     right = np.where(right < reach[:, None].astype(np.float32), right, np.nan)
     sure = (clear > 1e-8) & ~(np.abs(right / reach[:, None] - 1.0) <= 1e-6)
     assert np.array_equal(np.isfinite(right)[sure], (distances > 0.0)[sure])

@@ -183,11 +183,11 @@ def boxes_met(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
 
 
 @wp.func
-def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, far: wp.float32) -> wp.int32:
-    """Mask of the leaf's triangles that the ray may meet within reach: a few too many, never one too few.
+def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, far: wp.float32):
+    """Masks of the leaf's triangles that the ray may meet within reach, and of those that its line meets for sure.
 
     Edge functions of the triangles sheared onto the ray (Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection"),
-    in float32, by more than whose rounding a triangle must be missed here. `triangle_distance` decides.
+    in float32, by more than whose rounding a triangle must be missed, or met for sure. `triangle_distance` decides.
 
     Args:
         leaf: its address.
@@ -208,6 +208,7 @@ def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float3
     second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     along = wp.array(ptr=leaf + ray.along, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     mask = wp.int32(0)
+    sure = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
         az = along[k] - ray.origin_along
@@ -225,11 +226,14 @@ def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float3
         sum = u + v + w
         size = wp.abs(sum)  # 0 where the triangle is seen from its edge, or is none
         t = fma(u, az, fma(v, bz, w * cz)) * ray.scale_along * wp.copysign(1.0, sum)
-        inside = wp.where(lesser(lesser(u, v), w) >= -aside, 1, 0) | wp.where(greater(greater(u, v), w) <= aside, 1, 0)
+        least = lesser(lesser(u, v), w)
+        most = greater(greater(u, v), w)
+        inside = wp.where(least >= -aside, 1, 0) | wp.where(most <= aside, 1, 0)
         ahead = wp.where(t > -behind, 1, 0) & wp.where(t < fma(reach, size, beyond), 1, 0) & wp.where(size > 0.0, 1, 0)
         mask = mask | wp.where((inside & ahead) != 0, 1 << k, 0)
+        sure = sure | wp.where(greater(least, -most) > aside, 1 << k, 0)
         k += 1
-    return mask
+    return mask, sure
 
 
 @wp.func
@@ -248,14 +252,17 @@ def _inside(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: 
 
 
 @wp.func
-def triangle_distance(leaf: wp.uint64, k: wp.int32, ray: Ray, column: wp.uint64, reach: wp.float32) -> wp.float32:
+def triangle_distance(
+    leaf: wp.uint64, k: wp.int32, sure: wp.int32, ray: Ray, column: wp.uint64, reach: wp.float32
+) -> wp.float32:
     """From a ray's origin to a triangle of a leaf; -1 where the ray does not meet it within reach.
 
-    A function of the float32 ray and triangle alone, whichever leaf it is in: what is tested before may only spare it. As
-    `triangles_near`, in float64, where the differences of coordinates are exact: on which side of an edge a ray passes is
-    told by the ray and the edge, not by how far away the edge ends. Rounding is monotonic: the sign of a difference of two
-    rounded products is that of their difference, or 0. The two triangles at an edge compute it from the same numbers, and 0
-    counts as inside of both: a ray at an edge meets at least one.
+    A function of the float32 ray and triangle alone, whichever leaf it is in: what is tested before may only spare it, as
+    `sure` does, which is not 0 if the ray's line is known to meet it. As `triangles_near`, in float64, where the differences
+    of coordinates are exact: on which side of an edge a ray passes is told by the ray and the edge, not by how far away the
+    edge ends. Rounding is monotonic: the sign of a difference of two rounded products is that of their difference, or 0. The
+    two triangles at an edge compute it from the same numbers, and 0 counts as inside of both: a ray at an edge meets at
+    least one.
     """
     first = wp.array(ptr=leaf + ray.first, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
@@ -279,14 +286,17 @@ def triangle_distance(leaf: wp.uint64, k: wp.int32, ray: Ray, column: wp.uint64,
     height = nx * ax + ny * ay + nz * az
     slope = nx * d_first + ny * d_second + nz * d_along  # 0 where the triangle is seen from its edge
     met = wp.float32(-1.0)
-    if height * slope > _ZERO and _inside(
-        ax * d_along - az * d_first,
-        ay * d_along - az * d_second,
-        bx * d_along - bz * d_first,
-        by * d_along - bz * d_second,
-        cx * d_along - cz * d_first,
-        cy * d_along - cz * d_second,
-    ):
+    inside = sure != 0
+    if not inside and height * slope > _ZERO:
+        inside = _inside(
+            ax * d_along - az * d_first,
+            ay * d_along - az * d_second,
+            bx * d_along - bz * d_first,
+            by * d_along - bz * d_second,
+            cx * d_along - cz * d_first,
+            cy * d_along - cz * d_second,
+        )
+    if inside and height * slope > _ZERO:
         distance = wp.float32(height / slope)
         if distance > 0.0 and distance < reach:
             met = distance

@@ -26,12 +26,13 @@ def nearest_of(
     far: wp.float32,
 ):
     """(distance, place in the leaf) of the nearest triangle met, of those in the mask `lanes`; (reach, -1) if none is."""
-    met = triangles_near(leaf, ray, reach, edge, far) & lanes
+    met, sure = triangles_near(leaf, ray, reach, edge, far)
+    met = met & lanes
     nearest = wp.int32(-1)
     for _ in range(wp.bit_count(met)):
         triangle = lowest_bit(met)
         met = met & (met - 1)
-        distance = triangle_distance(leaf, triangle, ray, column, reach)
+        distance = triangle_distance(leaf, triangle, sure & (1 << triangle), ray, column, reach)
         if distance > 0.0:
             reach = distance
             nearest = triangle
