@@ -237,12 +237,6 @@ def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float3
 
 
 @wp.func
-def _from(rows: wp.array[wp.float32], i: wp.int32, origin: wp.float32) -> wp.float64:
-    """A coordinate seen from the origin, exactly."""
-    return wp.float64(rows[i]) - wp.float64(origin)
-
-
-@wp.func
 def _inside(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: wp.float64, cy: wp.float64) -> wp.bool:
     """Whether 0 is in a triangle of the plane or on its edge."""
     u = cx * by - cy * bx
@@ -271,30 +265,33 @@ def triangle_distance(
     d_first = wp.float64(lane[DIRECTION + wp.int32(ray.first / _ROW) * CHUNK])
     d_second = wp.float64(lane[DIRECTION + wp.int32(ray.second / _ROW) * CHUNK])
     d_along = wp.float64(lane[DIRECTION + wp.int32(ray.along / _ROW) * CHUNK])
-    az = _from(along, k, ray.origin_along)
-    bz = _from(along, _SECOND + k, ray.origin_along)
-    cz = _from(along, _THIRD + k, ray.origin_along)
-    ax = _from(first, k, ray.origin_first)
-    bx = _from(first, _SECOND + k, ray.origin_first)
-    cx = _from(first, _THIRD + k, ray.origin_first)
-    ay = _from(second, k, ray.origin_second)
-    by = _from(second, _SECOND + k, ray.origin_second)
-    cy = _from(second, _THIRD + k, ray.origin_second)
+    ox = wp.float64(ray.origin_first)
+    oy = wp.float64(ray.origin_second)
+    oz = wp.float64(ray.origin_along)
+    ax = wp.float64(first[k])
+    ay = wp.float64(second[k])
+    az = wp.float64(along[k])
+    bx = wp.float64(first[_SECOND + k])
+    by = wp.float64(second[_SECOND + k])
+    bz = wp.float64(along[_SECOND + k])
+    cx = wp.float64(first[_THIRD + k])
+    cy = wp.float64(second[_THIRD + k])
+    cz = wp.float64(along[_THIRD + k])
     nx = (by - ay) * (cz - az) - (bz - az) * (cy - ay)
     ny = (bz - az) * (cx - ax) - (bx - ax) * (cz - az)
     nz = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-    height = nx * ax + ny * ay + nz * az
+    height = nx * (ax - ox) + ny * (ay - oy) + nz * (az - oz)
     slope = nx * d_first + ny * d_second + nz * d_along  # 0 where the triangle is seen from its edge
     met = wp.float32(-1.0)
     inside = sure != 0
     if not inside and height * slope > _ZERO:
         inside = _inside(
-            ax * d_along - az * d_first,
-            ay * d_along - az * d_second,
-            bx * d_along - bz * d_first,
-            by * d_along - bz * d_second,
-            cx * d_along - cz * d_first,
-            cy * d_along - cz * d_second,
+            (ax - ox) * d_along - (az - oz) * d_first,
+            (ay - oy) * d_along - (az - oz) * d_second,
+            (bx - ox) * d_along - (bz - oz) * d_first,
+            (by - oy) * d_along - (bz - oz) * d_second,
+            (cx - ox) * d_along - (cz - oz) * d_first,
+            (cy - oy) * d_along - (cz - oz) * d_second,
         )
     if inside and height * slope > _ZERO:
         distance = wp.float32(height / slope)
