@@ -131,6 +131,7 @@ def _obscurance(mesh, points, count, **options):
     return ws.ambient_occlusion(mesh, points, count, 0.3, falloff=1.0, **options)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("estimate", [ws.sky_view_factor, ws.bent_normals, _irradiance, _obscurance])
 def test_intervals_of_other_quantities(bunny, on_bunny, covers, estimate):
     points = on_bunny.points

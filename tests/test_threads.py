@@ -23,16 +23,21 @@ def alone(child_environment):
     return run
 
 
-@pytest.mark.parametrize("task", ["first_use", "new_meshes", "refits", "faces_changed"])
+@pytest.mark.parametrize(
+    "task", ["first_use", "new_meshes", "faces_changed", pytest.param("refits", marks=pytest.mark.slow)]
+)
 def test_threads_answer_as_one(alone, task):
     alone(task)
 
 
-@pytest.mark.parametrize("method", ["fork", "spawn", "forkserver"])
+@pytest.mark.parametrize(
+    "method", ["fork", *(pytest.param(name, marks=pytest.mark.slow) for name in ("spawn", "forkserver"))]
+)
 def test_processes_answer_after_their_parent_has_used_threads(alone, method):
     alone("processes", method)
 
 
+@pytest.mark.slow
 def test_a_fork_waits_for_what_is_being_made(alone):
     alone("fork_while_making")
 

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+import numpy as np
 import warp as wp
 
 
@@ -36,4 +37,4 @@ class Sequence:
 
     def edge_variance(self, count: int) -> float:
         """That of the difference between two sets of `count` samples, in samples squared."""
-        return 0.5 * count**self.edge
+        return 0.5 * float(np.float_power(count, self.edge))
