@@ -22,6 +22,7 @@ LARGEST = 1e36
 """Coordinate of a vertex: distances, which are float32, stay finite."""
 
 _SMALLEST = 1e-140  # of a mesh with areas
+_LEAST_SQUARE = 1e-280  # that has all its digits
 _SLIVER = 2.0**-48  # of abs(e1) abs(e2): below 16 roundings of the cross product the normal is noise
 
 
@@ -75,9 +76,9 @@ class Mesh:
     def __post_init__(self) -> None:
         """Validates, copies and freezes: what later calls read must stay what was checked here."""
         vertices = _check_vertices(as_real(self.vertices, "vertices"))
-        faces = _check_faces(as_ndarray(self.faces, "faces", "whole numbers").copy(order="C"), len(vertices))
-        object.__setattr__(self, "vertices", read_only(vertices))
-        object.__setattr__(self, "faces", read_only(faces))
+        faces = _check_faces(as_ndarray(self.faces, "faces", "whole numbers"), len(vertices))
+        object.__setattr__(self, "vertices", vertices)
+        object.__setattr__(self, "faces", faces)
 
     def __reduce__(self) -> tuple[type, tuple[np.ndarray, np.ndarray]]:
         """Pickled and copied as what it is made of: checked and frozen again, its caches made anew."""
@@ -101,10 +102,8 @@ class Mesh:
     @once_property
     def bounds(self) -> np.ndarray:
         """(2, 3) float64: smallest and largest coordinates of the vertices that faces use."""
-        used = self.used[:, None]
-        return np.stack(
-            [self.vertices.min(axis=0, where=used, initial=np.inf), self.vertices.max(axis=0, where=used, initial=-np.inf)]
-        )
+        vertices = self.vertices if self.used.all() else self.vertices[self.used]
+        return np.stack([vertices.min(axis=0), vertices.max(axis=0)])
 
     @once_property
     def diagonal(self) -> float:
@@ -223,23 +222,26 @@ def mesh_of(value: Any, argument: str, wants: str) -> Mesh:
 
 def unit_or_zero(vectors: np.ndarray) -> np.ndarray:
     """(N, 3) float64 vectors as float32 unit ones; zero vectors stay zero."""
-    largest = np.abs(vectors).max(axis=1, keepdims=True, initial=0.0)
-    scaled = np.divide(vectors, largest, out=np.zeros_like(vectors), where=largest > 0.0)
-    norms = np.linalg.norm(scaled, axis=1, keepdims=True)
-    return np.divide(scaled, norms, out=scaled, where=norms > 0.0).astype(np.float32)
+    norms = lengths(vectors)[:, None]
+    return np.divide(vectors, norms, out=np.zeros_like(vectors), where=norms > 0.0).astype(np.float32)
 
 
 def lengths(vectors: np.ndarray) -> np.ndarray:
-    """(N,) of (N, 3) float64 vectors, those whose squares would under- or overflow too."""
-    largest = np.abs(vectors).max(axis=1, initial=0.0)
-    scaled = np.divide(vectors, largest[:, None], out=np.zeros_like(vectors), where=largest[:, None] > 0.0)
-    return largest * np.linalg.norm(scaled, axis=1)
+    """(N,) of (N, 3) float64 vectors, those whose squares under- or overflow too."""
+    with np.errstate(over="ignore", under="ignore"):
+        squares = np.einsum("ij,ij->i", vectors, vectors)
+    found = np.sqrt(squares)
+    far = np.flatnonzero(~((squares > _LEAST_SQUARE) & (squares < 1.0 / _LEAST_SQUARE)))
+    largest = np.abs(vectors[far]).max(axis=1, initial=0.0, keepdims=True)
+    scaled = np.divide(vectors[far], largest, out=np.zeros_like(vectors[far]), where=largest > 0.0)
+    found[far] = largest[:, 0] * np.linalg.norm(scaled, axis=1)
+    return found
 
 
 def _check_vertices(vertices: np.ndarray) -> np.ndarray:
     if vertices.ndim != 2 or vertices.shape[1] != 3 or len(vertices) == 0:
         raise ValueError(f"vertices: got shape {vertices.shape}, want (V, 3) with V of at least 3")
-    vertices = np.array(vertices, np.float64, order="C")
+    vertices = read_only(vertices.astype(np.float64, copy=False))  # first: what is checked is what is kept
     broken = ~(np.abs(vertices) <= LARGEST).all(axis=1)
     if broken.any():
         first = int(np.argmax(broken))
@@ -256,13 +258,14 @@ def _check_faces(faces: np.ndarray, vertices: int) -> np.ndarray:
         raise ValueError(f"faces: got shape {faces.shape}, want (F, 3) with F of at least 1")
     if faces.dtype.kind not in "iu":
         raise TypeError(f"faces: got dtype {faces.dtype}, want whole numbers")
+    faces = read_only(faces)
     outside = (faces < 0) | (faces >= vertices)
     if outside.any():
         first = int(np.argmax(outside.any(axis=1)))
         raise ValueError(
             f"faces: got {outside.sum()} indices outside 0 to {vertices - 1}, the first in face {first}, {faces[first]}"
         )
-    return faces.astype(np.int32, copy=False)
+    return faces if faces.dtype == np.int32 else read_only(faces.astype(np.int32))
 
 
 def _read_trimesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
