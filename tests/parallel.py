@@ -144,7 +144,7 @@ def stress(seconds=60.0, threads=16):
         "refit": lambda k: answers(ws.refit(shared[k], moved[k])),
         "surface": lambda k: (ws.sample_surface(torus(k), 1000, seed=k).position,),
         "sky": lambda k: (ws.sky_view_factor(shared[k], ws.vertex_points(shared[k]), 40).value,),
-        "cold": lambda k: (ws.sample_directions(np.eye(3), 20, KINDS[k](), sequence=SEQUENCES[k]).vectors,),
+        "cold": lambda k: (ws.sample_directions(np.eye(3), 20, KINDS[k].cases()[0], sequence=SEQUENCES[k]).vectors,),
     }
 
     def work(thread):
