@@ -125,6 +125,7 @@ def test_the_offset_family_is_what_it_says(script, plausible):
     assert wrong.test.p_value < ALPHA
 
 
+@pytest.mark.slow
 def test_errors_fall_as_they_should(script, monkeypatch):
     """As 1/sqrt(N) for independent points, faster for the others, and not at all for a wrong lobe."""
     module = script("sequences")
@@ -173,6 +174,7 @@ def upside_down(module, monkeypatch):
         ("occlusion", {"samples": 32, "size": (900, 340)}, upside_down),
     ],
 )
+@pytest.mark.slow
 def test_a_wrong_sampler_is_another_picture(can_render, script, tmp_path, monkeypatch, capsys, name, options, spoil):
     """And neither is blank. The overlay has both on one picture, the viewer's are compared in test_viewer.py."""
     module, files = script(name), [tmp_path / "right.png", tmp_path / "wrong.png"]

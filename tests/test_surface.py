@@ -50,6 +50,7 @@ def test_same_points_in_parts_and_threads(monkeypatch):
     assert not np.array_equal(whole.position, ws.sample_surface(CUBE, 10_000, seed=4).position)
 
 
+@pytest.mark.slow
 def test_hostile_meshes():
     """Tiny, far away, degenerate, slivers, and 10^7 faces, the last of which would get 1.7 % of all points in float32."""
     found = judge_meshes()

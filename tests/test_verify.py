@@ -61,6 +61,7 @@ def test_an_unknown_defect_lists_the_known_ones(call):
     assert err.startswith("error: plant: got 'typo', want one of Beckmann of α² for α, ")
 
 
+@pytest.mark.slow
 def test_power_names_the_laws_and_a_defect_that_nobody_catches(call, monkeypatch):
     monkeypatch.setattr(run, "planted", lambda: [Task("defect", "inverse with a swapped pair")])
     status, out, _ = call("--power")
@@ -78,6 +79,7 @@ def test_every_verdict_has_a_table():
     assert laws <= set(report._SUMMARIES)
 
 
+@pytest.mark.slow
 def test_tasks_run_in_processes_and_an_error_reaches_the_caller():
     task = Task("case", ws.OffsetCircle())
     (found,) = run.run([task])
