@@ -81,7 +81,8 @@ def _inside(a: wp.vec3, b: wp.vec3, c: wp.vec3, plane: Plane, margin: wp.float32
 
 
 @wp.func
-def _size(v: wp.vec3) -> wp.float32:
+def size_of(v: wp.vec3) -> wp.float32:
+    """The sum of a vector's components, in magnitude: at least its length."""
     return wp.abs(v[0]) + wp.abs(v[1]) + wp.abs(v[2])
 
 
@@ -105,8 +106,8 @@ def _faced(a: wp.vec3, b: wp.vec3, c: wp.vec3, beam: wp.uint64) -> wp.int32:
     s = _along_corner(beam, n, PLANES + 3)
     least = lesser(lesser(p, q), lesser(r, s))
     most = greater(greater(p, q), greater(r, s))
-    margin = _MARGIN * _size(e) * _size(f)
-    height_margin = margin * _size(a)
+    margin = _MARGIN * size_of(e) * size_of(f)
+    height_margin = margin * size_of(a)
     from_above = wp.where(height > -height_margin, 1, 0) & wp.where(least < margin, 1, 0)
     from_below = wp.where(height < height_margin, 1, 0) & wp.where(most > -margin, 1, 0)
     return from_above | from_below
@@ -130,7 +131,7 @@ def boxes_in(node: wp.uint64, beam: wp.uint64) -> wp.int32:
 
 
 @wp.func
-def _corner(leaf: wp.uint64, first_row: wp.int32, k: wp.int32, o: wp.vec3) -> wp.vec3:
+def corner(leaf: wp.uint64, first_row: wp.int32, k: wp.int32, o: wp.vec3) -> wp.vec3:
     """A corner of a leaf's k-th triangle, seen from the origin: so that it is rounded by a share of its distance."""
     rows = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     at = first_row * WIDTH + k
@@ -152,10 +153,10 @@ def triangles_in(leaf: wp.uint64, beam: wp.uint64) -> wp.int32:
     mask = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
-        a = _corner(leaf, 0, k, o)
-        b = _corner(leaf, 3, k, o)
-        c = _corner(leaf, 6, k, o)
-        margin = _MARGIN * greater(greater(_size(a), _size(b)), _size(c))
+        a = corner(leaf, 0, k, o)
+        b = corner(leaf, 3, k, o)
+        c = corner(leaf, 6, k, o)
+        margin = _MARGIN * greater(greater(size_of(a), size_of(b)), size_of(c))
         inside = _inside(a, b, c, p, low) & _inside(a, b, c, q, margin) & _inside(a, b, c, r, margin)
         inside = inside & _inside(a, b, c, s, margin) & _inside(a, b, c, t, margin)
         mask = mask | ((inside & _faced(a, b, c, beam) & wp.where(faces[k] >= 0, 1, 0)) << k)

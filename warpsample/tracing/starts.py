@@ -14,6 +14,7 @@ from warpsample.arrays import cpu
 from warpsample.engine import run
 from warpsample.locks import once
 from warpsample.numerics import normalize
+from warpsample.tracing.beams import corner, size_of
 from warpsample.tracing.intersect import greater, lesser, lowest_bit
 from warpsample.tracing.layout import LEAF_BYTES, NODE_BYTES, SCRATCH, WIDTH, Accelerator, AcceleratorJob
 from warpsample.tracing.rays import LIFT, Job, RayJob, lift, local_origin
@@ -256,19 +257,6 @@ def _beside(rows: wp.array[wp.float32], k: wp.int32, x: wp.float32, r: wp.float3
 
 
 @wp.func
-def _corner(leaf: wp.uint64, first_row: wp.int32, k: wp.int32, p: wp.vec3) -> wp.vec3:
-    """A corner of a leaf's k-th triangle, seen from a point."""
-    rows = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
-    at = first_row * WIDTH + k
-    return wp.vec3(rows[at] - p[0], rows[at + WIDTH] - p[1], rows[at + 2 * WIDTH] - p[2])
-
-
-@wp.func
-def _size(v: wp.vec3) -> wp.float32:
-    return wp.abs(v[0]) + wp.abs(v[1]) + wp.abs(v[2])
-
-
-@wp.func
 def _touched(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
     """Mask of the triangles that may be as near to a point as r: a few too many, never one too few."""
     xs = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
@@ -279,15 +267,15 @@ def _touched(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
     k = wp.int32(0)
     while k < WIDTH:
         near = _beside(xs, k, p[0], r) & _beside(ys, k, p[1], r) & _beside(zs, k, p[2], r)
-        a = _corner(leaf, 0, k, p)
-        b = _corner(leaf, 3, k, p)
-        c = _corner(leaf, 6, k, p)
+        a = corner(leaf, 0, k, p)
+        b = corner(leaf, 3, k, p)
+        c = corner(leaf, 6, k, p)
         n = wp.cross(b - a, c - a)
-        far = greater(greater(_size(a), _size(b)), _size(c))
+        far = greater(greater(size_of(a), size_of(b)), size_of(c))
         # A component of the normal is rounded by 2^-23 of two edges, each within 2 far; then come products and sums.
         rounding = _ROUNDING * far * far
-        beside = (r * _size(n) + rounding * far) * far * 4.0
-        near = near & wp.where(wp.abs(wp.dot(n, a)) <= r * _size(n) + rounding * far, 1, 0)
+        beside = (r * size_of(n) + rounding * far) * far * 4.0
+        near = near & wp.where(wp.abs(wp.dot(n, a)) <= r * size_of(n) + rounding * far, 1, 0)
         near = near & wp.where(wp.dot(n, wp.cross(a, b)) >= -beside, 1, 0)
         near = near & wp.where(wp.dot(n, wp.cross(b, c)) >= -beside, 1, 0)
         near = near & wp.where(wp.dot(n, wp.cross(c, a)) >= -beside, 1, 0)
