@@ -78,7 +78,11 @@ def _for_kernels_alone(d: wp.vec3) -> wp.float64:
     return wp.where(d[0] > 2.0, wp.float64(1.0), wp.float64(2.0))
 
 
-@pytest.mark.parametrize("radiance", [_float32, _whole, _for_kernels_alone], ids=lambda f: f.key)
+@pytest.mark.parametrize(
+    "radiance",
+    [_float32, *(pytest.param(other, marks=pytest.mark.slow) for other in (_whole, _for_kernels_alone))],
+    ids=lambda f: f.key,
+)
 def test_a_function_may_give_any_number(radiance):
     one = at([0.0, 0.0, 0.0], [0.0, 0.0, 1.0])
     found = ws.irradiance(square(), one, radiance, 64).value

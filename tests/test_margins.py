@@ -40,11 +40,11 @@ def _triangles(
     leaf = leaves.ptr + wp.uint64(i) * wp.uint64(LEAF_BYTES)
     prepare_wide(chunk, 16)
     ray = ray_in(chunk)
-    met, sure = triangles_near(leaf, ray, sizes[i, 2], sizes[i, 0], sizes[i, 1])
-    near[i, 0] = met
-    near[i, 1] = sure
+    masks = triangles_near(leaf, ray, sizes[i, 1], sizes[i, 0])
+    near[i, 0] = masks & 0xFFFF
+    near[i, 1] = masks >> WIDTH
     for k in range(WIDTH):
-        distances[i, k] = triangle_distance(leaf, k, 0, ray, chunk, sizes[i, 2])
+        distances[i, k] = triangle_distance(leaf, k, 0, ray, chunk, sizes[i, 1])
 
 
 @wp.kernel(enable_backward=False, module="unique")
@@ -208,22 +208,22 @@ def meets(origins, ways, triangles):
 @pytest.mark.parametrize("hit", [True, False])
 def test_triangles_are_met_as_in_long_double_and_seldom_looked_at_in_vain(hit):
     rng, origins, ways = rays_into_the_scene(2)
-    places, _, _ = places_on(rng, origins, ways, furthest=3.0)
+    places, _, t = places_on(rng, origins, ways, furthest=3.0)
+    t[:, 2::5] = 10.0 ** rng.uniform(-9.0, -5.0, t[:, 2::5].shape) * rng.choice([-1.0, 1.0], t[:, 2::5].shape)  # at 0
+    places = origins[:, None].astype(np.float64) + t[..., None] * ways[:, None]
     size = 10.0 ** rng.uniform(-4.0, 0.0, (N, 1)) * rng.uniform(0.1, 1.0, (N, WIDTH))
     triangles = triangles_about(rng, places, ways, size, hit)
     edge = np.ptp(triangles, axis=2).max(axis=(1, 2))
     far = np.abs(triangles - origins[:, None, None]).max(axis=(1, 2, 3))
     reach = np.where(rng.uniform(size=N) < 0.5, 2.0**60, far * rng.uniform(0.2, 1.0, N))
-    inputs = [leaves(triangles), chunks(origins, ways), on_cpu(np.stack([edge, far, reach], axis=1))]
+    reach[::3] = (t[:, 0] * (1.0 + 10.0 ** rng.uniform(-9.0, -5.0, N) * rng.choice([-1.0, 1.0], N)))[::3]  # that of a place
+    inputs = [leaves(triangles), chunks(origins, ways), on_cpu(np.stack([edge, reach], axis=1))]
     outputs = wp.zeros((N, 2), wp.int32, device="cpu"), wp.zeros((N, WIDTH), wp.float32, device="cpu")
     near, distances = launch(_triangles, N, inputs, *outputs)
-    near, sure_in = bits(near[:, 0]), bits(near[:, 1])
+    near, known = bits(near[:, 0]), bits(near[:, 1])
     assert near[distances > 0.0].all()
+    assert (distances[known] > 0.0).all()
     right, clear = meets(origins, ways, triangles)
-    ahead = near & sure_in & (reach == 2.0**60)[:, None] & (clear > 1e-8)
-    assert np.array_equal(distances[ahead] > 0.0, np.isfinite(right[ahead]))
-    assert not hit or sure_in.mean() >= 0.1
-    assert hit or not np.isfinite(right[sure_in & (clear > 1e-8)]).any()
     right = np.where(right < reach[:, None].astype(np.float32), right, np.nan)
     sure = (clear > 1e-8) & ~(np.abs(right / reach[:, None] - 1.0) <= 1e-6)
     assert np.array_equal(np.isfinite(right)[sure], (distances > 0.0)[sure])
@@ -232,7 +232,8 @@ def test_triangles_are_met_as_in_long_double_and_seldom_looked_at_in_vain(hit):
     error = 2.0**-23 * right[both] + 2.0**-48 * np.broadcast_to(edge[:, None], right.shape)[both] / clear[both]
     assert (np.abs(distances - right)[both] <= error).all()
     if hit:
-        assert both.mean() >= 0.3
+        assert both.mean() >= 0.2
+        assert known.sum() >= 0.1 * (distances > 0.0).sum()
     else:  # the margin is 2^-18 of far / edge: of those not flat that are large, up to a thousandth
         large = np.ptp(triangles, axis=2).max(axis=2) >= 0.03 * far[:, None]
         large[:, 1::3] = False

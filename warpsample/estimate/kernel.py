@@ -10,7 +10,7 @@ from warpsample.kernels.variates import LANES
 from warpsample.locks import once
 from warpsample.numerics import high_word, low_word, scaled_to_unit
 from warpsample.sequences.record import Sequence
-from warpsample.tracing.frontier import HORIZON_MARGIN, NEAR, NEAR_SIZES, frontier
+from warpsample.tracing.frontier import HORIZON_MARGIN, NEAR, NEAR_EDGE, frontier
 from warpsample.tracing.intersect import ray_in
 from warpsample.tracing.layout import (
     BEAM_FLOATS,
@@ -23,7 +23,7 @@ from warpsample.tracing.layout import (
     Accelerator,
 )
 from warpsample.tracing.rays import far_off, lift, local_origin, point_of, reach_along
-from warpsample.tracing.wide import nearest_of
+from warpsample.tracing.wide import any_of, nearest_of
 
 _NONFINITE_POSITION = wp.constant(wp.int32(NONFINITE_POSITION))
 _STREAM_STEP = wp.constant(wp.uint32(0x9E3779B9))
@@ -108,15 +108,20 @@ def estimate_kernel(
     def distance_of(
         accelerator: Accelerator, spot: Spot, near: wp.int32, column: wp.uint64, reach: wp.float32
     ) -> wp.float32:
-        """Of a ray to what it meets, the triangles around the point first; inf where it meets nothing."""
+        """Of a ray to what it meets, with any_hit to some of it, the triangles around the point first; inf: to nothing."""
         distance = wp.float32(wp.INF)
         if wp.static(wide):
             if near != 0:
-                sizes = wp.array(ptr=spot.room + NEAR_SIZES, shape=(2,), dtype=wp.float32)
-                met, triangle = nearest_of(spot.room + NEAR, near, ray_in(column), column, reach, sizes[0], sizes[1])
-                if triangle >= 0:
-                    distance = met
-                    reach = met
+                edge = wp.array(ptr=spot.room + NEAR_EDGE, shape=(1,), dtype=wp.float32)
+                leaf = spot.room + NEAR
+                if wp.static(any_hit):
+                    if any_of(leaf, near, ray_in(column), column, reach, edge[0]) >= 0:
+                        distance = 0.0
+                else:
+                    met, triangle = nearest_of(leaf, near, ray_in(column), column, reach, edge[0])
+                    if triangle >= 0:
+                        distance = met
+                        reach = met
         if accelerator.starts > 0 and (wp.static(not any_hit) or not (distance < wp.INF)):
             met, face, nodes, leaves = query(accelerator, column, reach, spot.scratch)
             distance = wp.min(distance, met)

@@ -16,7 +16,6 @@ _LEAF = wp.constant(wp.uint64(LEAF_BYTES))
 _ROW = wp.constant(wp.uint64(4 * WIDTH))
 _UPPER = wp.constant(wp.uint64(3 * 4 * WIDTH))
 _PLACES = wp.constant(wp.uint64(6 * 4 * WIDTH))
-_FACES = wp.constant(wp.uint64(9 * 4 * WIDTH))
 _WAITING = wp.constant(wp.uint64(4 * 4))
 _LEAF_FLOATS = LEAF_BYTES // 4
 _ORIGIN_AT = wp.constant(wp.int32(4 * WIDTH))
@@ -149,7 +148,6 @@ def triangles_in(leaf: wp.uint64, beam: wp.uint64) -> wp.int32:
     r = _side(beam, 2)
     s = _side(beam, 3)
     t = _side(beam, 4)
-    faces = wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)
     mask = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
@@ -159,7 +157,7 @@ def triangles_in(leaf: wp.uint64, beam: wp.uint64) -> wp.int32:
         margin = _MARGIN * greater(greater(size_of(a), size_of(b)), size_of(c))
         inside = _inside(a, b, c, p, low) & _inside(a, b, c, q, margin) & _inside(a, b, c, r, margin)
         inside = inside & _inside(a, b, c, s, margin) & _inside(a, b, c, t, margin)
-        mask = mask | ((inside & _faced(a, b, c, beam) & wp.where(faces[k] >= 0, 1, 0)) << k)
+        mask = mask | ((inside & _faced(a, b, c, beam)) << k)
         k += 1
     return mask
 

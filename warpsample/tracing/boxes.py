@@ -101,7 +101,7 @@ def _fill_leaves() -> wp.Kernel:
         high = wp.vec3(-_NOWHERE)
         longest = wp.float32(0.0)
         for k in range(WIDTH):
-            a = wp.vec3(0.0)  # three equal corners: no ray meets them
+            a = wp.vec3(wp.NAN)  # no ray meets it
             b = a
             c = a
             if mine[k] >= 0:

@@ -16,8 +16,8 @@ from warpsample.tracing.layout import LEAF_BYTES, MOST_STARTS, NODE_BYTES, WIDTH
 NEAR = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES))
 """Where the leaf around the point is, in bytes from the point's first node on."""
 
-NEAR_SIZES = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES + LEAF_BYTES))
-"""Where two numbers of it are: its triangles' longest side along an axis, and how far their corners are, likewise."""
+NEAR_EDGE = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES + LEAF_BYTES))
+"""Where its triangles' longest side is, seen along an axis."""
 
 HORIZON_MARGIN = wp.constant(wp.float32(2.0**-20))
 """Times `rays.reach_along` the normal: what is lower than this below the origin's horizon plane is below it for sure.
@@ -32,7 +32,6 @@ _NODE_FLOATS = NODE_BYTES // 4
 _LEAF_FLOATS = LEAF_BYTES // 4
 _PLACES = wp.constant(wp.uint64(6 * 4 * WIDTH))
 _EDGES = wp.constant(wp.uint64(7 * 4 * WIDTH))
-_FACES = wp.constant(wp.uint64(9 * 4 * WIDTH))
 _PADDING = wp.constant(wp.float32(PADDING))
 _NOWHERE = wp.constant(wp.float32(2.0**60))
 _MOST_ENTRIES = wp.constant(wp.int32(MOST_STARTS * WIDTH))
@@ -71,12 +70,10 @@ def visible(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: w
 @wp.func
 def triangles_above(leaf: wp.uint64, n: wp.vec3, limit: wp.float32) -> wp.int32:
     """Mask of the leaf's triangles that reach above the horizon."""
-    faces = wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)
     mask = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
-        above = wp.where(highest_corner(leaf, k, n[0], n[1], n[2]) >= limit, 1, 0)
-        mask = mask | ((above & wp.where(faces[k] >= 0, 1, 0)) << k)
+        mask = mask | wp.where(highest_corner(leaf, k, n[0], n[1], n[2]) >= limit, 1 << k, 0)
         k += 1
     return mask
 
@@ -104,24 +101,11 @@ def _copy_triangle(leaf: wp.uint64, k: wp.int32, near: wp.uint64, lane: wp.int32
 
 
 @wp.func
-def _farthest(node: wp.uint64, child: wp.int32, o: wp.vec3) -> wp.float32:
-    """How far a child's box reaches from the origin, along an axis, at most."""
-    rows = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
-    far = wp.float32(0.0)
-    for axis in range(3):
-        x = rows[axis * WIDTH + child]
-        y = rows[(3 + axis) * WIDTH + child]
-        far = wp.max(far, wp.max(y - o[axis], o[axis] - x))
-    return far
-
-
-@wp.func
 def _take_apart(
     leaf: wp.uint64,
     n: wp.vec3,
     limit: wp.float32,
     edge: wp.float32,
-    far: wp.float32,
     room: wp.uint64,
     triangles: wp.int32,
 ) -> wp.int32:
@@ -131,9 +115,8 @@ def _take_apart(
     if triangles + count > WIDTH:
         return -1
     if count > 0:
-        sizes = wp.array(ptr=room + NEAR_SIZES, shape=(2,), dtype=wp.float32)
-        sizes[0] = wp.max(sizes[0], edge)
-        sizes[1] = wp.max(sizes[1], far)
+        longest = wp.array(ptr=room + NEAR_EDGE, shape=(1,), dtype=wp.float32)
+        longest[0] = wp.max(longest[0], edge)
     for _ in range(count):
         _copy_triangle(leaf, lowest_bit(met), room + NEAR, triangles)
         met = met & (met - 1)
@@ -158,9 +141,8 @@ def frontier(
         room: address of START_FLOATS floats.
         scratch: address of SCRATCH words.
     """
-    sizes = wp.array(ptr=room + NEAR_SIZES, shape=(2,), dtype=wp.float32)
-    sizes[0] = 0.0
-    sizes[1] = 0.0
+    longest = wp.array(ptr=room + NEAR_EDGE, shape=(1,), dtype=wp.float32)
+    longest[0] = 0.0
     waiting = wp.array(ptr=scratch, shape=(WIDTH,), dtype=wp.int32)
     waiting[0] = 0
     waits = wp.int32(1)
@@ -183,8 +165,7 @@ def frontier(
                 if ((around >> child) & 1) != 0:
                     if place < 0:
                         leaf = accelerator.leaves + wp.uint64(~place) * _LEAF
-                        far = _farthest(node, child, o)
-                        apart = _take_apart(leaf, n, limit, edges[child], far, room, triangles)
+                        apart = _take_apart(leaf, n, limit, edges[child], room, triangles)
                         triangles = wp.max(triangles, apart)
                     elif waits < WIDTH:
                         waiting[waits] = place

@@ -17,6 +17,9 @@ _NO_HIT = wp.constant(wp.int32(0x7F800000))  # the bits of infinity: bits of flo
 _CHILD = wp.constant(wp.int32(WIDTH - 1))
 _SLOWEST = wp.constant(wp.float32(2.0**-60))
 _ASIDE = wp.constant(wp.float32(2.0**-18))
+_FURTHEST = wp.constant(wp.float32(64.0))  # farther than anything is from any origin; infinity times 0 would be NaN
+_SIGN = wp.constant(wp.int32(-(2**31)))
+_SURE = wp.constant(wp.int32(2**WIDTH))
 _ZERO = wp.constant(wp.float64(0.0))
 
 
@@ -38,7 +41,7 @@ class Ray:
     origin_along: wp.float32
     shear_first: wp.float32
     shear_second: wp.float32
-    scale_along: wp.float32
+    share_along: wp.float32
     first: wp.uint64
     second: wp.uint64
     along: wp.uint64
@@ -54,6 +57,12 @@ def lesser(a: wp.float32, b: wp.float32) -> wp.float32:
 def greater(a: wp.float32, b: wp.float32) -> wp.float32:
     """The maximum, likewise."""
     return wp.where(a > b, a, b)
+
+
+@wp.func
+def negative(x: wp.float32) -> wp.float32:
+    """-x as a change of sign, which fuses with what follows: Warp's own minus subtracts from 0."""
+    return wp.float32(-1.0) * x
 
 
 @wp.func
@@ -111,7 +120,7 @@ def prepare_wide(chunk: wp.uint64, length: wp.int32):
         rays[_ORIGIN + 2 * CHUNK + k] = wp.where(to_z, oz, wp.where(to_y, oy, ox))
         rays[_SHEAR + k] = -wp.where(to_z, x, wp.where(to_y, z, y)) * scale
         rays[_SHEAR + CHUNK + k] = -wp.where(to_z, y, wp.where(to_y, x, z)) * scale
-        rays[_SHEAR + 2 * CHUNK + k] = scale
+        rays[_SHEAR + 2 * CHUNK + k] = wp.where(to_z, z, wp.where(to_y, y, x))
         rays[_AXES + k] = _bytes(wp.where(to_z, 0, wp.where(to_y, 2, 1)))
         rays[_AXES + CHUNK + k] = _bytes(wp.where(to_z, 1, wp.where(to_y, 0, 2)))
         rays[_AXES + 2 * CHUNK + k] = _bytes(wp.where(to_z, 2, wp.where(to_y, 1, 0)))
@@ -142,7 +151,7 @@ def ray_in(column: wp.uint64) -> Ray:
     ray.origin_along = rows[_ORIGIN + 2 * CHUNK]
     ray.shear_first = rows[_SHEAR]
     ray.shear_second = rows[_SHEAR + CHUNK]
-    ray.scale_along = rows[_SHEAR + 2 * CHUNK]
+    ray.share_along = rows[_SHEAR + 2 * CHUNK]
     ray.first = _offset(rows[_AXES])
     ray.second = _offset(rows[_AXES + CHUNK])
     ray.along = _offset(rows[_AXES + 2 * CHUNK])
@@ -183,57 +192,67 @@ def boxes_met(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
 
 
 @wp.func
-def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, far: wp.float32):
-    """Masks of the leaf's triangles that the ray may meet within reach, and of those that its line meets for sure.
+def _flipped(x: wp.float32, sign: wp.int32) -> wp.float32:
+    """x or -x, by a sign bit."""
+    return wp.cast(wp.cast(x, wp.int32) ^ sign, wp.float32)
+
+
+@wp.func
+def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32) -> wp.int32:
+    """Mask of the leaf's triangles that the ray may meet within reach, and from bit 16 on of those that it meets for sure.
 
     Edge functions of the triangles sheared onto the ray (Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection"),
-    in float32, by more than whose rounding a triangle must be missed, or met for sure. `triangle_distance` decides.
+    in float32, by more than whose rounding a triangle must be missed, or met for sure. `triangle_distance` tells of others.
 
     Args:
         leaf: its address.
         ray: prepared.
         reach: of the ray.
         edge: the longest side, seen along an axis, of what is in the leaf.
-        far: at most how far along the ray's longest axis its corners are.
     """
-    # With u = 2^-24, e = edge and r = far + edge: a sheared corner is rounded by 4 u r, and that of a triangle that is met
-    # is within 2 e. So an edge function is rounded by 48 u r e, and their sum weighted by the distances along the longest
-    # axis, over the direction's share of it, at least 3^-0.5, by 313 u r e far. What is nearer than reach exceeds reach
-    # times the sum of edge functions by no more than 750 u r e r.
-    r = far + edge
-    aside = _ASIDE * r * edge
-    behind = 5.0 * far * aside
-    beyond = 12.0 * r * aside
+    # Distances are those along the ray's longest axis, a share of 3^-0.5 to 1. With u = 2^-24, e = edge and r as far as a
+    # corner and 2 e: a sheared corner is rounded by 4 u r, and that of a triangle that is met is within 2 e. So an edge
+    # function is rounded by 48 u r e, their sum weighted by the distances by 181 u r e r, and reach times their sum by 172.
+    # The margins are 64, 192 and 384.
+    reach_along = lesser(reach, _FURTHEST) * wp.abs(ray.share_along)
+    backwards = (wp.cast(ray.share_along, wp.int32) ^ _SIGN) & _SIGN
+    aside_by = _ASIDE * edge
+    behind_by = 3.0 * _ASIDE * edge
     first = wp.array(ptr=leaf + ray.first, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     along = wp.array(ptr=leaf + ray.along, shape=(_LEAF_FLOATS,), dtype=wp.float32)
-    mask = wp.int32(0)
-    sure = wp.int32(0)
+    masks = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
-        az = along[k] - ray.origin_along
-        bz = along[_SECOND + k] - ray.origin_along
-        cz = along[_THIRD + k] - ray.origin_along
-        ax = fma(ray.shear_first, az, first[k] - ray.origin_first)
-        bx = fma(ray.shear_first, bz, first[_SECOND + k] - ray.origin_first)
-        cx = fma(ray.shear_first, cz, first[_THIRD + k] - ray.origin_first)
-        ay = fma(ray.shear_second, az, second[k] - ray.origin_second)
-        by = fma(ray.shear_second, bz, second[_SECOND + k] - ray.origin_second)
-        cy = fma(ray.shear_second, cz, second[_THIRD + k] - ray.origin_second)
-        u = cx * by - cy * bx
-        v = ax * cy - ay * cx
-        w = bx * ay - by * ax
+        # From the corners to the origin: a register less its row is one instruction, the row less a register two.
+        az = ray.origin_along - along[k]
+        bz = ray.origin_along - along[_SECOND + k]
+        cz = ray.origin_along - along[_THIRD + k]
+        ax = fma(ray.shear_first, az, ray.origin_first - first[k])
+        bx = fma(ray.shear_first, bz, ray.origin_first - first[_SECOND + k])
+        cx = fma(ray.shear_first, cz, ray.origin_first - first[_THIRD + k])
+        ay = fma(ray.shear_second, az, ray.origin_second - second[k])
+        by = fma(ray.shear_second, bz, ray.origin_second - second[_SECOND + k])
+        cy = fma(ray.shear_second, cz, ray.origin_second - second[_THIRD + k])
+        u = fma(cx, by, negative(cy * bx))
+        v = fma(ax, cy, negative(ay * cx))
+        w = fma(bx, ay, negative(by * ax))
         sum = u + v + w
-        size = wp.abs(sum)  # 0 where the triangle is seen from its edge, or is none
-        t = fma(u, az, fma(v, bz, w * cz)) * ray.scale_along * wp.copysign(1.0, sum)
-        least = lesser(lesser(u, v), w)
-        most = greater(greater(u, v), w)
-        inside = wp.where(least >= -aside, 1, 0) | wp.where(most <= aside, 1, 0)
-        ahead = wp.where(t > -behind, 1, 0) & wp.where(t < fma(reach, size, beyond), 1, 0) & wp.where(size > 0.0, 1, 0)
-        mask = mask | wp.where((inside & ahead) != 0, 1 << k, 0)
-        sure = sure | wp.where(greater(least, -most) > aside, 1 << k, 0)
+        inside = greater(lesser(lesser(u, v), w), negative(greater(greater(u, v), w)))  # by how much, if it is
+        weighted = fma(u, az, fma(v, bz, w * cz))
+        t = _flipped(weighted, (wp.cast(sum, wp.int32) & _SIGN) ^ backwards)
+        size = wp.abs(sum)
+        r = fma(2.0, edge, wp.abs(az))
+        aside = aside_by * r
+        behind = (behind_by * r) * r
+        beyond = behind + behind
+        near = wp.where(inside >= negative(aside), 1, 0) & wp.where(t > negative(behind), 1, 0)
+        near = near & wp.where(t < fma(reach_along, size, beyond), 1, 0)
+        surely = wp.where(inside > aside, 1, 0) & wp.where(t > behind, 1, 0)
+        surely = surely & wp.where(t < fma(reach_along, size, negative(beyond)), 1, 0)
+        masks = masks | wp.where(near != 0, 1 << k, 0) | wp.where(surely != 0, _SURE << k, 0)
         k += 1
-    return mask, sure
+    return masks
 
 
 @wp.func
@@ -252,8 +271,8 @@ def triangle_distance(
     """From a ray's origin to a triangle of a leaf; -1 where the ray does not meet it within reach.
 
     A function of the float32 ray and triangle alone, whichever leaf it is in: what is tested before may only spare it, as
-    `sure` does, which is not 0 if the ray's line is known to meet it. As `triangles_near`, in float64, where the differences
-    of coordinates are exact: on which side of an edge a ray passes is told by the ray and the edge, not by how far away the
+    `sure` does, which is not 0 if the ray is known to meet it. As `triangles_near`, in float64, where the differences of
+    coordinates are exact: on which side of an edge a ray passes is told by the ray and the edge, not by how far away the
     edge ends. Rounding is monotonic: the sign of a difference of two rounded products is that of their difference, or 0. The
     two triangles at an edge compute it from the same numbers, and 0 counts as inside of both: a ray at an edge meets at
     least one.

@@ -4,7 +4,8 @@ Rows of sixteen float32 fill one AVX-512 register or two of AVX2:
 
 - a node is eight: the children's lower x, y, z, upper x, y, z, their places (below 0 a leaf, ~place; 0 none), and the
   longest side, along an axis, of the triangles in a leaf;
-- a leaf is ten: x, y, z of its triangles' first corners, of the second, of the third, and the faces' numbers.
+- a leaf is ten: x, y, z of its triangles' first corners, of the second, of the third, and the faces' numbers; where there
+  is no triangle, NaN and -1.
 """
 
 import warp as wp
@@ -38,8 +39,8 @@ BEAM_FLOATS = 5 * WIDTH
 MOST_STARTS = 4
 """Nodes that the rays of a point start from."""
 
-START_FLOATS = MOST_STARTS * NODE_BYTES // 4 + LEAF_BYTES // 4 + 2
-"""These, the leaf of the triangles around the point, their longest side and how far away they are."""
+START_FLOATS = MOST_STARTS * NODE_BYTES // 4 + LEAF_BYTES // 4 + 1
+"""These, the leaf of the triangles around the point, and their longest side."""
 
 
 @wp.struct

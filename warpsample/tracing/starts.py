@@ -262,7 +262,6 @@ def _touched(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
     xs = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     ys = wp.array(ptr=leaf + wp.uint64(4 * WIDTH), shape=(_LEAF_FLOATS,), dtype=wp.float32)
     zs = wp.array(ptr=leaf + wp.uint64(8 * WIDTH), shape=(_LEAF_FLOATS,), dtype=wp.float32)
-    faces = wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)
     mask = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
@@ -279,7 +278,7 @@ def _touched(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
         near = near & wp.where(wp.dot(n, wp.cross(a, b)) >= -beside, 1, 0)
         near = near & wp.where(wp.dot(n, wp.cross(b, c)) >= -beside, 1, 0)
         near = near & wp.where(wp.dot(n, wp.cross(c, a)) >= -beside, 1, 0)
-        mask = mask | ((near & wp.where(faces[k] >= 0, 1, 0)) << k)
+        mask = mask | (near << k)
         k += 1
     return mask
 

@@ -267,6 +267,9 @@ def faces_and_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origin
         raise ValueError(
             f"{argument}: got points on faces {face.min()} to {face.max()}, want -1 (none) to {len(mesh.faces) - 1}"
         )
-    own = np.asarray(points.normal, np.float64)
-    own = unit_or_zero(np.where(np.isfinite(own).all(axis=1, keepdims=True), own, 0.0))
-    return face, np.where(face[:, None] >= 0, mesh.face_normals[face], own)
+    normals = mesh.face_normals[face]
+    alone = np.flatnonzero(face < 0)
+    if len(alone):
+        own = np.asarray(points.normal, np.float64)[alone]
+        normals[alone] = unit_or_zero(np.where(np.isfinite(own).all(axis=1, keepdims=True), own, 0.0))
+    return face, normals

@@ -3,15 +3,15 @@
 import warp as wp
 
 from warpsample.locks import once
-from warpsample.tracing.intersect import Ray, boxes_met, greater, lowest_bit, ray_in, triangle_distance, triangles_near
+from warpsample.tracing.intersect import Ray, boxes_met, lowest_bit, ray_in, triangle_distance, triangles_near
 from warpsample.tracing.layout import LEAF_BYTES, NODE_BYTES, WIDTH, Accelerator
 
 _NODE = wp.constant(wp.uint64(NODE_BYTES))
 _LEAF = wp.constant(wp.uint64(LEAF_BYTES))
 _PLACES = wp.constant(wp.uint64(6 * WIDTH * 4))
 _EDGES = wp.constant(wp.uint64(7 * WIDTH * 4))
-_UPPER = wp.constant(wp.uint64(3 * WIDTH * 4))
 _FACES = wp.constant(wp.uint64(9 * WIDTH * 4))
+_ALL = wp.constant(wp.int32(2**WIDTH - 1))
 _WAITING = wp.constant(wp.uint64(4 * 4))
 
 
@@ -23,20 +23,42 @@ def nearest_of(
     column: wp.uint64,
     reach: wp.float32,
     edge: wp.float32,
-    far: wp.float32,
 ):
     """(distance, place in the leaf) of the nearest triangle met, of those in the mask `lanes`; (reach, -1) if none is."""
-    met, sure = triangles_near(leaf, ray, reach, edge, far)
-    met = met & lanes
+    found = triangles_near(leaf, ray, reach, edge)
+    met = found & lanes
     nearest = wp.int32(-1)
-    for _ in range(wp.bit_count(met)):
+    while met != 0:
         triangle = lowest_bit(met)
         met = met & (met - 1)
-        distance = triangle_distance(leaf, triangle, sure & (1 << triangle), ray, column, reach)
+        distance = triangle_distance(leaf, triangle, (found >> WIDTH) & (1 << triangle), ray, column, reach)
         if distance > 0.0:
             reach = distance
             nearest = triangle
     return reach, nearest
+
+
+@wp.func
+def any_of(
+    leaf: wp.uint64,
+    lanes: wp.int32,
+    ray: Ray,
+    column: wp.uint64,
+    reach: wp.float32,
+    edge: wp.float32,
+) -> wp.int32:
+    """The place in the leaf of some triangle that is met, likewise; -1 if none is."""
+    met = triangles_near(leaf, ray, reach, edge) & (lanes | (lanes << WIDTH))
+    triangle = wp.int32(-1)
+    if met != 0:
+        sure = (met >> WIDTH) & _ALL
+        if sure != 0:
+            triangle = lowest_bit(sure)
+        while met != 0 and triangle < 0:
+            if triangle_distance(leaf, lowest_bit(met), 0, ray, column, reach) > 0.0:
+                triangle = lowest_bit(met)
+            met = met & (met - 1)
+    return triangle
 
 
 @wp.func
@@ -106,10 +128,10 @@ def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
                 visited_leaves += 1
                 leaf = accelerator.leaves + wp.uint64(~place) * _LEAF
                 edges = wp.array(ptr=node + _EDGES, shape=(WIDTH,), dtype=wp.float32)
-                lower = wp.array(ptr=node + ray.along, shape=(WIDTH,), dtype=wp.float32)
-                upper = wp.array(ptr=node + ray.along + _UPPER, shape=(WIDTH,), dtype=wp.float32)
-                far = greater(upper[child] - ray.origin_along, ray.origin_along - lower[child])
-                reach, triangle = nearest_of(leaf, -1, ray, column, reach, edges[child], far)
+                if wp.static(any_hit):
+                    triangle = any_of(leaf, _ALL, ray, column, reach, edges[child])
+                else:
+                    reach, triangle = nearest_of(leaf, _ALL, ray, column, reach, edges[child])
                 if triangle >= 0:
                     hit = triangle
                     hit_leaf = leaf
@@ -138,6 +160,8 @@ def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
             faces = wp.array(ptr=hit_leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)
             face = faces[hit]
             nearest = reach
+            if wp.static(any_hit):
+                nearest = triangle_distance(hit_leaf, hit, 1, ray, column, reach)
         return nearest, face, visited, visited_leaves
 
     return wide_query
