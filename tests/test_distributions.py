@@ -33,7 +33,7 @@ def laws_of(case):
     return pytest.param(case, marks=pytest.mark.slow) if grazing else case
 
 
-@pytest.mark.parametrize("case", map(laws_of, CASES), ids=repr)
+@pytest.mark.parametrize("case", [laws_of(case) for case in CASES], ids=repr)
 def test_every_law_holds(case):
     """Every 64th variate and 2^19 draws here; `warpsample verify` takes 16 and 8 times as many."""
     hostile = stress.judge_normals(case) if case.width == 3 else []
