@@ -161,6 +161,8 @@ def test_tolerance_is_reached_without_bias(bunny, points):
     assert runs[0].skipped.unneeded_rays > 0
     tight = ws.ambient_occlusion(bunny, points, 1024, tolerance=1e-9)
     assert np.array_equal(tight.value[tight.rays > 64], fixed.value[tight.rays > 64])
+    easy = ws.ambient_occlusion(bunny, points, 1024, tolerance=1e3, skip=False)
+    assert (easy.rays == 64 + 32).all()  # the trial's and the fewest: a power of two is not taken up to the next
 
 
 # Both tracers, any scale, any mesh
