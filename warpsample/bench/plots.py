@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from warpsample import sequences
 from warpsample.bench import directions, error, peers, rays, scaling, visibility
 from warpsample.bench.directions import short_name
 from warpsample.export import complete_or_absent
-from warpsample.plotting.rendering import SEQUENCE_COLOURS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -55,14 +55,14 @@ def draw_directions(rows: list[directions.Row], caption: str) -> dict[str, "Figu
     fill = next(row for row in rows if row.table == "maps" and row.distribution == "fill")
     _ceiling(axes, fill.nanoseconds.median, "NumPy's fill")
 
-    sequences, axes = _figure(caption, 9.0, 5.0)
+    streams, axes = _figure(caption, 9.0, 5.0)
     chosen = [row for row in rows if row.table == "sequences" and row.workers in (everyone, 1)]
     counts = list(dict.fromkeys(row.samples for row in chosen))
     names = list(dict.fromkeys(row.sequence for row in chosen if row.sequence))
     for k, name in enumerate(names):
         mine = [row for row in chosen if row.sequence == name and row.workers == everyone]
         places = [i + 0.13 * (k - len(names) / 2 + 0.5) for i in range(len(counts))]
-        _bars(axes, places, mine, SEQUENCE_COLOURS[name], name)
+        _bars(axes, places, mine, sequences.get(name).colour, name)
     fills = [row.million_per_second.median for row in chosen if row.distribution == "fill"]
     for i, height in enumerate(fills):
         axes.hlines(height, i - 0.45, i + 0.45, color=_CEILING, label=None if i else "NumPy's fill, 1 thread")
@@ -70,7 +70,7 @@ def draw_directions(rows: list[directions.Row], caption: str) -> dict[str, "Figu
     axes.set(xlabel="samples per point", ylabel="million directions per second")
     axes.set_title(f"Sequences, cosine lobe, {everyone} workers; bars to the middle half of the repeats")
     axes.legend(ncols=4, fontsize=8, frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1.06))
-    return {"maps": maps, "sequences": sequences}
+    return {"maps": maps, "sequences": streams}
 
 
 def draw_error(curves: list[error.Curve], caption: str) -> dict[str, "Figure"]:
@@ -83,7 +83,7 @@ def draw_error(curves: list[error.Curve], caption: str) -> dict[str, "Figure"]:
     for axes, name in zip(grid, names, strict=False):
         for curve in (c for c in curves if c.integrand == name):
             times, errors = zip(*((p.microseconds.median, p.rmse) for p in curve.points), strict=True)
-            axes.loglog(times, errors, "o-", color=SEQUENCE_COLOURS[curve.sequence], markersize=3, label=curve.sequence)
+            axes.loglog(times, errors, "o-", color=sequences.get(curve.sequence).colour, markersize=3, label=curve.sequence)
         axes.set_title(f"{name} ({curve.kind})", fontsize=10)
         axes.grid(alpha=0.3)
     for axes in grid[len(names) :]:

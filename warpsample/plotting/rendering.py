@@ -34,15 +34,6 @@ BARS = "#7aa6c2"
 DOTS = "#2f6690"
 INK = "#333333"
 
-SEQUENCE_COLOURS = {
-    "sobol": "#2f6690",
-    "fibonacci": "#d1495b",
-    "r2": "#5b8e3e",
-    "stratified": "#8c6bb1",
-    "independent": "#555555",
-    "philox": "#9c927a",
-}
-
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 VIEW = {"x": (0.35, 0.3, 1.0), "y": (0.3, 0.35, 1.0), "z": (0.3, -1.0, 0.35)}
 """From where a mesh is seen whose axis of that name points up."""

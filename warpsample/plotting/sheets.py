@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from warpsample.plotting.rendering import BARS, DOTS, INK, LOBE, SEQUENCE_COLOURS
+from warpsample import sequences
+from warpsample.plotting.rendering import BARS, DOTS, INK, LOBE
 from warpsample.proof.histogram import HistogramTest
 
 if TYPE_CHECKING:
@@ -15,7 +16,6 @@ if TYPE_CHECKING:
 _FINER = 3  # pixels of the overlay to one of the picture
 _DOT = 4.0  # pixels
 _RED, _GREEN, _YELLOW = "#ff0000", "#00ff00", "#ffff00"
-_MARKERS = {"sobol": "o", "fibonacci": "s", "r2": "^", "stratified": "D", "independent": "v", "philox": "x"}
 
 
 def overlay(red: np.ndarray, green: np.ndarray, size: int) -> tuple[np.ndarray, float]:
@@ -176,7 +176,7 @@ def sequence_sheet(
     above, below = figure.subfigures(2, 1, height_ratios=(1.25, 1.0))
     grid = above.subplots(2, len(squares))
     for (square, lobe), name in zip(grid.T, squares, strict=True):
-        colour = SEQUENCE_COLOURS[name]
+        colour = sequences.get(name).colour
         square.plot(*squares[name].T, ".", color=colour, markersize=4)
         square.set(aspect="equal", xlim=(0, 1), ylim=(0, 1), xticks=(0, 1), yticks=(0, 1))
         square.set_xlabel("u[0]", labelpad=-12)
@@ -239,7 +239,7 @@ def _seen(points: np.ndarray, tilt: float) -> tuple[np.ndarray, np.ndarray]:
 
 def _draw_convergence(axes: "Axes", curve: Convergence) -> None:
     for name, rmse in curve.rmse.items():
-        style: dict[str, Any] = {"color": SEQUENCE_COLOURS[name], "marker": _MARKERS[name], "markersize": 6}
+        style: dict[str, Any] = {"color": sequences.get(name).colour, "marker": sequences.get(name).marker, "markersize": 6}
         axes.loglog(curve.counts, rmse, label=name, **style)
     first = max(rmse[0] for rmse in curve.rmse.values())
     for power in (-0.5, -1.0):

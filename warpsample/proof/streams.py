@@ -20,7 +20,6 @@ from warpsample.proof.verify import LEVEL, Verdict
 Variates = Callable[..., np.ndarray]
 
 _SIDE = 128  # points, and samples of each, in a block of the endless stream
-_RANDOM = ("independent", "philox")  # no structure between the samples of a point either
 # A change of the stream changes every result that anyone has stored: it must be meant.
 FROZEN = {
     "fibonacci": "be3491b49b9e0314",
@@ -81,7 +80,7 @@ def judge_sequence(name: str, points: int = 1_000_000) -> list[Verdict]:
         return sample_square(name, points, samples, seed)
 
     frozen = Verdict("frozen stream", name, float(digest(name) != FROZEN[name]), 0.0, False, digest(name))
-    return [*judge_stream(name, variates, points, name in _RANDOM), frozen]
+    return [*judge_stream(name, variates, points, sequences.get(name).random), frozen]
 
 
 def repeats_p_value(variates: Variates, points: int) -> float:

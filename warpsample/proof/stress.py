@@ -130,8 +130,7 @@ def judge_indices(name: str) -> Verdict:
         cells = (out.numpy().astype(np.float64) * 2**24).astype(np.int64)
         want = np.array([expected(name, seed, p, s, c) for p, s, c in asked])
         worst = max(worst, int(np.abs(cells - want).max()))
-    # A quotient of float64s may fall on the other side of a cell's edge.
-    limit = 1.0 if name in ("fibonacci", "stratified") else 0.0
+    limit = float(sequences.get(name).cells_off)
     return Verdict(
         "indices", name, float(worst), limit, False, f"cells of 2^-24; ids to 2^64, indices to 2^31, {len(_SEEDS)} seeds"
     )

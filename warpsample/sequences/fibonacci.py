@@ -30,6 +30,9 @@ RECORD = Sequence(
     name="fibonacci",
     sample=fibonacci,
     progressive=False,
+    colour="#d1495b",
+    marker="s",
+    cells_off=1,
     summary="Fibonacci lattice with a random shift and rotation, the best for visibility",
     source="Marques et al. 2013, Spherical Fibonacci Point Sets; Keinert in Shirley 2014",
 )

@@ -23,6 +23,8 @@ RECORD = Sequence(
     sample=r2,
     progressive=True,
     edge=0.45,
+    colour="#5b8e3e",
+    marker="^",
     summary="additive recurrence of the plastic number, cheap and progressive",
     source="Roberts 2018, The Unreasonable Effectiveness of Quasirandom Sequences",
 )

@@ -22,6 +22,10 @@ class Sequence:
         edge: where an edge passes through a square, two sets of n samples differ in how many are on one side of it: with a
             variance of about half of n to the power of `edge`, from 4 samples to 64. 1: as independent samples do.
         progressive: the first m of n points are those of any other n; else count must be known.
+        random: the points of one surface point are independent of each other, too.
+        cells_off: by how many cells of 2^-24 the integer twin may differ, where a quotient of float64s is rounded.
+        colour: of its curves, as "#rrggbb".
+        marker: of its points in matplotlib.
         summary: one line for tables.
         source: where it comes from.
     """
@@ -29,11 +33,15 @@ class Sequence:
     name: str
     sample: wp.Function
     progressive: bool
+    colour: str
+    marker: str
     summary: str
     source: str
     pair: wp.Function | None = None
     rate: float = 0.75
     edge: float = 0.25
+    random: bool = False
+    cells_off: int = 0
 
     def edge_variance(self, count: int) -> float:
         """That of the difference between two sets of `count` samples, in samples squared."""

@@ -37,6 +37,9 @@ RECORD = Sequence(
     sample=stratified,
     progressive=False,
     edge=0.36,
+    colour="#8c6bb1",
+    marker="D",
+    cells_off=1,
     summary="one jittered point in each cell of an equal-area grid",
     source="Pharr, Jakob, Humphreys 2023, section 8.5, with rows of two lengths for any count",
 )
