@@ -344,6 +344,29 @@ def test_a_beam_holds_what_its_rays_meet_and_not_what_is_clearly_beside_it(count
         assert not masks[:, 1][there].any()
 
 
+def test_a_beam_holds_the_sheet_that_its_lowest_rays_meet():
+    """Large triangles along the horizon, above the origin by less than their corners are rounded."""
+    cells = cells_of(448)
+    rng, origins, normals = lobes(6, False)
+    origins *= 0.25
+    sector = rng.integers(0, cells.sectors, N)
+    u = np.stack([np.full(N, 1.0 - 2.0**-23), (sector + 0.5) / cells.sectors], axis=1)
+    frame = frames(normals)
+    local = ws.CosineHemisphere("polar").sample(u.astype(np.float32)).astype(np.float64)
+    ways = unit((local[:, :, None] * frame).sum(axis=1))
+    places = origins[:, None] + 2.0**-13 * rng.uniform(0.01, 1.0, (N, WIDTH, 1)) * ways[:, None].astype(np.float64)
+    turns = 2.0 * np.pi * (rng.uniform(size=(N, WIDTH, 1)) + np.arange(3) / 3.0)
+    across = np.cos(turns)[..., None] * frame[:, None, None, 0] + np.sin(turns)[..., None] * frame[:, None, None, 1]
+    triangles = (places[:, :, None] + 0.5 * across).astype(np.float32)
+    hits, clear = meets(origins, ways, triangles)
+    met = np.isfinite(hits) & (clear > 1e-6)
+    assert met.mean() >= 0.3
+    beams = on_cpu(cells.beams[sector, cells.bands].reshape(N, -1))
+    inputs = [nodes(places, places), leaves(triangles), beams, on_cpu(origins, wp.vec3), on_cpu(normals, wp.vec3), LOW]
+    masks = bits(launch(_in_beam, N, inputs, wp.zeros((N, 2), wp.int32, device="cpu"))[0])
+    assert masks[:, 1][met].all()
+
+
 def frames(normals):
     """(N, 3, 3) float64 rows x, y, z of the frame about each normal (Duff et al. 2017)."""
     x, y, z = np.moveaxis(normals.astype(np.float64), 1, 0)
