@@ -19,8 +19,8 @@ from warpsample.proof import report
 from warpsample.proof.rays import closed_meshes, judge_mesh, rays_inside
 from warpsample.tracing import order, trace
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
-from warpsample.tracing.intersect import prepare_wide
 from warpsample.tracing.layout import CHUNK
+from warpsample.tracing.prepare import prepare_wide
 from warpsample.tracing.rays import ray_kernel
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.wide import wide_query
@@ -400,7 +400,7 @@ wp.config.cpu_compiler_flags += " -Rpass=loop-vectorize -Rpass-missed=loop-vecto
 import warpsample as ws
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.weights import everywhere
-from warpsample.tracing.intersect import prepare_wide
+from warpsample.tracing.prepare import prepare_wide
 from warpsample.tracing.rays import ray_kernel
 from warpsample.tracing.wide import wide_query
 estimate = (ws.sequences.get("fibonacci"), ws.CosineHemisphere("polar").about(), everywhere, True, True, 1)

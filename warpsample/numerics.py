@@ -216,3 +216,27 @@ def normalize(v: wp.vec3) -> wp.vec3:
     if wp.abs(unit[3]) < 0.1:
         return wp.vec3(unit[0], unit[1], unit[2])
     return wp.vec3(0.0)
+
+
+@wp.func
+def lesser(a: wp.float32, b: wp.float32) -> wp.float32:
+    """The minimum, in one instruction: `wp.min` also asks for NaN, and none reaches this."""
+    return wp.where(a < b, a, b)
+
+
+@wp.func
+def greater(a: wp.float32, b: wp.float32) -> wp.float32:
+    """The maximum, likewise."""
+    return wp.where(a > b, a, b)
+
+
+@wp.func
+def negative(x: wp.float32) -> wp.float32:
+    """-x as a change of sign, which fuses with what follows: Warp's own minus subtracts from 0."""
+    return wp.float32(-1.0) * x
+
+
+@wp.func
+def lowest_bit(mask: wp.int32) -> wp.int32:
+    """The number of the lowest bit that is set, in a mask that is not 0."""
+    return wp.bit_count((mask & (-mask)) - 1)

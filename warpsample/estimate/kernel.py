@@ -11,7 +11,6 @@ from warpsample.locks import once
 from warpsample.numerics import high_word, low_word, scaled_to_unit
 from warpsample.sequences.record import Sequence
 from warpsample.tracing.frontier import HORIZON_MARGIN, NEAR, NEAR_EDGE, frontier
-from warpsample.tracing.intersect import ray_in
 from warpsample.tracing.layout import (
     BEAM_FLOATS,
     CHUNK,
@@ -22,6 +21,7 @@ from warpsample.tracing.layout import (
     START_FLOATS,
     Accelerator,
 )
+from warpsample.tracing.prepare import ray_in
 from warpsample.tracing.rays import far_off, lift, local_origin, point_of, reach_along
 from warpsample.tracing.wide import any_of, nearest_of
 

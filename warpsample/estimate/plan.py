@@ -21,8 +21,8 @@ from warpsample.mesh import Mesh, as_mesh
 from warpsample.sequences.record import Sequence
 from warpsample.surface import SurfacePoints
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
-from warpsample.tracing.intersect import prepare_wide
 from warpsample.tracing.order import order_of
+from warpsample.tracing.prepare import prepare_wide
 from warpsample.tracing.rays import Job as RayJob
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.starts import starts_of

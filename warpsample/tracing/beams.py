@@ -6,8 +6,7 @@ whole beam moves away from its plane. What is neither may still be missed by all
 
 import warp as wp
 
-from warpsample.numerics import fma
-from warpsample.tracing.intersect import greater, lesser, lowest_bit
+from warpsample.numerics import fma, greater, lesser, lowest_bit
 from warpsample.tracing.layout import BEAM_FLOATS, LEAF_BYTES, NODE_BYTES, PLANES, WIDTH, Accelerator
 from warpsample.tracing.wide import put_aside
 

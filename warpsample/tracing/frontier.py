@@ -7,10 +7,9 @@ above its horizon become a leaf. What is below the horizon or out of reach is le
 
 import warp as wp
 
-from warpsample.numerics import fma
+from warpsample.numerics import fma, greater, lowest_bit
 from warpsample.tracing.beams import highest_corner
 from warpsample.tracing.boxes import PADDING
-from warpsample.tracing.intersect import greater, lowest_bit
 from warpsample.tracing.layout import LEAF_BYTES, MOST_STARTS, NODE_BYTES, WIDTH, Accelerator
 
 NEAR = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES))

@@ -14,9 +14,9 @@ from warpsample.engine import check_memory, check_workers, run
 from warpsample.mesh import Mesh, as_mesh, unit_or_zero
 from warpsample.surface import SurfacePoints
 from warpsample.tracing.builtin import builtin_query, prepare_builtin
-from warpsample.tracing.intersect import prepare_wide
 from warpsample.tracing.layout import CHUNK, AcceleratorJob
 from warpsample.tracing.order import order_of
+from warpsample.tracing.prepare import prepare_wide
 from warpsample.tracing.rays import Job, ray_kernel
 from warpsample.tracing.scene import Scene, scene_of
 from warpsample.tracing.starts import starts_of

@@ -3,8 +3,11 @@
 import warp as wp
 
 from warpsample.locks import once
-from warpsample.tracing.intersect import Ray, boxes_met, lowest_bit, ray_in, triangle_distance, triangles_near
+from warpsample.numerics import lowest_bit
+from warpsample.tracing.decision import triangle_distance
+from warpsample.tracing.intersect import boxes_met, triangles_near
 from warpsample.tracing.layout import LEAF_BYTES, NODE_BYTES, WIDTH, Accelerator
+from warpsample.tracing.prepare import Ray, ray_in
 
 _NODE = wp.constant(wp.uint64(NODE_BYTES))
 _LEAF = wp.constant(wp.uint64(LEAF_BYTES))

@@ -1,0 +1,126 @@
+"""A face in float64, as the starts of rays see it: its corners, its normal, and which points touch it."""
+
+import warp as wp
+
+from warpsample.tracing.rays import LIFT, RayJob
+
+_LIFT = wp.constant(wp.float64(LIFT))
+_ZERO = wp.constant(wp.float64(0.0))
+_TWO = wp.constant(wp.float64(2.0))
+
+NOWHERE = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
+
+
+@wp.struct
+class StartJob:
+    """Scalars and addresses.
+
+    rays: of the points: their places, and in `normals` the unit normals of their faces, their own where they lie on none.
+    towards: (P, 3) float32, directions to the side of the face from which a point looks; 0: both sides, `normals` first.
+    face: (P,) int32, -1 where it is not known.
+    vertices, triangles: (V, 3) float32 and (F, 3) int32 of the scene.
+    starts: (P, sides, 3) float32, where they start; in the scene's coordinates.
+    sides: 1 or 2.
+    """
+
+    rays: RayJob
+    towards: wp.uint64
+    face: wp.uint64
+    vertices: wp.uint64
+    triangles: wp.uint64
+    spread_x: wp.float32
+    spread_y: wp.float32
+    spread_z: wp.float32
+    starts: wp.uint64
+    sides: wp.int32
+
+
+StartArgs = type(StartJob().__ctype__())
+
+
+@wp.struct
+class Facet:
+    """A face: its corners, unit normal (0 if it is too thin to have one) and twice its area.
+
+    lift: how far points of it are moved off it. slack: how far beside it they may be, since its corners are rounded.
+    """
+
+    a: wp.vec3d
+    b: wp.vec3d
+    c: wp.vec3d
+    n: wp.vec3d
+    area: wp.float64
+    lift: wp.float64
+    slack: wp.float64
+
+
+@wp.func
+def vector_at(address: wp.uint64, i: wp.int64) -> wp.vec3:
+    """The i-th vector of an array."""
+    return wp.array(ptr=address + wp.uint64(i) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+
+
+@wp.func
+def in_double(v: wp.vec3) -> wp.vec3d:
+    """The same vector in float64."""
+    return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
+
+
+@wp.func
+def with_normal(job: StartJob, facet: Facet, n: wp.vec3d) -> Facet:
+    """A facet with that unit normal, along which points are moved off it by 32 roundings of its corners."""
+    spread = wp.vec3d(wp.float64(job.spread_x), wp.float64(job.spread_y), wp.float64(job.spread_z))
+    facet.n = n
+    facet.lift = wp.float64(job.rays.coarseness)
+    facet.slack = facet.lift
+    for axis in range(3):
+        reach = wp.max(wp.max(wp.abs(facet.a[axis]), wp.abs(facet.b[axis])), wp.abs(facet.c[axis]))
+        facet.lift += _LIFT * wp.abs(n[axis]) * wp.max(reach, spread[axis])
+        facet.slack += _LIFT * wp.max(reach, spread[axis])
+    return facet
+
+
+@wp.func
+def corners_of(job: StartJob, face: wp.int32) -> Facet:
+    """A face without its normal."""
+    corners = wp.array(ptr=job.triangles + wp.uint64(face) * wp.uint64(12), shape=(1,), dtype=wp.vec3i)[0]
+    facet = Facet()
+    facet.a = in_double(vector_at(job.vertices, wp.int64(corners[0])))
+    facet.b = in_double(vector_at(job.vertices, wp.int64(corners[1])))
+    facet.c = in_double(vector_at(job.vertices, wp.int64(corners[2])))
+    return facet
+
+
+@wp.func
+def facet_of(job: StartJob, face: wp.int32) -> Facet:
+    """A face with its normal, which is 0 where the face is thinner than its lift."""
+    facet = corners_of(job, face)
+    n = wp.cross(facet.b - facet.a, facet.c - facet.a)
+    facet.area = wp.length(n)
+    longest = wp.max(wp.max(wp.length(facet.b - facet.a), wp.length(facet.c - facet.b)), wp.length(facet.a - facet.c))
+    if facet.area > _ZERO:
+        facet = with_normal(job, facet, n / facet.area)
+    if facet.area <= facet.lift * longest:
+        facet.n = NOWHERE
+    return facet
+
+
+@wp.func
+def _inwards(facet: Facet, start: wp.vec3d, end: wp.vec3d, p: wp.vec3d) -> wp.float64:
+    """How far a point of a facet's plane is on the inner side of an edge."""
+    edge = end - start
+    return wp.dot(wp.cross(edge, p - start), facet.n) / wp.length(edge)
+
+
+@wp.func
+def within(facet: Facet, p: wp.vec3d) -> wp.float64:
+    """How far a point of a facet's plane is on the inner side of all its edges."""
+    first = wp.min(_inwards(facet, facet.a, facet.b, p), _inwards(facet, facet.b, facet.c, p))
+    return wp.min(first, _inwards(facet, facet.c, facet.a, p))
+
+
+@wp.func
+def touches(facet: Facet, p: wp.vec3d, moved: wp.float64) -> wp.bool:
+    """Whether a point is as near to a facet as two lifts, or may be brought as near by a move."""
+    near = wp.abs(wp.dot(facet.n, p - facet.a)) <= _TWO * facet.lift + moved
+    return near and within(facet, p) >= -facet.slack - moved
