@@ -12,6 +12,7 @@ from test_tracing import soup
 import warpsample as ws
 from warpsample.estimate.cells import cells_of
 from warpsample.estimate.kernel import estimate_kernel
+from warpsample.estimate.slots import Slots
 from warpsample.estimate.weights import everywhere
 from warpsample.proof.rays import closed_meshes
 from warpsample.tracing.builtin import builtin_any_query, prepare_builtin
@@ -269,9 +270,8 @@ def test_bad_arguments_are_named(bunny, points, change, message):
 
 
 def test_the_kernel_compiles_for_cuda(tmp_path):
-    slots = (prepare_builtin, builtin_any_query, True, False)
-    kernel = estimate_kernel(
-        ws.sequences.get("fibonacci"), ws.CosineHemisphere("polar").about(), everywhere, True, True, 1, *slots
-    )
+    query = (prepare_builtin, builtin_any_query, True, False)
+    about = ws.CosineHemisphere("polar").about()
+    kernel = estimate_kernel(Slots(ws.sequences.get("fibonacci"), about, everywhere, True, True, 1, *query))
     (ptx,) = wp.compile_aot_module(kernel.module, device=None, arch=86, use_ptx=True, module_dir=tmp_path)
     assert ".visible .entry" in ptx.read_text()

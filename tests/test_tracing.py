@@ -399,6 +399,7 @@ wp.config.log_level = wp.LOG_WARNING
 wp.config.cpu_compiler_flags += " -Rpass=loop-vectorize -Rpass-missed=loop-vectorize"
 import warpsample as ws
 from warpsample.estimate.kernel import estimate_kernel
+from warpsample.estimate.slots import Slots
 from warpsample.estimate.weights import everywhere
 from warpsample.tracing.prepare import prepare_wide
 from warpsample.tracing.rays import ray_kernel
@@ -407,7 +408,7 @@ estimate = (ws.sequences.get("fibonacci"), ws.CosineHemisphere("polar").about(),
 for kernel in (
     ray_kernel(prepare_wide, wide_query(False)),
     ray_kernel(prepare_wide, wide_query(True)),
-    estimate_kernel(*estimate, prepare_wide, wide_query(True, several=True), True, True),
+    estimate_kernel(Slots(*estimate, prepare_wide, wide_query(True, several=True), True, True)),
 ):
     print("@@", file=sys.stderr, flush=True)
     wp.load_module(kernel.module, device="cpu")

@@ -16,6 +16,7 @@ from warpsample.estimate.cells import Cells, cells_of
 from warpsample.estimate.job import Job
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.result import Estimate, Skipped
+from warpsample.estimate.slots import Slots
 from warpsample.estimate.weights import WeightsJob
 from warpsample.mesh import Mesh, as_mesh
 from warpsample.sequences.record import Sequence
@@ -240,5 +241,5 @@ class _Runner:
             widen_lift(job.rays)
         about = CosineHemisphere("polar").about()
         what = (quantity.weigh, quantity.constant, quantity.binary and any_hit, quantity.channels)
-        kernel = estimate_kernel(plan.sequence, about, *what, *slots, any_hit, wide)
+        kernel = estimate_kernel(Slots(plan.sequence, about, *what, *slots, any_hit, wide))
         run(kernel, len(rows), [job, accelerator], cpu(), plan.workers, RAY_WORK * len(rows) * job.rays.count)

@@ -1,0 +1,126 @@
+"""One cell of the lobe: its rays made, weighed, traced and summed, a chunk at a time."""
+
+import warp as wp
+
+from warpsample.estimate.job import EstimateJob, Spot, bring_near
+from warpsample.estimate.rays import distance_of, spread_of
+from warpsample.estimate.slots import Slots
+from warpsample.kernels.variates import LANES
+from warpsample.locks import once
+from warpsample.tracing.layout import CHUNK, CHUNK_FLOATS, DIRECTION, REACH, Accelerator
+from warpsample.tracing.rays import far_off
+
+_ZERO = wp.constant(wp.float64(0.0))
+_ONE = wp.constant(wp.float64(1.0))
+_HALF = wp.constant(wp.float64(0.5))
+
+
+@once
+def jump_of(slots: Slots) -> wp.Function:
+    """A function that says what an edge through a cell is worth."""
+    any_hit, counts = slots.any_hit, slots.counts
+
+    @wp.func
+    def jump_at(w: wp.vec3, total: wp.vec3d, free: wp.int32, rays: wp.int32) -> wp.vec3d:
+        """By how much a ray's weight changes where an edge begins, squared: of a cell's total and its free rays.
+
+        w is the weight of one ray, for where none is free.
+        """
+        jump = wp.vec3d(_ONE, _ZERO, _ZERO)
+        if wp.static(not any_hit):
+            # What ends at an edge occludes by anything from nothing to what the others do, and so does what begins there.
+            if free < rays:
+                jump[0] = (wp.float64(rays) - total[0]) / wp.float64(rays - free)
+            return wp.vec3d(_HALF * jump[0] * jump[0], _ZERO, _ZERO)
+        if wp.static(not counts):
+            jump = wp.vec3d(wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2]))
+            if free > 0:
+                jump = total / wp.float64(free)
+        return wp.cw_mul(jump, jump)
+
+    return jump_at
+
+
+@once
+def share_of(slots: Slots) -> wp.Function:
+    """A function that asks what a ray's weight is worth."""
+    any_hit, distance_to = slots.any_hit, distance_of(slots)
+
+    @wp.func
+    def share_of(job: EstimateJob, accelerator: Accelerator, spot: Spot, near: wp.int32, column: wp.uint64):
+        """(the share of its weight that a ray adds, 1 if it meets something and else 0)."""
+        ray = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+        reach = ray[REACH]
+        distance = wp.float32(wp.INF)
+        if reach > 0.0:
+            distance = distance_to(accelerator, spot, near, column, reach)
+        share = wp.float32(1.0)
+        if distance < wp.INF:
+            share = 0.0
+            if wp.static(not any_hit):
+                t = (distance + (spot.reach - reach)) / spot.reach
+                share = 1.0 - wp.pow(1.0 - t, job.falloff)
+        return share, wp.where(distance < wp.INF, 1, 0)
+
+    return share_of
+
+
+@once
+def cell_sum(slots: Slots) -> wp.Function:
+    """A function that sums a cell."""
+    spread, share_left = spread_of(slots), share_of(slots)
+    weigh, prepare, counts, channels = slots.weigh, slots.prepare, slots.counts, slots.channels
+
+    @wp.func
+    def sum_cell(job: EstimateJob, accelerator: Accelerator, spot: Spot, cell: wp.int32, found: wp.int32, near: wp.int32):
+        """(sum of the weights of both replicates' rays, how much more the first has, rays cast, free, a weight)."""
+        # Scalars: a vector of doubles goes through memory, and costs half as much as a ray. Hits are whole numbers.
+        hits = wp.int32(0)
+        more_hits = wp.int32(0)
+        x = _ZERO
+        y = _ZERO
+        z = _ZERO
+        more_x = _ZERO
+        more_y = _ZERO
+        more_z = _ZERO
+        cast = wp.int32(0)
+        free = 2 * job.each
+        w = wp.vec3(1.0, 0.0, 0.0)
+        for first in range(0, 2 * job.each, CHUNK):
+            length = wp.min(CHUNK, 2 * job.each - first)
+            padded = (length + LANES - 1) / LANES * LANES
+            spread(job, spot, cell, first, padded)
+            if far_off(spot.place):
+                for k in range(length):
+                    bring_near(spot, spot.chunk + wp.uint64(4 * k))
+            if found != 0:
+                prepare(spot.chunk, padded)
+            for k in range(length):
+                column = spot.chunk + wp.uint64(4 * k)
+                ray = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+                w = weigh(wp.vec3(ray[DIRECTION], ray[DIRECTION + CHUNK], ray[DIRECTION + 2 * CHUNK]), job.weights)
+                share = wp.float32(1.0)
+                if found != 0 and (w[0] != 0.0 or w[1] != 0.0 or w[2] != 0.0):
+                    cast += 1
+                    share, met = share_left(job, accelerator, spot, near, column)
+                    free -= met
+                sign = wp.where(first + k < job.each, 1, -1)
+                if wp.static(counts):
+                    hit = wp.where(share * w[0] != 0.0, 1, 0)
+                    hits += hit
+                    more_hits += sign * hit
+                else:
+                    x += wp.float64(share * w[0])
+                    more_x += wp.float64(sign) * wp.float64(share * w[0])
+                    if wp.static(channels > 1):
+                        y += wp.float64(share * w[1])
+                        z += wp.float64(share * w[2])
+                        more_y += wp.float64(sign) * wp.float64(share * w[1])
+                        more_z += wp.float64(sign) * wp.float64(share * w[2])
+        if wp.static(counts):
+            x = wp.float64(hits)
+            more_x = wp.float64(more_hits)
+            free = hits  # and weighs 1
+        return wp.vec3d(x, y, z), wp.vec3d(more_x, more_y, more_z), cast, free, w
+
+    return sum_cell

@@ -1,0 +1,188 @@
+"""The lobe of one point: what of it is empty is found, the rest is summed cell by cell."""
+
+import warp as wp
+
+from warpsample.estimate.cell import cell_sum, jump_of
+from warpsample.estimate.intervals import edge_variance, posterior, worth_of_prior
+from warpsample.estimate.job import EstimateJob, Spot, found_in
+from warpsample.estimate.slots import Slots
+from warpsample.locks import once
+from warpsample.tracing.frontier import frontier
+from warpsample.tracing.layout import Accelerator
+from warpsample.tracing.rays import far_off
+
+NOTHING = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
+
+_ZERO = wp.constant(wp.float64(0.0))
+_ONE = wp.constant(wp.float64(1.0))
+_HALF = wp.constant(wp.float64(0.5))
+
+
+@once
+def opened_for(slots: Slots) -> wp.Function:
+    """A function that opens the tree around a point."""
+    wide = slots.wide
+
+    @wp.func
+    def open_around(job: EstimateJob, accelerator: Accelerator, spot: Spot):
+        """(the tree as the point's rays see it, mask of the triangles around the point, whether beams are of use)."""
+        starts = wp.int32(-1)
+        near = wp.int32(0)
+        if wp.static(wide):
+            if job.skip != 0 and not far_off(spot.place):
+                starts, around = frontier(accelerator, spot.o, spot.n, spot.low, spot.reach, spot.room, spot.scratch)
+                near = (1 << around) - 1
+                if starts >= 0:
+                    accelerator.start = spot.room
+                    accelerator.starts = starts
+        beams = (starts > 0 or (starts == 0 and near != 0)) and job.beams != wp.uint64(0)
+        return accelerator, near, beams
+
+    return open_around
+
+
+@once
+def widths_of(slots: Slots) -> wp.Function:
+    """A function that says how wide an estimate's interval is."""
+    channels, worth = slots.channels, wp.constant(wp.float64(worth_of_prior(slots.counts)))
+
+    @wp.func
+    def widths_of(
+        variance: wp.vec3d,
+        expected: wp.vec3d,
+        unseen: wp.vec3d,
+        rest: wp.vec3d,
+        fourth: wp.vec3d,
+        mixed: wp.int32,
+        cells: wp.int32,
+    ):
+        """`posterior` of each channel; `unseen` is summed over the cells."""
+        width = NOTHING
+        degrees = NOTHING
+        for c in range(channels):
+            of_ray = unseen[c] / wp.float64(cells)
+            square, freedom = posterior(variance[c], expected[c], of_ray, rest[c], fourth[c], mixed, cells, worth)
+            width[c] = square
+            degrees[c] = freedom
+        return width, degrees
+
+    return widths_of
+
+
+@once
+def search_of(slots: Slots) -> wp.Function:
+    """A function that searches a sector or a cell for what its rays may meet."""
+    wide = slots.wide
+
+    @wp.func
+    def search(
+        job: EstimateJob, seen: Accelerator, spot: Spot, beam: wp.int32, found: wp.int32, near: wp.int32, beams: wp.bool
+    ):
+        """(whether anything is found there, which of the triangles around the point); as it is known without beams."""
+        if wp.static(wide):
+            if beams and found != 0:
+                found, near = found_in(job, seen, spot, beam, near)
+        return found, near
+
+    return search
+
+
+@once
+def counted_lobe(slots: Slots) -> wp.Function:
+    """A function that sums a lobe whose rays add 1 or 0: scalars, and where all rays agree their difference is 0."""
+    constant = slots.constant
+    open_around, search, sum_cell, widths = opened_for(slots), search_of(slots), cell_sum(slots), widths_of(slots)
+
+    @wp.func
+    def sum_lobe(job: EstimateJob, accelerator: Accelerator, spot: Spot):
+        """(sum of the weights of all rays, squares of its standard error and spread, degrees, rays cast, in empty cells)."""
+        hits = wp.int32(0)
+        squared = _ZERO
+        edges = _ZERO
+        mixed = wp.int32(0)
+        cast = wp.int32(0)
+        empty = wp.int32(0)
+        seen, near, beams = open_around(job, accelerator, spot)
+        anything = wp.where(seen.starts == 0 and near == 0, 0, 1)
+        for sector in range(job.sectors):
+            sector_found = anything
+            for step in range(wp.where(job.bands == 1, 1, 0), job.bands + 1):  # the sector as a whole first, then its bands
+                found, cell_near = search(job, seen, spot, sector * (job.bands + 1) + step, sector_found, near, beams)
+                if step == 0:
+                    sector_found = found
+                elif wp.static(constant) and found == 0:
+                    empty += 2 * job.each
+                    hits += 2 * job.each
+                else:
+                    empty += wp.where(found == 0, 2 * job.each, 0)
+                    _add, difference, rays, free, _w = sum_cell(
+                        job, seen, spot, sector * job.bands + step - 1, found, cell_near
+                    )
+                    cast += rays
+                    hits += free
+                    squared += difference[0] * difference[0]
+                    if free > 0 and free < 2 * job.each:
+                        edges += edge_variance(free, 2 * job.each, job.edge)
+                        mixed += 1
+        cells = job.bands * job.sectors
+        variance = wp.vec3d(squared, _ZERO, _ZERO)
+        expected = wp.vec3d(edges, _ZERO, _ZERO)
+        unseen = wp.vec3d(wp.float64(cells), _ZERO, _ZERO)
+        width, degrees = widths(variance, expected, unseen, NOTHING, NOTHING, mixed, cells)
+        return wp.vec3d(wp.float64(hits), _ZERO, _ZERO), variance, width, degrees, cast, empty
+
+    return sum_lobe
+
+
+@once
+def weighed_lobe(slots: Slots) -> wp.Function:
+    """A function that sums a lobe whose rays add any weights."""
+    constant, open_jump = slots.constant, _ONE if slots.any_hit else _HALF
+    open_around, search, sum_cell, widths = opened_for(slots), search_of(slots), cell_sum(slots), widths_of(slots)
+    jump_at = jump_of(slots)
+
+    @wp.func
+    def sum_lobe(job: EstimateJob, accelerator: Accelerator, spot: Spot):
+        """As `counted_lobe`'s."""
+        total = NOTHING
+        variance = NOTHING
+        mixed = wp.int32(0)
+        expected = NOTHING
+        unseen = NOTHING
+        rest = NOTHING
+        fourth = NOTHING
+        cast = wp.int32(0)
+        empty = wp.int32(0)
+        seen, near, beams = open_around(job, accelerator, spot)
+        anything = wp.where(seen.starts == 0 and near == 0, 0, 1)
+        for sector in range(job.sectors):
+            sector_found = anything
+            for step in range(wp.where(job.bands == 1, 1, 0), job.bands + 1):
+                found, cell_near = search(job, seen, spot, sector * (job.bands + 1) + step, sector_found, near, beams)
+                if step == 0:
+                    sector_found = found
+                elif wp.static(constant) and found == 0:
+                    empty += 2 * job.each
+                    total[0] += wp.float64(2 * job.each)
+                    unseen[0] += open_jump
+                else:
+                    empty += wp.where(found == 0, 2 * job.each, 0)
+                    add, difference, rays, free, w = sum_cell(
+                        job, seen, spot, sector * job.bands + step - 1, found, cell_near
+                    )
+                    cast += rays
+                    squares = wp.cw_mul(difference, difference)
+                    total += add
+                    variance += squares
+                    jump = jump_at(w, add, free, 2 * job.each)
+                    unseen += jump
+                    if free > 0 and free < 2 * job.each:
+                        expected += edge_variance(free, 2 * job.each, job.edge) * jump
+                        mixed += 1
+                    else:
+                        rest += squares
+                        fourth += wp.cw_mul(squares, squares)
+        width, degrees = widths(variance, expected, unseen, rest, fourth, mixed, job.bands * job.sectors)
+        return total, variance, width, degrees, cast, empty
+
+    return sum_lobe

@@ -1,0 +1,96 @@
+"""The rays of one cell: their directions, and how far each goes."""
+
+import warp as wp
+
+from warpsample.estimate.job import EstimateJob, Spot
+from warpsample.estimate.slots import Slots
+from warpsample.kernels.parameters import Parameters
+from warpsample.locks import once
+from warpsample.numerics import high_word, low_word
+from warpsample.tracing.frontier import NEAR, NEAR_EDGE
+from warpsample.tracing.layout import CHUNK, CHUNK_FLOATS, DIRECTION, Accelerator
+from warpsample.tracing.prepare import ray_in
+from warpsample.tracing.wide import any_of, nearest_of
+
+SQUARE_FLOATS = 2 * CHUNK
+"""Of the variates of a chunk."""
+
+_STREAM_STEP = wp.constant(wp.uint32(0x9E3779B9))
+_LAST_UNIFORM = wp.constant(wp.float32(1.0 - 2.0**-24))
+
+
+@once
+def spread_of(slots: Slots) -> wp.Function:
+    """A function that writes a chunk's directions."""
+    sample, about = slots.sequence.sample, slots.about
+
+    @wp.func
+    def spread(job: EstimateJob, spot: Spot, cell: wp.int32, first: wp.int32, length: wp.int32):
+        """The directions of a cell's rays, both replicates one after the other, from the first-th on.
+
+        Each replicate of each cell is a stream of its own: its number goes into the seed's high word.
+        """
+        u = wp.array(ptr=spot.square, shape=(SQUARE_FLOATS,), dtype=wp.float32)
+        rays = wp.array(ptr=spot.chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+        low = low_word(job.seed)
+        high = high_word(job.seed)
+        stream = wp.uint32(2 * cell)
+        sector = cell / job.bands
+        band = wp.float32(cell - sector * job.bands)
+        band_size = 1.0 / wp.float32(job.bands)
+        sector_size = 1.0 / wp.float32(job.sectors)
+        n = spot.n
+        id = spot.id
+        each = job.each
+        k = wp.int32(0)
+        while k < length:
+            i = first + k
+            second = wp.where(i >= each, 1, 0)
+            word = high ^ ((stream + wp.uint32(second)) * _STREAM_STEP)
+            seed = (wp.uint64(word) << wp.uint64(32)) | wp.uint64(low)
+            p = sample(seed, id, wp.uint32(i - second * each), wp.uint32(each))
+            x = (p[0] + band) * band_size
+            y = (p[1] + wp.float32(sector)) * sector_size
+            u[k] = wp.where(x < _LAST_UNIFORM, x, _LAST_UNIFORM)  # where the sum is rounded up to the next cell
+            u[CHUNK + k] = wp.where(y < _LAST_UNIFORM, y, _LAST_UNIFORM)
+            k += 1
+        k = wp.int32(0)
+        while k < length:
+            d = about(n, wp.vec2(u[k] + 0.0, u[CHUNK + k] + 0.0), Parameters())
+            rays[DIRECTION + k] = d[0]
+            rays[DIRECTION + CHUNK + k] = d[1]
+            rays[DIRECTION + 2 * CHUNK + k] = d[2]
+            k += 1
+
+    return spread
+
+
+@once
+def distance_of(slots: Slots) -> wp.Function:
+    """A function that asks for one ray."""
+    query, any_hit, wide = slots.query, slots.any_hit, slots.wide
+
+    @wp.func
+    def distance_of(
+        accelerator: Accelerator, spot: Spot, near: wp.int32, column: wp.uint64, reach: wp.float32
+    ) -> wp.float32:
+        """Of a ray to what it meets, with any_hit to some of it, the triangles around the point first; inf: to nothing."""
+        distance = wp.float32(wp.INF)
+        if wp.static(wide):
+            if near != 0:
+                edge = wp.array(ptr=spot.room + NEAR_EDGE, shape=(1,), dtype=wp.float32)
+                leaf = spot.room + NEAR
+                if wp.static(any_hit):
+                    if any_of(leaf, near, ray_in(column), column, reach, edge[0]) >= 0:
+                        distance = 0.0
+                else:
+                    met, triangle = nearest_of(leaf, near, ray_in(column), column, reach, edge[0])
+                    if triangle >= 0:
+                        distance = met
+                        reach = met
+        if accelerator.starts > 0 and (wp.static(not any_hit) or not (distance < wp.INF)):
+            met, _face, _nodes, _leaves = query(accelerator, column, reach, spot.scratch)
+            distance = wp.min(distance, met)
+        return distance
+
+    return distance_of

@@ -1,0 +1,36 @@
+"""What a kernel of an estimate is made of: it is compiled once for each of these."""
+
+from dataclasses import dataclass
+
+import warp as wp
+
+from warpsample.sequences.record import Sequence
+
+
+@dataclass(frozen=True)
+class Slots:
+    """The parts that fit into the kernel.
+
+    Attributes:
+        sequence: of the rays.
+        about: (unit normal, u, Parameters) -> (direction, pdf): the polar map, whose cells `Cells` are.
+        weigh: (direction, Weights) -> vec3 that a ray adds which meets nothing; one of weight 0 is not cast.
+        constant: whether that is (1, 0, 0) in all directions.
+        counts: whether each ray adds 1 or 0, and nothing between.
+        channels: 1 or 3, how many of the vec3 are kept.
+        prepare: (chunk, rays): adds what the query needs.
+        query: (Accelerator, ray, reach, scratch) -> (distance, face, nodes, leaves).
+        any_hit: whether some face is enough; else what is met at t of reach leaves 1 - (1 - t)^falloff of the weight.
+        wide: whether the query is that of the wide tree, which can be searched for what to skip.
+    """
+
+    sequence: Sequence
+    about: wp.Function
+    weigh: wp.Function
+    constant: bool
+    counts: bool
+    channels: int
+    prepare: wp.Function
+    query: wp.Function
+    any_hit: bool
+    wide: bool
