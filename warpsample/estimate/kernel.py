@@ -18,9 +18,31 @@ _ZERO = wp.constant(wp.float64(0.0))
 
 
 @once
+def _keep(channels: int) -> wp.Function:
+    """A function that stores the numbers of a point."""
+
+    @wp.func
+    def keep(job: EstimateJob, point: wp.int64, total: wp.vec3d, variance: wp.vec3d, width: wp.vec3d, degrees: wp.vec3d):
+        """Means of the rays from sums over them."""
+        rays = wp.float64(2 * job.each * job.bands * job.sectors)
+        at = wp.uint64(point) * wp.uint64(4 * channels)
+        value = wp.array(ptr=job.value + at, shape=(channels,), dtype=wp.float32)
+        error = wp.array(ptr=job.error + at, shape=(channels,), dtype=wp.float32)
+        spreads = wp.array(ptr=job.spread + at, shape=(channels,), dtype=wp.float32)
+        freedom = wp.array(ptr=job.degrees + at, shape=(channels,), dtype=wp.float32)
+        for c in range(channels):
+            value[c] = wp.float32(total[c] / rays)
+            error[c] = wp.float32(wp.sqrt(variance[c]) / rays)
+            spreads[c] = wp.float32(wp.sqrt(width[c]) / rays)
+            freedom[c] = wp.float32(degrees[c])
+
+    return keep
+
+
+@once
 def estimate_kernel(slots: Slots) -> wp.Kernel:
     """A kernel with a task for each point, in the order of job.rays."""
-    wide, channels = slots.wide, slots.channels
+    wide, keep = slots.wide, _keep(slots.channels)
     sum_lobe = counted_lobe(slots) if slots.counts else weighed_lobe(slots)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
@@ -64,17 +86,7 @@ def estimate_kernel(slots: Slots) -> wp.Kernel:
         if status == 0:
             start(spot.chunk, spot.o, spot.reach)
             total, variance, width, degrees, cast, empty = sum_lobe(job, accelerator, spot)
-        rays = wp.float64(2 * job.each * job.bands * job.sectors)
-        at = wp.uint64(point) * wp.uint64(4 * channels)
-        value = wp.array(ptr=job.value + at, shape=(channels,), dtype=wp.float32)
-        error = wp.array(ptr=job.error + at, shape=(channels,), dtype=wp.float32)
-        spreads = wp.array(ptr=job.spread + at, shape=(channels,), dtype=wp.float32)
-        freedom = wp.array(ptr=job.degrees + at, shape=(channels,), dtype=wp.float32)
-        for c in range(channels):
-            value[c] = wp.float32(total[c] / rays)
-            error[c] = wp.float32(wp.sqrt(variance[c]) / rays)
-            spreads[c] = wp.float32(wp.sqrt(width[c]) / rays)
-            freedom[c] = wp.float32(degrees[c])
+        keep(job, point, total, variance, width, degrees)
         at = wp.uint64(point) * wp.uint64(4)
         counts = wp.array(ptr=job.cast + at, shape=(1,), dtype=wp.int32)
         counts[0] = cast

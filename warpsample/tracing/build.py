@@ -100,6 +100,26 @@ def _triangle_boxes() -> wp.Kernel:
     return triangle_boxes
 
 
+@wp.func
+def _largest(
+    by_area: wp.int32,
+    children: wp.int32,
+    begins: wp.array[wp.int32],
+    ends: wp.array[wp.int32],
+    areas: wp.array[wp.float32],
+) -> wp.int32:
+    """The child to be split next, of those with more triangles than a leaf holds; -1 if none has."""
+    largest = wp.int32(-1)
+    most = wp.float32(-1.0)
+    for k in range(children):
+        size = ends[k] - begins[k]
+        weight = wp.where(by_area != 0, areas[k], wp.float32(size))
+        if size > WIDTH and weight > most:
+            most = weight
+            largest = k
+    return largest
+
+
 @once
 def _split_nodes() -> wp.Kernel:
     """A kernel with a task for each node of a level: the ranges of its children, and which of the sixteen there are."""
@@ -135,14 +155,7 @@ def _split_nodes() -> wp.Kernel:
         children = wp.int32(1)
         largest = wp.int32(0)
         while children < WIDTH and largest >= 0:
-            largest = wp.int32(-1)
-            most = wp.float32(-1.0)
-            for k in range(children):
-                size = end_of[k] - begin_of[k]
-                weight = wp.where(by_area != 0, area_of[k], wp.float32(size))
-                if size > WIDTH and weight > most:
-                    most = weight
-                    largest = k
+            largest = _largest(by_area, children, begin_of, end_of, area_of)
             if largest >= 0:
                 b = begin_of[largest]
                 e = end_of[largest]
