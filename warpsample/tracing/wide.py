@@ -65,6 +65,18 @@ def any_of(
 
 
 @wp.func
+def _nearest_in(leaf: wp.uint64, ray: Ray, column: wp.uint64, reach: wp.float32, edge: wp.float32):
+    """(the new reach, the nearest triangle met in a leaf or -1)."""
+    return nearest_of(leaf, _ALL, ray, column, reach, edge)
+
+
+@wp.func
+def _any_in(leaf: wp.uint64, ray: Ray, column: wp.uint64, reach: wp.float32, edge: wp.float32):
+    """(the reach, some triangle met in a leaf or -1)."""
+    return reach, any_of(leaf, _ALL, ray, column, reach, edge)
+
+
+@wp.func
 def put_aside(top: wp.uint64, node: wp.uint64, mask: wp.int32, reach: wp.float32) -> wp.uint64:
     """The new top of the stack of nodes that wait, with the children to be visited and the reach they were found with."""
     address = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)
@@ -92,6 +104,27 @@ def _take_up(ray: Ray, reach: wp.float32, top: wp.uint64, bottom: wp.uint64):
     return node, mask, top
 
 
+@wp.func
+def _begin_at_one(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
+    """(node, mask of its children that are met, the one to be visited first, top of the empty stack)."""
+    mask, child = boxes_met(accelerator.start, ray, reach, flip)
+    return accelerator.start, mask, child, scratch
+
+
+@wp.func
+def _begin_at_several(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
+    """Likewise, with the other nodes to start from on the stack."""
+    top = scratch
+    node = accelerator.start
+    mask, child = boxes_met(node, ray, reach, flip)
+    for other in range(1, accelerator.starts):
+        top = put_aside(top, node + wp.uint64(other) * _NODE, -1, -1.0)
+    if mask == 0:
+        node, mask, top = _take_up(ray, reach, top, scratch)
+        child = lowest_bit(mask)
+    return node, mask, child, top
+
+
 @once
 def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
     """A query (Accelerator, ray, reach, scratch) -> (distance or inf, face or -1, nodes, leaves visited).
@@ -105,36 +138,26 @@ def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
         several: whether there may be several nodes to start from; 5 % slower.
     """
     flip = -1 if any_hit else 0
+    begin = _begin_at_several if several else _begin_at_one
+    look_into = _any_in if any_hit else _nearest_in
 
     @wp.func
-    def wide_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):  # noqa: PLR0912
+    def wide_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
         ray = ray_in(column)
         hit = wp.int32(-1)
         hit_leaf = wp.uint64(0)
-        top = scratch
         visited = wp.int32(1)
         visited_leaves = wp.int32(0)
-        node = accelerator.start
-        mask, child = boxes_met(node, ray, reach, flip)
-        if several:
-            for other in range(1, accelerator.starts):
-                top = put_aside(top, node + wp.uint64(other) * _NODE, -1, -1.0)
-            if mask == 0:
-                node, mask, top = _take_up(ray, reach, top, scratch)
-                child = lowest_bit(mask)
+        node, mask, child, top = begin(accelerator, ray, reach, flip, scratch)
         while mask != 0:
             mask = mask & (~(1 << child))
-            places = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)
-            place = places[child]
+            place = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)[child]
             below = wp.int32(0)
             if place < 0:
                 visited_leaves += 1
                 leaf = accelerator.leaves + wp.uint64(~place) * _LEAF
-                edges = wp.array(ptr=node + _EDGES, shape=(WIDTH,), dtype=wp.float32)
-                if wp.static(any_hit):
-                    triangle = any_of(leaf, _ALL, ray, column, reach, edges[child])
-                else:
-                    reach, triangle = nearest_of(leaf, _ALL, ray, column, reach, edges[child])
+                edge = wp.array(ptr=node + _EDGES, shape=(WIDTH,), dtype=wp.float32)[child]
+                reach, triangle = look_into(leaf, ray, column, reach, edge)
                 if triangle >= 0:
                     hit = triangle
                     hit_leaf = leaf
@@ -160,8 +183,7 @@ def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
         face = wp.int32(-1)
         nearest = wp.float32(wp.INF)
         if hit >= 0:
-            faces = wp.array(ptr=hit_leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)
-            face = faces[hit]
+            face = wp.array(ptr=hit_leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)[hit]
             nearest = reach
             if wp.static(any_hit):
                 nearest = triangle_distance(hit_leaf, hit, 1, ray, column, reach)
