@@ -13,7 +13,6 @@ from warpsample.tracing.rays import RayJob, way_to_scene
 NONFINITE_POSITION = 4
 """The status of a point that is nowhere; the others are those of `kernels.job`."""
 
-_BOX_MARGIN = wp.constant(wp.float32(2.0**-16))  # directions are rounded by 2^-20.4, at 7 from the point
 _PADDING = wp.constant(wp.float32(PADDING))
 _VISITS = wp.constant(wp.int32(32))  # nodes and leaves that a beam may look into: as long as five rays take
 _BEAM = wp.constant(wp.uint64(12 * WIDTH))
@@ -90,7 +89,8 @@ def aim(local: wp.uint64, n: wp.vec3, o: wp.vec3, low: wp.float32, beam: wp.uint
         aim[k] = v[0]
         aim[WIDTH + k] = v[1]
         aim[2 * WIDTH + k] = v[2]
-        aim[3 * WIDTH + k] = wp.dot(v, o) - _BOX_MARGIN
+        # Directions are rounded by 2^-20.4, at 7 from the point by 2^-17.6; boxes are padded by 2^-17 along each axis.
+        aim[3 * WIDTH + k] = wp.dot(v, o)
         k += 1
     # The horizon, exactly; boxes are padded, what is in them is not.
     aim[3 * WIDTH] = wp.dot(n, o) - low + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
