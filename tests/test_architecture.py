@@ -12,6 +12,7 @@ ROOMS = [
     "exponentials",
     "frames",
     "sequences",
+    "kernel_cache",
     "arrays",
     "kernels",
     "engine",
