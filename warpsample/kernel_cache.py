@@ -110,28 +110,30 @@ def _is_whole(entry: Path) -> bool | None:
     if not os.path.lexists(entry):
         return None
     try:
-        marks = {path.name for path in entry.iterdir() if path.suffix == _MARK}
-        if any((entry / mark).read_bytes() != _digest(entry / mark.removesuffix(_MARK)) for mark in marks):
+        outputs, marked = _contents(entry)
+        if any(_digest(entry, name) != Path(entry, name + _MARK).read_bytes() for name in marked):
             return False
-        return True if marks and marks == {path.name + _MARK for path in _outputs(entry)} else None
     except OSError:
         return False
+    return True if marked and marked == outputs else None
 
 
-def _outputs(entry: Path) -> list[Path]:
-    return [path for path in entry.iterdir() if path.suffix not in (_MARK, *_SOURCES)]
+def _contents(entry: Path) -> tuple[set[str], set[str]]:
+    """The names of what Warp loads, and those that have a mark."""
+    names = [path.name for path in entry.iterdir()]
+    marked = {name.removesuffix(_MARK) for name in names if name.endswith(_MARK)}
+    return {name for name in names if not name.endswith((_MARK, *_SOURCES))}, marked
 
 
-def _digest(file: Path) -> bytes:
-    return sha256(file.read_bytes()).hexdigest().encode()
+def _digest(entry: Path, name: str) -> bytes:
+    return sha256(Path(entry, name).read_bytes()).hexdigest().encode()
 
 
 def _mark(entry: Path) -> None:
     with suppress(OSError):  # what has no mark is built again, that is all
-        for file in _outputs(entry):
-            mark = file.with_name(file.name + _MARK)
-            if not mark.exists():
-                mark.write_bytes(_digest(file))
+        outputs, marked = _contents(entry)
+        for name in outputs - marked:
+            Path(entry, name + _MARK).write_bytes(_digest(entry, name))
 
 
 def _build(module: wp.Module, load_module: Callable[[], None], entry: Path) -> None:
