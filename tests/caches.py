@@ -188,7 +188,9 @@ def unwritable():
     resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, limit[1]))  # as on a full disk
     assert load_anew() == []
     error = error_of(lambda: load_anew(double))
-    assert f"nothing can be written in {usual} (File too large), nor: " in error, error
+    assert f"nothing can be written in {usual} (File too large), nor in a temporary folder (File too large); " in error, (
+        error
+    )
     resource.setrlimit(resource.RLIMIT_FSIZE, limit)
     assert load_anew(double) == []
 

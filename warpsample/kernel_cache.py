@@ -148,7 +148,10 @@ def _build(module: wp.Module, load_module: Callable[[], None], entry: Path) -> N
             with _workshop(Path(tempfile.gettempdir()), entry.name) as built:
                 _build_there(module, load_module, built)
         except OSError as again:
-            raise RuntimeError(f"kernel cache: nothing can be written in {home} ({error.strerror}), nor: {again}") from again
+            raise RuntimeError(
+                f"kernel cache: nothing can be written in {home} ({error.strerror}), nor in a temporary folder "
+                f"({again.strerror}); make room there or delete the cache"
+            ) from again
         _say_unwritable(str(home), str(error.strerror))
 
 
