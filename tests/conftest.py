@@ -67,9 +67,8 @@ def repository() -> Path:
 
 @pytest.fixture
 def child_environment() -> dict[str, str]:
-    """For child processes: no window, plain output, and no word of Warp's on Python 3.10."""
-    kept = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY", "FORCE_COLOR")}
-    return {**kept, "PYTHONWARNINGS": "ignore:Support for Python 3.10 is deprecated:FutureWarning"}
+    """For child processes: no window, and plain output."""
+    return {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY", "FORCE_COLOR")}
 
 
 @pytest.fixture

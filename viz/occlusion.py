@@ -5,7 +5,6 @@ from typing import Annotated, Literal
 
 import numpy as np
 import typer
-import warp as wp
 
 import warpsample as ws
 from warpsample.cli.terminal import Size, fail_plainly, show_or_save
@@ -51,5 +50,4 @@ def main(
 
 
 if __name__ == "__main__":
-    wp.config.log_level = wp.LOG_WARNING
     typer.run(main)

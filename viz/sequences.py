@@ -4,7 +4,6 @@ from typing import Annotated
 
 import numpy as np
 import typer
-import warp as wp
 
 import warpsample as ws
 from warpsample.arguments import check_integer
@@ -61,5 +60,4 @@ def main(
 
 
 if __name__ == "__main__":
-    wp.config.log_level = wp.LOG_WARNING
     typer.run(main)

@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.arguments import told
-from warpsample.locks import making
+from warpsample.kernel_cache import start
 
 Array: TypeAlias = np.ndarray | wp.array
 
@@ -46,8 +46,8 @@ class Vectors:
 
 def cpu() -> wp.Device:
     """The CPU as a device; the first call of a process starts Warp."""
-    with making:
-        return wp.get_device("cpu")
+    start()
+    return wp.get_device("cpu")
 
 
 def address_of(array: Array) -> int:

@@ -10,6 +10,7 @@ from typing import Any
 import warp as wp
 
 from warpsample.arguments import check_integer
+from warpsample.kernel_cache import load
 from warpsample.locks import making
 
 _FEW_CHUNKS, _MANY_CHUNKS = 4, 16  # of a worker: many even out threads of unlike speed, but each passes the GIL around,
@@ -112,9 +113,11 @@ def _outlast(starts: Any, others: list[Future]) -> None:
 
 def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
     """A recorded launch of nobody else's, with these inputs: 4 us where a new launch takes 60."""
-    try:
+    command = None
+    with suppress(IndexError):
         command = _idle[kernel, device.alias].pop()
-    except IndexError:
+    if command is None:
+        load(kernel, device.alias)
         with making:
             blank = [arg.type() if isinstance(x, Structure) else x for arg, x in zip(kernel.adj.args, inputs, strict=False)]
             command = wp.launch(kernel, dim=1, inputs=[*blank, 0], device=device, record_tape=False, record_cmd=True)

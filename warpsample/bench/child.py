@@ -14,8 +14,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-import warp as wp
-
 from warpsample.bench.timing import stopwatch
 
 
@@ -116,5 +114,4 @@ def _serve(builder: str, arguments: dict[str, Any]) -> None:
 
 
 if __name__ == "__main__":
-    wp.config.log_level = wp.LOG_WARNING
     _serve(sys.argv[1], json.loads(sys.argv[2]))

@@ -19,6 +19,7 @@ from warpsample.bench.child import Job
 from warpsample.bench.integrands import INTEGRANDS, evaluate
 from warpsample.directions import sample_directions
 from warpsample.frames import frame_about, to_world
+from warpsample.kernel_cache import load
 from warpsample.mesh import as_mesh
 from warpsample.proof import twins
 from warpsample.surface import sample_surface
@@ -141,6 +142,7 @@ def _builtins_polar(normals: wp.array[wp.vec3], samples: wp.int32, seed: wp.int3
 
 
 def _warp(kernel: wp.Kernel, normals: np.ndarray, count: int, workers: int) -> Built:
+    load(kernel, "cpu")
     given = wp.array(normals, dtype=wp.vec3, device="cpu")
     out = wp.empty(len(normals) * count, dtype=wp.vec3, device="cpu")
     seeds = count_from()

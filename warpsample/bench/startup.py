@@ -14,7 +14,6 @@ t1 = perf_counter()
 import warpsample
 t2 = perf_counter()
 import numpy
-warp.config.log_level = warp.LOG_WARNING
 normals = numpy.array([[0.0, 0.0, 1.0]], numpy.float32)
 warpsample.sample_directions(normals, 64)
 t3 = perf_counter()

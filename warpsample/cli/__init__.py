@@ -1,10 +1,10 @@
 """The `warpsample` command."""
 
+import warnings
 from pathlib import Path
 from typing import Annotated, Literal
 
 import typer
-import warp as wp
 
 from warpsample import distributions, sequences
 from warpsample.cli import bench
@@ -191,5 +191,5 @@ def verify(
 
 def main() -> None:
     """Entry point."""
-    wp.config.log_level = wp.LOG_WARNING  # what Warp logs goes to stdout, which belongs to the output
+    warnings.formatwarning = lambda message, *_, **__: f"warning: {message}\n"
     app()

@@ -15,6 +15,7 @@ from warpsample.distributions.record import Distribution
 from warpsample.distributions.uniform_disk import UniformDisk
 from warpsample.distributions.uniform_hemisphere import UniformHemisphere
 from warpsample.distributions.uniform_sphere import UniformSphere
+from warpsample.kernel_cache import load
 from warpsample.proof.charts import DISK
 from warpsample.proof.evidence import Evidence, Subject, independent
 from warpsample.proof.routes import plus_normal
@@ -112,6 +113,7 @@ def _built_in(seed: wp.int32, count: wp.int32, out: wp.array[wp.vec2]):
 
 
 def _built_in_generator(points: int, count: int, seed: int) -> np.ndarray:
+    load(_built_in, "cpu")
     out = wp.empty(points * count, dtype=wp.vec2, device="cpu")
     wp.launch(_built_in, points, inputs=[seed % 2**31, count], outputs=[out], device="cpu")
     return out.numpy().reshape(points, count, 2)

@@ -8,8 +8,6 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
 from typing import Any
 
-import warp as wp
-
 from warpsample import sequences
 from warpsample.distributions.record import Distribution
 from warpsample.proof import defects, rays, routes, streams, stress, verify
@@ -79,7 +77,6 @@ def run(tasks: list[Task], thorough: bool = False) -> Iterator[tuple[Task, list[
 
 def _start() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent, which says so once
-    wp.config.log_level = wp.LOG_WARNING  # what Warp logs goes to stdout, which belongs to the tables
 
 
 def _judge_case(case: Distribution, thorough: bool) -> list[Verdict]:

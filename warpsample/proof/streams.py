@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterator
 from itertools import count
 
 import numpy as np
-import warp as wp
 
 from warpsample import sequences
 from warpsample.directions import sample_square
@@ -117,7 +116,6 @@ def emitted_bytes(name: str) -> Iterator[bytes]:
 
 def main() -> None:
     """Writes the stream of the sequence named by the first argument to standard output until nobody reads."""
-    wp.config.log_level = wp.LOG_WARNING  # what Warp logs goes to stdout, which belongs to the stream
     if len(sys.argv) != 2 or sys.argv[1] not in sequences.names():
         sys.exit(f"usage: python -m warpsample.proof.streams {'|'.join(sequences.names())}")
     try:

@@ -1,0 +1,77 @@
+"""Warp's start and its kernel cache: nothing is printed, and no damage to the cache's files reaches a run."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import warp as wp
+
+from warpsample import kernel_cache
+
+
+@pytest.fixture
+def alone(tmp_path, child_environment):
+    """Runs a task of caches.py, or another command, with a cache of its own; gives stdout and stderr."""
+
+    def run(*command, **environment):
+        if not command[0].startswith("-"):
+            command = (Path(__file__).with_name("caches.py"), *command)
+        environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / "cache"), **environment}
+        command = [sys.executable, *map(str, command)]
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=150, check=False)
+        assert done.returncode == 0, (done.stdout, done.stderr)
+        return done.stdout, done.stderr
+
+    return run
+
+
+def test_a_cache_is_mended_or_done_without(alone, tmp_path):
+    (tmp_path / "tmp").mkdir()
+    assert alone("damages,folders,unmarked,again,unwritable,together", TMPDIR=str(tmp_path / "tmp"))[0] == ""
+
+
+def test_the_command_line_says_it_in_a_line(alone, cube, tmp_path):
+    command = ("-m", "warpsample.cli", "directions", cube, "-o", tmp_path / "d.npz", "--placement", "faces")
+    first = alone(*command)
+    assert first == (f"{tmp_path / 'd.npz'}: 768 directions at 12 points\n", "")
+    damaged = min((tmp_path / "cache").rglob("*.o"))
+    damaged.write_bytes(damaged.read_bytes()[:1000])
+    assert alone(*command) == (first[0], f"warning: kernel cache: {damaged.parent} was damaged; it was built anew\n")
+
+
+@pytest.mark.parametrize("variable", ["WARP_CACHE_PATH", "HOME"])
+def test_a_cache_folder_that_cannot_be_made_is_replaced_by_a_temporary_one(variable, alone, tmp_path, cube):
+    (tmp_path / "tmp").mkdir()
+    unset = ["XDG_CACHE_HOME", "WARP_CACHE_PATH"][: 2 if variable == "HOME" else 1]
+    out, err = alone("homeless", *unset, **{"TMPDIR": str(tmp_path / "tmp"), variable: str(cube / "below")})
+    assert out == ""
+    assert f"UserWarning: kernel cache: {cube / 'below'}" in err
+    assert "is not writable (Not a directory); kernels are built in a temporary folder by each process\n" in err
+    assert err.count("Warning") == 1
+    assert list((tmp_path / "tmp").iterdir()) == []
+
+
+def test_importing_and_using_the_package_prints_nothing(alone, child_environment):
+    assert alone("use", WARP_CACHE_PATH=child_environment.get("WARP_CACHE_PATH", "")) == ("", "")
+
+
+@pytest.mark.parametrize("level", [wp.LOG_INFO, wp.LOG_DEBUG])
+def test_the_users_own_log_level_is_kept(level, alone, child_environment):
+    out, _ = alone("respectful", level, WARP_CACHE_PATH=child_environment.get("WARP_CACHE_PATH", ""))
+    before, after = out.split("now mine\n")
+    assert after.startswith("Module triple")
+    assert (before == "") == (level == wp.LOG_INFO)
+    assert before == "" or "Warp 1." in before
+
+
+def test_other_lines_on_stderr_are_shown(capfd):
+    def complain():
+        os.write(2, b"one\n" + kernel_cache._NO_DRIVER + b". And so on.\ntwo\n")
+
+    kernel_cache._without_driver_warning(complain)
+    with pytest.raises(OSError, match="three"):
+        kernel_cache._without_driver_warning(lambda: (_ for _ in ()).throw(OSError("three")))
+    os.write(2, b"four\n")
+    assert capfd.readouterr().err == "one\ntwo\nfour\n"
