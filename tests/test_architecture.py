@@ -7,6 +7,8 @@ import sys
 ROOMS = [
     "locks",
     "arguments",
+    "files",
+    "mesh_writers",
     "registry",
     "numerics",
     "exponentials",
