@@ -152,6 +152,7 @@ def test_a_signal_while_writing_leaves_the_old_file(call, ball, tmp_path, monkey
     assert set(tmp_path.iterdir()) == {ball, output}
 
 
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # of a file that is not closed in time
 @pytest.mark.parametrize("work", ["check", "write"])
 def test_no_moment_at_which_a_signal_leaves_a_part(tmp_path, work):
     """Raised at each line of files.py in turn, until there is none left to raise it at."""
@@ -210,8 +211,8 @@ def test_the_next_run_removes_what_a_killed_one_left_and_nothing_else(tmp_path, 
         left.with_name(left.name.replace(f".{dead.pid}.", f".{os.getpid()}.")).touch()
         elsewhere = left.with_name(left.name.replace(f".{dead.pid}.", f"-elsewhere.{dead.pid}."))
         of_another_file = left.with_name(left.name.replace("out.npz", "out.ply"))
-        elsewhere.touch()
-        of_another_file.touch()
+        for other in (elsewhere, of_another_file):
+            other.touch()
         files.write_bytes(output, b"third")
         assert set(tmp_path.iterdir()) == {output, kept, elsewhere, of_another_file}
         living.communicate("\n")
@@ -274,7 +275,7 @@ UNWRITABLE = {  # what is said of each
     "dangling": "whose folder does not exist",
     "folder": "which is a folder, want a file",
     "pipe": "which is no ordinary file",
-    "circle": "which is no ordinary file",
+    "circle": "which cannot be written: Too many levels of symbolic links",
     "long": "which cannot be written: File name too long",
     "read-only": "which cannot be written: ",
 }
@@ -370,6 +371,22 @@ def test_two_threads_write_one_file(tmp_path):
         list(pool.map(lambda content: files.write_bytes(path, content), contents))
     assert path.read_bytes() in contents
     assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_part_that_is_taken_for_an_orphan_is_made_again(tmp_path, monkeypatch):
+    """By another run, before it is locked."""
+    lock, taken = files._lock, []
+
+    def late(raw):
+        if not taken:
+            taken.append(Path(raw.name))
+            taken[0].unlink()
+        lock(raw)
+
+    monkeypatch.setattr(files, "_lock", late)
+    files.write_bytes(tmp_path / "out", b"new")
+    assert len(taken) == 1
+    assert (tmp_path / "out").read_bytes() == b"new"
 
 
 def test_an_error_of_the_work_stays_what_it_is(tmp_path):

@@ -25,7 +25,7 @@ except ModuleNotFoundError:  # Windows, where nobody can remove a file that is o
     fcntl = None  # type: ignore[assignment]
 
 _BUFFER = 1 << 20
-_LONGEST = 40  # characters of a name within the name of its part, which the file system cuts at 255 bytes
+_LONGEST = 40  # characters of a name within the name of its part: file systems take 255 bytes
 
 
 class WriteError(OSError):
@@ -76,7 +76,8 @@ def complete_or_absent(path: Path) -> Iterator[BinaryIO]:
         stream.flush()
         with _told(path):
             os.fsync(raw.fileno())
-            raw.close()  # before it is renamed, for Windows
+            if fcntl is None:
+                raw.close()  # which Windows asks for; elsewhere the lock is needed to the end
             Path(raw.name).replace(_target(path))
 
 
@@ -113,11 +114,13 @@ def _part(path: Path) -> Iterator[_Part]:
     raw = None
     try:  # from here on, because an interrupt may come as soon as there is a file
         with _told(path):
-            while raw is None or not part.exists():  # another run took it for an orphan before it was locked
+            while not part.exists():  # once more, if another run took it for an orphan before it was locked
+                if raw is not None:
+                    raw.close()
                 raw = _Part(part, path)
                 _lock(raw)
-            if target.exists():
-                part.chmod(stat.S_IMODE(target.stat().st_mode) & 0o777)
+            if mode := _mode(target):
+                part.chmod(mode & 0o777)
         yield raw
     finally:
         try:
@@ -159,7 +162,7 @@ def _lock(file: Any) -> None:
 
 def _prefix(target: Path) -> str:
     """Of the names of its parts on this machine."""
-    return f".{target.name[:_LONGEST]}.{re.sub(r'[^A-Za-z0-9-]', '-', platform.node())[:_LONGEST]}."
+    return f".{target.name[:_LONGEST]}.{re.sub(r'[^A-Za-z0-9-]', '-', platform.node())[-_LONGEST:]}."
 
 
 def _target(path: Path) -> Path:
@@ -167,28 +170,43 @@ def _target(path: Path) -> Path:
     return Path(os.path.realpath(path))
 
 
+def _mode(target: Path) -> int:
+    """Kind and permissions of what is there; 0 of nothing."""
+    try:
+        return target.stat().st_mode
+    except (FileNotFoundError, NotADirectoryError):
+        return 0
+
+
 def _flaw(path: Path, inputs: list[Path]) -> str:
     """What is wrong with an output; nothing if it can be written."""
     target = _target(path)
     try:
+        mode = _mode(target)
         for source in inputs:
-            if target.exists() and source.exists() and target.samefile(source):
+            if _same(target, source):
                 return f"which is the input {str(source)!r}, want another file"
         kinds = {
-            "which is a folder, want a file": target.is_dir(),
+            "which is a folder, want a file": stat.S_ISDIR(mode),
             "whose folder does not exist": not target.parent.is_dir(),
-            "which is no ordinary file": target.is_symlink() or target.exists() != target.is_file(),
-            "which may not be written": target.exists() and not os.access(target, os.W_OK),
+            "which is no ordinary file": mode and not stat.S_ISREG(mode),
+            "which may not be written": mode and not os.access(target, os.W_OK),
         }
         for flaw, found in kinds.items():
             if found:
                 return flaw
         with _part(path) as raw:
             raw.close()
-            Path(raw.name).unlink()  # here too: whatever an interrupt skips, one of the two is done
+            Path(raw.name).unlink(missing_ok=True)  # here too: whatever an interrupt skips, one of the two is done
             return ""
     except OSError as error:
         return f"which cannot be written: {_reason(error)}"
+
+
+def _same(target: Path, source: Path) -> bool:
+    with suppress(OSError):  # one of the two is not there
+        return target.samefile(source)
+    return False
 
 
 @contextmanager

@@ -37,7 +37,7 @@ def save(figures: dict[str, "Figure"], folder: Path) -> list[Path]:
     for file, figure in zip(files, figures.values(), strict=True):
         picture = BytesIO()
         figure.savefig(picture, format="png", dpi=150)
-        write_bytes(file, picture.getbuffer())
+        write_bytes(file, picture.getvalue())
     return files
 
 

@@ -128,7 +128,7 @@ def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
         if path.suffix == ".png":
             picture = BytesIO()
             plotter.screenshot(picture, return_img=False)
-            files.write_bytes(path, picture.getbuffer())
+            files.write_bytes(path, picture.getvalue())
         else:
             style = _CAPTION.format(json.dumps(caption, ensure_ascii=False).replace("<", "\\3c "))
             page = plotter.trame.export_html(None).read().replace("</head>", f"{style}</head>", 1)
@@ -162,7 +162,7 @@ def save_figure(figure: "Figure", path: Path) -> None:
     """Writes a figure; a failure leaves no half file."""
     picture = BytesIO()
     figure.savefig(picture, format=path.suffix[1:], dpi=figure.dpi)
-    files.write_bytes(path, picture.getbuffer())
+    files.write_bytes(path, picture.getvalue())
 
 
 def pixels_of(figure: "Figure") -> np.ndarray:
