@@ -26,6 +26,7 @@ ROOMS = [
     "estimate",
     "proof",
     "export",
+    "baked",
     "bake",
     "plotting",
     "bench",

@@ -12,7 +12,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample import bake, export, mesh_writers
+from warpsample import bake, baked, export, mesh_writers
 
 MAP = np.array([500_000.0, 5_400_000.0, 300.0])
 PLACES = [(size, at) for size in (1e-6, 1.0, 5e6) for at in (0.0, 1.0)]  # size, and whether on the map
@@ -136,7 +136,7 @@ def test_a_face_without_area_is_none_that_is_lost(call, tmp_path):
 
 
 def test_a_glb_of_more_than_four_gigabytes_is_refused(call, placed, tmp_path, monkeypatch):
-    monkeypatch.setattr(bake, "_BYTES_OF_CORNER", 2**32 // (3 * 4096))
+    monkeypatch.setattr(baked, "_BYTES_OF_CORNER", 2**32 // (3 * 4096))
     path = placed(ground())
     status, _, err = call("bake", path, "-o", tmp_path / "out.glb", "--at", "faces")
     assert (status, err) == (
@@ -211,7 +211,7 @@ def test_a_bake_takes_no_more_than_twice_its_file(tmp_path, monkeypatch, suffix,
     points = bake.PLACEMENTS[at](mesh)
     found = ws.ambient_occlusion(mesh, points, 2)
     run = bake.Run(tmp_path / "in", tmp_path / f"out{suffix}", "ao", at, 1, 2, None, (0, 0, 1), {})
-    written, held = traced(lambda sink: bake._WRITERS[suffix](sink, bake.Baked(run, mesh, points, found)))
+    written, held = traced(lambda sink: baked.WRITERS[suffix](sink, bake.Baked(run, mesh, points, found)))
     assert held <= 2 * written
 
 
