@@ -7,6 +7,8 @@ import sys
 ROOMS = [
     "locks",
     "arguments",
+    "files",
+    "mesh_writers",
     "registry",
     "numerics",
     "exponentials",
@@ -25,6 +27,7 @@ ROOMS = [
     "estimate",
     "proof",
     "export",
+    "baked",
     "bake",
     "plotting",
     "bench",

@@ -237,7 +237,7 @@ def test_a_picture_that_fails_leaves_no_file(can_render, tmp_path, monkeypatch):
     import pyvista as pv
 
     def half(self, path, **keywords):
-        path.write_bytes(b"half")
+        path.write(b"half")
         raise OSError("disk full")
 
     monkeypatch.setattr(pv.Plotter, "screenshot", half)

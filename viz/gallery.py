@@ -14,7 +14,7 @@ import typer
 
 from warpsample.bench.machine import caption
 from warpsample.cli.terminal import fail_plainly, with_progress
-from warpsample.export import complete_or_absent
+from warpsample.files import check_output_folder, write_bytes
 from warpsample.plotting import rendering
 
 HERE = Path(__file__).parent
@@ -122,8 +122,7 @@ def make(command: str, file: Path) -> str:
         if "FOLDER" not in command:
             return done.stdout.strip().partition(": ")[2]
         (made,) = Path(folder).glob("*.png")
-        with complete_or_absent(file) as partial:
-            partial.write_bytes(made.read_bytes())
+        write_bytes(file, made.read_bytes())
     return "the tables are in the README"
 
 
@@ -135,8 +134,7 @@ def main(
     benchmarks: Annotated[bool, typer.Option(help="With the benchmarks' pictures; they take eleven minutes.")] = True,
 ) -> None:
     """Make every picture of the README, and a page that shows them and needs no other file."""
-    if output.exists() and not output.is_dir():
-        raise ValueError(f"--output: got {str(output)!r}, which is a file, want a folder")
+    check_output_folder(output, "--output")
     rendering.check_rendering()
     output.mkdir(parents=True, exist_ok=True)
     figures = []
@@ -154,8 +152,7 @@ def main(
     page = _PAGE.substitute(
         figures="\n".join(figures), scene=text, scene_command=SCENE.replace("FILE", "scene.html"), machine=escape(caption())
     )
-    with complete_or_absent(output / "index.html") as partial:
-        partial.write_text(page, encoding="utf-8")
+    write_bytes(output / "index.html", page.encode())
     print(f"{output / 'index.html'}: {len(shots)} pictures")
 
 

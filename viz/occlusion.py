@@ -36,7 +36,7 @@ def main(
     size: Size = (1800, 680),
 ) -> None:
     """Show ambient occlusion, its standard error and the rays it took on a mesh, side by side."""
-    rendering.check_output(screenshot, rendering.SCENE_SUFFIXES)
+    rendering.check_output(screenshot, rendering.SCENE_SUFFIXES, mesh)
     rendering.check_rendering()
     surface = ws.load_mesh(mesh or bunny())
     found = ws.ambient_occlusion(surface, ws.vertex_points(surface), samples, max_distance, seed=seed)

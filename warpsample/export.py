@@ -2,13 +2,12 @@
 
 import hashlib
 import json
-import os
 import zipfile
 from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from importlib.metadata import version
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 
@@ -17,8 +16,9 @@ from warpsample.arrays import cpu
 from warpsample.directions import Directions, Status, sample_directions
 from warpsample.distributions import as_spatial
 from warpsample.engine import check_memory, check_workers
+from warpsample.files import check_output, complete_or_absent, write_array
 from warpsample.mesh import Mesh, load_mesh
-from warpsample.polydata import pyvista
+from warpsample.mesh_writers import Lazy, write_ply, write_vtp
 from warpsample.sequences import get as get_sequence
 from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
 
@@ -26,7 +26,7 @@ SUFFIXES = (".npz", ".vtp", ".ply")
 CLOUD_SCALE = 0.05
 """Length of a direction in a cloud, over the diagonal of the mesh's box."""
 
-_BYTES_IN_CLOUD = 80  # of a direction while VTK writes it; 70 measured
+_BYTES_IN_CLOUD = 24  # of a direction: once as sampled, once without the points that have none
 _DIRECTIONS_PER_PART = 1 << 22  # 50 MB in memory at a time
 
 
@@ -60,8 +60,8 @@ def export(run: Run, workers: int | None = None) -> str:
 
     An .npz file holds position, normal, face, vectors, status and `run`, a JSON text; memory holds the points and one part
     of the directions. In .vtp and .ply each direction w is a point at position + CLOUD_SCALE * diagonal * w, with w as its
-    normal; .vtp keeps the row of its surface point, too. The file appears when it is complete; an interrupted run leaves
-    none.
+    normal; .vtp keeps the row of its surface point, too. They are float64, since float32 would move a cloud that is small
+    beside its distance from the origin. The file appears when it is complete; an interrupted run leaves none.
 
     Returns:
         a sentence about what was written.
@@ -69,25 +69,25 @@ def export(run: Run, workers: int | None = None) -> str:
     Raises:
         TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is written.
         MemoryError: a cloud that is larger than what is free.
-        ModuleNotFoundError: a .vtp or .ply file without PyVista.
+        WriteError: the file cannot be written.
     """
     _check(run)
     check_workers(workers)
     mesh = load_mesh(run.mesh)
     points = _place(mesh, run)
-    with complete_or_absent(run.output) as partial:
+    with complete_or_absent(run.output) as file:
         if run.output.suffix == ".npz":
-            status = _write_archive(partial, points, run, workers)
+            status = _write_archive(file, points, run, workers)
         else:
-            status = _write_cloud(partial, mesh.diagonal, points, run, workers)
+            status = _write_cloud(file, CLOUD_SCALE * mesh.diagonal, points, run, workers)
     total = len(points) * run.samples
     skipped = {Status(code).name.lower(): int(n) for code, n in enumerate(np.bincount(status)) if code and n}
     return f"{total:,} directions at {len(points):,} points" + "".join(f", {n:,} {name}" for name, n in skipped.items())
 
 
-def _write_archive(path: Path, points: SurfacePoints, run: Run, workers: int | None) -> np.ndarray:
+def _write_archive(file: BinaryIO, points: SurfacePoints, run: Run, workers: int | None) -> np.ndarray:
     record, status = _record(run), np.empty(len(points), np.uint8)
-    with zipfile.ZipFile(path, "w", allowZip64=True) as archive:
+    with zipfile.ZipFile(file, "w", allowZip64=True) as archive:
         write_array(archive, "position", points.position)
         write_array(archive, "normal", points.normal)
         write_array(archive, "face", points.face)
@@ -102,23 +102,31 @@ def _write_archive(path: Path, points: SurfacePoints, run: Run, workers: int | N
     return status
 
 
-def _write_cloud(path: Path, diagonal: float, points: SurfacePoints, run: Run, workers: int | None) -> np.ndarray:
+def _write_cloud(file: BinaryIO, scale: float, points: SurfacePoints, run: Run, workers: int | None) -> np.ndarray:
     size = len(points) * run.samples * _BYTES_IN_CLOUD
     check_memory(
         size, f"a cloud of {len(points) * run.samples:,} directions", "take fewer, or write .npz, which is streamed"
     )
     found = sample_directions(points, run.samples, run.distribution, run.sequence, run.seed, workers=workers)
-    found.to_polydata(points, CLOUD_SCALE * diagonal).save(path)
+    rows = np.flatnonzero(found.status == 0)
+    ways = (found.vectors if len(rows) == len(points) else found.vectors[rows]).reshape(-1, 3)
+    position = Lazy(
+        ways.shape,
+        np.dtype(np.float64),
+        lambda i: points.position[rows[i // run.samples]] + scale * ways[i].astype(np.float64),
+    )
+    if run.output.suffix == ".ply":
+        write_ply(file, {"vertex": {"x y z": position, "nx ny nz": ways}})
+    else:
+        row = Lazy(ways.shape[:1], np.dtype(np.int32), lambda i: rows[i // run.samples])
+        write_vtp(file, position, None, {"Normals": ways, "point": row}, {})
     return found.status
 
 
 def _check(run: Run) -> None:
     if run.output.suffix not in SUFFIXES:
         raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
-    if run.output.suffix != ".npz":
-        pyvista()
-    if not run.output.resolve().parent.is_dir():
-        raise ValueError(f"--output: got {str(run.output)!r}, whose folder does not exist")
+    check_output(run.output, "--output", run.mesh)
     check_integer(run.count, "--count", 1, 2**31 - 1)
     check_integer(run.samples, "--samples", 1, 2**31 - 1)
     check_seed(run.seed)
@@ -161,20 +169,3 @@ def _record(run: Run) -> dict[str, object]:
     arguments = {key: str(value) if isinstance(value, Path) else value for key, value in asdict(run).items()}
     versions = {name: version(name) for name in ("warpsample", "warp-lang", "numpy", "trimesh")}
     return {**arguments, "mesh_sha256": digest, "versions": versions, "cpu": cpu().name}
-
-
-def write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None:
-    """Adds an array to an open .npz file."""
-    with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
-        np.lib.format.write_array(member, array)
-
-
-@contextmanager
-def complete_or_absent(path: Path) -> Iterator[Path]:
-    """A name beside `path` to write to; renamed to `path` at the end, deleted if it does not come to that."""
-    partial = path.with_name(f".{path.stem}.{os.getpid()}.part{path.suffix}")  # by which some writers tell the format
-    try:
-        yield partial
-        partial.replace(path)
-    finally:
-        partial.unlink(missing_ok=True)

@@ -1,13 +1,14 @@
 """The tables as pictures: work against precision, tools as bars, cost against size. Draws what it is given."""
 
 from collections.abc import Sequence
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from warpsample import sequences
 from warpsample.bench import directions, error, peers, rays, scaling, visibility
 from warpsample.bench.directions import short_name
-from warpsample.export import complete_or_absent
+from warpsample.files import write_bytes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -34,8 +35,9 @@ def save(figures: dict[str, "Figure"], folder: Path) -> list[Path]:
     folder.mkdir(parents=True, exist_ok=True)
     files = [folder / f"{name}.png" for name in figures]
     for file, figure in zip(files, figures.values(), strict=True):
-        with complete_or_absent(file) as partial:
-            figure.savefig(partial, format="png", dpi=150)
+        picture = BytesIO()
+        figure.savefig(picture, format="png", dpi=150)
+        write_bytes(file, picture.getvalue())
     return files
 
 

@@ -11,7 +11,7 @@ from warpsample.bench import directions, error, peers, rays, scaling, visibility
 from warpsample.bench.machine import machine
 from warpsample.bench.startup import Startup
 from warpsample.bench.timing import Spread
-from warpsample.export import complete_or_absent
+from warpsample.files import write_bytes
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -22,8 +22,8 @@ _SPREAD = "medians; in brackets the range of the middle half of the repeats"
 def save(path: Path, command: str, settings: dict[str, Any], **measured: Iterable[Any]) -> None:
     """Writes machine, settings and every row with all its repeats; complete or not at all."""
     rows = {name: [asdict(row) for row in found] for name, found in measured.items()}
-    with complete_or_absent(path) as partial:
-        partial.write_text(json.dumps({"command": command, "machine": machine(), "settings": settings, **rows}, indent=1))
+    text = json.dumps({"command": command, "machine": machine(), "settings": settings, **rows}, indent=1)
+    write_bytes(path, text.encode())
 
 
 def heading(console: "Console", what: str) -> None:

@@ -145,7 +145,7 @@ def view(
     from warpsample.plotting import rendering  # noqa: PLC0415
     from warpsample.viewer import start  # noqa: PLC0415
 
-    rendering.check_output(screenshot, rendering.SCENE_SUFFIXES)
+    rendering.check_output(screenshot, rendering.SCENE_SUFFIXES, mesh)
     choice = start.choice(distribution, density, sequence, samples, seed)
     start.check_size(size)
     rendering.check_rendering()

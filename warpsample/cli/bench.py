@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from warpsample.cli.terminal import console, fail_plainly, with_progress
+from warpsample.files import check_output, check_output_folder
 
 app = typer.Typer(no_args_is_help=True, help="Run time, measured on this machine.")
 
@@ -152,13 +153,12 @@ def bench_visibility(
 
 
 def _check_bench(json: Path | None, plot: Path | None) -> None:
-    if json is not None and not json.resolve().parent.is_dir():
-        raise ValueError(f"--json: got {str(json)!r}, whose folder does not exist")
+    if json is not None:
+        check_output(json, "--json")
     if plot is not None:
         from warpsample.bench import plots  # noqa: PLC0415
 
-        if plot.exists() and not plot.is_dir():
-            raise ValueError(f"--plot: got {str(plot)!r}, which is a file, want a folder")
+        check_output_folder(plot, "--plot")
         plots.check_drawing()
 
 

@@ -8,6 +8,8 @@ from typing import Annotated, Any
 
 import typer
 
+from warpsample.files import WriteError
+
 FigureFile = Annotated[Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)]
 Size = Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")]
 
@@ -16,12 +18,15 @@ _PIPE_WIDTH = 120  # of tables where there is no terminal to fit
 
 @contextmanager
 def fail_plainly() -> Iterator[None]:
-    """Turns an error about the input into one line on stderr and exit status 2; anything else keeps its traceback."""
+    """Turns an error into one line on stderr: status 1 for a file that cannot be written, 2 for what is wrong in the input.
+
+    Anything else keeps its traceback.
+    """
     try:
         yield
     except (ValueError, TypeError, OSError, MemoryError, ModuleNotFoundError, RuntimeError) as error:
         print(f"error: {error}", file=sys.stderr)  # noqa: T201
-        raise SystemExit(2) from error
+        raise SystemExit(1 if isinstance(error, WriteError) else 2) from error
     except KeyboardInterrupt as interrupt:
         print(str(interrupt) or "interrupted; nothing was written", file=sys.stderr)  # noqa: T201
         raise SystemExit(130) from None

@@ -5,12 +5,13 @@ import os
 import subprocess
 import sys
 from functools import lru_cache
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from warpsample.export import complete_or_absent
+from warpsample import files
 
 if TYPE_CHECKING:
     import pyvista
@@ -53,18 +54,18 @@ def has_screen() -> bool:
     return sys.platform != "linux" or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
-def check_output(screenshot: Path | None, suffixes: tuple[str, ...]) -> None:
+def check_output(screenshot: Path | None, suffixes: tuple[str, ...], *inputs: Path | None) -> None:
     """Refuses a picture that nobody would see.
 
     Raises:
-        ValueError: no file and no screen, a file in no folder, or of another kind.
+        ValueError: no file and no screen, a file of another kind, that cannot be written or is one of the inputs.
     """
     if screenshot is None and not has_screen():
         raise ValueError("there is no screen to open a window on: save a picture with --screenshot FILE")
     if screenshot is not None and screenshot.suffix not in suffixes:
         raise ValueError(f"--screenshot: got {str(screenshot)!r}, want a file that ends in {' or '.join(suffixes)}")
-    if screenshot is not None and not screenshot.resolve().parent.is_dir():
-        raise ValueError(f"--screenshot: got {str(screenshot)!r}, whose folder does not exist")
+    if screenshot is not None:
+        files.check_output(screenshot, "--screenshot", *inputs)
 
 
 def check_rendering() -> None:
@@ -115,14 +116,14 @@ def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
         ModuleNotFoundError: an .html without trame-pyvista.
     """
     try:
-        with complete_or_absent(path) as partial:
-            if path.suffix == ".png":
-                plotter.screenshot(partial, return_img=False)
-            else:
-                plotter.trame.export_html(partial)
-                style = _CAPTION.format(json.dumps(caption, ensure_ascii=False).replace("<", "\\3c "))
-                page = partial.read_text(encoding="utf-8").replace("</head>", f"{style}</head>", 1)
-                partial.write_text(page, encoding="utf-8")
+        if path.suffix == ".png":
+            picture = BytesIO()
+            plotter.screenshot(picture, return_img=False)
+            files.write_bytes(path, picture.getvalue())
+        else:
+            style = _CAPTION.format(json.dumps(caption, ensure_ascii=False).replace("<", "\\3c "))
+            page = plotter.trame.export_html(None).read().replace("</head>", f"{style}</head>", 1)
+            files.write_bytes(path, page.encode())
     except ImportError as error:
         raise ModuleNotFoundError(f"an .html scene needs trame-pyvista: pip install 'warpsample[viz]' ({error})") from None
     finally:
@@ -150,8 +151,9 @@ def size_figure(figure: "Figure", size: tuple[int, int]) -> None:
 
 def save_figure(figure: "Figure", path: Path) -> None:
     """Writes a figure; a failure leaves no half file."""
-    with complete_or_absent(path) as partial:
-        figure.savefig(partial, dpi=figure.dpi)
+    picture = BytesIO()
+    figure.savefig(picture, format=path.suffix[1:], dpi=figure.dpi)
+    files.write_bytes(path, picture.getvalue())
 
 
 def pixels_of(figure: "Figure") -> np.ndarray:

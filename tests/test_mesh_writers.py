@@ -1,0 +1,228 @@
+"""Meshes and clouds that we write: every bit of their coordinates, at any scale and on any map; in little memory."""
+
+import json
+import re
+import struct
+import tracemalloc
+from dataclasses import replace
+from functools import lru_cache
+
+import numpy as np
+import pytest
+import trimesh
+
+import warpsample as ws
+from warpsample import bake, baked, export, mesh_writers
+
+MAP = np.array([500_000.0, 5_400_000.0, 300.0])
+PLACES = [(size, at) for size in (1e-6, 1.0, 5e6) for at in (0.0, 1.0)]  # size, and whether on the map
+
+
+@lru_cache
+def ground(size=1.0, at=0.0):
+    """4,096 triangles of random corners in a square of that size, none of which float32 holds."""
+    x, y = np.meshgrid(np.linspace(0.0, size, 33), np.linspace(0.0, size, 65), indexing="ij")
+    rng = np.random.default_rng(3)
+    vertices = np.stack([x, y, size * rng.uniform(0.0, 0.05, x.shape)], axis=-1).reshape(-1, 3) / 3.0 + at * MAP
+    corner = (np.arange(32)[:, None] * 65 + np.arange(64)).ravel()
+    faces = np.concatenate([corner[:, None] + [0, 65, 66], corner[:, None] + [0, 66, 1]])
+    return ws.Mesh(vertices, faces)
+
+
+@pytest.fixture
+def placed(tmp_path):
+    """Writes a mesh as .obj, whose text holds float64, and gives its path."""
+
+    def write(mesh):
+        path = tmp_path / "ground.obj"
+        lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in mesh.vertices.tolist()]
+        path.write_text("\n".join([*lines, *(f"f {a} {b} {c}" for a, b, c in (mesh.faces + 1).tolist())]))
+        assert np.array_equal(ws.load_mesh(path).vertices, mesh.vertices)
+        return path
+
+    return write
+
+
+def read(path):
+    if path.suffix != ".vtp":
+        return ws.load_mesh(path)
+    import pyvista as pv
+
+    found = pv.read(path)
+    assert found.points.dtype == np.float64
+    return ws.as_mesh(found)
+
+
+@pytest.mark.parametrize(("size", "at"), PLACES)
+@pytest.mark.parametrize("suffix", [".ply", ".glb", ".vtp"])
+@pytest.mark.parametrize("of", ["vertices", "faces"])
+def test_every_face_keeps_its_area(call, placed, tmp_path, suffix, of, size, at):
+    mesh, output = ground(size, at), tmp_path / f"out{suffix}"
+    status, _, err = call("bake", placed(mesh), "-o", output, "--samples", 2, "--at", of)
+    assert (status, err) == (0, "")
+    found = read(output)
+    assert (np.abs(found.face_areas - mesh.face_areas) <= (1e-4 if suffix == ".glb" else 0.0) * mesh.face_areas).all()
+    assert np.count_nonzero(mesh.face_areas) > 4000
+    expected, corners = mesh.vertices[mesh.faces], found.vertices[found.faces]
+    if suffix != ".glb":
+        assert np.array_equal(found.faces, mesh.faces)
+        assert np.array_equal(found.vertices, mesh.vertices)
+    else:  # to the last bit of float32 about the middle, and of float64 on the map
+        assert np.abs(corners - expected).max() <= 2.0**-24 * mesh.diagonal + np.spacing(np.abs(expected).max())
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1.0, 5e6])
+@pytest.mark.parametrize("suffix", [".ply", ".glb", ".vtp"])
+def test_what_float32_holds_stays_as_it_is(call, tmp_path, suffix, scale):
+    """And a .ply of it stays small; other readers than ours find the same."""
+    whole = ground().vertices.astype(np.float32) * np.float32(scale)
+    source, output = tmp_path / "in.ply", tmp_path / f"out{suffix}"
+    trimesh.Trimesh(whole, ground().faces, process=False).export(source)
+    assert call("bake", source, "-o", output, "--samples", 2)[0] == 0
+    assert np.array_equal(read(output).vertices, whole.astype(np.float64))
+    if suffix == ".ply":
+        import meshio
+        import pyvista as pv
+
+        assert b"property float x\n" in output.read_bytes()[:500]
+        assert np.array_equal(pv.read(output).points, whole)
+        assert np.array_equal(meshio.read(output).points, whole)
+
+
+@pytest.mark.parametrize("suffix", [".ply", ".vtp"])
+@pytest.mark.parametrize(("size", "at"), PLACES)
+def test_a_cloud_keeps_its_directions(call, placed, tmp_path, suffix, size, at):
+    mesh, output = ground(size, at), tmp_path / f"cloud{suffix}"
+    assert call("directions", placed(mesh), "-o", output, "--count", 100, "--samples", 6)[0] == 0
+    points = ws.sample_surface(mesh, 100)
+    ways = ws.sample_directions(points, 6).vectors
+    scale = export.CLOUD_SCALE * mesh.diagonal
+    expected = points.position[:, None] + scale * ways.astype(np.float64)
+    if suffix == ".ply":
+        found = trimesh.load(output)
+        raw = found.metadata["_ply_raw"]["vertex"]["data"]
+        positions, normals = found.vertices, np.stack([raw[name] for name in ("nx", "ny", "nz")], axis=-1)
+    else:
+        import pyvista as pv
+
+        found = pv.read(output)
+        assert np.array_equal(found.point_data["point"], np.repeat(np.arange(100), 6))
+        assert found.n_cells == found.n_verts == 600
+        positions, normals = found.points, found.point_data.active_normals
+    assert np.array_equal(positions, expected.reshape(-1, 3))
+    assert np.array_equal(normals, ways.reshape(-1, 3))
+
+
+def test_a_glb_that_would_lose_faces_is_refused_before_the_work(call, placed, tmp_path, monkeypatch):
+    """Faces of a millimetre, ten kilometres apart."""
+    near = ground(1e-3)
+    vertices = np.concatenate([near.vertices, near.vertices + np.array([1e4, 0.0, 0.0])])
+    path = placed(ws.Mesh(vertices, np.concatenate([near.faces, near.faces + len(near.vertices)])))
+    monkeypatch.setattr(bake, "_quantity", None)
+    status, _, err = call("bake", path, "-o", tmp_path / "out.glb")
+    said = (
+        r"error: --output: got 'out.glb', whose float32 would change the area of ([\d,]+) of 8,192 faces by more than 1%, "
+    )
+    assert status == 2
+    assert re.fullmatch(said + "want .ply or .vtp\n", err)
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_face_without_area_is_none_that_is_lost(call, tmp_path):
+    path = tmp_path / "flat.obj"
+    path.write_text("v 0.1 0 0\nv 1.1 0 0\nv 0.1 1 0\nv 0.3 0.2 0\nv 0.4 0.3 0\nf 1 2 3\nf 1 4 5\nf 1 1 2\n")
+    assert ws.load_mesh(path).report.degenerate_faces >= 1
+    assert call("bake", path, "-o", tmp_path / "out.glb", "--samples", 2)[0] == 0
+
+
+def test_a_glb_of_more_than_four_gigabytes_is_refused(call, placed, tmp_path, monkeypatch):
+    monkeypatch.setattr(baked, "_BYTES_OF_CORNER", 2**32 // (3 * 4096))
+    path = placed(ground())
+    status, _, err = call("bake", path, "-o", tmp_path / "out.glb", "--at", "faces")
+    assert (status, err) == (
+        2,
+        "error: --output: got 'out.glb' of 12,288 corners, want .ply or .vtp: it holds 4 GiB\n",
+    )
+    assert call("bake", path, "-o", tmp_path / "out.glb", "--at", "vertices", "--samples", 2)[0] == 0
+
+
+def test_a_glb_says_what_is_in_it(call, placed, tmp_path):
+    """As the format asks: lengths, alignment, limits of positions, a translation that float64 holds."""
+    mesh, path = ground(1.0, 1.0), tmp_path / "out.glb"
+    call("bake", placed(mesh), "-o", path, "--samples", 2)
+    content = path.read_bytes()
+    magic, version, length, text_length, kind = struct.unpack_from("<4sIIII", content)
+    assert (magic, version, length, kind, text_length % 4) == (b"glTF", 2, len(content), 0x4E4F534A, 0)
+    tree = json.loads(content[20 : 20 + text_length])
+    buffer = content[28 + text_length :]
+    assert tree["buffers"] == [{"byteLength": len(buffer)}]
+    assert struct.unpack_from("<II", content, 20 + text_length) == (len(buffer), 0x004E4942)
+    (primitive,) = tree["meshes"][0]["primitives"]
+    numbers = {"POSITION", "COLOR_0", "_value", "_standard_error", "_rays", "_status"}
+    assert set(primitive["attributes"]) == numbers
+    positions = tree["accessors"][primitive["attributes"]["POSITION"]]
+    view = tree["bufferViews"][positions["bufferView"]]
+    found = np.frombuffer(buffer, "<f4", 3 * positions["count"], view["byteOffset"]).reshape(-1, 3)
+    assert (positions["min"], positions["max"]) == (found.min(axis=0).tolist(), found.max(axis=0).tolist())
+    assert tree["nodes"] == [{"mesh": 0, "translation": mesh.bounds.mean(axis=0).tolist()}]
+    assert all(view["byteOffset"] % 4 == 0 for view in tree["bufferViews"])
+
+
+class Sink:
+    """Counts what is written and keeps none."""
+
+    def __init__(self):
+        self.size = 0
+
+    def write(self, block):
+        self.size += memoryview(block).nbytes
+        return memoryview(block).nbytes
+
+    def writelines(self, blocks):
+        for block in blocks:
+            self.write(block)
+
+    def tell(self):
+        return self.size
+
+    def seek(self, *where):
+        raise OSError("as a pipe")
+
+    def flush(self):
+        pass
+
+
+def traced(write):
+    """(bytes written, most bytes that Python and NumPy held for it at a time)."""
+    sink = Sink()
+    tracemalloc.start()
+    try:
+        write(sink)
+        return sink.size, tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+
+
+@pytest.mark.parametrize("suffix", bake.SUFFIXES)
+@pytest.mark.parametrize("at", ["vertices", "faces"])
+def test_a_bake_takes_no_more_than_twice_its_file(tmp_path, monkeypatch, suffix, at):
+    monkeypatch.setattr(mesh_writers, "_BLOCK", 1 << 10)
+    mesh = ground()
+    points = bake.PLACEMENTS[at](mesh)
+    found = ws.ambient_occlusion(mesh, points, 2)
+    run = bake.Run(tmp_path / "in", tmp_path / f"out{suffix}", "ao", at, 1, 2, None, (0, 0, 1), {})
+    written, held = traced(lambda sink: baked.WRITERS[suffix](sink, bake.Baked(run, mesh, points, found)))
+    assert held <= 2 * written
+
+
+@pytest.mark.parametrize("suffix", [".ply", ".vtp"])
+def test_a_cloud_takes_no_more_than_twice_its_file(tmp_path, monkeypatch, suffix):
+    """With the directions themselves, and with points that have none."""
+    monkeypatch.setattr(mesh_writers, "_BLOCK", 1 << 10)
+    points = ws.sample_surface(ground(), 2000)
+    points = replace(points, normal=np.where(np.arange(2000)[:, None] % 10 == 0, np.float32(0.0), points.normal))
+    run = export.Run(tmp_path, tmp_path / f"x{suffix}", 2000, 64, "cosine_hemisphere", "sobol", 0, "surface")
+    export._write_cloud(Sink(), 1.0, points, run, 1)  # builds the kernel
+    written, held = traced(lambda sink: export._write_cloud(sink, 1.0, points, run, 1))
+    assert written > 1800 * 64 * 36
+    assert held <= 2 * written

@@ -1,0 +1,223 @@
+"""The one way into a file: refused before the work where it cannot be, then whole or not at all, and nothing left behind.
+
+Libraries get no path but a stream of ours, or write into memory: some of them (VTK) end in a crash on a full disk, others
+(PLY of VTK) never look whether their bytes arrived.
+"""
+
+import os
+import platform
+import re
+import secrets
+import stat
+import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from glob import escape
+from io import BufferedWriter, FileIO
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+
+try:
+    import fcntl
+except ModuleNotFoundError:  # Windows, where nobody can remove a file that is open
+    fcntl = None  # type: ignore[assignment]
+
+_BUFFER = 1 << 20
+_LONGEST = 40  # characters of a name within the name of its part: file systems take 255 bytes
+
+
+class WriteError(OSError):
+    """A file could not be written; what was there before is as it was."""
+
+
+def check_output(path: Path, argument: str, *inputs: Path | None) -> None:
+    """Refuses what could not be written, before anything is computed; leaves no trace.
+
+    Args:
+        path: a file that may exist.
+        argument: its name in the message.
+        inputs: files that are read and must stay as they are; None is left out.
+
+    Raises:
+        ValueError: a folder, a file that may not be written or is an input by another name, or no folder to write in.
+    """
+    if flaw := _flaw(path, [source for source in inputs if source is not None]):
+        raise ValueError(f"{argument}: got {str(path)!r}, {flaw}")
+
+
+def check_output_folder(folder: Path, argument: str) -> None:
+    """The same for a folder of files, which is made if need be.
+
+    Raises:
+        ValueError: a file, or nothing can be written there.
+    """
+    if folder.exists() and not folder.is_dir():
+        raise ValueError(f"{argument}: got {str(folder)!r}, which is a file, want a folder")
+    there = next(parent for parent in (folder.absolute(), *folder.absolute().parents) if parent.exists())
+    if flaw := _flaw(there / "file", []):
+        raise ValueError(f"{argument}: got {str(folder)!r}, {flaw}")
+
+
+@contextmanager
+def complete_or_absent(path: Path) -> Iterator[BinaryIO]:
+    """A stream whose bytes become the file `path` at the end, and vanish if it does not come to that.
+
+    They go to a hidden file beside it, reach the disk and take the place of the old file, whose permissions they keep. Where
+    `path` is a link, what it points to is replaced. What a killed process has left of the same file is removed first.
+
+    Raises:
+        WriteError: it cannot be written.
+    """
+    with _part(path) as raw:
+        stream = BufferedWriter(raw, _BUFFER)
+        yield stream
+        stream.flush()
+        with _told(path):
+            os.fsync(raw.fileno())
+            if fcntl is None:
+                raw.close()  # which Windows asks for; elsewhere the lock is needed to the end
+            Path(raw.name).replace(_target(path))
+
+
+def write_bytes(path: Path, content: Any) -> None:
+    """`content`, bytes or a buffer, as the file; complete or absent."""
+    with complete_or_absent(path) as stream:
+        stream.write(content)
+
+
+def write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None:
+    """Adds an array to an open .npz file."""
+    with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
+        np.lib.format.write_array(member, array, allow_pickle=False)
+
+
+class _Part(FileIO):
+    """What a file is before it is whole; its errors name the file."""
+
+    def __init__(self, part: Path, path: Path) -> None:
+        self.path = path
+        super().__init__(part, "x")
+
+    def write(self, data: Any) -> int | None:
+        with _told(self.path):
+            return super().write(data)
+
+
+@contextmanager
+def _part(path: Path) -> Iterator[_Part]:
+    """An empty file beside `path`, locked while this process lives; removed at the end if it is there still."""
+    target = _target(path)
+    _remove_orphans(target)
+    part = target.with_name(f"{_prefix(target)}{os.getpid()}.{secrets.token_hex(4)}.part")
+    raw = None
+    try:  # from here on, because an interrupt may come as soon as there is a file
+        with _told(path):
+            while not part.exists():  # once more, if another run took it for an orphan before it was locked
+                if raw is not None:
+                    raw.close()
+                raw = _Part(part, path)
+                _lock(raw)
+            if mode := _mode(target):
+                part.chmod(mode & 0o777)
+        yield raw
+    finally:
+        try:
+            if raw is not None:
+                raw.close()  # the raw file, so that nothing more is written to a full disk
+        finally:
+            with suppress(OSError):
+                part.unlink(missing_ok=True)
+
+
+def _remove_orphans(target: Path) -> None:
+    """Those parts of `target` whose processes were killed: that are of this machine and that nobody has locked.
+
+    Locks tell the living from the dead whatever has become of the number of a process. Those of other machines on a shared
+    folder need not be seen here, so that their parts are left to them; where there are no locks nothing is removed.
+    """
+    with suppress(OSError):
+        for orphan in target.parent.glob(f"{escape(_prefix(target))}*.part"):
+            with suppress(OSError):
+                if orphan.is_file() and not orphan.is_symlink():
+                    _remove_if_dead(orphan)
+
+
+def _remove_if_dead(orphan: Path) -> None:
+    if fcntl is None:
+        orphan.unlink()
+        return
+    with orphan.open("r+b") as file:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        orphan.unlink()  # while it is locked, see _part
+
+
+def _lock(file: Any) -> None:
+    """Until it is closed or its process ends."""
+    if fcntl is not None:
+        with suppress(OSError):  # of file systems without locks
+            fcntl.flock(file, fcntl.LOCK_EX)
+
+
+def _prefix(target: Path) -> str:
+    """Of the names of its parts on this machine."""
+    return f".{target.name[:_LONGEST]}.{re.sub(r'[^A-Za-z0-9-]', '-', platform.node())[-_LONGEST:]}."
+
+
+def _target(path: Path) -> Path:
+    """Where the bytes go: what a link points to."""
+    return Path(os.path.realpath(path))
+
+
+def _mode(target: Path) -> int:
+    """Kind and permissions of what is there; 0 of nothing."""
+    try:
+        return target.stat().st_mode
+    except (FileNotFoundError, NotADirectoryError):
+        return 0
+
+
+def _flaw(path: Path, inputs: list[Path]) -> str:
+    """What is wrong with an output; nothing if it can be written."""
+    target = _target(path)
+    try:
+        mode = _mode(target)
+        for source in inputs:
+            if _same(target, source):
+                return f"which is the input {str(source)!r}, want another file"
+        kinds = {
+            "which is a folder, want a file": stat.S_ISDIR(mode),
+            "whose folder does not exist": not target.parent.is_dir(),
+            "which is no ordinary file": mode and not stat.S_ISREG(mode),
+            "which may not be written": mode and not os.access(target, os.W_OK),
+        }
+        for flaw, found in kinds.items():
+            if found:
+                return flaw
+        with _part(path) as raw:
+            raw.close()
+            Path(raw.name).unlink(missing_ok=True)  # here too: whatever an interrupt skips, one of the two is done
+            return ""
+    except OSError as error:
+        return f"which cannot be written: {_reason(error)}"
+
+
+def _same(target: Path, source: Path) -> bool:
+    with suppress(OSError):  # one of the two is not there
+        return target.samefile(source)
+    return False
+
+
+@contextmanager
+def _told(path: Path) -> Iterator[None]:
+    """Turns what the system says of a part into an error of the file."""
+    try:
+        yield
+    except OSError as error:
+        raise WriteError(f"{path} cannot be written: {_reason(error)}") from error
+
+
+def _reason(error: OSError) -> str:
+    cause = error.__cause__ if isinstance(error, WriteError) else error
+    return getattr(cause, "strerror", None) or str(error)
