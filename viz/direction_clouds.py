@@ -3,7 +3,7 @@
 import typer
 import warp as wp
 
-from warpsample.cli import view
+from warpsample.cli.commands import view
 
 if __name__ == "__main__":
     wp.config.log_level = wp.LOG_WARNING
