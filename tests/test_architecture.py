@@ -20,6 +20,7 @@ ROOMS = [
     "engine",
     "distributions",
     "polydata",
+    "examples",
     "mesh",
     "surface",
     "directions",
