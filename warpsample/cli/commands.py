@@ -17,7 +17,8 @@ app.add_typer(bench.app, name="bench")
 
 _SPATIAL = (name for name in distributions.names() if distributions.get(name).width == 3)
 DISTRIBUTION_HELP = f"A name, or one with parameters as in 'beckmann(alpha=0.1)': {', '.join(_SPATIAL)}."
-MeshFile = Annotated[Path, typer.Argument(help="Mesh file: .ply .obj .stl .off .glb .gltf .usd.", show_default=False)]
+MESH_HELP = "Mesh file: .ply .obj .stl .off .glb .gltf .usd; or courtyard, an example"
+MeshFile = Annotated[Path, typer.Argument(help=f"{MESH_HELP}.", show_default=False)]
 
 
 def _say_version(asked: bool) -> None:
@@ -140,7 +141,7 @@ def bake_command(
 @app.command()
 @fail_plainly()
 def view(
-    mesh: Annotated[Path | None, typer.Argument(help="Mesh file; by default the bunny inside warp-lang.")] = None,
+    mesh: Annotated[Path | None, typer.Argument(help=f"{MESH_HELP}; by default the bunny in warp-lang.")] = None,
     points: Annotated[int, typer.Option(help="How many surface points, uniform by area.", min=1)] = 100,
     samples: Annotated[int, typer.Option(help="Directions at each point.", min=1)] = 1024,
     distribution: Annotated[
@@ -168,7 +169,7 @@ def view(
 
     rendering.check_output(screenshot, rendering.SCENE_SUFFIXES)
     choice = start.choice(distribution, density, sequence, samples, seed)
-    start.check_size(size)
+    rendering.check_size(size, start.LEAST_SIZE)
     with working("trying whether pictures can be drawn here"):
         rendering.check_rendering()
     path = mesh or start.bunny()

@@ -123,9 +123,7 @@ def read_hdr(path: str | PathLike) -> np.ndarray:
         from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: PLC0415
         from vtkmodules.vtkIOImage import vtkHDRReader  # noqa: PLC0415
     except ModuleNotFoundError:
-        raise ModuleNotFoundError(
-            f"radiance: got {path.name!r}, which needs PyVista: pip install 'warpsample[viz]'"
-        ) from None
+        raise ModuleNotFoundError(f"radiance: got {path.name!r}, which needs PyVista: pip install pyvista") from None
     reader, faults = vtkHDRReader(), []
     reader.AddObserver("ErrorEvent", lambda *told: faults.append(told))  # heard here, it is not printed
     reader.SetFileName(str(path))

@@ -53,8 +53,8 @@ def ambient_occlusion(
         tolerance: the standard error to reach, in the root mean square over the points. A trial of 64 rays says how many of
             `count` each point takes, and is forgotten, which keeps the result unbiased. For where the right count is not
             known: if it is, that many for every point are as fast, since open points cost little anyway.
-        skip: whether to look for what cannot be met: parts of the mesh below a point's horizon, and cells of its lobe where
-            nothing is. Changes no bit; off, it takes two to three times as long.
+        skip: whether to look for what cannot be met: parts of the mesh below a point's horizon, and, from 32 rays on, cells
+            of its lobe where nothing is. Changes no bit; off, it takes two to three times as long.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
         workers: threads, all cores by default.
 
