@@ -16,6 +16,7 @@ ROOMS = [
     "frames",
     "sequences",
     "arrays",
+    "progress",
     "kernels",
     "engine",
     "distributions",

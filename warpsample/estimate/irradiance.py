@@ -41,8 +41,8 @@ def irradiance(
             small bright sun takes many rays: they are spread by the cosine alone.
         count: rays of each point; none is cast where the radiance is 0.
         up: (3,), of any length; only for a picture.
-        **options: sequence, seed, first_point, active, tolerance (in the result's unit), skip, tracer and workers of
-            `ambient_occlusion`.
+        **options: sequence, seed, first_point, active, tolerance (in the result's unit), skip, tracer, workers and
+            progress of `ambient_occlusion`.
 
     Returns:
         value (P,), or (P, 3) for a radiance of three numbers, in the radiance's unit times steradian.
