@@ -84,6 +84,7 @@ KINDS = {
     "pdf": kind(True, *FLAG),
     "any_hit": kind(False, *FLAG),
     "skip": kind(False, *FLAG),
+    "progress": kind(False, *FLAG),
     "active": kind(np.array([True, False, True, True]), "bool"),
     "distribution": kind("cosine_hemisphere", wrong=(ws.GGX, "ggx(alpha=\0)", "ggx(alpha=" + "(" * 1000)),
     "sequence": kind("fibonacci"),

@@ -1,8 +1,11 @@
 """The rooms of DESIGN.md, section 2: a room imports only from rooms above it, and importing the package is light."""
 
 import ast
+import importlib
 import subprocess
 import sys
+
+import pytest
 
 ROOMS = [
     "locks",
@@ -16,10 +19,12 @@ ROOMS = [
     "sequences",
     "kernel_cache",
     "arrays",
+    "progress",
     "kernels",
     "engine",
     "distributions",
     "polydata",
+    "examples",
     "mesh",
     "surface",
     "directions",
@@ -35,6 +40,7 @@ ROOMS = [
     "viewer",
     "cli",
     "__init__",
+    "__main__",
 ]
 UNRELATED = [
     ("distributions", "mesh"),
@@ -116,6 +122,28 @@ def test_import_compiles_nothing_and_touches_no_file(tmp_path, child_environment
     )
     assert (done.stdout, done.stderr) == ("[]\n", "")
     assert list(tmp_path.rglob("*.o")) == []
+
+
+def test_the_command_line_hears_signals_before_it_imports_anything(child_environment):
+    code = (
+        "import sys; before = set(sys.modules); import warpsample.cli.signals; "
+        "print(sorted({'warp', 'numpy', 'typer', 'typing'} & (set(sys.modules) - before)))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], env=child_environment, capture_output=True, text=True, check=True)
+    assert (done.stdout, done.stderr) == ("[]\n", "")
+
+
+def test_public_names_come_from_where_type_checkers_see_them(repository):
+    import warpsample as ws
+
+    block = next(n for n in ast.parse((repository / "warpsample/__init__.py").read_text()).body if isinstance(n, ast.If))
+    seen = {alias.name: node.module for node in block.body for alias in node.names}
+    assert sorted(seen) == sorted(ws.__all__)
+    for name, home in seen.items():
+        assert getattr(importlib.import_module(home), name) is getattr(ws, name)
+    assert set(ws.__all__) <= set(dir(ws))
+    with pytest.raises(AttributeError, match="no attribute 'nothing'"):
+        ws.nothing  # noqa: B018
 
 
 def test_public_names_are_documented():

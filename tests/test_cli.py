@@ -85,19 +85,19 @@ def test_an_interrupted_run_leaves_the_old_file_and_no_half_one(call, cube, tmp_
         (["directions", "CUBE", "-o", "no/d.npz"], "error: --output: got 'no/d.npz', whose folder does not exist"),
         (["directions", "CUBE", "-o", "d.npz", "--count", "0"], "error: --count: got 0, want a whole number from 1"),
         (["directions", "CUBE", "-o", "d.npz", "--samples", "-3"], "error: --samples: got -3"),
-        (["directions", "CUBE", "-o", "d.npz", "--workers", "0"], "error: workers: got 0, want a whole number from 1"),
-        (["directions", "CUBE", "-o", "d.npz", "--seed", "-1"], "error: seed: got -1, want a whole number of 64 bits"),
+        (["directions", "CUBE", "-o", "d.npz", "--workers", "0"], "error: --workers: got 0, want a whole number from 1"),
+        (["directions", "CUBE", "-o", "d.npz", "--seed", "-1"], "error: --seed: got -1, want a whole number of 64 bits"),
         (
             ["directions", "CUBE", "-o", "d.npz", "--sequence", "halton"],
-            "error: sequence: got 'halton', want one of fib",
+            "error: --sequence: got 'halton', want one of fib",
         ),
         (
             ["directions", "CUBE", "-o", "d.npz", "--distribution", "offset_disk"],
-            "error: distribution: got OffsetDisk(), which lies in a plane, want one of directions in space",
+            "error: --distribution: got OffsetDisk(), which lies in a plane, want one of directions in space",
         ),
         (
             ["directions", "CUBE", "-o", "d.npz", "--distribution", "x"],
-            "error: distribution: got 'x', want one of beckmann, cosine",
+            "error: --distribution: got 'x', want one of beckmann, cosine",
         ),
     ],
 )

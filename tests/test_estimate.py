@@ -97,8 +97,17 @@ def test_from_inside_nothing_escapes_and_from_outside_of_a_convex_mesh_all_does(
     if convex:
         found = ws.ambient_occlusion(mesh, outside, 512)
         assert (found.value == 1.0).all()
-        assert found.rays.sum() == 0  # a convex mesh costs none
+        assert found.rays.sum() == 0
         assert found.skipped == ws.Skipped(open_points=500, empty_rays=500 * 512)
+
+
+def test_points_on_a_convex_mesh_cast_no_ray_from_32_on():
+    """Fewer have no cells, and are cast where the faces around a point may be above its horizon by rounding."""
+    ball = ws.as_mesh(trimesh.creation.icosphere(3))
+    points = ws.face_centers(ball)
+    rays = {count: int(ws.ambient_occlusion(ball, points, count).rays.sum()) for count in (30, 32)}
+    assert rays[30] > 0
+    assert rays[32] == 0
 
 
 # A twin: the rays are those that the other calls give

@@ -2,7 +2,7 @@
 
 import typer
 
-from warpsample.cli import view
+from warpsample.cli.commands import view
 
 if __name__ == "__main__":
     typer.run(view)

@@ -37,6 +37,7 @@ def main(
 ) -> None:
     """Show ambient occlusion, its standard error and the rays it took on a mesh, side by side."""
     rendering.check_output(screenshot, rendering.SCENE_SUFFIXES, mesh)
+    rendering.check_size(size, (900, 340))
     rendering.check_rendering()
     surface = ws.load_mesh(mesh or bunny())
     found = ws.ambient_occlusion(surface, ws.vertex_points(surface), samples, max_distance, seed=seed)

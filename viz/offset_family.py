@@ -73,7 +73,7 @@ def main(
     ball, the disk and spheres of other radii do not.
     """
     rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES)
-    rendering.check_figure_size(size)
+    rendering.check_size(size)
     check_integer(count, "--count", 1000, 100_000_000)
     rendering.check_rendering()
     four, others = ([panel(*row, count, seed) for row in rows] for rows in (SETS, SPHERES))

@@ -43,7 +43,7 @@ def main(
 ) -> None:
     """See the sequences on the square and on the hemisphere, and how fast means over their directions converge."""
     rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES)
-    rendering.check_figure_size(size)
+    rendering.check_size(size)
     check_integer(randomisations, "--randomisations", 16, 100_000)
     rendering.check_rendering()
     names = ws.sequences.names()

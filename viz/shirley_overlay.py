@@ -39,7 +39,7 @@ def main(
     Beside it a ball in place of the sphere, as in early ray tracers: it does not turn yellow.
     """
     rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES)
-    rendering.check_figure_size(size)
+    rendering.check_size(size)
     check_integer(count, "--count", 1, 100_000)
     rendering.check_rendering()
     found = directions(count, sequence, seed)

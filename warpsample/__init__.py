@@ -1,30 +1,34 @@
 """Directions around surface normals, sampled by NVIDIA Warp kernels: exact densities, good sequences, many points."""
 
-from warpsample import distributions, sequences
-from warpsample.directions import Directions, Status, sample_directions, sample_square
-from warpsample.distributions.beckmann import Beckmann
-from warpsample.distributions.cosine_hemisphere import CosineHemisphere
-from warpsample.distributions.ggx import GGX
-from warpsample.distributions.offset_ball import OffsetBall
-from warpsample.distributions.offset_circle import OffsetCircle
-from warpsample.distributions.offset_disk import OffsetDisk
-from warpsample.distributions.offset_sphere import OffsetSphere
-from warpsample.distributions.power_cosine import PowerCosine
-from warpsample.distributions.uniform_cone import UniformCone
-from warpsample.distributions.uniform_disk import UniformDisk
-from warpsample.distributions.uniform_hemisphere import UniformHemisphere
-from warpsample.distributions.uniform_sphere import UniformSphere
-from warpsample.distributions.visible_beckmann import VisibleBeckmann
-from warpsample.distributions.visible_ggx import VisibleGGX
-from warpsample.distributions.von_mises_fisher import VonMisesFisher
-from warpsample.estimate.intervals import Interval
-from warpsample.estimate.irradiance import irradiance
-from warpsample.estimate.result import Estimate, PointStatus, Skipped
-from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
-from warpsample.mesh import Mesh, MeshReport, as_mesh, load_mesh
-from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
-from warpsample.tracing.scene import refit
-from warpsample.tracing.trace import Hits, trace
+from importlib import import_module
+
+TYPE_CHECKING = False  # that of `typing` takes as long as all else here
+if TYPE_CHECKING:
+    from warpsample import distributions, sequences
+    from warpsample.directions import Directions, Status, sample_directions, sample_square
+    from warpsample.distributions.beckmann import Beckmann
+    from warpsample.distributions.cosine_hemisphere import CosineHemisphere
+    from warpsample.distributions.ggx import GGX
+    from warpsample.distributions.offset_ball import OffsetBall
+    from warpsample.distributions.offset_circle import OffsetCircle
+    from warpsample.distributions.offset_disk import OffsetDisk
+    from warpsample.distributions.offset_sphere import OffsetSphere
+    from warpsample.distributions.power_cosine import PowerCosine
+    from warpsample.distributions.uniform_cone import UniformCone
+    from warpsample.distributions.uniform_disk import UniformDisk
+    from warpsample.distributions.uniform_hemisphere import UniformHemisphere
+    from warpsample.distributions.uniform_sphere import UniformSphere
+    from warpsample.distributions.visible_beckmann import VisibleBeckmann
+    from warpsample.distributions.visible_ggx import VisibleGGX
+    from warpsample.distributions.von_mises_fisher import VonMisesFisher
+    from warpsample.estimate.intervals import Interval
+    from warpsample.estimate.irradiance import irradiance
+    from warpsample.estimate.result import Estimate, PointStatus, Skipped
+    from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
+    from warpsample.mesh import Mesh, MeshReport, as_mesh, load_mesh
+    from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+    from warpsample.tracing.scene import refit
+    from warpsample.tracing.trace import Hits, trace
 
 __all__ = [
     "GGX",
@@ -69,3 +73,52 @@ __all__ = [
     "trace",
     "vertex_points",
 ]
+
+_HOMES = {
+    "directions": ("Directions", "Status", "sample_directions", "sample_square"),
+    "distributions.beckmann": ("Beckmann",),
+    "distributions.cosine_hemisphere": ("CosineHemisphere",),
+    "distributions.ggx": ("GGX",),
+    "distributions.offset_ball": ("OffsetBall",),
+    "distributions.offset_circle": ("OffsetCircle",),
+    "distributions.offset_disk": ("OffsetDisk",),
+    "distributions.offset_sphere": ("OffsetSphere",),
+    "distributions.power_cosine": ("PowerCosine",),
+    "distributions.uniform_cone": ("UniformCone",),
+    "distributions.uniform_disk": ("UniformDisk",),
+    "distributions.uniform_hemisphere": ("UniformHemisphere",),
+    "distributions.uniform_sphere": ("UniformSphere",),
+    "distributions.visible_beckmann": ("VisibleBeckmann",),
+    "distributions.visible_ggx": ("VisibleGGX",),
+    "distributions.von_mises_fisher": ("VonMisesFisher",),
+    "estimate.intervals": ("Interval",),
+    "estimate.irradiance": ("irradiance",),
+    "estimate.result": ("Estimate", "PointStatus", "Skipped"),
+    "estimate.visibility": ("SkyView", "ambient_occlusion", "bent_normals", "sky_view_factor"),
+    "mesh": ("Mesh", "MeshReport", "as_mesh", "load_mesh"),
+    "surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
+    "tracing.scene": ("refit",),
+    "tracing.trace": ("Hits", "trace"),
+}
+_HOME = {name: home for home, names in _HOMES.items() for name in names}
+
+
+def __getattr__(name: str) -> object:
+    """Imports what is first asked for: Warp takes a second, in which the command line must hear an interrupt already."""
+    if name in ("distributions", "sequences"):
+        return import_module(f"warpsample.{name}")
+    if name == "__version__":
+        from importlib.metadata import version  # noqa: PLC0415  (20 ms)
+
+        value: object = version("warpsample")
+    elif name in _HOME:
+        value = getattr(import_module(f"warpsample.{_HOME[name]}"), name)
+    else:
+        raise AttributeError(f"module 'warpsample' has no attribute {name!r}")
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """The public names, imported or not."""
+    return sorted({*globals(), *__all__})

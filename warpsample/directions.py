@@ -23,6 +23,7 @@ from warpsample.kernels.flat import square_blocks
 from warpsample.kernels.rows import MOST_ROWS, direction_rows
 from warpsample.kernels.variates import CHUNK
 from warpsample.polydata import cloud
+from warpsample.progress import bar
 from warpsample.sequences.record import Sequence
 from warpsample.surface import SurfacePoints
 
@@ -110,6 +111,7 @@ def sample_directions(
     out: Any = None,
     device: Any = None,
     workers: int | None = None,
+    progress: bool = False,
 ) -> Directions:
     """`count` directions about each normal.
 
@@ -129,6 +131,7 @@ def sample_directions(
         out: a float32 array of shape (P, n, 3) to write into, of the same kind as the normals.
         device: where to compute, by default where the normals are; NumPy arrays go to a CUDA device in parts and back.
         workers: threads on the CPU, all cores by default.
+        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
     Returns:
         vectors in world coordinates, pdf if asked for, and a status per point.
@@ -149,7 +152,7 @@ def sample_directions(
         check_flag(pdf, "pdf"),
         check_workers(workers),
     )
-    first_point = check_first_point(first_point, given.count)
+    progress, first_point = check_flag(progress, "progress"), check_first_point(first_point, given.count)
     mask = _check_active(active, given)
     target = _check_device(device, given)
     shape = (given.count, count)
@@ -159,10 +162,11 @@ def sample_directions(
         check_memory(size, f"{prod(shape):,} directions", _STREAM_HINT)
     vectors = vectors or new_vectors(given, shape, 3)
     densities = new_vectors(given, shape, 1) if plan.pdf else None
-    if target == given.device:
-        status = plan.fill(given, vectors, densities, mask, first_point)
-    else:
-        status = plan.fill_by_parts(target, given.owner, vectors.owner, densities and densities.owner, mask, first_point)
+    with bar(progress, "sampling directions"):
+        if target == given.device:
+            status = plan.fill(given, vectors, densities, mask, first_point)
+        else:
+            status = plan.fill_by_parts(target, given.owner, vectors.owner, densities and densities.owner, mask, first_point)
     return Directions(vectors.owner, densities and densities.owner, status)
 
 

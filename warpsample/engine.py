@@ -2,6 +2,7 @@
 
 import os
 from collections import defaultdict, deque
+from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from contextlib import suppress
 from ctypes import Structure
@@ -12,6 +13,7 @@ import warp as wp
 from warpsample.arguments import check_integer
 from warpsample.kernel_cache import load
 from warpsample.locks import making
+from warpsample.progress import begin
 
 _FEW_CHUNKS, _MANY_CHUNKS = 4, 16  # of a worker: many even out threads of unlike speed, but each passes the GIL around,
 _CHUNK_WORK = 1 << 17  # so from this many directions a chunk on
@@ -70,23 +72,23 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
     chunk = min(-(-tasks // shares), max(1, _MOST_WORK * tasks // work), _MOST_TASKS)
     commands = [_take(kernel, inputs, device) for _ in range(workers)]
     try:
-        _share(commands, chunk, tasks)
+        _share(commands, chunk, tasks, begin(tasks, work))
     finally:
         _idle[kernel, device.alias].extend(commands)
 
 
-def _share(commands: list[wp.Launch], chunk: int, tasks: int) -> None:
+def _share(commands: list[wp.Launch], chunk: int, tasks: int, done: Callable[[int], None] | None) -> None:
     """Runs all tasks, in chunks, a thread for each command; the calling thread is one, since others take time to wake."""
     starts = iter(range(0, tasks, chunk))
     if len(commands) == 1:
-        _run_chunks(commands[0], starts, chunk, tasks)
+        _run_chunks(commands[0], starts, chunk, tasks, done)
         return
     others: list[Future] = []
     try:
         with suppress(RuntimeError):  # the system gives no more threads, or Python is ending: so fewer share the work
             for command in commands[1:]:
-                others.append(_threads(len(commands) - 1).submit(_run_chunks, command, starts, chunk, tasks))  # noqa: PERF401
-        _run_chunks(commands[0], starts, chunk, tasks)
+                others.append(_threads(len(commands) - 1).submit(_run_chunks, command, starts, chunk, tasks, done))  # noqa: PERF401
+        _run_chunks(commands[0], starts, chunk, tasks, done)
     finally:
         _outlast(starts, others)
     for future in others:
@@ -129,8 +131,8 @@ def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
     return command
 
 
-def _run_chunks(command: wp.Launch, starts: Any, chunk: int, tasks: int) -> None:
-    """Takes chunks until none is left; next() on a range's iterator is atomic, so threads can share it."""
+def _run_chunks(command: wp.Launch, starts: Any, chunk: int, tasks: int, done: Callable[[int], None] | None = None) -> None:
+    """Takes chunks until none is left, and tells `done`; next() on a range's iterator is atomic, so threads can share it."""
     last = len(command.kernel.adj.args) - 1
     for start in starts:
         command.set_param_at_index_from_ctype(last, start)
@@ -138,6 +140,8 @@ def _run_chunks(command: wp.Launch, starts: Any, chunk: int, tasks: int) -> None
         if command.bounds.size != size:
             command.set_dim(size)
         command.launch()
+        if done:
+            done(size)
 
 
 def _threads(workers: int) -> ThreadPoolExecutor:

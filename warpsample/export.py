@@ -16,6 +16,7 @@ from warpsample.arrays import cpu
 from warpsample.directions import Directions, Status, sample_directions
 from warpsample.distributions import as_spatial
 from warpsample.engine import check_memory, check_workers
+from warpsample.examples import content_of
 from warpsample.files import check_output, complete_or_absent, write_array
 from warpsample.mesh import Mesh, load_mesh
 from warpsample.mesh_writers import Lazy, write_ply, write_vtp
@@ -164,8 +165,7 @@ def _parts(points: SurfacePoints, run: Run, workers: int | None) -> Iterator[tup
 
 def _record(run: Run) -> dict[str, object]:
     """Everything needed to repeat the run: the arguments, the mesh's digest and the versions that fix the bits."""
-    with run.mesh.open("rb") as file:
-        digest = hashlib.sha256(file.read()).hexdigest()
+    digest = hashlib.sha256(content_of(run.mesh)).hexdigest()
     arguments = {key: str(value) if isinstance(value, Path) else value for key, value in asdict(run).items()}
     versions = {name: version(name) for name in ("warpsample", "warp-lang", "numpy", "trimesh")}
     return {**arguments, "mesh_sha256": digest, "versions": versions, "cpu": cpu().name}

@@ -14,7 +14,7 @@ def pyvista() -> Any:
     try:
         import pyvista as pv  # noqa: PLC0415
     except ModuleNotFoundError:
-        raise ModuleNotFoundError("PolyData needs PyVista: pip install 'warpsample[viz]'") from None
+        raise ModuleNotFoundError("PolyData needs PyVista: pip install pyvista") from None
     return pv
 
 

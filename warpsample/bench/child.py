@@ -46,8 +46,10 @@ class Child:
         """Nothing: it has started."""
         return self
 
-    def __exit__(self, *error: object) -> None:
-        """Ends the process: it reads to the end of its input."""
+    def __exit__(self, error: type[BaseException] | None, *rest: object) -> None:
+        """Ends the process: it reads to the end of its input, unless something is wrong, as an interrupt."""
+        if error:
+            self._process.kill()
         with suppress(OSError):
             self._process.communicate()
 

@@ -27,7 +27,7 @@ def check_drawing() -> None:
     try:
         import matplotlib  # noqa: F401, ICN001, PLC0415
     except ModuleNotFoundError:
-        raise ModuleNotFoundError("--plot needs matplotlib: pip install 'warpsample[viz]'") from None
+        raise ModuleNotFoundError("--plot needs matplotlib: pip install matplotlib") from None
 
 
 def save(figures: dict[str, "Figure"], folder: Path) -> list[Path]:

@@ -295,7 +295,7 @@ def show_visibility(console: "Console", rows: list[visibility.Row], many: visibi
     memory = f", {many.peak_megabytes:,.0f} MB at most, Python, mesh and points included" if many.peak_megabytes else ""
     console.print(f"{many.scene}, {many.points:,} points x {many.rays} rays: {many.seconds:.1f} s{memory}.")
     for tool, failure in dict.fromkeys((row.tool, row.failure) for row in rows if row.failure):
-        console.print(f"{tool}: {failure}; pip install 'warpsample[bench]'", markup=False)
+        console.print(f"{tool}: {failure}; pip install mitsuba embreex open3d", markup=False)
 
 
 def _table(console: "Console", title: str, headings: Sequence[str], cells: Iterable[Sequence[str]]) -> None:

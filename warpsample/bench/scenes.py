@@ -36,7 +36,7 @@ def hills() -> Mesh:
     try:
         from pyvista.examples import load_random_hills  # noqa: PLC0415
     except ModuleNotFoundError:
-        raise ModuleNotFoundError("bench rays needs PyVista for its hills: pip install 'warpsample[viz]'") from None
+        raise ModuleNotFoundError("bench rays needs PyVista for its hills: pip install pyvista") from None
     return as_mesh(load_random_hills())
 
 

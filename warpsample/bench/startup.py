@@ -11,13 +11,13 @@ from time import perf_counter
 t0 = perf_counter()
 import warp
 t1 = perf_counter()
-import warpsample
+from warpsample import sample_directions
 t2 = perf_counter()
 import numpy
 normals = numpy.array([[0.0, 0.0, 1.0]], numpy.float32)
-warpsample.sample_directions(normals, 64)
+sample_directions(normals, 64)
 t3 = perf_counter()
-warpsample.sample_directions(normals, 64, sequence="independent")
+sample_directions(normals, 64, sequence="independent")
 print(t1 - t0, t2 - t1, t3 - t2, perf_counter() - t3)
 """
 
@@ -29,7 +29,7 @@ class Startup:
     Attributes:
         kernel_cache: "cold" (kernels are compiled) or "warm" (they are loaded).
         import_warp: `import warp`.
-        import_warpsample: what `import warpsample` adds.
+        import_warpsample: what `from warpsample import sample_directions` adds.
         first_directions: the first `sample_directions` after that, with its kernel.
         further_kernel: the next one, which needs another kernel.
     """

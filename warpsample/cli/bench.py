@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from warpsample.cli.terminal import console, fail_plainly, with_progress
+from warpsample.cli.terminal import console, fail_plainly, with_progress, working
 from warpsample.files import check_output, check_output_folder
 
 app = typer.Typer(no_args_is_help=True, help="Run time, measured on this machine.")
@@ -31,7 +31,8 @@ def bench_directions(
     _check_bench(json, plot)
     groups = directions.groups(points, repeats)
     rows = [row for group in with_progress(groups, len(groups), "measuring") for row in group()]
-    starts = startup.measure()
+    with working("measuring the start of a process, with a cold and a warm kernel cache"):
+        starts = startup.measure()
     report.show_directions(console(), rows, starts)
     _keep(json, "bench directions", {"points": points, "repeats": repeats}, rows=rows, startup=starts)
     _draw(plot, lambda caption: plots.draw_directions(rows, caption))
@@ -75,7 +76,8 @@ def bench_peers(
     _check_bench(json, plot)
     sizes = {"directions": points, "surface": 16 * points}
     rows = [row for job in with_progress(sizes, len(sizes), "measuring") for row in peers.measure(job, sizes[job], repeats)]
-    targets = peers.time_to_error(rows, repeats)
+    with working("measuring the time to an error"):
+        targets = peers.time_to_error(rows, repeats)
     report.show_peers(console(), rows, targets)
     _keep(json, "bench peers", {"points": points, "repeats": repeats}, rows=rows, time_to_error=targets)
     _draw(plot, lambda caption: plots.draw_peers(rows, caption))
@@ -145,7 +147,8 @@ def bench_visibility(
         look_up(scenes.SCENES, name, "scene")
     found = with_progress(visibility.measure(list(names), points, repeats), len(names), "measuring")
     rows = [row for part in found for row in part]
-    many = visibility.measure_many(names[0], 256 * points, 256)
+    with working(f"measuring {256 * points:,} points"):
+        many = visibility.measure_many(names[0], 256 * points, 256)
     report.show_visibility(console(), rows, many)
     settings = {"scenes": list(names), "points": points, "repeats": repeats, "seed": 0}
     _keep(json, "bench visibility", settings, rows=rows, many=[many])
@@ -173,5 +176,7 @@ def _draw(plot: Path | None, draw: Callable[[str], dict[str, Any]]) -> None:
     from warpsample.bench import machine, plots  # noqa: PLC0415
 
     if plot is not None:
-        for file in plots.save(draw(machine.caption()), plot):
+        with working(f"drawing into {plot}"):
+            files = plots.save(draw(machine.caption()), plot)
+        for file in files:
             print(f"{file}", file=sys.stderr)  # noqa: T201

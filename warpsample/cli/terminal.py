@@ -1,35 +1,115 @@
 """What every command and script shares: errors in a line, progress, tables, and where a picture goes."""
 
+import codecs
+import inspect
+import re
 import sys
-from collections.abc import Iterable, Iterator
+import threading
+import unicodedata
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from functools import wraps
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, get_type_hints
 
 import typer
 
+from warpsample.cli import signals
 from warpsample.files import WriteError
 
 FigureFile = Annotated[Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)]
 Size = Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")]
 
 _PIPE_WIDTH = 120  # of tables where there is no terminal to fit
+_SILENCE = 1.0  # seconds that a step may take without a word
+
+
+def fail_plainly(**options: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+    """Decorates a command: an error is one line on stderr; status 2 for the input, 1 for a file that cannot be written.
+
+    What is neither keeps its traceback. A message that starts with an argument's name gets the option's instead.
+
+    Args:
+        options: arguments of the calls that the command makes, if they are not called as its options.
+    """
+
+    def decorate(command: Callable[..., Any]) -> Callable[..., Any]:
+        names = _options_of(command) | options
+
+        @wraps(command)
+        def run(*arguments: Any, **keywords: Any) -> None:
+            with signals.listening():
+                try:
+                    command(*arguments, **keywords)
+                    sys.stdout.flush()
+                except (ValueError, TypeError, OSError, EOFError, MemoryError, ModuleNotFoundError, RuntimeError) as error:
+                    if signals.heard():  # a terminal that is gone can fail in many ways
+                        raise
+                    _fail(error, names)
+
+        return run
+
+    return decorate
+
+
+def _options_of(command: Callable[..., Any]) -> dict[str, str]:
+    """The options of a command by their parameters' names."""
+    hints = get_type_hints(command, include_extras=True)
+    return {
+        name: f"--{name.replace('_', '-')}"
+        for name in inspect.signature(command).parameters
+        if any(isinstance(item, typer.models.OptionInfo) for item in getattr(hints[name], "__metadata__", ()))
+    }
+
+
+def _fail(error: Exception, options: dict[str, str]) -> None:
+    """Says what is wrong, and ends."""
+    try:
+        sys.stdout.flush()
+    except OSError:  # a full disk, or a reader that has gone
+        signals.forget(sys.stdout)
+    if isinstance(error, BrokenPipeError):
+        raise SystemExit(128 + 13) from None  # as the signal of a closed pipe does
+    message = re.sub(r"^\w+(?=: )", lambda name: options.get(name[0], name[0]), str(error) or type(error).__name__)
+    signals.say(f"error: {message}")
+    raise SystemExit(1 if isinstance(error, WriteError) else 2) from error
+
+
+def print_anything() -> None:
+    """Lets stdout and stderr take what their encoding has no letter for: θ as theta, others as their number."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="warpsample")
+
+
+def _spell(error: UnicodeError) -> tuple[str, int]:
+    """What to print for letters that cannot be: a Greek one's name; an error handler of `codecs`."""
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    return "".join(map(_spelt, error.object[error.start : error.end])), error.end
+
+
+def _spelt(letter: str) -> str:
+    name = unicodedata.name(letter, "")
+    if name.startswith("GREEK SMALL LETTER "):
+        return name.split()[-1].lower()
+    return letter.encode("ascii", "backslashreplace").decode()
+
+
+codecs.register_error("warpsample", _spell)
 
 
 @contextmanager
-def fail_plainly() -> Iterator[None]:
-    """Turns an error into one line on stderr: status 1 for a file that cannot be written, 2 for what is wrong in the input.
-
-    Anything else keeps its traceback.
-    """
+def working(what: str) -> Iterator[None]:
+    """Says on stderr what takes longer than a second, if that is a terminal."""
+    timer = threading.Timer(_SILENCE, signals.say, [f"{what} ..."])
+    timer.daemon = True
+    if sys.stderr.isatty():
+        timer.start()
     try:
         yield
-    except (ValueError, TypeError, OSError, MemoryError, ModuleNotFoundError, RuntimeError) as error:
-        print(f"error: {error}", file=sys.stderr)  # noqa: T201
-        raise SystemExit(1 if isinstance(error, WriteError) else 2) from error
-    except KeyboardInterrupt as interrupt:
-        print(str(interrupt) or "interrupted; nothing was written", file=sys.stderr)  # noqa: T201
-        raise SystemExit(130) from None
+    finally:
+        timer.cancel()
 
 
 def show_or_save(picture: Any, screenshot: Path | None, what: str) -> None:

@@ -41,8 +41,8 @@ def irradiance(
             small bright sun takes many rays: they are spread by the cosine alone.
         count: rays of each point; none is cast where the radiance is 0.
         up: (3,), of any length; only for a picture.
-        **options: sequence, seed, first_point, active, tolerance (in the result's unit), skip, tracer and workers of
-            `ambient_occlusion`.
+        **options: sequence, seed, first_point, active, tolerance (in the result's unit), skip, tracer, workers and
+            progress of `ambient_occlusion`.
 
     Returns:
         value (P,), or (P, 3) for a radiance of three numbers, in the radiance's unit times steradian.
@@ -123,9 +123,7 @@ def read_hdr(path: str | PathLike) -> np.ndarray:
         from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: PLC0415
         from vtkmodules.vtkIOImage import vtkHDRReader  # noqa: PLC0415
     except ModuleNotFoundError:
-        raise ModuleNotFoundError(
-            f"radiance: got {path.name!r}, which needs PyVista: pip install 'warpsample[viz]'"
-        ) from None
+        raise ModuleNotFoundError(f"radiance: got {path.name!r}, which needs PyVista: pip install pyvista") from None
     reader, faults = vtkHDRReader(), []
     reader.AddObserver("ErrorEvent", lambda *told: faults.append(told))  # heard here, it is not printed
     reader.SetFileName(str(path))

@@ -19,6 +19,7 @@ from warpsample.estimate.result import Estimate, Skipped
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.weights import WeightsJob
 from warpsample.mesh import Mesh, as_mesh
+from warpsample.progress import bar
 from warpsample.sequences.record import Sequence
 from warpsample.surface import SurfacePoints
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
@@ -87,6 +88,7 @@ class Plan:
     skip: bool
     tracer: str
     workers: int
+    progress: bool
 
     @classmethod
     def of(
@@ -102,6 +104,7 @@ class Plan:
         skip: bool = True,
         tracer: str = "auto",
         workers: int | None = None,
+        progress: bool = False,
         **unknown: Any,
     ) -> "Plan":
         """The plan of a call's arguments.
@@ -128,10 +131,15 @@ class Plan:
             check_flag(skip, "skip"),
             check_tracer(tracer, cpu()),
             check_workers(workers),
+            check_flag(progress, "progress"),
         )
 
     def estimate(self, quantity: Quantity) -> Estimate:
         """The numbers."""
+        with bar(self.progress, "casting rays"):
+            return self._estimate(quantity)
+
+    def _estimate(self, quantity: Quantity) -> Estimate:
         runner = _Runner(self, quantity)
         if self.tolerance is None or len(self.points) == 0:
             return runner.result(self.seed, np.full(len(self.points), self.count))

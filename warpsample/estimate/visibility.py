@@ -28,6 +28,7 @@ def ambient_occlusion(
     skip: bool = True,
     tracer: str = "auto",
     workers: int | None = None,
+    progress: bool = False,
 ) -> Estimate:
     """The share of cosine-weighted rays that get away: 1 where a point is open, 0 where it is closed in.
 
@@ -53,10 +54,11 @@ def ambient_occlusion(
         tolerance: the standard error to reach, in the root mean square over the points. A trial of 64 rays says how many of
             `count` each point takes, and is forgotten, which keeps the result unbiased. For where the right count is not
             known: if it is, that many for every point are as fast, since open points cost little anyway.
-        skip: whether to look for what cannot be met: parts of the mesh below a point's horizon, and cells of its lobe where
-            nothing is. Changes no bit; off, it takes two to three times as long.
+        skip: whether to look for what cannot be met: parts of the mesh below a point's horizon, and, from 32 rays on, cells
+            of its lobe where nothing is. Changes no bit; off, it takes two to three times as long.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
         workers: threads, all cores by default.
+        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
@@ -65,7 +67,9 @@ def ambient_occlusion(
     Warns:
         UserWarning: parts of the mesh are so far apart that its coordinates are too coarse for most of its faces.
     """
-    plan = Plan.of(mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers)
+    plan = Plan.of(
+        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress=progress
+    )
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
     if falloff is not None:
         falloff = check_number(falloff, "falloff", 0.0, 1000.0)
@@ -103,7 +107,8 @@ def sky_view_factor(
         count: rays of each point.
         up: (3,), of any length; rays below the plane across it do not see the sky, whatever they meet, and are not cast.
         max_distance: what is as far or farther does not hide the sky.
-        **options: sequence, seed, first_point, active, tolerance, skip, tracer and workers of `ambient_occlusion`.
+        **options: sequence, seed, first_point, active, tolerance, skip, tracer, workers and progress of
+            `ambient_occlusion`.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
@@ -136,8 +141,8 @@ def bent_normals(
         points: P of them; as for `ambient_occlusion`.
         count: rays of each point.
         max_distance: what is as far or farther is not met.
-        **options: sequence, seed, first_point, active, tolerance (of each component), skip, tracer and workers of
-            `ambient_occlusion`.
+        **options: sequence, seed, first_point, active, tolerance (of each component), skip, tracer, workers and
+            progress of `ambient_occlusion`.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.

@@ -4,14 +4,17 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import lru_cache
 from io import BytesIO
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from warpsample import files
+from warpsample.engine import check_memory
 
 if TYPE_CHECKING:
     import pyvista
@@ -26,7 +29,9 @@ MOST_SMOOTH_FACES = 200_000
 SCENE_SUFFIXES = (".png", ".html")
 FIGURE_SUFFIXES = (".png", ".svg", ".pdf")
 
-_LEAST_SHEET = 600
+_MOST_SIDE = 1 << 14
+_MOST_PIXELS = 100_000_000  # software rendering takes a minute and a half; 2^28 with their samples it leaves black
+_BYTES_PER_PIXEL = 80  # 75 measured, with eight samples each
 
 SURFACE = "#d8d4cc"
 SKY = "#c7d5e0"  # that a white mesh stands out from
@@ -46,6 +51,7 @@ _CAPTION = (
 _PROBE = (
     "import pyvista as pv; p = pv.Plotter(off_screen=True, window_size=(16, 16)); p.add_mesh(pv.Sphere()); p.screenshot()"
 )
+_FETCHING = "trame.widgets.vtklocal"
 _NO_GL = "pictures need an OpenGL library and none works here. On Debian or Ubuntu: apt-get install libegl1 libgl1-mesa-dri"
 
 
@@ -79,7 +85,7 @@ def check_rendering() -> None:
         import matplotlib  # noqa: F401, ICN001, PLC0415
         import pyvista  # noqa: F401, PLC0415
     except ModuleNotFoundError as error:
-        raise ModuleNotFoundError(f"pictures need {error.name}: pip install 'warpsample[viz]'") from None
+        raise ModuleNotFoundError(f"pictures need {error.name}: pip install {error.name}") from None
     if not has_screen():
         # Without a screen VTK tries X first and complains on stderr before it takes EGL.
         os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
@@ -122,24 +128,43 @@ def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
             files.write_bytes(path, picture.getvalue())
         else:
             style = _CAPTION.format(json.dumps(caption, ensure_ascii=False).replace("<", "\\3c "))
-            page = plotter.trame.export_html(None).read().replace("</head>", f"{style}</head>", 1)
+            with _offline():
+                page = plotter.trame.export_html(None).read().replace("</head>", f"{style}</head>", 1)
             files.write_bytes(path, page.encode())
     except ImportError as error:
-        raise ModuleNotFoundError(f"an .html scene needs trame-pyvista: pip install 'warpsample[viz]' ({error})") from None
+        raise ModuleNotFoundError(
+            f"an .html scene needs trame-pyvista: pip install trame-pyvista nest-asyncio2 ({error})"
+        ) from None
     finally:
         plotter.close()
 
 
-def check_figure_size(size: tuple[int, int]) -> None:
-    """Whether a sheet can be read.
+@contextmanager
+def _offline() -> Iterator[None]:
+    """Lets trame go on as if it had no viewer by WebAssembly, which it fetches from Kitware's server: vtk.js needs none."""
+    known: dict[str, Any] = sys.modules
+    before = {_FETCHING: known[_FETCHING]} if _FETCHING in known else {}
+    known[_FETCHING] = None
+    try:
+        yield
+    finally:
+        del known[_FETCHING]
+        known.update(before)
+
+
+def check_size(size: tuple[int, int], least: tuple[int, int] = (600, 600)) -> None:
+    """Whether a picture of so many pixels can be read, drawn and held in memory.
 
     Raises:
         ValueError: it cannot.
+        MemoryError: more than is free.
     """
-    if min(size) < _LEAST_SHEET:
-        raise ValueError(
-            f"--size: got {size[0]} x {size[1]}, want at least {_LEAST_SHEET} of each, in which text can be read"
-        )
+    said = f"--size: got {size[0]} x {size[1]}"
+    if size[0] < least[0] or size[1] < least[1]:
+        raise ValueError(f"{said}, want at least {least[0]} x {least[1]}, in which text can be read")
+    if max(size) > _MOST_SIDE or size[0] * size[1] > _MOST_PIXELS:
+        raise ValueError(f"{said}, want at most {_MOST_SIDE:,} of each and {_MOST_PIXELS:,} pixels in all")
+    check_memory(_BYTES_PER_PIXEL * size[0] * size[1], f"{said}, whose pixels", "take a smaller picture")
 
 
 def size_figure(figure: "Figure", size: tuple[int, int]) -> None:

@@ -5,6 +5,7 @@ import os
 import signal
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
@@ -66,17 +67,32 @@ def run(tasks: list[Task], thorough: bool = False) -> Iterator[tuple[Task, list[
     """
     context = multiprocessing.get_context("spawn")  # Warp's threads do not survive a fork
     workers = min(len(tasks), os.cpu_count() or 1, _MOST_PROCESSES)
-    pool = ProcessPoolExecutor(workers, context, _start)
+    with _deaf():
+        pool = ProcessPoolExecutor(workers, context)
     try:
-        futures = {pool.submit(task.verdicts, thorough): task for task in tasks}
+        with _deaf():  # again: multiprocessing has started its tracker of resources, and heard SIGINT since
+            futures = {pool.submit(task.verdicts, thorough): task for task in tasks}
         for future in as_completed(futures):
             yield futures[future], future.result()
+    except BaseException:
+        for process in multiprocessing.active_children():  # a task may take a minute
+            process.terminate()
+        raise
     finally:
         pool.shutdown(cancel_futures=True)
 
 
-def _start() -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent, which says so once
+@contextmanager
+def _deaf() -> Iterator[None]:
+    """What is started within never hears a terminal's signals: Ctrl-C is for the parent, which says so once and ends it."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, (signal.SIGINT, signal.SIGQUIT, signal.SIGHUP))
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _judge_case(case: Distribution, thorough: bool) -> list[Verdict]:

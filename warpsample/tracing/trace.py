@@ -12,6 +12,7 @@ from warpsample.arguments import check_choice, check_flag, check_number
 from warpsample.arrays import Array, address_of, as_ndarray, cpu
 from warpsample.engine import check_memory, check_workers, run
 from warpsample.mesh import Mesh, as_mesh, unit_or_zero
+from warpsample.progress import bar
 from warpsample.surface import SurfacePoints
 from warpsample.tracing.builtin import builtin_query, prepare_builtin
 from warpsample.tracing.layout import CHUNK, AcceleratorJob
@@ -66,6 +67,7 @@ def trace(
     any_hit: bool = False,
     tracer: str = "auto",
     workers: int | None = None,
+    progress: bool = False,
 ) -> Hits:
     """The faces that rays meet, seen from either side.
 
@@ -85,6 +87,7 @@ def trace(
         any_hit: whether some face is enough: up to twice as fast.
         tracer: "wide", "warp" (wp.Mesh) or "auto": wide on the CPU.
         workers: threads on the CPU, all cores by default.
+        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
     Returns:
         distance and face, of the directions' shape without the last axis.
@@ -93,7 +96,8 @@ def trace(
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
         MemoryError: more than is free.
     """
-    mesh, workers, any_hit = as_mesh(mesh), check_workers(workers), check_flag(any_hit, "any_hit")
+    mesh, workers = as_mesh(mesh), check_workers(workers)
+    any_hit, progress = check_flag(any_hit, "any_hit"), check_flag(progress, "progress")
     start = Triples.of(origins.position if isinstance(origins, SurfacePoints) else origins, "origins", "(P, 3) or (3,)")
     way = Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
     _check_pair(start, way)
@@ -105,7 +109,9 @@ def trace(
     if way.device.is_cpu:
         check_memory(8 * rays, f"the hits of {rays:,} rays", "trace them in parts")
     distance, face = way.empty(np.float32), way.empty(np.int32)
-    if rays > 0:
+    if rays == 0:
+        return Hits(distance, face, name)
+    with bar(progress, "tracing rays"):
         scene = scene_of(mesh)
         job = job_of(scene, start, way, reach, distance, face)
         if normals is not None:

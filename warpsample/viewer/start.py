@@ -9,13 +9,15 @@ from warpsample.arguments import check_integer, check_seed
 from warpsample.distributions import as_spatial
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.offset_sphere import OffsetSphere
+from warpsample.distributions.record import Distribution
 from warpsample.mesh import Mesh
 from warpsample.plotting.rendering import save_scene
 from warpsample.plotting.scenes import clouds_on_mesh
 from warpsample.viewer.lobes import Choice, lobe_of
 from warpsample.viewer.window import Viewer
 
-_LEAST_SIZE = (1200, 675)
+LEAST_SIZE = (1200, 675)
+"""Of a window in which knobs and charts can be read."""
 
 
 def bunny() -> Path:
@@ -33,20 +35,16 @@ def choice(distribution: str | None, density: str | None, sequence: str, samples
     check_integer(samples, "--samples", 1, 2**31 - 1)
     check_seed(seed)
     if distribution is None:
-        claimed = CosineHemisphere() if density is None else as_spatial(density)
+        claimed = CosineHemisphere() if density is None else _density(density)
         return Choice(OffsetSphere(), claimed, sequence, samples, seed)
-    return Choice(as_spatial(distribution), None if density is None else as_spatial(density), sequence, samples, seed)
+    return Choice(as_spatial(distribution), None if density is None else _density(density), sequence, samples, seed)
 
 
-def check_size(size: tuple[int, int]) -> None:
-    """Whether the window can be read.
-
-    Raises:
-        ValueError: it cannot.
-    """
-    if size[0] < _LEAST_SIZE[0] or size[1] < _LEAST_SIZE[1]:
-        wanted = " x ".join(str(n) for n in _LEAST_SIZE)
-        raise ValueError(f"--size: got {size[0]} x {size[1]}, want at least {wanted}, in which knobs and charts can be read")
+def _density(name: str) -> Distribution:
+    try:
+        return as_spatial(name)
+    except (TypeError, ValueError) as error:
+        raise type(error)(str(error).replace("distribution:", "density:", 1)) from None
 
 
 def window(mesh: Mesh, points: int, chosen: Choice, up: str, size: tuple[int, int]) -> None:

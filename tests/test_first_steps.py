@@ -1,0 +1,181 @@
+"""What a newcomer types first, on terminals and machines of all kinds."""
+
+import os
+import pty
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+
+import warpsample as ws
+from warpsample import examples
+
+
+@pytest.fixture
+def run(child_environment, tmp_path):
+    """`python -m warpsample ...` in a process and a folder of its own."""
+
+    def run(*arguments, **environment):
+        command = [sys.executable, "-m", "warpsample", *map(str, arguments)]
+        variables = {**child_environment, **environment}
+        done = subprocess.run(command, env=variables, capture_output=True, text=True, check=False, cwd=tmp_path)
+        said = "".join(line for line in done.stderr.splitlines(keepends=True) if "Warp CUDA" not in line)
+        return done.returncode, done.stdout, said
+
+    return run
+
+
+def test_the_version_is_said(run):
+    assert re.fullmatch(r"\d+\.\d+\.\d+", ws.__version__)
+    assert run("--version") == (0, f"warpsample {ws.__version__}\n", "")
+
+
+@pytest.mark.parametrize("command", [[], ["info"], ["bench"], ["bench", "rays"]])
+def test_h_is_help(call, command):
+    status, out, err = call(*command, "-h")
+    assert (status, err) == (0, "")
+    assert "Usage: warpsample" in out
+    assert out == call(*command, "--help")[1]
+
+
+def test_a_file_name_is_shown_as_it_is(call, tmp_path):
+    path = tmp_path / "scan[final].ply"
+    trimesh.creation.box().export(path)
+    out = call("info", path)[1]
+    assert "scan[final].ply" in out.replace("\n", "")
+    status, _, err = call("info", "scan[/b].ply")
+    assert (status, "'scan[/b].ply'" in err) == (2, True)
+
+
+def test_an_ascii_terminal_is_told_all_the_same(run, can_render, tmp_path):
+    """What was drawn has a theta in it; a file may have any name."""
+    ascii_only = {"PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+    status, out, err = run("view", "courtyard", "--points", 3, "--samples", 16, "--screenshot", "é.png", **ascii_only)
+    assert (status, err) == (0, "")
+    assert "\\xe9.png: 3 points x 16 directions" in out
+    assert "; theta agrees" in out
+    assert "; phi agrees" in out
+    assert (tmp_path / "é.png").stat().st_size > 0
+    for arguments in (["info", "courtyard"], ["view", "-h"], ["bench", "-h"]):
+        status, out, err = run(*arguments, **ascii_only)
+        assert (status, err, out.isascii()) == (0, "", True)
+
+
+def test_an_html_is_made_without_a_network(child_environment, can_render, tmp_path):
+    code = """
+import socket, sys
+def refuse(*asked, **more):
+    print("asked for", asked, file=sys.stderr)
+    raise OSError("no network")
+for name in ("getaddrinfo", "gethostbyname", "gethostbyname_ex", "gethostbyaddr", "getfqdn", "create_connection"):
+    setattr(socket, name, refuse)
+sys.argv = ["warpsample", "view", "courtyard", "--points", "3", "--samples", "16", "--screenshot", "a.html"]
+from warpsample.cli import main
+main()
+"""
+    command = [sys.executable, "-c", code]
+    done = subprocess.run(command, env=child_environment, capture_output=True, text=True, check=False, cwd=tmp_path)
+    assert [line for line in done.stderr.splitlines() if "CUDA" not in line] == []
+    assert done.stdout.startswith("a.html: 3 points")
+    assert (tmp_path / "a.html").stat().st_size > 100_000
+
+
+@pytest.mark.parametrize(
+    ("arguments", "option"),
+    [
+        (["bake", "courtyard", "-o", "a.npz", "--samples", "1"], "--samples"),
+        (["bake", "courtyard", "-o", "a.npz", "--tolerance", "0"], "--tolerance"),
+        (["bake", "courtyard", "-o", "a.npz", "--max-distance", "-1"], "--max-distance"),
+        (["bake", "courtyard", "-o", "a.npz", "--falloff", "-1", "--max-distance", "1"], "--falloff"),
+        (["bake", "courtyard", "-o", "a.npz", "--quantity", "sky", "--up", "0", "0", "0"], "--up"),
+        (["bake", "courtyard", "-o", "a.npz", "--sequence", "halton"], "--sequence"),
+        (["bake", "courtyard", "-o", "a.npz", "--quantity", "irradiance", "--environment", "no.hdr"], "--environment"),
+        (["directions", "courtyard", "-o", "a.npz", "--samples", "0"], "--samples"),
+        (["verify", "--plant", "nothing"], "--plant"),
+        (["bench", "rays", "--scene", "nowhere"], "--scene"),
+    ],
+)
+def test_an_error_names_the_option(call, arguments, option, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    status, out, err = call(*arguments)
+    assert (status, out, err.count("\n")) == (2, "", 1)
+    assert err.startswith(f"error: {option}: got")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_reader_that_has_gone_is_no_traceback(child_environment):
+    command = f"{sys.executable} -m warpsample info courtyard | true; exit ${{PIPESTATUS[0]}}"
+    done = subprocess.run(["bash", "-c", command], env=child_environment, capture_output=True, text=True, check=False)
+    assert done.returncode in (0, 1, 141)  # it may have been quicker; rich ends with 1
+    assert [line for line in done.stderr.splitlines() if "CUDA" not in line] == []
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full here")
+def test_stdout_that_is_full_is_a_sentence(child_environment):
+    command = f"{sys.executable} -m warpsample info courtyard > /dev/full"
+    done = subprocess.run(["bash", "-c", command], env=child_environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert re.fullmatch(r"error: .*No space left on device\n", "".join(done.stderr.splitlines(keepends=True)[-1:]))
+    assert "Traceback" not in done.stderr
+
+
+def test_a_slow_step_is_said_on_a_terminal_only(child_environment):
+    code = "from warpsample.cli.terminal import working; import time\nwith working('reading it'): time.sleep({})"
+    for seconds, said in ((1.5, "reading it ...\r\n"), (0.0, "")):
+        master, slave = pty.openpty()
+        command = [sys.executable, "-c", code.format(seconds)]
+        subprocess.run(command, env=child_environment, stderr=slave, check=True)
+        os.write(slave, b"|")
+        assert os.read(master, 1000).decode() == f"{said}|"
+        os.close(master)
+        os.close(slave)
+    done = subprocess.run([sys.executable, "-c", code.format(1.5)], env=child_environment, capture_output=True, check=True)
+    assert (done.stdout, done.stderr) == (b"", b"")
+
+
+# The example
+
+
+def test_the_courtyard_is_a_mesh_without_flaws():
+    mesh = ws.load_mesh("courtyard")
+    report = mesh.report
+    assert (report.degenerate_faces, report.duplicate_faces, report.unreferenced_vertices) == (0, 0, 0)
+    assert (report.nonmanifold_edges, report.inconsistent_edges) == (0, 0)
+    assert report.boundary_edges == 4 * 24  # of the ground
+    assert mesh.bounds.tolist() == [[0.0, 0.0, 0.0], [72.0, 72.0, 24.0]]
+    assert (np.ptp(mesh.vertices[mesh.faces], axis=1).max(axis=1) == 3.0).all()
+    # Faces out: the volume over the ground, which is closed by it, is that of the buildings.
+    a, b, c = (mesh.vertices[mesh.faces[:, k]] for k in range(3))
+    volume = np.einsum("fk,fk->f", a, np.cross(b, c)).sum() / 6.0
+    cells = 14 * 4 * 4 + 14 * 4 * 6 + 4 * 4 * 3 + 4 * 6 * 8
+    assert volume == pytest.approx(27.0 * cells, rel=1e-12)
+
+
+def test_in_the_yard_there_is_less_sky_than_on_the_roofs():
+    mesh = ws.load_mesh("courtyard")
+    position = np.array([[36.5, 36.5, 0.0], [5.5, 36.5, 0.0], [50.5, 36.5, 24.0]])
+    points = ws.SurfacePoints(position, np.float32([[0.0, 0.0, 1.0]] * 3))
+    yard, street, roof = ws.sky_view_factor(mesh, points, 1024).value
+    assert yard < 0.5 < street < roof
+    assert roof == 1.0  # the highest
+
+
+def test_a_file_of_that_name_goes_first(tmp_path, monkeypatch, call):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "courtyard").write_text("no mesh")
+    with pytest.raises(ValueError, match="want a file that ends in"):
+        ws.load_mesh("courtyard")
+    with pytest.raises(FileNotFoundError, match="which is missing"):
+        ws.load_mesh("Courtyard.ply")
+
+
+def test_the_digest_of_the_example_tells_it_from_files(tmp_path):
+    path = tmp_path / "mesh.ply"
+    path.write_bytes(b"bytes of a file")
+    assert examples.content_of(path) == b"bytes of a file"
+    vertices, faces = examples.courtyard()
+    assert examples.content_of(Path("courtyard")) == vertices.tobytes() + faces.tobytes()

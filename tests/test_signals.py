@@ -1,0 +1,201 @@
+"""Ended from outside, at any moment: nothing half-written, no hidden cursor, no process, one sentence, 128 + the signal."""
+
+import os
+import pty
+import signal
+import subprocess
+import sys
+import time
+from contextlib import suppress
+
+import psutil
+import pytest
+
+from warpsample.bench.child import Child
+
+SIGNALS = ["SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT"]
+HIDE, SHOW = "\x1b[?25l", "\x1b[?25h"
+
+
+def sentence(name):
+    return f"interrupted{'' if name == 'SIGINT' else f' by {name}'}; nothing was written"
+
+
+def until(condition, seconds=60.0):
+    """Waits for it."""
+    end = time.monotonic() + seconds
+    while not (found := condition()):
+        assert time.monotonic() < end
+        time.sleep(0.01)
+    return found
+
+
+def read(master, word=None):
+    """What is written to a terminal up to a word, or until its programs end."""
+    text = b""
+    with suppress(OSError):
+        while (word is None or word.encode() not in text) and (part := os.read(master, 1 << 16)):
+            text += part
+    return text.decode()
+
+
+def start(environment, *arguments, **streams):
+    """The command in a session of its own, as a terminal's programs are."""
+    command = [sys.executable, "-m", "warpsample", *map(str, arguments)]
+    return subprocess.Popen(command, env={**environment, "TERM": "xterm"}, start_new_session=True, text=True, **streams)
+
+
+@pytest.fixture
+def writing(cube, tmp_path):
+    """Arguments that write hundreds of megabytes; and what says that a half of them is there."""
+    output = tmp_path / "d.npz"
+    output.write_text("old")
+    arguments = ["directions", cube, "-o", output, "--count", 500_000, "--samples", 256]
+    yield arguments, lambda: [path for path in tmp_path.glob(".d*") if path.stat().st_size > 1_000_000]
+    assert output.read_text() == "old"
+    assert {path.name for path in tmp_path.iterdir()} == {"cube.ply", "d.npz"}
+
+
+@pytest.mark.parametrize("name", SIGNALS)
+def test_on_a_terminal_the_half_file_goes_and_the_cursor_comes_back(name, writing, child_environment):
+    arguments, half = writing
+    master, slave = pty.openpty()
+    running = start(child_environment, *arguments, stdin=slave, stdout=slave, stderr=slave)
+    os.close(slave)
+    assert HIDE in read(master, HIDE)
+    until(half)
+    os.killpg(running.pid, getattr(signal, name))
+    shown = read(master)
+    os.close(master)
+    assert running.wait() == 128 + getattr(signal, name)
+    assert SHOW in shown
+    assert shown.splitlines()[-1].endswith(sentence(name))
+    assert "Traceback" not in shown
+
+
+def test_a_terminal_that_is_closed_leaves_no_half_file(writing, child_environment):
+    """Which is a SIGHUP, and errors at each word that is still said."""
+    arguments, half = writing
+    master, slave = pty.openpty()
+    running = start(child_environment, *arguments, stdin=slave, stdout=slave, stderr=slave)
+    os.close(slave)
+    read(master, HIDE)
+    until(half)
+    os.close(master)
+    running.send_signal(signal.SIGHUP)
+    assert running.wait(30.0) == 128 + signal.SIGHUP
+
+
+def test_in_a_pipe_it_is_one_sentence(writing, child_environment):
+    arguments, half = writing
+    running = start(child_environment, *arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    until(half)
+    running.send_signal(signal.SIGTERM)
+    out, err = running.communicate(timeout=30.0)
+    assert (running.returncode, out) == (128 + signal.SIGTERM, "")
+    assert [line for line in err.splitlines() if "CUDA" not in line] == [sentence("SIGTERM")]
+
+
+WHILE_IMPORTING = """
+import os, signal, sys
+
+class Finder:
+    def find_spec(name, path=None, target=None):
+        if name == {module!r}:
+            os.kill(os.getpid(), signal.{name})
+
+sys.meta_path.insert(0, Finder)
+sys.argv = ["warpsample", "info", {cube!r}]
+from warpsample.cli import main
+main()
+"""
+
+
+def end_while_importing(name, module, cube, environment, **ignored):
+    script = WHILE_IMPORTING.format(name=name, module=module, cube=str(cube))
+    command = [sys.executable, "-c", script]
+    return subprocess.run(command, env=environment, capture_output=True, text=True, check=False, **ignored)
+
+
+@pytest.mark.parametrize(
+    ("name", "module"), [*((name, "warp") for name in SIGNALS), ("SIGINT", "numpy"), ("SIGINT", "typer")]
+)
+def test_in_the_first_second_it_is_one_sentence(name, module, cube, child_environment):
+    """When nothing of the command is imported yet but what hears signals."""
+    done = end_while_importing(name, module, cube, child_environment)
+    assert (done.returncode, done.stdout, done.stderr) == (128 + getattr(signal, name), "", sentence(name) + "\n")
+
+
+@pytest.mark.parametrize("name", ["SIGHUP", "SIGINT"])
+def test_what_the_parent_ignores_stays_ignored(name, cube, child_environment):
+    """As nohup and a shell's background jobs do."""
+    number = getattr(signal, name)
+    done = end_while_importing(
+        name, "warp", cube, child_environment, preexec_fn=lambda: signal.signal(number, signal.SIG_IGN)
+    )
+    assert done.returncode == 0
+    assert "12" in done.stdout
+
+
+def listen(body, environment):
+    script = f"import os, signal, time\nfrom warpsample.cli.signals import listening\nwith listening():\n{body}"
+    command = [sys.executable, "-c", script]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False, timeout=60)
+    return done.returncode, done.stdout, done.stderr
+
+
+def test_a_second_signal_does_not_break_the_cleaning_up(child_environment):
+    body = """
+    try:
+        os.kill(os.getpid(), signal.SIGTERM)
+    finally:
+        for again in (signal.SIGINT, signal.SIGTERM, signal.SIGQUIT):
+            os.kill(os.getpid(), again)
+            time.sleep(0.3)
+        print("cleaned")
+"""
+    assert listen(body, child_environment) == (143, "cleaned\n", sentence("SIGTERM") + "\n")
+
+
+def test_one_that_python_drops_is_raised_again(child_environment):
+    """As where it comes while something is deleted, or in a callback of VTK's."""
+    body = """
+    class Dropping:
+        def __del__(self):
+            os.kill(os.getpid(), signal.SIGTERM)
+            time.sleep(0.01)
+    Dropping()
+    time.sleep(20)
+    print("unheard")
+"""
+    status, out, err = listen(body, child_environment)
+    assert (status, out) == (143, "")
+    assert err.endswith(sentence("SIGTERM") + "\n")
+
+
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
+def test_the_processes_of_verify_end_with_it(name, child_environment):
+    """To the group, as from a terminal, where a child that has not started yet must not say anything; or to it alone."""
+    running = start(child_environment, "verify", stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    children = until(lambda: psutil.Process(running.pid).children())
+    send = running.send_signal if name == "SIGTERM" else lambda number: os.killpg(running.pid, number)
+    time.sleep(0.3)
+    send(getattr(signal, name))
+    out, err = running.communicate(timeout=30.0)
+    assert (running.returncode, out) == (128 + getattr(signal, name), "")
+    assert [line for line in err.splitlines() if "CUDA" not in line] == [sentence(name)]
+    _, alive = psutil.wait_procs(children, timeout=5.0)
+    assert alive == []
+
+
+def test_a_benchmarks_child_ends_when_the_parent_is_interrupted():
+    """In the middle of its work."""
+    child = Child("test_signals:no_end")
+    until(lambda: psutil.Process(child._process.pid).cpu_times().user > 0.1)
+    child.__exit__(KeyboardInterrupt, KeyboardInterrupt(), None)
+    assert child._process.returncode == -signal.SIGKILL
+
+
+def no_end():
+    while True:
+        pass

@@ -1,0 +1,5 @@
+"""`python -m warpsample`."""
+
+from warpsample.cli import main
+
+main()

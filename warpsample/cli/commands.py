@@ -1,0 +1,217 @@
+"""The commands of `warpsample`."""
+
+from contextlib import closing
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+import warpsample
+from warpsample import distributions, sequences
+from warpsample.cli import bench
+from warpsample.cli.terminal import Size, console, fail_plainly, with_progress, working
+from warpsample.mesh import load_mesh
+
+app = typer.Typer(no_args_is_help=True, add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
+app.add_typer(bench.app, name="bench")
+
+_SPATIAL = (name for name in distributions.names() if distributions.get(name).width == 3)
+DISTRIBUTION_HELP = f"A name, or one with parameters as in 'beckmann(alpha=0.1)': {', '.join(_SPATIAL)}."
+MESH_HELP = "Mesh file: .ply .obj .stl .off .glb .gltf .usd; or courtyard, an example"
+MeshFile = Annotated[Path, typer.Argument(help=f"{MESH_HELP}.", show_default=False)]
+
+
+def _say_version(asked: bool) -> None:
+    if asked:
+        print(f"warpsample {warpsample.__version__}")  # noqa: T201
+        raise typer.Exit
+
+
+@app.callback()
+def warpsample_command(
+    version: Annotated[
+        bool, typer.Option("--version", help="Say the version and exit.", callback=_say_version, is_eager=True)
+    ] = False,
+) -> None:
+    """Directions around the normals of a mesh."""
+
+
+@app.command()
+@fail_plainly()
+def info(mesh: MeshFile) -> None:
+    """Say what is in a mesh file and what is wrong with it."""
+    from rich.console import Console  # noqa: PLC0415
+    from rich.table import Table  # noqa: PLC0415
+    from rich.text import Text  # noqa: PLC0415
+
+    with working(f"reading {mesh}"):
+        report = load_mesh(mesh).report
+    table = Table(title=Text(str(mesh)), show_header=False, title_justify="left")
+    table.add_column(style="bold")
+    table.add_column(justify="right")
+    table.add_column(style="dim")
+    rows = [
+        ("vertices", f"{report.vertices:,}", ""),
+        ("faces", f"{report.faces:,}", "triangles"),
+        ("area", f"{report.area:.6g}", "square units"),
+        *(
+            (f"{axis} from, to", f"{low:.6g}, {high:.6g}", "")
+            for axis, low, high in zip("xyz", report.lower, report.upper, strict=True)
+        ),
+        ("degenerate faces", f"{report.degenerate_faces:,}", "no area, so no points"),
+        ("duplicate faces", f"{report.duplicate_faces:,}", "same three vertices"),
+        ("unused vertices", f"{report.unreferenced_vertices:,}", "no normal"),
+        ("boundary edges", f"{report.boundary_edges:,}", "open there"),
+        ("non-manifold edges", f"{report.nonmanifold_edges:,}", "over two faces"),
+        ("inconsistent edges", f"{report.inconsistent_edges:,}", "wound both ways"),
+    ]
+    for row in rows:
+        table.add_row(*row)
+    Console().print(table)
+
+
+@app.command("directions")
+@fail_plainly()
+def directions_command(
+    mesh: MeshFile,
+    output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: .npz .vtp .ply.", show_default=False)],
+    count: Annotated[int, typer.Option(help="Surface points; only for the placement 'surface'.")] = 10_000,
+    samples: Annotated[int, typer.Option(help="Directions at each point.")] = 64,
+    distribution: Annotated[str, typer.Option(help=DISTRIBUTION_HELP)] = "cosine_hemisphere",
+    sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "sobol",
+    seed: Annotated[int, typer.Option(help="Seed of points and directions.")] = 0,
+    placement: Annotated[Literal["surface", "faces", "vertices"], typer.Option(help="Where the points are.")] = "surface",
+    workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
+) -> None:
+    """Sample directions at points of a mesh into a file; .npz holds all that is needed to repeat the run."""
+    from warpsample.export import Run, export  # noqa: PLC0415
+
+    with working(f"reading {mesh}, sampling, writing {output}; a kernel is compiled when it is first used, for about 2 s"):
+        summary = export(Run(mesh, output, count, samples, distribution, sequence, seed, placement), workers)
+    print(f"{output}: {summary}")  # noqa: T201
+
+
+@app.command("bake")
+@fail_plainly(count="--samples", radiance="--environment")
+def bake_command(
+    mesh: MeshFile,
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="The file to write: .ply .vtp .glb .npz .csv.", show_default=False)
+    ],
+    quantity: Annotated[
+        Literal["ao", "sky", "irradiance"], typer.Option(help="Ambient occlusion, sky view or light.")
+    ] = "ao",
+    at: Annotated[Literal["vertices", "faces", "surface"], typer.Option(help="Where: of faces, the centres.")] = "vertices",
+    points: Annotated[int, typer.Option(help="How many; only at 'surface'.")] = 10_000,
+    samples: Annotated[int, typer.Option(help="Rays of each point.")] = 256,
+    max_distance: Annotated[
+        float | None, typer.Option(help="What is farther does not hide; not for irradiance.", show_default=False)
+    ] = None,
+    falloff: Annotated[
+        float | None, typer.Option(help="Exponent, with max-distance: less by distance; ao only.", show_default=False)
+    ] = None,
+    environment: Annotated[
+        Path | None,
+        typer.Option(help="Light, equirectangular: .hdr or .npy; irradiance only.", show_default=False),
+    ] = None,
+    up: Annotated[tuple[float, float, float], typer.Option(help="The sky's axis.")] = (0.0, 0.0, 1.0),
+    sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "fibonacci",
+    seed: Annotated[int, typer.Option(help="Seed of points and rays.")] = 0,
+    tolerance: Annotated[
+        float | None, typer.Option(help="Standard error at which a point has rays enough.", show_default=False)
+    ] = None,
+    workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
+) -> None:
+    """Estimate a number at each vertex, face or point of a mesh, with its standard error, into a file."""
+    from warpsample.bake import Run, bake  # noqa: PLC0415
+
+    options = {"sequence": sequence, "seed": seed, "tolerance": tolerance, "workers": workers}
+    for name, value, quantities in (("max_distance", max_distance, ("ao", "sky")), ("falloff", falloff, ("ao",))):
+        if value is not None and quantity not in quantities:
+            raise ValueError(
+                f"--{name.replace('_', '-')}: got {value} for {quantity}, want it for {' or '.join(quantities)} only"
+            )
+        if value is not None:
+            options[name] = value
+    with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
+        summary = bake(Run(mesh, output, quantity, at, points, samples, environment, up, options))
+    print(summary)  # noqa: T201
+
+
+@app.command()
+@fail_plainly()
+def view(
+    mesh: Annotated[Path | None, typer.Argument(help=f"{MESH_HELP}; by default the bunny in warp-lang.")] = None,
+    points: Annotated[int, typer.Option(help="How many surface points, uniform by area.", min=1)] = 100,
+    samples: Annotated[int, typer.Option(help="Directions at each point.", min=1)] = 1024,
+    distribution: Annotated[
+        str | None, typer.Option(help=f"{DISTRIBUTION_HELP} By default offset_sphere(rho=1.0).", show_default=False)
+    ] = None,
+    density: Annotated[
+        str | None,
+        typer.Option(help="What the directions are held against; by default their own.", show_default=False),
+    ] = None,
+    sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "sobol",
+    seed: Annotated[int, typer.Option(help="Of points and directions.")] = 0,
+    up: Annotated[Literal["x", "y", "z"], typer.Option(help="The mesh's axis that points up in the picture.")] = "y",
+    screenshot: Annotated[
+        Path | None,
+        typer.Option(help="No window, but a file: .png, or .html of the clouds to turn in a browser.", show_default=False),
+    ] = None,
+    size: Size = (1600, 900),
+) -> None:
+    """See directions on a mesh: clouds around points, one of them enlarged, and how well they keep to a density.
+
+    It starts with sphere + normal, normalised, held against the cosine lobe: turn rho, and see when it is right.
+    """
+    from warpsample.plotting import rendering  # noqa: PLC0415
+    from warpsample.viewer import start  # noqa: PLC0415
+
+    rendering.check_output(screenshot, rendering.SCENE_SUFFIXES, mesh)
+    choice = start.choice(distribution, density, sequence, samples, seed)
+    rendering.check_size(size, start.LEAST_SIZE)
+    with working("trying whether pictures can be drawn here"):
+        rendering.check_rendering()
+    path = mesh or start.bunny()
+    with working(f"reading {path}"):
+        surface = load_mesh(path)
+    if screenshot is None:
+        start.window(surface, points, choice, up, size)
+        return
+    with working(f"drawing {screenshot}; kernels are compiled when first used, for about 10 s"):
+        seen = start.save(surface, points, choice, up, size, screenshot)
+    print(f"{screenshot}: {seen}")  # noqa: T201
+
+
+@app.command()
+@fail_plainly()
+def verify(
+    thorough: Annotated[bool, typer.Option("--thorough", help="Sweep all 2^24 variates, not every fourth.")] = False,
+    power: Annotated[bool, typer.Option("--power", help="Try the laws on planted defects instead.")] = False,
+    plant: Annotated[
+        str | None, typer.Option(help="Put this planted defect among the samplers; see --power.", show_default=False)
+    ] = None,
+    markdown: Annotated[bool, typer.Option("--markdown", help="The README's table of distributions instead.")] = False,
+) -> None:
+    """Prove every sampler: a table for each law. Exit status 1 if one is broken."""
+    from warpsample.proof import report, run  # noqa: PLC0415
+    from warpsample.registry import look_up  # noqa: PLC0415
+
+    tasks = run.planted() if power else run.trial()
+    if plant is not None:
+        defects = {task.key: task for task in run.planted()}
+        tasks.append(look_up(defects, plant, "plant"))
+    with closing(run.run(tasks, thorough)) as found:  # its processes end with it, whoever is interrupted
+        outcome = dict(with_progress(found, len(tasks), "verifying"))
+    in_order = {task: outcome[task] for task in tasks}
+    verdicts = [verdict for task in in_order for verdict in in_order[task]]
+    tables = console()
+    if power:
+        tables.print(report.power_table({str(task.key): found for task, found in in_order.items()}))
+        raise SystemExit(any(all(v.passed for v in found) for found in in_order.values()))
+    if markdown:
+        print(report.markdown(verdicts))  # noqa: T201
+    else:
+        report.show(verdicts, tables)
+        tables.print(run.extent(thorough))
+    raise SystemExit(not all(v.passed for v in verdicts))

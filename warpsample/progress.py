@@ -1,0 +1,40 @@
+"""A bar for long calls, asked for by `progress=True`: on a terminal's stderr, in a notebook, and nowhere else."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from typing import Any
+
+_LEAST_WORK = 1 << 25  # directions, or the like, 0.1 s: what takes less does not show how far it is
+
+_shown: ContextVar[tuple[Any, Any] | None] = ContextVar("shown", default=None)
+
+
+@contextmanager
+def bar(progress: bool, what: str) -> Iterator[None]:
+    """Shows how far the work within is, if `progress` is True."""
+    if not progress:
+        yield
+        return
+    from rich.console import Console  # noqa: PLC0415  (only bars need it)
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn  # noqa: PLC0415
+
+    console = Console(stderr=True)
+    columns = TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn()
+    disable = not (console.is_terminal or console.is_jupyter)
+    with Progress(*columns, console=console, disable=disable, transient=True) as display:
+        token = _shown.set((display, display.add_task(what, total=None)))
+        try:
+            yield
+        finally:
+            _shown.reset(token)
+
+
+def begin(tasks: int, work: int) -> Callable[[int], None] | None:
+    """What to call with how many tasks have been done, from any thread, if a bar is shown and the work is long."""
+    shown = _shown.get()
+    if shown is None or work < _LEAST_WORK:
+        return None
+    display, task = shown
+    display.reset(task, total=tasks)
+    return lambda done: display.advance(task, done)
