@@ -151,11 +151,11 @@ def test_a_full_disk_leaves_the_old_file(call, torus, tmp_path, monkeypatch, suf
         (["-o", "x.ply", "--at", "surface"], "error: --output: got 'x.ply' for points, want .vtp, .npz or .csv"),
         (["-o", "x.csv", "--quantity", "irradiance"], "error: --environment: got None for irradiance"),
         (["-o", "x.csv", "--environment", "a.hdr"], "error: --environment: got a.hdr for ao"),
-        (["-o", "x.csv", "--samples", "1"], "error: count: got 1, want a whole number from 2"),
-        (["-o", "x.csv", "--falloff", "1"], "error: max_distance: got None, want a finite one"),
+        (["-o", "x.csv", "--samples", "1"], "error: --samples: got 1, want a whole number from 2"),
+        (["-o", "x.csv", "--falloff", "1"], "error: --max-distance: got None, want a finite one"),
         (["-o", "x.csv", "--falloff", "1", "--quantity", "sky"], "error: --falloff: got 1.0 for sky, want it for ao only"),
         (["-o", "x.csv", "--points", "0"], "error: --points: got 0"),
-        (["-o", "x.csv", "--tolerance", "-1"], "error: tolerance: got -1.0"),
+        (["-o", "x.csv", "--tolerance", "-1"], "error: --tolerance: got -1.0"),
     ],
 )
 def test_bad_input_is_one_line(call, cube, tmp_path, monkeypatch, arguments, message):
