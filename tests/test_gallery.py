@@ -35,6 +35,16 @@ def test_the_notebook_runs(can_render, repository):
     assert re.search(r"6,102 vertices, \d+ of 256 rays cast at each, RMS standard error 0\.00\d+", text)
 
 
+@pytest.mark.slow
+def test_a_notebook_shows_the_bar_of_a_long_call():
+    code = "import numpy as np, warpsample as ws\nn = np.ones((100, 3))\nd = ws.sample_directions(n, 8, progress={})"
+    cells = [nbformat.v4.new_code_cell(code.format(asked)) for asked in (False, True)]
+    notebook = nbformat.v4.new_notebook(cells=cells)
+    NotebookClient(notebook, timeout=300, kernel_name="python3").execute()
+    shown = [any("application/vnd.jupyter.widget-view+json" in o.get("data", {}) for o in c.outputs) for c in notebook.cells]
+    assert shown == [False, True]
+
+
 def test_every_picture_of_the_readme_is_in_the_gallery(repository, script):
     shown = re.findall(r"!\[[^]]*\]\(viz/(\w+)\.png\)", (repository / "README.md").read_text())
     assert len(shown) == len(set(shown))

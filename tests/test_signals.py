@@ -173,6 +173,20 @@ def test_one_that_python_drops_is_raised_again(child_environment):
     assert err.endswith(sentence("SIGTERM") + "\n")
 
 
+@pytest.mark.parametrize("name", SIGNALS)
+def test_while_a_window_is_open_a_signal_ends_it_at_once(name, child_environment):
+    """VTK's loop runs no Python while nothing happens; afterwards signals are heard as before."""
+    body = f"""
+    from warpsample.cli.signals import at_once
+    with at_once():
+        {{}}
+    os.kill(os.getpid(), signal.{name})
+"""
+    number = getattr(signal, name)
+    assert listen(body.format(f"os.kill(os.getpid(), signal.{name})"), child_environment) == (-number, "", "")
+    assert listen(body.format("pass"), child_environment) == (128 + number, "", sentence(name) + "\n")
+
+
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
 def test_the_processes_of_verify_end_with_it(name, child_environment):
     """To the group, as from a terminal, where a child that has not started yet must not say anything; or to it alone."""

@@ -8,7 +8,7 @@ import typer
 
 import warpsample
 from warpsample import distributions, sequences
-from warpsample.cli import bench
+from warpsample.cli import bench, signals
 from warpsample.cli.terminal import Size, console, fail_plainly, with_progress, working
 from warpsample.mesh import load_mesh
 
@@ -176,7 +176,8 @@ def view(
     with working(f"reading {path}"):
         surface = load_mesh(path)
     if screenshot is None:
-        start.window(surface, points, choice, up, size)
+        with signals.at_once():
+            start.window(surface, points, choice, up, size)
         return
     with working(f"drawing {screenshot}; kernels are compiled when first used, for about 10 s"):
         seen = start.save(surface, points, choice, up, size, screenshot)

@@ -64,6 +64,19 @@ def listening() -> Iterator[None]:
             _State.number, _State.rising, _State.told = None, None, False
 
 
+@contextmanager
+def at_once() -> Iterator[None]:
+    """Within, a signal ends the process by itself: an open window runs no Python that could hear one, and writes nothing."""
+    ours = [number for number in SIGNALS if signal.getsignal(number) is _hear]
+    try:
+        for number in ours:
+            signal.signal(number, signal.SIG_DFL)
+        yield
+    finally:
+        for number in ours:
+            signal.signal(number, _hear)
+
+
 def heard() -> bool:
     """Whether the command is being ended by a signal."""
     return _State.number is not None

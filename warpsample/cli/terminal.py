@@ -124,7 +124,8 @@ def show_or_save(picture: Any, screenshot: Path | None, what: str) -> None:
 
     figure = hasattr(picture, "savefig")
     if screenshot is None:
-        (scenes.figure_in_window(picture) if figure else picture).show()
+        with signals.at_once():
+            (scenes.figure_in_window(picture) if figure else picture).show()
         return
     if figure:
         rendering.save_figure(picture, screenshot)
