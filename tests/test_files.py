@@ -13,7 +13,8 @@ import numpy as np
 import pytest
 import trimesh
 
-from warpsample import bake, cli, export, files
+from warpsample import bake, export, files
+from warpsample.cli import commands
 from warpsample.plotting import rendering
 
 OUTPUTS = [
@@ -228,7 +229,7 @@ def uncomputed(monkeypatch):
     def load(path):
         raise AssertionError(f"{path} was read")
 
-    for module in (bake, export, cli):
+    for module in (bake, export, commands):
         monkeypatch.setattr(module, "load_mesh", load)
 
 
