@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 
 from warpsample.arguments import check_integer
-from warpsample.estimate.irradiance import irradiance, read_hdr
+from warpsample.estimate.irradiance import irradiance
+from warpsample.estimate.picture import read_picture
 from warpsample.estimate.result import Estimate, PointStatus, Skipped
 from warpsample.estimate.visibility import ambient_occlusion, sky_view_factor
 from warpsample.export import complete_or_absent, write_array
@@ -108,7 +109,7 @@ def _quantity(run: Run, mesh: Mesh) -> Callable[[SurfacePoints, int], Estimate]:
     if run.quantity == "sky":
         return lambda points, first: sky_view_factor(mesh, points, run.samples, run.up, first_point=first, **run.options)
     path = run.environment
-    picture = np.load(path) if path and path.suffix == ".npy" else read_hdr(path) if path else None
+    picture = read_picture(path) if path else None
     return lambda points, first: irradiance(mesh, points, picture, run.samples, run.up, first_point=first, **run.options)
 
 
