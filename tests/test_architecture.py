@@ -17,7 +17,9 @@ ROOMS = [
     "engine",
     "distributions",
     "polydata",
+    "polygons",
     "mesh",
+    "mesh_files",
     "surface",
     "directions",
     "tracing",
@@ -35,6 +37,7 @@ ROOMS = [
 UNRELATED = [
     ("distributions", "mesh"),
     ("mesh", "distributions"),
+    ("mesh_files", "distributions"),
     ("surface", "distributions"),
     ("tracing", "distributions"),
     ("plotting", "directions"),

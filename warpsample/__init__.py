@@ -21,7 +21,8 @@ from warpsample.estimate.intervals import Interval
 from warpsample.estimate.irradiance import irradiance
 from warpsample.estimate.result import Estimate, PointStatus, Skipped
 from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
-from warpsample.mesh import Mesh, MeshReport, as_mesh, load_mesh
+from warpsample.mesh import Mesh, MeshReport, as_mesh
+from warpsample.mesh_files import load_mesh
 from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
 from warpsample.tracing.scene import refit
 from warpsample.tracing.trace import Hits, trace

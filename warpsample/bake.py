@@ -16,7 +16,8 @@ from warpsample.estimate.picture import read_picture
 from warpsample.estimate.result import Estimate, PointStatus, Skipped
 from warpsample.estimate.visibility import ambient_occlusion, sky_view_factor
 from warpsample.export import complete_or_absent, write_array
-from warpsample.mesh import Mesh, load_mesh
+from warpsample.mesh import Mesh
+from warpsample.mesh_files import load_mesh
 from warpsample.polydata import pyvista
 from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
 

@@ -17,7 +17,8 @@ from warpsample.arrays import cpu
 from warpsample.directions import Directions, Status, sample_directions
 from warpsample.distributions import as_spatial
 from warpsample.engine import check_memory, check_workers
-from warpsample.mesh import Mesh, load_mesh
+from warpsample.mesh import Mesh
+from warpsample.mesh_files import load_mesh
 from warpsample.polydata import pyvista
 from warpsample.sequences import get as get_sequence
 from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
