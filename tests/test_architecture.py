@@ -24,8 +24,10 @@ ROOMS = [
     "engine",
     "distributions",
     "polydata",
+    "polygons",
     "examples",
     "mesh",
+    "mesh_files",
     "surface",
     "directions",
     "tracing",
@@ -45,6 +47,7 @@ ROOMS = [
 UNRELATED = [
     ("distributions", "mesh"),
     ("mesh", "distributions"),
+    ("mesh_files", "distributions"),
     ("surface", "distributions"),
     ("tracing", "distributions"),
     ("plotting", "directions"),

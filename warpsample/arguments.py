@@ -1,6 +1,7 @@
 """Checks of arguments, each with an error that names the argument, what it got and what it wants."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from math import inf
 from numbers import Real
 from operator import index
@@ -64,6 +65,25 @@ def check_file(value: Any, argument: str, wants: str) -> Path:
     if flaw:
         raise FileNotFoundError(f"{argument}: got {str(path)!r}, which is {flaw}, want {wants}")
     return path
+
+
+@contextmanager
+def naming_file(argument: str, path: Path, wants: str) -> Iterator[None]:
+    """Around the reader of a file: whatever it stumbles over where a file is damaged becomes one error that names it.
+
+    Raises:
+        ValueError: the file cannot be read; names it and says why.
+        ModuleNotFoundError, MemoryError: as they come.
+    """
+    try:
+        yield
+    except (ModuleNotFoundError, MemoryError):
+        raise
+    except Exception as error:
+        reason = (str(error).strip().splitlines() or [""])[0]
+        if not isinstance(error, ValueError) or not reason:
+            reason = f"{reason} ({type(error).__name__})".strip()
+        raise ValueError(f"{argument}: got {str(path)!r}, which cannot be read as {wants}: {reason}") from error
 
 
 def check_integer(value: Any, argument: str, low: int, high: int, wants: str | None = None) -> int:

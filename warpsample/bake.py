@@ -8,11 +8,13 @@ import numpy as np
 
 from warpsample.arguments import check_integer
 from warpsample.baked import WRITERS, Baked, Run, check_glb
-from warpsample.estimate.irradiance import irradiance, read_hdr
+from warpsample.estimate.irradiance import irradiance
+from warpsample.estimate.picture import read_picture
 from warpsample.estimate.result import Estimate, PointStatus, Skipped
 from warpsample.estimate.visibility import ambient_occlusion, sky_view_factor
 from warpsample.files import check_output, complete_or_absent
-from warpsample.mesh import Mesh, load_mesh
+from warpsample.mesh import Mesh
+from warpsample.mesh_files import load_mesh
 from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
 
 QUANTITIES = {"ao": "ambient occlusion", "sky": "sky view factor", "irradiance": "irradiance"}
@@ -66,7 +68,7 @@ def _quantity(run: Run, mesh: Mesh) -> Callable[[SurfacePoints, int], Estimate]:
     if run.quantity == "sky":
         return lambda points, first: sky_view_factor(mesh, points, run.samples, run.up, first_point=first, **run.options)
     path = run.environment
-    picture = np.load(path) if path and path.suffix == ".npy" else read_hdr(path) if path else None
+    picture = read_picture(path) if path else None
     return lambda points, first: irradiance(mesh, points, picture, run.samples, run.up, first_point=first, **run.options)
 
 

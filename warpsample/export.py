@@ -18,7 +18,8 @@ from warpsample.distributions import as_spatial
 from warpsample.engine import check_memory, check_workers
 from warpsample.examples import content_of
 from warpsample.files import check_output, complete_or_absent, write_array
-from warpsample.mesh import Mesh, load_mesh
+from warpsample.mesh import Mesh
+from warpsample.mesh_files import load_mesh
 from warpsample.mesh_writers import Lazy, write_ply, write_vtp
 from warpsample.sequences import get as get_sequence
 from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points

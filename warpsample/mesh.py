@@ -1,23 +1,17 @@
-"""A validated triangle mesh: from a file or from what users hold, and what was wrong with it."""
+"""A validated triangle mesh, from what users hold, and what was wrong with it."""
 
 from dataclasses import dataclass
-from os import PathLike
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from warpsample.arguments import check_file
 from warpsample.arrays import as_ndarray, as_real
-from warpsample.examples import example
 from warpsample.locks import once_property, read_only
 from warpsample.polydata import surface
+from warpsample.polygons import triangles
 
 if TYPE_CHECKING:
     from pyvista import PolyData
-
-SUFFIXES = (".ply", ".obj", ".stl", ".off", ".glb", ".gltf", ".usd", ".usda", ".usdc", ".usdz")
-"""Of the files that `load_mesh` reads."""
 
 LARGEST = 1e36
 """Coordinate of a vertex: distances, which are float32, stay finite."""
@@ -167,35 +161,6 @@ class Mesh:
         )
 
 
-def load_mesh(path: str | PathLike) -> Mesh:
-    """The triangle mesh in a file: .ply .obj .stl .off .glb .gltf (by trimesh) or .usd* (by usd-core).
-
-    Several meshes in one file become one, each where its scene places it; polygons are split into triangles. "courtyard",
-    where no file is called that, is an example: four buildings around a yard, in metres.
-
-    Raises:
-        TypeError: no path.
-        FileNotFoundError: no such file.
-        ValueError: another suffix, no mesh in it, or a file that is truncated or damaged; names the path.
-        ModuleNotFoundError: a .usd file without usd-core; says how to install it.
-    """
-    made = example(path)
-    if made is not None:
-        return Mesh(*made)
-    path = check_file(path, "path", "a mesh file")
-    suffix = path.suffix.lower()
-    if suffix not in SUFFIXES:
-        raise ValueError(f"path: got {path.name!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
-    read = _read_usd if suffix.startswith(".usd") else _read_trimesh
-    try:
-        return Mesh(*read(path))
-    except ModuleNotFoundError:
-        raise
-    except Exception as error:  # readers of damaged files raise whatever their parsers stumble over
-        reason = str(error).strip().splitlines() or [type(error).__name__]
-        raise ValueError(f"path: got {str(path)!r}, which cannot be read as a mesh: {reason[0]}") from error
-
-
 def as_mesh(mesh: Any) -> Mesh:
     """What users hold, as a Mesh: Mesh, (vertices, faces), pyvista.PolyData, trimesh.Trimesh or meshio.Mesh.
 
@@ -215,14 +180,34 @@ def mesh_of(value: Any, argument: str, wants: str) -> Mesh:
     if hasattr(value, "vertices") and hasattr(value, "faces"):
         return Mesh(value.vertices, value.faces)
     if hasattr(value, "is_all_triangles") and hasattr(value, "triangulate"):
-        triangles = value if value.is_all_triangles else value.triangulate()
-        return Mesh(triangles.points, triangles.regular_faces)
-    if hasattr(value, "points") and hasattr(value, "cells_dict"):
-        return Mesh(value.points, value.cells_dict.get("triangle", np.empty((0, 3), np.int32)))
+        made = value if value.is_all_triangles and not value.n_strips else value.triangulate()
+        return Mesh(made.points, made.regular_faces)
+    if hasattr(value, "points") and hasattr(value, "cells"):
+        return Mesh(value.points, _faces_of_cells(value, argument))
     raise TypeError(
         f"{argument}: got {type(value).__name__}, want {wants}, a tuple (vertices, faces), "
         "a pyvista.PolyData, a trimesh.Trimesh or a meshio.Mesh"
     )
+
+
+def _faces_of_cells(value: Any, argument: str) -> np.ndarray:
+    """The triangles, quadrilaterals and polygons of a meshio.Mesh as triangles; its lines and points make no surface.
+
+    Raises:
+        ValueError: cells of other kinds, as tetrahedra are, or polygons without sense.
+    """
+    blocks = [block for block in value.cells if block.type != "vertex" and not block.type.startswith("line")]
+    others = sorted({block.type for block in blocks} - {"triangle", "quad", "polygon"})
+    if others:
+        raise ValueError(f"{argument}: got cells of type {', '.join(others)}, want triangle, quad and polygon alone")
+    lengths = [np.array([len(face) for face in block.data], np.int64) for block in blocks if len(block.data)]
+    corners = [np.concatenate([np.asarray(face) for face in block.data]) for block in blocks if len(block.data)]
+    if not corners:
+        return np.empty((0, 3), np.int32)
+    try:
+        return triangles(np.asarray(value.points, np.float64), np.concatenate(lengths), np.concatenate(corners))
+    except ValueError as error:
+        raise ValueError(f"{argument}: got a meshio.Mesh of cells that are no faces: {error}") from None
 
 
 def unit_or_zero(vectors: np.ndarray) -> np.ndarray:
@@ -247,8 +232,8 @@ def _check_vertices(vertices: np.ndarray) -> np.ndarray:
     if vertices.ndim != 2 or vertices.shape[1] != 3 or len(vertices) == 0:
         raise ValueError(f"vertices: got shape {vertices.shape}, want (V, 3) with V of at least 3")
     vertices = read_only(vertices.astype(np.float64, copy=False))  # first: what is checked is what is kept
-    broken = ~(np.abs(vertices) <= LARGEST).all(axis=1)
-    if broken.any():
+    if not (vertices.min() >= -LARGEST and vertices.max() <= LARGEST):
+        broken = ~(np.abs(vertices) <= LARGEST).all(axis=1)
         first = int(np.argmax(broken))
         flaw = "not finite" if not np.isfinite(vertices[broken]).all() else f"beyond {LARGEST:g}"
         raise ValueError(
@@ -271,46 +256,3 @@ def _check_faces(faces: np.ndarray, vertices: int) -> np.ndarray:
             f"faces: got {outside.sum()} indices outside 0 to {vertices - 1}, the first in face {first}, {faces[first]}"
         )
     return faces if faces.dtype == np.int32 else read_only(faces.astype(np.int32))
-
-
-def _read_trimesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    import trimesh  # noqa: PLC0415  (heavy, and only files need it)
-
-    options = {"skip_materials": True} if path.suffix.lower() == ".obj" else {}
-    mesh = trimesh.load_scene(path, process=False, **options).to_mesh()
-    return mesh.vertices, mesh.faces
-
-
-def _read_usd(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    try:
-        from pxr import Usd, UsdGeom  # noqa: PLC0415  (an extra)
-    except ModuleNotFoundError:
-        raise ModuleNotFoundError(f"path: got {path.name!r}, which needs usd-core: pip install usd-core") from None
-    stage = Usd.Stage.Open(str(path))
-    placements = UsdGeom.XformCache()
-    vertices, faces, offset = [], [], 0
-    for prim in stage.Traverse():
-        if not prim.IsA(UsdGeom.Mesh):
-            continue
-        mesh = UsdGeom.Mesh(prim)
-        points = np.array(mesh.GetPointsAttr().Get(), np.float64).reshape(-1, 3)
-        matrix = np.array(placements.GetLocalToWorldTransform(prim))
-        triangles = _fans(np.array(mesh.GetFaceVertexCountsAttr().Get()), np.array(mesh.GetFaceVertexIndicesAttr().Get()))
-        mirrored = np.linalg.det(matrix[:3, :3]) < 0.0
-        if mirrored != (mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded):
-            triangles = triangles[:, ::-1]
-        vertices.append(points @ matrix[:3, :3] + matrix[3, :3])
-        faces.append(triangles + offset)
-        offset += len(points)
-    if not faces:
-        raise ValueError("there is no mesh in it")
-    return np.concatenate(vertices), np.concatenate(faces)
-
-
-def _fans(counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
-    """Polygons of `counts` corners, one after the other in `indices`, as fans of triangles (F, 3)."""
-    if counts.sum() != len(indices) or (counts < 3).any():
-        raise ValueError(f"its {len(indices)} corner indices do not fill its {len(counts)} polygons")
-    starts = np.repeat(np.cumsum(counts) - counts, counts - 2)
-    step = np.arange(len(starts)) - np.repeat(np.cumsum(counts - 2) - (counts - 2), counts - 2)
-    return np.stack([indices[starts], indices[starts + step + 1], indices[starts + step + 2]], axis=1)

@@ -9,7 +9,8 @@ import warp as wp
 
 from warpsample.directions import sample_directions
 from warpsample.distributions.uniform_sphere import UniformSphere
-from warpsample.mesh import Mesh, as_mesh, load_mesh
+from warpsample.mesh import Mesh, as_mesh
+from warpsample.mesh_files import load_mesh
 from warpsample.surface import sample_surface
 
 PER_POINT = 64

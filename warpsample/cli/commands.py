@@ -10,7 +10,7 @@ import warpsample
 from warpsample import distributions, sequences
 from warpsample.cli import bench, signals
 from warpsample.cli.terminal import Size, console, fail_plainly, with_progress, working
-from warpsample.mesh import load_mesh
+from warpsample.mesh_files import load_mesh
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
 app.add_typer(bench.app, name="bench")
@@ -65,6 +65,8 @@ def info(mesh: MeshFile) -> None:
         ("non-manifold edges", f"{report.nonmanifold_edges:,}", "over two faces"),
         ("inconsistent edges", f"{report.inconsistent_edges:,}", "wound both ways"),
     ]
+    if mesh.suffix.lower() == ".stl":
+        rows.insert(1, ("merged corners", f"{3 * report.faces - report.vertices:,}", "equal ones; an .stl shares none"))
     for row in rows:
         table.add_row(*row)
     Console().print(table)

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.arguments import check_file
 from warpsample.arrays import as_real, as_unit
+from warpsample.estimate.picture import read_picture
 from warpsample.estimate.plan import Plan, Quantity
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.visibility import vector_weights
@@ -35,10 +35,10 @@ def irradiance(
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
         points: P of them; as for `ambient_occlusion`.
-        radiance: an equirectangular picture, (H, W) or (H, W, 3), numbers from 0 to 1e37, or the path of an .hdr file:
-            row 0 is about `up`, columns go round it, counter-clockwise seen from there, for up = (0, 0, 1) from x towards
-            y; read off bilinearly. Or a wp.func (direction: wp.vec3) -> float or wp.vec3, in the mesh's coordinates. A
-            small bright sun takes many rays: they are spread by the cosine alone.
+        radiance: an equirectangular picture, (H, W) or (H, W, 3), numbers from 0 to 1e37, or the path of an .hdr or .npy
+            file: row 0 is about `up`, columns go round it, counter-clockwise seen from there, for up = (0, 0, 1) from x
+            towards y; read off bilinearly. Or a wp.func (direction: wp.vec3) -> float or wp.vec3, in the mesh's
+            coordinates. A small bright sun takes many rays: they are spread by the cosine alone.
         count: rays of each point; none is cast where the radiance is 0.
         up: (3,), of any length; only for a picture.
         **options: sequence, seed, first_point, active, tolerance (in the result's unit), skip, tracer, workers and
@@ -50,7 +50,6 @@ def irradiance(
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
         MemoryError: more than is free.
-        ModuleNotFoundError: an .hdr file without PyVista.
     """
     plan = Plan.of(mesh, points, count, **options)
     axis = as_unit(up, "up")
@@ -97,7 +96,7 @@ def _picture(radiance: Any) -> np.ndarray:
         TypeError, ValueError: not a picture of radiances.
     """
     if isinstance(radiance, str | PathLike):
-        radiance = read_hdr(radiance)
+        radiance = read_picture(radiance)
     picture = as_real(radiance, "radiance", "an array of numbers, a path or a wp.func")
     if picture.ndim not in (2, 3) or picture.shape[2:] not in ((), (3,)) or 0 in picture.shape:
         raise ValueError(f"radiance: got shape {picture.shape}, want (H, W) or (H, W, 3)")
@@ -106,30 +105,3 @@ def _picture(radiance: Any) -> np.ndarray:
     if not (picture.min() >= 0.0 and picture.max() <= _BRIGHTEST):
         raise ValueError(f"radiance: got numbers that are below 0, above {_BRIGHTEST:g} or not finite, want none of these")
     return picture
-
-
-def read_hdr(path: str | PathLike) -> np.ndarray:
-    """(H, W, 3) float32, the picture in a Radiance .hdr file, by VTK; row 0 on top.
-
-    Raises:
-        FileNotFoundError: no such file.
-        ValueError: another suffix, or a file that VTK cannot read.
-        ModuleNotFoundError: without PyVista.
-    """
-    path = check_file(path, "radiance", "an .hdr file")
-    if path.suffix.lower() != ".hdr":
-        raise ValueError(f"radiance: got {path.name!r}, want a file that ends in .hdr")
-    try:
-        from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: PLC0415
-        from vtkmodules.vtkIOImage import vtkHDRReader  # noqa: PLC0415
-    except ModuleNotFoundError:
-        raise ModuleNotFoundError(f"radiance: got {path.name!r}, which needs PyVista: pip install pyvista") from None
-    reader, faults = vtkHDRReader(), []
-    reader.AddObserver("ErrorEvent", lambda *told: faults.append(told))  # heard here, it is not printed
-    reader.SetFileName(str(path))
-    reader.Update()
-    if faults:
-        raise ValueError(f"radiance: got {str(path)!r}, which cannot be read, want an .hdr file that is whole")
-    image = reader.GetOutput()
-    width, height, _ = image.GetDimensions()
-    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1]

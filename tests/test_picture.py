@@ -1,0 +1,152 @@
+"""Pictures in files: read as VTK reads them if they are whole, refused wherever they are cut or garbled."""
+
+import tracemalloc
+
+import numpy as np
+import pytest
+
+from warpsample.estimate.picture import read_picture
+
+HEIGHT, WIDTH = 12, 33
+
+
+def refused(path, why=".+"):
+    return pytest.raises(ValueError, match=f"^radiance: got '.*{path.name}', which cannot be read as a picture: {why}$")
+
+
+def header(rows="-Y", columns="+X"):
+    return f"#?RADIANCE\n# made\nFORMAT=32-bit_rle_rgbe\n\n{rows} {HEIGHT} {columns} {WIDTH}\n".encode()
+
+
+@pytest.fixture
+def pixels():
+    rng = np.random.default_rng(3)
+    made = rng.integers(2, 256, (HEIGHT, WIDTH, 4)).astype(np.uint8)
+    made[3:6], made[7, 4:30], made[8, 8] = made[3, 0], made[7, 5], 0
+    return made
+
+
+def runs(numbers):
+    """As Radiance encodes the bytes of a channel: repeated ones as 128 + their number and one of them."""
+    made, at = bytearray(), 0
+    while at < len(numbers):
+        same = next((k for k in range(at, len(numbers)) if numbers[k] != numbers[at]), len(numbers)) - at
+        made += bytes([128 + same, numbers[at]]) if same > 2 else bytes([1, numbers[at]])
+        at += same if same > 2 else 1
+    return bytes(made)
+
+
+def encoded(pixels):
+    line = bytes([2, 2, 0, WIDTH])
+    return b"".join(line + b"".join(runs(row[:, channel].tolist()) for channel in range(4)) for row in pixels)
+
+
+@pytest.mark.parametrize("encode", [encoded, np.ndarray.tobytes])
+def test_hdr_is_read_as_vtk_reads_it(encode, pixels, tmp_path):
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOImage import vtkHDRReader
+
+    path = tmp_path / "sky.hdr"
+    shares = pixels[..., :3] * np.ldexp(1.0, pixels[..., 3:].astype(int) - 136) * (pixels[..., 3:] > 0)
+    for rows, columns in (("-Y", "+X"), ("+Y", "+X"), ("-Y", "-X")):
+        path.write_bytes(header(rows, columns) + encode(pixels))
+        found = read_picture(path)
+        assert found.dtype == np.float32
+        assert np.array_equal(found, shares[:: 1 if rows == "-Y" else -1, :: 1 if columns == "+X" else -1])
+        reader = vtkHDRReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        by_vtk = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(HEIGHT, WIDTH, 3)[::-1]
+        assert np.array_equal(found, by_vtk)
+
+
+@pytest.mark.parametrize("encode", [encoded, np.ndarray.tobytes])
+def test_hdr_that_is_not_whole_is_refused(encode, pixels, tmp_path):
+    path = tmp_path / "sky.hdr"
+    content = header() + encode(pixels)
+    for end in range(len(content)):
+        path.write_bytes(content[:end])
+        with refused(path):
+            read_picture(path)
+    for damaged in (
+        content + b"\n",
+        content.replace(b"#?", b"?#"),
+        content.replace(b"+X 33", b"+X 34"),
+        content.replace(b"-Y 12", b"-Y 11"),
+        content.replace(b"-Y 12", b"-Y -2"),
+        content.replace(b"_rgbe", b"_xyze"),
+    ):
+        path.write_bytes(damaged)
+        with refused(path):
+            read_picture(path)
+
+
+def test_hdr_of_runs_that_do_not_fit_is_refused(pixels, tmp_path):
+    path = tmp_path / "sky.hdr"
+    line = bytes([2, 2, 0, WIDTH])
+    for content, why in [
+        (line + bytes([128 + 34, 7]) + bytes(999), "a run goes over the end of its line"),
+        (bytes([2, 2, 0, 34]) + bytes(999), "a line has 34 pixels, not 33"),
+        (bytes([1, 1, 1, 9]) * WIDTH * HEIGHT, "its runs are of the old kind, pixel by pixel"),
+    ]:
+        path.write_bytes(header() + content)
+        with refused(path, why):
+            read_picture(path)
+
+
+def test_huge_pictures_allocate_nothing(pixels, tmp_path):
+    whole = header() + encoded(pixels)
+    contents = {"hdr": whole.replace(b"-Y 12", b"-Y 99999999"), "npy": b""}
+    np.save(tmp_path / "sky.npy", np.ones((10, 10, 3), np.float32))
+    contents["npy"] = (
+        (tmp_path / "sky.npy").read_bytes().replace(b"(10, 10, 3)", b"(9**9, 9**9, 3)".replace(b"9**9", b"999999"))
+    )
+    for suffix, content in contents.items():
+        path = tmp_path / f"huge.{suffix}"
+        path.write_bytes(content)
+        tracemalloc.start()
+        try:
+            with refused(path):
+                read_picture(path)
+            assert tracemalloc.get_traced_memory()[1] < 1e5
+        finally:
+            tracemalloc.stop()
+
+
+class Loud:
+    """Whoever loads a pickle of it is heard."""
+
+    loaded = False
+
+    def __reduce__(self):
+        return setattr, (Loud, "loaded", True)
+
+
+def test_npy_is_whole_and_no_pickle(tmp_path):
+    path = tmp_path / "sky.npy"
+    picture = np.random.default_rng(0).uniform(size=(8, 16, 3))
+    np.save(path, picture)
+    content = path.read_bytes()
+    assert np.array_equal(read_picture(path), picture)
+    for share in (30, 70, 97):
+        path.write_bytes(content[: len(content) * share // 100])
+        with refused(path):
+            read_picture(path)
+    for damaged in (b"", b"hello" * 99, b"\x93NUMPY" + bytes(200), content.replace(b"(8, 16, 3)", b"(8, -6, 3)")):
+        path.write_bytes(damaged)
+        with refused(path):
+            read_picture(path)
+    np.save(path, np.array([Loud()], object), allow_pickle=True)
+    with refused(path):
+        read_picture(path)
+    assert not Loud.loaded
+
+
+def test_bake_names_an_empty_picture(call, cube, tmp_path):
+    for name in ("sky.npy", "sky.hdr"):
+        path = tmp_path / name
+        path.write_bytes(b"")
+        status, out, err = call("bake", cube, "-o", tmp_path / "o.csv", "--quantity", "irradiance", "--environment", path)
+        assert (status, out) == (2, "")
+        assert err.startswith(f"error: radiance: got '{path}', which cannot be read as a picture: ")
+        assert err.count("\n") == 1

@@ -1,0 +1,95 @@
+"""Pictures of light from afar in files: Radiance's .hdr and NumPy's .npy, whole or not at all."""
+
+import re
+from math import ceil
+from os import PathLike
+from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+
+from warpsample.arguments import check_file, naming_file
+
+_SHORTEST, _LONGEST = 8, 32767  # line of an .hdr that may be encoded channel by channel
+_LONGEST_RUN = 127
+
+
+def read_picture(path: str | PathLike) -> np.ndarray:
+    """The picture in a file, row 0 on top: (H, W, 3) float32 of an .hdr; what an .npy holds. No pickle is loaded.
+
+    Raises:
+        TypeError: no path.
+        FileNotFoundError: no such file.
+        ValueError: another suffix, or a file that is truncated, damaged or of another format; names the path.
+    """
+    path = check_file(path, "radiance", "an .hdr or .npy file")
+    readers = {".hdr": _read_hdr, ".npy": _read_npy}
+    if path.suffix.lower() not in readers:
+        raise ValueError(f"radiance: got {path.name!r}, want a file that ends in .hdr or .npy")
+    with naming_file("radiance", path, "a picture"):
+        return readers[path.suffix.lower()](path)
+
+
+def _read_npy(path: Path) -> np.ndarray:
+    with np.errstate(over="raise"):  # of the size that a damaged header declares
+        return np.array(np.lib.format.open_memmap(path, mode="r"))  # by memory map: the file's size is checked first
+
+
+def _read_hdr(path: Path) -> np.ndarray:
+    with path.open("rb") as file:
+        rows, columns, height, width = _header(file)
+        data = file.read()
+    least = min(4 * width, 4 + 8 * ceil(width / _LONGEST_RUN))
+    if height * least > len(data):
+        raise ValueError(f"its header declares {height:,} lines of {width:,} pixels, and {len(data):,} bytes follow")
+    pixels, at = np.empty((height, width, 4), np.uint8), 0
+    for row in range(height):
+        pixels[row], at = _line(data, at, width)
+    if at < len(data):
+        raise ValueError("it goes on after what its header declares")
+    picture = np.ldexp(pixels[..., :3].astype(np.float32), pixels[..., 3:].astype(np.int32) - 136)
+    picture[pixels[..., 3] == 0] = 0.0
+    return picture[rows, columns]
+
+
+def _header(file: BinaryIO) -> tuple[slice, slice, int, int]:
+    """How to turn rows and columns, height and width."""
+    if not file.readline(80).startswith(b"#?"):
+        raise ValueError("it does not begin with '#?'")
+    while line := file.readline(4096).strip():
+        if line.startswith(b"FORMAT=") and line != b"FORMAT=32-bit_rle_rgbe":
+            raise ValueError(f"it is of {line.decode('latin-1')[:60]!r}, want 32-bit_rle_rgbe")
+    size = re.fullmatch(rb"([+-])Y (\d{1,9}) ([+-])X (\d{1,9})\s*", file.readline(80))
+    if not size:
+        raise ValueError("its header declares no size such as '-Y 512 +X 1024'")
+    down, height, right, width = size.groups()
+    turned = slice(None, None, -1)
+    return turned if down == b"+" else slice(None), turned if right == b"-" else slice(None), int(height), int(width)
+
+
+def _line(data: bytes, at: int, width: int) -> tuple[np.ndarray, int]:
+    """(W, 4) uint8 of the line that begins at a place, and where it ends."""
+    start = data[at : at + 4].ljust(4)
+    if not (_SHORTEST <= width <= _LONGEST and start[:2] == b"\2\2" and start[2] < 128):
+        return _plain_line(data[at : at + 4 * width], width), at + 4 * width
+    if start[2:] != width.to_bytes(2, "big"):
+        raise ValueError(f"a line has {int.from_bytes(start[2:], 'big'):,} pixels, not {width:,}")
+    planes, at = bytearray(), at + 4
+    for channel in range(1, 5):
+        while len(planes) < channel * width and at < len(data):
+            code = data[at]
+            run = code - 128 if code > 128 else 0
+            planes += data[at + 1 : at + 2] * run if run else data[at + 1 : at + 1 + code]
+            at += 2 if run else 1 + code
+        if len(planes) != channel * width or at > len(data):
+            raise ValueError("it ends within a line" if at >= len(data) else "a run goes over the end of its line")
+    return np.frombuffer(planes, np.uint8).reshape(4, width).T, at
+
+
+def _plain_line(data: bytes, width: int) -> np.ndarray:
+    if len(data) < 4 * width:
+        raise ValueError("it ends within a line")
+    line = np.frombuffer(data, np.uint8).reshape(width, 4)
+    if (line[:, :3] == 1).all(axis=1).any():
+        raise ValueError("its runs are of the old kind, pixel by pixel")
+    return line

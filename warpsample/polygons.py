@@ -1,0 +1,83 @@
+"""Polygons cut into triangles: fans where a fan lies inside, else ear by ear."""
+
+import numpy as np
+
+
+def triangles(points: np.ndarray, counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
+    """(F, 3) indices: each polygon of n corners as n - 2 triangles, wound as it is; all polygons in their order.
+
+    Args:
+        points: (V, 3) float64.
+        counts: (P,) corners of each polygon.
+        indices: of points, the corners of one polygon after the other.
+
+    Raises:
+        ValueError: counts that do not fit the indices, a polygon of fewer than three corners or an index of no point.
+    """
+    if counts.sum() != len(indices):
+        raise ValueError(f"its {len(indices):,} corners do not fill its {len(counts):,} faces")
+    if (counts < 3).any():
+        raise ValueError(f"face {np.argmax(counts < 3)} has {counts[counts < 3][0]} corners")
+    if len(indices) and not (indices.min() >= 0 and indices.max() < len(points)):
+        outside = (indices < 0) | (indices >= len(points))
+        raise ValueError(f"a face has the vertex {indices[np.argmax(outside)]:,}, and there are {len(points):,}, from 0 on")
+    if (counts == 3).all():
+        return indices.reshape(-1, 3)
+    counts = counts.astype(np.int64)
+    faces = _fans(counts, indices)
+    starts, ends = np.cumsum(counts) - counts, np.cumsum(counts)
+    for polygon in _folded(points, faces, counts):
+        corners = indices[starts[polygon] : ends[polygon]]
+        first = starts[polygon] - 2 * polygon
+        faces[first : first + len(corners) - 2] = corners[_ears(points[corners])]
+    return faces
+
+
+def _fans(counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
+    starts = np.repeat(np.cumsum(counts) - counts, counts - 2)
+    step = np.arange(len(starts)) - np.repeat(np.cumsum(counts - 2) - (counts - 2), counts - 2)
+    return np.stack([indices[starts], indices[starts + step + 1], indices[starts + step + 2]], axis=1)
+
+
+def _folded(points: np.ndarray, fans: np.ndarray, counts: np.ndarray) -> np.ndarray:
+    """The polygons whose fan has triangles that are turned over: those that are not convex, mostly."""
+    owner = np.repeat(np.arange(len(counts)), counts - 2)
+    with np.errstate(all="ignore"):  # of what is not finite `Mesh` tells
+        crosses = np.cross(points[fans[:, 1]] - points[fans[:, 0]], points[fans[:, 2]] - points[fans[:, 0]])
+        normals = np.add.reduceat(crosses, np.cumsum(counts - 2) - (counts - 2))
+        return np.unique(owner[np.einsum("ij,ij->i", crosses, normals[owner]) < 0.0])
+
+
+def _ears(corners: np.ndarray) -> list[tuple[int, int, int]]:
+    """n - 2 triangles of a polygon (n, 3), by clipping ears; what crosses itself has none, and its rest becomes a fan."""
+    flat, left, found = _flattened(corners), list(range(len(corners))), []
+    while len(left) > 3:
+        ears = (at for at in range(len(left)) if _is_ear(flat[left], at))
+        ear = next(ears, 1)
+        found.append((left[ear - 1], left[ear], left[(ear + 1) % len(left)]))
+        del left[ear]
+    return [*found, (left[0], left[1], left[2])]
+
+
+def _flattened(corners: np.ndarray) -> np.ndarray:
+    """(n, 2), counter-clockwise, in the plane of two axes that shows most of the polygon."""
+    about = corners - corners[0]
+    normal = np.cross(about[1:-1], about[2:]).sum(axis=0)
+    axis = int(np.argmax(np.abs(normal)))
+    seen = about[:, [(axis + 1) % 3, (axis + 2) % 3]]
+    return seen if normal[axis] >= 0.0 else seen * (-1.0, 1.0)
+
+
+def _is_ear(corners: np.ndarray, at: int) -> bool:
+    """Whether corner `at` of (n, 2) is convex and its triangle holds no other corner."""
+    a, b, c = corners[at - 1], corners[at], corners[(at + 1) % len(corners)]
+    if _turn(a, b, c) <= 0.0:
+        return False
+    inside = (_turn(a, b, corners) >= 0.0) & (_turn(b, c, corners) >= 0.0) & (_turn(c, a, corners) >= 0.0)
+    at_corner = (corners == a).all(axis=1) | (corners == b).all(axis=1) | (corners == c).all(axis=1)
+    return not (inside & ~at_corner).any()
+
+
+def _turn(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
+    """Twice the area of the triangle abc, positive where it turns to the left."""
+    return (b[..., 0] - a[..., 0]) * (c[..., 1] - a[..., 1]) - (b[..., 1] - a[..., 1]) * (c[..., 0] - a[..., 0])
