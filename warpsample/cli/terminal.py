@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from functools import wraps
 from pathlib import Path
-from typing import Annotated, Any, get_type_hints
+from typing import Annotated, Any
 
 import typer
 
@@ -54,11 +54,10 @@ def fail_plainly(**options: str) -> Callable[[Callable[..., Any]], Callable[...,
 
 def _options_of(command: Callable[..., Any]) -> dict[str, str]:
     """The options of a command by their parameters' names."""
-    hints = get_type_hints(command, include_extras=True)
     return {
         name: f"--{name.replace('_', '-')}"
-        for name in inspect.signature(command).parameters
-        if any(isinstance(item, typer.models.OptionInfo) for item in getattr(hints[name], "__metadata__", ()))
+        for name, parameter in inspect.signature(command).parameters.items()
+        if any(isinstance(item, typer.models.OptionInfo) for item in getattr(parameter.annotation, "__metadata__", ()))
     }
 
 

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from functools import lru_cache
 from io import BytesIO
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -51,7 +51,6 @@ _CAPTION = (
 _PROBE = (
     "import pyvista as pv; p = pv.Plotter(off_screen=True, window_size=(16, 16)); p.add_mesh(pv.Sphere()); p.screenshot()"
 )
-_FETCHING = "trame.widgets.vtklocal"
 _NO_GL = "pictures need an OpenGL library and none works here. On Debian or Ubuntu: apt-get install libegl1 libgl1-mesa-dri"
 
 
@@ -141,15 +140,18 @@ def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
 
 @contextmanager
 def _offline() -> Iterator[None]:
-    """Lets trame go on as if it had no viewer by WebAssembly, which it fetches from Kitware's server: vtk.js needs none."""
-    known: dict[str, Any] = sys.modules
-    before = {_FETCHING: known[_FETCHING]} if _FETCHING in known else {}
-    known[_FETCHING] = None
+    """Keeps trame from fetching its viewer by WebAssembly from Kitware's server: an .html by vtk.js does without."""
+    try:
+        from trame.widgets import vtklocal  # noqa: PLC0415  (an extra of an extra)
+    except ImportError:
+        yield
+        return
+    fetch = vtklocal.initialize
+    vtklocal.initialize = lambda server: None  # noqa: ARG005
     try:
         yield
     finally:
-        del known[_FETCHING]
-        known.update(before)
+        vtklocal.initialize = fetch
 
 
 def check_size(size: tuple[int, int], least: tuple[int, int] = (600, 600)) -> None:
