@@ -113,6 +113,22 @@ def test_huge_pictures_allocate_nothing(pixels, tmp_path):
             tracemalloc.stop()
 
 
+@pytest.mark.parametrize("suffix", ["hdr", "npy"])
+def test_reading_takes_no_more_than_twice_the_file_and_the_picture(suffix, tmp_path):
+    path = tmp_path / f"sky.{suffix}"
+    np.save(tmp_path / "sky.npy", np.ones((128, 256, 3), np.float32))
+    dots = np.random.default_rng(4).integers(2, 256, (128, 256, 4)).astype(np.uint8)
+    (tmp_path / "sky.hdr").write_bytes(b"#?RADIANCE\n\n-Y 128 +X 256\n" + dots.tobytes())
+    read_picture(path)
+    tracemalloc.start()
+    try:
+        found = read_picture(path)
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert peak <= 2 * (path.stat().st_size + found.nbytes)
+
+
 class Loud:
     """Whoever loads a pickle of it is heard."""
 
@@ -148,5 +164,5 @@ def test_bake_names_an_empty_picture(call, cube, tmp_path):
         path.write_bytes(b"")
         status, out, err = call("bake", cube, "-o", tmp_path / "o.csv", "--quantity", "irradiance", "--environment", path)
         assert (status, out) == (2, "")
-        assert err.startswith(f"error: radiance: got '{path}', which cannot be read as a picture: ")
+        assert err.startswith(f"error: --environment: got '{path}', which cannot be read as a picture: ")
         assert err.count("\n") == 1

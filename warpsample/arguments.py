@@ -76,6 +76,8 @@ def naming_file(argument: str, path: Path, wants: str) -> Iterator[None]:
         ModuleNotFoundError, MemoryError: as they come.
     """
     try:
+        if not path.stat().st_size:
+            raise ValueError("it is empty")
         yield
     except (ModuleNotFoundError, MemoryError):
         raise

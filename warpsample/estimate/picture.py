@@ -47,7 +47,8 @@ def _read_hdr(path: Path) -> np.ndarray:
         pixels[row], at = _line(data, at, width)
     if at < len(data):
         raise ValueError("it goes on after what its header declares")
-    picture = np.ldexp(pixels[..., :3].astype(np.float32), pixels[..., 3:].astype(np.int32) - 136)
+    picture = pixels[..., :3].astype(np.float32)
+    np.ldexp(picture, pixels[..., 3:].astype(np.int32) - 136, out=picture)
     picture[pixels[..., 3] == 0] = 0.0
     return picture[rows, columns]
 
