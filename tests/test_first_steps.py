@@ -51,6 +51,7 @@ def test_a_file_name_is_shown_as_it_is(call, tmp_path):
     assert (status, "'scan[/b].ply'" in err) == (2, True)
 
 
+@pytest.mark.slow
 def test_an_ascii_terminal_is_told_all_the_same(run, can_render, tmp_path):
     """What was drawn has a theta in it; a file may have any name."""
     ascii_only = {"PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
@@ -65,6 +66,7 @@ def test_an_ascii_terminal_is_told_all_the_same(run, can_render, tmp_path):
         assert (status, err, out.isascii()) == (0, "", True)
 
 
+@pytest.mark.slow
 def test_an_html_is_made_without_a_network(child_environment, can_render, tmp_path):
     code = """
 import socket, sys

@@ -27,11 +27,15 @@ def alone(tmp_path, child_environment):
     return run
 
 
-def test_a_cache_is_mended_or_done_without(alone, tmp_path):
+@pytest.mark.parametrize(
+    "tasks", ["damages", pytest.param("folders,unmarked,again,unwritable,together", marks=pytest.mark.slow)]
+)
+def test_a_cache_is_mended_or_done_without(tasks, alone, tmp_path):
     (tmp_path / "tmp").mkdir()
-    assert alone("damages,folders,unmarked,again,unwritable,together", TMPDIR=str(tmp_path / "tmp"))[0] == ""
+    assert alone(tasks, TMPDIR=str(tmp_path / "tmp"))[0] == ""
 
 
+@pytest.mark.slow
 def test_the_command_line_says_it_in_a_line(alone, cube, tmp_path):
     command = ("-m", "warpsample.cli", "directions", cube, "-o", tmp_path / "d.npz", "--placement", "faces")
     first = alone(*command)

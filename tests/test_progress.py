@@ -65,6 +65,7 @@ def test_a_bar_is_told_of_all_work_whichever_thread_does_it(name, workers, monke
     assert progress.begin(10, 10**9) is None
 
 
+@pytest.mark.slow
 def test_on_a_terminal_the_share_that_is_done_is_shown(child_environment):
     code = """
 import warp as wp, warpsample as ws

@@ -18,6 +18,11 @@ SIGNALS = ["SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT"]
 HIDE, SHOW = "\x1b[?25l", "\x1b[?25h"
 
 
+def mostly_slow(*quick):
+    """The signals for pytest: all but these are heard by the same lines, and a test of each takes seconds."""
+    return [name if name in quick else pytest.param(name, marks=pytest.mark.slow) for name in SIGNALS]
+
+
 def sentence(name):
     return f"interrupted{'' if name == 'SIGINT' else f' by {name}'}; nothing was written"
 
@@ -57,7 +62,9 @@ def writing(cube, tmp_path):
     assert {path.name for path in tmp_path.iterdir()} == {"cube.ply", "d.npz"}
 
 
-@pytest.mark.parametrize("name", SIGNALS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(s, marks=pytest.mark.slow) if s in ("SIGHUP", "SIGQUIT") else s for s in SIGNALS]
+)
 def test_on_a_terminal_the_half_file_goes_and_the_cursor_comes_back(name, writing, child_environment):
     arguments, half = writing
     master, slave = pty.openpty()
@@ -127,7 +134,7 @@ def test_in_the_first_second_it_is_one_sentence(name, module, cube, child_enviro
     assert (done.returncode, done.stdout, done.stderr) == (128 + getattr(signal, name), "", sentence(name) + "\n")
 
 
-@pytest.mark.parametrize("name", ["SIGHUP", "SIGINT"])
+@pytest.mark.parametrize("name", ["SIGHUP", pytest.param("SIGINT", marks=pytest.mark.slow)])
 def test_what_the_parent_ignores_stays_ignored(name, cube, child_environment):
     """As nohup and a shell's background jobs do."""
     number = getattr(signal, name)
@@ -188,7 +195,9 @@ def test_while_a_window_is_open_a_signal_ends_it_at_once(name, child_environment
     assert listen(body.format("pass"), child_environment) == (128 + number, "", sentence(name) + "\n")
 
 
-@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
+@pytest.mark.parametrize(
+    "name", ["SIGTERM", *(pytest.param(other, marks=pytest.mark.slow) for other in ("SIGINT", "SIGHUP"))]
+)
 def test_the_processes_of_verify_end_with_it(name, child_environment):
     """To the group, as from a terminal, where a child that has not started yet must not say anything; or to it alone."""
     running = start(child_environment, "verify", stdout=subprocess.PIPE, stderr=subprocess.PIPE)
