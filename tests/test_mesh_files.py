@@ -165,6 +165,26 @@ def test_polygons_are_cut_into_triangles_without_loss(kind, tmp_path):
     assert (mesh.face_normals[mesh.face_areas > 0.0] == (0, 0, 1)).all()
 
 
+def test_ply_of_other_elements(tmp_path):
+    """Rows that are passed over, before and after what counts, and whose lists are of different lengths."""
+    path = tmp_path / "more.ply"
+    for order in ("ascii", "binary_big_endian"):
+        whole = cases.ply(order, CORNERS, POLYGONS[:1])
+        extra = b"element extra 2\nproperty list ushort double parts\nproperty short flag\n"
+        row = b"2 0.5 0.5 9\n0 9\n" if order == "ascii" else struct.pack(">HddhHh", 2, 0.5, 0.5, 9, 0, 9)
+        head, end, data = whole.partition(b"end_header\n")
+        path.write_bytes(head + extra + end + data + row)
+        assert ws.load_mesh(path).report.area == 8.0
+        path.write_bytes(head.replace(b"element vertex", extra + b"element vertex") + end + row + data)
+        assert ws.load_mesh(path).report.area == 8.0
+        path.write_bytes(head + extra.replace(b"extra", b"tristrips") + end + data + row)
+        with refused(path, "it has triangle strips, want all of them as faces"):
+            ws.load_mesh(path)
+        path.write_bytes(head.replace(b"list uchar int", b"list float int") + end + data)
+        with refused(path, "its header has the line 'property list float int vertex_indices'"):
+            ws.load_mesh(path)
+
+
 def test_obj_indices_and_lines(tmp_path):
     path = tmp_path / "lines.obj"
     triangle = "v 0 0 {0}\nv 1 0 {0}\nv 0 1 {0} 1 0.5 0.5\n"
@@ -290,7 +310,7 @@ def test_gltf_is_not_read_by_half(tmp_path):
         (gltf({}, [{**places, "count": 4}], data), "it declares 4 VEC3 in 36 bytes"),
         (gltf({}, [{**places, "byteOffset": 1}], data), "it declares 3 VEC3 in 36 bytes"),
         (gltf({}, [{**places, "sparse": {"count": 1}}], data), "it has sparse data, want all of its numbers"),
-        (gltf({"indices": 5}, [places], data), "its description lacks what it refers to, .*"),
+        (gltf({"indices": 5}, [places], data), "its description is not whole: .*"),
         (gltf({"mode": 1}, [places], data), "there is no face in it"),
         (gltf({}, [places], data, nodes=[{"mesh": 0, "children": [0]}]), r".*\(RecursionError\)"),
         (

@@ -33,7 +33,7 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
     try:
         return joined(_surfaces(tree, [_buffer(path, buffer, chunk) for buffer in tree.get("buffers", [])]))
     except (KeyError, IndexError, TypeError, AttributeError) as error:
-        raise ValueError(f"its description lacks what it refers to, or has {error} in place of it") from None
+        raise ValueError(f"its description is not whole: {error!r}") from None
 
 
 def _surfaces(tree: dict[str, Any], buffers: list[memoryview]) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:

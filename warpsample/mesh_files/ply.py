@@ -79,6 +79,8 @@ def _mesh(found: dict[str, dict[str, Any]]) -> tuple[np.ndarray, np.ndarray]:
     polygons = face.get("vertex_indices", face.get("vertex_index"))
     if not {"x", "y", "z"} <= vertex.keys() or not isinstance(polygons, tuple):
         raise ValueError("its header declares no vertices with x, y, z or no faces with vertex_indices")
+    if "tristrips" in found:
+        raise ValueError("it has triangle strips, want all of them as faces")
     vertices = np.stack([vertex[axis] for axis in "xyz"], axis=1, dtype=np.float64)
     return vertices, triangles(vertices, *polygons)
 
