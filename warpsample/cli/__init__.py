@@ -1,5 +1,7 @@
 """The `warpsample` command: its entry point, which imports nothing but what hears a signal."""
 
+import os
+import sys
 import warnings
 
 from warpsample.cli.signals import listening
@@ -7,10 +9,25 @@ from warpsample.cli.signals import listening
 
 def main() -> None:
     """Entry point."""
+    _open_what_is_closed()
     with listening():
         from warpsample.cli.commands import app  # noqa: PLC0415  (takes a second, in which Ctrl-C is heard already)
-        from warpsample.cli.terminal import print_anything  # noqa: PLC0415
+        from warpsample.cli.terminal import print_anything, saying_what_fails  # noqa: PLC0415
 
         warnings.formatwarning = lambda message, *_, **__: f"warning: {message}\n"
         print_anything()
-        app(prog_name="warpsample")
+        with saying_what_fails():  # outside of the commands: --version and --help
+            try:
+                app(prog_name="warpsample")
+            finally:
+                sys.stdout.flush()
+
+
+def _open_what_is_closed() -> None:
+    """Standard streams that are closed lead nowhere: else a file of ours takes the number that libraries print to."""
+    while (number := os.open(os.devnull, os.O_RDWR)) <= 2:
+        pass
+    os.close(number)
+    for number, (name, mode) in enumerate((("stdin", "r"), ("stdout", "w"), ("stderr", "w"))):
+        if getattr(sys, name) is None:
+            setattr(sys, name, os.fdopen(number, mode, encoding="utf-8", closefd=False))

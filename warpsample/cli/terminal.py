@@ -38,18 +38,24 @@ def fail_plainly(**options: str) -> Callable[[Callable[..., Any]], Callable[...,
 
         @wraps(command)
         def run(*arguments: Any, **keywords: Any) -> None:
-            with signals.listening():
-                try:
-                    command(*arguments, **keywords)
-                    sys.stdout.flush()
-                except (ValueError, TypeError, OSError, EOFError, MemoryError, ModuleNotFoundError, RuntimeError) as error:
-                    if signals.heard():  # a terminal that is gone can fail in many ways
-                        raise
-                    _fail(error, names)
+            with signals.listening(), saying_what_fails(**names):
+                command(*arguments, **keywords)
+                sys.stdout.flush()
 
         return run
 
     return decorate
+
+
+@contextmanager
+def saying_what_fails(**options: str) -> Iterator[None]:
+    """The same for a block; `options` by the names of arguments."""
+    try:
+        yield
+    except (ValueError, TypeError, OSError, EOFError, MemoryError, ModuleNotFoundError, RuntimeError) as error:
+        if signals.heard() or isinstance(error, typer.Exit):  # a terminal that is gone can fail in many ways
+            raise
+        _fail(error, options)
 
 
 def _options_of(command: Callable[..., Any]) -> dict[str, str]:
@@ -65,8 +71,10 @@ def _fail(error: Exception, options: dict[str, str]) -> None:
     """Says what is wrong, and ends."""
     try:
         sys.stdout.flush()
-    except OSError:  # a full disk, or a reader that has gone
+    except OSError as flaw:  # a full disk, or a reader that has gone
         signals.forget(sys.stdout)
+        if type(error) is OSError and error.errno == flaw.errno and error.filename is None:
+            error = WriteError(f"standard output cannot be written: {flaw.strerror}")
     if isinstance(error, BrokenPipeError):
         raise SystemExit(128 + 13) from None  # as the signal of a closed pipe does
     message = re.sub(r"^\w+(?=: )", lambda name: options.get(name[0], name[0]), str(error) or type(error).__name__)
