@@ -451,3 +451,24 @@ def test_usd_without_usd_core_says_what_to_install(bunny_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "pxr", None)
     with pytest.raises(ModuleNotFoundError, match=r"^path: got 'bunny\.usd', which needs usd-core: pip install usd-core"):
         ws.load_mesh(bunny_path)
+
+
+@pytest.mark.parametrize("number", ["1_0", "\u0661"])
+@pytest.mark.parametrize(
+    ("suffix", "text"),
+    [
+        (".obj", "v {} 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+        (".off", "OFF\n3 1 0\n{} 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+        (".ply", ("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                 "element face 1\nproperty list uchar int vertex_indices\nend_header\n{} 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")),
+        (".stl", ("solid s\nfacet normal 0 0 1\nouter loop\nvertex {} 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+                 "endfacet\nendsolid s\n")),
+    ],
+)  # fmt: skip
+def test_what_only_python_takes_for_a_number_is_refused(tmp_path, suffix, text, number):
+    path = tmp_path / f"mesh{suffix}"
+    path.write_text(text.format("5.0"))
+    assert ws.load_mesh(path).vertices[:, 0].max() == 5.0
+    path.write_text(text.format(number), encoding="utf-8")
+    with pytest.raises(ValueError, match="which cannot be read as a mesh: "):
+        ws.load_mesh(path)

@@ -5,6 +5,7 @@ import tracemalloc
 import numpy as np
 import pytest
 
+import warpsample as ws
 from warpsample.estimate.picture import read_picture
 
 HEIGHT, WIDTH = 12, 33
@@ -166,3 +167,11 @@ def test_bake_names_an_empty_picture(call, cube, tmp_path):
         assert (status, out) == (2, "")
         assert err.startswith(f"error: --environment: got '{path}', which cannot be read as a picture: ")
         assert err.count("\n") == 1
+
+
+def test_a_picture_that_gives_no_light_is_named(tmp_path):
+    path = tmp_path / "sky.npy"
+    np.save(path, np.full((2, 4), -1.0))
+    point = ws.SurfacePoints(np.zeros((1, 3)), np.float32([[0.0, 0.0, 1.0]]))
+    with pytest.raises(ValueError, match=f"^radiance: got '{path}' with numbers that are below 0"):
+        ws.irradiance(ws.load_mesh("courtyard"), point, path, 32)

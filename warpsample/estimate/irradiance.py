@@ -95,13 +95,14 @@ def _picture(radiance: Any) -> np.ndarray:
     Raises:
         TypeError, ValueError: not a picture of radiances.
     """
+    got = "got"
     if isinstance(radiance, str | PathLike):
-        radiance = read_picture(radiance)
+        got, radiance = f"got {str(radiance)!r} with", read_picture(radiance)
     picture = as_real(radiance, "radiance", "an array of numbers, a path or a wp.func")
     if picture.ndim not in (2, 3) or picture.shape[2:] not in ((), (3,)) or 0 in picture.shape:
-        raise ValueError(f"radiance: got shape {picture.shape}, want (H, W) or (H, W, 3)")
+        raise ValueError(f"radiance: {got} shape {picture.shape}, want (H, W) or (H, W, 3)")
     with np.errstate(over="ignore"):
         picture = picture.astype(np.float32)
     if not (picture.min() >= 0.0 and picture.max() <= _BRIGHTEST):
-        raise ValueError(f"radiance: got numbers that are below 0, above {_BRIGHTEST:g} or not finite, want none of these")
+        raise ValueError(f"radiance: {got} numbers that are below 0, above {_BRIGHTEST:g} or not finite, want none of these")
     return picture

@@ -10,6 +10,7 @@ from typing import Any, BinaryIO, Literal
 
 import numpy as np
 
+from warpsample.mesh_files.text import real, whole
 from warpsample.polygons import triangles
 
 _KINDS = {
@@ -122,13 +123,13 @@ def _kind(order: str | None, name: str, kinds: str = "iuf") -> np.dtype:
 def _text(rows: Iterator[list[bytes]], element: _Element) -> dict[str, Any]:
     """Columns by name; of a list (lengths, all its numbers)."""
     lengths, numbers = _empty(element, lambda p: array("d" if p.kind.kind == "f" else "q"))
-    steps = [(p.name in lengths, float if p.kind.kind == "f" else int, p.name) for p in element.properties]
+    steps = [(p.name in lengths, real if p.kind.kind == "f" else whole, p.name) for p in element.properties]
     seen = 0
     for seen, words in enumerate(islice(rows, element.count), 1):
         at, length = 0, 1
         for is_list, parse, name in steps:
             if is_list:
-                length = int(words[at]) if at < len(words) else -1
+                length = whole(words[at]) if at < len(words) else -1
                 lengths[name].append(length)
                 at += 1
             numbers[name].extend(map(parse, words[at : at + length]))

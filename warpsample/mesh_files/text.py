@@ -59,8 +59,8 @@ def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
     for words in islice(lines, vertices):
         places.extend(three(words))
     for words in islice(lines, faces):
-        face = [int(word) for word in words[1 : 1 + int(words[0])]]
-        if len(face) != int(words[0]):
+        face = [whole(word) for word in words[1 : 1 + whole(words[0])]]
+        if len(face) != whole(words[0]):
             raise ValueError(f"face {len(lengths)} ends after {len(face)} of {words[0]} corners")
         lengths.append(len(face))
         corners.extend(face)
@@ -90,7 +90,24 @@ def three(words: list[str]) -> list[float]:
     """The coordinates of a vertex; what follows them is passed over."""
     if len(words) < 3:
         raise ValueError(f"a vertex has {len(words)} numbers, not 3")
-    return [float(word) for word in words[:3]]
+    return [real(word) for word in words[:3]]
+
+
+def real(word: str | bytes) -> float:
+    """A number as mesh files have it."""
+    return float(_plain(word))
+
+
+def whole(word: str | bytes) -> int:
+    """The same of a whole number."""
+    return int(_plain(word))
+
+
+def _plain(word: str | bytes) -> str | bytes:
+    """Refuses what Python takes for a number and files do not: 1_0 for 10, and digits of other scripts."""
+    if {"_", "\\"} & set(ascii(word)):
+        raise ValueError(f"{ascii(word)[:60]} is no number")
+    return word
 
 
 def _corners(words: list[str], vertices: int) -> list[int]:
@@ -98,7 +115,7 @@ def _corners(words: list[str], vertices: int) -> list[int]:
     parts = [word.split("/") for word in words]
     if len({tuple(map(bool, part)) for part in parts}) != 1 or len(parts) < 3:
         raise ValueError(f"it is no face: {' '.join(words)[:60]!r}")
-    indices = [int(part[0]) for part in parts]
+    indices = [whole(part[0]) for part in parts]
     if 0 in indices:
         raise ValueError("a face has the vertex 0, and they count from 1")
     return [index - 1 if index > 0 else vertices + index for index in indices]

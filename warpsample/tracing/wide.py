@@ -31,7 +31,7 @@ def nearest_of(
     found = triangles_near(leaf, ray, reach, edge)
     met = found & lanes
     nearest = wp.int32(-1)
-    while met != 0:
+    for _ in range(wp.bit_count(met)):
         triangle = lowest_bit(met)
         met = met & (met - 1)
         distance = triangle_distance(leaf, triangle, (found >> WIDTH) & (1 << triangle), ray, column, reach)
@@ -51,14 +51,16 @@ def any_of(
     edge: wp.float32,
 ) -> wp.int32:
     """The place in the leaf of some triangle that is met, likewise; -1 if none is."""
-    met = triangles_near(leaf, ray, reach, edge) & (lanes | (lanes << WIDTH))
+    found = triangles_near(leaf, ray, reach, edge) & (lanes | (lanes << WIDTH))
     triangle = wp.int32(-1)
-    if met != 0:
-        sure = (met >> WIDTH) & _ALL
+    if found != 0:
+        sure = (found >> WIDTH) & _ALL
+        met = found & _ALL
         if sure != 0:
             triangle = lowest_bit(sure)
-        while met != 0 and triangle < 0:
-            if triangle_distance(leaf, lowest_bit(met), 0, ray, column, reach) > 0.0:
+            met = 0
+        for _ in range(wp.bit_count(met)):
+            if triangle < 0 and triangle_distance(leaf, lowest_bit(met), 0, ray, column, reach) > 0.0:
                 triangle = lowest_bit(met)
             met = met & (met - 1)
     return triangle
