@@ -68,7 +68,14 @@ def test_jobs_do_not_cross_a_high_word(first, points, rows):
     assert module._same_high_word(first, points) == rows
 
 
-@pytest.mark.parametrize("sequence", ws.sequences.names())
+@pytest.mark.parametrize(
+    "sequence",
+    [
+        "sobol",
+        "fibonacci",
+        *(pytest.param(n, marks=pytest.mark.slow) for n in ("independent", "philox", "r2", "stratified")),
+    ],
+)
 def test_flat_blocks_and_rows_agree_bit_for_bit(sequence, normals, monkeypatch):
     for distribution in (ws.CosineHemisphere("polar"), ws.CosineHemisphere("offset"))[: 2 if sequence == "sobol" else 1]:
         for count in (1, 2, 23):

@@ -116,6 +116,7 @@ def test_a_reader_that_has_gone_is_no_traceback(child_environment):
     assert [line for line in done.stderr.splitlines() if "CUDA" not in line] == []
 
 
+@pytest.mark.slow
 def test_a_slow_step_is_said_on_a_terminal_only(child_environment):
     code = "from warpsample.cli.terminal import working; import time\nwith working('reading it'): time.sleep({})"
     for seconds, said in ((1.5, "reading it ...\r\n"), (0.0, "")):

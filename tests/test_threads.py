@@ -24,7 +24,8 @@ def alone(child_environment):
 
 
 @pytest.mark.parametrize(
-    "task", ["first_use", "new_meshes", "faces_changed", pytest.param("refits", marks=pytest.mark.slow)]
+    "task",
+    ["first_use", "faces_changed", *(pytest.param(name, marks=pytest.mark.slow) for name in ("new_meshes", "refits"))],
 )
 def test_threads_answer_as_one(alone, task):
     alone(task)
