@@ -29,9 +29,7 @@ PICTURES = [*rendering.SCENE_SUFFIXES, *rendering.FIGURE_SUFFIXES]
 LIMITED = """
 import contextlib, io, json, os, resource, sys
 from pathlib import Path
-import warp as wp
 from warpsample import cli
-wp.config.log_level = wp.LOG_WARNING
 
 def call(arguments):
     sys.argv, said = ["warpsample", *arguments], io.StringIO()
