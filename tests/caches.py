@@ -17,8 +17,8 @@ import numpy as np
 import warp as wp
 
 import warpsample as ws
-from warpsample import kernel_cache
-from warpsample.arrays import cpu
+from warpsample.host import kernel_cache
+from warpsample.host.arrays import cpu
 
 
 @wp.kernel(module="unique", enable_backward=False)

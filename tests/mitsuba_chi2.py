@@ -19,7 +19,7 @@ from mitsuba import chi2  # noqa: E402  (after the variant)
 
 import warpsample as ws  # noqa: E402
 from warpsample.proof import verify  # noqa: E402
-from warpsample.proof.charts import PLANE, SPHERE  # noqa: E402
+from warpsample.statistics.charts import PLANE, SPHERE  # noqa: E402
 
 FINE = 64  # subintervals of a cell in its quadrature: at its default, 4, it rejects right samplers
 LEVEL = 0.01

@@ -8,7 +8,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample import bake
+from warpsample.output import bake
 
 TORUS = trimesh.creation.torus(2.0, 0.6, 24, 12)
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import warpsample as ws
-from warpsample import export
+from warpsample.output import export
 
 
 def test_info_counts_and_explains(call, tmp_path):

@@ -29,9 +29,9 @@ def unit(normals):
 def test_same_bits_in_chunks_threads_offsets_and_with_half_inactive(distribution, count, monkeypatch):
     normals = np.random.default_rng(3).normal(size=(9001, 3)).astype(np.float32)
     whole = ws.sample_directions(normals, count, distribution, seed=5, first_point=2**32 - 4000, pdf=True, workers=1)
-    monkeypatch.setattr("warpsample.engine._LEAST_WORK", 1)
-    monkeypatch.setattr("warpsample.engine._FEW_CHUNKS", 7)
-    monkeypatch.setattr("warpsample.engine._MANY_CHUNKS", 7)
+    monkeypatch.setattr("warpsample.host.engine._LEAST_WORK", 1)
+    monkeypatch.setattr("warpsample.host.engine._FEW_CHUNKS", 7)
+    monkeypatch.setattr("warpsample.host.engine._MANY_CHUNKS", 7)
     for workers in (2, 3):
         threaded = ws.sample_directions(
             normals, count, distribution, seed=5, first_point=2**32 - 4000, pdf=True, workers=workers

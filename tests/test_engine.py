@@ -11,16 +11,16 @@ import pytest
 import warp as wp
 
 import warpsample as ws
-from warpsample import engine
+from warpsample.directions.blocks import direction_blocks
+from warpsample.directions.job import DirectionJob
+from warpsample.directions.rows import direction_rows
+from warpsample.directions.square import square_blocks
+from warpsample.directions.variates import CHUNK
+from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
+from warpsample.distributions.parameters import with_parameters
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.kernels import FLAT_BLOCK
-from warpsample.kernels.blocks import direction_blocks
-from warpsample.kernels.flat import elementwise, square_blocks
-from warpsample.kernels.job import DirectionJob
-from warpsample.kernels.parameters import with_parameters
-from warpsample.kernels.points import place_points
-from warpsample.kernels.rows import direction_rows
-from warpsample.kernels.variates import CHUNK
+from warpsample.host import engine
+from warpsample.mesh.placing import place_points
 
 CPU = wp.get_device("cpu")
 

@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 import trimesh
 
-from warpsample import bake, export, files
 from warpsample.cli import commands
+from warpsample.host import files
+from warpsample.output import bake, export
 from warpsample.plotting import rendering
 
 OUTPUTS = [
@@ -60,7 +61,7 @@ print("held")
 WRITING = """
 import sys, time
 from pathlib import Path
-from warpsample import files
+from warpsample.host import files
 with files.complete_or_absent(Path("out.npz")) as file:
     file.write(bytes(3 << 20))
     print("writing", flush=True)

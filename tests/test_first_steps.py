@@ -12,7 +12,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample import examples
+from warpsample.mesh import examples
 
 
 @pytest.fixture

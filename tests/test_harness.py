@@ -7,9 +7,9 @@ from conftest import ALPHA
 
 import warpsample as ws
 from warpsample.proof import defects, laws, routes, stress, twins, verify
-from warpsample.proof.charts import SPHERE, chart_of
-from warpsample.proof.histogram import histogram_test, joined_test
 from warpsample.proof.integer_twins import expected
+from warpsample.statistics.charts import SPHERE, chart_of
+from warpsample.statistics.histogram import histogram_test, joined_test
 
 RIGHT = ws.CosineHemisphere()
 CAUGHT_BY = {

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 import warp as wp
 
-from warpsample import kernel_cache
+from warpsample.host import kernel_cache
 
 
 @pytest.fixture

@@ -7,13 +7,13 @@ import warp as wp
 import warpsample as ws
 from warpsample.estimate.cells import cells_of
 from warpsample.estimate.job import aim
-from warpsample.tracing.beams import boxes_in, triangles_in
-from warpsample.tracing.boxes import PADDING
-from warpsample.tracing.decision import triangle_distance
-from warpsample.tracing.frontier import HORIZON_MARGIN, triangles_above, visible
-from warpsample.tracing.intersect import boxes_met, triangles_near
-from warpsample.tracing.layout import BEAM_FLOATS, CHUNK, CHUNK_FLOATS, LEAF_BYTES, NODE_BYTES, WIDTH
-from warpsample.tracing.prepare import prepare_wide, ray_in
+from warpsample.estimate.skipping.beams import boxes_in, triangles_in
+from warpsample.estimate.skipping.frontier import HORIZON_MARGIN, triangles_above, visible
+from warpsample.tracing.wide.boxes import PADDING
+from warpsample.tracing.wide.decision import triangle_distance
+from warpsample.tracing.wide.intersect import boxes_met, triangles_near
+from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK, CHUNK_FLOATS, LEAF_BYTES, NODE_BYTES, WIDTH
+from warpsample.tracing.wide.prepare import prepare_wide, ray_in
 
 N = 4096
 NODE_FLOATS, LEAF_FLOATS = NODE_BYTES // 4, LEAF_BYTES // 4

@@ -12,7 +12,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample import bake, baked, export, mesh_writers
+from warpsample.output import bake, baked, export, mesh_writers
 
 MAP = np.array([500_000.0, 5_400_000.0, 300.0])
 PLACES = [(size, at) for size in (1e-6, 1.0, 5e6) for at in (0.0, 1.0)]  # size, and whether on the map

@@ -14,7 +14,7 @@ import warpsample as ws
 from warpsample.plotting import rendering, scenes, sheets
 from warpsample.plotting.charts import AngleHistogram, LobeCharts
 from warpsample.proof.defects import Wrong
-from warpsample.proof.histogram import HistogramTest, joined_test
+from warpsample.statistics.histogram import HistogramTest, joined_test
 
 PNG_SCRIPTS = ("shirley_overlay", "offset_family", "sequences")
 

@@ -5,7 +5,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from warpsample.polygons import triangles
+from warpsample.mesh.polygons import triangles
 
 
 def areas(points, faces):

@@ -11,7 +11,7 @@ import scipy.special
 
 import warpsample as ws
 from warpsample.proof import laws, verify
-from warpsample.proof.charts import DISK, PLANE, SPHERE
+from warpsample.statistics.charts import DISK, PLANE, SPHERE
 
 SINGLE = np.array([0.25, 0.5], np.float32)
 # Of angles and probabilities in float64: loops of NumPy 1 round by where an array begins, and p-values of n directions add n

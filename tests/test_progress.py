@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import warpsample as ws
-from warpsample import engine, progress
+from warpsample.host import engine, progress
 
 MESH = ws.load_mesh("courtyard")
 POINTS = ws.face_centers(MESH)
@@ -69,7 +69,8 @@ def test_a_bar_is_told_of_all_work_whichever_thread_does_it(name, workers, monke
 def test_on_a_terminal_the_share_that_is_done_is_shown(child_environment):
     code = """
 import warp as wp, warpsample as ws
-from warpsample import engine, progress
+from warpsample.host import engine
+from warpsample.host import progress
 wp.config.log_level = wp.LOG_WARNING
 mesh = ws.load_mesh("courtyard")
 points = ws.face_centers(mesh)

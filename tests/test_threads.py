@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import warpsample as ws
-from warpsample.locks import once, once_property
+from warpsample.host.locks import once, once_property
 
 
 @pytest.fixture

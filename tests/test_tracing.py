@@ -14,16 +14,16 @@ from embreex.mesh_construction import TriangleMesh
 from embreex.rtcore_scene import EmbreeScene
 
 import warpsample as ws
-from warpsample import engine
+from warpsample.host import engine
 from warpsample.proof import report
 from warpsample.proof.rays import closed_meshes, judge_mesh, rays_inside
 from warpsample.tracing import order, trace
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
-from warpsample.tracing.layout import CHUNK
-from warpsample.tracing.prepare import prepare_wide
 from warpsample.tracing.rays import ray_kernel
 from warpsample.tracing.scene import scene_of
-from warpsample.tracing.wide import wide_query
+from warpsample.tracing.wide.layout import CHUNK
+from warpsample.tracing.wide.prepare import prepare_wide
+from warpsample.tracing.wide.query import wide_query
 
 CLOSED = closed_meshes()
 TRIANGLE = ws.as_mesh(([(0, 0, 0), (2, 0, 0), (0, 2, 0)], [(0, 1, 2)]))
@@ -225,7 +225,7 @@ def test_workers_order_and_layout_change_no_bit(bunny, any_hit, monkeypatch):
     shuffled = np.random.default_rng(0).permutation(len(origins))
     origins, directions = origins[shuffled], directions[shuffled]
     want = ws.trace(bunny, origins, directions, any_hit=any_hit, workers=1)
-    monkeypatch.setattr("warpsample.engine._LEAST_WORK", 1)
+    monkeypatch.setattr("warpsample.host.engine._LEAST_WORK", 1)
     flat = ws.trace(bunny, np.repeat(origins, 64, axis=0), directions.reshape(-1, 3), any_hit=any_hit, workers=3)
     monkeypatch.setattr(trace, "MANY_FACES", 1)
     monkeypatch.setattr(order, "_FEW_POINTS", 1)
@@ -402,9 +402,9 @@ import warpsample as ws
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.weights import everywhere
-from warpsample.tracing.prepare import prepare_wide
+from warpsample.tracing.wide.prepare import prepare_wide
 from warpsample.tracing.rays import ray_kernel
-from warpsample.tracing.wide import wide_query
+from warpsample.tracing.wide.query import wide_query
 estimate = (ws.sequences.get("fibonacci"), ws.CosineHemisphere("polar").about(), everywhere, True, True, 1)
 for kernel in (
     ray_kernel(prepare_wide, wide_query(False)),

@@ -9,9 +9,9 @@ from test_tracing import BOX, TORUS, random_rays
 
 import warpsample as ws
 from warpsample.proof.rays import rays_inside
-from warpsample.tracing import build
-from warpsample.tracing.layout import MOST_DEPTH
 from warpsample.tracing.scene import scene_of
+from warpsample.tracing.wide import build
+from warpsample.tracing.wide.layout import MOST_DEPTH
 
 MESHES = {
     "one": (np.eye(3), [[0, 1, 2]]),

@@ -14,7 +14,7 @@ import typer
 
 from warpsample.bench.machine import caption
 from warpsample.cli.terminal import fail_plainly, with_progress
-from warpsample.files import check_output_folder, write_bytes
+from warpsample.host.files import check_output_folder, write_bytes
 from warpsample.plotting import rendering
 
 HERE = Path(__file__).parent

@@ -7,13 +7,13 @@ import numpy as np
 import typer
 
 import warpsample as ws
-from warpsample.arguments import check_integer
 from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
 from warpsample.distributions.record import Distribution
+from warpsample.host.arguments import check_integer
 from warpsample.plotting import rendering, sheets
 from warpsample.proof import routes
-from warpsample.proof.charts import SPHERE, chart_of
-from warpsample.proof.histogram import joined_test
+from warpsample.statistics.charts import SPHERE, chart_of
+from warpsample.statistics.histogram import joined_test
 
 SHOWN = 400  # points of a set that are drawn
 CELLS = 60

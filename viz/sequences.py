@@ -6,9 +6,9 @@ import numpy as np
 import typer
 
 import warpsample as ws
-from warpsample.arguments import check_integer
 from warpsample.bench.integrands import INTEGRANDS, Integrand, evaluate
 from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
+from warpsample.host.arguments import check_integer
 from warpsample.plotting import rendering, sheets
 
 SHOWN = 256  # points of each square

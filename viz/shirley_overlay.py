@@ -6,8 +6,8 @@ import numpy as np
 import typer
 
 import warpsample as ws
-from warpsample.arguments import check_integer
 from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
+from warpsample.host.arguments import check_integer
 from warpsample.plotting import rendering, sheets
 from warpsample.proof.routes import plus_normal
 

@@ -5,7 +5,7 @@ from importlib import import_module
 TYPE_CHECKING = False  # that of `typing` takes as long as all else here
 if TYPE_CHECKING:
     from warpsample import distributions, sequences
-    from warpsample.directions import Directions, Status, sample_directions, sample_square
+    from warpsample.directions.sample import Directions, Status, sample_directions, sample_square
     from warpsample.distributions.beckmann import Beckmann
     from warpsample.distributions.cosine_hemisphere import CosineHemisphere
     from warpsample.distributions.ggx import GGX
@@ -25,9 +25,9 @@ if TYPE_CHECKING:
     from warpsample.estimate.irradiance import irradiance
     from warpsample.estimate.result import Estimate, PointStatus, Skipped
     from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
-    from warpsample.mesh import Mesh, MeshReport, as_mesh
-    from warpsample.mesh_files import load_mesh
-    from warpsample.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+    from warpsample.mesh.files import load_mesh
+    from warpsample.mesh.mesh import Mesh, MeshReport, as_mesh
+    from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
     from warpsample.tracing.scene import refit
     from warpsample.tracing.trace import Hits, trace
 
@@ -76,7 +76,7 @@ __all__ = [
 ]
 
 _HOMES = {
-    "directions": ("Directions", "Status", "sample_directions", "sample_square"),
+    "directions.sample": ("Directions", "Status", "sample_directions", "sample_square"),
     "distributions.beckmann": ("Beckmann",),
     "distributions.cosine_hemisphere": ("CosineHemisphere",),
     "distributions.ggx": ("GGX",),
@@ -96,9 +96,9 @@ _HOMES = {
     "estimate.irradiance": ("irradiance",),
     "estimate.result": ("Estimate", "PointStatus", "Skipped"),
     "estimate.visibility": ("SkyView", "ambient_occlusion", "bent_normals", "sky_view_factor"),
-    "mesh": ("Mesh", "MeshReport", "as_mesh"),
-    "mesh_files": ("load_mesh",),
-    "surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
+    "mesh.mesh": ("Mesh", "MeshReport", "as_mesh"),
+    "mesh.files": ("load_mesh",),
+    "mesh.surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
 }

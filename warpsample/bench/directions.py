@@ -11,10 +11,10 @@ import warp as wp
 
 from warpsample import distributions, sequences
 from warpsample.bench.timing import Spread, interleave, stopwatch
-from warpsample.directions import sample_directions, sample_square
+from warpsample.directions.sample import sample_directions, sample_square
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
-from warpsample.engine import check_workers
+from warpsample.host.engine import check_workers
 from warpsample.proof import laws, twins
 from warpsample.proof.evidence import Evidence, Subject
 from warpsample.proof.stress import exact_directions

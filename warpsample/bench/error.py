@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 
 from warpsample import sequences
-from warpsample.arrays import cpu
 from warpsample.bench.integrands import INTEGRANDS, Integrand
 from warpsample.bench.timing import Spread, interleave, stopwatch
+from warpsample.directions.means import direction_means
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
-from warpsample.engine import check_workers, run
-from warpsample.kernels.means import direction_means
+from warpsample.host.arrays import cpu
+from warpsample.host.engine import check_workers, run
 
 COUNTS = tuple(4**k for k in range(1, 9))
 _LEAST_WORK = (

@@ -10,12 +10,11 @@ from math import cos, radians, sin, sqrt
 import numpy as np
 import warp as wp
 
-from warpsample.arrays import as_vectors, new_vectors
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
-from warpsample.engine import check_workers, run
-from warpsample.kernels import FLAT_BLOCK
-from warpsample.kernels.flat import elementwise
-from warpsample.kernels.parameters import with_parameters
+from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
+from warpsample.distributions.parameters import with_parameters
+from warpsample.host.arrays import as_vectors, new_vectors
+from warpsample.host.engine import check_workers, run
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ import subprocess
 from importlib.metadata import version
 from pathlib import Path
 
-from warpsample.engine import check_workers
+from warpsample.host.engine import check_workers
 
 
 def machine() -> dict[str, object]:

@@ -17,12 +17,12 @@ import warp as wp
 
 from warpsample.bench.child import Job
 from warpsample.bench.integrands import INTEGRANDS, evaluate
-from warpsample.directions import sample_directions
-from warpsample.frames import frame_about, to_world
-from warpsample.kernel_cache import load
-from warpsample.mesh import as_mesh
+from warpsample.directions.sample import sample_directions
+from warpsample.host.kernel_cache import load
+from warpsample.maths.frames import frame_about, to_world
+from warpsample.mesh.mesh import as_mesh
+from warpsample.mesh.surface import sample_surface
 from warpsample.proof import twins
-from warpsample.surface import sample_surface
 
 _JUDGED = 1 << 20  # directions or points that the report's means take
 _TAU = np.float32(2.0 * np.pi)

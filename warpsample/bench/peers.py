@@ -11,8 +11,8 @@ from warpsample.bench import error, peer_jobs
 from warpsample.bench.child import Child
 from warpsample.bench.integrands import INTEGRANDS, Integrand
 from warpsample.bench.timing import Spread, interleave, stopwatch
-from warpsample.directions import sample_directions
-from warpsample.engine import check_workers
+from warpsample.directions.sample import sample_directions
+from warpsample.host.engine import check_workers
 
 SAMPLES = 64
 JOBS = ("directions", "surface")

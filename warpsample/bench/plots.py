@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from warpsample import sequences
 from warpsample.bench import directions, error, peers, rays, scaling, visibility
 from warpsample.bench.directions import short_name
-from warpsample.files import write_bytes
+from warpsample.host.files import write_bytes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

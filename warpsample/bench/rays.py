@@ -9,8 +9,8 @@ import numpy as np
 from warpsample.bench.scenes import KINDS, SCENES, rays
 from warpsample.bench.timing import Spread, interleave, stopwatch
 from warpsample.bench.tracers import REMEDIES, TOOLS, Tool, Wide, builds
-from warpsample.engine import check_workers
-from warpsample.mesh import Mesh
+from warpsample.host.engine import check_workers
+from warpsample.mesh.mesh import Mesh
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from warpsample.bench import directions, error, peers, rays, scaling, visibility
 from warpsample.bench.machine import machine
 from warpsample.bench.startup import Startup
 from warpsample.bench.timing import Spread
-from warpsample.files import write_bytes
+from warpsample.host.files import write_bytes
 
 if TYPE_CHECKING:
     from rich.console import Console

@@ -9,8 +9,8 @@ import numpy as np
 
 from warpsample.bench.child import Child, Job
 from warpsample.bench.timing import Spread, interleave
-from warpsample.directions import sample_directions
-from warpsample.engine import check_workers
+from warpsample.directions.sample import sample_directions
+from warpsample.host.engine import check_workers
 
 _PART = 1 << 20  # directions in memory at a time: 12 MB
 _SAMPLES = 16

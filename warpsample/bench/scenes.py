@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 import warp as wp
 
-from warpsample.directions import sample_directions
+from warpsample.directions.sample import sample_directions
 from warpsample.distributions.uniform_sphere import UniformSphere
-from warpsample.mesh import Mesh, as_mesh
-from warpsample.mesh_files import load_mesh
-from warpsample.surface import sample_surface
+from warpsample.mesh.files import load_mesh
+from warpsample.mesh.mesh import Mesh, as_mesh
+from warpsample.mesh.surface import sample_surface
 
 PER_POINT = 64
 """Cosine rays from each point."""

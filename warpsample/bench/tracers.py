@@ -9,9 +9,9 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from warpsample.arrays import cpu
 from warpsample.bench.scenes import rays
-from warpsample.mesh import Mesh
+from warpsample.host.arrays import cpu
+from warpsample.mesh.mesh import Mesh
 from warpsample.tracing.builtin import builtin_any_query, prepare_builtin
 from warpsample.tracing.rays import ray_kernel
 from warpsample.tracing.scene import Scene, scene_of

@@ -11,8 +11,8 @@ import numpy as np
 from warpsample.bench.child import Child
 from warpsample.bench.timing import Spread, interleave
 from warpsample.bench.visibility_jobs import TOOLS, points_of
-from warpsample.engine import check_workers
 from warpsample.estimate.visibility import ambient_occlusion
+from warpsample.host.engine import check_workers
 
 OURS = ["warpsample", "warpsample, skip=False"]
 TARGETS = {0.01: list(TOOLS), 0.003: [*OURS, "Mitsuba", "embreex"]}

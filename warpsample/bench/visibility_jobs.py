@@ -19,9 +19,9 @@ from warpsample.bench.scenes import SCENES
 from warpsample.bench.tracers import embree_scene, open3d_scene
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.visibility import ambient_occlusion
-from warpsample.mesh import Mesh
-from warpsample.registry import look_up
-from warpsample.surface import SurfacePoints, sample_surface
+from warpsample.host.registry import look_up
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints, sample_surface
 
 _RAYS_PER_PART = 1 << 18  # 6 MB of directions and origins
 _TRIAL = 64

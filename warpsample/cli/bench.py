@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from warpsample.cli.terminal import console, fail_plainly, with_progress, working
-from warpsample.files import check_output, check_output_folder
+from warpsample.host.files import check_output, check_output_folder
 
 app = typer.Typer(no_args_is_help=True, help="Run time, measured on this machine.")
 
@@ -115,7 +115,7 @@ def bench_rays(
     """Rays a second against wp.Mesh, Embree and Open3D: five meshes, four kinds of rays, any and nearest hit, builds."""
     from warpsample.bench import plots, report, scenes  # noqa: PLC0415
     from warpsample.bench import rays as bench  # noqa: PLC0415
-    from warpsample.registry import look_up  # noqa: PLC0415
+    from warpsample.host.registry import look_up  # noqa: PLC0415
 
     _check_bench(json, plot)
     names = scene or list(scenes.SCENES)
@@ -139,7 +139,7 @@ def bench_visibility(
 ) -> None:
     """Time to an RMSE of ambient occlusion: ours, with and without skipping, Mitsuba, embreex, trimesh and Open3D."""
     from warpsample.bench import plots, report, scenes, visibility  # noqa: PLC0415
-    from warpsample.registry import look_up  # noqa: PLC0415
+    from warpsample.host.registry import look_up  # noqa: PLC0415
 
     _check_bench(json, plot)
     names = scene or visibility.SCENES

@@ -10,7 +10,7 @@ import warpsample
 from warpsample import distributions, sequences
 from warpsample.cli import bench, signals
 from warpsample.cli.terminal import Size, console, fail_plainly, with_progress, working
-from warpsample.mesh_files import load_mesh
+from warpsample.mesh.files import load_mesh
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
 app.add_typer(bench.app, name="bench")
@@ -86,7 +86,7 @@ def directions_command(
     workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
 ) -> None:
     """Sample directions at points of a mesh into a file; .npz holds all that is needed to repeat the run."""
-    from warpsample.export import Run, export  # noqa: PLC0415
+    from warpsample.output.export import Run, export  # noqa: PLC0415
 
     with working(f"reading {mesh}, sampling, writing {output}; a kernel is compiled when it is first used, for about 2 s"):
         summary = export(Run(mesh, output, count, samples, distribution, sequence, seed, placement), workers)
@@ -125,7 +125,7 @@ def bake_command(
     workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
 ) -> None:
     """Estimate a number at each vertex, face or point of a mesh, with its standard error, into a file."""
-    from warpsample.bake import Run, bake  # noqa: PLC0415
+    from warpsample.output.bake import Run, bake  # noqa: PLC0415
 
     options = {"sequence": sequence, "seed": seed, "tolerance": tolerance, "workers": workers}
     for name, value, quantities in (("max_distance", max_distance, ("ao", "sky")), ("falloff", falloff, ("ao",))):
@@ -197,8 +197,8 @@ def verify(
     markdown: Annotated[bool, typer.Option("--markdown", help="The README's table of distributions instead.")] = False,
 ) -> None:
     """Prove every sampler: a table for each law. Exit status 1 if one is broken."""
+    from warpsample.host.registry import look_up  # noqa: PLC0415
     from warpsample.proof import report, run  # noqa: PLC0415
-    from warpsample.registry import look_up  # noqa: PLC0415
 
     tasks = run.planted() if power else run.trial()
     if plant is not None:

@@ -15,7 +15,7 @@ from typing import Annotated, Any
 import typer
 
 from warpsample.cli import signals
-from warpsample.files import WriteError
+from warpsample.host.files import WriteError
 
 FigureFile = Annotated[Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)]
 Size = Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")]

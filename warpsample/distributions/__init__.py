@@ -5,9 +5,9 @@ import sys
 from dataclasses import fields
 from typing import Any
 
-from warpsample.arguments import told
 from warpsample.distributions.record import Distribution
-from warpsample.registry import look_up, records_of
+from warpsample.host.arguments import told
+from warpsample.host.registry import look_up, records_of
 
 _KNOWN = records_of(sys.modules[__name__])
 

@@ -6,8 +6,8 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.exponentials import exp_double, log1p
-from warpsample.numerics import ONE, clamp_uniform, sincos_turns, tan_squared, turns_of
+from warpsample.maths.exponentials import exp_double, log1p
+from warpsample.maths.numerics import ONE, clamp_uniform, sincos_turns, tan_squared, turns_of
 
 _INV_PI = wp.constant(wp.float64(0.3183098861837907))
 

@@ -6,13 +6,13 @@ from typing import Literal, get_args
 import numpy as np
 import warp as wp
 
-from warpsample.arguments import check_choice
+from warpsample.distributions.parameters import Parameters
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.distributions.uniform_disk import square_to_concentric_disk, uniform_disk_to_square_concentric
 from warpsample.distributions.uniform_sphere import square_to_uniform_sphere
-from warpsample.frames import frame_about, to_world
-from warpsample.kernels.parameters import Parameters
-from warpsample.numerics import GRID, clamp_uniform, fma, sincos_turns, turns_of
+from warpsample.host.arguments import check_choice
+from warpsample.maths.frames import frame_about, to_world
+from warpsample.maths.numerics import GRID, clamp_uniform, fma, sincos_turns, turns_of
 from warpsample.sequences.hashing import pcg4d
 
 Method = Literal["polar", "concentric", "inversion", "offset"]

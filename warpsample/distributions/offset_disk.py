@@ -6,7 +6,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.numerics import sincos_turns
+from warpsample.maths.numerics import sincos_turns
 
 _TWO_OVER_PI = wp.constant(wp.float32(0.6366197723675814))
 

@@ -6,7 +6,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.numerics import HALF, ONE, ZERO, clamp_uniform, fma, polish, sin_squared, sincos_turns, turns_of
+from warpsample.maths.numerics import HALF, ONE, ZERO, clamp_uniform, fma, polish, sin_squared, sincos_turns, turns_of
 
 _BLUR = wp.constant(wp.float64(2.0**-21))
 _INV_FOUR_PI = wp.constant(wp.float64(0.07957747154594767))

@@ -6,8 +6,8 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.exponentials import exp_double, log1p_double
-from warpsample.numerics import HALF, ONE, clamp_uniform, sincos_turns, tan_squared, turns_of
+from warpsample.maths.exponentials import exp_double, log1p_double
+from warpsample.maths.numerics import HALF, ONE, clamp_uniform, sincos_turns, tan_squared, turns_of
 
 _INV_TWO_PI = wp.constant(wp.float64(0.15915494309189535))
 

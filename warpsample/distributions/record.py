@@ -8,12 +8,11 @@ from typing import Any, ClassVar
 import numpy as np
 import warp as wp
 
-from warpsample.arguments import check_number
-from warpsample.arrays import Array, as_ndarray, as_real, as_vectors, new_vectors
-from warpsample.engine import check_workers, run
-from warpsample.kernels import FLAT_BLOCK
-from warpsample.kernels.flat import elementwise
-from warpsample.kernels.parameters import Parameters, about_frame, with_parameters
+from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
+from warpsample.distributions.parameters import Parameters, about_frame, with_parameters
+from warpsample.host.arguments import check_number
+from warpsample.host.arrays import Array, as_ndarray, as_real, as_vectors, new_vectors
+from warpsample.host.engine import check_workers, run
 
 _VECTORS = {2: wp.vec2, 3: wp.vec3}
 

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 import warp as wp
 
-from warpsample.arguments import check_number
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.numerics import TWO, clamp_uniform, sincos_turns, turns_of, versine
+from warpsample.host.arguments import check_number
+from warpsample.maths.numerics import TWO, clamp_uniform, sincos_turns, turns_of, versine
 
 _INV_TWO_PI = wp.constant(wp.float32(0.15915494309189535))
 _RIM = wp.constant(wp.float64(5e-7))  # directions within rounding of the edge are in the cone

@@ -6,9 +6,9 @@ from typing import Literal, get_args
 import numpy as np
 import warp as wp
 
-from warpsample.arguments import check_choice
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.numerics import GRID, clamp_uniform, sincos_eighth, sincos_turns, turns_of
+from warpsample.host.arguments import check_choice
+from warpsample.maths.numerics import GRID, clamp_uniform, sincos_eighth, sincos_turns, turns_of
 
 Method = Literal["polar", "concentric"]
 

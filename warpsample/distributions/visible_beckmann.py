@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 import warp as wp
 
-from warpsample.arrays import as_view
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.distributions.visible_ggx import blurred_facing
-from warpsample.numerics import GRID, HALF, ONE, TWO, ZERO, clamp_uniform
+from warpsample.host.arrays import as_view
+from warpsample.maths.numerics import GRID, HALF, ONE, TWO, ZERO, clamp_uniform
 
 _INV_PI = wp.constant(wp.float64(0.3183098861837907))
 _HALF_ROOT_PI = wp.constant(wp.float64(0.8862269254527580))

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import warp as wp
 
-from warpsample.arrays import as_view
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.numerics import ZERO, clamp_uniform, fma, polish, sincos_turns, turns_of
+from warpsample.host.arrays import as_view
+from warpsample.maths.numerics import ZERO, clamp_uniform, fma, polish, sincos_turns, turns_of
 
 _INV_PI = wp.constant(wp.float32(0.3183098861837907))
 _BLUR = wp.constant(wp.float64(2.0**-21))

@@ -6,8 +6,8 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.exponentials import exp_double, log1p_double
-from warpsample.numerics import ONE, TWO, clamp_uniform, sincos_turns, turns_of, versine
+from warpsample.maths.exponentials import exp_double, log1p_double
+from warpsample.maths.numerics import ONE, TWO, clamp_uniform, sincos_turns, turns_of, versine
 
 _INV_TWO_PI = wp.constant(wp.float64(0.15915494309189535))
 # Above this kappa no variate of the grid reaches the lower hemisphere, and e^(2 kappa) would leave the floats.

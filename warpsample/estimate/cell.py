@@ -2,13 +2,13 @@
 
 import warp as wp
 
+from warpsample.directions.variates import LANES
 from warpsample.estimate.job import EstimateJob, Spot, bring_near
 from warpsample.estimate.rays import distance_of, spread_of
 from warpsample.estimate.slots import Slots
-from warpsample.kernels.variates import LANES
-from warpsample.locks import once
-from warpsample.tracing.layout import CHUNK, CHUNK_FLOATS, DIRECTION, REACH, Accelerator
+from warpsample.host.locks import once
 from warpsample.tracing.rays import far_off
+from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, REACH, Accelerator
 
 _ZERO = wp.constant(wp.float64(0.0))
 _ONE = wp.constant(wp.float64(1.0))

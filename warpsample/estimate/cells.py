@@ -9,8 +9,8 @@ from math import cos, pi, sin, sqrt
 
 import numpy as np
 
-from warpsample.locks import once
-from warpsample.tracing.layout import CORNERS, PLANES, WIDTH
+from warpsample.host.locks import once
+from warpsample.tracing.wide.layout import CORNERS, PLANES, WIDTH
 
 REPLICATES = 2
 """Randomisations of a cell's rays: with more, each has fewer rays, and low-discrepancy ones lose what sets them apart."""

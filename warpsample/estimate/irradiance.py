@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.arrays import as_real, as_unit
 from warpsample.estimate.picture import read_picture
 from warpsample.estimate.plan import Plan, Quantity
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.visibility import vector_weights
 from warpsample.estimate.weights import environment, radiance_of
-from warpsample.surface import SurfacePoints
+from warpsample.host.arrays import as_real, as_unit
+from warpsample.mesh.surface import SurfacePoints
 
 _NUMBERS = (float, int, wp.float16, wp.float32, wp.float64, wp.int8, wp.int16, wp.int32, wp.int64)
 _NUMBERS += (wp.uint8, wp.uint16, wp.uint32, wp.uint64)

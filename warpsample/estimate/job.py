@@ -2,16 +2,16 @@
 
 import warp as wp
 
+from warpsample.estimate.skipping.beams import meets, triangles_in
+from warpsample.estimate.skipping.frontier import NEAR
 from warpsample.estimate.weights import Weights
-from warpsample.frames import frame_about, to_world
-from warpsample.tracing.beams import meets, triangles_in
-from warpsample.tracing.boxes import PADDING
-from warpsample.tracing.frontier import NEAR
-from warpsample.tracing.layout import BEAM_FLOATS, CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, REACH, WIDTH, Accelerator
+from warpsample.maths.frames import frame_about, to_world
 from warpsample.tracing.rays import RayJob, way_to_scene
+from warpsample.tracing.wide.boxes import PADDING
+from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, REACH, WIDTH, Accelerator
 
 NONFINITE_POSITION = 4
-"""The status of a point that is nowhere; the others are those of `kernels.job`."""
+"""The status of a point that is nowhere; the others are those of `job`."""
 
 _PADDING = wp.constant(wp.float32(PADDING))
 _VISITS = wp.constant(wp.int32(32))  # nodes and leaves that a beam may look into: as long as five rays take

@@ -2,16 +2,16 @@
 
 import warp as wp
 
+from warpsample.directions.job import normal_status, weigh_by_mask
 from warpsample.estimate.job import NONFINITE_POSITION, EstimateJob, Spot, start
 from warpsample.estimate.lobe import NOTHING, counted_lobe, weighed_lobe
 from warpsample.estimate.rays import SQUARE_FLOATS
+from warpsample.estimate.skipping.frontier import HORIZON_MARGIN
 from warpsample.estimate.slots import Slots
-from warpsample.kernels.job import normal_status, weigh_by_mask
-from warpsample.locks import once
-from warpsample.numerics import scaled_to_unit
-from warpsample.tracing.frontier import HORIZON_MARGIN
-from warpsample.tracing.layout import BEAM_FLOATS, CHUNK_FLOATS, SCRATCH, START_FLOATS, Accelerator
+from warpsample.host.locks import once
+from warpsample.maths.numerics import scaled_to_unit
 from warpsample.tracing.rays import lift, local_origin, point_of, reach_along
+from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, SCRATCH, START_FLOATS, Accelerator
 
 _NONFINITE_POSITION = wp.constant(wp.int32(NONFINITE_POSITION))
 _ZERO = wp.constant(wp.float64(0.0))

@@ -5,11 +5,11 @@ import warp as wp
 from warpsample.estimate.cell import cell_sum, jump_of
 from warpsample.estimate.intervals import edge_variance, posterior, worth_of_prior
 from warpsample.estimate.job import EstimateJob, Spot, found_in
+from warpsample.estimate.skipping.frontier import frontier
 from warpsample.estimate.slots import Slots
-from warpsample.locks import once
-from warpsample.tracing.frontier import frontier
-from warpsample.tracing.layout import Accelerator
+from warpsample.host.locks import once
 from warpsample.tracing.rays import far_off
+from warpsample.tracing.wide.layout import Accelerator
 
 NOTHING = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 

@@ -8,7 +8,7 @@ from typing import BinaryIO
 
 import numpy as np
 
-from warpsample.arguments import check_file, naming_file
+from warpsample.host.arguments import check_file, naming_file
 
 _SHORTEST, _LONGEST = 8, 32767  # line of an .hdr that may be encoded channel by channel
 _LONGEST_RUN = 127

@@ -8,23 +8,22 @@ import numpy as np
 import warp as wp
 
 from warpsample import sequences
-from warpsample.arguments import check_first_point, check_flag, check_integer, check_number, check_seed
-from warpsample.arrays import as_directions, as_mask, cpu
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
-from warpsample.engine import check_memory, check_workers, run
 from warpsample.estimate.cells import Cells, cells_of
 from warpsample.estimate.job import Job
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.result import Estimate, Skipped
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.weights import WeightsJob
-from warpsample.mesh import Mesh, as_mesh
-from warpsample.progress import bar
+from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_number, check_seed
+from warpsample.host.arrays import as_directions, as_mask, cpu
+from warpsample.host.engine import check_memory, check_workers, run
+from warpsample.host.progress import bar
+from warpsample.mesh.mesh import Mesh, as_mesh
+from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.record import Sequence
-from warpsample.surface import SurfacePoints
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
 from warpsample.tracing.order import order_of
-from warpsample.tracing.prepare import prepare_wide
 from warpsample.tracing.rays import Job as RayJob
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.starts import starts_of
@@ -37,7 +36,8 @@ from warpsample.tracing.trace import (
     job_of,
     widen_lift,
 )
-from warpsample.tracing.wide import wide_query
+from warpsample.tracing.wide.prepare import prepare_wide
+from warpsample.tracing.wide.query import wide_query
 
 _MOST_RAYS = 2**24  # of a point: hits are counted in float64 and rays in int32, and one point is one task
 _BYTES_PER_POINT = 132

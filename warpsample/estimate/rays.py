@@ -2,15 +2,15 @@
 
 import warp as wp
 
+from warpsample.distributions.parameters import Parameters
 from warpsample.estimate.job import EstimateJob, Spot
+from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE
 from warpsample.estimate.slots import Slots
-from warpsample.kernels.parameters import Parameters
-from warpsample.locks import once
-from warpsample.numerics import high_word, low_word
-from warpsample.tracing.frontier import NEAR, NEAR_EDGE
-from warpsample.tracing.layout import CHUNK, CHUNK_FLOATS, DIRECTION, Accelerator
-from warpsample.tracing.prepare import ray_in
-from warpsample.tracing.wide import any_of, nearest_of
+from warpsample.host.locks import once
+from warpsample.maths.numerics import high_word, low_word
+from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, Accelerator
+from warpsample.tracing.wide.prepare import ray_in
+from warpsample.tracing.wide.query import any_of, nearest_of
 
 SQUARE_FLOATS = 2 * CHUNK
 """Of the variates of a chunk."""

@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from warpsample.arguments import check_choice, check_number
-from warpsample.directions import Status
+from warpsample.directions.sample import Status
 from warpsample.estimate.intervals import Interval, interval_of
 from warpsample.estimate.job import NONFINITE_POSITION
-from warpsample.mesh import mesh_of
-from warpsample.surface import SurfacePoints
+from warpsample.host.arguments import check_choice, check_number
+from warpsample.mesh.mesh import mesh_of
+from warpsample.mesh.surface import SurfacePoints
 
 if TYPE_CHECKING:
     from pyvista import PolyData

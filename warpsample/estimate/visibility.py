@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.arguments import check_number
-from warpsample.arrays import as_unit
 from warpsample.estimate.plan import Plan, Quantity
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.weights import WeightsJob, above, everywhere, itself
-from warpsample.surface import SurfacePoints
+from warpsample.host.arguments import check_number
+from warpsample.host.arrays import as_unit
+from warpsample.mesh.surface import SurfacePoints
 
 
 def ambient_occlusion(

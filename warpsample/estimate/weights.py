@@ -2,8 +2,8 @@
 
 import warp as wp
 
-from warpsample.frames import frame_about, to_local
-from warpsample.locks import once
+from warpsample.host.locks import once
+from warpsample.maths.frames import frame_about, to_local
 
 _TURNS = wp.constant(wp.float32(0.15915494309189535))
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from warpsample.plotting.rendering import BARS, DOTS, INK, LOBE
-from warpsample.proof.histogram import HistogramTest
+from warpsample.statistics.histogram import HistogramTest
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from warpsample import files
-from warpsample.engine import check_memory
+from warpsample.host import files
+from warpsample.host.engine import check_memory
 
 if TYPE_CHECKING:
     import pyvista

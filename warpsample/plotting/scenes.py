@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from warpsample.mesh.polydata import surface
 from warpsample.plotting.rendering import (
     AXES,
     BARS,
@@ -18,7 +19,6 @@ from warpsample.plotting.rendering import (
     VIEW,
     pixels_of,
 )
-from warpsample.polydata import surface
 
 if TYPE_CHECKING:
     import pyvista

@@ -7,7 +7,7 @@ import numpy as np
 
 from warpsample import sequences
 from warpsample.plotting.rendering import BARS, DOTS, INK, LOBE
-from warpsample.proof.histogram import HistogramTest
+from warpsample.statistics.histogram import HistogramTest
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.directions import sample_square
+from warpsample.directions.sample import sample_square
 from warpsample.distributions.beckmann import Beckmann
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.offset_ball import OffsetBall
@@ -15,12 +15,12 @@ from warpsample.distributions.record import Distribution
 from warpsample.distributions.uniform_disk import UniformDisk
 from warpsample.distributions.uniform_hemisphere import UniformHemisphere
 from warpsample.distributions.uniform_sphere import UniformSphere
-from warpsample.kernel_cache import load
-from warpsample.proof.charts import DISK
+from warpsample.host.kernel_cache import load
 from warpsample.proof.evidence import Evidence, Subject, independent
 from warpsample.proof.routes import plus_normal
 from warpsample.proof.streams import judge_stream
 from warpsample.proof.verify import Verdict, judge
+from warpsample.statistics.charts import DISK
 
 _RIGHT = CosineHemisphere()
 _F = np.float32

@@ -8,9 +8,9 @@ from zlib import crc32
 
 import numpy as np
 
-from warpsample.directions import sample_square
+from warpsample.directions.sample import sample_square
 from warpsample.proof import laws, twins
-from warpsample.proof.charts import DISK, SPHERE, chart_of, support_of
+from warpsample.statistics.charts import DISK, SPHERE, chart_of, support_of
 
 _SAMPLES = 16
 _CELL_DRAWS = 1 << 20
@@ -28,7 +28,7 @@ class Subject:
 
     Attributes:
         name: for tables.
-        sampler: the distribution, or something wrong that acts as one (`warpsample.proof.charts.Sampler`).
+        sampler: the distribution, or something wrong that acts as one (`warpsample.statistics.charts.Sampler`).
         variates: (points, count, seed) -> (points, count, 2) float32.
         twin: the distribution that the sampler claims to be.
     """

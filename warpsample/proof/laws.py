@@ -8,10 +8,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from warpsample.numerics import GRID
-from warpsample.proof.charts import DISK, Sampler, chart_of, support_of
-from warpsample.proof.histogram import histogram_test
-from warpsample.proof.quadrature import cell_masses
+from warpsample.maths.numerics import GRID
+from warpsample.statistics.charts import DISK, Sampler, chart_of, support_of
+from warpsample.statistics.histogram import histogram_test
+from warpsample.statistics.quadrature import cell_masses
 
 SLAB = 1 << 16  # float64 arrays of so many stay in a core's cache
 _SPREAD = 0x9E3779B1  # odd, so k -> k * _SPREAD mod 2^24 meets every value once

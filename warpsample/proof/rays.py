@@ -4,10 +4,10 @@ from functools import cache
 
 import numpy as np
 
-from warpsample.directions import sample_directions
-from warpsample.mesh import Mesh, as_mesh
+from warpsample.directions.sample import sample_directions
+from warpsample.mesh.mesh import Mesh, as_mesh
+from warpsample.mesh.surface import sample_surface
 from warpsample.proof.verify import Verdict
-from warpsample.surface import sample_surface
 from warpsample.tracing.trace import trace
 
 _PER_POINT = 64

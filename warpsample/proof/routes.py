@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.directions import sample_square
+from warpsample.directions.sample import sample_square
 from warpsample.distributions.beckmann import Beckmann
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.ggx import GGX
@@ -27,10 +27,10 @@ from warpsample.distributions.uniform_sphere import UniformSphere
 from warpsample.distributions.visible_beckmann import VisibleBeckmann
 from warpsample.distributions.visible_ggx import VisibleGGX
 from warpsample.proof import laws
-from warpsample.proof.charts import chart_of
 from warpsample.proof.evidence import Evidence, Subject
 from warpsample.proof.twins import polar_angle
 from warpsample.proof.verify import LEVEL, Verdict
+from warpsample.statistics.charts import chart_of
 
 _DRAWS = 1 << 18
 _TURN = 2.0 * np.pi

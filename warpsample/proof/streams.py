@@ -11,8 +11,8 @@ from itertools import count
 import numpy as np
 
 from warpsample import sequences
-from warpsample.directions import sample_square
-from warpsample.numerics import GRID
+from warpsample.directions.sample import sample_square
+from warpsample.maths.numerics import GRID
 from warpsample.proof import laws
 from warpsample.proof.verify import LEVEL, Verdict
 

@@ -8,16 +8,16 @@ import numpy as np
 import warp as wp
 
 from warpsample import sequences
-from warpsample.directions import Status, sample_directions, sample_square
+from warpsample.directions.sample import Status, sample_directions, sample_square
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.distributions.uniform_sphere import UniformSphere
-from warpsample.kernel_cache import load
-from warpsample.mesh import as_mesh
+from warpsample.host.kernel_cache import load
+from warpsample.mesh.mesh import as_mesh
+from warpsample.mesh.surface import sample_surface
 from warpsample.proof import laws, twins
 from warpsample.proof.integer_twins import expected
 from warpsample.proof.verify import LEVEL, Verdict
-from warpsample.surface import sample_surface
 
 _SAMPLES = 64
 _IDS = sorted({max(0, 2**k + step) for k in (24, 31, 32, 40, 63) for step in (-2, -1, 0, 1)} | {0, 1, 2**64 - 1})

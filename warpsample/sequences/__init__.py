@@ -2,7 +2,7 @@
 
 import sys
 
-from warpsample.registry import look_up, records_of
+from warpsample.host.registry import look_up, records_of
 from warpsample.sequences.record import Sequence
 
 _KNOWN = records_of(sys.modules[__name__])

@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.numerics import high_word, uniform_from_bits, weyl
+from warpsample.maths.numerics import high_word, uniform_from_bits, weyl
 from warpsample.sequences.hashing import point_key
 from warpsample.sequences.record import Sequence
 

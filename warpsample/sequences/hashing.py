@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.numerics import high_word, low_word, uniform_from_bits
+from warpsample.maths.numerics import high_word, low_word, uniform_from_bits
 
 _MULTIPLIER = wp.constant(wp.uint32(1664525))
 _INCREMENT = wp.constant(wp.uint32(1013904223))

@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.numerics import high_word, low_word
+from warpsample.maths.numerics import high_word, low_word
 from warpsample.sequences.hashing import ONE_WORD, pcg4d, point_of_two, two_points
 from warpsample.sequences.record import Sequence
 

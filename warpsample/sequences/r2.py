@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.numerics import uniform_from_bits, weyl
+from warpsample.maths.numerics import uniform_from_bits, weyl
 from warpsample.sequences.hashing import point_key
 from warpsample.sequences.record import Sequence
 

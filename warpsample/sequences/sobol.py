@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.numerics import EVEN_BITS, EVEN_BYTES, EVEN_NIBBLES, EVEN_PAIRS, reverse_bits, uniform_from_bits
+from warpsample.maths.numerics import EVEN_BITS, EVEN_BYTES, EVEN_NIBBLES, EVEN_PAIRS, reverse_bits, uniform_from_bits
 from warpsample.sequences.hashing import ONE_WORD, point_key
 from warpsample.sequences.record import Sequence
 

@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.numerics import uniform_from_double
+from warpsample.maths.numerics import uniform_from_double
 from warpsample.sequences.independent import independent
 from warpsample.sequences.record import Sequence
 

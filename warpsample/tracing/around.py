@@ -2,9 +2,9 @@
 
 import warp as wp
 
-from warpsample.numerics import greater, lesser
-from warpsample.tracing.beams import corner, size_of
-from warpsample.tracing.layout import LEAF_BYTES, NODE_BYTES, WIDTH
+from warpsample.maths.numerics import greater, lesser
+from warpsample.tracing.wide.corners import corner, size_of
+from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH
 
 _ROUNDING = wp.constant(wp.float32(2.0**-18))
 _PLACES = wp.constant(wp.uint64(6 * WIDTH * 4))

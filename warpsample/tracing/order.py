@@ -3,9 +3,9 @@
 import numpy as np
 import warp as wp
 
-from warpsample.arrays import cpu
-from warpsample.engine import run
-from warpsample.locks import once
+from warpsample.host.arrays import cpu
+from warpsample.host.engine import run
+from warpsample.host.locks import once
 from warpsample.tracing.rays import Job, RayJob, local_origin
 
 _CELLS = 32  # along each axis: 15 bits, which NumPy sorts by radix in 20 ns a point

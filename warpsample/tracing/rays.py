@@ -2,9 +2,9 @@
 
 import warp as wp
 
-from warpsample.locks import once
-from warpsample.numerics import scaled_to_unit
-from warpsample.tracing.layout import AHEAD, CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, REACH, SCRATCH, Accelerator
+from warpsample.host.locks import once
+from warpsample.maths.numerics import scaled_to_unit
+from warpsample.tracing.wide.layout import AHEAD, CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, REACH, SCRATCH, Accelerator
 
 FURTHEST = 6.0
 """From 0 on an axis; origins beyond come nearer first, in float64, so that float32 resolves the mesh."""

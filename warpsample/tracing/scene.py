@@ -7,13 +7,13 @@ from weakref import WeakKeyDictionary
 import numpy as np
 import warp as wp
 
-from warpsample.arrays import as_real
-from warpsample.engine import check_workers
-from warpsample.locks import making, read_only
-from warpsample.mesh import Mesh, as_mesh
-from warpsample.tracing.boxes import Tree, fill
-from warpsample.tracing.build import Topology, build
-from warpsample.tracing.layout import AcceleratorJob
+from warpsample.host.arrays import as_real
+from warpsample.host.engine import check_workers
+from warpsample.host.locks import making, read_only
+from warpsample.mesh.mesh import Mesh, as_mesh
+from warpsample.tracing.wide.boxes import Tree, fill
+from warpsample.tracing.wide.build import Topology, build
+from warpsample.tracing.wide.layout import AcceleratorJob
 
 SMALLEST = 1e-30
 """Half size of a mesh that is traced: distances, which are float32, keep their digits."""

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 import warp as wp
 
-from warpsample.arrays import cpu
-from warpsample.engine import run
-from warpsample.locks import once
-from warpsample.numerics import lowest_bit, normalize
+from warpsample.host.arrays import cpu
+from warpsample.host.engine import run
+from warpsample.host.locks import once
+from warpsample.maths.numerics import lowest_bit, normalize
 from warpsample.tracing.around import children_around, triangles_touched
 from warpsample.tracing.facets import (
     NOWHERE,
@@ -28,9 +28,9 @@ from warpsample.tracing.facets import (
     with_normal,
     within,
 )
-from warpsample.tracing.layout import LEAF_BYTES, NODE_BYTES, SCRATCH, WIDTH, Accelerator, AcceleratorJob
 from warpsample.tracing.rays import LIFT, Job, lift, local_origin
-from warpsample.tracing.wide import put_aside
+from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, SCRATCH, WIDTH, Accelerator, AcceleratorJob
+from warpsample.tracing.wide.query import put_aside
 
 if TYPE_CHECKING:
     from warpsample.tracing.scene import Scene

@@ -8,20 +8,20 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.arguments import check_choice, check_flag, check_number
-from warpsample.arrays import Array, address_of, as_ndarray, cpu
-from warpsample.engine import check_memory, check_workers, run
-from warpsample.mesh import Mesh, as_mesh, unit_or_zero
-from warpsample.progress import bar
-from warpsample.surface import SurfacePoints
+from warpsample.host.arguments import check_choice, check_flag, check_number
+from warpsample.host.arrays import Array, address_of, as_ndarray, cpu
+from warpsample.host.engine import check_memory, check_workers, run
+from warpsample.host.progress import bar
+from warpsample.mesh.mesh import Mesh, as_mesh, unit_or_zero
+from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.builtin import builtin_query, prepare_builtin
-from warpsample.tracing.layout import CHUNK, AcceleratorJob
 from warpsample.tracing.order import order_of
-from warpsample.tracing.prepare import prepare_wide
 from warpsample.tracing.rays import Job, ray_kernel
 from warpsample.tracing.scene import Scene, scene_of
 from warpsample.tracing.starts import starts_of
-from warpsample.tracing.wide import wide_query
+from warpsample.tracing.wide.layout import CHUNK, AcceleratorJob
+from warpsample.tracing.wide.prepare import prepare_wide
+from warpsample.tracing.wide.query import wide_query
 
 TRACERS = ("wide", "warp")
 """The 16-wide tree, on the CPU; wp.Mesh, anywhere."""

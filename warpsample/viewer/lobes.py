@@ -5,14 +5,14 @@ from functools import lru_cache
 
 import numpy as np
 
-from warpsample.directions import sample_directions, sample_square
+from warpsample.directions.sample import sample_directions, sample_square
 from warpsample.distributions.record import Distribution
+from warpsample.mesh.surface import SurfacePoints
 from warpsample.plotting.charts import AngleHistogram
-from warpsample.proof.charts import SPHERE
-from warpsample.proof.histogram import joined_test
-from warpsample.proof.quadrature import cell_masses
 from warpsample.proof.twins import frames
-from warpsample.surface import SurfacePoints
+from warpsample.statistics.charts import SPHERE
+from warpsample.statistics.histogram import joined_test
+from warpsample.statistics.quadrature import cell_masses
 
 CELLS, SECTORS = 45, 24
 _FINE = 8  # points of the density's line in a cell

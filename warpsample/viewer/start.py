@@ -5,12 +5,12 @@ from pathlib import Path
 import warp as wp
 
 from warpsample import sequences
-from warpsample.arguments import check_integer, check_seed
 from warpsample.distributions import as_spatial
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.offset_sphere import OffsetSphere
 from warpsample.distributions.record import Distribution
-from warpsample.mesh import Mesh
+from warpsample.host.arguments import check_integer, check_seed
+from warpsample.mesh.mesh import Mesh
 from warpsample.plotting.rendering import save_scene
 from warpsample.plotting.scenes import clouds_on_mesh
 from warpsample.viewer.lobes import Choice, lobe_of

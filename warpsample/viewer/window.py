@@ -5,7 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.mesh import Mesh
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints, sample_surface
 from warpsample.plotting.charts import LobeCharts
 from warpsample.plotting.rendering import INK, LOBE, MOST_NORMALS, VIEW, budgeted, clouds_told
 from warpsample.plotting.scenes import (
@@ -19,7 +20,6 @@ from warpsample.plotting.scenes import (
     draw_normals,
     look_from,
 )
-from warpsample.surface import SurfacePoints, sample_surface
 from warpsample.viewer import controls
 from warpsample.viewer.lobes import Choice, all_clouds, lobe_of, one_cloud, told
 

@@ -1,0 +1,301 @@
+"""Directions at points, and the points of the square that they come from."""
+
+from collections import Counter
+from dataclasses import dataclass
+from enum import IntEnum
+from itertools import pairwise
+from math import prod
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import warp as wp
+
+from warpsample import sequences
+from warpsample.directions import job
+from warpsample.directions.blocks import direction_blocks
+from warpsample.directions.rows import MOST_ROWS, direction_rows
+from warpsample.directions.square import square_blocks
+from warpsample.directions.variates import CHUNK
+from warpsample.distributions import as_spatial
+from warpsample.distributions.cosine_hemisphere import CosineHemisphere
+from warpsample.distributions.elementwise import FLAT_BLOCK
+from warpsample.distributions.record import Distribution
+from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_scale, check_seed, told
+from warpsample.host.arrays import Array, Vectors, address_of, as_mask, as_vectors, check_out, cpu, new_vectors
+from warpsample.host.engine import check_memory, check_workers, run
+from warpsample.host.progress import bar
+from warpsample.mesh.polydata import cloud
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.sequences.record import Sequence
+
+if TYPE_CHECKING:
+    from pyvista import PolyData
+
+_PART = 1 << 14  # samples of one row that a task takes: enough to share out one point's million samples
+_TASK = 1 << 10  # samples of short rows that a task takes
+_ROW = 12  # samples from which rows, padded to vectors, are faster than blocks of pairs
+_UPLOAD = 1 << 28  # bytes a CUDA device holds at a time of a job whose arrays are NumPy's
+_STREAM_HINT = "stream them: slices of the normals with first_point=, or `warpsample directions`"
+
+
+class Status(IntEnum):
+    """Why a point has directions or not."""
+
+    OK = job.OK
+    INACTIVE = job.INACTIVE
+    ZERO_NORMAL = job.ZERO_NORMAL
+    NONFINITE_NORMAL = job.NONFINITE_NORMAL
+
+
+@dataclass(frozen=True, eq=False)
+class Directions:
+    """Directions at P points, n each; NumPy or Warp arrays, as the normals were.
+
+    Attributes:
+        vectors: (P, n, 3) float32 (as a wp.array: (P, n) of vec3), unit length, world frame, pointing away from the
+            surface; zero vectors where the status is not 0.
+        pdf: (P, n) float32, in the distribution's measure, 0 where the status is not 0; None unless asked for.
+        status: (P,) uint8, a `Status`.
+    """
+
+    vectors: Array
+    pdf: Array | None
+    status: Array
+
+    def counts(self) -> dict[Status, int]:
+        """How many points have each status; those that occur."""
+        status = self.status.numpy() if isinstance(self.status, wp.array) else self.status
+        return {Status(code): int(n) for code, n in sorted(Counter(status.tolist()).items())}
+
+    def to_polydata(self, points: SurfacePoints | None = None, scale: float = 1.0) -> "PolyData":
+        """The cloud as PyVista's PolyData: a point at position + scale * direction for each direction.
+
+        Args:
+            points: what the directions are at, in the same rows; by default all start at the origin.
+            scale: of a direction, in the unit of the positions; at most 1e30.
+
+        Returns:
+            "Normals" (the directions, which .ply keeps too), "point" (the row) and, where it is kept, "pdf". Rows whose
+            status is not 0 have no directions and are left out.
+
+        Raises:
+            ModuleNotFoundError: PyVista is missing.
+            TypeError: not SurfacePoints, or a scale that is no number.
+            ValueError: another number of points, or a scale that is too large.
+        """
+        scale = check_scale(scale)
+        vectors, pdf, status = (a.numpy() if isinstance(a, wp.array) else a for a in (self.vectors, self.pdf, self.status))
+        rows = np.flatnonzero(status == 0)
+        if not isinstance(points, SurfacePoints | None):
+            raise TypeError(f"points: got {told(points)}, want SurfacePoints, as sample_surface gives them")
+        if points is not None and len(points) != len(status):
+            raise ValueError(f"points: got {len(points)} points, want {len(status)}, one for each row of directions")
+        start = np.zeros((1, 1, 3)) if points is None else points.position[rows, None].astype(np.float64)
+        ways = vectors[rows]
+        return cloud(
+            (start + scale * ways).reshape(-1, 3),
+            ways.reshape(-1, 3),
+            point=np.repeat(rows, ways.shape[1]),
+            pdf=None if pdf is None else pdf[rows].ravel(),
+        )
+
+
+def sample_directions(
+    normals: Any,
+    count: int,
+    distribution: Distribution | str = CosineHemisphere(),  # noqa: B008  (frozen)
+    sequence: str = "sobol",
+    seed: int = 0,
+    first_point: int = 0,
+    pdf: bool = False,
+    active: Any = None,
+    out: Any = None,
+    device: Any = None,
+    workers: int | None = None,
+    progress: bool = False,
+) -> Directions:
+    """`count` directions about each normal.
+
+    The bits are a pure function of (seed, first_point + row, sample, count): chunks, threads and which points are active
+    do not change them. The first kernel of a process takes about 1.5 s to compile; compiled ones are cached on disk.
+
+    Args:
+        normals: (P, 3) float32 or float64, of any length above 0; or SurfacePoints. NumPy in, NumPy out; wp.array in,
+            wp.array out on its device. A zero or non-finite normal gives zero vectors, pdf 0 and a status.
+        count: directions per point, n, 1 to 2^31 - 1.
+        distribution: an instance, or a name for one with its defaults.
+        sequence: a name of `warpsample.sequences.names()`.
+        seed: of 64 bits.
+        first_point: the global id of row 0.
+        pdf: whether to return the density of each direction.
+        active: (P,) bool; rows that are False give zero vectors and cost next to nothing.
+        out: a float32 array of shape (P, n, 3) to write into, of the same kind as the normals.
+        device: where to compute, by default where the normals are; NumPy arrays go to a CUDA device in parts and back.
+        workers: threads on the CPU, all cores by default.
+        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+
+    Returns:
+        vectors in world coordinates, pdf if asked for, and a status per point.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free; says how much and how to stream.
+    """
+    given = as_vectors(normals.normal if isinstance(normals, SurfacePoints) else normals, 3, "normals", "(P, {})")
+    if len(given.shape) != 1 or given.count == 0:
+        raise ValueError(f"normals: got shape {(*given.shape, 3)}, want (P, 3) with P of at least 1")
+    count = check_integer(count, "count", 1, 2**31 - 1)
+    plan = _Plan(
+        as_spatial(distribution),
+        sequences.get(sequence),
+        count,
+        check_seed(seed),
+        check_flag(pdf, "pdf"),
+        check_workers(workers),
+    )
+    progress, first_point = check_flag(progress, "progress"), check_first_point(first_point, given.count)
+    mask = _check_active(active, given)
+    target = _check_device(device, given)
+    shape = (given.count, count)
+    vectors = None if out is None else check_out(out, given, shape)
+    size = prod(shape) * ((12 if out is None else 0) + (4 if plan.pdf else 0)) + given.count
+    if given.device.is_cpu:
+        check_memory(size, f"{prod(shape):,} directions", _STREAM_HINT)
+    vectors = vectors or new_vectors(given, shape, 3)
+    densities = new_vectors(given, shape, 1) if plan.pdf else None
+    with bar(progress, "sampling directions"):
+        if target == given.device:
+            status = plan.fill(given, vectors, densities, mask, first_point)
+        else:
+            status = plan.fill_by_parts(target, given.owner, vectors.owner, densities and densities.owner, mask, first_point)
+    return Directions(vectors.owner, densities and densities.owner, status)
+
+
+def sample_square(sequence: str, points: int, count: int, seed: int = 0, first_point: int = 0) -> np.ndarray:
+    """The points of the square that `sample_directions` maps to directions.
+
+    Args:
+        sequence: a name of `warpsample.sequences.names()`.
+        points: how many surface points, P.
+        count: points of the square for each, n, 1 to 2^31 - 1.
+        seed: of 64 bits.
+        first_point: the global id of row 0.
+
+    Returns:
+        (P, n, 2) float32, multiples of 2^-24 in [0, 1).
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it.
+        MemoryError: more than is free.
+    """
+    record = sequences.get(sequence)
+    points = check_integer(points, "points", 1, 2**63 - 1)
+    count = check_integer(count, "count", 1, 2**31 - 1)
+    seed, first_point = check_seed(seed), check_first_point(first_point, points)
+    total = points * count
+    check_memory(8 * total, f"{total:,} points of the square", "take them in parts with first_point")
+    square = np.empty((points, count, 2), np.float32)
+    inputs = [total, FLAT_BLOCK, count, seed, first_point, square.ctypes.data]
+    tasks = -(-total // FLAT_BLOCK)
+    run(square_blocks(record.sample), tasks, inputs, cpu(), check_workers(None), total)
+    return square
+
+
+@dataclass(frozen=True)
+class _Plan:
+    """A checked call, apart from its arrays."""
+
+    distribution: Distribution
+    sequence: Sequence
+    count: int
+    seed: int
+    pdf: bool
+    workers: int
+
+    def fill(self, normals: Vectors, vectors: Vectors, pdf: Vectors | None, active: Array | None, first_point: int) -> Array:
+        """Writes vectors and pdf, all arrays on one device, and returns the status."""
+        device = normals.device
+        on_host = isinstance(normals.owner, np.ndarray)
+        status = np.zeros(normals.count, np.uint8) if on_host else wp.zeros(normals.count, dtype=wp.uint8, device=device)
+        for start, end in _same_high_word(first_point, normals.count):
+            points = end - start
+            task = job.Job(
+                seed=self.seed,
+                first_point=first_point + start,
+                points=points,
+                count=self.count,
+                normals=normals.address + 12 * start,
+                vectors=vectors.address + 12 * start * self.count,
+                pdf=pdf.address + 4 * start * self.count if pdf else 0,
+                status=address_of(status) + start,
+                active=0 if active is None else address_of(active) + start,
+                parameters=self.distribution.kernel_parameters().__ctype__(),
+            )
+            kernel, tasks, task.block, task.rows = self.kernel(device, points, masked=active is not None)
+            run(kernel, tasks, [task], device, self.workers, points * self.count)
+        return status
+
+    def kernel(self, device: wp.Device, points: int, masked: bool) -> tuple[wp.Kernel, int, int, int]:
+        """(kernel, tasks, samples of a part, parts of a task): rows where one fills the vector lanes, and on CUDA."""
+        maps = self.distribution.maps
+        slots = (self.sequence, self.distribution.about(), maps.redraw, maps.redraw_below, self.pdf, masked)
+        if device.is_cuda:
+            return direction_rows(*slots, 1), points * self.count, 1, 1
+        if self.count >= _ROW:
+            block = min(self.count, _PART)
+            rows = min(max(1, _TASK // self.count), MOST_ROWS) if block == self.count else 1
+            tasks = -(-points * -(-self.count // block) // rows)
+            return direction_rows(*slots, CHUNK), tasks, block, rows
+        return direction_blocks(*slots, self.count == 1), -(-points * self.count // FLAT_BLOCK), FLAT_BLOCK, 1
+
+    def fill_by_parts(
+        self,
+        device: wp.Device,
+        normals: np.ndarray,
+        vectors: np.ndarray,
+        pdf: np.ndarray | None,
+        active: np.ndarray | None,
+        first_point: int,
+    ) -> np.ndarray:
+        """As `fill`, for NumPy arrays and another device, in parts of at most _UPLOAD bytes."""
+        status = np.empty(len(normals), np.uint8)
+        step = max(1, _UPLOAD // (16 * self.count + 14))
+        for start in range(0, len(normals), step):
+            rows = slice(start, start + step)
+            there = as_vectors(wp.array(normals[rows], dtype=wp.vec3, device=device), 3, "normals")
+            shape = (there.count, self.count)
+            got, got_pdf = new_vectors(there, shape, 3), new_vectors(there, shape, 1) if self.pdf else None
+            mask = None if active is None else wp.array(active[rows], dtype=wp.uint8, device=device)
+            status[rows] = self.fill(there, got, got_pdf, mask, first_point + start).numpy()
+            vectors[rows] = got.owner.numpy()
+            if pdf is not None and got_pdf is not None:
+                pdf[rows] = got_pdf.owner.numpy()
+        return status
+
+
+def _same_high_word(first_point: int, points: int) -> list[tuple[int, int]]:
+    """Rows [start, end) between which the global id does not cross a multiple of 2^32."""
+    crossings = range(-first_point % 2**32 or 2**32, points, 2**32)
+    return list(pairwise([0, *crossings, points]))
+
+
+def _check_active(active: Any, normals: Vectors) -> Array | None:
+    if active is None:
+        return None
+    mask = as_mask(active, "active", normals.shape)
+    return wp.array(mask, dtype=wp.uint8, device=normals.device) if isinstance(normals.owner, wp.array) else mask
+
+
+def _check_device(device: Any, normals: Vectors) -> wp.Device:
+    if device is None:
+        return normals.device
+    known = ", ".join(str(d) for d in wp.get_devices())
+    if not isinstance(device, str | wp.Device):
+        raise TypeError(f"device: got {told(device)}, want one of {known}")
+    try:
+        target = wp.get_device(device)
+    except Exception as error:  # Warp raises several types for a device that does not exist
+        raise ValueError(f"device: got {told(device)}, want one of {known}") from error
+    if isinstance(normals.owner, wp.array) and target != normals.device:
+        raise ValueError(f"device: got {target}, want {normals.device}, where the normals are")
+    return target

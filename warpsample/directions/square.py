@@ -1,0 +1,39 @@
+"""The points of a sequence alone."""
+
+import warp as wp
+
+from warpsample.host.locks import once
+
+
+@once
+def square_blocks(sequence: wp.Function) -> wp.Kernel:
+    """A kernel over blocks of consecutive (point, sample) pairs of a sequence alone."""
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def square_blocks(
+        total: wp.int64,
+        block: wp.int32,
+        count: wp.int32,
+        seed: wp.uint64,
+        first_point: wp.uint64,
+        target: wp.uint64,
+        first_task: wp.int64,
+    ):
+        first = (first_task + wp.int64(wp.tid())) * wp.int64(block)
+        length = wp.int32(wp.min(wp.int64(block), total - first))
+        point = first / wp.int64(count)
+        start = wp.uint32(first - point * wp.int64(count))
+        middle = wp.float64(start) + wp.float64(0.5)
+        per_count = wp.float64(1.0) / wp.float64(count)
+        y = wp.array(ptr=target + wp.uint64(first * wp.int64(8)), shape=(2 * length,), dtype=wp.float32)
+        i = wp.int32(0)
+        while i < length:
+            # The half keeps the quotient off the integers by more than float64 errs below 2^52.
+            q = wp.int32((middle + wp.float64(i)) * per_count)
+            sample = start + wp.uint32(i) - wp.uint32(q) * wp.uint32(count)
+            u = sequence(seed, first_point + wp.uint64(point) + wp.uint64(q), sample, wp.uint32(count))
+            y[2 * i] = u[0]
+            y[2 * i + 1] = u[1]
+            i += 1
+
+    return square_blocks

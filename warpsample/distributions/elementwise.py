@@ -1,0 +1,70 @@
+"""Flat arrays: a function of each element."""
+
+import warp as wp
+
+from warpsample.distributions.parameters import Parameters
+from warpsample.host.locks import once
+
+FLAT_BLOCK = 256
+"""Elements of one task on the CPU: long enough to hide its setup, short enough that a rare redraw rereads little."""
+
+
+@wp.func
+def _read_2(x: wp.array[wp.float32], i: wp.int32) -> wp.vec2:
+    # Adding 0 changes nothing but -0.0. Without it LLVM makes one short vector load of the two, and then cannot make a
+    # long one of the loop.
+    return wp.vec2(x[2 * i] + 0.0, x[2 * i + 1] + 0.0)
+
+
+@wp.func
+def _read_3(x: wp.array[wp.float32], i: wp.int32) -> wp.vec3:
+    return wp.vec3(x[3 * i], x[3 * i + 1], x[3 * i + 2])
+
+
+@wp.func
+def _write_1(y: wp.array[wp.float32], i: wp.int32, value: wp.float32):
+    y[i] = value
+
+
+@wp.func
+def _write_2(y: wp.array[wp.float32], i: wp.int32, value: wp.vec2):
+    y[2 * i] = value[0]
+    y[2 * i + 1] = value[1]
+
+
+@wp.func
+def _write_3(y: wp.array[wp.float32], i: wp.int32, value: wp.vec3):
+    y[3 * i] = value[0]
+    y[3 * i + 1] = value[1]
+    y[3 * i + 2] = value[2]
+
+
+_READ = {2: _read_2, 3: _read_3}
+_WRITE = {1: _write_1, 2: _write_2, 3: _write_3}
+
+
+@once
+def elementwise(func: wp.Function, width: int, out_width: int) -> wp.Kernel:
+    """A kernel over blocks of a flat array: func(x, Parameters) of each of `total` vectors."""
+    read = _READ[width]
+    write = _WRITE[out_width]
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def elementwise(
+        total: wp.int64,
+        block: wp.int32,
+        source: wp.uint64,
+        target: wp.uint64,
+        parameters: Parameters,
+        first_task: wp.int64,
+    ):
+        first = (first_task + wp.int64(wp.tid())) * wp.int64(block)
+        length = wp.int32(wp.min(wp.int64(block), total - first))
+        x = wp.array(ptr=source + wp.uint64(first * wp.int64(4 * width)), shape=(width * length,), dtype=wp.float32)
+        y = wp.array(ptr=target + wp.uint64(first * wp.int64(4 * out_width)), shape=(out_width * length,), dtype=wp.float32)
+        i = wp.int32(0)
+        while i < length:
+            write(y, i, func(read(x, i), parameters))
+            i += 1
+
+    return elementwise

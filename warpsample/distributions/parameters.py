@@ -1,0 +1,56 @@
+"""A distribution's functions in the one form that kernels call: its scalars in a struct, its map about a normal."""
+
+import warp as wp
+
+from warpsample.host.locks import once
+from warpsample.maths.frames import frame_about, to_world
+
+
+@wp.struct
+class Parameters:
+    """What a distribution's functions take after their first argument, so that a new value compiles nothing.
+
+    A scalar and a vector, by components: a vector in a struct is copied as one, and keeps the loop scalar.
+    """
+
+    scalar: wp.float32
+    x: wp.float32
+    y: wp.float32
+    z: wp.float32
+
+
+@once
+def with_parameters(func: wp.Function, argument: type, count: int) -> wp.Function:
+    """`func(x)`, `func(x, scalar)` or `func(x, scalar, vector)`, by `count`, as a wp.func of (x: argument, Parameters)."""
+    if count == 0:
+
+        @wp.func
+        def call(x: argument, parameters: Parameters):
+            return func(x)
+
+    elif count == 1:
+
+        @wp.func
+        def call(x: argument, parameters: Parameters):
+            return func(x, parameters.scalar)
+
+    else:
+
+        @wp.func
+        def call(x: argument, parameters: Parameters):
+            return func(x, parameters.scalar, wp.vec3(parameters.x, parameters.y, parameters.z))
+
+    return call
+
+
+@once
+def about_frame(sample: wp.Function, pdf: wp.Function) -> wp.Function:
+    """A local map (u, Parameters) and its density as a map about a unit normal, (n, u, Parameters) -> (direction, pdf)."""
+
+    @wp.func
+    def about(n: wp.vec3, u: wp.vec2, parameters: Parameters):
+        w = sample(u, parameters)
+        d = to_world(frame_about(n), w)
+        return wp.vec4(d[0], d[1], d[2], pdf(w, parameters))
+
+    return about

@@ -1,0 +1,131 @@
+"""The kernel API: every `wp.func` for kernels of your own, under its field's name.
+
+- `square_to_X(u, ...)` is a direction about +z of a point u of the unit square, `square_to_X_pdf(w, ...)` its density (per
+  steradian, or as the catalogue says), `X_to_square(w, ...)` the way back; parameters follow as float32.
+- `sobol`, `fibonacci`, `r2`, `stratified`, `independent`, `philox` (seed: uint64, point: uint64, sample, count: uint32)
+  are points of the unit square, a pure function of their arguments.
+- `frame_about(n)` is an orthonormal frame whose z is the unit normal n, `to_world` and `to_local` go there and back.
+"""
+
+from warpsample.distributions.beckmann import beckmann_to_square, square_to_beckmann, square_to_beckmann_pdf
+from warpsample.distributions.cosine_hemisphere import (
+    cosine_hemisphere_to_square,
+    cosine_hemisphere_to_square_concentric,
+    square_to_cosine_hemisphere,
+    square_to_cosine_hemisphere_concentric,
+    square_to_cosine_hemisphere_inversion,
+    square_to_cosine_hemisphere_offset,
+    square_to_cosine_hemisphere_pdf,
+)
+from warpsample.distributions.ggx import ggx_to_square, square_to_ggx, square_to_ggx_pdf
+from warpsample.distributions.offset_ball import offset_ball_to_square, square_to_offset_ball, square_to_offset_ball_pdf
+from warpsample.distributions.offset_circle import (
+    offset_circle_to_square,
+    square_to_offset_circle,
+    square_to_offset_circle_pdf,
+)
+from warpsample.distributions.offset_disk import square_to_offset_disk, square_to_offset_disk_pdf
+from warpsample.distributions.offset_sphere import (
+    offset_sphere_to_square,
+    square_to_offset_sphere,
+    square_to_offset_sphere_pdf,
+)
+from warpsample.distributions.power_cosine import power_cosine_to_square, square_to_power_cosine, square_to_power_cosine_pdf
+from warpsample.distributions.uniform_cone import square_to_uniform_cone, square_to_uniform_cone_pdf, uniform_cone_to_square
+from warpsample.distributions.uniform_disk import (
+    square_to_uniform_disk,
+    square_to_uniform_disk_concentric,
+    square_to_uniform_disk_pdf,
+    uniform_disk_to_square,
+    uniform_disk_to_square_concentric,
+)
+from warpsample.distributions.uniform_hemisphere import (
+    square_to_uniform_hemisphere,
+    square_to_uniform_hemisphere_pdf,
+    uniform_hemisphere_to_square,
+)
+from warpsample.distributions.uniform_sphere import (
+    square_to_uniform_sphere,
+    square_to_uniform_sphere_pdf,
+    uniform_sphere_to_square,
+)
+from warpsample.distributions.visible_beckmann import (
+    square_to_visible_beckmann,
+    square_to_visible_beckmann_pdf,
+    visible_beckmann_to_square,
+)
+from warpsample.distributions.visible_ggx import square_to_visible_ggx, square_to_visible_ggx_pdf, visible_ggx_to_square
+from warpsample.distributions.von_mises_fisher import (
+    square_to_von_mises_fisher,
+    square_to_von_mises_fisher_pdf,
+    von_mises_fisher_to_square,
+)
+from warpsample.maths.frames import frame_about, to_local, to_world
+from warpsample.sequences.fibonacci import fibonacci
+from warpsample.sequences.independent import independent
+from warpsample.sequences.philox import philox
+from warpsample.sequences.r2 import r2
+from warpsample.sequences.sobol import sobol
+from warpsample.sequences.stratified import stratified
+
+__all__ = [
+    "beckmann_to_square",
+    "cosine_hemisphere_to_square",
+    "cosine_hemisphere_to_square_concentric",
+    "fibonacci",
+    "frame_about",
+    "ggx_to_square",
+    "independent",
+    "offset_ball_to_square",
+    "offset_circle_to_square",
+    "offset_sphere_to_square",
+    "philox",
+    "power_cosine_to_square",
+    "r2",
+    "sobol",
+    "square_to_beckmann",
+    "square_to_beckmann_pdf",
+    "square_to_cosine_hemisphere",
+    "square_to_cosine_hemisphere_concentric",
+    "square_to_cosine_hemisphere_inversion",
+    "square_to_cosine_hemisphere_offset",
+    "square_to_cosine_hemisphere_pdf",
+    "square_to_ggx",
+    "square_to_ggx_pdf",
+    "square_to_offset_ball",
+    "square_to_offset_ball_pdf",
+    "square_to_offset_circle",
+    "square_to_offset_circle_pdf",
+    "square_to_offset_disk",
+    "square_to_offset_disk_pdf",
+    "square_to_offset_sphere",
+    "square_to_offset_sphere_pdf",
+    "square_to_power_cosine",
+    "square_to_power_cosine_pdf",
+    "square_to_uniform_cone",
+    "square_to_uniform_cone_pdf",
+    "square_to_uniform_disk",
+    "square_to_uniform_disk_concentric",
+    "square_to_uniform_disk_pdf",
+    "square_to_uniform_hemisphere",
+    "square_to_uniform_hemisphere_pdf",
+    "square_to_uniform_sphere",
+    "square_to_uniform_sphere_pdf",
+    "square_to_visible_beckmann",
+    "square_to_visible_beckmann_pdf",
+    "square_to_visible_ggx",
+    "square_to_visible_ggx_pdf",
+    "square_to_von_mises_fisher",
+    "square_to_von_mises_fisher_pdf",
+    "stratified",
+    "to_local",
+    "to_world",
+    "uniform_cone_to_square",
+    "uniform_disk_to_square",
+    "uniform_disk_to_square_concentric",
+    "uniform_hemisphere_to_square",
+    "uniform_sphere_to_square",
+    "visible_beckmann_to_square",
+    "visible_ggx_to_square",
+    "von_mises_fisher_to_square",
+]

@@ -1,0 +1,1 @@
+"""What every call needs on this side of a kernel: arguments, arrays, threads, locks, files."""

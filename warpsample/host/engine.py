@@ -1,0 +1,164 @@
+"""How a kernel is run: over chunks of its tasks, on worker threads, on a device, within the memory that is free."""
+
+import os
+from collections import defaultdict, deque
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor, wait
+from contextlib import suppress
+from ctypes import Structure
+from typing import Any
+
+import warp as wp
+
+from warpsample.host.arguments import check_integer
+from warpsample.host.kernel_cache import load
+from warpsample.host.locks import making
+from warpsample.host.progress import begin
+
+_FEW_CHUNKS, _MANY_CHUNKS = 4, 16  # of a worker: many even out threads of unlike speed, but each passes the GIL around,
+_CHUNK_WORK = 1 << 17  # so from this many directions a chunk on
+_LEAST_WORK = 1 << 17  # directions; below that (0.3 ms) handing work to a thread costs more than it gains
+_MOST_WORK = 1 << 25  # directions of a chunk: 0.1 s, after which an interrupt is heard
+_MOST_TASKS = (1 << 31) - 1  # wp.tid() is an int32
+
+_ALWAYS_FREE = 1 << 24  # bytes; asking the system for the rest takes 100 us
+
+_idle: dict[tuple[wp.Kernel, str], list[wp.Launch]] = defaultdict(list)
+_pool: ThreadPoolExecutor | None = None
+_pool_size = 0
+
+
+def check_workers(workers: int | None) -> int:
+    """The number of threads to use: all cores that this process may run on, unless told.
+
+    Raises:
+        ValueError: not from 1 to 1024.
+        TypeError: not a whole number.
+    """
+    if workers is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return check_integer(workers, "workers", 1, 1024)
+
+
+def check_memory(needed: int, what: str, remedy: str) -> None:
+    """Refuses what would not fit into the memory that is free now.
+
+    Raises:
+        MemoryError: says how much is needed, how much is free and what to do instead.
+    """
+    if needed < _ALWAYS_FREE:
+        return
+    import psutil  # noqa: PLC0415  (20 ms that most imports of the package do not need)
+
+    free = psutil.virtual_memory().available
+    if needed > free:
+        raise MemoryError(f"{what} need {needed / 1e9:.1f} GB and {free / 1e9:.1f} GB are free; {remedy}")
+
+
+def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, workers: int, work: int) -> None:
+    """Runs `kernel(*inputs, first_task)` once for each task; `wp.tid()` counts from first_task, an int64.
+
+    Args:
+        kernel: its last parameter is first_task.
+        tasks: how many; any number, chunks stay below 2^31.
+        inputs: the other parameters; structs as instances or as ctypes.
+        device: on a CPU, `workers` threads share the chunks; on CUDA the launches queue up.
+        workers: at most this many threads.
+        work: directions computed, or the like of it: little work stays on the calling thread.
+    """
+    workers = workers if device.is_cpu and work >= _LEAST_WORK else 1
+    each = min(max(work // (workers * _CHUNK_WORK), _FEW_CHUNKS), _MANY_CHUNKS)
+    shares = workers * each if workers > 1 else 1
+    chunk = min(-(-tasks // shares), max(1, _MOST_WORK * tasks // work), _MOST_TASKS)
+    commands = [_take(kernel, inputs, device) for _ in range(workers)]
+    try:
+        _share(commands, chunk, tasks, begin(tasks, work))
+    finally:
+        _idle[kernel, device.alias].extend(commands)
+
+
+def _share(commands: list[wp.Launch], chunk: int, tasks: int, done: Callable[[int], None] | None) -> None:
+    """Runs all tasks, in chunks, a thread for each command; the calling thread is one, since others take time to wake."""
+    starts = iter(range(0, tasks, chunk))
+    if len(commands) == 1:
+        _run_chunks(commands[0], starts, chunk, tasks, done)
+        return
+    others: list[Future] = []
+    try:
+        with suppress(RuntimeError):  # the system gives no more threads, or Python is ending: so fewer share the work
+            for command in commands[1:]:
+                others.append(_threads(len(commands) - 1).submit(_run_chunks, command, starts, chunk, tasks, done))  # noqa: PERF401
+        _run_chunks(commands[0], starts, chunk, tasks, done)
+    finally:
+        _outlast(starts, others)
+    for future in others:
+        if not future.cancelled():
+            future.result()
+
+
+def _outlast(starts: Any, others: list[Future]) -> None:
+    """Waits until no thread is at work any more, however often that is interrupted, and lets none start another chunk.
+
+    They write to arrays that the caller lets go of.
+    """
+    interrupt = None
+    while True:
+        try:
+            deque(starts, maxlen=0)
+            wait([future for future in others if not future.cancel()])  # the rest would wait for other calls' chunks
+            break
+        except KeyboardInterrupt as again:
+            interrupt = again
+    if interrupt:
+        raise interrupt
+
+
+def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
+    """A recorded launch of nobody else's, with these inputs: 4 us where a new launch takes 60."""
+    command = None
+    with suppress(IndexError):
+        command = _idle[kernel, device.alias].pop()
+    if command is None:
+        load(kernel, device.alias)
+        with making:
+            blank = [arg.type() if isinstance(x, Structure) else x for arg, x in zip(kernel.adj.args, inputs, strict=False)]
+            command = wp.launch(kernel, dim=1, inputs=[*blank, 0], device=device, record_tape=False, record_cmd=True)
+    for index, value in enumerate(inputs):
+        if isinstance(value, Structure):
+            command.set_param_at_index_from_ctype(index, value)
+        else:
+            command.set_param_at_index(index, value)
+    return command
+
+
+def _run_chunks(command: wp.Launch, starts: Any, chunk: int, tasks: int, done: Callable[[int], None] | None = None) -> None:
+    """Takes chunks until none is left, and tells `done`; next() on a range's iterator is atomic, so threads can share it."""
+    last = len(command.kernel.adj.args) - 1
+    for start in starts:
+        command.set_param_at_index_from_ctype(last, start)
+        size = min(chunk, tasks - start)
+        if command.bounds.size != size:
+            command.set_dim(size)
+        command.launch()
+        if done:
+            done(size)
+
+
+def _threads(workers: int) -> ThreadPoolExecutor:
+    """The one pool of this process, grown when more are asked for."""
+    global _pool, _pool_size  # noqa: PLW0603  (threads belong to the process)
+    with making:
+        if _pool is None or _pool_size < workers:
+            _pool = ThreadPoolExecutor(workers, thread_name_prefix="warpsample")
+            _pool_size = workers
+        return _pool
+
+
+def _forget_threads() -> None:
+    """In a forked child: none of its parent's threads came along."""
+    global _pool, _pool_size
+    _pool, _pool_size = None, 0
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forget_threads)

@@ -1,0 +1,215 @@
+"""How Warp is started and kernels loaded: without a word on stdout, and never from files that are not as they were built.
+
+LLVM crashes on some damaged objects, runs others as they are, and ends the process where the disk is full. So what was built
+is marked by its digest, which is looked at before anything is loaded. Users' own modules are left to Warp.
+"""
+
+import atexit
+import os
+import shutil
+import tempfile
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
+from hashlib import sha256
+from pathlib import Path
+from typing import BinaryIO
+
+import warp as wp
+
+from warpsample.host.locks import once
+
+_MARK = ".sha256"  # of a file's digest, beside it
+_SOURCES = (".cpp", ".cu")  # which Warp leaves there to be read
+_ROOM = 1 << 20  # bytes; twice what the largest module takes
+_NO_DRIVER = b"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver"
+
+
+@once
+def start() -> None:
+    """Starts Warp, if nothing else has; with a cache folder for this process alone if the usual one cannot be made.
+
+    Warns:
+        UserWarning: it cannot.
+    """
+    with _quiet(wp.LOG_ERROR):
+        try:
+            _without_driver_warning(wp.init)
+        except OSError as error:
+            folder = wp.config.kernel_cache_dir = tempfile.mkdtemp(prefix="warpsample-")
+            atexit.register(shutil.rmtree, folder, ignore_errors=True)
+            _without_driver_warning(wp.init)
+            _say_unwritable(str(error.filename), str(error.strerror))
+
+
+@once
+def load(kernel: wp.Kernel, device: str) -> None:
+    """Loads the module of a kernel of ours: from the cache if it is whole there, else it is built and put there.
+
+    Raises:
+        RuntimeError: nothing can be written, or what was just built cannot be loaded; names the folder.
+
+    Warns:
+        UserWarning: the cache was damaged, or is not writable.
+    """
+    start()
+    block = 1 if device == "cpu" else 256  # as wp.launch has it
+
+    def load_module() -> None:
+        wp.load_module(kernel.module, device, block_dim=block)
+
+    entry = Path(wp.config.kernel_cache_dir, kernel.module.get_module_identifier(block))
+    with _quiet(wp.LOG_WARNING):
+        whole = _is_whole(entry)
+        if whole:
+            try:
+                load_module()
+                _mark(entry)  # to what another kind of processor built Warp has added this one's
+                return
+            except Exception:  # whatever Warp raises of files that another process has just taken away
+                whole = False
+        _build(kernel.module, load_module, entry)
+    if whole is False:
+        outcome = "it was built anew" if _is_whole(entry) else "it cannot be replaced, delete it"
+        warnings.warn(f"kernel cache: {entry} was damaged; {outcome}", stacklevel=2)
+
+
+@contextmanager
+def _quiet(level: int) -> Iterator[None]:
+    """Warp logs from this level on, not every module to stdout; unless the user has set another level than the default."""
+    before = wp.config.log_level
+    if before == wp.LOG_INFO:
+        wp.config.log_level = level
+    try:
+        yield
+    finally:
+        wp.config.log_level = before
+
+
+def _without_driver_warning(work: Callable[[], None]) -> None:
+    """Holds stderr back meanwhile: Warp's native part misses a CUDA driver there, and nothing switches that off."""
+    with ExitStack() as after:
+        with suppress(OSError):  # stderr is closed, or there is no temporary folder
+            held = after.enter_context(tempfile.TemporaryFile())
+            stderr = os.dup(2)
+            os.dup2(held.fileno(), 2)
+            after.callback(_show_others, held, stderr)
+        work()
+
+
+def _show_others(held: BinaryIO, stderr: int) -> None:
+    os.dup2(stderr, 2)
+    os.close(stderr)
+    held.seek(0)
+    with suppress(OSError):
+        os.write(2, b"".join(line for line in held if not line.startswith(_NO_DRIVER)))
+
+
+def _is_whole(entry: Path) -> bool | None:
+    """Whether a module's files are as they were built; None if nobody knows: there are none, or Warp alone built them."""
+    if not os.path.lexists(entry):
+        return None
+    try:
+        outputs, marked = _contents(entry)
+        if any(_digest(entry, name) != Path(entry, name + _MARK).read_bytes() for name in marked):
+            return False
+    except OSError:
+        return False
+    return True if marked and marked == outputs else None
+
+
+def _contents(entry: Path) -> tuple[set[str], set[str]]:
+    """The names of what Warp loads, and those that have a mark."""
+    names = [path.name for path in entry.iterdir()]
+    marked = {name.removesuffix(_MARK) for name in names if name.endswith(_MARK)}
+    return {name for name in names if not name.endswith((_MARK, *_SOURCES))}, marked
+
+
+def _digest(entry: Path, name: str) -> bytes:
+    return sha256(Path(entry, name).read_bytes()).hexdigest().encode()
+
+
+def _mark(entry: Path) -> None:
+    with suppress(OSError):  # what has no mark is built again, that is all
+        outputs, marked = _contents(entry)
+        for name in outputs - marked:
+            Path(entry, name + _MARK).write_bytes(_digest(entry, name))
+
+
+def _build(module: wp.Module, load_module: Callable[[], None], entry: Path) -> None:
+    """Builds and loads a module in a folder of its own; where the cache's has no room for one, in a temporary one."""
+    home = entry.parent
+    try:
+        with _workshop(home, entry.name) as built:
+            _build_there(module, load_module, built)
+            _publish(built, entry)
+    except OSError as error:
+        try:
+            with _workshop(Path(tempfile.gettempdir()), entry.name) as built:
+                _build_there(module, load_module, built)
+        except OSError as again:
+            raise RuntimeError(
+                f"kernel cache: nothing can be written in {home} ({error.strerror}), nor in a temporary folder "
+                f"({again.strerror}); make room there or delete the cache"
+            ) from again
+        _say_unwritable(str(home), str(error.strerror))
+
+
+@contextmanager
+def _workshop(parent: Path, name: str) -> Iterator[Path]:
+    """Makes a new folder Warp's cache meanwhile, and yields where in it the module of that name will be.
+
+    Raises:
+        OSError: there is no room, for which LLVM would end the process.
+    """
+    parent.mkdir(parents=True, exist_ok=True)
+    folder = Path(tempfile.mkdtemp(prefix="wp_", dir=parent))  # wp.clear_kernel_cache() finds what a killed process left
+    usual = wp.config.kernel_cache_dir
+    try:
+        (folder / f"{name}_room").write_bytes(os.urandom(_ROOM))  # zeros may take no room
+        (folder / f"{name}_room").unlink()
+        wp.config.kernel_cache_dir = str(folder)
+        yield folder / name
+    finally:
+        wp.config.kernel_cache_dir = usual
+        for path in folder.glob(f"{name}*"):
+            _remove(path)
+        with suppress(OSError):  # what another thread has Warp build at this moment stays
+            folder.rmdir()
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir():
+        shutil.rmtree(path, ignore_errors=True)
+    else:
+        path.unlink(missing_ok=True)
+
+
+def _build_there(module: wp.Module, load_module: Callable[[], None], built: Path) -> None:
+    try:
+        load_module()
+    except Exception as error:
+        if isinstance(error, OSError) or module.failed_builds:  # the folder's fault, or the kernel's
+            raise
+        raise RuntimeError(
+            f"kernel cache: {built.name} cannot be loaded although it was just built ({error}); "
+            f"delete {built.parent.parent} and try again"
+        ) from error
+    _mark(built)  # if it is there, and was not loaded with another of its kernels
+
+
+def _publish(built: Path, entry: Path) -> None:
+    """Moves a module to the cache as one, so that other processes find all of it or nothing."""
+    with suppress(OSError):  # one of them has come first, and what it built is as good; or the old one stays
+        if built.exists() and not _is_whole(entry):
+            if os.path.lexists(entry):
+                entry.rename(built.with_name(f"{built.name}_old"))
+            built.rename(entry)
+
+
+@once
+def _say_unwritable(folder: str, reason: str) -> None:
+    warnings.warn(
+        f"kernel cache: {folder} is not writable ({reason}); kernels are built in a temporary folder by each process",
+        stacklevel=2,
+    )

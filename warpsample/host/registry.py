@@ -1,0 +1,24 @@
+"""Finds the records of a package: a new file with a record is a new entry, and nothing else needs to know of it."""
+
+import importlib
+import pkgutil
+from types import ModuleType
+from typing import Any
+
+from warpsample.host.arguments import check_choice
+
+
+def records_of(package: ModuleType) -> dict[str, Any]:
+    """What the modules of `package` define as `RECORD`, by its name."""
+    modules = (importlib.import_module(f"{package.__name__}.{info.name}") for info in pkgutil.iter_modules(package.__path__))
+    return {module.RECORD.name: module.RECORD for module in modules if hasattr(module, "RECORD")}
+
+
+def look_up(known: dict[str, Any], name: str, argument: str) -> Any:
+    """known[name], or an error that names the argument, what it got and the names that exist.
+
+    Raises:
+        TypeError: not a string.
+        ValueError: another one.
+    """
+    return known[check_choice(name, argument, sorted(known))]

@@ -1,0 +1,1 @@
+"""Float32 building blocks that the compiler vectorises: nothing but `wp.func`s."""

@@ -1,0 +1,75 @@
+"""Logarithm and exponential that vectorise, in float32 and, for densities, in float64.
+
+A density e^-s at the grid's last variate has s = 17: its relative error is 17 times that of s, so float32 is not enough.
+The float64 forms are plain arithmetic too, at half the lanes.
+"""
+
+from math import factorial
+
+import warp as wp
+
+from warpsample.maths.numerics import HALF, ONE, TWO
+
+_ONE_BITS = wp.constant(wp.int32(0x3F800000))
+_SQRT_HALF_BITS = wp.constant(wp.int32(0x3F3504F3))
+_MANTISSA_MASK = wp.constant(wp.int32(0x007FFFFF))
+_LN_2 = wp.constant(wp.float64(0.6931471805599453))
+_LOG2_E = wp.constant(wp.float64(1.4426950408889634))
+_LEAST_EXPONENT = wp.constant(wp.float64(-170.0))
+
+
+@wp.func
+def log1p(x: wp.float32) -> wp.float32:
+    """log(1 + x) for x > -1. Worst relative error 8.1e-8, also for the smallest x.
+
+    FreeBSD msun s_log1pf.c with selects in place of its branches: 1 + x = 2^k (1 + f) with 1 + f in [sqrt(1/2), sqrt(2)),
+    and c restores what the sum 1 + x rounded away.
+    """
+    one_plus_x = 1.0 + x
+    bits = wp.cast(one_plus_x, wp.int32) + _ONE_BITS - _SQRT_HALF_BITS
+    near = wp.abs(x) < 0.29
+    k = wp.where(near, 0.0, wp.float32((bits >> 23) - 127))
+    mantissa = wp.cast((bits & _MANTISSA_MASK) + _SQRT_HALF_BITS, wp.float32)
+    f = wp.where(near, x, mantissa - 1.0)
+    c = wp.where(near, 0.0, (x - (one_plus_x - 1.0)) / one_plus_x)
+    s = f / (2.0 + f)
+    z = s * s
+    r = z * (0.6666666 + z * (0.40000972 + z * (0.28498787 + z * 0.24279079)))
+    half_square = 0.5 * f * f
+    return k * 0.69313812 - ((half_square - (s * (half_square + r) + (k * 9.0580006e-06 + c))) - f)
+
+
+@wp.func
+def log1p_double(x: wp.float64) -> wp.float64:
+    """log(1 + x) for 1 + x in [1e-37, 1e38]. Worst relative error 2e-15 above, 1e-13 below the smallest normal float32.
+
+    1 + x = 2^k (1 + f), the exponent read off the sum rounded to float32; 2 atanh(f / (2 + f)) by its series.
+    """
+    sum = ONE + x
+    bits = wp.cast(wp.float32(sum), wp.int32) + _ONE_BITS - _SQRT_HALF_BITS
+    k = (bits >> 23) - 127
+    f = wp.where(k == 0, x, sum * wp.float64(wp.cast((127 - k) << 23, wp.float32)) - ONE)
+    s = f / (TWO + f)
+    z = s * s
+    series = wp.float64(0.0)
+    for i in range(9):
+        series = series * z + wp.float64(wp.static(1.0 / (17 - 2 * i)))
+    return wp.float64(k) * _LN_2 + TWO * s * series
+
+
+@wp.func
+def exp_double(x: wp.float64) -> wp.vec2d:
+    """(e^x - 1, e^x) for x <= 175; below -170 as at -170, which no float32 tells from 0. Worst relative error 2e-14.
+
+    x = k ln 2 + r, e^r - 1 by its Taylor series; both results keep their digits, the first one near 0 too.
+    """
+    x = wp.max(x, _LEAST_EXPONENT)
+    k = wp.floor(x * _LOG2_E + HALF)
+    r = x - k * _LN_2
+    series = wp.float64(0.0)
+    for i in range(13):
+        series = series * r + wp.float64(wp.static(1.0 / factorial(13 - i)))
+    half = wp.int32(k) >> 1
+    rest = wp.int32(k) - half
+    scale = wp.float64(wp.cast((127 + half) << 23, wp.float32)) * wp.float64(wp.cast((127 + rest) << 23, wp.float32))
+    return wp.vec2d(scale * r * series + (scale - ONE), scale * r * series + scale)

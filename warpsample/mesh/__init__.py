@@ -1,0 +1,1 @@
+"""A validated mesh, and points on it."""

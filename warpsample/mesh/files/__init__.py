@@ -1,0 +1,45 @@
+"""Mesh files: one reader for each format, and what all of them promise."""
+
+from os import PathLike
+
+from warpsample.host.arguments import check_file, naming_file
+from warpsample.mesh.examples import example
+from warpsample.mesh.files import gltf, ply, stl, text, usd
+from warpsample.mesh.mesh import Mesh
+
+_READERS = {
+    ".ply": ply.read,
+    ".obj": text.read_obj,
+    ".stl": stl.read,
+    ".off": text.read_off,
+    **dict.fromkeys((".glb", ".gltf"), gltf.read),
+    **dict.fromkeys((".usd", ".usda", ".usdc", ".usdz"), usd.read),
+}
+SUFFIXES = tuple(_READERS)
+"""Of the files that `load_mesh` reads."""
+
+
+def load_mesh(path: str | PathLike) -> Mesh:
+    """The triangle mesh in a file: .ply .obj .stl .off .glb .gltf or, with usd-core, .usd .usda .usdc .usdz.
+
+    Several meshes in one file become one, each where its scene places it; polygons are cut into triangles; of an .stl, whose
+    faces share no corners, those of equal coordinates become one vertex. Coordinates keep all digits that the file holds.
+    A file that ends early is refused, but for what it does not tell: the end of an .obj between two of its lines, and of
+    .obj, .off and .ply as text within the very last number; and numbers that were changed into others.
+    "courtyard", where no file is called that, is an example: four buildings around a yard, in metres.
+
+    Raises:
+        TypeError: no path.
+        FileNotFoundError: no such file.
+        ValueError: another suffix, no mesh in it, or a file that is truncated, damaged or of another format; names the path.
+        ModuleNotFoundError: a .usd file without usd-core; says how to install it.
+    """
+    made = example(path)
+    if made is not None:
+        return Mesh(*made)
+    path = check_file(path, "path", "a mesh file")
+    suffix = path.suffix.lower()
+    if suffix not in _READERS:
+        raise ValueError(f"path: got {path.name!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
+    with naming_file("path", path, "a mesh"):
+        return Mesh(*_READERS[suffix](path))

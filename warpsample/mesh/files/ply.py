@@ -1,0 +1,203 @@
+"""Mesh files: .ply, as text or binary of either order."""
+
+from array import array
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from io import SEEK_CUR, SEEK_END
+from itertools import islice
+from pathlib import Path
+from typing import Any, BinaryIO, Literal
+
+import numpy as np
+
+from warpsample.mesh.files.text import real, whole
+from warpsample.mesh.polygons import triangles
+
+_KINDS = {
+    "char": "i1",
+    "uchar": "u1",
+    "short": "i2",
+    "ushort": "u2",
+    "int": "i4",
+    "uint": "u4",
+    "float": "f4",
+    "double": "f8",
+}
+_KINDS |= {f"{name}{8 * size}": f"{name[0]}{size}" for name in ("int", "uint") for size in (1, 2, 4, 8)}
+_KINDS |= {"float32": "f4", "float64": "f8"}
+_ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
+_LONGEST = 4096  # bytes of a line in a header
+
+
+@dataclass(frozen=True)
+class _Property:
+    name: str
+    kind: np.dtype
+    count_kind: np.dtype | None = None  # of a list
+
+
+@dataclass(frozen=True)
+class _Element:
+    name: str
+    count: int
+    properties: list[_Property] = field(default_factory=list)
+
+    def check(self, is_text: bool, size: int) -> None:
+        """Before anything is allocated for it: whether `size` bytes can hold it, if all its lists are empty."""
+        least = sum(2 if is_text else (p.count_kind or p.kind).itemsize for p in self.properties)
+        if not 0 <= self.count * least <= size + 1 or (self.count and not least):
+            raise self.cut(f"{size:,} bytes follow")
+
+    def cut(self, found: str) -> ValueError:
+        return ValueError(f"its header declares {self.count:,} of '{self.name}', and {found}")
+
+
+def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices and faces; polygons are cut, other elements passed over.
+
+    Raises:
+        ValueError: a header that says nothing of them, or not the bytes or lines that it declares.
+    """
+    with path.open("rb") as file:
+        order, elements = _header(file)
+        size = path.stat().st_size - file.tell()
+        for element in elements:
+            element.check(order == "", size)
+        if order:
+            found = {element.name: _binary(file, element) for element in elements}
+            rest = file.read(1)
+        else:
+            rows = (line.split() for line in file if not line.isspace())
+            found = {element.name: _text(rows, element) for element in elements}
+            rest = next(rows, b"")
+    if rest:
+        raise ValueError("it goes on after what its header declares")
+    return _mesh(found)
+
+
+def _mesh(found: dict[str, dict[str, Any]]) -> tuple[np.ndarray, np.ndarray]:
+    vertex, face = found.get("vertex", {}), found.get("face", {})
+    polygons = face.get("vertex_indices", face.get("vertex_index"))
+    if not {"x", "y", "z"} <= vertex.keys() or not isinstance(polygons, tuple):
+        raise ValueError("its header declares no vertices with x, y, z or no faces with vertex_indices")
+    if "tristrips" in found:
+        raise ValueError("it has triangle strips, want all of them as faces")
+    vertices = np.stack([vertex[axis] for axis in "xyz"], axis=1, dtype=np.float64)
+    return vertices, triangles(vertices, *polygons)
+
+
+def _header(file: BinaryIO) -> tuple[str, list[_Element]]:
+    """Order of the bytes, "" for text, and what is declared."""
+    if file.readline(_LONGEST).split() != [b"ply"]:
+        raise ValueError("it does not begin with 'ply'")
+    order, elements, line = None, [], ""
+    try:
+        while (line := file.readline(_LONGEST).decode("latin-1")).split() != ["end_header"]:
+            match line.split():
+                case ["format", name, _]:
+                    order = _ORDERS[name]
+                case ["element", name, count]:
+                    elements.append(_Element(name, int(count)))
+                case ["property", "list", count_kind, kind, name]:
+                    elements[-1].properties.append(_Property(name, _kind(order, kind), _kind(order, count_kind, "iu")))
+                case ["property", kind, name]:
+                    elements[-1].properties.append(_Property(name, _kind(order, kind)))
+                case ["comment" | "obj_info", *_]:
+                    pass
+                case _:
+                    raise ValueError
+    except (ValueError, KeyError, IndexError):
+        raise ValueError(f"its header has {f'the line {line.strip()[:60]!r}' if line else 'no end'}") from None
+    if order is None:
+        raise ValueError("its header declares no format")
+    return order, elements
+
+
+def _kind(order: str | None, name: str, kinds: str = "iuf") -> np.dtype:
+    kind = np.dtype(_KINDS[name])
+    if order is None or kind.kind not in kinds:
+        raise ValueError
+    return kind.newbyteorder(order) if order else kind
+
+
+def _text(rows: Iterator[list[bytes]], element: _Element) -> dict[str, Any]:
+    """Columns by name; of a list (lengths, all its numbers)."""
+    lengths, numbers = _empty(element, lambda p: array("d" if p.kind.kind == "f" else "q"))
+    steps = [(p.name in lengths, real if p.kind.kind == "f" else whole, p.name) for p in element.properties]
+    seen = 0
+    for seen, words in enumerate(islice(rows, element.count), 1):
+        at, length = 0, 1
+        for is_list, parse, name in steps:
+            if is_list:
+                length = whole(words[at]) if at < len(words) else -1
+                lengths[name].append(length)
+                at += 1
+            numbers[name].extend(map(parse, words[at : at + length]))
+            at, length = at + length, 1
+        if at != len(words):
+            raise ValueError(
+                f"row {seen - 1} of '{element.name}' has {len(words)} numbers, which its header does not declare"
+            )
+    if seen < element.count:
+        raise element.cut(f"{seen:,} follow")
+    return _columns(lengths, {name: np.frombuffer(found, found.typecode) for name, found in numbers.items()})
+
+
+def _binary(file: BinaryIO, element: _Element) -> dict[str, Any]:
+    """As `_text`: at once where all rows have the lengths of the first, else row by row."""
+    start = file.tell()
+    left = file.seek(0, SEEK_END) - file.seek(start)
+    kind = _first_row(file, element, left)
+    file.seek(start)
+    rows = np.fromfile(file, kind, element.count if element.count * kind.itemsize <= left else 0)
+    lists = {p.name: kind[p.name].shape[0] for p in element.properties if p.count_kind is not None}
+    if len(rows) == element.count and all((rows[name + " length"] == length).all() for name, length in lists.items()):
+        lengths = {name: np.broadcast_to(length, len(rows)) for name, length in lists.items()}
+        return _columns(lengths, {p.name: rows[p.name].ravel() for p in element.properties})
+    file.seek(start)
+    return _rows(file, element)
+
+
+def _first_row(file: BinaryIO, element: _Element, left: int) -> np.dtype:
+    fields: list[tuple] = []
+    for p in element.properties:
+        if p.count_kind is not None:
+            length = int.from_bytes(file.read(p.count_kind.itemsize), _order(p.count_kind))
+            length = length if length * p.kind.itemsize <= left else 0
+            fields += [(p.name + " length", p.count_kind), (p.name, p.kind, (length,))]
+        else:
+            fields.append((p.name, p.kind))
+        file.seek(np.dtype(fields[-1:]).itemsize, SEEK_CUR)
+    return np.dtype(fields)
+
+
+def _rows(file: BinaryIO, element: _Element) -> dict[str, Any]:
+    start, data, at = file.tell(), file.read(), 0
+    lengths, numbers = _empty(element, lambda _: bytearray())
+    for _ in range(element.count):
+        for p in element.properties:
+            length = 1
+            if p.count_kind is not None:
+                length = int.from_bytes(data[at : at + p.count_kind.itemsize], _order(p.count_kind))
+                lengths[p.name].append(length)
+                at += p.count_kind.itemsize
+            numbers[p.name] += data[at : at + length * p.kind.itemsize]
+            at += length * p.kind.itemsize
+    if at > len(data):
+        raise element.cut(f"{len(data):,} bytes follow")
+    file.seek(start + at)
+    return _columns(lengths, {p.name: np.frombuffer(numbers[p.name], p.kind) for p in element.properties})
+
+
+def _empty(element: _Element, make: Callable[[_Property], Any]) -> tuple[dict[str, array], dict[str, Any]]:
+    """Where lengths of lists are gathered, and numbers."""
+    lengths = {p.name: array("q") for p in element.properties if p.count_kind is not None}
+    return lengths, {p.name: make(p) for p in element.properties}
+
+
+def _columns(lengths: dict[str, Any], numbers: dict[str, np.ndarray]) -> dict[str, Any]:
+    return {name: (np.asarray(lengths[name]), found) if name in lengths else found for name, found in numbers.items()}
+
+
+def _order(kind: np.dtype) -> Literal["little", "big"]:
+    return "big" if kind.byteorder == ">" else "little"

@@ -1,0 +1,58 @@
+"""Mesh files: .stl, binary or text, whose faces share no corners until they are merged."""
+
+from array import array
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+
+from warpsample.mesh.files.text import numbered, three
+
+_HEADER = 84  # bytes, the last four of which are the number of faces
+_FACE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+_WORDS = {"solid", "facet", "outer", "vertex", "endloop", "endfacet", "endsolid"}
+
+
+def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices and faces; corners of equal coordinates are one vertex.
+
+    Raises:
+        ValueError: another size than the header declares; text of other words, or whose facets, loops or solids do not end.
+    """
+    size = path.stat().st_size
+    with path.open("rb") as file:
+        header = file.read(_HEADER)
+    faces = int.from_bytes(header[80:], "little")
+    if size == _HEADER + faces * _FACE.itemsize and size > _HEADER:
+        return _merged(np.fromfile(path, _FACE, offset=_HEADER)["corners"].reshape(-1, 3))
+    if header[:5].lower() == b"solid":
+        return _merged(_text(path))
+    wants = f"whose header declares {faces:,} faces, {_HEADER + faces * _FACE.itemsize:,} bytes"
+    raise ValueError(f"it has {size:,} bytes, {wants}" if size > _HEADER else "there is no face in it")
+
+
+def _text(path: Path) -> np.ndarray:
+    places, seen = array("d"), Counter(dict.fromkeys(_WORDS, 0))
+    for number, words in numbered(path):
+        word = words[0].lower()
+        if word not in _WORDS:
+            raise ValueError(f"line {number} begins with {words[0][:20]!r}")
+        seen[word] += 1
+        if word == "vertex":
+            places.extend(three(words[1:]))
+        elif word == "endfacet" and len(places) != 9 * seen[word]:
+            raise ValueError(f"line {number} ends a facet that has not three corners")
+    if len({seen[word] for word in ("facet", "outer", "endloop", "endfacet")}) > 1 or seen["solid"] != seen["endsolid"]:
+        raise ValueError("it ends within a solid")
+    return np.frombuffer(places).reshape(-1, 3)
+
+
+def _merged(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    order = np.lexsort(corners.T)
+    is_new = np.arange(len(corners)) == 0
+    for axis in corners.T:
+        along = axis[order]
+        is_new[1:] |= along[1:] != along[:-1]
+    vertex = np.empty(len(corners), np.int32)
+    vertex[order] = np.cumsum(is_new) - 1
+    return corners[order[is_new]], vertex.reshape(-1, 3)

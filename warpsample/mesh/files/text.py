@@ -1,0 +1,126 @@
+"""Mesh files that are lines of text: .obj and .off."""
+
+import re
+from array import array
+from collections.abc import Iterator
+from itertools import islice
+from pathlib import Path
+
+import numpy as np
+
+from warpsample.mesh.polygons import triangles
+
+# What may begin a line of an .obj and makes no surface: the rest of its vertices, groups, materials, lines and points.
+_NO_SURFACE = {"vt", "vn", "vp", "l", "p", "g", "o", "s", "mg", "lod", "bevel", "c_interp", "d_interp", "usemtl", "mtllib"}
+_NO_SURFACE |= {"usemap", "maplib", "shadow_obj", "trace_obj"}
+
+
+def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices and faces of an .obj; polygons are cut.
+
+    It declares no counts, so one that ends early cannot always be known from one that is whole: known are a line of fewer
+    numbers than it needs, a face of fewer than three corners or with some that lack what others have, and one of vertices
+    that are missing.
+
+    Raises:
+        ValueError: a line that cannot be read; says which.
+    """
+    places, lengths, corners, number = array("d"), array("i"), array("i"), 0
+    try:
+        for number, words in numbered(path, joins=True):  # noqa: B007  (the error names it)
+            if words[0] == "v":
+                places.extend(three(words[1:]))
+            elif words[0] == "f":
+                face = _corners(words[1:], len(places) // 3)
+                lengths.append(len(face))
+                corners.extend(face)
+            elif words[0] not in _NO_SURFACE:
+                raise ValueError(f"it begins with {words[0][:20]!r}")
+    except ValueError as error:
+        raise ValueError(f"line {number}: {error}") from None
+    return _cut(places, lengths, corners)
+
+
+def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices and faces of an .off, and of a COFF or NOFF, whose colours or normals are passed over; polygons are cut.
+
+    Raises:
+        ValueError: another header, or not the lines that it declares; a line that cannot be read.
+    """
+    lines = (words for _, words in numbered(path))
+    keyword, *counts = next(lines, [""])
+    if not re.fullmatch("(ST)?C?N?OFF", keyword) or counts[:1] == ["BINARY"]:
+        raise ValueError("it does not begin with 'OFF'")
+    counts = counts or next(lines, [])
+    if len(counts) < 2 or not all(map(str.isdecimal, counts)):
+        raise ValueError("its header declares no numbers of vertices and faces")
+    vertices, faces = map(int, counts[:2])
+    places, lengths, corners = array("d"), array("i"), array("i")
+    for words in islice(lines, vertices):
+        places.extend(three(words))
+    for words in islice(lines, faces):
+        face = [whole(word) for word in words[1 : 1 + whole(words[0])]]
+        if len(face) != whole(words[0]):
+            raise ValueError(f"face {len(lengths)} ends after {len(face)} of {words[0]} corners")
+        lengths.append(len(face))
+        corners.extend(face)
+    if (len(places), len(lengths)) != (3 * vertices, faces) or next(lines, None):
+        found = f"holds {len(places) // 3:,} and {len(lengths):,}" if len(lengths) < faces else "goes on after them"
+        raise ValueError(f"its header declares {vertices:,} vertices and {faces:,} faces, and it {found}")
+    return _cut(places, lengths, corners)
+
+
+def numbered(path: Path, joins: bool = False) -> Iterator[tuple[int, list[str]]]:
+    """Number and words of each line that has some, without its comment; a backslash at its end may join it to the next."""
+    held = ""
+    with path.open(encoding="utf-8-sig", errors="replace") as file:
+        for number, line in enumerate(file, 1):
+            if joins and line.endswith("\\\n"):
+                held += line[:-2] + " "
+                continue
+            words = (held + line).partition("#")[0].split()
+            held = ""
+            if words:
+                yield number, words
+    if held:
+        raise ValueError("it ends within a line")
+
+
+def three(words: list[str]) -> list[float]:
+    """The coordinates of a vertex; what follows them is passed over."""
+    if len(words) < 3:
+        raise ValueError(f"a vertex has {len(words)} numbers, not 3")
+    return [real(word) for word in words[:3]]
+
+
+def real(word: str | bytes) -> float:
+    """A number as mesh files have it."""
+    return float(_plain(word))
+
+
+def whole(word: str | bytes) -> int:
+    """The same of a whole number."""
+    return int(_plain(word))
+
+
+def _plain(word: str | bytes) -> str | bytes:
+    """Refuses what Python takes for a number and files do not: 1_0 for 10, and digits of other scripts."""
+    if {"_", "\\"} & set(ascii(word)):
+        raise ValueError(f"{ascii(word)[:60]} is no number")
+    return word
+
+
+def _corners(words: list[str], vertices: int) -> list[int]:
+    """Of a face of an .obj, from 0 on: it counts from 1, or from -1 back; after a slash stand other indices."""
+    parts = [word.split("/") for word in words]
+    if len({tuple(map(bool, part)) for part in parts}) != 1 or len(parts) < 3:
+        raise ValueError(f"it is no face: {' '.join(words)[:60]!r}")
+    indices = [whole(part[0]) for part in parts]
+    if 0 in indices:
+        raise ValueError("a face has the vertex 0, and they count from 1")
+    return [index - 1 if index > 0 else vertices + index for index in indices]
+
+
+def _cut(places: array, lengths: array, corners: array) -> tuple[np.ndarray, np.ndarray]:
+    vertices = np.frombuffer(places).reshape(-1, 3)
+    return vertices, triangles(vertices, np.frombuffer(lengths, "i"), np.frombuffer(corners, "i"))

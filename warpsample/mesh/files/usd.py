@@ -1,0 +1,134 @@
+"""Mesh files: .usd, .usda, .usdc and .usdz, by usd-core."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from zipfile import ZipFile
+
+import numpy as np
+
+from warpsample.mesh.files.placing import joined
+from warpsample.mesh.polygons import triangles
+
+
+def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices and faces of all meshes that a renderer would show, instances too, at the first of their times.
+
+    Left out are points, curves, and what is invisible or for guides or proxies. Of a subdivision surface it is the cage, of
+    an animated mesh its first pose, without skeletons.
+
+    Raises:
+        ModuleNotFoundError: usd-core is missing; says how to install it.
+        ValueError: a file that usd-core cannot open, or that refers to such a one; a surface that is no mesh, as a sphere.
+    """
+    try:
+        from pxr import Tf, UsdUtils  # noqa: PLC0415  (an extra)
+    except ModuleNotFoundError:
+        raise ModuleNotFoundError(f"path: got {path.name!r}, which needs usd-core: pip install usd-core") from None
+    heard = UsdUtils.CoalescingDiagnosticDelegate()  # as long as it is there, it gets the warnings, and stderr does not
+    try:
+        stage = _open(path)
+        return joined(_parts(stage))
+    except Tf.ErrorException as error:
+        raise ValueError(_said(error, path)) from None
+    finally:
+        del heard
+
+
+def _open(path: Path) -> Any:
+    from pxr import Usd  # noqa: PLC0415
+
+    if path.suffix.lower() == ".usdz":
+        with ZipFile(path) as archive:
+            damaged = archive.testzip()  # by sums that usd-core does not look at
+        if damaged:
+            raise ValueError(f"{damaged} in it is damaged")
+    _check_sections(path)
+    stage = Usd.Stage.Open(str(path))
+    lost = stage.GetCompositionErrors()
+    if lost:
+        raise ValueError(str(lost[0]))
+    return stage
+
+
+def _check_sections(path: Path) -> None:
+    """Whether a binary file is long enough for its table of contents: usd-core takes memory for whatever that declares."""
+    size = path.stat().st_size
+    with path.open("rb") as file:
+        header = file.read(24)
+        if header[:8] != b"PXR-USDC":
+            return
+        start = int.from_bytes(header[16:], "little")
+        file.seek(min(start, size))
+        sections = int.from_bytes(file.read(8), "little")
+    if start + 8 + 32 * sections > size:
+        raise ValueError(f"its header declares {sections:,} sections from byte {start:,} on, and it has {size:,}")
+
+
+def _said(error: Any, path: Path) -> str:
+    """The first line of usd-core's reason, without the path and what its parser is called."""
+    try:
+        reason = error.args[0].commentary.strip().partition("\n")[0]
+    except UnicodeDecodeError:  # it quotes the damage
+        return "it is damaged"
+    for quoted, plain in ((f"{path}:", "line "), (f"<{path}>", "it"), (f" @{path}@", "")):
+        reason = reason.replace(quoted, plain)
+    return reason.partition(" matching ")[0]
+
+
+def _parts(stage: Any) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+    """Points, triangles and placement of each mesh that has faces."""
+    from pxr import Usd, UsdGeom  # noqa: PLC0415
+
+    first = Usd.TimeCode.EarliestTime()
+    for prim, matrix in _surfaces(stage.GetPseudoRoot(), np.eye(4), UsdGeom.XformCache(first), Usd.PrimDefaultPredicate):
+        mesh = UsdGeom.Mesh(prim)
+        points, counts, indices = (
+            np.array(attribute.Get(first) or (), kind)
+            for attribute, kind in (
+                (mesh.GetPointsAttr(), np.float64),
+                (mesh.GetFaceVertexCountsAttr(), np.int64),
+                (mesh.GetFaceVertexIndicesAttr(), np.int32),
+            )
+        )
+        if len(counts):
+            points = points.reshape(-1, 3)
+            faces = triangles(points, counts, indices)
+            is_left_handed = mesh.GetOrientationAttr().Get(first) == UsdGeom.Tokens.leftHanded
+            yield points, faces[:, ::-1] if is_left_handed else faces, matrix
+
+
+def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> Iterator[tuple[Any, np.ndarray]]:
+    """The meshes from `root` down, of prims like `predicate`, with their matrices; `above` is that of the prim over it."""
+    from pxr import Usd, UsdGeom  # noqa: PLC0415
+
+    prims = iter(Usd.PrimRange(root, Usd.TraverseInstanceProxies(predicate)))
+    for prim in prims:
+        shape = UsdGeom.Imageable(prim)
+        if shape and shape.GetVisibilityAttr().Get(placements.GetTime()) == UsdGeom.Tokens.invisible:
+            prims.PruneChildren()
+            continue
+        if not prim.IsA(UsdGeom.Boundable) or shape.ComputePurpose() in (UsdGeom.Tokens.guide, UsdGeom.Tokens.proxy):
+            continue
+        matrix = np.array(placements.ComputeRelativeTransform(prim, root)[0]) @ above
+        if prim.IsA(UsdGeom.PointInstancer):
+            prims.PruneChildren()
+            yield from _instances(prim, matrix, placements)
+        elif prim.IsA(UsdGeom.Mesh):
+            yield prim, matrix
+        elif prim.IsA(UsdGeom.Gprim) and not prim.IsA(UsdGeom.Curves) and not prim.IsA(UsdGeom.Points):
+            raise ValueError(f"{prim.GetPath()} is a {prim.GetTypeName()}, want meshes alone")
+
+
+def _instances(prim: Any, above: np.ndarray, placements: Any) -> Iterator[tuple[Any, np.ndarray]]:
+    """The meshes of a point instancer: each prototype wherever it is placed."""
+    from pxr import Usd, UsdGeom  # noqa: PLC0415
+
+    are_drawn = Usd.PrimIsActive & Usd.PrimIsLoaded & ~Usd.PrimIsAbstract  # prototypes may stand under a mere `over`
+    instancer, time = UsdGeom.PointInstancer(prim), placements.GetTime()
+    matrices = instancer.ComputeInstanceTransformsAtTime(time, time, applyMask=UsdGeom.PointInstancer.IgnoreMask)
+    is_shown = instancer.ComputeMaskAtTime(time) or [True] * len(matrices)
+    prototypes = [prim.GetStage().GetPrimAtPath(path) for path in instancer.GetPrototypesRel().GetForwardedTargets()]
+    for matrix, number, shown in zip(matrices, instancer.GetProtoIndicesAttr().Get(time), is_shown, strict=True):
+        if shown:
+            yield from _surfaces(prototypes[number], np.array(matrix) @ above, placements, are_drawn)

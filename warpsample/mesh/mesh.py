@@ -1,0 +1,258 @@
+"""A validated triangle mesh, from what users hold, and what was wrong with it."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from warpsample.host.arrays import as_ndarray, as_real
+from warpsample.host.locks import once_property, read_only
+from warpsample.mesh.polydata import surface
+from warpsample.mesh.polygons import triangles
+
+if TYPE_CHECKING:
+    from pyvista import PolyData
+
+LARGEST = 1e36
+"""Coordinate of a vertex: distances, which are float32, stay finite."""
+
+_SMALLEST = 1e-140  # of a mesh with areas
+_LEAST_SQUARE = 1e-280  # that has all its digits
+_SLIVER = 2.0**-48  # of abs(e1) abs(e2): below 16 roundings of the cross product the normal is noise
+
+
+@dataclass(frozen=True)
+class MeshReport:
+    """What is notable about a mesh.
+
+    Attributes:
+        vertices: how many.
+        faces: how many, degenerate ones included.
+        degenerate_faces: whose area is 0 or lost to rounding; they carry no points and have a zero normal.
+        duplicate_faces: that have the same three vertices as an earlier face, in any order.
+        unreferenced_vertices: that no face uses.
+        boundary_edges: with one face.
+        nonmanifold_edges: with more than two.
+        inconsistent_edges: that two faces run along in the same direction, so one of them is inside out.
+        area: of all faces, in square units of the coordinates.
+        lower: smallest coordinates of the vertices that faces use, (3,).
+        upper: largest coordinates of them, (3,).
+    """
+
+    vertices: int
+    faces: int
+    degenerate_faces: int
+    duplicate_faces: int
+    unreferenced_vertices: int
+    boundary_edges: int
+    nonmanifold_edges: int
+    inconsistent_edges: int
+    area: float
+    lower: np.ndarray
+    upper: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """A triangle mesh.
+
+    Attributes:
+        vertices: (V, 3) float64, within ±1e36, in the user's coordinates and unit; a read-only copy.
+        faces: (F, 3) int32 indices of vertices, counter-clockwise seen from outside; a read-only copy.
+
+    Raises:
+        TypeError: vertices are not real numbers or faces not whole ones.
+        ValueError: wrong shapes, no faces, an index that no vertex has, a coordinate that is not finite or beyond 1e36.
+    """
+
+    vertices: np.ndarray
+    faces: np.ndarray
+
+    def __post_init__(self) -> None:
+        """Validates, copies and freezes: what later calls read must stay what was checked here."""
+        vertices = _check_vertices(as_real(self.vertices, "vertices"))
+        faces = _check_faces(as_ndarray(self.faces, "faces", "whole numbers"), len(vertices))
+        object.__setattr__(self, "vertices", vertices)
+        object.__setattr__(self, "faces", faces)
+
+    def __reduce__(self) -> tuple[type, tuple[np.ndarray, np.ndarray]]:
+        """Pickled and copied as what it is made of: checked and frozen again, its caches made anew."""
+        return Mesh, (self.vertices, self.faces)
+
+    def to_polydata(self) -> "PolyData":
+        """The triangles as PyVista's PolyData.
+
+        Raises:
+            ModuleNotFoundError: PyVista is missing.
+        """
+        return surface(self.vertices, self.faces)
+
+    @once_property
+    def used(self) -> np.ndarray:
+        """(V,) bool: the vertices that faces use. The others mean nothing: they may be anywhere."""
+        used = np.zeros(len(self.vertices), np.bool_)
+        used[self.faces] = True
+        return used
+
+    @once_property
+    def bounds(self) -> np.ndarray:
+        """(2, 3) float64: smallest and largest coordinates of the vertices that faces use."""
+        vertices = self.vertices if self.used.all() else self.vertices[self.used]
+        return np.stack([vertices.min(axis=0), vertices.max(axis=0)])
+
+    @once_property
+    def diagonal(self) -> float:
+        """Of the box `bounds`, in the unit of the coordinates."""
+        return float(np.linalg.norm(self.bounds[1] - self.bounds[0]))
+
+    @once_property
+    def cross_products(self) -> np.ndarray:
+        """(F, 3) float64: face normals times twice the area; exactly zero for degenerate faces.
+
+        Raises:
+            ValueError: the mesh is so small that areas have no float64.
+        """
+        if 0.0 < np.ptp(self.bounds, axis=0).max() < _SMALLEST:
+            raise ValueError(f"mesh: got one of size {np.ptp(self.bounds, axis=0).max():.3g}, want at least {_SMALLEST:g}")
+        corner, first, second = (self.vertices[self.faces[:, k]] for k in range(3))
+        first -= corner
+        second -= corner
+        crosses = np.cross(first, second)
+        crosses[lengths(crosses) <= _SLIVER * lengths(first) * lengths(second)] = 0.0
+        return crosses
+
+    @once_property
+    def face_areas(self) -> np.ndarray:
+        """(F,) float64, square units; 0 for degenerate faces."""
+        return 0.5 * lengths(self.cross_products)
+
+    @once_property
+    def face_normals(self) -> np.ndarray:
+        """(F, 3) float32, unit length; zero for degenerate faces."""
+        return unit_or_zero(self.cross_products)
+
+    @once_property
+    def vertex_normals(self) -> np.ndarray:
+        """(V, 3) float32, unit length: the normals of its faces weighted by area; zero where they cancel or none is."""
+        corners = self.faces.ravel()
+        crosses = np.repeat(self.cross_products, 3, axis=0)
+        return unit_or_zero(np.stack([np.bincount(corners, axis, len(self.vertices)) for axis in crosses.T], axis=1))
+
+    @once_property
+    def report(self) -> MeshReport:
+        """What is notable about this mesh; takes a sort of all edges."""
+        start = self.faces.ravel().astype(np.int64)
+        end = self.faces[:, [1, 2, 0]].ravel().astype(np.int64)
+        stride = len(self.vertices)
+        _, uses = np.unique(np.minimum(start, end) * stride + np.maximum(start, end), return_counts=True)
+        _, same_way = np.unique(start * stride + end, return_counts=True)
+        return MeshReport(
+            vertices=len(self.vertices),
+            faces=len(self.faces),
+            degenerate_faces=int(np.count_nonzero(self.face_areas == 0.0)),
+            duplicate_faces=len(self.faces) - len(np.unique(np.sort(self.faces, axis=1), axis=0)),
+            unreferenced_vertices=int(np.count_nonzero(~self.used)),
+            boundary_edges=int(np.count_nonzero(uses == 1)),
+            nonmanifold_edges=int(np.count_nonzero(uses > 2)),
+            inconsistent_edges=int(np.count_nonzero(same_way > 1)),
+            area=float(self.face_areas.sum()),
+            lower=self.bounds[0],
+            upper=self.bounds[1],
+        )
+
+
+def as_mesh(mesh: Any) -> Mesh:
+    """What users hold, as a Mesh: Mesh, (vertices, faces), pyvista.PolyData, trimesh.Trimesh or meshio.Mesh.
+
+    Raises:
+        TypeError: something else.
+        ValueError: what it holds is no valid triangle mesh.
+    """
+    return mesh_of(mesh, "mesh", "a warpsample.Mesh")
+
+
+def mesh_of(value: Any, argument: str, wants: str) -> Mesh:
+    """As `as_mesh`, for another argument."""
+    if isinstance(value, Mesh):
+        return value
+    if isinstance(value, tuple) and len(value) == 2:
+        return Mesh(*value)
+    if hasattr(value, "vertices") and hasattr(value, "faces"):
+        return Mesh(value.vertices, value.faces)
+    if hasattr(value, "is_all_triangles") and hasattr(value, "triangulate"):
+        made = value if value.is_all_triangles and not value.n_strips else value.triangulate()
+        return Mesh(made.points, made.regular_faces)
+    if hasattr(value, "points") and hasattr(value, "cells"):
+        return Mesh(value.points, _faces_of_cells(value, argument))
+    raise TypeError(
+        f"{argument}: got {type(value).__name__}, want {wants}, a tuple (vertices, faces), "
+        "a pyvista.PolyData, a trimesh.Trimesh or a meshio.Mesh"
+    )
+
+
+def _faces_of_cells(value: Any, argument: str) -> np.ndarray:
+    """The triangles, quadrilaterals and polygons of a meshio.Mesh as triangles; its lines and points make no surface.
+
+    Raises:
+        ValueError: cells of other kinds, as tetrahedra are, or polygons without sense.
+    """
+    blocks = [block for block in value.cells if block.type != "vertex" and not block.type.startswith("line")]
+    others = sorted({block.type for block in blocks} - {"triangle", "quad", "polygon"})
+    if others:
+        raise ValueError(f"{argument}: got cells of type {', '.join(others)}, want triangle, quad and polygon alone")
+    lengths = [np.array([len(face) for face in block.data], np.int64) for block in blocks if len(block.data)]
+    corners = [np.concatenate([np.asarray(face) for face in block.data]) for block in blocks if len(block.data)]
+    if not corners:
+        return np.empty((0, 3), np.int32)
+    try:
+        return triangles(np.asarray(value.points, np.float64), np.concatenate(lengths), np.concatenate(corners))
+    except ValueError as error:
+        raise ValueError(f"{argument}: got a meshio.Mesh of cells that are no faces: {error}") from None
+
+
+def unit_or_zero(vectors: np.ndarray) -> np.ndarray:
+    """(N, 3) float64 vectors as float32 unit ones; zero vectors stay zero."""
+    norms = lengths(vectors)[:, None]
+    return np.divide(vectors, norms, out=np.zeros_like(vectors), where=norms > 0.0).astype(np.float32)
+
+
+def lengths(vectors: np.ndarray) -> np.ndarray:
+    """(N,) of (N, 3) float64 vectors, those whose squares under- or overflow too."""
+    with np.errstate(over="ignore", under="ignore"):
+        squares = np.einsum("ij,ij->i", vectors, vectors)
+    found = np.sqrt(squares)
+    far = np.flatnonzero(~((squares > _LEAST_SQUARE) & (squares < 1.0 / _LEAST_SQUARE)))
+    largest = np.abs(vectors[far]).max(axis=1, initial=0.0, keepdims=True)
+    scaled = np.divide(vectors[far], largest, out=np.zeros_like(vectors[far]), where=largest > 0.0)
+    found[far] = largest[:, 0] * np.linalg.norm(scaled, axis=1)
+    return found
+
+
+def _check_vertices(vertices: np.ndarray) -> np.ndarray:
+    if vertices.ndim != 2 or vertices.shape[1] != 3 or len(vertices) == 0:
+        raise ValueError(f"vertices: got shape {vertices.shape}, want (V, 3) with V of at least 3")
+    vertices = read_only(vertices.astype(np.float64, copy=False))  # first: what is checked is what is kept
+    if not (vertices.min() >= -LARGEST and vertices.max() <= LARGEST):
+        broken = ~(np.abs(vertices) <= LARGEST).all(axis=1)
+        first = int(np.argmax(broken))
+        flaw = "not finite" if not np.isfinite(vertices[broken]).all() else f"beyond {LARGEST:g}"
+        raise ValueError(
+            f"vertices: got {broken.sum()} that are {flaw}, the first being number {first}, {vertices[first]}, "
+            f"want coordinates from {-LARGEST:g} to {LARGEST:g}"
+        )
+    return vertices
+
+
+def _check_faces(faces: np.ndarray, vertices: int) -> np.ndarray:
+    if faces.ndim != 2 or faces.shape[1] != 3 or len(faces) == 0:
+        raise ValueError(f"faces: got shape {faces.shape}, want (F, 3) with F of at least 1")
+    if faces.dtype.kind not in "iu":
+        raise TypeError(f"faces: got dtype {faces.dtype}, want whole numbers")
+    faces = read_only(faces)
+    outside = (faces < 0) | (faces >= vertices)
+    if outside.any():
+        first = int(np.argmax(outside.any(axis=1)))
+        raise ValueError(
+            f"faces: got {outside.sum()} indices outside 0 to {vertices - 1}, the first in face {first}, {faces[first]}"
+        )
+    return faces if faces.dtype == np.int32 else read_only(faces.astype(np.int32))

@@ -1,0 +1,1 @@
+"""Files: directions, and numbers for each point."""

@@ -1,0 +1,133 @@
+"""Numbers at the points of a mesh, into a file: `warpsample bake`."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import fields
+from time import perf_counter
+
+import numpy as np
+
+from warpsample.estimate.irradiance import irradiance
+from warpsample.estimate.picture import read_picture
+from warpsample.estimate.result import Estimate, PointStatus, Skipped
+from warpsample.estimate.visibility import ambient_occlusion, sky_view_factor
+from warpsample.host.arguments import check_integer
+from warpsample.host.files import check_output, complete_or_absent
+from warpsample.mesh.files import load_mesh
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+from warpsample.output.baked import WRITERS, Baked, Run, check_glb
+
+QUANTITIES = {"ao": "ambient occlusion", "sky": "sky view factor", "irradiance": "irradiance"}
+PLACEMENTS = {"vertices": vertex_points, "faces": face_centers, "surface": sample_surface}
+SUFFIXES = tuple(WRITERS)
+
+_RAYS_PER_PART = 1 << 22  # half a second, after which the progress moves
+
+
+def bake(run: Run) -> str:
+    """Runs and writes `run.output`, which appears when it is complete; an interrupted run leaves what was there before.
+
+    Returns:
+        what was done, in sentences.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is computed.
+        KeyboardInterrupt: with a sentence about what was done.
+        WriteError: the file cannot be written.
+    """
+    _check(run)
+    mesh = load_mesh(run.mesh)
+    if run.output.suffix == ".glb":
+        check_glb(run, mesh)
+    points = sample_surface(mesh, run.points, run.options["seed"]) if run.at == "surface" else PLACEMENTS[run.at](mesh)
+    estimate = _quantity(run, mesh)
+    estimate(_slice(points, 0, 1), 0)  # builds the tree and the kernel
+    start = perf_counter()
+    found = _join(list(_parts(points, run, estimate)))
+    seconds = perf_counter() - start
+    with complete_or_absent(run.output) as file:
+        WRITERS[run.output.suffix](file, Baked(run, mesh, points, found))
+    return _summary(run, found, seconds)
+
+
+def _check(run: Run) -> None:
+    if run.output.suffix not in SUFFIXES:
+        raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
+    check_output(run.output, "--output", run.mesh, run.environment)
+    if run.at == "surface" and run.output.suffix in (".ply", ".glb"):
+        raise ValueError(f"--output: got {run.output.name!r} for points, want .vtp, .npz or .csv: it holds faces")
+    if (run.environment is None) == (run.quantity == "irradiance"):
+        raise ValueError(f"--environment: got {run.environment} for {run.quantity}, want a picture for irradiance alone")
+    check_integer(run.points, "--points", 1, 2**31 - 1)
+
+
+def _quantity(run: Run, mesh: Mesh) -> Callable[[SurfacePoints, int], Estimate]:
+    """(points, id of the first) -> their numbers."""
+    if run.quantity == "ao":
+        return lambda points, first: ambient_occlusion(mesh, points, run.samples, first_point=first, **run.options)
+    if run.quantity == "sky":
+        return lambda points, first: sky_view_factor(mesh, points, run.samples, run.up, first_point=first, **run.options)
+    path = run.environment
+    picture = read_picture(path) if path else None
+    return lambda points, first: irradiance(mesh, points, picture, run.samples, run.up, first_point=first, **run.options)
+
+
+def _slice(points: SurfacePoints, first: int, count: int) -> SurfacePoints:
+    rows = slice(first, first + count)
+    return SurfacePoints(points.position[rows], points.normal[rows], points.face[rows])
+
+
+def _parts(points: SurfacePoints, run: Run, estimate: Callable[[SurfacePoints, int], Estimate]) -> Iterator[Estimate]:
+    """Part by part, with a progress bar where stderr is a terminal."""
+    from rich.console import Console  # noqa: PLC0415
+    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn  # noqa: PLC0415
+
+    console = Console(stderr=True)
+    told = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(), TextColumn("{task.fields[told]}"))
+    step = max(1, _RAYS_PER_PART // run.samples)
+    cast, start, done = 0, perf_counter(), 0
+    with Progress(*told, console=console, disable=not console.is_terminal, transient=True) as progress:
+        task = progress.add_task(QUANTITIES[run.quantity], total=len(points), told="")
+        try:
+            for first in range(0, len(points), step):
+                part = estimate(_slice(points, first, step), first)
+                cast, done = cast + int(part.rays.sum()), min(first + step, len(points))
+                error = float(np.sqrt(np.mean(np.square(part.standard_error))))
+                speed = cast / (perf_counter() - start) / 1e6
+                progress.update(task, completed=done, told=f"{speed:.1f} million rays/s, standard error {error:.2g}")
+                yield part
+        except KeyboardInterrupt as interrupt:  # raised again itself: it may stand for another signal
+            interrupt.args = (f"interrupted after {done:,} of {len(points):,} points; {run.output} is as it was before",)
+            raise
+
+
+def _join(parts: list[Estimate]) -> Estimate:
+    arrays = {
+        item.name: np.concatenate([getattr(part, item.name) for part in parts])
+        for item in fields(parts[0])
+        if item.name != "skipped"
+    }
+    counts = {item.name: sum(getattr(part.skipped, item.name) for part in parts) for item in fields(Skipped)}
+    return type(parts[0])(**arrays, skipped=Skipped(**counts))
+
+
+def _summary(run: Run, found: Estimate, seconds: float) -> str:
+    good = found.status == 0
+    cast, skipped = int(found.rays.sum(dtype=np.int64)), found.skipped
+    lines = [f"{run.output}: {QUANTITIES[run.quantity]} of {len(good):,} {'points' if run.at == 'surface' else run.at}"]
+    if good.any():
+        error = float(np.sqrt(np.mean(np.square(found.standard_error[good]))))
+        lines.append(f"mean {found.value[good].mean():.4f}; standard error {error:.2g}, root mean square over the points")
+    lines.append(f"{cast:,} rays cast in {seconds:.2f} s, {cast / max(seconds, 1e-9) / 1e6:.1f} million a second")
+    told = {
+        "where nothing is": skipped.empty_rays,
+        "without weight": skipped.weightless_rays,
+        "not needed for the tolerance": skipped.unneeded_rays,
+    }
+    lines.append("rays skipped: " + ", ".join(f"{n:,} {why}" for why, n in told.items() if n) if any(told.values()) else "")
+    if skipped.open_points:
+        lines.append(f"points that no ray was cast from: {skipped.open_points:,}")
+    bad = {status: n for status, n in found.counts().items() if status != PointStatus.OK}
+    if bad:
+        lines.append("points without a number: " + ", ".join(f"{n:,} {status.name.lower()}" for status, n in bad.items()))
+    return "\n  ".join(line for line in lines if line)

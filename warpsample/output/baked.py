@@ -1,0 +1,162 @@
+"""What is baked, as files: .ply, .vtp, .glb, .npz and .csv."""
+
+import json
+import zipfile
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+
+from warpsample.estimate.result import Estimate
+from warpsample.host.files import write_array
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.output.mesh_writers import Lazy, write_glb, write_ply, write_vtp
+
+_KEPT = 0.01  # of its area a face may gain or lose by a .glb's float32
+_BYTES_OF_CORNER = 12 + 4 + 8 * 4  # in a .glb, with all that is known of light
+
+
+@dataclass(frozen=True)
+class Run:
+    """What was asked for.
+
+    Attributes:
+        mesh: the mesh file.
+        output: the file to write, of WRITERS.
+        quantity: of bake.QUANTITIES.
+        at: of bake.PLACEMENTS.
+        points: how many, of the placement "surface".
+        samples: rays of each point.
+        environment: the picture of the light, .hdr or .npy; for irradiance.
+        up: the sky's axis.
+        options: of `ambient_occlusion` and the others.
+    """
+
+    mesh: Path
+    output: Path
+    quantity: str
+    at: str
+    points: int
+    samples: int
+    environment: Path | None
+    up: tuple[float, float, float]
+    options: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Baked:
+    """What is written: the mesh, the points and their numbers."""
+
+    run: Run
+    mesh: Mesh
+    points: SurfacePoints
+    found: Estimate
+
+
+def check_glb(run: Run, mesh: Mesh) -> None:
+    """Refuses what float32 about the middle of the mesh does not hold, or 32 bits of a file's length.
+
+    Raises:
+        ValueError: names the formats that hold it.
+    """
+    areas = mesh.face_areas
+    change = np.abs(Mesh(_local(mesh)[0], mesh.faces).face_areas - areas)
+    lost = np.count_nonzero((areas > 0.0) & (change > _KEPT * areas))
+    if lost:
+        raise ValueError(
+            f"--output: got {run.output.name!r}, whose float32 would change the area of {lost:,} of {len(areas):,} faces by "
+            f"more than {_KEPT:.0%}, want .ply or .vtp"
+        )
+    corners = mesh.faces.size if run.at == "faces" else len(mesh.vertices)
+    if corners * _BYTES_OF_CORNER + mesh.faces.nbytes > 2**32 - 2**20:
+        raise ValueError(f"--output: got {run.output.name!r} of {corners:,} corners, want .ply or .vtp: it holds 4 GiB")
+
+
+def _local(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices as float32, (V, 3), and the float64 translation from them to the mesh: 0 if it is not far from the origin."""
+    single = mesh.vertices.astype(np.float32)
+    middle = mesh.bounds.mean(axis=0)
+    if np.abs(middle).max() <= mesh.diagonal or np.array_equal(single, mesh.vertices):
+        return single, np.zeros(3)
+    return (mesh.vertices - middle).astype(np.float32), middle
+
+
+def _columns(found: Estimate) -> dict[str, np.ndarray]:
+    """What is kept of each point, by name; three numbers as red, green and blue."""
+    columns = {}
+    for name in ("value", "standard_error"):
+        array = getattr(found, name)
+        split = {name: array} if array.ndim == 1 else {f"{name}_{c}": array[:, i] for i, c in enumerate("rgb")}
+        columns.update(split)
+    if hasattr(found, "below_horizon"):
+        columns["below_horizon"] = found.below_horizon
+    return {**columns, "rays": found.rays, "status": found.status}
+
+
+def _colours(found: Estimate) -> np.ndarray:
+    """(P, 4) uint8: black at 0, white at 1, or at the largest value if that is larger."""
+    value = found.value if found.value.ndim == 2 else np.repeat(found.value[:, None], 3, axis=1)
+    grey = np.clip(value / max(1.0, float(value.max(initial=0.0))), 0.0, 1.0)
+    return np.column_stack([np.round(255.0 * grey), np.full(len(grey), 255.0)]).astype(np.uint8)
+
+
+def _write_npz(file: BinaryIO, baked: Baked) -> None:
+    points, found = baked.points, baked.found
+    arrays = {"position": points.position, "normal": points.normal, "face": points.face, **_arrays(found)}
+    told = {item.name: str(getattr(baked.run, item.name)) for item in fields(baked.run)}
+    with zipfile.ZipFile(file, "w", allowZip64=True) as archive:
+        for name, array in {**arrays, "run": np.array(json.dumps(told))}.items():
+            write_array(archive, name, array)
+
+
+def _arrays(found: Estimate) -> dict[str, np.ndarray]:
+    return {item.name: getattr(found, item.name) for item in fields(found) if item.name != "skipped"}
+
+
+def _write_csv(file: BinaryIO, baked: Baked) -> None:
+    columns = _columns(baked.found)
+    formats = ["%.17g"] * 3 + ["%d" if name in ("rays", "status") else "%.9g" for name in columns]
+    table = np.column_stack([baked.points.position, *columns.values()])
+    np.savetxt(file, table, formats, delimiter=",", header=",".join(["x", "y", "z", *columns]), comments="")
+
+
+def _write_ply(file: BinaryIO, baked: Baked) -> None:
+    """The numbers as properties of vertices or faces, and as colours; vertices as float32 if that is what they are."""
+    vertices = baked.mesh.vertices
+    single = Lazy(vertices.shape, np.dtype(np.float32), lambda i: vertices[i])
+    exact = all(np.array_equal(single[i : i + 65536], vertices[i : i + 65536]) for i in range(0, len(vertices), 65536))
+    elements = {"vertex": {"x y z": single if exact else vertices}, "face": {"vertex_indices": baked.mesh.faces}}
+    elements["face" if baked.run.at == "faces" else "vertex"] |= {
+        "red green blue alpha": _colours(baked.found),
+        **_columns(baked.found),
+    }
+    write_ply(file, elements)
+
+
+def _write_glb(file: BinaryIO, baked: Baked) -> None:
+    """The numbers as attributes, which a .glb has of vertices only: of faces, each gets corners of its own."""
+    local, middle = _local(baked.mesh)
+    faces, times = baked.mesh.faces, 3 if baked.run.at == "faces" else 1
+    corners = Lazy(faces.shape, np.dtype(np.uint32), lambda i: faces[i] if times == 1 else 3 * i[:, None] + np.arange(3))
+    vertices = local if times == 1 else Lazy((faces.size, 3), local.dtype, lambda i: local[faces.ravel()[i]])
+    attributes = {"COLOR_0": _repeated(_colours(baked.found), times, np.uint8)}  # others' names begin with an underscore
+    attributes |= {f"_{name}": _repeated(array, times, np.float32) for name, array in _columns(baked.found).items()}
+    write_glb(file, vertices, corners, attributes, tuple(middle.tolist()))
+
+
+def _repeated(array: np.ndarray, times: int, dtype: type) -> Lazy:
+    return Lazy((times * len(array), *array.shape[1:]), np.dtype(dtype), lambda i: array[i // times])
+
+
+def _write_vtp(file: BinaryIO, baked: Baked) -> None:
+    points, arrays = baked.points, _arrays(baked.found)
+    if baked.run.at == "surface":
+        write_vtp(file, points.position, None, {"Normals": points.normal, "face": points.face, **arrays}, {})
+    else:
+        data = ({}, arrays) if baked.run.at == "faces" else (arrays, {})
+        write_vtp(file, baked.mesh.vertices, baked.mesh.faces, *data)
+
+
+WRITERS = {".ply": _write_ply, ".vtp": _write_vtp, ".glb": _write_glb, ".npz": _write_npz, ".csv": _write_csv}

@@ -1,0 +1,172 @@
+"""Directions at the points of a mesh into a file: streamed into .npz, or as a cloud into .vtp or .ply."""
+
+import hashlib
+import json
+import zipfile
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+
+from warpsample.directions.sample import Directions, Status, sample_directions
+from warpsample.distributions import as_spatial
+from warpsample.host.arguments import check_integer, check_seed
+from warpsample.host.arrays import cpu
+from warpsample.host.engine import check_memory, check_workers
+from warpsample.host.files import check_output, complete_or_absent, write_array
+from warpsample.mesh.examples import content_of
+from warpsample.mesh.files import load_mesh
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+from warpsample.output.mesh_writers import Lazy, write_ply, write_vtp
+from warpsample.sequences import get as get_sequence
+
+SUFFIXES = (".npz", ".vtp", ".ply")
+CLOUD_SCALE = 0.05
+"""Length of a direction in a cloud, over the diagonal of the mesh's box."""
+
+_BYTES_IN_CLOUD = 24  # of a direction: once as sampled, once without the points that have none
+_DIRECTIONS_PER_PART = 1 << 22  # 50 MB in memory at a time
+
+
+@dataclass(frozen=True)
+class Run:
+    """What was asked for; stored in the file.
+
+    Attributes:
+        mesh: the mesh file.
+        output: the file, of SUFFIXES.
+        count: surface points; only for the placement "surface".
+        samples: directions at each point.
+        distribution: a name with its defaults, or with parameters as "beckmann(alpha=0.1)".
+        sequence: a name.
+        seed: of points and directions.
+        placement: "surface" (uniform by area), "faces" (centres) or "vertices".
+    """
+
+    mesh: Path
+    output: Path
+    count: int
+    samples: int
+    distribution: str
+    sequence: str
+    seed: int
+    placement: str
+
+
+def export(run: Run, workers: int | None = None) -> str:
+    """Runs and writes `run.output`.
+
+    An .npz file holds position, normal, face, vectors, status and `run`, a JSON text; memory holds the points and one part
+    of the directions. In .vtp and .ply each direction w is a point at position + CLOUD_SCALE * diagonal * w, with w as its
+    normal; .vtp keeps the row of its surface point, too. They are float64, since float32 would move a cloud that is small
+    beside its distance from the origin. The file appears when it is complete; an interrupted run leaves none.
+
+    Returns:
+        a sentence about what was written.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is written.
+        MemoryError: a cloud that is larger than what is free.
+        WriteError: the file cannot be written.
+    """
+    _check(run)
+    check_workers(workers)
+    mesh = load_mesh(run.mesh)
+    points = _place(mesh, run)
+    with complete_or_absent(run.output) as file:
+        if run.output.suffix == ".npz":
+            status = _write_archive(file, points, run, workers)
+        else:
+            status = _write_cloud(file, CLOUD_SCALE * mesh.diagonal, points, run, workers)
+    total = len(points) * run.samples
+    skipped = {Status(code).name.lower(): int(n) for code, n in enumerate(np.bincount(status)) if code and n}
+    return f"{total:,} directions at {len(points):,} points" + "".join(f", {n:,} {name}" for name, n in skipped.items())
+
+
+def _write_archive(file: BinaryIO, points: SurfacePoints, run: Run, workers: int | None) -> np.ndarray:
+    record, status = _record(run), np.empty(len(points), np.uint8)
+    with zipfile.ZipFile(file, "w", allowZip64=True) as archive:
+        write_array(archive, "position", points.position)
+        write_array(archive, "normal", points.normal)
+        write_array(archive, "face", points.face)
+        header = {"descr": "<f4", "fortran_order": False, "shape": (len(points), run.samples, 3)}
+        with archive.open("vectors.npy", "w", force_zip64=True) as member:
+            np.lib.format.write_array_header_2_0(member, header)
+            for start, directions in _parts(points, run, workers):
+                member.write(directions.vectors.data)
+                status[start : start + len(directions.status)] = directions.status
+        write_array(archive, "status", status)
+        write_array(archive, "run", np.array(json.dumps(record)))
+    return status
+
+
+def _write_cloud(file: BinaryIO, scale: float, points: SurfacePoints, run: Run, workers: int | None) -> np.ndarray:
+    size = len(points) * run.samples * _BYTES_IN_CLOUD
+    check_memory(
+        size, f"a cloud of {len(points) * run.samples:,} directions", "take fewer, or write .npz, which is streamed"
+    )
+    found = sample_directions(points, run.samples, run.distribution, run.sequence, run.seed, workers=workers)
+    rows = np.flatnonzero(found.status == 0)
+    ways = (found.vectors if len(rows) == len(points) else found.vectors[rows]).reshape(-1, 3)
+    position = Lazy(
+        ways.shape,
+        np.dtype(np.float64),
+        lambda i: points.position[rows[i // run.samples]] + scale * ways[i].astype(np.float64),
+    )
+    if run.output.suffix == ".ply":
+        write_ply(file, {"vertex": {"x y z": position, "nx ny nz": ways}})
+    else:
+        row = Lazy(ways.shape[:1], np.dtype(np.int32), lambda i: rows[i // run.samples])
+        write_vtp(file, position, None, {"Normals": ways, "point": row}, {})
+    return found.status
+
+
+def _check(run: Run) -> None:
+    if run.output.suffix not in SUFFIXES:
+        raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
+    check_output(run.output, "--output", run.mesh)
+    check_integer(run.count, "--count", 1, 2**31 - 1)
+    check_integer(run.samples, "--samples", 1, 2**31 - 1)
+    check_seed(run.seed)
+    as_spatial(run.distribution)
+    get_sequence(run.sequence)
+
+
+def _place(mesh: Mesh, run: Run) -> SurfacePoints:
+    if run.placement == "faces":
+        return face_centers(mesh)
+    if run.placement == "vertices":
+        return vertex_points(mesh)
+    return sample_surface(mesh, run.count, run.seed)
+
+
+def _parts(points: SurfacePoints, run: Run, workers: int | None) -> Iterator[tuple[int, Directions]]:
+    """(first row, directions) of parts that fit into memory, with a progress bar where stderr is a terminal."""
+    from rich.console import Console  # noqa: PLC0415
+    from rich.progress import Progress  # noqa: PLC0415
+
+    step = max(1, _DIRECTIONS_PER_PART // run.samples)
+    console = Console(stderr=True)
+    with Progress(console=console, disable=not console.is_terminal, transient=True) as progress:
+        task = progress.add_task("sampling", total=len(points))
+        for start in range(0, len(points), step):
+            normals = points.normal[start : start + step]
+            yield (
+                start,
+                sample_directions(
+                    normals, run.samples, run.distribution, run.sequence, run.seed, first_point=start, workers=workers
+                ),
+            )
+            progress.advance(task, len(normals))
+
+
+def _record(run: Run) -> dict[str, object]:
+    """Everything needed to repeat the run: the arguments, the mesh's digest and the versions that fix the bits."""
+    digest = hashlib.sha256(content_of(run.mesh)).hexdigest()
+    arguments = {key: str(value) if isinstance(value, Path) else value for key, value in asdict(run).items()}
+    versions = {name: version(name) for name in ("warpsample", "warp-lang", "numpy", "trimesh")}
+    return {**arguments, "mesh_sha256": digest, "versions": versions, "cpu": cpu().name}

@@ -1,0 +1,1 @@
+"""Charts, histograms and quadrature that proof and pictures share."""

@@ -1,0 +1,173 @@
+"""What a tree's nodes and leaves hold, from where the vertices are: when it is built, and again when they have moved."""
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+import warp as wp
+
+from warpsample.host.arrays import cpu
+from warpsample.host.engine import run
+from warpsample.host.locks import once
+from warpsample.tracing.wide.build import Topology
+from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH, AcceleratorJob
+
+PADDING = 2.0**-17
+"""By which boxes are larger than what is in them, on each side; the mesh is within 1 of 0, ray origins within 6.
+
+A plane's distance is rounded in the direction's inverse, in its product with the origin and in the sum: by 2^-24 of 7, 6 and
+7, seen along the axis. A corner of a triangle is rounded by 2^-24 of 7 in each of three steps, so a triangle is met that far
+beside itself. Together that is 2^-18.6.
+"""
+
+_PADDING = wp.constant(wp.float32(PADDING))
+_NOWHERE = wp.constant(wp.float32(2.0**60))  # times an inverse of 2^60 at most: finite
+_NODE_FLOATS = NODE_BYTES // 4
+_LEAF_FLOATS = LEAF_BYTES // 4
+_LINE = 64
+_MOST_VERTICES = 2**31 - 1
+
+
+@dataclass(frozen=True, eq=False)
+class Tree:
+    """A topology with what is in it.
+
+    Attributes:
+        topology: the nodes' children and the leaves' faces.
+        nodes: (nodes, 8, 16) float32, as `layout` has them.
+        leaves: (leaves, 10, 16) float32.
+    """
+
+    topology: Topology
+    nodes: np.ndarray
+    leaves: np.ndarray
+
+    def accelerator(self) -> AcceleratorJob:
+        """Its addresses, valid while this lives."""
+        return AcceleratorJob(
+            nodes=self.nodes.ctypes.data, leaves=self.leaves.ctypes.data, start=self.nodes.ctypes.data, starts=1
+        )
+
+
+def fill(topology: Topology, vertices: np.ndarray, faces: np.ndarray, workers: int) -> Tree:
+    """The tree of these triangles.
+
+    Args:
+        topology: of the same faces.
+        vertices: (V, 3) float32, within 1 of 0.
+        faces: (F, 3) int32.
+        workers: threads.
+    """
+    leaves, nodes = len(topology.faces), len(topology.places)
+    tree = Tree(topology, _in_lines((nodes, 8, WIDTH)), _in_lines((leaves, 10, WIDTH)))
+    leaf_boxes, node_boxes = np.empty((leaves, 2, 3), np.float32), np.empty((nodes, 2, 3), np.float32)
+    edges = np.empty(leaves, np.float32)
+    inputs = [a.ctypes.data for a in (topology.faces, vertices, faces, tree.leaves, leaf_boxes, edges)]
+    run(_fill_leaves(), leaves, inputs, cpu(), workers, 128 * leaves)
+    for first, last in list(pairwise(topology.levels))[::-1]:  # from the bottom
+        inputs = [a.ctypes.data for a in (topology.places, leaf_boxes, edges, node_boxes, tree.nodes)]
+        run(_fill_nodes(), last - first, [first, *inputs], cpu(), workers, 128 * (last - first))
+    return tree
+
+
+def _in_lines(shape: tuple[int, ...]) -> np.ndarray:
+    """Uninitialised float32 that starts at a cache line: so no row of sixteen lies across two."""
+    size = 4 * int(np.prod(shape))
+    raw = np.empty(size + _LINE, np.uint8)
+    start = -raw.ctypes.data % _LINE
+    return raw[start : start + size].view(np.float32).reshape(shape)
+
+
+@once
+def _fill_leaves() -> wp.Kernel:
+    """A kernel with a task for each leaf: its rows of corners, its box and its longest side."""
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def fill_leaves(
+        leaf_faces: wp.uint64,
+        vertices: wp.uint64,
+        faces: wp.uint64,
+        leaves: wp.uint64,
+        boxes: wp.uint64,
+        edges: wp.uint64,
+        first_task: wp.int64,
+    ):
+        leaf = wp.int32(first_task) + wp.tid()
+        mine = wp.array(ptr=leaf_faces + wp.uint64(leaf) * wp.uint64(4 * WIDTH), shape=(WIDTH,), dtype=wp.int32)
+        rows = wp.array(ptr=leaves + wp.uint64(leaf) * wp.uint64(LEAF_BYTES), shape=(_LEAF_FLOATS,), dtype=wp.float32)
+        box = wp.array(ptr=boxes + wp.uint64(leaf) * wp.uint64(24), shape=(2,), dtype=wp.vec3)
+        points = wp.array(ptr=vertices, shape=(_MOST_VERTICES,), dtype=wp.vec3)
+        low = wp.vec3(_NOWHERE)
+        high = wp.vec3(-_NOWHERE)
+        longest = wp.float32(0.0)
+        for k in range(WIDTH):
+            a = wp.vec3(wp.NAN)  # no ray meets it
+            b = a
+            c = a
+            if mine[k] >= 0:
+                corners = wp.array(ptr=faces + wp.uint64(mine[k]) * wp.uint64(12), shape=(1,), dtype=wp.vec3i)[0]
+                a = points[corners[0]]
+                b = points[corners[1]]
+                c = points[corners[2]]
+                least = wp.min(wp.min(a, b), c)
+                most = wp.max(wp.max(a, b), c)
+                longest = wp.max(longest, wp.max(most - least))
+                low = wp.min(low, least)
+                high = wp.max(high, most)
+            for axis in range(3):
+                rows[axis * WIDTH + k] = a[axis]
+                rows[(3 + axis) * WIDTH + k] = b[axis]
+                rows[(6 + axis) * WIDTH + k] = c[axis]
+            rows[9 * WIDTH + k] = wp.cast(mine[k], wp.float32)
+        box[0] = low
+        box[1] = high
+        edge = wp.array(ptr=edges + wp.uint64(leaf) * wp.uint64(4), shape=(1,), dtype=wp.float32)
+        edge[0] = longest
+
+    return fill_leaves
+
+
+@once
+def _fill_nodes() -> wp.Kernel:
+    """A kernel with a task for each node of a level: its rows, from its children's boxes, and its own box."""
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def fill_nodes(
+        first_node: wp.int32,
+        places: wp.uint64,
+        leaf_boxes: wp.uint64,
+        edges: wp.uint64,
+        node_boxes: wp.uint64,
+        nodes: wp.uint64,
+        first_task: wp.int64,
+    ):
+        node = first_node + wp.int32(first_task) + wp.tid()
+        below = wp.array(ptr=places + wp.uint64(node) * wp.uint64(4 * WIDTH), shape=(WIDTH,), dtype=wp.int32)
+        rows = wp.array(ptr=nodes + wp.uint64(node) * wp.uint64(NODE_BYTES), shape=(_NODE_FLOATS,), dtype=wp.float32)
+        own = wp.array(ptr=node_boxes + wp.uint64(node) * wp.uint64(24), shape=(2,), dtype=wp.vec3)
+        low = wp.vec3(_NOWHERE)
+        high = wp.vec3(-_NOWHERE)
+        for k in range(WIDTH):
+            place = below[k]
+            lower = wp.vec3(_NOWHERE)
+            upper = wp.vec3(-_NOWHERE)
+            edge = wp.float32(0.0)
+            if place != 0:
+                address = node_boxes + wp.uint64(place) * wp.uint64(24)
+                if place < 0:
+                    address = leaf_boxes + wp.uint64(~place) * wp.uint64(24)
+                    edge = wp.array(ptr=edges + wp.uint64(~place) * wp.uint64(4), shape=(1,), dtype=wp.float32)[0]
+                box = wp.array(ptr=address, shape=(2,), dtype=wp.vec3)
+                low = wp.min(low, box[0])
+                high = wp.max(high, box[1])
+                lower = box[0] - wp.vec3(_PADDING)
+                upper = box[1] + wp.vec3(_PADDING)
+            for axis in range(3):
+                rows[axis * WIDTH + k] = lower[axis]
+                rows[(3 + axis) * WIDTH + k] = upper[axis]
+            rows[6 * WIDTH + k] = wp.cast(place, wp.float32)
+            rows[7 * WIDTH + k] = edge
+        own[0] = low
+        own[1] = high
+
+    return fill_nodes

@@ -1,0 +1,183 @@
+"""Which triangles go into which leaf and which leaves below which node, by the surface-area heuristic.
+
+Level by level, a task for each node: it starts as one range of triangles, and the child with the largest box is split in two
+until there are sixteen.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+import warp as wp
+
+from warpsample.host.arrays import cpu
+from warpsample.host.engine import run
+from warpsample.host.locks import once
+from warpsample.tracing.wide.layout import WIDTH
+from warpsample.tracing.wide.sah import ALL_BINS, BINS, MOST_BINS, best_split, centres, fill_bins, partition
+
+_SAH_LEVELS = 14
+"""Deeper nodes halve their ranges by count, so that no arrangement of triangles makes the tree deeper than 22 nodes."""
+
+_MOST_VERTICES = 2**31 - 1
+
+
+@dataclass(frozen=True, eq=False)
+class Topology:
+    """A tree without boxes.
+
+    Attributes:
+        places: (nodes, 16) int32, what is below: a node's number, ~number of a leaf, or 0 for nothing.
+        levels: where each level starts among the nodes, and their number.
+        faces: (leaves, 16) int32, the faces of the mesh in a leaf; -1 where there are fewer.
+    """
+
+    places: np.ndarray
+    levels: list[int]
+    faces: np.ndarray
+
+
+def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
+    """The tree of triangles.
+
+    Args:
+        vertices: (V, 3) float32.
+        faces: (F, 3) int32.
+        workers: threads.
+    """
+    count = len(faces)
+    lower, upper = np.empty((count, 4), np.float32), np.empty((count, 4), np.float32)
+    inputs = [a.ctypes.data for a in (vertices, faces, lower, upper)]
+    run(_triangle_boxes(), count, inputs, cpu(), workers, 8 * count)
+    begins, ends = np.array([0], np.int32), np.array([count], np.int32)
+    places, leaf_begins, leaf_ends, levels = [], [], [], [0]
+    leaves = 0
+    while len(begins):
+        children = np.zeros((3, len(begins), WIDTH), np.int32)
+        by_area = int(len(levels) <= _SAH_LEVELS)
+        inputs = [a.ctypes.data for a in (lower, upper, begins, ends, *children)]
+        run(_split_nodes(), len(begins), [by_area, *inputs], cpu(), workers, 128 * int((ends - begins).sum()))
+        begin, end, used = children
+        inner = end - begin > WIDTH
+        leaf = (used != 0) & ~inner
+        levels.append(levels[-1] + len(begins))
+        place = np.zeros(inner.shape, np.int32)
+        place[inner] = levels[-1] + np.arange(np.count_nonzero(inner))
+        place[leaf] = ~(leaves + np.arange(np.count_nonzero(leaf)))
+        leaves += np.count_nonzero(leaf)
+        places.append(place)
+        leaf_begins.append(begin[leaf])
+        leaf_ends.append(end[leaf])
+        begins, ends = begin[inner], end[inner]
+    ranges = np.concatenate(leaf_begins), np.concatenate(leaf_ends)
+    return Topology(np.concatenate(places), levels, _leaf_faces(lower[:, 3].view(np.int32), *ranges))
+
+
+def _leaf_faces(order: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """(leaves, 16) int32 from ranges of the ordered faces; -1 beyond their ends."""
+    place = begin[:, None] + np.arange(WIDTH)
+    return np.where(place < end[:, None], order[np.minimum(place, len(order) - 1)], -1).astype(np.int32)
+
+
+@once
+def _triangle_boxes() -> wp.Kernel:
+    """A kernel with a task for each triangle: its lower corner with the bits of its number, and its upper corner."""
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def triangle_boxes(vertices: wp.uint64, faces: wp.uint64, lower: wp.uint64, upper: wp.uint64, first_task: wp.int64):
+        i = wp.int32(first_task) + wp.tid()
+        corners = wp.array(ptr=faces, shape=(i + 1,), dtype=wp.vec3i)[i]
+        points = wp.array(ptr=vertices, shape=(_MOST_VERTICES,), dtype=wp.vec3)
+        a = points[corners[0]]
+        b = points[corners[1]]
+        c = points[corners[2]]
+        low = wp.min(wp.min(a, b), c)
+        high = wp.max(wp.max(a, b), c)
+        lows = wp.array(ptr=lower, shape=(i + 1,), dtype=wp.vec4)
+        highs = wp.array(ptr=upper, shape=(i + 1,), dtype=wp.vec4)
+        lows[i] = wp.vec4(low[0], low[1], low[2], wp.cast(i, wp.float32))
+        highs[i] = wp.vec4(high[0], high[1], high[2], 0.0)
+
+    return triangle_boxes
+
+
+@wp.func
+def _largest(
+    by_area: wp.int32,
+    children: wp.int32,
+    begins: wp.array[wp.int32],
+    ends: wp.array[wp.int32],
+    areas: wp.array[wp.float32],
+) -> wp.int32:
+    """The child to be split next, of those with more triangles than a leaf holds; -1 if none has."""
+    largest = wp.int32(-1)
+    most = wp.float32(-1.0)
+    for k in range(children):
+        size = ends[k] - begins[k]
+        weight = wp.where(by_area != 0, areas[k], wp.float32(size))
+        if size > WIDTH and weight > most:
+            most = weight
+            largest = k
+    return largest
+
+
+@once
+def _split_nodes() -> wp.Kernel:
+    """A kernel with a task for each node of a level: the ranges of its children, and which of the sixteen there are."""
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def split_nodes(
+        by_area: wp.int32,
+        lower: wp.uint64,
+        upper: wp.uint64,
+        begins: wp.uint64,
+        ends: wp.uint64,
+        child_begins: wp.uint64,
+        child_ends: wp.uint64,
+        child_used: wp.uint64,
+        first_task: wp.int64,
+    ):
+        node = wp.int32(first_task) + wp.tid()
+        end = wp.array(ptr=ends, shape=(node + 1,), dtype=wp.int32)[node]
+        lows = wp.array(ptr=lower, shape=(end,), dtype=wp.vec4)
+        highs = wp.array(ptr=upper, shape=(end,), dtype=wp.vec4)
+        row = wp.uint64(node) * wp.uint64(4 * WIDTH)
+        begin_of = wp.array(ptr=child_begins + row, shape=(WIDTH,), dtype=wp.int32)
+        end_of = wp.array(ptr=child_ends + row, shape=(WIDTH,), dtype=wp.int32)
+        used = wp.array(ptr=child_used + row, shape=(WIDTH,), dtype=wp.int32)
+        area_of = wp.zeros(shape=(WIDTH,), dtype=wp.float32)
+        bin_lows = wp.zeros(shape=(ALL_BINS,), dtype=wp.vec3)
+        bin_highs = wp.zeros(shape=(ALL_BINS,), dtype=wp.vec3)
+        bin_counts = wp.zeros(shape=(ALL_BINS,), dtype=wp.int32)
+        right = wp.zeros(shape=(ALL_BINS,), dtype=wp.float32)
+        begin_of[0] = wp.array(ptr=begins, shape=(node + 1,), dtype=wp.int32)[node]
+        end_of[0] = end
+        used[0] = 1
+        children = wp.int32(1)
+        largest = wp.int32(0)
+        while children < WIDTH and largest >= 0:
+            largest = _largest(by_area, children, begin_of, end_of, area_of)
+            if largest >= 0:
+                b = begin_of[largest]
+                e = end_of[largest]
+                middle = b + (e - b) / 2
+                split = wp.int32(-1)
+                left_area = area_of[largest]
+                right_area = left_area
+                if by_area != 0:
+                    start, stop = centres(lows, highs, b, e)
+                    extent = wp.max(stop - start, wp.vec3(1.0e-30))
+                    scale = wp.cw_div(wp.vec3(MOST_BINS), extent)
+                    fill_bins(lows, highs, b, e, start, scale, bin_lows, bin_highs, bin_counts)
+                    split, left_area, right_area = best_split(e - b, bin_lows, bin_highs, bin_counts, right)
+                    if split >= 0:
+                        axis = split / BINS
+                        middle = partition(lows, highs, b, e, axis, start[axis], scale[axis], split - axis * BINS)
+                end_of[largest] = middle
+                area_of[largest] = left_area
+                begin_of[children] = middle
+                end_of[children] = e
+                area_of[children] = right_area
+                used[children] = 1
+                children += 1
+
+    return split_nodes

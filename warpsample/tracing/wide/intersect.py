@@ -1,0 +1,116 @@
+"""A ray against the sixteen boxes of a node and the sixteen triangles of a leaf: the two hot loops."""
+
+import warp as wp
+
+from warpsample.maths.numerics import fma, greater, lesser, negative
+from warpsample.tracing.wide.layout import WIDTH
+from warpsample.tracing.wide.prepare import Ray
+
+_ROW = wp.constant(wp.uint64(WIDTH * 4))
+_UPPER = wp.constant(wp.uint64(3 * WIDTH * 4))
+_LEAF_FLOATS = 9 * WIDTH
+_SECOND = wp.constant(wp.int32(3 * WIDTH))
+_THIRD = wp.constant(wp.int32(6 * WIDTH))
+_NO_HIT = wp.constant(wp.int32(0x7F800000))  # the bits of infinity: bits of floats above 0 are ordered as they are
+_CHILD = wp.constant(wp.int32(WIDTH - 1))
+_ASIDE = wp.constant(wp.float32(2.0**-18))
+_FURTHEST = wp.constant(wp.float32(64.0))  # farther than anything is from any origin; infinity times 0 would be NaN
+_SIGN = wp.constant(wp.int32(-(2**31)))
+_SURE = wp.constant(wp.int32(2**WIDTH))
+
+
+@wp.func
+def boxes_met(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
+    """(mask of the children whose boxes the ray meets within reach, the nearest of them; the farthest with flip = -1).
+
+    The boxes are larger than what is in them by more than all rounding here (`boxes.PADDING`).
+    """
+    near_x = wp.array(ptr=node + ray.near_x, shape=(WIDTH,), dtype=wp.float32)
+    near_y = wp.array(ptr=node + _ROW + ray.near_y, shape=(WIDTH,), dtype=wp.float32)
+    near_z = wp.array(ptr=node + _ROW + _ROW + ray.near_z, shape=(WIDTH,), dtype=wp.float32)
+    far_x = wp.array(ptr=node + _UPPER - ray.near_x, shape=(WIDTH,), dtype=wp.float32)
+    far_y = wp.array(ptr=node + _UPPER + _ROW - ray.near_y, shape=(WIDTH,), dtype=wp.float32)
+    far_z = wp.array(ptr=node + _UPPER + _ROW + _ROW - ray.near_z, shape=(WIDTH,), dtype=wp.float32)
+    mask = wp.int32(0)
+    best = wp.int32(_NO_HIT)
+    k = wp.int32(0)
+    while k < WIDTH:
+        enter_x = fma(near_x[k], ray.inverse_x, ray.shift_x)
+        enter_y = fma(near_y[k], ray.inverse_y, ray.shift_y)
+        enter_z = fma(near_z[k], ray.inverse_z, ray.shift_z)
+        leave_x = fma(far_x[k], ray.inverse_x, ray.shift_x)
+        leave_y = fma(far_y[k], ray.inverse_y, ray.shift_y)
+        leave_z = fma(far_z[k], ray.inverse_z, ray.shift_z)
+        enter = greater(greater(enter_x, enter_y), greater(enter_z, 0.0))
+        leave = lesser(lesser(leave_x, leave_y), lesser(leave_z, reach))
+        met = enter <= leave
+        # The child's number in the last bits of its distance: one minimum tells both.
+        key = ((wp.cast(enter, wp.int32) & (~_CHILD)) | k) ^ flip
+        best = wp.min(best, wp.where(met, key, _NO_HIT))
+        mask = mask | wp.where(met, 1 << k, 0)
+        k += 1
+    return mask, (best ^ flip) & _CHILD
+
+
+@wp.func
+def _flipped(x: wp.float32, sign: wp.int32) -> wp.float32:
+    """x or -x, by a sign bit."""
+    return wp.cast(wp.cast(x, wp.int32) ^ sign, wp.float32)
+
+
+@wp.func
+def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32) -> wp.int32:
+    """Mask of the leaf's triangles that the ray may meet within reach, and from bit 16 on of those that it meets for sure.
+
+    Edge functions of the triangles sheared onto the ray (Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection"),
+    in float32, by more than whose rounding a triangle must be missed, or met for sure. `triangle_distance` tells of others.
+
+    Args:
+        leaf: its address.
+        ray: prepared.
+        reach: of the ray.
+        edge: the longest side, seen along an axis, of what is in the leaf.
+    """
+    # Distances are those along the ray's longest axis, a share of 3^-0.5 to 1. With u = 2^-24, e = edge and r as far as a
+    # corner and 2 e: a sheared corner is rounded by 4 u r, and that of a triangle that is met is within 2 e. So an edge
+    # function is rounded by 48 u r e, their sum weighted by the distances by 181 u r e r, and reach times their sum by 172.
+    # The margins are 64, 192 and 384.
+    reach_along = lesser(reach, _FURTHEST) * wp.abs(ray.share_along)
+    backwards = (wp.cast(ray.share_along, wp.int32) ^ _SIGN) & _SIGN
+    aside_by = _ASIDE * edge
+    behind_by = 3.0 * _ASIDE * edge
+    first = wp.array(ptr=leaf + ray.first, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    along = wp.array(ptr=leaf + ray.along, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    masks = wp.int32(0)
+    k = wp.int32(0)
+    while k < WIDTH:
+        # From the corners to the origin: a register less its row is one instruction, the row less a register two.
+        az = ray.origin_along - along[k]
+        bz = ray.origin_along - along[_SECOND + k]
+        cz = ray.origin_along - along[_THIRD + k]
+        ax = fma(ray.shear_first, az, ray.origin_first - first[k])
+        bx = fma(ray.shear_first, bz, ray.origin_first - first[_SECOND + k])
+        cx = fma(ray.shear_first, cz, ray.origin_first - first[_THIRD + k])
+        ay = fma(ray.shear_second, az, ray.origin_second - second[k])
+        by = fma(ray.shear_second, bz, ray.origin_second - second[_SECOND + k])
+        cy = fma(ray.shear_second, cz, ray.origin_second - second[_THIRD + k])
+        u = fma(cx, by, negative(cy * bx))
+        v = fma(ax, cy, negative(ay * cx))
+        w = fma(bx, ay, negative(by * ax))
+        sum = u + v + w
+        inside = greater(lesser(lesser(u, v), w), negative(greater(greater(u, v), w)))  # by how much, if it is
+        weighted = fma(u, az, fma(v, bz, w * cz))
+        t = _flipped(weighted, (wp.cast(sum, wp.int32) & _SIGN) ^ backwards)
+        size = wp.abs(sum)
+        r = fma(2.0, edge, wp.abs(az))
+        aside = aside_by * r
+        behind = (behind_by * r) * r
+        beyond = behind + behind
+        near = wp.where(inside >= negative(aside), 1, 0) & wp.where(t > negative(behind), 1, 0)
+        near = near & wp.where(t < fma(reach_along, size, beyond), 1, 0)
+        surely = wp.where(inside > aside, 1, 0) & wp.where(t > behind, 1, 0)
+        surely = surely & wp.where(t < fma(reach_along, size, negative(beyond)), 1, 0)
+        masks = masks | wp.where(near != 0, 1 << k, 0) | wp.where(surely != 0, _SURE << k, 0)
+        k += 1
+    return masks

@@ -1,0 +1,194 @@
+"""Queries of the tree: nodes are followed from the mask of the boxes that a ray meets; what is left of a mask waits."""
+
+import warp as wp
+
+from warpsample.host.locks import once
+from warpsample.maths.numerics import lowest_bit
+from warpsample.tracing.wide.decision import triangle_distance
+from warpsample.tracing.wide.intersect import boxes_met, triangles_near
+from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH, Accelerator
+from warpsample.tracing.wide.prepare import Ray, ray_in
+
+_NODE = wp.constant(wp.uint64(NODE_BYTES))
+_LEAF = wp.constant(wp.uint64(LEAF_BYTES))
+_PLACES = wp.constant(wp.uint64(6 * WIDTH * 4))
+_EDGES = wp.constant(wp.uint64(7 * WIDTH * 4))
+_FACES = wp.constant(wp.uint64(9 * WIDTH * 4))
+_ALL = wp.constant(wp.int32(2**WIDTH - 1))
+_WAITING = wp.constant(wp.uint64(4 * 4))
+
+
+@wp.func
+def nearest_of(
+    leaf: wp.uint64,
+    lanes: wp.int32,
+    ray: Ray,
+    column: wp.uint64,
+    reach: wp.float32,
+    edge: wp.float32,
+):
+    """(distance, place in the leaf) of the nearest triangle met, of those in the mask `lanes`; (reach, -1) if none is."""
+    found = triangles_near(leaf, ray, reach, edge)
+    met = found & lanes
+    nearest = wp.int32(-1)
+    for _ in range(wp.bit_count(met)):
+        triangle = lowest_bit(met)
+        met = met & (met - 1)
+        distance = triangle_distance(leaf, triangle, (found >> WIDTH) & (1 << triangle), ray, column, reach)
+        if distance > 0.0:
+            reach = distance
+            nearest = triangle
+    return reach, nearest
+
+
+@wp.func
+def any_of(
+    leaf: wp.uint64,
+    lanes: wp.int32,
+    ray: Ray,
+    column: wp.uint64,
+    reach: wp.float32,
+    edge: wp.float32,
+) -> wp.int32:
+    """The place in the leaf of some triangle that is met, likewise; -1 if none is."""
+    found = triangles_near(leaf, ray, reach, edge) & (lanes | (lanes << WIDTH))
+    triangle = wp.int32(-1)
+    if found != 0:
+        sure = (found >> WIDTH) & _ALL
+        met = found & _ALL
+        if sure != 0:
+            triangle = lowest_bit(sure)
+            met = 0
+        for _ in range(wp.bit_count(met)):
+            if triangle < 0 and triangle_distance(leaf, lowest_bit(met), 0, ray, column, reach) > 0.0:
+                triangle = lowest_bit(met)
+            met = met & (met - 1)
+    return triangle
+
+
+@wp.func
+def _nearest_in(leaf: wp.uint64, ray: Ray, column: wp.uint64, reach: wp.float32, edge: wp.float32):
+    """(the new reach, the nearest triangle met in a leaf or -1)."""
+    return nearest_of(leaf, _ALL, ray, column, reach, edge)
+
+
+@wp.func
+def _any_in(leaf: wp.uint64, ray: Ray, column: wp.uint64, reach: wp.float32, edge: wp.float32):
+    """(the reach, some triangle met in a leaf or -1)."""
+    return reach, any_of(leaf, _ALL, ray, column, reach, edge)
+
+
+@wp.func
+def put_aside(top: wp.uint64, node: wp.uint64, mask: wp.int32, reach: wp.float32) -> wp.uint64:
+    """The new top of the stack of nodes that wait, with the children to be visited and the reach they were found with."""
+    address = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)
+    address[0] = node
+    waiting = wp.array(ptr=top, shape=(4,), dtype=wp.int32)
+    waiting[2] = mask
+    waiting[3] = wp.cast(reach, wp.int32)
+    return top + _WAITING
+
+
+@wp.func
+def _take_up(ray: Ray, reach: wp.float32, top: wp.uint64, bottom: wp.uint64):
+    """(node, mask, top): the last node that waits and the children within reach by now; mask 0 if none is left."""
+    node = wp.uint64(0)
+    mask = wp.int32(0)
+    while mask == 0 and top != bottom:
+        top -= _WAITING
+        address = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)
+        waiting = wp.array(ptr=top, shape=(4,), dtype=wp.int32)
+        node = address[0]
+        mask = waiting[2]
+        if waiting[3] != wp.cast(reach, wp.int32):
+            still, _ = boxes_met(node, ray, reach, 0)
+            mask = mask & still
+    return node, mask, top
+
+
+@wp.func
+def _begin_at_one(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
+    """(node, mask of its children that are met, the one to be visited first, top of the empty stack)."""
+    mask, child = boxes_met(accelerator.start, ray, reach, flip)
+    return accelerator.start, mask, child, scratch
+
+
+@wp.func
+def _begin_at_several(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
+    """Likewise, with the other nodes to start from on the stack."""
+    top = scratch
+    node = accelerator.start
+    mask, child = boxes_met(node, ray, reach, flip)
+    for other in range(1, accelerator.starts):
+        top = put_aside(top, node + wp.uint64(other) * _NODE, -1, -1.0)
+    if mask == 0:
+        node, mask, top = _take_up(ray, reach, top, scratch)
+        child = lowest_bit(mask)
+    return node, mask, child, top
+
+
+@once
+def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
+    """A query (Accelerator, ray, reach, scratch) -> (distance or inf, face or -1, nodes, leaves visited).
+
+    In the tree's coordinates; origins are within 6 of 0 on each axis, reaches above 0. `ray` is the address of a column
+    of a prepared chunk's rows, `scratch` that of SCRATCH words.
+
+    Args:
+        any_hit: stops at the first triangle found, not the nearest. Of several children the farthest is visited first: near
+            the surface that a ray leaves from it meets many boxes and no triangle.
+        several: whether there may be several nodes to start from; 5 % slower.
+    """
+    flip = -1 if any_hit else 0
+    begin = _begin_at_several if several else _begin_at_one
+    look_into = _any_in if any_hit else _nearest_in
+
+    @wp.func
+    def wide_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
+        ray = ray_in(column)
+        hit = wp.int32(-1)
+        hit_leaf = wp.uint64(0)
+        visited = wp.int32(1)
+        visited_leaves = wp.int32(0)
+        node, mask, child, top = begin(accelerator, ray, reach, flip, scratch)
+        while mask != 0:
+            mask = mask & (~(1 << child))
+            place = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)[child]
+            below = wp.int32(0)
+            if place < 0:
+                visited_leaves += 1
+                leaf = accelerator.leaves + wp.uint64(~place) * _LEAF
+                edge = wp.array(ptr=node + _EDGES, shape=(WIDTH,), dtype=wp.float32)[child]
+                reach, triangle = look_into(leaf, ray, column, reach, edge)
+                if triangle >= 0:
+                    hit = triangle
+                    hit_leaf = leaf
+                    if any_hit:
+                        mask = 0
+                        top = scratch
+                    if mask != 0:
+                        still, child = boxes_met(node, ray, reach, flip)
+                        mask = mask & still
+            else:
+                visited += 1
+                inner = accelerator.nodes + wp.uint64(place) * _NODE
+                below, child = boxes_met(inner, ray, reach, flip)
+                if below != 0:
+                    if mask != 0:
+                        top = put_aside(top, node, mask, reach)
+                    node = inner
+                    mask = below
+            if below == 0:
+                if mask == 0:
+                    node, mask, top = _take_up(ray, reach, top, scratch)
+                child = lowest_bit(mask)
+        face = wp.int32(-1)
+        nearest = wp.float32(wp.INF)
+        if hit >= 0:
+            face = wp.array(ptr=hit_leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)[hit]
+            nearest = reach
+            if wp.static(any_hit):
+                nearest = triangle_distance(hit_leaf, hit, 1, ray, column, reach)
+        return nearest, face, visited, visited_leaves
+
+    return wide_query

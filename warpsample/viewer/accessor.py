@@ -1,0 +1,103 @@
+"""`mesh.warpsample` on every pyvista.PolyData; PyVista finds this file by the entry point `pyvista.accessors`."""
+
+from typing import Any, Literal, get_args
+
+import pyvista as pv
+
+from warpsample.directions.sample import sample_directions
+from warpsample.distributions.cosine_hemisphere import CosineHemisphere
+from warpsample.distributions.record import Distribution
+from warpsample.estimate.result import Estimate
+from warpsample.estimate.visibility import ambient_occlusion, sky_view_factor
+from warpsample.host.arguments import check_choice, check_integer, check_scale
+from warpsample.mesh.mesh import Mesh, as_mesh
+from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+from warpsample.output.export import CLOUD_SCALE
+
+At = Literal["vertices", "faces"]
+
+
+@pv.register_dataset_accessor("warpsample", pv.PolyData)
+class WarpsampleAccessor:
+    """Directions and numbers per point for a PolyData, which stays as it is; other polygons are cut into triangles."""
+
+    def __init__(self, dataset: pv.PolyData):
+        self._dataset, self._mesh, self._time = dataset, None, -1
+
+    @property
+    def mesh(self) -> Mesh:
+        """The triangles as a warpsample.Mesh, kept with its search tree until the dataset changes."""
+        if self._mesh is None or self._dataset.GetMTime() != self._time:
+            self._mesh, self._time = as_mesh(self._dataset), self._dataset.GetMTime()
+        return self._mesh
+
+    def sample_directions(
+        self,
+        count: int,
+        distribution: Distribution | str = CosineHemisphere(),  # noqa: B008  (frozen)
+        points: int | None = None,
+        scale: float | None = None,
+        seed: int = 0,
+        **options: Any,
+    ) -> pv.PolyData:
+        """A cloud of `count` directions about each normal.
+
+        Args:
+            count: directions at each point.
+            distribution: an instance or a name.
+            points: so many points, uniform by area; by default the dataset's own, with their area-weighted normals.
+            scale: length of a direction in the cloud, in the dataset's unit; by default 5 % of its diagonal.
+            seed: of points and directions.
+            options: of `warpsample.sample_directions`: sequence, pdf, active, workers.
+
+        Returns:
+            a point at position + scale * direction for each direction, with "Normals" (the direction), "point" (the row of
+            its point) and, by `pdf=True`, "pdf". Points without a normal have none.
+
+        Raises:
+            TypeError, ValueError: an argument that cannot be used; names it.
+        """
+        length = CLOUD_SCALE * self.mesh.diagonal if scale is None else check_scale(scale)
+        if points is None:
+            at = vertex_points(self.mesh)
+        else:
+            at = sample_surface(self.mesh, check_integer(points, "points", 1, 2**31 - 1), seed)
+        return sample_directions(at, count, distribution, seed=seed, **options).to_polydata(at, length)
+
+    def ambient_occlusion(self, count: int = 256, at: At = "vertices", **options: Any) -> pv.PolyData:
+        """A copy of the dataset with "ambient_occlusion" (1: open), "standard_error", "rays" and "status".
+
+        Args:
+            count: rays of each point.
+            at: "vertices" gives point data, "faces" cell data; faces are those of `mesh`.
+            options: of `warpsample.ambient_occlusion`.
+
+        Raises:
+            TypeError, ValueError: an argument that cannot be used; names it.
+        """
+        return self._with("ambient_occlusion", at, ambient_occlusion(self.mesh, self._points(at), count, **options))
+
+    def sky_view_factor(self, count: int = 256, at: At = "vertices", **options: Any) -> pv.PolyData:
+        """A copy of the dataset with "sky_view_factor", "standard_error", "below_horizon", "rays" and "status".
+
+        Args:
+            count: rays of each point.
+            at: "vertices" gives point data, "faces" cell data; faces are those of `mesh`.
+            options: of `warpsample.sky_view_factor`.
+
+        Raises:
+            TypeError, ValueError: an argument that cannot be used; names it.
+        """
+        return self._with("sky_view_factor", at, sky_view_factor(self.mesh, self._points(at), count, **options))
+
+    def _points(self, at: At) -> SurfacePoints:
+        at = check_choice(at, "at", get_args(At))
+        return vertex_points(self.mesh) if at == "vertices" else face_centers(self.mesh)
+
+    def _with(self, name: str, at: At, found: Estimate) -> pv.PolyData:
+        numbers = found.to_polydata(self.mesh, at)
+        made = self._dataset.copy() if at == "vertices" or self._dataset.is_all_triangles else self._dataset.triangulate()
+        source, target = (d.cell_data if at == "faces" else d.point_data for d in (numbers, made))
+        for key in source:
+            target[name if key == "value" else key] = source[key]
+        return made
