@@ -7,7 +7,7 @@ import pytest
 import warp as wp
 
 import warpsample as ws
-from warpsample import directions as module
+from warpsample.directions import sample as module
 from warpsample.proof import laws, twins
 from warpsample.proof.integer_twins import pcg4d
 

@@ -45,8 +45,9 @@ def test_a_notebook_shows_the_bar_of_a_long_call():
     assert shown == [False, True]
 
 
-def test_every_picture_of_the_readme_is_in_the_gallery(repository, script):
-    shown = re.findall(r"!\[[^]]*\]\(viz/(\w+)\.png\)", (repository / "README.md").read_text())
+def test_every_picture_of_a_readme_is_in_the_gallery(repository, script):
+    texts = [path.read_text() for path in sorted(repository.rglob("README.md"))]
+    shown = [name for text in texts for name in re.findall(r"!\[[^]]*\]\([^)]*?(\w+)\.png\)", text)]
     assert len(shown) == len(set(shown))
     assert set(shown) <= {shot.name for shot in script("gallery").SHOTS}
     assert {shot.name for shot in script("gallery").SHOTS} - set(shown) <= {"direction_clouds_wrong"}

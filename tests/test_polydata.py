@@ -90,11 +90,11 @@ def test_the_accessor_gives_what_the_functions_give(ball):
 def test_the_accessor_follows_its_mesh(ball):
     """The ball moved away takes its shadow with it; until then the tree is kept."""
     moved = ball.copy()
-    before = moved.warpsample.mesh.mesh
-    assert moved.warpsample.mesh.mesh is before
+    before = moved.warpsample.mesh
+    assert moved.warpsample.mesh is before
     shadow = moved.warpsample.ambient_occlusion(64)["ambient_occlusion"]
     moved.points[4:, 0] += 50.0  # the plane's four corners come first
-    assert moved.warpsample.mesh.mesh is not before
+    assert moved.warpsample.mesh is not before
     assert moved.warpsample.ambient_occlusion(64)["ambient_occlusion"][:4].mean() > shadow[:4].mean()
 
 
