@@ -1,4 +1,4 @@
-"""What all tests share. Statistical tests reject at ALPHA, so that a right suite fails by chance once in 10^4 machines."""
+"""What all tests share."""
 
 import importlib.util
 import os
@@ -10,6 +10,7 @@ import precision
 import pytest
 import trimesh
 import warp as wp
+from significance import ALPHA, STATISTICAL_TESTS
 
 precision.watch()  # before our modules take what it replaces
 
@@ -20,8 +21,6 @@ from warpsample.plotting import rendering  # noqa: E402
 wp.config.log_level = wp.LOG_WARNING
 wp.init()
 
-STATISTICAL_TESTS = 500  # more than the suite makes; counted below
-ALPHA = 1e-4 / STATISTICAL_TESTS
 _made = []
 
 

@@ -82,7 +82,7 @@ class Estimate:
         to 97.3 % by any; 94 to 97 % on the floors and walls of streets, 92 to 99 % under single edges, where few rays decide
         and 95 % may not be among what can happen. The same by other quantities, but for a short `max_distance` and `falloff`
         on the bunny: up to 98 %. Among leaves, many edges to a cell, it is 90 to 94 %. Below 32 rays nothing is promised.
-        `pytest -m slow tests/test_intervals.py` measures again.
+        `pytest -m slow tests/estimate/test_intervals.py` measures again.
 
         A pure function of the numbers above, so that `skip` changes none of its bits: a point that is proven open, whose
         interval could be empty, has that of any point all of whose rays agree, half a ray's weight times the quantile.

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 from estimate_cases import at, same
+from meshes import turned
 from trimesh import creation
 
 import warpsample as ws
@@ -19,12 +20,6 @@ ROOMS = {
         creation.icosphere(1).vertices * np.random.default_rng(3).uniform(0.3, 1.0, (42, 1)), creation.icosphere(1).faces
     ),
 }
-
-
-def turned(seed):
-    """A rotation, so that no wall is along an axis; none for 0."""
-    q = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0]
-    return np.eye(3) if seed == 0 else q * np.sign(np.linalg.det(q))
 
 
 def on_all_edges(mesh):

@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from test_bench import lines_of, not_blank, run_command
+from bench_output import lines_of, not_blank, run_command
 
 from warpsample.bench import plots, report, visibility, visibility_jobs
 

@@ -7,7 +7,7 @@ import pytest
 import trimesh
 import warp as wp
 from estimate_cases import at, same, square, street
-from test_tracing import soup
+from meshes import soup
 
 import warpsample as ws
 from warpsample.estimate.cells import cells_of

@@ -17,7 +17,7 @@ def alone(tmp_path, child_environment):
 
     def run(*command, **environment):
         if not command[0].startswith("-"):
-            command = (Path(__file__).with_name("caches.py"), *command)
+            command = (Path(__file__).parents[1] / "support" / "caches.py", *command)
         environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / "cache"), **environment}
         command = [sys.executable, *map(str, command)]
         done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=150, check=False)

@@ -17,7 +17,7 @@ import scipy.special
 
 _OURS = (
     str(Path(find_spec("warpsample").origin).parent),
-    *(str(Path(__file__).resolve().parents[1] / folder) for folder in ("tests", "viz")),
+    *(str(Path(__file__).resolve().parents[2] / folder) for folder in ("tests", "viz")),
 )
 _EXACT = (  # with what compares, takes apart or selects, and products with one constant
     *("add", "conjugate", "divide", "divmod", "floor_divide", "fmod", "multiply", "reciprocal", "remainder", "square"),

@@ -1,4 +1,4 @@
-"""Mitsuba's own chi-square harness on our samplers: `pip install mitsuba`, then `python tests/mitsuba_chi2.py`.
+"""Mitsuba's own chi-square harness on our samplers: `pip install mitsuba`, then `python tests/support/mitsuba_chi2.py`.
 
 Its LLVM must be version 17 or newer (DRJIT_LIBLLVM_PATH). Its grid of 101 x 202 cells of the whole sphere resolves neither
 narrow lobes nor an infinite density; those are left to `warpsample verify`. Prints a p-value for each case; exit status 1 if

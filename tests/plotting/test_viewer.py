@@ -6,8 +6,8 @@ from math import exp, log, log2
 import numpy as np
 import pytest
 import trimesh
-from conftest import ALPHA
 from scipy.integrate import trapezoid
+from significance import ALPHA
 
 import warpsample as ws
 from warpsample.viewer import controls, lobes, window

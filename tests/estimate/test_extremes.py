@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 from estimate_cases import same
-from test_starts import turned
+from meshes import turned
 from trimesh import creation
 
 import warpsample as ws

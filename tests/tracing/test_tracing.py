@@ -12,11 +12,12 @@ import pytest
 import warp as wp
 from embreex.mesh_construction import TriangleMesh
 from embreex.rtcore_scene import EmbreeScene
+from meshes import BOX, CLOSED, SPHERE, random_rays, soup
 
 import warpsample as ws
 from warpsample.host import engine
 from warpsample.proof import report
-from warpsample.proof.rays import closed_meshes, judge_mesh, rays_inside
+from warpsample.proof.rays import judge_mesh, rays_inside
 from warpsample.tracing import order, trace
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
 from warpsample.tracing.rays import ray_kernel
@@ -25,29 +26,9 @@ from warpsample.tracing.wide.layout import CHUNK
 from warpsample.tracing.wide.prepare import prepare_wide
 from warpsample.tracing.wide.query import wide_query
 
-CLOSED = closed_meshes()
 TRIANGLE = ws.as_mesh(([(0, 0, 0), (2, 0, 0), (0, 2, 0)], [(0, 1, 2)]))
-SPHERE, TORUS, BOX = (CLOSED[name][0] for name in ("sphere", "torus", "box"))
 tracers = pytest.mark.parametrize("tracer", ["wide", "warp"])
 queries = pytest.mark.parametrize("any_hit", [False, True], ids=["nearest", "any"])
-
-
-def soup(count=400, seed=2):
-    """Random triangles with duplicates, slivers, coplanar, degenerate and tiny ones among them."""
-    rng = np.random.default_rng(seed)
-    corners = rng.uniform(-1, 1, (count, 1, 3)) + rng.normal(0, 0.2, (count, 3, 3))
-    corners[:20] = corners[20:40]
-    corners[40:60, :, 2] = 0.25
-    corners[60:70, 2] = corners[60:70, 0] + 1e-5 * rng.normal(size=(10, 3))
-    corners[70:75, 2] = corners[70:75, 1]
-    corners[75:80] = corners[75:80, :1]
-    corners[80:90] = corners[80:90, :1] + 1e-4 * rng.normal(size=(10, 3, 3))
-    return ws.as_mesh((corners.reshape(-1, 3), np.arange(3 * count).reshape(-1, 3)))
-
-
-def random_rays(count, seed=1):
-    rng = np.random.default_rng(seed)
-    return rng.uniform(-1, 1, (count, 3)), rng.normal(size=(count, 3))
 
 
 def brute_force(mesh, origins, directions):

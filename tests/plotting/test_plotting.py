@@ -8,7 +8,7 @@ from functools import partial
 import matplotlib.image
 import numpy as np
 import pytest
-from conftest import ALPHA
+from significance import ALPHA
 
 import warpsample as ws
 from warpsample.plotting import rendering, scenes, sheets

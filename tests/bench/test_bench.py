@@ -8,27 +8,17 @@ from time import sleep
 
 import numpy as np
 import pytest
+from bench_output import lines_of, not_blank, run_command
 from scipy.stats import norm
 
 import warpsample as ws
-from warpsample import cli
 from warpsample.bench import child, directions, error, machine, peer_jobs, peers, plots, report, scaling, startup, timing
 from warpsample.bench.integrands import INTEGRANDS, evaluate
 from warpsample.bench.timing import Spread
-from warpsample.cli import terminal
 
 pytestmark = pytest.mark.slow  # peers and timers, in processes of their own
 
 STARTS = [startup.Startup("cold", 0.5, 0.1, 2.0, 0.5)]
-
-
-def lines_of(show, capsys, *found):
-    console = terminal.console()
-    show(console, *found)
-    lines = capsys.readouterr().out.splitlines()
-    assert max(map(len, lines)) <= 120
-    assert not [line for line in lines if "…" in line]
-    return lines
 
 
 # Timing
@@ -110,12 +100,6 @@ def test_directions_tables_and_pictures(rows, capsys, tmp_path):
     files = plots.save(plots.draw_directions(rows, "caption"), tmp_path / "new")
     assert [file.name for file in files] == ["maps.png", "sequences.png"]
     assert not_blank(files)
-
-
-def not_blank(files):
-    from matplotlib.image import imread
-
-    return all(imread(file)[..., :3].std() > 0.05 for file in files)
 
 
 def test_startup_is_measured_in_new_processes():
@@ -327,13 +311,6 @@ def test_a_stream_computes_every_direction(monkeypatch):
 
 
 # The command
-
-
-def run_command(monkeypatch, *arguments):
-    monkeypatch.setattr(sys, "argv", ["warpsample", "bench", *map(str, arguments)])
-    with pytest.raises(SystemExit) as stop:
-        cli.main()
-    return stop.value.code
 
 
 def test_commands_keep_every_repeat(monkeypatch, capsys, tmp_path, rows, curves, peer_rows):

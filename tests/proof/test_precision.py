@@ -18,7 +18,7 @@ SINGLE = np.array([0.25, 0.5], np.float32)
 # roundings. float32 would leave 1e-7 of an angle, and 1e-9 of the least sensitive p-value.
 ROUNDING = 1e-11
 # What stands and falls with NumPy's loops, in half a minute.
-JUDGES = ("precision", "numerics", "harness", "distributions")
+JUDGES = ("proof/test_precision", "maths/test_numerics", "proof/test_harness", "test_distributions")
 AMONG_THEM = "precision or numerics or charts or quadrature or cdf or every_law and Uniform"
 
 
@@ -121,7 +121,7 @@ def test_verdicts_hold_on_lesser_processors(without, repository, child_environme
     if not disabled:
         pytest.skip("this processor has none of these features, or NumPy does not use them")
     environment = {name: value for name, value in child_environment.items() if not name.startswith(("PYTEST_", "COV_"))}
-    files = [f"tests/test_{name}.py" for name in JUDGES]
+    files = [f"tests/{name}.py" for name in JUDGES]
     done = subprocess.run(
         [*(sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-k", AMONG_THEM), *files],
         cwd=repository,

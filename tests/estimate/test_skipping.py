@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from estimate_cases import at, same
-from test_tracing import soup
+from meshes import soup
 
 import warpsample as ws
 from warpsample.bench import scenes

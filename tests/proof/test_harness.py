@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import trimesh
-from conftest import ALPHA
+from significance import ALPHA
 
 import warpsample as ws
 from warpsample.proof import defects, laws, routes, stress, twins, verify

@@ -16,7 +16,7 @@ def alone(child_environment):
     """Runs a task of parallel.py in a process of its own, which may crash or hang without the suite."""
 
     def run(*task, timeout=150):
-        command = [sys.executable, "-X", "faulthandler", str(Path(__file__).with_name("parallel.py")), *task]
+        command = [sys.executable, "-X", "faulthandler", str(Path(__file__).parents[1] / "support" / "parallel.py"), *task]
         done = subprocess.run(command, capture_output=True, text=True, timeout=timeout, env=child_environment, check=False)
         assert done.returncode == 0, done.stderr
 

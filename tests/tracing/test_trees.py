@@ -5,7 +5,7 @@ from collections import Counter
 import numpy as np
 import pytest
 import trimesh
-from test_tracing import BOX, TORUS, random_rays
+from meshes import BOX, TORUS, random_rays
 
 import warpsample as ws
 from warpsample.proof.rays import rays_inside
