@@ -7,7 +7,6 @@ from meshes import soup
 
 import warpsample as ws
 from warpsample.bench import scenes
-from warpsample.estimate import plan
 from warpsample.estimate.cells import cells_of
 from warpsample.proof.rays import closed_meshes
 
@@ -37,7 +36,7 @@ def test_a_wrong_beam_would_be_seen(bunny, points, monkeypatch):
     cells = cells_of(500)
     turned = type(cells)(cells.bands, cells.sectors, cells.each, np.roll(cells.beams, 1, axis=0))
     right = ws.ambient_occlusion(bunny, points, 500)
-    monkeypatch.setattr(plan, "cells_of", lambda _: turned)
+    monkeypatch.setattr("warpsample.estimate.runner.cells_of", lambda _: turned)
     assert not same(ws.ambient_occlusion(bunny, points, 500), right)
 
 
@@ -72,7 +71,7 @@ def test_obscurance_lies_between_what_it_blends(bunny, points):
 def test_threads_parts_order_and_masks_change_no_bit(bunny, points, monkeypatch):
     right = ws.ambient_occlusion(bunny, points, 300, seed=7, first_point=2**40)
     monkeypatch.setattr("warpsample.host.engine._LEAST_WORK", 1)
-    monkeypatch.setattr(plan, "MANY_FACES", 1)
+    monkeypatch.setattr("warpsample.tracing.order.MANY_FACES", 1)
     monkeypatch.setattr("warpsample.tracing.order._FEW_POINTS", 1)
     assert same(ws.ambient_occlusion(bunny, points, 300, seed=7, first_point=2**40, workers=3), right)
     half = ws.SurfacePoints(points.position[300:], points.normal[300:], points.face[300:])

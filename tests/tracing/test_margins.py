@@ -6,9 +6,9 @@ import warp as wp
 
 import warpsample as ws
 from warpsample.estimate.cells import cells_of
-from warpsample.estimate.job import aim
 from warpsample.estimate.skipping.beams import boxes_in, triangles_in
 from warpsample.estimate.skipping.frontier import HORIZON_MARGIN, triangles_above, visible
+from warpsample.estimate.spot import aim
 from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.decision import triangle_distance
 from warpsample.tracing.wide.intersect import boxes_met, triangles_near

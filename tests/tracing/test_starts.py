@@ -158,12 +158,13 @@ def test_what_floats_starts_where_it_is(bunny, points):
     started = []
 
     def watched(scene, *arguments):
-        started.append(tracing_starts(scene, *arguments) / scene.scale + scene.centre)
-        return started[-1]
+        starts = set_starts(scene, *arguments)
+        started.append(starts / scene.scale + scene.centre)
+        return starts
 
-    tracing_starts = tracing.starts_of
+    set_starts = tracing.set_starts
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(tracing, "starts_of", watched)
+        patch.setattr(tracing, "set_starts", watched)
         ways = points.normal[:, None]
         ws.trace(bunny, points, ways)
         floating = ws.SurfacePoints(points.position + 0.01 * points.normal, points.normal)

@@ -20,8 +20,10 @@ from warpsample.proof import report
 from warpsample.proof.rays import judge_mesh, rays_inside
 from warpsample.tracing import order, trace
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
+from warpsample.tracing.placement import placed
 from warpsample.tracing.rays import ray_kernel
 from warpsample.tracing.scene import scene_of
+from warpsample.tracing.triples import Triples
 from warpsample.tracing.wide.layout import CHUNK
 from warpsample.tracing.wide.prepare import prepare_wide
 from warpsample.tracing.wide.query import wide_query
@@ -143,12 +145,15 @@ def test_leaks_are_found():
 def test_points_that_start_on_their_face_are_found(monkeypatch):
     mesh = ws.Mesh(SPHERE.vertices, SPHERE.faces)
 
-    def not_moved(scene, rays, *_):
+    def not_moved(scene, placement, *_):
         """The starts, right on the faces."""
-        places = np.ctypeslib.as_array((ctypes.c_double * (3 * rays.points)).from_address(rays.origins)).reshape(-1, 3)
-        return np.repeat(((places - scene.centre) * scene.scale).astype(np.float32)[:, None], 2, axis=1)
+        memory = (ctypes.c_double * (3 * placement.points)).from_address(placement.origins)
+        places = np.ctypeslib.as_array(memory).reshape(-1, 3)
+        starts = np.repeat(((places - scene.centre) * scene.scale).astype(np.float32)[:, None], 2, axis=1)
+        placement.starts = starts.ctypes.data
+        return starts
 
-    monkeypatch.setattr("warpsample.tracing.trace.starts_of", not_moved)
+    monkeypatch.setattr("warpsample.tracing.trace.set_starts", not_moved)
     broken = {v.law for v in judge_mesh("sphere", mesh, (0.0, 0.0, 0.0), 1 << 16, 64) if not v.passed}
     assert "rays that meet their own face" in broken
 
@@ -208,7 +213,7 @@ def test_workers_order_and_layout_change_no_bit(bunny, any_hit, monkeypatch):
     want = ws.trace(bunny, origins, directions, any_hit=any_hit, workers=1)
     monkeypatch.setattr("warpsample.host.engine._LEAST_WORK", 1)
     flat = ws.trace(bunny, np.repeat(origins, 64, axis=0), directions.reshape(-1, 3), any_hit=any_hit, workers=3)
-    monkeypatch.setattr(trace, "MANY_FACES", 1)
+    monkeypatch.setattr(order, "MANY_FACES", 1)
     monkeypatch.setattr(order, "_FEW_POINTS", 1)
     sorts = []
     monkeypatch.setattr(np, "argsort", lambda *args, real=np.argsort, **how: sorts.append(1) or real(*args, **how))
@@ -228,12 +233,12 @@ def test_one_origin_serves_all_directions(bunny):
 
 
 def test_points_are_visited_cell_by_cell(monkeypatch):
+    monkeypatch.setattr(order, "MANY_FACES", 1)
     monkeypatch.setattr(order, "_FEW_POINTS", 1)
     grid = np.stack(np.meshgrid(*3 * [np.linspace(-0.9, 0.9, 8)]), axis=-1).reshape(-1, 3)
     grid = np.random.default_rng(1).permutation(grid).astype(np.float32)
-    start, way = trace.Triples.of(grid, "a"), trace.Triples.of(np.ones((512, 8, 3), np.float32), "b")
-    distance, face = way.empty(np.float32), way.empty(np.int32)
-    found = order.order_of(trace.job_of(scene_of(BOX), start, way, 1.0, distance, face), 1)
+    scene = scene_of(BOX)
+    found = order.order_of(scene, placed(scene, Triples.of(grid, "a"), 1.0), 8, 1)
     assert sorted(found) == list(range(512))
     assert (
         np.linalg.norm(np.diff(grid[found], axis=0), axis=1).mean()
@@ -361,10 +366,10 @@ def test_beyond_two_to_the_31_rays(per_point):
         pytest.skip("this machine does not hand out address space that it has no memory for")
     directions[-3:], origins[-3:] = [0.0, 0.0, -1.0], [0.5, 0.5, 3.0]
     scene = scene_of(TRIANGLE)
-    start, way = (trace.Triples.of(a.reshape(-1, 3), "rays") for a in (origins, directions))
-    start = start if per_point == 1 else trace.Triples.of(origins, "one")
-    job = trace.job_of(scene, start, way, np.inf, distance, face)
-    job.block, tasks = CHUNK, -(-rays // CHUNK)
+    start, way = (Triples.of(a.reshape(-1, 3), "rays") for a in (origins, directions))
+    start = start if per_point == 1 else Triples.of(origins, "one")
+    job = trace.rays_of(placed(scene, start, np.inf), way, ws.Hits(distance, face, "wide"))
+    job.each, tasks = CHUNK, -(-rays // CHUNK)
     kernel = ray_kernel(prepare_wide, wide_query(False))
     command = engine._take(kernel, [job, scene.tree(1).accelerator()], wp.get_device("cpu"))
     engine._run_chunks(command, iter([tasks - 10]), 10, tasks)

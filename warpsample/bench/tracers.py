@@ -12,10 +12,12 @@ import numpy as np
 from warpsample.bench.scenes import rays
 from warpsample.host.arrays import cpu
 from warpsample.mesh.mesh import Mesh
-from warpsample.tracing.builtin import builtin_any_query, prepare_builtin
-from warpsample.tracing.rays import ray_kernel
+from warpsample.tracing.placement import placed
+from warpsample.tracing.rays import launch_rays, ray_kernel, trace_rays
 from warpsample.tracing.scene import Scene, scene_of
-from warpsample.tracing.trace import Triples, answer, job_of, run_rays, trace
+from warpsample.tracing.trace import Hits, rays_of, trace
+from warpsample.tracing.tracers import BUILTIN, WIDE
+from warpsample.tracing.triples import Triples
 
 _PARTS = 8  # of the rays, for each thread of a peer that leaves threads to its caller
 
@@ -45,11 +47,11 @@ class Wide:
         """(nodes, leaves) that a ray visits, on average."""
         scene = scene_of(self.mesh)
         start, way = (Triples.of(array, "rays") for array in self.rays)
-        distance, face = way.empty(np.float32), way.empty(np.int32)
-        job = job_of(scene, start, way, np.inf, distance, face)
+        hits = Hits(way.empty(np.float32), way.empty(np.int32), "wide")
+        asked = rays_of(placed(scene, start, np.inf), way, hits)
         counts = np.zeros((*way.shape, 2), np.int32)
-        job.visits = counts.ctypes.data
-        answer(scene, job, "wide", any_hit, way.device, 1)
+        asked.visits = counts.ctypes.data
+        trace_rays(scene, asked, WIDE, any_hit, way.device, 1)
         nodes, leaves = counts.reshape(-1, 2).mean(axis=0)
         return float(nodes), float(leaves)
 
@@ -68,12 +70,13 @@ class Builtin:
             return lambda: trace(self.mesh, *self.rays, tracer="warp", workers=workers).face.ravel() >= 0
         start, way = (Triples.of(array, "rays") for array in self.rays)
         accelerator = self.scene.builtin(way.device)
+        kernel = ray_kernel(BUILTIN.prepare, BUILTIN.distance_query(True))
 
         def work() -> np.ndarray:
-            distance, face = way.empty(np.float32), way.empty(np.int32)
-            job = job_of(self.scene, start, way, np.inf, distance, face)
-            run_rays(ray_kernel(prepare_builtin, builtin_any_query), accelerator, job, way.device, workers)
-            return face.ravel() >= 0
+            hits = Hits(way.empty(np.float32), way.empty(np.int32), "warp")
+            asked = rays_of(placed(self.scene, start, np.inf), way, hits)
+            launch_rays(kernel, accelerator, asked, way.device, workers)
+            return hits.face.ravel() >= 0
 
         return work
 

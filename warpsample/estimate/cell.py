@@ -3,11 +3,11 @@
 import warp as wp
 
 from warpsample.directions.variates import LANES
-from warpsample.estimate.job import EstimateJob, Spot, bring_near
 from warpsample.estimate.rays import distance_of, spread_of
 from warpsample.estimate.slots import Slots
+from warpsample.estimate.spot import Lobes, Spot, bring_near
 from warpsample.host.locks import once
-from warpsample.tracing.rays import far_off
+from warpsample.tracing.placement import far_off
 from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, REACH, Accelerator
 
 _ZERO = wp.constant(wp.float64(0.0))
@@ -47,7 +47,7 @@ def share_of(slots: Slots) -> wp.Function:
     any_hit, distance_to = slots.any_hit, distance_of(slots)
 
     @wp.func
-    def share_of(job: EstimateJob, accelerator: Accelerator, spot: Spot, near: wp.int32, column: wp.uint64):
+    def share_of(lobes: Lobes, accelerator: Accelerator, spot: Spot, near: wp.int32, column: wp.uint64):
         """(the share of its weight that a ray adds, 1 if it meets something and else 0)."""
         ray = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
         reach = ray[REACH]
@@ -59,7 +59,7 @@ def share_of(slots: Slots) -> wp.Function:
             share = 0.0
             if wp.static(not any_hit):
                 t = (distance + (spot.reach - reach)) / spot.reach
-                share = 1.0 - wp.pow(1.0 - t, job.falloff)
+                share = 1.0 - wp.pow(1.0 - t, lobes.falloff)
         return share, wp.where(distance < wp.INF, 1, 0)
 
     return share_of
@@ -72,7 +72,7 @@ def cell_sum(slots: Slots) -> wp.Function:
     weigh, prepare, counts, channels = slots.weigh, slots.prepare, slots.counts, slots.channels
 
     @wp.func
-    def sum_cell(job: EstimateJob, accelerator: Accelerator, spot: Spot, cell: wp.int32, found: wp.int32, near: wp.int32):
+    def sum_cell(lobes: Lobes, accelerator: Accelerator, spot: Spot, cell: wp.int32, found: wp.int32, near: wp.int32):
         """(sum of the weights of both replicates' rays, how much more the first has, rays cast, free, a weight)."""
         # Scalars: a vector of doubles goes through memory, and costs half as much as a ray. Hits are whole numbers.
         hits = wp.int32(0)
@@ -84,12 +84,12 @@ def cell_sum(slots: Slots) -> wp.Function:
         more_y = _ZERO
         more_z = _ZERO
         cast = wp.int32(0)
-        free = 2 * job.each
+        free = 2 * lobes.each
         w = wp.vec3(1.0, 0.0, 0.0)
-        for first in range(0, 2 * job.each, CHUNK):
-            length = wp.min(CHUNK, 2 * job.each - first)
+        for first in range(0, 2 * lobes.each, CHUNK):
+            length = wp.min(CHUNK, 2 * lobes.each - first)
             padded = (length + LANES - 1) / LANES * LANES
-            spread(job, spot, cell, first, padded)
+            spread(lobes, spot, cell, first, padded)
             if far_off(spot.place):
                 for k in range(length):
                     bring_near(spot, spot.chunk + wp.uint64(4 * k))
@@ -98,13 +98,13 @@ def cell_sum(slots: Slots) -> wp.Function:
             for k in range(length):
                 column = spot.chunk + wp.uint64(4 * k)
                 ray = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-                w = weigh(wp.vec3(ray[DIRECTION], ray[DIRECTION + CHUNK], ray[DIRECTION + 2 * CHUNK]), job.weights)
+                w = weigh(wp.vec3(ray[DIRECTION], ray[DIRECTION + CHUNK], ray[DIRECTION + 2 * CHUNK]), lobes.weights)
                 share = wp.float32(1.0)
                 if found != 0 and (w[0] != 0.0 or w[1] != 0.0 or w[2] != 0.0):
                     cast += 1
-                    share, met = share_left(job, accelerator, spot, near, column)
+                    share, met = share_left(lobes, accelerator, spot, near, column)
                     free -= met
-                sign = wp.where(first + k < job.each, 1, -1)
+                sign = wp.where(first + k < lobes.each, 1, -1)
                 if wp.static(counts):
                     hit = wp.where(share * w[0] != 0.0, 1, 0)
                     hits += hit

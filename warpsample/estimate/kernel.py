@@ -3,14 +3,14 @@
 import warp as wp
 
 from warpsample.directions.job import normal_status, weigh_by_mask
-from warpsample.estimate.job import NONFINITE_POSITION, EstimateJob, Spot, start
 from warpsample.estimate.lobe import NOTHING, counted_lobe, weighed_lobe
 from warpsample.estimate.rays import SQUARE_FLOATS
 from warpsample.estimate.skipping.frontier import HORIZON_MARGIN
 from warpsample.estimate.slots import Slots
+from warpsample.estimate.spot import NONFINITE_POSITION, Lobes, Spot, start
 from warpsample.host.locks import once
 from warpsample.maths.numerics import scaled_to_unit
-from warpsample.tracing.rays import lift, local_origin, point_of, reach_along
+from warpsample.tracing.placement import lift, local_origin, point_of, reach_along
 from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, SCRATCH, START_FLOATS, Accelerator
 
 _NONFINITE_POSITION = wp.constant(wp.int32(NONFINITE_POSITION))
@@ -22,14 +22,14 @@ def _keep(channels: int) -> wp.Function:
     """A function that stores the numbers of a point."""
 
     @wp.func
-    def keep(job: EstimateJob, point: wp.int64, total: wp.vec3d, variance: wp.vec3d, width: wp.vec3d, degrees: wp.vec3d):
+    def keep(lobes: Lobes, point: wp.int64, total: wp.vec3d, variance: wp.vec3d, width: wp.vec3d, degrees: wp.vec3d):
         """Means of the rays from sums over them."""
-        rays = wp.float64(2 * job.each * job.bands * job.sectors)
+        rays = wp.float64(2 * lobes.each * lobes.bands * lobes.sectors)
         at = wp.uint64(point) * wp.uint64(4 * channels)
-        value = wp.array(ptr=job.value + at, shape=(channels,), dtype=wp.float32)
-        error = wp.array(ptr=job.error + at, shape=(channels,), dtype=wp.float32)
-        spreads = wp.array(ptr=job.spread + at, shape=(channels,), dtype=wp.float32)
-        freedom = wp.array(ptr=job.degrees + at, shape=(channels,), dtype=wp.float32)
+        value = wp.array(ptr=lobes.value + at, shape=(channels,), dtype=wp.float32)
+        error = wp.array(ptr=lobes.error + at, shape=(channels,), dtype=wp.float32)
+        spreads = wp.array(ptr=lobes.spread + at, shape=(channels,), dtype=wp.float32)
+        freedom = wp.array(ptr=lobes.degrees + at, shape=(channels,), dtype=wp.float32)
         for c in range(channels):
             value[c] = wp.float32(total[c] / rays)
             error[c] = wp.float32(wp.sqrt(variance[c]) / rays)
@@ -41,39 +41,39 @@ def _keep(channels: int) -> wp.Function:
 
 @once
 def estimate_kernel(slots: Slots) -> wp.Kernel:
-    """A kernel with a task for each point, in the order of job.rays."""
+    """A kernel with a task for each point, in the order of lobes.placement."""
     wide, keep = slots.wide, _keep(slots.channels)
     sum_lobe = counted_lobe(slots) if slots.counts else weighed_lobe(slots)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
-    def estimate(job: EstimateJob, accelerator: Accelerator, first_task: wp.int64):
+    def estimate(lobes: Lobes, accelerator: Accelerator, first_task: wp.int64):
         words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
         floats = wp.zeros(shape=(CHUNK_FLOATS,), dtype=wp.float32)
         square = wp.zeros(shape=(SQUARE_FLOATS,), dtype=wp.float32)
         beam = wp.zeros(shape=(BEAM_FLOATS,), dtype=wp.float32)
         room = wp.zeros(shape=(START_FLOATS,), dtype=wp.float32)
-        point = point_of(job.rays, first_task + wp.int64(wp.tid()))
-        normal = wp.array(ptr=job.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+        point = point_of(lobes.placement, first_task + wp.int64(wp.tid()))
+        normal = wp.array(ptr=lobes.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
         unit = scaled_to_unit(normal)
         spot = Spot()
-        spot.id = job.first_point + wp.uint64(point)
+        spot.id = lobes.first_point + wp.uint64(point)
         spot.n = wp.vec3(unit[0], unit[1], unit[2])
-        spot.place = local_origin(job.rays, point)
+        spot.place = local_origin(lobes.placement, point)
         if wp.static(wide):
-            spot.o = wp.array(ptr=job.rays.starts + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+            spot.o = wp.array(ptr=lobes.placement.starts + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
         else:
-            side = wp.array(ptr=job.rays.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
-            spot.o = wp.vec3(spot.place) + wp.copysign(lift(job.rays, side), wp.dot(side, spot.n)) * side
-        spot.low = HORIZON_MARGIN * reach_along(job.rays, spot.n, spot.o)
-        spot.reach = wp.float32(job.rays.reach)
+            side = wp.array(ptr=lobes.placement.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+            spot.o = wp.vec3(spot.place) + wp.copysign(lift(lobes.placement, side), wp.dot(side, spot.n)) * side
+        spot.low = HORIZON_MARGIN * reach_along(lobes.placement, spot.n, spot.o)
+        spot.reach = wp.float32(lobes.placement.reach)
         spot.chunk = floats.ptr
         spot.square = square.ptr
         spot.room = room.ptr
         spot.beam = beam.ptr
         spot.scratch = words.ptr
         weight = wp.float32(1.0)
-        if job.active != wp.uint64(0):
-            weight = weigh_by_mask(wp.array(ptr=job.active + wp.uint64(point), shape=(1,), dtype=wp.uint8), 0)
+        if lobes.active != wp.uint64(0):
+            weight = weigh_by_mask(wp.array(ptr=lobes.active + wp.uint64(point), shape=(1,), dtype=wp.uint8), 0)
         status = normal_status(normal, weight)
         if status == 0 and wp.dot(spot.place - spot.place, spot.place - spot.place) != _ZERO:
             status = _NONFINITE_POSITION
@@ -85,14 +85,14 @@ def estimate_kernel(slots: Slots) -> wp.Kernel:
         empty = wp.int32(0)
         if status == 0:
             start(spot.chunk, spot.o, spot.reach)
-            total, variance, width, degrees, cast, empty = sum_lobe(job, accelerator, spot)
-        keep(job, point, total, variance, width, degrees)
+            total, variance, width, degrees, cast, empty = sum_lobe(lobes, accelerator, spot)
+        keep(lobes, point, total, variance, width, degrees)
         at = wp.uint64(point) * wp.uint64(4)
-        counts = wp.array(ptr=job.cast + at, shape=(1,), dtype=wp.int32)
+        counts = wp.array(ptr=lobes.cast + at, shape=(1,), dtype=wp.int32)
         counts[0] = cast
-        counts = wp.array(ptr=job.empty + at, shape=(1,), dtype=wp.int32)
+        counts = wp.array(ptr=lobes.empty + at, shape=(1,), dtype=wp.int32)
         counts[0] = empty
-        statuses = wp.array(ptr=job.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)
+        statuses = wp.array(ptr=lobes.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)
         statuses[0] = wp.uint8(status)
 
     return estimate

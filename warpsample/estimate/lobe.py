@@ -4,11 +4,11 @@ import warp as wp
 
 from warpsample.estimate.cell import cell_sum, jump_of
 from warpsample.estimate.intervals import edge_variance, posterior, worth_of_prior
-from warpsample.estimate.job import EstimateJob, Spot, found_in
 from warpsample.estimate.skipping.frontier import frontier
 from warpsample.estimate.slots import Slots
+from warpsample.estimate.spot import Lobes, Spot, found_in
 from warpsample.host.locks import once
-from warpsample.tracing.rays import far_off
+from warpsample.tracing.placement import far_off
 from warpsample.tracing.wide.layout import Accelerator
 
 NOTHING = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
@@ -24,18 +24,18 @@ def opened_for(slots: Slots) -> wp.Function:
     wide = slots.wide
 
     @wp.func
-    def open_around(job: EstimateJob, accelerator: Accelerator, spot: Spot):
+    def open_around(lobes: Lobes, accelerator: Accelerator, spot: Spot):
         """(the tree as the point's rays see it, mask of the triangles around the point, whether beams are of use)."""
         starts = wp.int32(-1)
         near = wp.int32(0)
         if wp.static(wide):
-            if job.skip != 0 and not far_off(spot.place):
+            if lobes.skip != 0 and not far_off(spot.place):
                 starts, around = frontier(accelerator, spot.o, spot.n, spot.low, spot.reach, spot.room, spot.scratch)
                 near = (1 << around) - 1
                 if starts >= 0:
                     accelerator.start = spot.room
                     accelerator.starts = starts
-        beams = (starts > 0 or (starts == 0 and near != 0)) and job.beams != wp.uint64(0)
+        beams = (starts > 0 or (starts == 0 and near != 0)) and lobes.beams != wp.uint64(0)
         return accelerator, near, beams
 
     return open_around
@@ -75,13 +75,11 @@ def search_of(slots: Slots) -> wp.Function:
     wide = slots.wide
 
     @wp.func
-    def search(
-        job: EstimateJob, seen: Accelerator, spot: Spot, beam: wp.int32, found: wp.int32, near: wp.int32, beams: wp.bool
-    ):
+    def search(lobes: Lobes, seen: Accelerator, spot: Spot, beam: wp.int32, found: wp.int32, near: wp.int32, beams: wp.bool):
         """(whether anything is found there, which of the triangles around the point); as it is known without beams."""
         if wp.static(wide):
             if beams and found != 0:
-                found, near = found_in(job, seen, spot, beam, near)
+                found, near = found_in(lobes, seen, spot, beam, near)
         return found, near
 
     return search
@@ -94,7 +92,7 @@ def counted_lobe(slots: Slots) -> wp.Function:
     open_around, search, sum_cell, widths = opened_for(slots), search_of(slots), cell_sum(slots), widths_of(slots)
 
     @wp.func
-    def sum_lobe(job: EstimateJob, accelerator: Accelerator, spot: Spot):
+    def sum_lobe(lobes: Lobes, accelerator: Accelerator, spot: Spot):
         """(sum of the weights of all rays, squares of its standard error and spread, degrees, rays cast, in empty cells)."""
         hits = wp.int32(0)
         squared = _ZERO
@@ -102,29 +100,29 @@ def counted_lobe(slots: Slots) -> wp.Function:
         mixed = wp.int32(0)
         cast = wp.int32(0)
         empty = wp.int32(0)
-        seen, near, beams = open_around(job, accelerator, spot)
+        seen, near, beams = open_around(lobes, accelerator, spot)
         anything = wp.where(seen.starts == 0 and near == 0, 0, 1)
-        for sector in range(job.sectors):
+        for sector in range(lobes.sectors):
             sector_found = anything
-            for step in range(wp.where(job.bands == 1, 1, 0), job.bands + 1):  # the sector as a whole first, then its bands
-                found, cell_near = search(job, seen, spot, sector * (job.bands + 1) + step, sector_found, near, beams)
+            for step in range(wp.where(lobes.bands == 1, 1, 0), lobes.bands + 1):  # the whole sector, then its bands
+                found, cell_near = search(lobes, seen, spot, sector * (lobes.bands + 1) + step, sector_found, near, beams)
                 if step == 0:
                     sector_found = found
                 elif wp.static(constant) and found == 0:
-                    empty += 2 * job.each
-                    hits += 2 * job.each
+                    empty += 2 * lobes.each
+                    hits += 2 * lobes.each
                 else:
-                    empty += wp.where(found == 0, 2 * job.each, 0)
+                    empty += wp.where(found == 0, 2 * lobes.each, 0)
                     _add, difference, rays, free, _w = sum_cell(
-                        job, seen, spot, sector * job.bands + step - 1, found, cell_near
+                        lobes, seen, spot, sector * lobes.bands + step - 1, found, cell_near
                     )
                     cast += rays
                     hits += free
                     squared += difference[0] * difference[0]
-                    if free > 0 and free < 2 * job.each:
-                        edges += edge_variance(free, 2 * job.each, job.edge)
+                    if free > 0 and free < 2 * lobes.each:
+                        edges += edge_variance(free, 2 * lobes.each, lobes.edge)
                         mixed += 1
-        cells = job.bands * job.sectors
+        cells = lobes.bands * lobes.sectors
         variance = wp.vec3d(squared, _ZERO, _ZERO)
         expected = wp.vec3d(edges, _ZERO, _ZERO)
         unseen = wp.vec3d(wp.float64(cells), _ZERO, _ZERO)
@@ -142,7 +140,7 @@ def weighed_lobe(slots: Slots) -> wp.Function:
     jump_at = jump_of(slots)
 
     @wp.func
-    def sum_lobe(job: EstimateJob, accelerator: Accelerator, spot: Spot):
+    def sum_lobe(lobes: Lobes, accelerator: Accelerator, spot: Spot):
         """As `counted_lobe`'s."""
         total = NOTHING
         variance = NOTHING
@@ -153,36 +151,36 @@ def weighed_lobe(slots: Slots) -> wp.Function:
         fourth = NOTHING
         cast = wp.int32(0)
         empty = wp.int32(0)
-        seen, near, beams = open_around(job, accelerator, spot)
+        seen, near, beams = open_around(lobes, accelerator, spot)
         anything = wp.where(seen.starts == 0 and near == 0, 0, 1)
-        for sector in range(job.sectors):
+        for sector in range(lobes.sectors):
             sector_found = anything
-            for step in range(wp.where(job.bands == 1, 1, 0), job.bands + 1):
-                found, cell_near = search(job, seen, spot, sector * (job.bands + 1) + step, sector_found, near, beams)
+            for step in range(wp.where(lobes.bands == 1, 1, 0), lobes.bands + 1):
+                found, cell_near = search(lobes, seen, spot, sector * (lobes.bands + 1) + step, sector_found, near, beams)
                 if step == 0:
                     sector_found = found
                 elif wp.static(constant) and found == 0:
-                    empty += 2 * job.each
-                    total[0] += wp.float64(2 * job.each)
+                    empty += 2 * lobes.each
+                    total[0] += wp.float64(2 * lobes.each)
                     unseen[0] += open_jump
                 else:
-                    empty += wp.where(found == 0, 2 * job.each, 0)
+                    empty += wp.where(found == 0, 2 * lobes.each, 0)
                     add, difference, rays, free, w = sum_cell(
-                        job, seen, spot, sector * job.bands + step - 1, found, cell_near
+                        lobes, seen, spot, sector * lobes.bands + step - 1, found, cell_near
                     )
                     cast += rays
                     squares = wp.cw_mul(difference, difference)
                     total += add
                     variance += squares
-                    jump = jump_at(w, add, free, 2 * job.each)
+                    jump = jump_at(w, add, free, 2 * lobes.each)
                     unseen += jump
-                    if free > 0 and free < 2 * job.each:
-                        expected += edge_variance(free, 2 * job.each, job.edge) * jump
+                    if free > 0 and free < 2 * lobes.each:
+                        expected += edge_variance(free, 2 * lobes.each, lobes.edge) * jump
                         mixed += 1
                     else:
                         rest += squares
                         fourth += wp.cw_mul(squares, squares)
-        width, degrees = widths(variance, expected, unseen, rest, fourth, mixed, job.bands * job.sectors)
+        width, degrees = widths(variance, expected, unseen, rest, fourth, mixed, lobes.bands * lobes.sectors)
         return total, variance, width, degrees, cast, empty
 
     return sum_lobe

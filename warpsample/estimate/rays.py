@@ -3,9 +3,9 @@
 import warp as wp
 
 from warpsample.distributions.parameters import Parameters
-from warpsample.estimate.job import EstimateJob, Spot
 from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE
 from warpsample.estimate.slots import Slots
+from warpsample.estimate.spot import Lobes, Spot
 from warpsample.host.locks import once
 from warpsample.maths.numerics import high_word, low_word
 from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, Accelerator
@@ -25,23 +25,23 @@ def spread_of(slots: Slots) -> wp.Function:
     sample, about = slots.sequence.sample, slots.about
 
     @wp.func
-    def spread(job: EstimateJob, spot: Spot, cell: wp.int32, first: wp.int32, length: wp.int32):
+    def spread(lobes: Lobes, spot: Spot, cell: wp.int32, first: wp.int32, length: wp.int32):
         """The directions of a cell's rays, both replicates one after the other, from the first-th on.
 
         Each replicate of each cell is a stream of its own: its number goes into the seed's high word.
         """
         u = wp.array(ptr=spot.square, shape=(SQUARE_FLOATS,), dtype=wp.float32)
         rays = wp.array(ptr=spot.chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-        low = low_word(job.seed)
-        high = high_word(job.seed)
+        low = low_word(lobes.seed)
+        high = high_word(lobes.seed)
         stream = wp.uint32(2 * cell)
-        sector = cell / job.bands
-        band = wp.float32(cell - sector * job.bands)
-        band_size = 1.0 / wp.float32(job.bands)
-        sector_size = 1.0 / wp.float32(job.sectors)
+        sector = cell / lobes.bands
+        band = wp.float32(cell - sector * lobes.bands)
+        band_size = 1.0 / wp.float32(lobes.bands)
+        sector_size = 1.0 / wp.float32(lobes.sectors)
         n = spot.n
         id = spot.id
-        each = job.each
+        each = lobes.each
         k = wp.int32(0)
         while k < length:
             i = first + k

@@ -8,7 +8,7 @@ import numpy as np
 
 from warpsample.directions.sample import Status
 from warpsample.estimate.intervals import Interval, interval_of
-from warpsample.estimate.job import NONFINITE_POSITION
+from warpsample.estimate.spot import NONFINITE_POSITION
 from warpsample.host.arguments import check_choice, check_number
 from warpsample.mesh.mesh import mesh_of
 from warpsample.mesh.surface import SurfacePoints

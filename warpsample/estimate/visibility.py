@@ -8,7 +8,7 @@ import numpy as np
 
 from warpsample.estimate.plan import Plan, Quantity
 from warpsample.estimate.result import Estimate
-from warpsample.estimate.weights import WeightsJob, above, everywhere, itself
+from warpsample.estimate.weights import WeightsArgs, above, everywhere, itself
 from warpsample.host.arguments import check_number
 from warpsample.host.arrays import as_unit
 from warpsample.mesh.surface import SurfacePoints
@@ -153,7 +153,7 @@ def bent_normals(
     return plan.estimate(Quantity(itself, channels=3, reach=reach))
 
 
-def vector_weights(vector: tuple[float, float, float]) -> WeightsJob:
+def vector_weights(vector: tuple[float, float, float]) -> WeightsArgs:
     """What `weights.above` takes."""
     x, y, z = vector
-    return WeightsJob(x=x, y=y, z=z)
+    return WeightsArgs(x=x, y=y, z=z)

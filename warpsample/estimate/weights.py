@@ -20,7 +20,7 @@ class Weights:
     height: wp.int32
 
 
-WeightsJob = type(Weights().__ctype__())
+WeightsArgs = type(Weights().__ctype__())
 
 
 @wp.func

@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.tracing.rays import LIFT, RayJob
+from warpsample.tracing.placement import LIFT, Placement
 
 _LIFT = wp.constant(wp.float64(LIFT))
 _ZERO = wp.constant(wp.float64(0.0))
@@ -12,18 +12,17 @@ NOWHERE = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 
 
 @wp.struct
-class StartJob:
-    """Scalars and addresses.
+class Seats:
+    """Scalars and addresses of points on the faces of a scene.
 
-    rays: of the points: their places, and in `normals` the unit normals of their faces, their own where they lie on none.
+    placement: of the points; its `normals` are those of their faces, and their own where they lie on none.
     towards: (P, 3) float32, directions to the side of the face from which a point looks; 0: both sides, `normals` first.
     face: (P,) int32, -1 where it is not known.
-    vertices, triangles: (V, 3) float32 and (F, 3) int32 of the scene.
-    starts: (P, sides, 3) float32, where they start; in the scene's coordinates.
-    sides: 1 or 2.
+    vertices, triangles: (V, 3) float32 and (F, 3) int32 of the scene. spread: its extent without parts that are far apart.
+    starts: (P, sides, 3) float32, where rays start; in the scene's coordinates. sides: 1 or 2.
     """
 
-    rays: RayJob
+    placement: Placement
     towards: wp.uint64
     face: wp.uint64
     vertices: wp.uint64
@@ -35,7 +34,7 @@ class StartJob:
     sides: wp.int32
 
 
-StartArgs = type(StartJob().__ctype__())
+SeatsArgs = type(Seats().__ctype__())
 
 
 @wp.struct
@@ -67,11 +66,11 @@ def in_double(v: wp.vec3) -> wp.vec3d:
 
 
 @wp.func
-def with_normal(job: StartJob, facet: Facet, n: wp.vec3d) -> Facet:
+def with_normal(seats: Seats, facet: Facet, n: wp.vec3d) -> Facet:
     """A facet with that unit normal, along which points are moved off it by 32 roundings of its corners."""
-    spread = wp.vec3d(wp.float64(job.spread_x), wp.float64(job.spread_y), wp.float64(job.spread_z))
+    spread = wp.vec3d(wp.float64(seats.spread_x), wp.float64(seats.spread_y), wp.float64(seats.spread_z))
     facet.n = n
-    facet.lift = wp.float64(job.rays.coarseness)
+    facet.lift = wp.float64(seats.placement.coarseness)
     facet.slack = facet.lift
     for axis in range(3):
         reach = wp.max(wp.max(wp.abs(facet.a[axis]), wp.abs(facet.b[axis])), wp.abs(facet.c[axis]))
@@ -81,25 +80,25 @@ def with_normal(job: StartJob, facet: Facet, n: wp.vec3d) -> Facet:
 
 
 @wp.func
-def corners_of(job: StartJob, face: wp.int32) -> Facet:
+def corners_of(seats: Seats, face: wp.int32) -> Facet:
     """A face without its normal."""
-    corners = wp.array(ptr=job.triangles + wp.uint64(face) * wp.uint64(12), shape=(1,), dtype=wp.vec3i)[0]
+    corners = wp.array(ptr=seats.triangles + wp.uint64(face) * wp.uint64(12), shape=(1,), dtype=wp.vec3i)[0]
     facet = Facet()
-    facet.a = in_double(vector_at(job.vertices, wp.int64(corners[0])))
-    facet.b = in_double(vector_at(job.vertices, wp.int64(corners[1])))
-    facet.c = in_double(vector_at(job.vertices, wp.int64(corners[2])))
+    facet.a = in_double(vector_at(seats.vertices, wp.int64(corners[0])))
+    facet.b = in_double(vector_at(seats.vertices, wp.int64(corners[1])))
+    facet.c = in_double(vector_at(seats.vertices, wp.int64(corners[2])))
     return facet
 
 
 @wp.func
-def facet_of(job: StartJob, face: wp.int32) -> Facet:
+def facet_of(seats: Seats, face: wp.int32) -> Facet:
     """A face with its normal, which is 0 where the face is thinner than its lift."""
-    facet = corners_of(job, face)
+    facet = corners_of(seats, face)
     n = wp.cross(facet.b - facet.a, facet.c - facet.a)
     facet.area = wp.length(n)
     longest = wp.max(wp.max(wp.length(facet.b - facet.a), wp.length(facet.c - facet.b)), wp.length(facet.a - facet.c))
     if facet.area > _ZERO:
-        facet = with_normal(job, facet, n / facet.area)
+        facet = with_normal(seats, facet, n / facet.area)
     if facet.area <= facet.lift * longest:
         facet.n = NOWHERE
     return facet

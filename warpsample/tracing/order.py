@@ -6,7 +6,11 @@ import warp as wp
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
 from warpsample.host.locks import once
-from warpsample.tracing.rays import Job, RayJob, local_origin
+from warpsample.tracing.placement import Placement, PlacementArgs, local_origin
+from warpsample.tracing.scene import Scene
+
+MANY_FACES = 1 << 18
+"""From which on the order of points matters: smaller trees are in the cache wherever a ray is."""
 
 _CELLS = 32  # along each axis: 15 bits, which NumPy sorts by radix in 20 ns a point
 _FEW_POINTS = 1 << 12
@@ -17,13 +21,14 @@ _LAST_CELL = wp.constant(wp.int32(_CELLS - 1))
 _HALF_CELLS = wp.constant(wp.float32(_CELLS / 2))
 
 
-def order_of(job: Job, workers: int) -> np.ndarray | None:
-    """(P,) int64, the points in the order of their cells; None where their own order is as good."""
-    if job.points < _FEW_POINTS or job.count < _FEW_RAYS:
+def order_of(scene: Scene, placement: PlacementArgs, count: int, workers: int) -> np.ndarray | None:
+    """(P,) int64, the points with `count` rays each in the order of their cells; None where their own order is as good."""
+    points = placement.points
+    if len(scene.faces) < MANY_FACES or points < _FEW_POINTS or count < _FEW_RAYS:
         return None
-    cells = np.empty(job.points, np.uint16)
-    run(_point_cells(), job.points, [job, cells.ctypes.data], cpu(), workers, job.points)
-    if np.count_nonzero(cells[1:] != cells[:-1]) < _COHERENT * job.points:
+    cells = np.empty(points, np.uint16)
+    run(_point_cells(), points, [placement, cells.ctypes.data], cpu(), workers, points)
+    if np.count_nonzero(cells[1:] != cells[:-1]) < _COHERENT * points:
         return None
     return np.argsort(cells, kind="stable")
 
@@ -46,9 +51,9 @@ def _point_cells() -> wp.Kernel:
     """A kernel with a task for each point: the number on the curve of its cell of the mesh's box."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
-    def point_cells(job: RayJob, cells: wp.uint64, first_task: wp.int64):
+    def point_cells(placement: Placement, cells: wp.uint64, first_task: wp.int64):
         i = first_task + wp.int64(wp.tid())
-        o = local_origin(job, i)
+        o = local_origin(placement, i)
         x = _every_third(_cell(wp.float32(o[0])))
         y = _every_third(_cell(wp.float32(o[1])))
         z = _every_third(_cell(wp.float32(o[2])))

@@ -1,167 +1,90 @@
-"""A user's rays, brought into the scene's own float32 coordinates one by one, asked, and answered in the user's."""
+"""Rays of the user's: brought into the scene's own float32 coordinates, traced, and answered in the user's."""
 
 import warp as wp
 
+from warpsample.host.engine import run
 from warpsample.host.locks import once
 from warpsample.maths.numerics import scaled_to_unit
-from warpsample.tracing.wide.layout import AHEAD, CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, REACH, SCRATCH, Accelerator
+from warpsample.tracing.order import order_of
+from warpsample.tracing.placement import (
+    Placement,
+    far_off,
+    lift,
+    local_origin,
+    point_of,
+    unit_in_double,
+    vector_in_double,
+    way_to_scene,
+)
+from warpsample.tracing.scene import Scene
+from warpsample.tracing.tracers import Tracer
+from warpsample.tracing.wide.layout import (
+    AHEAD,
+    CHUNK,
+    CHUNK_FLOATS,
+    DIRECTION,
+    ORIGIN,
+    REACH,
+    SCRATCH,
+    Accelerator,
+    AcceleratorArgs,
+)
 
-FURTHEST = 6.0
-"""From 0 on an axis; origins beyond come nearer first, in float64, so that float32 resolves the mesh."""
+RAY_WORK = 64
+"""Directions that take as long to sample as a ray to trace."""
 
-LIFT = 2.0**-19
-"""Of how far a mesh reaches along a normal: so far are points moved off their face along it, which is 32 roundings."""
-
-_LIFT = wp.constant(wp.float32(LIFT))
-_FURTHEST = wp.constant(wp.float64(FURTHEST))
-_ENTRY = wp.constant(wp.float64(1.25))
 _ZERO = wp.constant(wp.float64(0.0))
-_ONE = wp.constant(wp.float64(1.0))
-_LEAST_STEP = wp.constant(wp.float64(1e-150))
 _FLOATS = wp.constant(wp.uint64(12))
 _DOUBLES = wp.constant(wp.uint64(24))
 
 
 @wp.struct
-class RayJob:
-    """Scalars and addresses of `points` origins with `count` directions each, float32, or float64 where it says so.
+class Rays:
+    """Scalars and addresses of `count` directions (P, count, 3) from each placed point: float32, or float64 as it says.
 
-    A task is `block` rays, at most CHUNK. A point x of the user's is (x - centre) * scale inside, where the mesh is within 1
-    of 0 on each axis, and its extent; a distance t inside is t * unit. Optional, else 0: normals (P, 3) float32, unit, of
-    the faces that origins are on; starts (P, 2, 3) float32, where rays to either side of these start, inside, else they are
-    moved by `lift`; order (P,) int64, that of the visits; visits (P, count, 2) int32, nodes and leaves.
+    A task is `each` consecutive rays, at most CHUNK. distance, face (P, count): float32, int32. Optional, else 0: visits
+    (P, count, 2) int32, nodes and leaves.
     """
 
-    points: wp.int64
+    placement: Placement
     count: wp.int64
-    block: wp.int64
-    double_origins: wp.int32
+    each: wp.int64
     double_directions: wp.int32
-    origins: wp.uint64
     directions: wp.uint64
-    normals: wp.uint64
-    starts: wp.uint64
-    order: wp.uint64
-    centre_x: wp.float64
-    centre_y: wp.float64
-    centre_z: wp.float64
-    scale: wp.float64
-    unit: wp.float64
-    reach: wp.float64
-    extent_x: wp.float32
-    extent_y: wp.float32
-    extent_z: wp.float32
-    coarseness: wp.float32
     distance: wp.uint64
     face: wp.uint64
     visits: wp.uint64
 
 
-Job = type(RayJob().__ctype__())
+RaysArgs = type(Rays().__ctype__())
 
 
 @wp.func
-def _vector(address: wp.uint64, double: wp.int32, i: wp.int64) -> wp.vec3d:
-    if double != 0:
-        doubles = wp.array(ptr=address + wp.uint64(i) * _DOUBLES, shape=(1,), dtype=wp.vec3d)
-        return doubles[0]
-    floats = wp.array(ptr=address + wp.uint64(i) * _FLOATS, shape=(1,), dtype=wp.vec3)
-    v = floats[0]
-    return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
-
-
-@wp.func
-def _unit(d: wp.vec3d, double: wp.int32) -> wp.vec3d:
-    """d / abs(d); NaN where d is zero or not finite."""
-    if double != 0:  # whose squares may over- or underflow
-        d = d / wp.max(wp.max(wp.abs(d[0]), wp.abs(d[1])), wp.abs(d[2]))
-    return (_ONE / wp.sqrt(wp.dot(d, d))) * d
-
-
-@wp.func
-def point_of(job: RayJob, i: wp.int64) -> wp.int64:
-    """The point that is the i-th to be visited."""
-    if job.order == wp.uint64(0):
-        return i
-    order = wp.array(ptr=job.order + wp.uint64(i) * wp.uint64(8), shape=(1,), dtype=wp.int64)
-    return order[0]
-
-
-@wp.func
-def local_origin(job: RayJob, point: wp.int64) -> wp.vec3d:
-    """In the scene's coordinates: what large ones have in common goes in float64, before they are rounded."""
-    return (_vector(job.origins, job.double_origins, point) - wp.vec3d(job.centre_x, job.centre_y, job.centre_z)) * job.scale
-
-
-@wp.func
-def _direction(job: RayJob, ray: wp.int64) -> wp.vec3:
+def _direction(rays: Rays, ray: wp.int64) -> wp.vec3:
     """float32's as it is, float64's brought to unit length."""
-    if job.double_directions == 0:
-        floats = wp.array(ptr=job.directions + wp.uint64(ray) * _FLOATS, shape=(1,), dtype=wp.vec3)
+    if rays.double_directions == 0:
+        floats = wp.array(ptr=rays.directions + wp.uint64(ray) * _FLOATS, shape=(1,), dtype=wp.vec3)
         return floats[0]
-    return wp.vec3(_unit(_vector(job.directions, 1, ray), 1))
+    return wp.vec3(unit_in_double(vector_in_double(rays.directions, 1, ray), 1))
 
 
 @wp.func
-def extent_along(job: RayJob, n: wp.vec3) -> wp.float32:
-    """How far the mesh reaches along a normal, at most: what is rounded along it is rounded by 2^-24 of this."""
-    return wp.abs(n[0]) * job.extent_x + wp.abs(n[1]) * job.extent_y + wp.abs(n[2]) * job.extent_z
-
-
-@wp.func
-def reach_along(job: RayJob, n: wp.vec3, o: wp.vec3) -> wp.float32:
-    """The same of the mesh and a point that may be outside of it."""
-    x = wp.abs(n[0]) * wp.max(job.extent_x, wp.abs(o[0]))
-    y = wp.abs(n[1]) * wp.max(job.extent_y, wp.abs(o[1]))
-    return x + y + wp.abs(n[2]) * wp.max(job.extent_z, wp.abs(o[2]))
-
-
-@wp.func
-def lift(job: RayJob, n: wp.vec3) -> wp.float32:
-    """How far points of a face with that normal are moved off it: 32 roundings, and more where they are stored coarsely."""
-    return _LIFT * extent_along(job, n) + job.coarseness
-
-
-@wp.func
-def far_off(o: wp.vec3d) -> wp.bool:
-    """Whether an origin is so far from the mesh that its rays are to be brought near."""
-    return wp.max(wp.max(wp.abs(o[0]), wp.abs(o[1])), wp.abs(o[2])) > _FURTHEST
-
-
-@wp.func
-def way_to_scene(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
-    """How far a ray that starts outside is from a cube around the scene; negative where it misses that.
-
-    Or comes from so far away that float64 does not tell.
-    """
-    enter = _ZERO
-    leave = wp.float64(wp.INF)
-    for axis in range(3):
-        inverse = _ONE / wp.where(wp.abs(d[axis]) > _LEAST_STEP, d[axis], wp.copysign(_LEAST_STEP, d[axis]))
-        middle = -o[axis] * inverse
-        half = wp.abs(_ENTRY * inverse)
-        enter = wp.max(enter, middle - half)
-        leave = wp.min(leave, middle + half)
-    return wp.where(enter < leave and not far_off(o + enter * d), enter, -_ONE)
-
-
-@wp.func
-def _read(job: RayJob, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.uint64):
+def _read(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.uint64):
     """A ray from o into its column."""
-    d = _direction(job, ray)
+    d = _direction(rays, ray)
     ahead = _ZERO
     if far_off(o):
-        unit = _unit(_vector(job.directions, job.double_directions, ray), job.double_directions)
+        unit = unit_in_double(vector_in_double(rays.directions, rays.double_directions, ray), rays.double_directions)
         ahead = way_to_scene(o, unit)
         o = wp.where(ahead < _ZERO, o - o, o + ahead * unit)  # of a ray that misses: 0, and NaN where that is not finite
     start = wp.vec3(o)
-    if job.normals != wp.uint64(0) and ahead == _ZERO:
-        n = wp.array(ptr=job.normals + wp.uint64(point) * _FLOATS, shape=(1,), dtype=wp.vec3)[0]
+    if rays.placement.normals != wp.uint64(0) and ahead == _ZERO:
+        n = wp.array(ptr=rays.placement.normals + wp.uint64(point) * _FLOATS, shape=(1,), dtype=wp.vec3)[0]
         forward = wp.dot(n, d)
-        if job.starts == wp.uint64(0):
-            start += wp.copysign(lift(job, n), forward) * n
+        if rays.placement.starts == wp.uint64(0):
+            start += wp.copysign(lift(rays.placement, n), forward) * n
         else:
-            start = wp.array(ptr=job.starts + wp.uint64(point) * _DOUBLES, shape=(2,), dtype=wp.vec3)[
+            start = wp.array(ptr=rays.placement.starts + wp.uint64(point) * _DOUBLES, shape=(2,), dtype=wp.vec3)[
                 wp.where(forward < 0.0, 1, 0)
             ]
     rows = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
@@ -171,7 +94,7 @@ def _read(job: RayJob, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.u
     rows[DIRECTION] = d[0]
     rows[DIRECTION + CHUNK] = d[1]
     rows[DIRECTION + 2 * CHUNK] = d[2]
-    rows[REACH] = wp.where(ahead < _ZERO, -1.0, wp.float32(job.reach - ahead))
+    rows[REACH] = wp.where(ahead < _ZERO, -1.0, wp.float32(rays.placement.reach - ahead))
     rows[AHEAD] = wp.float32(ahead)
 
 
@@ -194,7 +117,7 @@ def _normalize(chunk: wp.uint64):
 
 @once
 def ray_kernel(prepare: wp.Function, query: wp.Function) -> wp.Kernel:
-    """A kernel with a task for each block of rays, in the job's order.
+    """A kernel over tasks of consecutive rays, in the placement's order.
 
     Args:
         prepare: (chunk, rays): adds what the query needs.
@@ -202,32 +125,32 @@ def ray_kernel(prepare: wp.Function, query: wp.Function) -> wp.Kernel:
     """
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
-    def trace_rays(job: RayJob, accelerator: Accelerator, first_task: wp.int64):
+    def each_ray(rays: Rays, accelerator: Accelerator, first_task: wp.int64):
         words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
         floats = wp.zeros(shape=(CHUNK_FLOATS,), dtype=wp.float32)
-        first = (first_task + wp.int64(wp.tid())) * job.block
-        length = wp.int32(wp.min(job.block, job.points * job.count - first))
-        row = first / job.count
-        j = first - row * job.count
-        point = point_of(job, row)
-        o = local_origin(job, point)
+        first = (first_task + wp.int64(wp.tid())) * rays.each
+        length = wp.int32(wp.min(rays.each, rays.placement.points * rays.count - first))
+        row = first / rays.count
+        j = first - row * rays.count
+        point = point_of(rays.placement, row)
+        o = local_origin(rays.placement, point)
         for k in range(length):
             if j == wp.int64(0):
-                point = point_of(job, row)
-                o = local_origin(job, point)
-            _read(job, point, o, point * job.count + j, floats.ptr + wp.uint64(4 * k))
+                point = point_of(rays.placement, row)
+                o = local_origin(rays.placement, point)
+            _read(rays, point, o, point * rays.count + j, floats.ptr + wp.uint64(4 * k))
             j += wp.int64(1)
-            if j == job.count:
+            if j == rays.count:
                 j = wp.int64(0)
                 row += wp.int64(1)
         _normalize(floats.ptr)
         prepare(floats.ptr, CHUNK)
-        row = first / job.count
-        j = first - row * job.count
+        row = first / rays.count
+        j = first - row * rays.count
         for k in range(length):
-            ray = point_of(job, row) * job.count + j
+            ray = point_of(rays.placement, row) * rays.count + j
             j += wp.int64(1)
-            if j == job.count:
+            if j == rays.count:
                 j = wp.int64(0)
                 row += wp.int64(1)
             distance = wp.float32(wp.INF)
@@ -237,16 +160,40 @@ def ray_kernel(prepare: wp.Function, query: wp.Function) -> wp.Kernel:
             reach = rows[REACH]
             if reach > 0.0:
                 near, face, nodes, leaves = query(accelerator, column, reach, words.ptr)
-                distance = wp.float32((wp.float64(near) + wp.float64(rows[AHEAD])) * job.unit)
-                if job.visits != wp.uint64(0):
-                    visits = wp.array(ptr=job.visits + wp.uint64(ray) * wp.uint64(8), shape=(2,), dtype=wp.int32)
+                distance = wp.float32((wp.float64(near) + wp.float64(rows[AHEAD])) * rays.placement.unit)
+                if rays.visits != wp.uint64(0):
+                    visits = wp.array(ptr=rays.visits + wp.uint64(ray) * wp.uint64(8), shape=(2,), dtype=wp.int32)
                     visits[0] = nodes
                     visits[1] = leaves
             elif not (reach <= 0.0):
                 distance = wp.float32(wp.NAN)
-            distances = wp.array(ptr=job.distance + wp.uint64(ray) * wp.uint64(4), shape=(1,), dtype=wp.float32)
-            faces = wp.array(ptr=job.face + wp.uint64(ray) * wp.uint64(4), shape=(1,), dtype=wp.int32)
+            distances = wp.array(ptr=rays.distance + wp.uint64(ray) * wp.uint64(4), shape=(1,), dtype=wp.float32)
+            faces = wp.array(ptr=rays.face + wp.uint64(ray) * wp.uint64(4), shape=(1,), dtype=wp.int32)
             distances[0] = distance
             faces[0] = face
 
-    return trace_rays
+    return each_ray
+
+
+def trace_rays(scene: Scene, rays: RaysArgs, tracer: Tracer, any_hit: bool, device: wp.Device, workers: int) -> None:
+    """Traces rays against a scene, in the order that suits it.
+
+    Args:
+        scene: what the rays are placed in.
+        rays: without order; nodes and leaves visited are counted if it says where.
+        tracer: by which.
+        any_hit: whether some face is enough.
+        device: where the addresses are.
+        workers: threads.
+    """
+    kernel = ray_kernel(tracer.prepare, tracer.face_query(any_hit))
+    order = order_of(scene, rays.placement, rays.count, workers) if device.is_cpu else None
+    rays.placement.order = 0 if order is None else order.ctypes.data
+    launch_rays(kernel, tracer.accelerator(scene, device, workers), rays, device, workers)
+
+
+def launch_rays(kernel: wp.Kernel, accelerator: AcceleratorArgs, rays: RaysArgs, device: wp.Device, workers: int) -> None:
+    """Runs rays through a kernel of `ray_kernel`."""
+    total = rays.placement.points * rays.count
+    rays.each = CHUNK if device.is_cpu else 1  # on CUDA neighbouring threads then trace neighbouring rays
+    run(kernel, -(-total // rays.each), [rays, accelerator], device, workers, RAY_WORK * total)

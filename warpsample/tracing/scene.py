@@ -13,7 +13,7 @@ from warpsample.host.locks import making, read_only
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.tracing.wide.boxes import Tree, fill
 from warpsample.tracing.wide.build import Topology, build
-from warpsample.tracing.wide.layout import AcceleratorJob
+from warpsample.tracing.wide.layout import AcceleratorArgs
 
 SMALLEST = 1e-30
 """Half size of a mesh that is traced: distances, which are float32, keep their digits."""
@@ -92,14 +92,14 @@ class Scene:
         scene._topology = self._topology
         return scene
 
-    def builtin(self, device: wp.Device) -> AcceleratorJob:
+    def builtin(self, device: wp.Device) -> AcceleratorArgs:
         """The wp.Mesh on a device, built at the first call."""
         with making:
             if device.alias not in self._builtin:
                 points = wp.array(self.vertices, dtype=wp.vec3, device=device)
                 indices = wp.array(self.faces.ravel(), dtype=wp.int32, device=device)
                 self._builtin[device.alias] = wp.Mesh(points, indices)
-            return AcceleratorJob(mesh=self._builtin[device.alias].id, starts=1)
+            return AcceleratorArgs(mesh=self._builtin[device.alias].id, starts=1)
 
 
 _scenes: WeakKeyDictionary[Mesh, Scene] = WeakKeyDictionary()

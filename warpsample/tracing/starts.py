@@ -5,229 +5,75 @@ those that rise above its own are looked at: the start moves towards the middle 
 that side of them. A face that stands across the point's own, as a wall in the middle of a floor, has the point on its front.
 """
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 import warp as wp
 
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
 from warpsample.host.locks import once
-from warpsample.maths.numerics import lowest_bit, normalize
-from warpsample.tracing.around import children_around, triangles_touched
-from warpsample.tracing.facets import (
-    NOWHERE,
-    Facet,
-    StartArgs,
-    StartJob,
-    corners_of,
-    facet_of,
-    in_double,
-    touches,
-    vector_at,
-    with_normal,
-    within,
-)
-from warpsample.tracing.rays import LIFT, Job, lift, local_origin
-from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, SCRATCH, WIDTH, Accelerator, AcceleratorJob
-from warpsample.tracing.wide.query import put_aside
+from warpsample.maths.numerics import normalize
+from warpsample.mesh.mesh import Mesh, unit_or_zero
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.tracing.facets import Seats, SeatsArgs, corners_of, facet_of, in_double, vector_at, with_normal
+from warpsample.tracing.placement import PlacementArgs, local_origin
+from warpsample.tracing.scene import Scene
+from warpsample.tracing.seats import Seat, look_around, own_face, sitting, start_of
+from warpsample.tracing.tracers import Tracer
+from warpsample.tracing.wide.layout import SCRATCH, Accelerator
 
-if TYPE_CHECKING:
-    from warpsample.tracing.scene import Scene
-
-_TWICE = wp.constant(wp.float32(2.0 * LIFT))
-_NODE = wp.constant(wp.uint64(NODE_BYTES))
-_LEAF = wp.constant(wp.uint64(LEAF_BYTES))
-_PLACES = wp.constant(wp.uint64(6 * WIDTH * 4))
-_FACES = wp.constant(wp.uint64(9 * WIDTH * 4))
-_WAITING = wp.constant(wp.uint64(4 * 4))
-_THIRD = wp.constant(wp.float64(1.0 / 3.0))
-_HALF = wp.constant(wp.float64(0.5))
-_TENTH = wp.constant(wp.float64(0.1))
 _ZERO = wp.constant(wp.float64(0.0))
-_ONE = wp.constant(wp.float64(1.0))
-_SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # cosine of two normals that are one, rounded to float32
-_TWO = wp.constant(wp.float64(2.0))
-_THIN = wp.constant(wp.int32(-2))  # the face of a point that lies on none but those without a normal
 
 
-@wp.struct
-class Seat:
-    """Where a point sits.
+def faces_and_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origins") -> tuple[np.ndarray, np.ndarray]:
+    """(P,) int32, a copy of the points' faces; and (P, 3) float32, unit or zero, the normals of these, else the points' own.
 
-    p: its place. own: its face, below 0 if none is known. facet: that. side: 1 where it looks from the front, else -1.
-    o: a lift above its face. moved: how far from p. inwards: how far the start
-    moves towards the middle of the face, as a share. aside: off faces across it. In search of a face: of those whose normals
-    are along the direction in which the point looks, the one with the greatest cosine; of those against it, likewise; and of
-    all, the sum of cosines times areas.
+    Raises:
+        ValueError: a face that the mesh has not; names the argument.
     """
-
-    p: wp.vec3d
-    own: wp.int32
-    facet: Facet
-    side: wp.float64
-    o: wp.vec3d
-    moved: wp.float64
-    inwards: wp.float64
-    aside: wp.vec3d
-    along: wp.int32
-    best_along: wp.float64
-    against: wp.int32
-    best_against: wp.float64
-    ahead: wp.float64
+    face = np.array(points.face, np.int32, order="C")
+    if face.size and not (face.min() >= -1 and face.max() < len(mesh.faces)):
+        raise ValueError(
+            f"{argument}: got points on faces {face.min()} to {face.max()}, want -1 (none) to {len(mesh.faces) - 1}"
+        )
+    normals = mesh.face_normals[face]
+    alone = np.flatnonzero(face < 0)
+    if len(alone):
+        own = np.asarray(points.normal, np.float64)[alone]
+        normals[alone] = unit_or_zero(np.where(np.isfinite(own).all(axis=1, keepdims=True), own, 0.0))
+    return face, normals
 
 
-@wp.func
-def _settled(seat: Seat, other: Facet) -> Seat:
-    """The seat, brought to its own side of another facet that touches the point."""
-    own = seat.facet
-    up = seat.side * own.n
-    rises = wp.max(wp.max(wp.dot(up, other.a - own.a), wp.dot(up, other.b - own.a)), wp.dot(up, other.c - own.a))
-    a = wp.dot(other.n, own.a - other.a)
-    b = wp.dot(other.n, own.b - other.a)
-    c = wp.dot(other.n, own.c - other.a)
-    across = wp.max(wp.max(a, b), c) > other.lift and wp.min(wp.min(a, b), c) < -other.lift
-    across = across and within(own, seat.p) > own.slack  # and not at an edge of its face
-    gain = (a + b + c) * _THIRD - wp.dot(other.n, seat.p - other.a)
-    side = wp.where(across, seat.side, wp.copysign(_ONE, gain))
-    height = side * wp.dot(other.n, seat.o - other.a)
-    if rises > own.lift and height < _HALF * other.lift:
-        if across:
-            seat.aside += (side * (other.lift - height)) * other.n
-        elif wp.abs(gain) > _THIRD * other.lift:
-            seat.inwards = wp.max(seat.inwards, (other.lift - height) / wp.abs(gain))
-    return seat
+def set_starts(
+    scene: Scene, placement: PlacementArgs, face: np.ndarray, towards: np.ndarray | None, tracer: Tracer, workers: int
+) -> np.ndarray | None:
+    """Tells a placement of points on faces where their rays start; gives the array of starts, which the caller keeps.
 
-
-@wp.func
-def _better(cosine: wp.float64, face: wp.int32, best: wp.float64, known: wp.int32) -> wp.bool:
-    """Whether a face is to be preferred to the one known; of equal ones the first, in whichever order they are looked at."""
-    return cosine >= _ZERO and (known < 0 or cosine > best or (cosine == best and face < known))
-
-
-@wp.func
-def _look_at(job: StartJob, seat: Seat, face: wp.int32, look: wp.vec3d, searching: wp.bool) -> Seat:
-    """The seat after a look at another face that may touch the point: as its own, or else as one beside it."""
-    facet = facet_of(job, face)
-    if wp.dot(facet.n, facet.n) == _ZERO:
-        if seat.own == -1:
-            seat.own = _THIN
-    elif touches(facet, seat.p, seat.moved):
-        if searching:
-            cosine = wp.dot(facet.n, look)
-            seat.ahead += cosine * facet.area
-            if _better(cosine, face, seat.best_along, seat.along):
-                seat.best_along = cosine
-                seat.along = face
-            if _better(-cosine, face, seat.best_against, seat.against):
-                seat.best_against = -cosine
-                seat.against = face
-        else:
-            seat = _settled(seat, facet)
-    return seat
-
-
-@wp.func
-def _look_around(
-    job: StartJob, tree: Accelerator, seat: Seat, look: wp.vec3d, searching: wp.bool, scratch: wp.uint64
-) -> Seat:
-    """The seat after a look at all faces that touch the point."""
-    p = wp.vec3(seat.p)
-    r = 2.0 * _TWICE * (job.rays.extent_x + job.rays.extent_y + job.rays.extent_z) + 4.0 * job.rays.coarseness
-    node = tree.nodes
-    mask = children_around(node, p, r)
-    top = scratch
-    while mask != 0 or top != scratch:
-        if mask == 0:
-            top -= _WAITING
-            node = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)[0]
-            mask = wp.array(ptr=top, shape=(4,), dtype=wp.int32)[2]
-        child = lowest_bit(mask)
-        mask = mask & (mask - 1)
-        place = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)[child]
-        if place < 0:
-            leaf = tree.leaves + wp.uint64(~place) * _LEAF
-            touched = triangles_touched(leaf, p, r)
-            faces = wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)
-            for _ in range(wp.bit_count(touched)):
-                face = faces[lowest_bit(touched)]
-                touched = touched & (touched - 1)
-                if face != seat.own:
-                    seat = _look_at(job, seat, face, look, searching)
-        else:
-            if mask != 0:
-                top = put_aside(top, node, mask, 0.0)
-            node = tree.nodes + wp.uint64(place) * _NODE
-            mask = children_around(node, p, r)
-    return seat
-
-
-@wp.func
-def _own(seat: Seat) -> wp.int32:
-    """The face that a point is of, found by its normal: that of the face, or the sum of several by area, or the opposite.
-
-    The sum at the tip of a spike is against some of the faces that it is of. Below 0 if there is none.
-    """
-    along = seat.best_along > _SAME
-    against = seat.best_against > _SAME
-    forward = seat.ahead >= _ZERO
-    if along != against:
-        forward = along
-    found = wp.where(forward, seat.along, seat.against)
-    return wp.where(found >= 0, found, seat.own)
-
-
-@wp.func
-def _sitting(job: StartJob, seat: Seat, look: wp.vec3d, known: wp.bool) -> Seat:
-    """The seat a lift above its face, to the side to which the point looks."""
-    own = seat.facet
-    seat.side = wp.copysign(_ONE, wp.dot(own.n, look))
-    seat.inwards = _ZERO
-    seat.aside = NOWHERE
-    height = seat.side * wp.dot(own.n, seat.p - own.a)
-    away = wp.clamp(own.lift - height, _ZERO, _TWO * own.lift)
-    way = seat.side * own.n
-    steep = wp.dot(way, look)
-    if not known and steep > _TENTH and away > _ZERO:  # a vertex: along its normal, above all faces if none is in the way
-        way = look
-        away = wp.max(away / steep, with_normal(job, own, look).lift)
-    seat.o = seat.p + away * way
-    seat.moved = away
-    return seat
-
-
-@wp.func
-def _start(job: StartJob, seat: Seat, look: wp.vec3d) -> wp.vec3:
-    """Where the rays of a seat start: where it is, if it is on no face."""
-    if seat.own == _THIN:
-        towards = wp.vec3(look)
-        return wp.vec3(seat.p) + lift(job.rays, towards) * towards
-    if wp.dot(seat.facet.n, seat.facet.n) == _ZERO:
-        return wp.vec3(seat.p)
-    middle = (seat.facet.a + seat.facet.b + seat.facet.c) * _THIRD
-    return wp.vec3(seat.o + wp.min(seat.inwards, _HALF) * (middle - seat.p) + seat.aside)
-
-
-def starts_of(
-    scene: "Scene", rays: Job, face: np.ndarray, towards: np.ndarray | None, tree: AcceleratorJob, workers: int
-) -> np.ndarray:
-    """(P, sides, 3) float32, the starts of P points in the scene's coordinates.
+    A tracer in whose tree other faces cannot be looked for has none: its points are moved off their faces as if the mesh
+    were as large in all directions, since wp.Mesh tells distances to needles that badly.
 
     Args:
-        scene: what they are on.
-        rays: their places, and in `normals` the unit normals of their faces, their own where they lie on none.
+        scene: what the points are on.
+        placement: their places, and in `normals` the unit normals of their faces, their own where they lie on none.
         face: (P,) int32, -1 where it is not known: then of those that touch a point the one that faces its normal best.
         towards: (P, 3) float32, to which side of its face each looks; None for both, that of the normal first.
-        tree: of the scene.
+        tracer: of the rays.
         workers: threads.
+
+    Returns:
+        (P, sides, 3) float32, in the scene's coordinates.
     """
+    if not tracer.skips:
+        placement.extent_x = placement.extent_y = placement.extent_z = 1.0
+        return None
     sides = 2 if towards is None else 1
-    starts = np.empty((rays.points, sides, 3), np.float32)
-    job = StartArgs(rays=rays, towards=0 if towards is None else towards.ctypes.data, face=face.ctypes.data)
-    job.vertices, job.triangles = scene.vertices.ctypes.data, scene.faces.ctypes.data
-    job.spread_x, job.spread_y, job.spread_z = scene.spread
-    job.starts, job.sides = starts.ctypes.data, sides
-    run(_start_kernel(), rays.points, [job, tree], cpu(), workers, 16 * rays.points)
+    starts = np.empty((placement.points, sides, 3), np.float32)
+    seats = SeatsArgs(placement=placement, towards=0 if towards is None else towards.ctypes.data, face=face.ctypes.data)
+    seats.vertices, seats.triangles = scene.vertices.ctypes.data, scene.faces.ctypes.data
+    seats.spread_x, seats.spread_y, seats.spread_z = scene.spread
+    seats.starts, seats.sides = starts.ctypes.data, sides
+    tree = tracer.accelerator(scene, cpu(), workers)
+    run(_start_kernel(), placement.points, [seats, tree], cpu(), workers, 16 * placement.points)
+    placement.starts = starts.ctypes.data
     return starts
 
 
@@ -236,35 +82,36 @@ def _start_kernel() -> wp.Kernel:
     """A kernel with a task for each point."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
-    def find_starts(job: StartJob, tree: Accelerator, first_task: wp.int64):
+    def find_starts(seats: Seats, tree: Accelerator, first_task: wp.int64):
         words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
         i = first_task + wp.int64(wp.tid())
         seat = Seat()
-        seat.p = local_origin(job.rays, i)
-        seat.own = wp.array(ptr=job.face + wp.uint64(i) * wp.uint64(4), shape=(1,), dtype=wp.int32)[0]
+        seat.p = local_origin(seats.placement, i)
+        seat.own = wp.array(ptr=seats.face + wp.uint64(i) * wp.uint64(4), shape=(1,), dtype=wp.int32)[0]
         seat.along = -1
         seat.against = -1
-        normal = vector_at(job.rays.normals, i)
+        normal = vector_at(seats.placement.normals, i)
         look = in_double(normal)
-        if job.sides == 1:
-            look = in_double(normalize(vector_at(job.towards, i)))
+        if seats.sides == 1:
+            look = in_double(normalize(vector_at(seats.towards, i)))
         known = seat.own >= 0
         if known:
-            seat.facet = with_normal(job, corners_of(job, seat.own), in_double(normal))  # from before corners were rounded
+            # The normal is from before the corners were rounded.
+            seat.facet = with_normal(seats, corners_of(seats, seat.own), in_double(normal))
         # First the search for its own face, if that is not known; then a start for each side.
-        for step in range(wp.where(known, 1, 0), job.sides + 1):
+        for step in range(wp.where(known, 1, 0), seats.sides + 1):
             if step > 0 and seat.own >= 0:
-                seat = _sitting(job, seat, look, known)
+                seat = sitting(seats, seat, look, known)
             if wp.dot(look, look) > _ZERO and (step == 0 or seat.own >= 0):
-                seat = _look_around(job, tree, seat, look, step == 0, words.ptr)
+                seat = look_around(seats, tree, seat, look, step == 0, words.ptr)
             if step == 0:
-                seat.own = _own(seat)
+                seat.own = own_face(seat)
                 if seat.own >= 0:
-                    seat.facet = facet_of(job, seat.own)
+                    seat.facet = facet_of(seats, seat.own)
             else:
-                at = job.starts + wp.uint64(12) * (wp.uint64(i) * wp.uint64(job.sides) + wp.uint64(step - 1))
+                at = seats.starts + wp.uint64(12) * (wp.uint64(i) * wp.uint64(seats.sides) + wp.uint64(step - 1))
                 start = wp.array(ptr=at, shape=(1,), dtype=wp.vec3)
-                start[0] = _start(job, seat, look)
+                start[0] = start_of(seats, seat, look)
                 look = -look
 
     return find_starts

@@ -10,7 +10,7 @@ from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
 from warpsample.host.locks import once
 from warpsample.tracing.wide.build import Topology
-from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH, AcceleratorJob
+from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH, AcceleratorArgs
 
 PADDING = 2.0**-17
 """By which boxes are larger than what is in them, on each side; the mesh is within 1 of 0, ray origins within 6.
@@ -42,9 +42,9 @@ class Tree:
     nodes: np.ndarray
     leaves: np.ndarray
 
-    def accelerator(self) -> AcceleratorJob:
+    def accelerator(self) -> AcceleratorArgs:
         """Its addresses, valid while this lives."""
-        return AcceleratorJob(
+        return AcceleratorArgs(
             nodes=self.nodes.ctypes.data, leaves=self.leaves.ctypes.data, start=self.nodes.ctypes.data, starts=1
         )
 

@@ -57,4 +57,4 @@ class Accelerator:
     starts: wp.int32
 
 
-AcceleratorJob = type(Accelerator().__ctype__())
+AcceleratorArgs = type(Accelerator().__ctype__())

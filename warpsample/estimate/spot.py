@@ -6,12 +6,12 @@ from warpsample.estimate.skipping.beams import meets, triangles_in
 from warpsample.estimate.skipping.frontier import NEAR
 from warpsample.estimate.weights import Weights
 from warpsample.maths.frames import frame_about, to_world
-from warpsample.tracing.rays import RayJob, way_to_scene
+from warpsample.tracing.placement import Placement, way_to_scene
 from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, REACH, WIDTH, Accelerator
 
 NONFINITE_POSITION = 4
-"""The status of a point that is nowhere; the others are those of `job`."""
+"""The status of a point that is nowhere; the others are those of `directions.job`."""
 
 _PADDING = wp.constant(wp.float32(PADDING))
 _VISITS = wp.constant(wp.int32(32))  # nodes and leaves that a beam may look into: as long as five rays take
@@ -20,10 +20,10 @@ _BEAM_LOCAL = 3 * WIDTH
 
 
 @wp.struct
-class EstimateJob:
-    """Scalars and addresses.
+class Lobes:
+    """Scalars and addresses of the lobes of all points, their cells, and where their numbers go.
 
-    rays: of the points; its normals are those of their faces, along which they are moved off.
+    placement: of the points; its normals are those of their faces, along which they are moved off.
     normals, active: (P, 3) float32, (P,) uint8 or 0: the lobes' axes, and which points count.
     each, bands, sectors, beams: as `Cells` has them; beams 0 tests none.
     skip: whether the tree is searched for what cannot be met.
@@ -32,7 +32,7 @@ class EstimateJob:
     cast, empty, status: (P,) int32, int32, uint8: rays cast, rays in parts of the lobe that meet nothing, why not.
     """
 
-    rays: RayJob
+    placement: Placement
     seed: wp.uint64
     first_point: wp.uint64
     normals: wp.uint64
@@ -54,7 +54,7 @@ class EstimateJob:
     status: wp.uint64
 
 
-Job = type(EstimateJob().__ctype__())
+LobesArgs = type(Lobes().__ctype__())
 
 
 @wp.struct
@@ -126,9 +126,9 @@ def bring_near(spot: Spot, column: wp.uint64):
 
 
 @wp.func
-def found_in(job: EstimateJob, accelerator: Accelerator, spot: Spot, cell: wp.int32, near: wp.int32):
+def found_in(lobes: Lobes, accelerator: Accelerator, spot: Spot, cell: wp.int32, near: wp.int32):
     """(whether a ray of a sector or cell may meet something, which of the triangles around the point)."""
-    aim(job.beams + wp.uint64(cell) * _BEAM, spot.n, spot.o, spot.low, spot.beam)
+    aim(lobes.beams + wp.uint64(cell) * _BEAM, spot.n, spot.o, spot.low, spot.beam)
     if near != 0:
         near = triangles_in(spot.room + NEAR, spot.beam) & near
     found = wp.where(near != 0, 1, 0)

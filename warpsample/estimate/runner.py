@@ -1,0 +1,114 @@
+"""Runs a checked call: the arrays of its points, made once, and a launch for each number of rays."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from warpsample.distributions.cosine_hemisphere import CosineHemisphere
+from warpsample.estimate.cells import Cells, cells_of
+from warpsample.estimate.kernel import estimate_kernel
+from warpsample.estimate.result import Estimate, Skipped
+from warpsample.estimate.slots import Slots
+from warpsample.estimate.spot import LobesArgs
+from warpsample.host.arrays import as_directions, cpu
+from warpsample.host.engine import run
+from warpsample.tracing.order import order_of
+from warpsample.tracing.placement import PlacementArgs, placed
+from warpsample.tracing.rays import RAY_WORK
+from warpsample.tracing.scene import scene_of
+from warpsample.tracing.starts import faces_and_normals, set_starts
+from warpsample.tracing.triples import Triples
+
+if TYPE_CHECKING:
+    from warpsample.estimate.plan import Plan, Quantity
+
+_MOST_REACH = 2.0**60  # of the scene's size: what is in it is at no distance at all from there on
+
+
+def rays_of(counts: np.ndarray) -> np.ndarray:
+    """How many rays `cells_of` makes of each count."""
+    known, where = np.unique(counts, return_inverse=True)
+    return np.array([cells_of(int(count)).rays for count in known])[where]
+
+
+class Runner:
+    """The arrays of a plan and a quantity, ready to be run with any numbers of rays."""
+
+    def __init__(self, plan: "Plan", quantity: "Quantity") -> None:
+        """Places the points and finds where their rays start."""
+        self.plan, self.quantity, self.scene = plan, quantity, scene_of(plan.mesh)
+        self.position = Triples.of(plan.points.position, "points.position")
+        self.normal = as_directions(Triples.of(plan.points.normal, "points.normal").owner)
+        self.face, self.side = faces_and_normals(plan.mesh, plan.points, "points")
+        self.placement = self._placement() if len(plan.points) else None
+
+    def result(self, seed: int, counts: np.ndarray) -> Estimate:
+        """The estimate by counts[i] rays from the i-th point."""
+        points, channels = len(counts), self.quantity.channels
+        shape = (points,) if channels == 1 else (points, channels)
+        value, error, spread, degrees = (np.zeros(shape, np.float32) for _ in range(4))
+        cast, empty, status = (np.zeros(points, kind) for kind in (np.int32, np.int32, np.uint8))
+        for count in np.unique(counts):
+            lobes = self._lobes(cells_of(int(count)), seed)
+            lobes.value, lobes.error, lobes.spread, lobes.degrees = (a.ctypes.data for a in (value, error, spread, degrees))
+            lobes.cast, lobes.empty, lobes.status = (a.ctypes.data for a in (cast, empty, status))
+            self._run(lobes, counts == count)
+        total = np.where(status == 0, rays_of(counts), 0) if points else counts
+        skipped = Skipped(
+            points=int(np.count_nonzero(status)),
+            open_points=int(np.count_nonzero((empty == total) & (total > 0))),
+            empty_rays=int(empty.sum(dtype=np.int64)),
+            weightless_rays=int((total - cast - empty).sum()),
+        )
+        unit = np.float32(self.quantity.unit)
+        return Estimate(unit * value, unit * error, unit * spread, degrees, cast, status, skipped)
+
+    def _placement(self) -> PlacementArgs:
+        placement = placed(self.scene, self.position, self.quantity.reach)
+        placement.normals = self.side.ctypes.data
+        if self.quantity.falloff is not None:  # is relative to the reach, so that must be a float32
+            placement.reach = min(placement.reach, _MOST_REACH)
+        plan = self.plan
+        self.starts = set_starts(self.scene, placement, self.face, self.normal, plan.tracer, plan.workers)
+        return placement
+
+    def _lobes(self, cells: Cells, seed: int) -> LobesArgs:
+        """The lobes of all points, without where their numbers go."""
+        plan, quantity = self.plan, self.quantity
+        return LobesArgs(
+            placement=self.placement,
+            seed=seed,
+            first_point=plan.first_point,
+            normals=self.normal.ctypes.data,
+            active=0 if plan.active is None else plan.active.ctypes.data,
+            each=cells.each,
+            bands=cells.bands,
+            sectors=cells.sectors,
+            beams=cells.beams.ctypes.data if cells.beams.size and plan.skip else 0,
+            skip=plan.skip,
+            falloff=quantity.falloff or 0.0,
+            edge=plan.sequence.edge_variance(cells.each),
+            weights=quantity.weights,
+        )
+
+    def _run(self, lobes: LobesArgs, chosen: np.ndarray) -> None:
+        """Sums the lobes of the chosen points."""
+        plan, quantity, rays = self.plan, self.quantity, 2 * lobes.each * lobes.bands * lobes.sectors
+        order = order_of(self.scene, lobes.placement, rays, plan.workers)
+        rows = np.flatnonzero(chosen) if order is None else order[chosen[order]]
+        lobes.placement.order = rows.ctypes.data
+        any_hit = quantity.falloff is None
+        slots = Slots(
+            plan.sequence,
+            CosineHemisphere("polar").about(),
+            quantity.weigh,
+            quantity.constant,
+            quantity.binary and any_hit,
+            quantity.channels,
+            plan.tracer.prepare,
+            plan.tracer.distance_query(any_hit),
+            any_hit,
+            plan.tracer.skips,
+        )
+        accelerator = plan.tracer.accelerator(self.scene, cpu(), plan.workers)
+        run(estimate_kernel(slots), len(rows), [lobes, accelerator], cpu(), plan.workers, RAY_WORK * len(rows) * rays)

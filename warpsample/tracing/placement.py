@@ -1,0 +1,167 @@
+"""Where points are in the scene's coordinates, and from where their rays start: shared by `trace` and the estimates."""
+
+from math import prod
+
+import numpy as np
+import warp as wp
+
+from warpsample.host.arrays import address_of
+from warpsample.tracing.scene import Scene
+from warpsample.tracing.triples import Triples
+
+FURTHEST = 6.0
+"""From 0 on an axis; origins beyond come nearer first, in float64, so that float32 resolves the mesh."""
+
+LIFT = 2.0**-19
+"""Of how far a mesh reaches along a normal: so far are points moved off their face along it, which is 32 roundings."""
+
+_LIFT = wp.constant(wp.float32(LIFT))
+_FURTHEST = wp.constant(wp.float64(FURTHEST))
+_ENTRY = wp.constant(wp.float64(1.25))
+_ZERO = wp.constant(wp.float64(0.0))
+_ONE = wp.constant(wp.float64(1.0))
+_LEAST_STEP = wp.constant(wp.float64(1e-150))
+_FLOATS = wp.constant(wp.uint64(12))
+_DOUBLES = wp.constant(wp.uint64(24))
+
+
+@wp.struct
+class Placement:
+    """Scalars and addresses of `points` origins, float32, or float64 if `double_origins`.
+
+    A point x of the user's is (x - centre) * scale inside, where the mesh is within 1 of 0 on each axis, and its extent; a
+    distance t inside is t * unit, and reach is inside, too. coarseness: how far apart stored positions are, inside.
+    Optional, else 0: normals (P, 3) float32, unit, of the faces that origins are on; starts (P, sides, 3) float32, where
+    rays to these sides start, inside, else they are moved by `lift`; order (P,) int64, in which points are visited.
+    """
+
+    points: wp.int64
+    double_origins: wp.int32
+    origins: wp.uint64
+    normals: wp.uint64
+    starts: wp.uint64
+    order: wp.uint64
+    centre_x: wp.float64
+    centre_y: wp.float64
+    centre_z: wp.float64
+    scale: wp.float64
+    unit: wp.float64
+    reach: wp.float64
+    extent_x: wp.float32
+    extent_y: wp.float32
+    extent_z: wp.float32
+    coarseness: wp.float32
+
+
+PlacementArgs = type(Placement().__ctype__())
+
+
+def placed(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:
+    """The placement of origins in a scene, without normals, starts and order. The caller keeps the array of origins.
+
+    Args:
+        scene: what their rays are traced against.
+        origins: at least 1.
+        reach: how far rays go, in the user's units.
+    """
+    return PlacementArgs(
+        points=prod(origins.shape),
+        double_origins=origins.double,
+        origins=address_of(origins.owner),
+        centre_x=scene.centre[0],
+        centre_y=scene.centre[1],
+        centre_z=scene.centre[2],
+        scale=scene.scale,
+        unit=1.0 / scene.scale,
+        reach=reach * scene.scale,
+        extent_x=scene.extent[0],
+        extent_y=scene.extent[1],
+        extent_z=scene.extent[2],
+        coarseness=_coarseness(scene, origins.double),
+    )
+
+
+def _coarseness(scene: Scene, double: bool) -> float:
+    """Two spacings of the user's numbers at the mesh, in the scene's coordinates."""
+    largest = np.max(np.abs(scene.centre)) + np.max(scene.spread) / scene.scale
+    return 2.0 * float(np.spacing((np.float64 if double else np.float32)(largest))) * scene.scale
+
+
+@wp.func
+def vector_in_double(address: wp.uint64, double: wp.int32, i: wp.int64) -> wp.vec3d:
+    """The i-th vector of an array of float32, or of float64 if `double` says so."""
+    if double != 0:
+        doubles = wp.array(ptr=address + wp.uint64(i) * _DOUBLES, shape=(1,), dtype=wp.vec3d)
+        return doubles[0]
+    floats = wp.array(ptr=address + wp.uint64(i) * _FLOATS, shape=(1,), dtype=wp.vec3)
+    v = floats[0]
+    return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
+
+
+@wp.func
+def unit_in_double(d: wp.vec3d, double: wp.int32) -> wp.vec3d:
+    """d / abs(d); NaN where d is zero or not finite."""
+    if double != 0:  # whose squares may over- or underflow
+        d = d / wp.max(wp.max(wp.abs(d[0]), wp.abs(d[1])), wp.abs(d[2]))
+    return (_ONE / wp.sqrt(wp.dot(d, d))) * d
+
+
+@wp.func
+def point_of(placement: Placement, i: wp.int64) -> wp.int64:
+    """The point that is the i-th to be visited."""
+    if placement.order == wp.uint64(0):
+        return i
+    order = wp.array(ptr=placement.order + wp.uint64(i) * wp.uint64(8), shape=(1,), dtype=wp.int64)
+    return order[0]
+
+
+@wp.func
+def local_origin(placement: Placement, point: wp.int64) -> wp.vec3d:
+    """In the scene's coordinates: what large ones have in common goes in float64, before they are rounded."""
+    return (
+        vector_in_double(placement.origins, placement.double_origins, point)
+        - wp.vec3d(placement.centre_x, placement.centre_y, placement.centre_z)
+    ) * placement.scale
+
+
+@wp.func
+def extent_along(placement: Placement, n: wp.vec3) -> wp.float32:
+    """How far the mesh reaches along a normal, at most: what is rounded along it is rounded by 2^-24 of this."""
+    return wp.abs(n[0]) * placement.extent_x + wp.abs(n[1]) * placement.extent_y + wp.abs(n[2]) * placement.extent_z
+
+
+@wp.func
+def reach_along(placement: Placement, n: wp.vec3, o: wp.vec3) -> wp.float32:
+    """The same of the mesh and a point that may be outside of it."""
+    x = wp.abs(n[0]) * wp.max(placement.extent_x, wp.abs(o[0]))
+    y = wp.abs(n[1]) * wp.max(placement.extent_y, wp.abs(o[1]))
+    return x + y + wp.abs(n[2]) * wp.max(placement.extent_z, wp.abs(o[2]))
+
+
+@wp.func
+def lift(placement: Placement, n: wp.vec3) -> wp.float32:
+    """How far points of a face with that normal are moved off it: 32 roundings, and more where they are stored coarsely."""
+    return _LIFT * extent_along(placement, n) + placement.coarseness
+
+
+@wp.func
+def far_off(o: wp.vec3d) -> wp.bool:
+    """Whether an origin is so far from the mesh that its rays are to be brought near."""
+    return wp.max(wp.max(wp.abs(o[0]), wp.abs(o[1])), wp.abs(o[2])) > _FURTHEST
+
+
+@wp.func
+def way_to_scene(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
+    """How far a ray that starts outside is from a cube around the scene; negative where it misses that.
+
+    Or comes from so far away that float64 does not tell.
+    """
+    enter = _ZERO
+    leave = wp.float64(wp.INF)
+    for axis in range(3):
+        inverse = _ONE / wp.where(wp.abs(d[axis]) > _LEAST_STEP, d[axis], wp.copysign(_LEAST_STEP, d[axis]))
+        middle = -o[axis] * inverse
+        half = wp.abs(_ENTRY * inverse)
+        enter = wp.max(enter, middle - half)
+        leave = wp.min(leave, middle + half)
+    return wp.where(enter < leave and not far_off(o + enter * d), enter, -_ONE)
