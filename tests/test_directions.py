@@ -7,7 +7,8 @@ import pytest
 import warp as wp
 
 import warpsample as ws
-from warpsample.directions import sample as module
+from warpsample.directions import plan as module
+from warpsample.directions.plan import same_high_word
 from warpsample.proof import laws, twins
 from warpsample.proof.integer_twins import pcg4d
 
@@ -65,7 +66,7 @@ def test_same_bits_in_chunks_threads_offsets_and_with_half_inactive(distribution
     ],
 )
 def test_jobs_do_not_cross_a_high_word(first, points, rows):
-    assert module._same_high_word(first, points) == rows
+    assert same_high_word(first, points) == rows
 
 
 @pytest.mark.parametrize(
@@ -82,7 +83,7 @@ def test_flat_blocks_and_rows_agree_bit_for_bit(sequence, normals, monkeypatch):
             monkeypatch.setattr(module, "_ROW", 100)
             blocks = ws.sample_directions(normals, count, distribution, sequence, pdf=True)
             monkeypatch.setattr(module, "_ROW", 1)
-            monkeypatch.setattr(module, "_PART", 6)
+            monkeypatch.setattr(module, "_SEGMENT", 6)
             rows = ws.sample_directions(normals, count, distribution, sequence, pdf=True)
             monkeypatch.undo()
             assert np.array_equal(blocks.vectors, rows.vectors)

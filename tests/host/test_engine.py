@@ -12,8 +12,8 @@ import warp as wp
 
 import warpsample as ws
 from warpsample.directions.blocks import direction_blocks
-from warpsample.directions.job import DirectionJob
 from warpsample.directions.rows import direction_rows
+from warpsample.directions.samples import Samples
 from warpsample.directions.square import square_blocks
 from warpsample.directions.variates import CHUNK
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
@@ -130,8 +130,8 @@ def test_beyond_two_to_the_31_directions(count):
     status = np.zeros(points, np.uint8)
     distribution, sequence = ws.CosineHemisphere(), ws.sequences.get("sobol")
     slots = (sequence, distribution.about(), None, 0.0, False, False)
-    job = DirectionJob()
-    job.points, job.count, job.block, job.rows = points, count, count, 1
+    job = Samples()
+    job.points, job.count, job.segment, job.rows = points, count, count, 1
     job.normals, job.vectors, job.status = normals.ctypes.data, vectors.ctypes.data, status.ctypes.data
     if count == 64:
         kernel, tasks, last = direction_rows(*slots, CHUNK), points, 1000

@@ -113,21 +113,21 @@ def fork_while_making():
 
 def faces_changed():
     """The caller's own faces of points, changed between their check and their use, as by another thread."""
-    from warpsample.estimate import plan
+    from warpsample.estimate import runner
     from warpsample.tracing import trace
 
     mesh = torus()
     points = ws.sample_surface(mesh, 1000)
     right = ws.ambient_occlusion(mesh, points, 40).value, ws.trace(mesh, points, points.normal).distance
     good = points.face.copy()
-    for module in (plan, trace):
-        starts_of = module.starts_of
+    for module in (runner, trace):
+        set_starts = module.set_starts
 
-        def changed_first(*arguments, starts_of=starts_of):
+        def changed_first(*arguments, set_starts=set_starts):
             points.face[:] = 2**30
-            return starts_of(*arguments)
+            return set_starts(*arguments)
 
-        module.starts_of = changed_first
+        module.set_starts = changed_first
     occlusion = ws.ambient_occlusion(mesh, points, 40).value
     points.face[:] = good
     return same((occlusion, ws.trace(mesh, points, points.normal).distance), right)

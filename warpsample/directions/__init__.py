@@ -1,6 +1,6 @@
-"""Directions at points: the call and its kernels, the loops around a sequence and a distribution.
+"""Directions at points: the call and its kernels.
 
-What makes the compiler vectorise them: a `while` over one-dimensional views that the kernel itself opens from an address,
-scalar stores, no branch and no libm call inside. Kernels take addresses and scalars only, so NumPy arrays need no wrapping;
-who calls them has checked shapes and types.
+A *row* is all samples of one point, a *segment* some consecutive ones of a row, a *block* consecutive (point, sample) pairs
+of many rows. A *chunk* is what a kernel holds in local memory at a time: at most CHUNK samples, or rays. A *task* is what
+one thread of a kernel computes: some rows, one segment or one block; a *part* some points of a call that is taken in parts.
 """

@@ -3,7 +3,6 @@
 from collections import Counter
 from dataclasses import dataclass
 from enum import IntEnum
-from itertools import pairwise
 from math import prod
 from typing import TYPE_CHECKING, Any
 
@@ -11,40 +10,33 @@ import numpy as np
 import warp as wp
 
 from warpsample import sequences
-from warpsample.directions import job
-from warpsample.directions.blocks import direction_blocks
-from warpsample.directions.rows import MOST_ROWS, direction_rows
+from warpsample.directions import samples
+from warpsample.directions.plan import Plan
 from warpsample.directions.square import square_blocks
-from warpsample.directions.variates import CHUNK
 from warpsample.distributions import as_spatial
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_scale, check_seed, told
-from warpsample.host.arrays import Array, Vectors, address_of, as_mask, as_vectors, check_out, cpu, new_vectors
+from warpsample.host.arrays import Array, Vectors, as_mask, as_vectors, check_out, cpu, new_vectors
 from warpsample.host.engine import check_memory, check_workers, run
 from warpsample.host.progress import bar
 from warpsample.mesh.polydata import cloud
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.sequences.record import Sequence
 
 if TYPE_CHECKING:
     from pyvista import PolyData
 
-_PART = 1 << 14  # samples of one row that a task takes: enough to share out one point's million samples
-_TASK = 1 << 10  # samples of short rows that a task takes
-_ROW = 12  # samples from which rows, padded to vectors, are faster than blocks of pairs
-_UPLOAD = 1 << 28  # bytes a CUDA device holds at a time of a job whose arrays are NumPy's
 _STREAM_HINT = "stream them: slices of the normals with first_point=, or `warpsample directions`"
 
 
 class Status(IntEnum):
     """Why a point has directions or not."""
 
-    OK = job.OK
-    INACTIVE = job.INACTIVE
-    ZERO_NORMAL = job.ZERO_NORMAL
-    NONFINITE_NORMAL = job.NONFINITE_NORMAL
+    OK = samples.OK
+    INACTIVE = samples.INACTIVE
+    ZERO_NORMAL = samples.ZERO_NORMAL
+    NONFINITE_NORMAL = samples.NONFINITE_NORMAL
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,7 +137,7 @@ def sample_directions(
     if len(given.shape) != 1 or given.count == 0:
         raise ValueError(f"normals: got shape {(*given.shape, 3)}, want (P, 3) with P of at least 1")
     count = check_integer(count, "count", 1, 2**31 - 1)
-    plan = _Plan(
+    plan = Plan(
         as_spatial(distribution),
         sequences.get(sequence),
         count,
@@ -167,7 +159,7 @@ def sample_directions(
         if target == given.device:
             status = plan.fill(given, vectors, densities, mask, first_point)
         else:
-            status = plan.fill_by_parts(target, given.owner, vectors.owner, densities and densities.owner, mask, first_point)
+            status = plan.fill_there(target, given.owner, vectors.owner, densities and densities.owner, mask, first_point)
     return Directions(vectors.owner, densities and densities.owner, status)
 
 
@@ -199,84 +191,6 @@ def sample_square(sequence: str, points: int, count: int, seed: int = 0, first_p
     tasks = -(-total // FLAT_BLOCK)
     run(square_blocks(record.sample), tasks, inputs, cpu(), check_workers(None), total)
     return square
-
-
-@dataclass(frozen=True)
-class _Plan:
-    """A checked call, apart from its arrays."""
-
-    distribution: Distribution
-    sequence: Sequence
-    count: int
-    seed: int
-    pdf: bool
-    workers: int
-
-    def fill(self, normals: Vectors, vectors: Vectors, pdf: Vectors | None, active: Array | None, first_point: int) -> Array:
-        """Writes vectors and pdf, all arrays on one device, and returns the status."""
-        device = normals.device
-        on_host = isinstance(normals.owner, np.ndarray)
-        status = np.zeros(normals.count, np.uint8) if on_host else wp.zeros(normals.count, dtype=wp.uint8, device=device)
-        for start, end in _same_high_word(first_point, normals.count):
-            points = end - start
-            task = job.Job(
-                seed=self.seed,
-                first_point=first_point + start,
-                points=points,
-                count=self.count,
-                normals=normals.address + 12 * start,
-                vectors=vectors.address + 12 * start * self.count,
-                pdf=pdf.address + 4 * start * self.count if pdf else 0,
-                status=address_of(status) + start,
-                active=0 if active is None else address_of(active) + start,
-                parameters=self.distribution.kernel_parameters().__ctype__(),
-            )
-            kernel, tasks, task.block, task.rows = self.kernel(device, points, masked=active is not None)
-            run(kernel, tasks, [task], device, self.workers, points * self.count)
-        return status
-
-    def kernel(self, device: wp.Device, points: int, masked: bool) -> tuple[wp.Kernel, int, int, int]:
-        """(kernel, tasks, samples of a part, parts of a task): rows where one fills the vector lanes, and on CUDA."""
-        maps = self.distribution.maps
-        slots = (self.sequence, self.distribution.about(), maps.redraw, maps.redraw_below, self.pdf, masked)
-        if device.is_cuda:
-            return direction_rows(*slots, 1), points * self.count, 1, 1
-        if self.count >= _ROW:
-            block = min(self.count, _PART)
-            rows = min(max(1, _TASK // self.count), MOST_ROWS) if block == self.count else 1
-            tasks = -(-points * -(-self.count // block) // rows)
-            return direction_rows(*slots, CHUNK), tasks, block, rows
-        return direction_blocks(*slots, self.count == 1), -(-points * self.count // FLAT_BLOCK), FLAT_BLOCK, 1
-
-    def fill_by_parts(
-        self,
-        device: wp.Device,
-        normals: np.ndarray,
-        vectors: np.ndarray,
-        pdf: np.ndarray | None,
-        active: np.ndarray | None,
-        first_point: int,
-    ) -> np.ndarray:
-        """As `fill`, for NumPy arrays and another device, in parts of at most _UPLOAD bytes."""
-        status = np.empty(len(normals), np.uint8)
-        step = max(1, _UPLOAD // (16 * self.count + 14))
-        for start in range(0, len(normals), step):
-            rows = slice(start, start + step)
-            there = as_vectors(wp.array(normals[rows], dtype=wp.vec3, device=device), 3, "normals")
-            shape = (there.count, self.count)
-            got, got_pdf = new_vectors(there, shape, 3), new_vectors(there, shape, 1) if self.pdf else None
-            mask = None if active is None else wp.array(active[rows], dtype=wp.uint8, device=device)
-            status[rows] = self.fill(there, got, got_pdf, mask, first_point + start).numpy()
-            vectors[rows] = got.owner.numpy()
-            if pdf is not None and got_pdf is not None:
-                pdf[rows] = got_pdf.owner.numpy()
-        return status
-
-
-def _same_high_word(first_point: int, points: int) -> list[tuple[int, int]]:
-    """Rows [start, end) between which the global id does not cross a multiple of 2^32."""
-    crossings = range(-first_point % 2**32 or 2**32, points, 2**32)
-    return list(pairwise([0, *crossings, points]))
 
 
 def _check_active(active: Any, normals: Vectors) -> Array | None:

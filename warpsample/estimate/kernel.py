@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.directions.job import normal_status, weigh_by_mask
+from warpsample.directions.samples import normal_status, weigh_by_mask
 from warpsample.estimate.lobe import NOTHING, counted_lobe, weighed_lobe
 from warpsample.estimate.rays import SQUARE_FLOATS
 from warpsample.estimate.skipping.frontier import HORIZON_MARGIN

@@ -11,7 +11,7 @@ from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, REACH, WIDTH, Accelerator
 
 NONFINITE_POSITION = 4
-"""The status of a point that is nowhere; the others are those of `directions.job`."""
+"""The status of a point that is nowhere; the others are those of `directions.samples`."""
 
 _PADDING = wp.constant(wp.float32(PADDING))
 _VISITS = wp.constant(wp.int32(32))  # nodes and leaves that a beam may look into: as long as five rays take

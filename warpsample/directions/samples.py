@@ -1,7 +1,7 @@
 """Directions at points, in two shapes of loop with the same results, bit for bit: what the two share.
 
 *Rows* (`rows`) walk the samples of one point, so all that depends on the point alone (frame, scramble keys) is
-computed once: for many samples on the CPU. In parts of one sample they serve CUDA, where neighbouring threads then store
+computed once: for many samples on the CPU. In segments of one sample they serve CUDA, where neighbouring threads then store
 side by side. *Blocks* (`blocks`) walk consecutive (point, sample) pairs: for few samples on the CPU, where a row
 would not fill a vector.
 """
@@ -9,7 +9,8 @@ would not fill a vector.
 import warp as wp
 
 from warpsample.distributions.parameters import Parameters
-from warpsample.maths.numerics import high_word, low_word
+from warpsample.host.locks import once
+from warpsample.maths.numerics import high_word, low_word, scaled_to_unit
 
 OK = 0
 INACTIVE = 1
@@ -63,18 +64,18 @@ def accessors(with_pdf: bool, masked: bool) -> tuple[wp.Function, wp.Function]:
 
 
 @wp.struct
-class DirectionJob:
+class Samples:
     """Scalars and addresses: normals (P, 3), vectors (P, count, 3), pdf (P, count) float32; status, active (P,) uint8.
 
-    The ids of all points, from first_point on, have the same high word. A task is `rows` rows, or one part of a row, if
-    `block` samples are fewer than `count`.
+    The ids of all points, from first_point on, have the same high word. A task is `rows` rows, or one segment, if `segment`
+    samples are fewer than `count`.
     """
 
     seed: wp.uint64
     first_point: wp.uint64
     points: wp.int64
     count: wp.int32
-    block: wp.int32
+    segment: wp.int32
     rows: wp.int32
     normals: wp.uint64
     vectors: wp.uint64
@@ -84,12 +85,42 @@ class DirectionJob:
     parameters: Parameters
 
 
-Job = type(DirectionJob().__ctype__())
-"""As ctypes takes it: made in 2 us, where setting the fields of a `DirectionJob` one by one takes 50."""
+SamplesArgs = type(Samples().__ctype__())
+"""As ctypes takes it: made in 2 us, where setting the fields of `Samples` one by one takes 50."""
 
 
 @wp.func
-def point_id(job: DirectionJob, point: wp.uint32) -> wp.uint64:
-    """The global id of a point, by words: the high one is the job's, so a loop over points has 32-bit lanes."""
-    low = low_word(job.first_point) + point
-    return (wp.uint64(high_word(job.first_point)) << wp.uint64(32)) | wp.uint64(low)
+def point_id(samples: Samples, point: wp.uint32) -> wp.uint64:
+    """The global id of a point, by words: the high one is the same for all, so a loop over points has 32-bit lanes."""
+    low = low_word(samples.first_point) + point
+    return (wp.uint64(high_word(samples.first_point)) << wp.uint64(32)) | wp.uint64(low)
+
+
+@once
+def unit_normals(masked: bool, stride: int, with_check: bool) -> wp.Function:
+    """A function that writes unit normals: x of all rows from 0 on, y from stride, z from 2 stride; the check from 3 stride.
+
+    Args:
+        masked: whether `active` is read; a normal that is not active becomes 0.
+        stride: floats between them.
+        with_check: whether the check is written, too: below 0.1 where a normal has a direction.
+    """
+    weigh = weigh_by_mask if masked else weigh_all
+
+    @wp.func
+    def write_units(normals: wp.array[wp.float32], active: wp.array[wp.uint8], rows: wp.int32, units: wp.array[wp.float32]):
+        """1 if some normal has no direction, else 0."""
+        rare = wp.int32(0)
+        r = wp.int32(0)
+        while r < rows:
+            unit = scaled_to_unit(weigh(active, r) * wp.vec3(normals[3 * r], normals[3 * r + 1], normals[3 * r + 2]))
+            units[r] = unit[0]
+            units[stride + r] = unit[1]
+            units[2 * stride + r] = unit[2]
+            if wp.static(with_check):
+                units[3 * stride + r] = unit[3]
+            rare = rare | wp.where(wp.abs(unit[3]) < 0.1, 0, 1)
+            r += 1
+        return rare
+
+    return write_units
