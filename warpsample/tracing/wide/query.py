@@ -79,6 +79,23 @@ def _any_in(leaf: wp.uint64, ray: Ray, column: wp.uint64, reach: wp.float32, edg
 
 
 @wp.func
+def _nearest_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, column: wp.uint64, reach: wp.float32):  # noqa: ARG001  (as the other)
+    """(distance, face) of a triangle met, at the reach; (inf, -1) below 0."""
+    if triangle < 0:
+        return wp.float32(wp.INF), wp.int32(-1)
+    return reach, wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)[triangle]
+
+
+@wp.func
+def _any_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, column: wp.uint64, reach: wp.float32):
+    """Likewise of one that is met somewhere before the reach."""
+    if triangle < 0:
+        return wp.float32(wp.INF), wp.int32(-1)
+    face = wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)[triangle]
+    return triangle_distance(leaf, triangle, 1, ray, column, reach), face
+
+
+@wp.func
 def put_aside(top: wp.uint64, node: wp.uint64, mask: wp.int32, reach: wp.float32) -> wp.uint64:
     """The new top of the stack of nodes that wait, with the children to be visited and the reach they were found with."""
     address = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)
@@ -141,7 +158,7 @@ def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
     """
     flip = -1 if any_hit else 0
     begin = _begin_at_several if several else _begin_at_one
-    look_into = _any_in if any_hit else _nearest_in
+    look_into, answer = (_any_in, _any_answer) if any_hit else (_nearest_in, _nearest_answer)
 
     @wp.func
     def wide_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
@@ -182,13 +199,7 @@ def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
                 if mask == 0:
                     node, mask, top = _take_up(ray, reach, top, scratch)
                 child = lowest_bit(mask)
-        face = wp.int32(-1)
-        nearest = wp.float32(wp.INF)
-        if hit >= 0:
-            face = wp.array(ptr=hit_leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)[hit]
-            nearest = reach
-            if wp.static(any_hit):
-                nearest = triangle_distance(hit_leaf, hit, 1, ray, column, reach)
+        nearest, face = answer(hit_leaf, hit, ray, column, reach)
         return nearest, face, visited, visited_leaves
 
     return wide_query
