@@ -1,4 +1,4 @@
-"""Directions at points, in two shapes of loop with the same results, bit for bit: what the two share.
+"""What the two kernels for directions share; their loops differ in shape, their results in no bit.
 
 *Rows* (`rows`) walk the samples of one point, so all that depends on the point alone (frame, scramble keys) is
 computed once: for many samples on the CPU. In segments of one sample they serve CUDA, where neighbouring threads then store

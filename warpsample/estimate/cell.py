@@ -1,4 +1,4 @@
-"""One cell of the lobe: its rays made, weighed, traced and summed, a chunk at a time."""
+"""One cell of the lobe: its rays are made, weighed, traced and summed, a chunk at a time."""
 
 import warp as wp
 
@@ -17,12 +17,12 @@ _HALF = wp.constant(wp.float64(0.5))
 
 @once
 def jump_of(slots: Slots) -> wp.Function:
-    """A function that says what an edge through a cell is worth."""
+    """A function that estimates the squared jump of the weight at an edge that passes through a cell."""
     any_hit, counts = slots.any_hit, slots.counts
 
     @wp.func
     def jump_at(w: wp.vec3, total: wp.vec3d, free: wp.int32, rays: wp.int32) -> wp.vec3d:
-        """By how much a ray's weight changes where an edge begins, squared: of a cell's total and its free rays.
+        """The squared change of a ray's weight across an edge, from a cell's total and the number of its unoccluded rays.
 
         w is the weight of one ray, for where none is free.
         """
@@ -43,7 +43,7 @@ def jump_of(slots: Slots) -> wp.Function:
 
 @once
 def share_of(slots: Slots) -> wp.Function:
-    """A function that asks what a ray's weight is worth."""
+    """A function that traces a ray and gives the share of its weight that it adds."""
     any_hit, distance_to = slots.any_hit, distance_of(slots)
 
     @wp.func

@@ -1,4 +1,4 @@
-"""The cosine lobe cut into cells of equal weight: what rays are stratified by, and what beams find empty.
+"""The cosine lobe cut into cells of equal weight, by which rays are stratified and which beams may find empty.
 
 A cell is a rectangle of the square that the polar map makes directions of: a band of sin^2 theta in a sector of azimuths.
 Each has rays of its own, in two independent randomisations, so that their differences, cell by cell, tell the error.
@@ -40,7 +40,7 @@ class Cells:
 
     @property
     def rays(self) -> int:
-        """Of a point."""
+        """The number of rays of a point."""
         return self.bands * self.sectors * self.each * REPLICATES
 
 

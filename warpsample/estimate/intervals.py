@@ -1,4 +1,4 @@
-"""How sure an estimate is: what its few squared differences and what is known of edges say together, and t from it.
+"""The error of an estimate, from its few squared differences and from what is known of edges, as a t distribution.
 
 A cell that some rays left and some did not is *mixed*: an edge passes through it. How many rays of a low-discrepancy set are
 on one side of an edge varies by about one, whatever the edge (`Sequence.edge`). So the difference between a cell's two
@@ -23,7 +23,7 @@ _THREE = wp.constant(wp.float64(3.0))
 
 
 class Interval(NamedTuple):
-    """Where a number lies.
+    """The ends of an interval.
 
     Attributes:
         lower: (P,) float32, or (P, 3).

@@ -23,7 +23,7 @@ def _keep(channels: int) -> wp.Function:
 
     @wp.func
     def keep(lobes: Lobes, point: wp.int64, total: wp.vec3d, variance: wp.vec3d, width: wp.vec3d, degrees: wp.vec3d):
-        """Means of the rays from sums over them."""
+        """Stores means over the rays, from sums over them."""
         rays = wp.float64(2 * lobes.each * lobes.bands * lobes.sectors)
         at = wp.uint64(point) * wp.uint64(4 * channels)
         value = wp.array(ptr=lobes.value + at, shape=(channels,), dtype=wp.float32)
@@ -41,7 +41,7 @@ def _keep(channels: int) -> wp.Function:
 
 @once
 def estimate_kernel(slots: Slots) -> wp.Kernel:
-    """A kernel with a task for each point, in the order of lobes.placement."""
+    """A kernel with a task for each point, in the order of the placement."""
     wide, keep = slots.wide, _keep(slots.channels)
     sum_lobe = counted_lobe(slots) if slots.counts else weighed_lobe(slots)
 

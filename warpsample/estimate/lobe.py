@@ -1,4 +1,4 @@
-"""The lobe of one point: what of it is empty is found, the rest is summed cell by cell."""
+"""The lobe of one point: its empty cells are found, the others are summed one by one."""
 
 import warp as wp
 
@@ -141,7 +141,7 @@ def weighed_lobe(slots: Slots) -> wp.Function:
 
     @wp.func
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, spot: Spot):
-        """As `counted_lobe`'s."""
+        """The same sums as in `counted_lobe`."""
         total = NOTHING
         variance = NOTHING
         mixed = wp.int32(0)

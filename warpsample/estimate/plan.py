@@ -1,4 +1,4 @@
-"""What all estimates share: the checked call, and its run."""
+"""What all estimates share: the checked call, and how many rays its points take."""
 
 from dataclasses import dataclass, field, fields, replace
 from math import inf
@@ -31,7 +31,7 @@ _UNSEEN = 0.6  # rays' worth of error that a trial may not have seen: with less,
 
 @dataclass(frozen=True)
 class Quantity:
-    """What is summed.
+    """The quantity that is summed over the rays of a point.
 
     Attributes:
         weigh: what a ray adds that meets nothing, of `estimate.weights`.
@@ -56,7 +56,7 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Plan:
-    """A checked call, but for what is summed."""
+    """The checked arguments of a call, apart from the quantity that is summed."""
 
     mesh: Mesh
     points: SurfacePoints
@@ -116,7 +116,7 @@ class Plan:
         )
 
     def estimate(self, quantity: Quantity) -> Estimate:
-        """The numbers."""
+        """Runs the plan for a quantity."""
         with bar(self.progress, "casting rays"):
             return self._estimate(quantity)
 

@@ -21,7 +21,7 @@ _LAST_UNIFORM = wp.constant(wp.float32(1.0 - 2.0**-24))
 
 @once
 def spread_of(slots: Slots) -> wp.Function:
-    """A function that writes a chunk's directions."""
+    """A function that writes the directions of a chunk of rays."""
     sample, about = slots.sequence.sample, slots.about
 
     @wp.func
@@ -67,14 +67,14 @@ def spread_of(slots: Slots) -> wp.Function:
 
 @once
 def distance_of(slots: Slots) -> wp.Function:
-    """A function that asks for one ray."""
+    """A function that gives how far one ray goes."""
     query, any_hit, wide = slots.query, slots.any_hit, slots.wide
 
     @wp.func
     def distance_of(
         accelerator: Accelerator, spot: Spot, near: wp.int32, column: wp.uint64, reach: wp.float32
     ) -> wp.float32:
-        """Of a ray to what it meets, with any_hit to some of it, the triangles around the point first; inf: to nothing."""
+        """The distance to the nearest face, with any_hit to some face; inf if there is none."""
         distance = wp.float32(wp.INF)
         if wp.static(wide):
             if near != 0:

@@ -1,4 +1,4 @@
-"""What comes of an estimate: the numbers of each point, how sure they are, and what was not done."""
+"""The result of an estimate: a number for each point, its error, and what was skipped."""
 
 from dataclasses import dataclass, fields
 from enum import IntEnum
@@ -29,7 +29,7 @@ class PointStatus(IntEnum):
 
 @dataclass(frozen=True)
 class Skipped:
-    """What was not done, and did not have to be.
+    """How much work was skipped, without a change to the result.
 
     Attributes:
         points: without a number: inactive, without a normal, nowhere.

@@ -1,4 +1,4 @@
-"""What a kernel of an estimate is made of: it is compiled once for each of these."""
+"""The parts that a kernel of an estimate is made of; each combination is compiled once."""
 
 from dataclasses import dataclass
 

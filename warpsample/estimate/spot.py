@@ -1,4 +1,4 @@
-"""A point and its rays as the kernel of an estimate has them, and where its beams and rays start."""
+"""The arguments of an estimate's kernel, and one point with its rays as the kernel sees it."""
 
 import warp as wp
 

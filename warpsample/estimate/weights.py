@@ -1,4 +1,4 @@
-"""What a ray that meets nothing adds, by its direction: `wp.func`s (direction, Weights) -> vec3."""
+"""The weight of an unoccluded ray by its direction: `wp.func`s (direction, Weights) -> vec3."""
 
 import warp as wp
 
@@ -10,7 +10,7 @@ _TURNS = wp.constant(wp.float32(0.15915494309189535))
 
 @wp.struct
 class Weights:
-    """What they take after the direction: a unit vector, by components; a picture of width x height RGB float32."""
+    """Their second argument: a unit vector, by components; a picture of width x height RGB float32."""
 
     x: wp.float32
     y: wp.float32

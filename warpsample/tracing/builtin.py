@@ -1,4 +1,4 @@
-"""Queries of wp.Mesh, which is the tracer on CUDA and the second route on the CPU."""
+"""Queries of wp.Mesh, which is the tracer on CUDA and a second, independent tracer on the CPU."""
 
 import warp as wp
 

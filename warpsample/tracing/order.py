@@ -1,4 +1,4 @@
-"""The order in which points are visited: along a Morton curve, where the caller's own jumps about."""
+"""The order in which points are visited: along a Morton curve, unless the caller's order is coherent already."""
 
 import numpy as np
 import warp as wp

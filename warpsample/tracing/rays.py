@@ -1,4 +1,4 @@
-"""Rays of the user's: brought into the scene's own float32 coordinates, traced, and answered in the user's."""
+"""The user's rays: brought into the scene's own float32 coordinates, traced, and answered in the user's coordinates."""
 
 import warp as wp
 
@@ -61,7 +61,7 @@ RaysArgs = type(Rays().__ctype__())
 
 @wp.func
 def _direction(rays: Rays, ray: wp.int64) -> wp.vec3:
-    """float32's as it is, float64's brought to unit length."""
+    """The direction of a ray; one of float64 is brought to unit length."""
     if rays.double_directions == 0:
         floats = wp.array(ptr=rays.directions + wp.uint64(ray) * _FLOATS, shape=(1,), dtype=wp.vec3)
         return floats[0]
@@ -100,7 +100,7 @@ def _read(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.ui
 
 @wp.func
 def _normalize(chunk: wp.uint64):
-    """Unit directions; NaN as the reach of what is no ray."""
+    """Unit directions; NaN as the reach of an invalid ray."""
     rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
     while k < CHUNK:

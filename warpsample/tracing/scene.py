@@ -1,4 +1,4 @@
-"""A mesh in the coordinates of its tracers, and the tracers' own data, kept while the mesh lives."""
+"""A mesh in the coordinates of its tracers, with their search structures, kept while the mesh lives."""
 
 import warnings
 from typing import Any
@@ -43,7 +43,7 @@ class Scene:
     """
 
     def __init__(self, mesh: Mesh) -> None:
-        """Builds nothing yet."""
+        """Moves and scales the vertices; builds no tree yet."""
         lower, upper = mesh.bounds
         middle = _main_part(mesh.vertices[mesh.used])
         half = 0.5 * upper - 0.5 * lower
@@ -87,7 +87,7 @@ class Scene:
         return self._tree
 
     def moved(self, mesh: Mesh) -> "Scene":
-        """That of a mesh with the same faces: which triangles are near to each other is taken over, if known."""
+        """The scene of a mesh with the same faces; takes over the tree's topology, if there is one."""
         scene = Scene(mesh)
         scene._topology = self._topology
         return scene

@@ -1,4 +1,4 @@
-"""Where the rays of points on a surface start: a little in front of the face that a point lies on, and of no other's back.
+"""Where the rays of points on a surface start: a little in front of the face that a point lies on, and behind no other.
 
 What lies on an edge or a corner sees what points of its own face just beside it see. So of the faces that touch a point,
 those that rise above its own are looked at: the start moves towards the middle of its own face, as little as brings it to

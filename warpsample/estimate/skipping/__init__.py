@@ -1,1 +1,1 @@
-"""What of the tree the rays of a point need not look at."""
+"""Which parts of the tree the rays of a point need not look at."""

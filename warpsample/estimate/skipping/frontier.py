@@ -1,4 +1,4 @@
-"""Where the rays of one point start: what of the tree is neither around the point nor below its horizon.
+"""The nodes at which the rays of one point start: the tree without what is around the point or below its horizon.
 
 All rays from a point on a surface would open the same nodes and leaves around it. So these are opened once: their other
 children become nodes of the point's own, which its rays start from, and the few triangles around the point that reach

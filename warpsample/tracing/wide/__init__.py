@@ -1,1 +1,1 @@
-"""The 16-wide tree: how it lies in memory, is built and is asked."""
+"""The 16-wide tree: its layout in memory, how it is built, and how rays traverse it."""

@@ -1,4 +1,4 @@
-"""What a tree's nodes and leaves hold, from where the vertices are: when it is built, and again when they have moved."""
+"""Fills a tree's nodes and leaves from the vertices: when it is built, and again when the vertices have moved."""
 
 from dataclasses import dataclass
 from itertools import pairwise
@@ -30,7 +30,7 @@ _MOST_VERTICES = 2**31 - 1
 
 @dataclass(frozen=True, eq=False)
 class Tree:
-    """A topology with what is in it.
+    """A topology, and the contents of its nodes and leaves.
 
     Attributes:
         topology: the nodes' children and the leaves' faces.

@@ -1,4 +1,4 @@
-"""Which triangles go into which leaf and which leaves below which node, by the surface-area heuristic.
+"""Builds the tree: triangles are put into leaves and leaves below nodes, by the surface-area heuristic.
 
 Level by level, a task for each node: it starts as one range of triangles, and the child with the largest box is split in two
 until there are sixteen.

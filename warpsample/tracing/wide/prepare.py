@@ -1,4 +1,4 @@
-"""What the loops over nodes and leaves need of a ray: rows of a chunk of rays, filled all at once."""
+"""Prepares rays for the loops over nodes and leaves: rows of a chunk, filled for all of its rays at once."""
 
 import warp as wp
 

@@ -1,4 +1,4 @@
-"""Queries of the tree: nodes are followed from the mask of the boxes that a ray meets; what is left of a mask waits."""
+"""Traverses the tree: a ray visits the children whose boxes it meets; those left over wait on a stack."""
 
 import warp as wp
 
