@@ -71,7 +71,7 @@ def test_obscurance_lies_between_what_it_blends(bunny, points):
 
 def test_threads_parts_order_and_masks_change_no_bit(bunny, points, monkeypatch):
     right = ws.ambient_occlusion(bunny, points, 300, seed=7, first_point=2**40)
-    monkeypatch.setattr("warpsample.host.engine._LEAST_WORK", 1)
+    monkeypatch.setattr("warpsample.host.engine.LEAST_WORK", 1)
     monkeypatch.setattr(plan, "MANY_FACES", 1)
     monkeypatch.setattr("warpsample.tracing.order._FEW_POINTS", 1)
     assert same(ws.ambient_occlusion(bunny, points, 300, seed=7, first_point=2**40, workers=3), right)

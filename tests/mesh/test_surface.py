@@ -43,7 +43,7 @@ def test_same_points_in_parts_and_threads(monkeypatch):
     whole = ws.sample_surface(CUBE, 10_000, seed=3, first_point=2**32 - 5000, workers=1)
     part = ws.sample_surface(CUBE, 4000, seed=3, first_point=2**32 - 1000)
     assert np.array_equal(whole.position[4000:8000], part.position)
-    monkeypatch.setattr("warpsample.host.engine._LEAST_WORK", 1)
+    monkeypatch.setattr("warpsample.host.engine.LEAST_WORK", 1)
     assert np.array_equal(
         whole.position, ws.sample_surface(CUBE, 10_000, seed=3, first_point=2**32 - 5000, workers=3).position
     )

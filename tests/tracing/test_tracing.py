@@ -206,7 +206,7 @@ def test_workers_order_and_layout_change_no_bit(bunny, any_hit, monkeypatch):
     shuffled = np.random.default_rng(0).permutation(len(origins))
     origins, directions = origins[shuffled], directions[shuffled]
     want = ws.trace(bunny, origins, directions, any_hit=any_hit, workers=1)
-    monkeypatch.setattr("warpsample.host.engine._LEAST_WORK", 1)
+    monkeypatch.setattr("warpsample.host.engine.LEAST_WORK", 1)
     flat = ws.trace(bunny, np.repeat(origins, 64, axis=0), directions.reshape(-1, 3), any_hit=any_hit, workers=3)
     monkeypatch.setattr(trace, "MANY_FACES", 1)
     monkeypatch.setattr(order, "_FEW_POINTS", 1)
