@@ -3,15 +3,13 @@
 import numpy as np
 import pytest
 from estimate_cases import at, same
-from meshes import soup
+from meshes import CLOSED, soup
 
 import warpsample as ws
 from warpsample.bench import scenes
 from warpsample.estimate import plan
 from warpsample.estimate.cells import cells_of
-from warpsample.proof.rays import closed_meshes
 
-CLOSED = closed_meshes()
 RAYS = 65_536
 
 MESHES = {"city": lambda: scenes.city(12), "hostile": lambda: soup(300), "torus": lambda: CLOSED["torus"][0]}

@@ -4,7 +4,6 @@ import json
 import re
 import struct
 import tracemalloc
-from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -12,7 +11,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample.output import bake, baked, export, mesh_writers
+from warpsample.output import bake, baked, export
 
 MAP = np.array([500_000.0, 5_400_000.0, 300.0])
 PLACES = [(size, at) for size in (1e-6, 1.0, 5e6) for at in (0.0, 1.0)]  # size, and whether on the map
@@ -118,7 +117,7 @@ def test_a_glb_that_would_lose_faces_is_refused_before_the_work(call, placed, tm
     near = ground(1e-3)
     vertices = np.concatenate([near.vertices, near.vertices + np.array([1e4, 0.0, 0.0])])
     path = placed(ws.Mesh(vertices, np.concatenate([near.faces, near.faces + len(near.vertices)])))
-    monkeypatch.setattr(bake, "_quantity", None)
+    monkeypatch.setattr(bake, "ambient_occlusion", None)
     status, _, err = call("bake", path, "-o", tmp_path / "out.glb")
     said = (
         r"error: --output: got 'out.glb', whose float32 would change the area of ([\d,]+) of 8,192 faces by more than 1%, "
@@ -135,15 +134,19 @@ def test_a_face_without_area_is_none_that_is_lost(call, tmp_path):
     assert call("bake", path, "-o", tmp_path / "out.glb", "--samples", 2)[0] == 0
 
 
-def test_a_glb_of_more_than_four_gigabytes_is_refused(call, placed, tmp_path, monkeypatch):
-    monkeypatch.setattr(baked, "_BYTES_OF_CORNER", 2**32 // (3 * 4096))
-    path = placed(ground())
-    status, _, err = call("bake", path, "-o", tmp_path / "out.glb", "--at", "faces")
-    assert (status, err) == (
-        2,
-        "error: --output: got 'out.glb' of 12,288 corners, want .ply or .vtp: it holds 4 GiB\n",
-    )
-    assert call("bake", path, "-o", tmp_path / "out.glb", "--at", "vertices", "--samples", 2)[0] == 0
+def test_a_glb_larger_than_its_format_allows_is_refused(call, placed, tmp_path, monkeypatch):
+    """By a limit that corners of faces pass and vertices keep: what is then written is indeed no larger."""
+    assert baked.MOST_GLB_BYTES < 2**32
+    monkeypatch.setattr(baked, "MOST_GLB_BYTES", 400_000)
+    path, output = placed(ground()), tmp_path / "out.glb"
+    status, _, err = call("bake", path, "-o", output, "--at", "faces")
+    said = "error: --output: got 'out.glb' of 12,288 corners, want .ply or .vtp: it holds 4 GiB\n"
+    assert (status, err, output.exists()) == (2, said, False)
+    assert call("bake", path, "-o", output, "--at", "vertices", "--samples", 2)[0] == 0
+    assert output.stat().st_size <= 400_000
+    monkeypatch.undo()
+    assert call("bake", path, "-o", output, "--at", "faces", "--samples", 2)[0] == 0
+    assert output.stat().st_size > 400_000
 
 
 def test_a_glb_says_what_is_in_it(call, placed, tmp_path):
@@ -205,8 +208,7 @@ def traced(write):
 
 @pytest.mark.parametrize("suffix", bake.SUFFIXES)
 @pytest.mark.parametrize("at", ["vertices", "faces"])
-def test_a_bake_takes_no_more_than_twice_its_file(tmp_path, monkeypatch, suffix, at):
-    monkeypatch.setattr(mesh_writers, "_BLOCK", 1 << 10)
+def test_a_bake_takes_no_more_than_twice_its_file(tmp_path, suffix, at):
     mesh = ground()
     points = bake.PLACEMENTS[at](mesh)
     found = ws.ambient_occlusion(mesh, points, 2)
@@ -216,13 +218,13 @@ def test_a_bake_takes_no_more_than_twice_its_file(tmp_path, monkeypatch, suffix,
 
 
 @pytest.mark.parametrize("suffix", [".ply", ".vtp"])
-def test_a_cloud_takes_no_more_than_twice_its_file(tmp_path, monkeypatch, suffix):
-    """With the directions themselves, and with points that have none."""
-    monkeypatch.setattr(mesh_writers, "_BLOCK", 1 << 10)
-    points = ws.sample_surface(ground(), 2000)
-    points = replace(points, normal=np.where(np.arange(2000)[:, None] % 10 == 0, np.float32(0.0), points.normal))
-    run = export.Run(tmp_path, tmp_path / f"x{suffix}", 2000, 64, "cosine_hemisphere", "sobol", 0, "surface")
-    export._write_cloud(Sink(), 1.0, points, run, 1)  # builds the kernel
-    written, held = traced(lambda sink: export._write_cloud(sink, 1.0, points, run, 1))
-    assert written > 1800 * 64 * 36
-    assert held <= 2 * written
+def test_a_cloud_takes_no_more_than_twice_its_file(placed, tmp_path, suffix):
+    """With the mesh, the directions themselves, and points that have none."""
+    faces = ground().faces.copy()
+    faces[::10, 1] = faces[::10, 0]
+    output = tmp_path / f"x{suffix}"
+    run = export.Run(placed(ws.Mesh(ground().vertices, faces)), output, 1, 96, "cosine_hemisphere", "sobol", 0, "faces")
+    export.export(run, 1)  # builds the kernel
+    _, held = traced(lambda _: export.export(run, 1))
+    assert output.stat().st_size > 3600 * 96 * 36
+    assert held <= 2 * output.stat().st_size

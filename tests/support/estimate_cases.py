@@ -1,4 +1,4 @@
-"""What the tests of estimates share: points anywhere, a street, a square, and whether two estimates are the same."""
+"""What the tests of estimates share: points anywhere, a street, a square, a sky, and whether two estimates are the same."""
 
 import numpy as np
 
@@ -25,3 +25,8 @@ def square(z=1.0):
 
 def same(found, other):
     return np.array_equal(found.value, other.value) and np.array_equal(found.standard_error, other.standard_error)
+
+
+def irradiance(mesh, points, count, **options):
+    """Under a sky that is bright on top and dark below."""
+    return ws.irradiance(mesh, points, np.linspace(2.0, 0.0, 32)[:, None].repeat(4, axis=1), count, **options)
