@@ -138,7 +138,7 @@ def test_hostile_meshes_reject_float32_positions_and_a_heavy_last_face(monkeypat
         points.face[: count // 60] = len(ws.as_mesh(mesh).faces) - 1  # what float32 sums do to 10^7 faces
         return ws.SurfacePoints(points.position.astype(np.float32).astype(np.float64), points.normal, points.face)
 
-    monkeypatch.setattr(stress, "_ten_million_faces", lambda: ws.as_mesh(trimesh.creation.icosphere(4)))
+    monkeypatch.setattr(stress, "ten_million_faces", lambda: ws.as_mesh(trimesh.creation.icosphere(4)))
     monkeypatch.setattr(stress, "sample_surface", in_float32)
     assert laws_broken(stress.judge_meshes()) == {"points on their face", "shares of the area"}
 
