@@ -66,7 +66,7 @@ announce("end")
 
 @pytest.mark.slow
 def test_every_loop_of_directions_is_vectorised(tmp_path, child_environment):
-    """By the compiler's own remarks, with a cold cache, in two processes."""
+    """The compiler's own remarks say so, with a cold cache, in two processes."""
     halves = [VECTORISED[::2], VECTORISED[1::2]]
     children = []
     for i, half in enumerate(halves):
@@ -113,7 +113,7 @@ def all_kernels():
 @pytest.mark.slow
 @pytest.mark.parametrize(("label", "kernel"), [pytest.param(*pair, id=pair[0]) for pair in all_kernels()])
 def test_every_kernel_compiles_for_cuda(label, kernel, tmp_path):
-    """To PTX, by the compiler inside warp-lang; no driver needed."""
+    """The compiler inside warp-lang makes PTX of it, without a driver."""
     if kernel.module in _compiled:
         return
     _compiled.add(kernel.module)

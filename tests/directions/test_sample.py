@@ -18,7 +18,7 @@ COUNTS = [1, 3, 16, 23, 64, 100]
 @EACH
 @pytest.mark.parametrize("count", COUNTS)
 def test_same_bits_in_chunks_threads_offsets_and_with_half_inactive(distribution, count, monkeypatch):
-    """And where ids pass a multiple of 2^32, in the middle of a call or at its start."""
+    """Global ids pass a multiple of 2^32 in the middle of the call, and at the start of one of its parts."""
     normals = np.random.default_rng(3).normal(size=(9001, 3)).astype(np.float32)
     whole = ws.sample_directions(normals, count, distribution, seed=5, first_point=2**32 - 4000, pdf=True, workers=1)
     monkeypatch.setattr("warpsample.host.engine.LEAST_WORK", 1)
@@ -53,7 +53,7 @@ def test_same_bits_in_chunks_threads_offsets_and_with_half_inactive(distribution
     ],
 )
 def test_directions_about_z_are_the_map_of_the_sequence_bit_for_bit(sequence):
-    """Whichever loop computes them: one sample a point, flat blocks, and rows."""
+    """This holds for each of the three loops: one sample per point, flat blocks, and rows."""
     up = np.tile(np.float32([0.0, 0.0, 1.0]), (100, 1))
     for distribution in CASES if sequence == "sobol" else CASES[:1]:
         for count in (1, 2, 23):
@@ -64,7 +64,7 @@ def test_directions_about_z_are_the_map_of_the_sequence_bit_for_bit(sequence):
 
 @EACH
 def test_few_samples_are_the_first_of_many_bit_for_bit(distribution, normals):
-    """In flat blocks, in rows, and in rows that are shared out in parts."""
+    """The counts go through flat blocks, rows, and rows that are shared out in parts."""
     counts = [1, 2, 11, 12, 23, 20_000]
     for less, more in pairwise(counts):
         some = normals[:: 1 if more < 100 else 200]
@@ -135,7 +135,7 @@ def test_defaults_are_a_polar_cosine_lobe_from_sobol(normals):
 @EACH
 @pytest.mark.parametrize(("points", "count"), [(1000, 1), (1000, 23), (300_000, 64)])
 def test_cuda_agrees_with_the_cpu(distribution, points, count):
-    """And so do the parts that the last job, of more than 2^28 bytes, goes to the device in."""
+    """The last case has more than 2^28 bytes, so that it goes to the device in parts."""
     normals = np.random.default_rng(1).normal(size=(points, 3)).astype(np.float32)
     normals[3] = 0.0
     here, there = (ws.sample_directions(normals, count, distribution, pdf=True, device=d) for d in ("cpu", "cuda"))

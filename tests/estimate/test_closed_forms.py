@@ -21,7 +21,7 @@ def floor_sky(x):
 
 
 def wall_sky(z):
-    """Of a wall at a height: the angle from the horizontal to the other wall's edge, as for any strip between angles."""
+    """Sky view of a wall at height z, from the angle between the horizontal and the edge of the other wall."""
     return 0.5 * (1.0 - (HEIGHT - z) / hypot(HEIGHT - z, WIDTH))
 
 
@@ -90,7 +90,7 @@ def test_from_inside_nothing_escapes_and_from_outside_of_a_convex_mesh_all_does(
 
 
 def test_points_on_a_convex_mesh_cast_no_ray_from_32_on():
-    """Fewer have no cells, and are cast where the faces around a point may be above its horizon by rounding."""
+    """Fewer rays have no cells; they are cast where rounding may put the faces around a point above its horizon."""
     ball = ws.as_mesh(trimesh.creation.icosphere(3))
     points = ws.face_centers(ball)
     rays = {count: int(ws.ambient_occlusion(ball, points, count).rays.sum()) for count in (30, 32)}

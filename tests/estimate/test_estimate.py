@@ -53,7 +53,7 @@ def _sides(d: wp.vec3):
 
 @pytest.mark.parametrize(("sequence", "count"), [("fibonacci", 64), ("fibonacci", 512), ("independent", 64)])
 def test_the_standard_error_is_what_it_says(bunny, points, sequence, count):
-    """Its mean square is that of the error: over 600 points, 32 times."""
+    """Its mean square equals that of the error, over 32 runs of 600 points."""
     runs = [ws.ambient_occlusion(bunny, points, count, sequence=sequence, seed=2, first_point=600 * k) for k in range(32)]
     values = np.array([run.value for run in runs], np.float64)
     bars = np.mean([run.standard_error.astype(np.float64) ** 2 for run in runs], axis=0)
@@ -134,7 +134,7 @@ def test_a_million_faces():
     assert 0.5 < with_skipping.value.mean() < 0.95
 
 
-def test_points_far_away_and_points_that_are_none(bunny):
+def test_points_far_away_and_invalid_points(bunny):
     lower, upper = bunny.report.lower, bunny.report.upper
     centre, radius = 0.5 * (lower + upper), 0.5 * np.ptp(np.stack([lower, upper]), axis=0).max()
     away = np.array([[0, 0, 1.0], [0.6, 0.0, -0.8]])

@@ -1,4 +1,4 @@
-"""What an interval is made of: what edges let expect, one cell by hand, numbers that are finite, no bit from skipping."""
+"""The parts of an interval: the variance that edges lead to, one cell by hand, finite numbers, and no change by skipping."""
 
 from math import pi
 
@@ -13,7 +13,7 @@ import warpsample as ws
 @pytest.mark.parametrize("name", ws.sequences.names())
 @pytest.mark.parametrize("count", [4, 8, 16, 32])
 def test_an_edge_leaves_the_variance_that_a_sequence_says(name, count):
-    """Straight edges through the unit square, at random: half of the count to the power of `edge`."""
+    """Random straight edges cross the unit square; the variance is half of the count to the power of `edge`."""
     rng = np.random.default_rng(0)
     angle, offset = rng.uniform(0, 2 * pi, 20_000), rng.uniform(-0.75, 0.75, 20_000)
     normal = np.stack([np.cos(angle), np.sin(angle)], axis=1)[:, None]
@@ -28,7 +28,7 @@ def test_an_edge_leaves_the_variance_that_a_sequence_says(name, count):
 
 
 def test_one_cell_by_hand(bunny, points):
-    """Below 32 rays: the replicates' free rays, by other calls; then the posterior in NumPy."""
+    """Below 32 rays there is one cell: other calls count its replicates' free rays, and NumPy computes the posterior."""
     count, seed = 30, 5
     found = ws.ambient_occlusion(bunny, points, count, seed=seed)
     seeds = [seed ^ (stream * 0x9E3779B9 % 2**32 << 32) for stream in (0, 1)]
@@ -85,7 +85,7 @@ def test_every_number_is_finite(bunny, points):
 
 
 def test_intervals_follow_the_result(bunny, points):
-    """Through the tolerance's two runs, a picture's one channel and its unit; and they widen with the level."""
+    """They follow it through both runs of a tolerance, a picture's one channel and its unit, and widen with the level."""
     tolerant = ws.ambient_occlusion(bunny, points, 512, tolerance=1e-9)
     plain = ws.ambient_occlusion(bunny, points, 512)
     full = tolerant.rays > 64

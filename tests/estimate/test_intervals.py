@@ -1,4 +1,4 @@
-"""Intervals hold what they promise, on meshes and closed forms, and a wrong rule is told from a right one."""
+"""Intervals cover as often as they promise, on meshes and closed forms, and wrong rules for them are rejected."""
 
 from math import hypot, pi, sqrt
 
@@ -24,7 +24,7 @@ def runs(points, count=RUNS):
 
 
 class Case:
-    """A mesh, points on it, and what is right at each of them."""
+    """A mesh, points on it, and the exact value at each of them."""
 
     def __init__(self, mesh, points, estimate=ws.ambient_occlusion, right=None):
         self.mesh, self.points, self.estimate = mesh, points, estimate
@@ -33,7 +33,7 @@ class Case:
         self.right = np.asarray(right)
 
     def held(self, count, rule=ws.Estimate.interval, **options):
-        """Whether each interval holds what is right, of the points that are not proven to be open."""
+        """Whether each interval holds the exact value, for the points that are not proven to be open."""
         found = self.estimate(self.mesh, runs(self.points), count, **options)
         lower, upper = rule(found)
         right = np.repeat(self.right, RUNS, axis=0)
@@ -41,7 +41,7 @@ class Case:
 
 
 def closed_forms(width=1.0, height=1.7):
-    """Streets' floors and walls, a tilted plane, and a square seen from the one below: no curved faces."""
+    """Floors and walls of streets, a tilted plane, and a square seen from the one below; no curved faces."""
     across = (np.arange(64) + 0.5) / 64
     floor = np.column_stack([width * across, np.full(64, 0.3), np.zeros(64)])
     right = [0.5 * (x / hypot(x, height) + (width - x) / hypot(width - x, height)) for x in width * across]
@@ -73,7 +73,7 @@ def cases(on_bunny):
 
 @pytest.fixture
 def covers(plausible):
-    """Asserts that so many of the intervals hold what is right as claimed: runs are independent, so binomial at most."""
+    """Asserts that as many intervals as claimed hold the exact value; runs are independent, so binomial at most."""
 
     def check(held):
         hits = int(held.sum())
@@ -105,7 +105,7 @@ def two_errors(found):
 
 
 def few_degrees(found):
-    """As if the differences alone spoke, one of each cell."""
+    """A rule that uses the differences of the cells alone."""
     half = t.ppf(0.975, 4) * found.standard_error
     return found.value - half, found.value + half
 
@@ -136,7 +136,7 @@ def test_intervals_of_other_quantities(bunny, on_bunny, covers, estimate):
 
 @pytest.mark.parametrize("rays", [0.25, 0.5, 1.0])
 def test_an_event_that_hardly_a_ray_meets_is_in_the_interval(rays):
-    """A ball that covers less than what one of 64 rays stands for: of 200 runs many see nothing of it."""
+    """A ball covers less of the lobe than one of 64 rays stands for, so that many of 200 runs do not see it."""
     distance = 0.5 / sqrt(rays / 64)
     ball = trimesh.creation.icosphere(3, 0.5)
     ball.apply_scale(sqrt(pi / ball.area))  # its silhouettes' mean area, by Cauchy
@@ -148,7 +148,7 @@ def test_an_event_that_hardly_a_ray_meets_is_in_the_interval(rays):
 
 
 def test_leaves_do_not_break_the_expectation():
-    """Among three thousand loose triangles cells have many edges each, and differ by three times what one edge makes."""
+    """Among 3,000 loose triangles a cell has many edges, and its replicates differ by three times what one edge makes."""
     rng = np.random.default_rng(0)
     corners = rng.normal(0, 0.05, (3000, 3, 3)) + rng.uniform((-1, -1, 0.6), (1, 1, 2.6), (3000, 1, 3))
     leaves = ws.as_mesh((corners.reshape(-1, 3), np.arange(9000).reshape(-1, 3)))

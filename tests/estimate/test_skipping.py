@@ -1,4 +1,4 @@
-"""What is skipped changes no bit of an estimate, under any weight, on any mesh; nor do threads, parts, order or masks."""
+"""Skipping changes no bit of an estimate, under any weight and on any mesh; nor do threads, parts, order or masks."""
 
 import numpy as np
 import pytest

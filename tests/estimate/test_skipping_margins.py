@@ -55,7 +55,7 @@ def _in_beam(
 
 
 def lobes(seed, flat):
-    """Origins and normals; with `flat` the scene is a slab, and origins are far above it too."""
+    """Origins and normals; with `flat` the scene is a slab, and some origins are far above it."""
     rng = np.random.default_rng(seed)
     origins = rng.uniform(-1.0, 1.0, (N, 3)) * ([1.0, 1.0, 5.0] if flat else 1.0)
     return rng, origins.astype(np.float32), unit(rng.normal(size=(N, 3)))
@@ -122,7 +122,7 @@ def test_what_is_out_of_reach_is_not_seen_and_what_is_around_is_known():
 
 @pytest.mark.parametrize("count", [64, 256, 448, 4096, 16384])
 def test_a_beam_holds_what_its_rays_meet_and_not_what_is_clearly_beside_it(count):
-    """Rays at the cell's middle, edges and corners, as the polar map sends them, against boxes and triangles on them."""
+    """Rays in the middle, on the edges and at the corners of a cell meet boxes and triangles that are put on them."""
     cells = cells_of(count)
     rng, origins, normals = lobes(5, False)
     sector, band = rng.integers(0, cells.sectors, N), rng.integers(0, cells.bands, N)
@@ -169,7 +169,7 @@ def test_a_beam_holds_what_its_rays_meet_and_not_what_is_clearly_beside_it(count
 
 
 def test_a_beam_holds_the_sheet_that_its_lowest_rays_meet():
-    """Large triangles along the horizon, above the origin by less than their corners are rounded."""
+    """Large triangles lie along the horizon, above the origin by less than the rounding of their corners."""
     cells = cells_of(448)
     rng, origins, normals = lobes(6, False)
     origins *= 0.25

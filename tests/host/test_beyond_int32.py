@@ -45,7 +45,7 @@ def launch_last(last, kernel, inputs, tasks):
 
 @pytest.mark.parametrize("count", [3, 64])
 def test_directions(count):
-    """As flat blocks, and as rows."""
+    """Three directions per point are computed in flat blocks, 64 in rows."""
     points = MANY // count
     size = points * count
     vectors, normals = reserved(np.float32, 3 * size, 3 * points)
@@ -71,7 +71,7 @@ def test_directions(count):
 
 @pytest.mark.parametrize("first", [0, 2**32, 2**32 - 3, 2**40 + 1])
 def test_no_job_has_ids_of_two_high_words(first, monkeypatch):
-    """Its kernel adds to the low word alone; what would be run is looked at, and not run."""
+    """A kernel adds to the low word of an id alone. The jobs are looked at, and not run."""
     points, jobs = 2**32 + 5, []
     normals, out = reserved(np.float32, 3 * points, 3 * points)
     monkeypatch.setattr(sample, "run", lambda *arguments: jobs.append(arguments[2][0]))
@@ -83,7 +83,7 @@ def test_no_job_has_ids_of_two_high_words(first, monkeypatch):
 
 @pytest.mark.parametrize("per_point", [1, MANY])
 def test_rays(per_point):
-    """Of as many points, or of one."""
+    """Each ray has an origin of its own, or all share one."""
     directions, distance, origins = reserved(np.float32, 3 * MANY, MANY, 3 * MANY // per_point)
     (face,) = reserved(np.int32, MANY)
     directions[-3:], origins[-3:] = [0.0, 0.0, -1.0], [0.5, 0.5, 3.0]

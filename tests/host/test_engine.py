@@ -69,7 +69,7 @@ def test_an_interrupt_stops_the_threads_before_the_call_returns(after_each_chunk
 
 
 def test_however_often_it_is_interrupted_a_call_outlasts_its_threads(after_each_chunk, monkeypatch):
-    """They write to arrays that are gone after it."""
+    """The threads write to arrays that no longer exist after the call."""
     patient, begun, waits, ended = engine.wait, threading.Event(), [], []
 
     def slow_elsewhere(here):
@@ -95,7 +95,7 @@ def test_however_often_it_is_interrupted_a_call_outlasts_its_threads(after_each_
 
 
 def test_fewer_threads_than_asked_for_do_the_work(monkeypatch):
-    """As where the system gives no more, or Python is ending."""
+    """The system gives no more threads, or Python is ending."""
     refused = []
 
     def start(thread):

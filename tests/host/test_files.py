@@ -1,4 +1,4 @@
-"""One file: whole or not there, whatever ends its writing; its links and permissions stay, and nothing is left beside it."""
+"""A file is whole or not there, whatever ends its writing; links and permissions stay, and nothing is left beside it."""
 
 import os
 import subprocess
@@ -22,13 +22,13 @@ with files.complete_or_absent(Path("out.npz")) as file:
 
 
 class Ended(KeyboardInterrupt):
-    """As a signal is raised at the command line."""
+    """What a signal raises at the command line."""
 
 
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # of a file that is not closed in time
 @pytest.mark.parametrize("work", ["check", "write"])
 def test_no_moment_at_which_a_signal_leaves_a_part(tmp_path, work):
-    """Raised at each line of files.py in turn, until there is none left to raise it at."""
+    """It is raised at each line of files.py in turn, until no line is left."""
     path = tmp_path / "out"
     source = files.__file__
 
@@ -66,7 +66,7 @@ def test_no_moment_at_which_a_signal_leaves_a_part(tmp_path, work):
 
 @pytest.mark.skipif(files.fcntl is None, reason="Windows has no SIGKILL and no locks of this kind")
 def test_the_next_run_removes_what_a_killed_one_left_and_nothing_else(tmp_path, child_environment):
-    """The dead one's part, and one of a process whose number is another's now; not a living one's, nor another machine's."""
+    """Parts of dead processes go, also if their number is another's now; those of living ones and other machines stay."""
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
     command, output = [sys.executable, "-c", WRITING], tmp_path / "out.npz"
     with (
@@ -95,7 +95,7 @@ def test_the_next_run_removes_what_a_killed_one_left_and_nothing_else(tmp_path, 
 
 
 def test_a_file_that_may_not_be_written_is_left(tmp_path, monkeypatch):
-    """Root may write everything, so the system's answer is made up."""
+    """Root may write everything, so the answer of the system is replaced."""
     path = tmp_path / "out"
     path.write_text("old")
     monkeypatch.setattr(os, "access", lambda asked, mode: (asked, mode) != (path, os.W_OK))
@@ -148,7 +148,7 @@ def test_two_threads_write_one_file(tmp_path):
 
 @pytest.mark.skipif(files.fcntl is None, reason="Windows has no locks of this kind")
 def test_a_part_that_is_taken_for_an_orphan_is_made_again(tmp_path, monkeypatch):
-    """By another run, before it is locked."""
+    """Another run removes it before it is locked."""
     taken = []
 
     def late(file, operation):
@@ -163,7 +163,7 @@ def test_a_part_that_is_taken_for_an_orphan_is_made_again(tmp_path, monkeypatch)
 
 
 def test_an_error_of_the_work_stays_what_it_is(tmp_path):
-    """Only what the output's own file says is about the output."""
+    """Only errors of the output's own file are about the output."""
     with pytest.raises(FileNotFoundError, match="elsewhere"), files.complete_or_absent(tmp_path / "out"):
         (tmp_path / "elsewhere").read_bytes()
     with (

@@ -71,7 +71,7 @@ def test_the_users_own_log_level_is_kept(level, alone, child_environment):
 
 
 def test_other_lines_on_stderr_are_shown(capfd, monkeypatch):
-    """While Warp starts, and after that, however it ends."""
+    """Lines written while Warp starts are shown, and those after it, also if it fails."""
 
     def start(init):
         monkeypatch.setattr(wp, "init", init)

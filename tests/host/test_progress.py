@@ -1,4 +1,4 @@
-"""Bars of long library calls: shown where they are asked for and can be seen, and without a bit of change."""
+"""Bars of long calls are shown where they are asked for and can be seen, and change no bit of a result."""
 
 import os
 import pty
@@ -35,7 +35,7 @@ def test_nothing_is_printed_unless_asked_and_seen_and_no_bit_changes(name, capfd
 
 
 class Display:
-    """In the place of rich's display: what a bar is told."""
+    """Takes the place of rich's display and records what a bar is told."""
 
     def __init__(self):
         self.total, self.done, self.runs = 0, 0, 0

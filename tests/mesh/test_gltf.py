@@ -72,7 +72,7 @@ def test_gltf_strips_and_fans(mode, points, area, tmp_path):
 
 
 def test_gltf_of_short_numbers_far_apart(tmp_path):
-    """Positions of 16 bits that are shares of 32767, each followed by another number, and no indices."""
+    """Positions are 16-bit shares of 32767, each followed by another number, and there are no indices."""
     path, data = tmp_path / "short.gltf", np.int16([(0, 0, 0, 9), (32767, 0, 0, 9), (0, -32767, -32768, 9)]).tobytes()
     (tmp_path / "some data.bin").write_bytes(data)
     places = {"componentType": 5122, "type": "VEC3", "count": 3, "normalized": True}

@@ -1,4 +1,4 @@
-"""Mesh files of every kind: all digits are kept, nothing is read by half, and nothing is allocated for what is not there."""
+"""Mesh files of every kind keep all digits; none is read in part, and no memory is taken for data that is missing."""
 
 import struct
 import tracemalloc

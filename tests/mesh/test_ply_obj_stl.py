@@ -37,7 +37,7 @@ def test_polygons_are_cut_into_triangles_without_loss(kind, tmp_path):
 
 
 def test_ply_of_other_elements(tmp_path):
-    """Rows that are passed over, before and after what counts, and whose lists are of different lengths."""
+    """Rows of other elements, with lists of different lengths, are passed over before and after the mesh's own."""
     path = tmp_path / "more.ply"
     for order in ("ascii", "binary_big_endian"):
         whole = cases.ply(order, CORNERS, POLYGONS[:1])

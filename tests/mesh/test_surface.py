@@ -1,4 +1,4 @@
-"""Points on a mesh: uniform by area, where they should be, with the right normals."""
+"""Points on a mesh are uniform by area, lie on their face and have its normal."""
 
 import numpy as np
 import pytest
@@ -52,7 +52,7 @@ def test_same_points_in_parts_and_threads(monkeypatch):
 
 @pytest.mark.slow
 def test_hostile_meshes():
-    """Tiny, far away, degenerate, slivers, and 10^7 faces, the last of which would get 1.7 % of all points in float32."""
+    """Tiny, far away, degenerate, slivers, and 10^7 faces, of which float32 would give the last one 1.7 % of all points."""
     found = judge_meshes()
     assert len(found) == 6
     assert [verdict for verdict in found if not verdict.passed] == []

@@ -111,7 +111,7 @@ def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, 
     output.write_text("old")
 
     class Terminated(KeyboardInterrupt):
-        """As another signal is raised."""
+        """What another signal raises."""
 
     def interrupted(*arguments, first_point, **rest):
         if first_point:

@@ -1,4 +1,4 @@
-"""Meshes and clouds that we write: every bit of their coordinates, at any scale and on any map; in little memory."""
+"""Meshes and clouds are written with every bit of their coordinates, at any scale and on any map, and in little memory."""
 
 import json
 import re
@@ -73,7 +73,7 @@ def test_every_face_keeps_its_area(call, placed, tmp_path, suffix, of, size, at)
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 5e6])
 @pytest.mark.parametrize("suffix", [".ply", ".glb", ".vtp"])
 def test_what_float32_holds_stays_as_it_is(call, tmp_path, suffix, scale):
-    """And a .ply of it stays small; other readers than ours find the same."""
+    """A .ply of it stays small, and other readers find the same numbers."""
     whole = ground().vertices.astype(np.float32) * np.float32(scale)
     source, output = tmp_path / "in.ply", tmp_path / f"out{suffix}"
     trimesh.Trimesh(whole, ground().faces, process=False).export(source)
@@ -113,7 +113,7 @@ def test_a_cloud_keeps_its_directions(call, placed, tmp_path, suffix, size, at):
 
 
 def test_a_glb_that_would_lose_faces_is_refused_before_the_work(call, placed, tmp_path, monkeypatch):
-    """Faces of a millimetre, ten kilometres apart."""
+    """The mesh has faces of a millimetre, ten kilometres apart."""
     near = ground(1e-3)
     vertices = np.concatenate([near.vertices, near.vertices + np.array([1e4, 0.0, 0.0])])
     path = placed(ws.Mesh(vertices, np.concatenate([near.faces, near.faces + len(near.vertices)])))
@@ -127,7 +127,7 @@ def test_a_glb_that_would_lose_faces_is_refused_before_the_work(call, placed, tm
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_a_face_without_area_is_none_that_is_lost(call, tmp_path):
+def test_a_face_without_area_is_not_counted_as_lost(call, tmp_path):
     path = tmp_path / "flat.obj"
     path.write_text("v 0.1 0 0\nv 1.1 0 0\nv 0.1 1 0\nv 0.3 0.2 0\nv 0.4 0.3 0\nf 1 2 3\nf 1 4 5\nf 1 1 2\n")
     assert ws.load_mesh(path).report.degenerate_faces >= 1
@@ -135,7 +135,7 @@ def test_a_face_without_area_is_none_that_is_lost(call, tmp_path):
 
 
 def test_a_glb_larger_than_its_format_allows_is_refused(call, placed, tmp_path, monkeypatch):
-    """By a limit that corners of faces pass and vertices keep: what is then written is indeed no larger."""
+    """A limit that the corners of faces exceed and the vertices do not stands for 4 GiB."""
     assert baked.MOST_GLB_BYTES < 2**32
     monkeypatch.setattr(baked, "MOST_GLB_BYTES", 400_000)
     path, output = placed(ground()), tmp_path / "out.glb"
@@ -150,7 +150,7 @@ def test_a_glb_larger_than_its_format_allows_is_refused(call, placed, tmp_path, 
 
 
 def test_a_glb_says_what_is_in_it(call, placed, tmp_path):
-    """As the format asks: lengths, alignment, limits of positions, a translation that float64 holds."""
+    """Lengths, alignment, limits of positions and a float64 translation are as the format asks."""
     mesh, path = ground(1.0, 1.0), tmp_path / "out.glb"
     call("bake", placed(mesh), "-o", path, "--samples", 2)
     content = path.read_bytes()
@@ -172,7 +172,7 @@ def test_a_glb_says_what_is_in_it(call, placed, tmp_path):
 
 
 class Sink:
-    """Counts what is written and keeps none."""
+    """A stream that counts what is written and keeps nothing."""
 
     def __init__(self):
         self.size = 0
@@ -219,7 +219,7 @@ def test_a_bake_takes_no_more_than_twice_its_file(tmp_path, suffix, at):
 
 @pytest.mark.parametrize("suffix", [".ply", ".vtp"])
 def test_a_cloud_takes_no_more_than_twice_its_file(placed, tmp_path, suffix):
-    """With the mesh, the directions themselves, and points that have none."""
+    """The memory includes the mesh and the directions; some points have none."""
     faces = ground().faces.copy()
     faces[::10, 1] = faces[::10, 0]
     output = tmp_path / f"x{suffix}"

@@ -14,7 +14,7 @@ from warpsample.plotting import rendering
 
 @pytest.fixture
 def uncomputed(monkeypatch):
-    """Fails what gets as far as reading its mesh."""
+    """Fails every command that comes to read its mesh."""
 
     def load(path):
         raise AssertionError(f"{path} was read")

@@ -1,4 +1,4 @@
-"""What a command or a picture writes is whole, or what was there before stays: on a full disk, and when a signal comes."""
+"""An output file is whole, or the old one stays: on a full disk, and when a signal comes."""
 
 import json
 import re
@@ -55,7 +55,7 @@ print("held")
 
 
 class Ended(KeyboardInterrupt):
-    """As a signal is raised at the command line."""
+    """What a signal raises at the command line."""
 
 
 @pytest.fixture
@@ -66,14 +66,14 @@ def ball(tmp_path):
 
 
 def test_a_full_disk_leaves_the_old_file(ball, tmp_path, child_environment):
-    """In a child, where VTK once ended in a segmentation fault."""
+    """It runs in a child process, since VTK once ended in a segmentation fault there."""
     command = [sys.executable, "-c", LIMITED, json.dumps(OUTPUTS)]
     done = subprocess.run(command, env=child_environment, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout.splitlines()[-1:]) == (0, ["held"]), done.stderr
 
 
 class FakePlotter:
-    """With a picture and a page of 5,000 bytes."""
+    """A plotter whose picture and page have 5,000 bytes."""
 
     trame = property(lambda self: self)
 
@@ -123,7 +123,7 @@ def test_a_signal_while_writing_leaves_the_old_file(call, ball, tmp_path, monkey
     seen = []
 
     class Ending(BufferedWriter):
-        """With a buffer so small that what is written reaches the file at once."""
+        """A writer with a buffer so small that bytes reach the file at once."""
 
         def __init__(self, raw, _):
             super().__init__(raw, 512)

@@ -70,7 +70,7 @@ def test_power_names_the_laws_and_a_defect_that_nobody_catches(call, monkeypatch
     status, out, _ = call("--power")
     assert status == 0
     assert "inverse with a swapped pair   round trip" in out
-    monkeypatch.setattr(run, "planted", lambda: [Task("case", ws.OffsetCircle())])  # right, so nothing catches it
+    monkeypatch.setattr(run, "planted", lambda: [Task("case", ws.OffsetCircle())])  # correct, so nothing catches it
     status, out, _ = call("--power")
     assert status == 1
     assert "nothing" in out

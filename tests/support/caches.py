@@ -1,6 +1,6 @@
 """Kernel caches and what befalls them, run as a script by test_kernel_cache.py: what crashes, crashes alone.
 
-Each task begins with an empty folder, that of WARP_CACHE_PATH. Exit status 1: wrong.
+Each task begins with an empty folder, that of WARP_CACHE_PATH. Exit status 1 means failure.
 """
 
 import multiprocessing
@@ -72,7 +72,7 @@ def cut(share, file):
 
 
 def garble(count, file):
-    """As many bytes, of which some in the middle are others: so many, or a third for 0."""
+    """Changes `count` bytes in the middle of the file, or a third of it for 0."""
     content = bytearray(file.read_bytes())
     middle = slice(len(content) // 3, len(content) // 3 + (count or len(content) // 3))
     content[middle] = bytes(255 - byte for byte in content[middle])
@@ -88,7 +88,7 @@ DAMAGES = [partial(cut, 0.0), partial(cut, 0.7), partial(garble, 0), partial(gar
 
 
 def damages():
-    """Whatever befalls a file of a module: the module is built once more, and that is said once."""
+    """Whatever damages a file of a module, the module is built once more, and one warning says so."""
     cpu()
     assert load_anew() == []
     for suffix in (".o", ".meta", ".o.sha256", ".meta.sha256"):
@@ -103,7 +103,7 @@ def damages():
 
 
 def folders():
-    """What stands where a module's folder was."""
+    """Something else stands where a module's folder was."""
     cpu()
     load_anew()
     shutil.rmtree(entry())
@@ -190,7 +190,7 @@ def unwritable():
 
 
 def homeless():
-    """Without some variables of the environment, and with another that names a folder that cannot be made."""
+    """Some variables of the environment are missing, and another names a folder that cannot be made."""
     for name in sys.argv[2:]:
         os.environ.pop(name, None)
     cpu()
@@ -198,7 +198,7 @@ def homeless():
 
 
 def use():
-    """A call of each kind that loads a kernel, and of those that load none."""
+    """Makes a call of each kind that loads a kernel, and of those that load none."""
     mesh = ws.Mesh(np.eye(3), [[0, 1, 2]])
     points = ws.sample_surface(mesh, 10)
     directions = ws.sample_directions(points, 4, pdf=True)

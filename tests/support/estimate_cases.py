@@ -6,7 +6,7 @@ import warpsample as ws
 
 
 def at(position, normal, copies=1):
-    """SurfacePoints of no face, each as often as told: with ids, and so rays, of their own."""
+    """SurfacePoints without a face, `copies` of each, with ids, and so rays, of their own."""
     position, normal = (np.repeat(np.atleast_2d(np.float64(a)), copies, axis=0) for a in (position, normal))
     return ws.SurfacePoints(position, np.broadcast_to(normal, position.shape).astype(np.float32))
 
@@ -28,5 +28,5 @@ def same(found, other):
 
 
 def irradiance(mesh, points, count, **options):
-    """Under a sky that is bright on top and dark below."""
+    """Irradiance under a sky that is bright on top and dark below."""
     return ws.irradiance(mesh, points, np.linspace(2.0, 0.0, 32)[:, None].repeat(4, axis=1), count, **options)

@@ -1,4 +1,4 @@
-"""What is no ray is counted, and what `trace` cannot use is named before any work."""
+"""Invalid rays are counted, and arguments that `trace` cannot use are named before any work."""
 
 from types import SimpleNamespace
 
@@ -15,7 +15,7 @@ queries = pytest.mark.parametrize("any_hit", [False, True], ids=["nearest", "any
 
 @tracers
 @queries
-def test_what_is_no_ray_is_counted(tracer, any_hit):
+def test_invalid_rays_are_counted(tracer, any_hit):
     origins, directions = np.tile([[0.5, 0.5, 3.0]], (7, 1)), np.tile([[0.0, 0.0, -1.0]], (7, 1))
     directions[1], directions[2, 1], directions[3, 0] = 0.0, np.nan, np.inf
     origins[4, 2], origins[5, 0] = np.nan, -np.inf

@@ -1,4 +1,4 @@
-"""What `trace` answers: as closed forms, brute force in float64, Embree and the other tracer; however it is asked."""
+"""`trace` agrees with closed forms, brute force in float64, Embree and the other tracer, however it is called."""
 
 import numpy as np
 import pytest
@@ -177,7 +177,7 @@ def test_kinds_of_arrays(tracer):
 
 
 def test_origins_far_away_lose_no_digits():
-    """From 1e9 radii away in float64, where a float32 direction alone would miss by 60 radii."""
+    """Origins are 1e9 radii away in float64, from where a float32 direction alone would miss by 60 radii."""
     target = SPHERE.vertices[SPHERE.faces].mean(axis=1)[::50]
     way = np.random.default_rng(5).normal(size=target.shape)
     way *= -np.sign((way * target).sum(axis=1, keepdims=True)) / np.linalg.norm(way, axis=1, keepdims=True)

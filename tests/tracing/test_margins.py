@@ -1,4 +1,4 @@
-"""Margins: what is tested before the decision in float64 may spare work, never an answer; nor may it spare too little."""
+"""Margins: what comes before the decision in float64 saves work without changing an answer, and saves enough of it."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Kernels of rays and estimates: their hot loops are vectorised, and both tracers compile for CUDA."""
+"""The hot loops of rays and estimates are vectorised, and both tracers compile for CUDA."""
 
 import re
 import subprocess
@@ -37,11 +37,11 @@ for kernel in (
 
 @pytest.mark.slow
 def test_the_hot_loops_are_vectorised(tmp_path, child_environment):
-    """By the compiler's own remarks.
+    """The compiler's own remarks say so.
 
-    Of rays: those over a node's boxes, a leaf's triangles, and a chunk's rays (two). Of an estimate: boxes, triangles and
-    preparation; start, variates and directions of a cell's rays; children and triangles above the horizon; a beam's planes,
-    boxes and triangles.
+    The loops of rays are over the boxes of a node, the triangles of a leaf, and the rays of a chunk (two). Those of an
+    estimate are: boxes, triangles and preparation; start, variates and directions of a cell's rays; children and triangles
+    above the horizon; a beam's planes, boxes and triangles.
     """
     script = tmp_path / "remarks.py"
     script.write_text(_REMARKS)

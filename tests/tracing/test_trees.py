@@ -1,4 +1,4 @@
-"""Trees: every face in one leaf, every box around what is below, on any mesh; built once, and refitted."""
+"""Trees hold every face in one leaf and every box around its children, on any mesh; they are built once, and refitted."""
 
 import weakref
 from collections import Counter
@@ -65,7 +65,7 @@ def test_both_tracers_answer_on_hostile_meshes(name):
 
 
 def test_a_tree_too_deep_for_areas_is_split_by_count(monkeypatch):
-    """Triangles about a corner, each a little smaller than the last: areas make a deep tree of them."""
+    """Triangles about a corner are each a little smaller than the last, so that areas would make a deep tree of them."""
     rows = np.concatenate([np.eye(3) * 0.95**k for k in range(1000)]), np.arange(3000).reshape(-1, 3)
     deep, flat = (ws.Mesh(*rows) for _ in range(2))
     rays = np.array([0.5, 0.6, 0.7]), np.random.default_rng(1).uniform(-1.0, 0.1, (1 << 12, 3))

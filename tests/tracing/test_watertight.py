@@ -1,4 +1,4 @@
-"""Nothing gets through a closed mesh, at its edges neither, and no ray meets the face that it starts on."""
+"""No ray gets through a closed mesh, not even at an edge, and none meets the face that it starts on."""
 
 import ctypes
 import re
@@ -31,7 +31,7 @@ def test_float32_rays_leave_no_closed_mesh_either():
 
 
 def test_leaks_are_found():
-    """In trees with a triangle missing, and with boxes a little too small."""
+    """The trees have a triangle missing, or boxes that are a little too small."""
     missing, small = (ws.Mesh(SPHERE.vertices, SPHERE.faces) for _ in range(2))
     scene_of(missing).tree(1).leaves[7, :12, 3] = 0.0
     scene_of(small).tree(1).nodes[:, :3] += np.float32(2e-3)
