@@ -1,4 +1,4 @@
-"""Every law, over every case of the registry; and what the maps do with arrays, parameters and bad input."""
+"""Every law holds for every case of the registry; the maps take arrays, parameters and bad input as documented."""
 
 import numpy as np
 import pytest
@@ -35,14 +35,14 @@ def laws_of(case):
 
 @pytest.mark.parametrize("case", [laws_of(case) for case in CASES], ids=repr)
 def test_every_law_holds(case):
-    """Every 64th variate and 2^19 draws here; `warpsample verify` takes 16 and 8 times as many."""
+    """Here every 64th variate and 2^19 draws are taken; `warpsample verify` takes 16 and 8 times as many."""
     hostile = stress.judge_normals(case) if case.width == 3 else []
     assert broken(verify.judge_case(case, every=64, draws=1 << 19) + hostile) == []
 
 
 @pytest.mark.parametrize("method", ["polar", "offset"])
-def test_cosine_lobe_is_right_at_every_variate(method):
-    """All 2^24 values of both coordinates, density above 0; of the other methods and distributions: `verify --thorough`."""
+def test_cosine_lobe_is_correct_at_every_variate(method):
+    """All 2^24 values of both coordinates are taken; `verify --thorough` does so for the other methods and distributions."""
     case = ws.CosineHemisphere(method)
     found = verify.judge(verify.Evidence(verify.Subject(repr(case), case, case)), verify.LAWS[:6])
     assert len(found) == 6
@@ -57,7 +57,7 @@ def test_second_routes_give_the_same_laws_and_maps():
 
 @pytest.mark.parametrize("case", [c for c in CASES if c.maps.invert is not None and c.variates == 2], ids=repr)
 def test_invert_gives_uniform_variates(case, plausible):
-    """Of directions that another method of the same density drew: its inverse must make them uniform."""
+    """Another method of the same density drew the directions; the inverse must make them uniform."""
     other = {"cosine_hemisphere": ws.CosineHemisphere("inversion"), "uniform_disk": ws.UniformDisk("polar")}
     u = case.invert(independent_directions(other.get(case.name, case), 4000, seed=2))
     for axis in (0, 1):
@@ -87,7 +87,7 @@ def test_beckmann_keeps_the_digits_of_its_sine(alpha):
 
 @pytest.mark.parametrize("case", [c for c in CASES if c.symmetric], ids=repr)
 def test_cdf_is_the_integral_of_the_density(case):
-    """At ten angles between quantiles, by the same quadrature that the cells use."""
+    """It is compared at ten angles between quantiles, by the quadrature that the cells use."""
     evidence = verify.Evidence(verify.Subject(repr(case), case, case))
     masses = verify.laws.cell_masses(case, evidence.edges, 4).sum(axis=1).cumsum()
     assert np.abs(case.cdf(evidence.edges[1:]) - masses).max() <= 5e-4  # half a held edge of OffsetSphere
@@ -95,7 +95,7 @@ def test_cdf_is_the_integral_of_the_density(case):
 
 @pytest.mark.parametrize("case", [case for case in CASES if case.symmetric], ids=repr)
 def test_chances_are_0_below_all_angles_and_1_above(case):
-    """Also where the formula itself would turn round; in float64, whatever the angles are."""
+    """This holds where the formula itself would turn round too; chances are float64, whatever the angles are."""
     assert case.cdf([-4.0, 4.0]).tolist() == pytest.approx([0.0, 1.0], abs=1e-15)  # a few roundings
     assert case.cdf(np.float32([0.5, 1.0])).dtype == np.float64
 

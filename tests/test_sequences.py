@@ -52,7 +52,7 @@ def test_philox_gives_its_published_answers():
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_law_of_streams_holds(name):
-    """Correlation, repeats and shared streams; the frozen hash; exact integers at any index."""
+    """The laws are on correlation, repeats and shared streams, the frozen hash, and exact integers at any index."""
     found = [*judge_sequence(name, points=200_000), judge_indices(name)]
     assert len(found) >= 7
     assert [verdict for verdict in found if not verdict.passed] == []
@@ -68,7 +68,7 @@ def test_emitted_bytes_are_the_variates():
 
 
 def test_emitted_stream_stops_with_its_reader(child_environment):
-    """As `head` does; and an unknown name is a usage line."""
+    """A reader such as `head` stops it; an unknown name gives a usage line."""
     command, pipe = [sys.executable, "-m", "warpsample.proof.streams"], subprocess.PIPE
     with subprocess.Popen([*command, "sobol"], stdout=pipe, stderr=pipe, env=child_environment) as child:
         head = child.stdout.read(30)

@@ -21,7 +21,7 @@ def test_info_counts_and_explains(call, tmp_path):
 
 @pytest.mark.parametrize(("placement", "rows"), [("surface", 777), ("faces", 12), ("vertices", 8)])
 def test_directions_file_holds_the_run(call, cube, tmp_path, placement, rows, monkeypatch):
-    monkeypatch.setattr(export, "_DIRECTIONS_PER_PART", 100)  # several parts
+    monkeypatch.setattr(export, "DIRECTIONS_PER_PART", 100)  # several parts
     output = tmp_path / "d.npz"
     options = ["--samples", 5, "--sequence", "r2", "--seed", 3, "--placement", placement, "--count", 777]
     status, out, err = call("directions", cube, "-o", output, *options)
@@ -66,7 +66,7 @@ def test_an_interrupted_run_leaves_the_old_file_and_no_half_one(call, cube, tmp_
         return sample(*arguments, first_point=first_point, **rest)
 
     monkeypatch.setattr(export, "sample_directions", interrupted)
-    monkeypatch.setattr(export, "_DIRECTIONS_PER_PART", 640)
+    monkeypatch.setattr(export, "DIRECTIONS_PER_PART", 640)
     status, _, err = call("directions", cube, "-o", output)
     assert status == (130 if stop is KeyboardInterrupt else 2)
     assert err.startswith("interrupted; nothing was written" if stop is KeyboardInterrupt else "error: no room")

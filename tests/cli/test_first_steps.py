@@ -53,7 +53,7 @@ def test_a_file_name_is_shown_as_it_is(call, tmp_path):
 
 @pytest.mark.slow
 def test_an_ascii_terminal_is_told_all_the_same(run, can_render, tmp_path):
-    """What was drawn has a theta in it; a file may have any name."""
+    """The labels of a picture contain a theta, and a file may have any name."""
     ascii_only = {"PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
     status, out, err = run("view", "courtyard", "--points", 3, "--samples", 16, "--screenshot", "é.png", **ascii_only)
     assert (status, err) == (0, "")
@@ -183,7 +183,7 @@ CLOSED = {"stdout": ">&-", "stderr": "2>&-", "all": "<&- >&- 2>&-"}
 
 @pytest.mark.parametrize("streams", CLOSED)
 def test_what_is_closed_is_nowhere(streams, child_environment, tmp_path):
-    """As a service's: the file gets none of the numbers that are printed to, and a command that works says that it did."""
+    """Standard streams are closed, as a service's are; the output file does not get what is printed."""
     command = f"{sys.executable} -m warpsample"
     writes = f"{command} directions courtyard -o o.ply --count 9 --samples 2 {CLOSED[streams]}"
     lines = f"{writes} && {command} info o.off {CLOSED[streams]}"

@@ -1,113 +1,21 @@
-"""Numbers per point: closed forms, a twin, skipping that changes no bit, error bars that hold, and hostile input."""
+"""Numbers per point: those of their rays, with error bars that hold, by both tracers, at any scale, on any mesh."""
 
-from math import cos, hypot, pi, sqrt
+from math import pi
 
 import numpy as np
 import pytest
-import trimesh
 import warp as wp
-from estimate_cases import at, same, square, street
-from meshes import soup
+from estimate_cases import at, same, square
+from meshes import CLOSED, soup
 
 import warpsample as ws
 from warpsample.estimate.cells import cells_of
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.weights import everywhere
-from warpsample.proof.rays import closed_meshes
 from warpsample.tracing.builtin import builtin_any_query, prepare_builtin
 
 RAYS = 65_536
-CLOSED = closed_meshes()
-
-
-# Closed forms, of ../shared/GROUND_TRUTH.md
-
-
-WIDTH, HEIGHT = 1.0, 1.7
-ACROSS = (np.arange(64) + 0.5) / 64
-
-
-def floor_sky(x):
-    return 0.5 * (x / hypot(x, HEIGHT) + (WIDTH - x) / hypot(WIDTH - x, HEIGHT))
-
-
-def wall_sky(z):
-    """Of a wall at a height: the angle from the horizontal to the other wall's edge, as for any strip between angles."""
-    return 0.5 * (1.0 - (HEIGHT - z) / hypot(HEIGHT - z, WIDTH))
-
-
-def means():
-    """(name, mesh, points, up, exact value at each, exact mean of all) of cases without curved faces."""
-    floor = np.column_stack([WIDTH * ACROSS, np.full(64, 0.3), np.zeros(64)])
-    yield "floor", street(WIDTH, HEIGHT), at(floor, (0, 0, 1)), [floor_sky(x) for x in floor[:, 0]], sqrt(1.0 + 1.7**2) - 1.7
-    wall = np.column_stack([np.zeros(64), np.full(64, -0.2), HEIGHT * ACROSS])
-    mean = 0.5 * (1.0 + 1.0 / 1.7 - sqrt(1.0 + 1.0 / 1.7**2))
-    yield "wall", street(WIDTH, HEIGHT), at(wall, (1, 0, 0)), [wall_sky(z) for z in wall[:, 2]], mean
-    tilted = at((0.0, 0.0, 9.0), (sqrt(1.0 - 0.819152**2), 0.0, 0.819152), 64)
-    yield "tilted", square(), tilted, [0.909576] * 64, 0.909576
-
-
-@pytest.mark.parametrize("case", list(means()), ids=lambda case: case[0])
-def test_sky_of_streets_and_planes(case):
-    _, mesh, where, exact, mean = case
-    found = ws.sky_view_factor(mesh, where, RAYS)
-    error = found.value - exact
-    assert np.isfinite(error).all()
-    assert np.sqrt(np.mean(error**2)) <= 2e-4
-    # About 20 of the 128 cells see an edge, so 4 bars are passed by one point in a thousand.
-    outside = np.abs(error) / (found.standard_error + 1e-6)
-    assert np.mean(outside > 4.0) <= 2 / 64
-    assert outside.max() <= 6.0
-    # The midpoint rule over 64 points is within 3e-5 of these means.
-    assert abs(found.value.mean() - mean) <= 1e-4
-    up = np.asarray(where.normal)[:, 2]
-    assert np.abs(found.below_horizon - (0.5 - 0.5 * up)).max() <= 1e-6
-
-
-def test_a_square_seen_from_the_square_below_it():
-    grid = np.stack(np.meshgrid(ACROSS[::4] - ACROSS[0] + 1 / 32, ACROSS[::4] - ACROSS[0] + 1 / 32), -1).reshape(-1, 2)
-    found = ws.ambient_occlusion(square(), at(np.column_stack([grid, np.zeros(256)]), (0, 0, 1)), 4096)
-    assert abs(1.0 - found.value.mean() - 0.19982489569838746) <= 2e-4  # 256 midpoints: 1.2e-4; the rays: 1e-5
-
-
-def test_a_disk_and_a_sphere():
-    turns = 2.0 * pi * np.arange(2048) / 2048
-    rim = 1.3 * np.column_stack([np.cos(turns), np.sin(turns), np.zeros(2048)]) + [0, 0, 0.7]
-    fan = [(2048, i, (i + 1) % 2048) for i in range(2048)]
-    disk = ws.as_mesh((np.vstack([rim, [[0, 0, 0.7]]]), fan))
-    found = ws.ambient_occlusion(disk, at((0, 0, 0), (0, 0, 1), 16), RAYS)
-    assert np.abs(1.0 - found.value - 1.3**2 / (1.3**2 + 0.7**2)).max() <= 6e-4  # 4 of 1.5e-4
-    ball = trimesh.creation.icosphere(5, 0.5)
-    ball.apply_scale(sqrt(4.0 * pi * 0.25 / ball.area))  # its silhouettes' mean area, by Cauchy
-    tilt = 0.6
-    found = ws.ambient_occlusion(ball, at((0, 0, -1.2), (np.sin(tilt), 0.0, cos(tilt)), 16), RAYS)
-    assert np.abs(1.0 - found.value - cos(tilt) * (0.5 / 1.2) ** 2).max() <= 8e-4  # and the tessellation's 2e-4
-
-
-@pytest.mark.parametrize("name", CLOSED)
-def test_from_inside_nothing_escapes_and_from_outside_of_a_convex_mesh_all_does(name):
-    mesh, _ = CLOSED[name]
-    outside = ws.sample_surface(mesh, 500)
-    inside = ws.SurfacePoints(outside.position, -outside.normal, outside.face)
-    found = ws.ambient_occlusion(mesh, inside, 512)
-    assert (found.value == 0.0).all()
-    assert (found.standard_error == 0.0).all()
-    convex = trimesh.Trimesh(mesh.vertices, mesh.faces).is_convex
-    if convex:
-        found = ws.ambient_occlusion(mesh, outside, 512)
-        assert (found.value == 1.0).all()
-        assert found.rays.sum() == 0
-        assert found.skipped == ws.Skipped(open_points=500, empty_rays=500 * 512)
-
-
-def test_points_on_a_convex_mesh_cast_no_ray_from_32_on():
-    """Fewer have no cells, and are cast where the faces around a point may be above its horizon by rounding."""
-    ball = ws.as_mesh(trimesh.creation.icosphere(3))
-    points = ws.face_centers(ball)
-    rays = {count: int(ws.ambient_occlusion(ball, points, count).rays.sum()) for count in (30, 32)}
-    assert rays[30] > 0
-    assert rays[32] == 0
 
 
 # A twin: the rays are those that the other calls give
@@ -145,7 +53,7 @@ def _sides(d: wp.vec3):
 
 @pytest.mark.parametrize(("sequence", "count"), [("fibonacci", 64), ("fibonacci", 512), ("independent", 64)])
 def test_the_standard_error_is_what_it_says(bunny, points, sequence, count):
-    """Its mean square is that of the error: over 600 points, 32 times."""
+    """Its mean square equals that of the error, over 32 runs of 600 points."""
     runs = [ws.ambient_occlusion(bunny, points, count, sequence=sequence, seed=2, first_point=600 * k) for k in range(32)]
     values = np.array([run.value for run in runs], np.float64)
     bars = np.mean([run.standard_error.astype(np.float64) ** 2 for run in runs], axis=0)
@@ -226,7 +134,7 @@ def test_a_million_faces():
     assert 0.5 < with_skipping.value.mean() < 0.95
 
 
-def test_points_far_away_and_points_that_are_none(bunny):
+def test_points_far_away_and_invalid_points(bunny):
     lower, upper = bunny.report.lower, bunny.report.upper
     centre, radius = 0.5 * (lower + upper), 0.5 * np.ptp(np.stack([lower, upper]), axis=0).max()
     away = np.array([[0, 0, 1.0], [0.6, 0.0, -0.8]])
@@ -275,7 +183,7 @@ def test_bad_arguments_are_named(bunny, points, change, message):
         ws.ambient_occlusion(**{"mesh": bunny, "points": points, "count": 32, **change})
 
 
-# Portable; that its loops are vectorised is in test_tracing.py, whose compiler it shares
+# Portable; that its loops are vectorised is in tracing/test_query_kernels.py, whose compiler it shares
 
 
 def test_the_kernel_compiles_for_cuda(tmp_path):

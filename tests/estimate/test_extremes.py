@@ -23,7 +23,7 @@ def pipe(radius, length, sections=32, turn=0):
 @pytest.mark.parametrize("turn", [0, 1])
 @pytest.mark.parametrize("radius", [5.0, 0.5, 0.05])
 def test_a_convex_needle_sees_only_sky(radius, turn):
-    """Aspect ratios from 10^4 to 10^6."""
+    """The aspect ratios are from 10^4 to 10^6."""
     mesh = pipe(radius, 1e5, turn=turn)
     for points in (ws.sample_surface(mesh, 3000, seed=1), ws.vertex_points(mesh), ws.face_centers(mesh)):
         skipping, plain = (ws.ambient_occlusion(mesh, points, 128, skip=skip) for skip in (True, False))
@@ -117,7 +117,7 @@ def test_parts_too_far_apart_for_their_faces_are_told():
 
 @pytest.mark.parametrize(("share", "warned"), [(0.9, 1), (1.1, 0)])
 def test_the_warning_begins_where_faces_are_lost_in_the_lift(share, warned):
-    """At longest edges of 2^-16 of how far the mesh reaches from its centre: eight lifts of 2^-19."""
+    """The limit is a longest edge of 2^-16 of the mesh's half size, which is eight lifts of 2^-19."""
     face = 2.0**-16.5 * share * np.array([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)])
     far = np.concatenate([face - np.eye(3)[0], face + np.eye(3)[0]])
     with warnings.catch_warnings(record=True) as found:
@@ -167,7 +167,7 @@ def test_meshes_too_small_for_areas_are_refused():
 
 @pytest.mark.parametrize("length", [1e-300, 1e-50, 1e50, 1e300])
 def test_normals_of_any_length_are_normals(length):
-    """In float64, where they have one; as in float32."""
+    """Their length is computed in float64, and the results are those of float32 normals."""
     up = np.random.default_rng(6).normal(size=(50, 3))
     scaled = up * 2.0 ** np.round(np.log2(length))
     assert np.array_equal(ws.sample_directions(scaled, 3).vectors, ws.sample_directions(up, 3).vectors)

@@ -1,11 +1,11 @@
-"""Intervals hold what they promise, on meshes and closed forms, and a wrong rule is told from a right one."""
+"""Intervals cover as often as they promise, on meshes and closed forms, and wrong rules for them are rejected."""
 
 from math import hypot, pi, sqrt
 
 import numpy as np
 import pytest
 import trimesh
-from estimate_cases import at, square, street
+from estimate_cases import at, irradiance, square, street
 from scipy.stats import binom, t
 
 import warpsample as ws
@@ -24,7 +24,7 @@ def runs(points, count=RUNS):
 
 
 class Case:
-    """A mesh, points on it, and what is right at each of them."""
+    """A mesh, points on it, and the exact value at each of them."""
 
     def __init__(self, mesh, points, estimate=ws.ambient_occlusion, right=None):
         self.mesh, self.points, self.estimate = mesh, points, estimate
@@ -33,7 +33,7 @@ class Case:
         self.right = np.asarray(right)
 
     def held(self, count, rule=ws.Estimate.interval, **options):
-        """Whether each interval holds what is right, of the points that are not proven to be open."""
+        """Whether each interval holds the exact value, for the points that are not proven to be open."""
         found = self.estimate(self.mesh, runs(self.points), count, **options)
         lower, upper = rule(found)
         right = np.repeat(self.right, RUNS, axis=0)
@@ -41,7 +41,7 @@ class Case:
 
 
 def closed_forms(width=1.0, height=1.7):
-    """Streets' floors and walls, a tilted plane, and a square seen from the one below: no curved faces."""
+    """Floors and walls of streets, a tilted plane, and a square seen from the one below; no curved faces."""
     across = (np.arange(64) + 0.5) / 64
     floor = np.column_stack([width * across, np.full(64, 0.3), np.zeros(64)])
     right = [0.5 * (x / hypot(x, height) + (width - x) / hypot(width - x, height)) for x in width * across]
@@ -73,7 +73,7 @@ def cases(on_bunny):
 
 @pytest.fixture
 def covers(plausible):
-    """Asserts that so many of the intervals hold what is right as claimed: runs are independent, so binomial at most."""
+    """Asserts that as many intervals as claimed hold the exact value; runs are independent, so binomial at most."""
 
     def check(held):
         hits = int(held.sum())
@@ -105,7 +105,7 @@ def two_errors(found):
 
 
 def few_degrees(found):
-    """As if the differences alone spoke, one of each cell."""
+    """A rule that uses the differences of the cells alone."""
     half = t.ppf(0.975, 4) * found.standard_error
     return found.value - half, found.value + half
 
@@ -122,17 +122,12 @@ def test_wrong_rules_are_rejected(on_bunny, covers, rule):
         covers(held)
 
 
-def _irradiance(mesh, points, count, **options):
-    """Under a sky that is bright on top and dark below."""
-    return ws.irradiance(mesh, points, np.linspace(2.0, 0.0, 32)[:, None].repeat(4, axis=1), count, **options)
-
-
 def _obscurance(mesh, points, count, **options):
     return ws.ambient_occlusion(mesh, points, count, 0.3, falloff=1.0, **options)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("estimate", [ws.sky_view_factor, ws.bent_normals, _irradiance, _obscurance])
+@pytest.mark.parametrize("estimate", [ws.sky_view_factor, ws.bent_normals, irradiance, _obscurance])
 def test_intervals_of_other_quantities(bunny, on_bunny, covers, estimate):
     points = on_bunny.points
     case = Case(bunny, ws.SurfacePoints(points.position[:60], points.normal[:60]), estimate)
@@ -141,7 +136,7 @@ def test_intervals_of_other_quantities(bunny, on_bunny, covers, estimate):
 
 @pytest.mark.parametrize("rays", [0.25, 0.5, 1.0])
 def test_an_event_that_hardly_a_ray_meets_is_in_the_interval(rays):
-    """A ball that covers less than what one of 64 rays stands for: of 200 runs many see nothing of it."""
+    """A ball covers less of the lobe than one of 64 rays stands for, so that many of 200 runs do not see it."""
     distance = 0.5 / sqrt(rays / 64)
     ball = trimesh.creation.icosphere(3, 0.5)
     ball.apply_scale(sqrt(pi / ball.area))  # its silhouettes' mean area, by Cauchy
@@ -153,110 +148,9 @@ def test_an_event_that_hardly_a_ray_meets_is_in_the_interval(rays):
 
 
 def test_leaves_do_not_break_the_expectation():
-    """Among three thousand loose triangles cells have many edges each, and differ by three times what one edge makes."""
+    """Among 3,000 loose triangles a cell has many edges, and its replicates differ by three times what one edge makes."""
     rng = np.random.default_rng(0)
     corners = rng.normal(0, 0.05, (3000, 3, 3)) + rng.uniform((-1, -1, 0.6), (1, 1, 2.6), (3000, 1, 3))
     leaves = ws.as_mesh((corners.reshape(-1, 3), np.arange(9000).reshape(-1, 3)))
     case = Case(leaves, at(np.column_stack([rng.uniform(-1, 1, (24, 2)), np.zeros(24)]), (0, 0, 1)))
     assert case.held(128).mean() >= 0.88  # what edges let expect alone gives 0.8
-
-
-# What it is made of
-
-
-@pytest.mark.parametrize("name", ws.sequences.names())
-@pytest.mark.parametrize("count", [4, 8, 16, 32])
-def test_an_edge_leaves_the_variance_that_a_sequence_says(name, count):
-    """Straight edges through the unit square, at random: half of the count to the power of `edge`."""
-    rng = np.random.default_rng(0)
-    angle, offset = rng.uniform(0, 2 * pi, 20_000), rng.uniform(-0.75, 0.75, 20_000)
-    normal = np.stack([np.cos(angle), np.sin(angle)], axis=1)[:, None]
-    sets = [ws.sample_square(name, points=20_000, count=count, seed=seed).astype(np.float64) - 0.5 for seed in (1, 2)]
-    beyond = np.array([((u * normal).sum(axis=2) > offset[:, None]).sum(axis=1) for u in sets])
-    free = beyond.sum(axis=0)
-    mixed = (free > 0) & (free < 2 * count)
-    binomial = free * (2 * count - free) / (2 * count - 1)
-    expected = np.minimum(binomial, ws.sequences.get(name).edge_variance(count))[mixed].mean()
-    # The law is a power for all counts at once: within a quarter, which widens an interval by an eighth.
-    assert abs((np.diff(beyond, axis=0)[0, mixed] ** 2).mean() / expected - 1.0) <= 0.25
-
-
-def test_one_cell_by_hand(bunny, points):
-    """Below 32 rays: the replicates' free rays, by other calls; then the posterior in NumPy."""
-    count, seed = 30, 5
-    found = ws.ambient_occlusion(bunny, points, count, seed=seed)
-    seeds = [seed ^ (stream * 0x9E3779B9 % 2**32 << 32) for stream in (0, 1)]
-    ways = [ws.sample_directions(points, 15, sequence="fibonacci", seed=s).vectors for s in seeds]
-    first, second = ((ws.trace(bunny, points, way, any_hit=True).face < 0).sum(axis=1) for way in ways)
-    free = first + second
-    mixed = (free > 0) & (free < count)
-    edges = np.where(mixed, np.minimum(free * (count - free) / (count - 1), 0.5 * 15**0.25), 0.0) + 0.25
-    squares = (first - second) ** 2
-    worth = 16.0 / np.maximum(squares / edges, 1.0) ** 2
-    assert np.abs(found.degrees_of_freedom - (worth + mixed)).max() <= 1e-5  # float32 of numbers up to 17
-    spread = np.sqrt((worth * edges + mixed * squares) / (worth + mixed)) / count
-    assert np.abs(found.spread - spread).max() <= 1e-7  # float32 of numbers below 1
-    half = t.ppf(0.9, found.degrees_of_freedom) * found.spread
-    lower, upper = found.interval(0.8)
-    assert np.abs(upper - found.value - half).max() <= 1e-6
-    assert np.abs(found.value - lower - half).max() <= 1e-6
-
-
-def _estimates(mesh, where, **options):
-    yield ws.ambient_occlusion(mesh, where, 500, **options)
-    yield ws.ambient_occlusion(mesh, where, 300, 0.3, falloff=1.5, **options)
-    yield ws.sky_view_factor(mesh, where, 300, (0.3, 1.0, 0.2), **options)
-    yield ws.bent_normals(mesh, where, 300, **options)
-    yield _irradiance(mesh, where, 40, **options)
-
-
-def test_skipping_and_threads_change_no_interval(bunny, points):
-    away = points.position + 0.01 * points.normal
-    where = ws.SurfacePoints(np.concatenate([points.position, away]), np.concatenate([points.normal, points.normal]))
-    with_skipping = list(_estimates(bunny, where))
-    for others in (_estimates(bunny, where, skip=False), _estimates(bunny, where, workers=1)):
-        for found, other in zip(with_skipping, others, strict=True):
-            for mine, its in zip(found.interval(), other.interval(), strict=True):
-                assert np.array_equal(mine, its)
-            assert found.spread.shape == found.degrees_of_freedom.shape == found.value.shape
-
-
-def test_every_number_is_finite(bunny, points):
-    for found in _estimates(bunny, points):
-        lower, upper = found.interval(0.9999)
-        assert np.isfinite(lower).all()
-        assert (lower < upper).all()
-        assert (found.degrees_of_freedom >= 1.0).all()
-    nowhere = ws.SurfacePoints([[0, 0, 0], [np.nan, 0, 0]], np.float32([[0, 0, 0], [0, 0, 1]]))
-    for found in _estimates(bunny, nowhere):
-        for end in found.interval():
-            assert (end == 0.0).all()
-    dark = ws.irradiance(bunny, points, np.zeros((2, 2)), 64).interval()
-    assert (dark.lower == 0.0).all()
-    assert (dark.upper == 0.0).all()
-    none = ws.ambient_occlusion(bunny, ws.SurfacePoints(np.zeros((0, 3)), np.zeros((0, 3), np.float32)), 64)
-    assert none.interval().lower.shape == (0,)
-
-
-def test_intervals_follow_the_result(bunny, points):
-    """Through the tolerance's two runs, a picture's one channel and its unit; and they widen with the level."""
-    tolerant = ws.ambient_occlusion(bunny, points, 512, tolerance=1e-9)
-    plain = ws.ambient_occlusion(bunny, points, 512)
-    full = tolerant.rays > 64
-    assert np.array_equal(tolerant.interval().upper[full], plain.interval().upper[full])
-    grey = ws.irradiance(bunny, points, np.ones((2, 2)), 256).interval()
-    assert grey.lower.shape == (600,)
-    width = np.subtract(grey.upper, grey.lower)
-    occlusion = ws.ambient_occlusion(bunny, points, 256).interval()
-    # The same rays, times pi; the expectation of weights is worth less than that of counts, so its quantile is larger.
-    ratio = width.mean() / np.subtract(occlusion.upper, occlusion.lower).mean()
-    assert pi <= ratio <= 1.4 * pi
-    widths = [np.subtract(*plain.interval(level)[::-1]).mean() for level in (0.5, 0.9, 0.99)]
-    assert widths == sorted(set(widths))
-
-
-@pytest.mark.parametrize("level", [0.0, 1.0, -1, 95, float("nan"), "0.95", None, True, [0.9]])
-def test_bad_levels_are_named(bunny, points, level):
-    found = ws.ambient_occlusion(bunny, points, 2)
-    with pytest.raises((TypeError, ValueError), match="^level: got .*, want a number from"):
-        found.interval(level)

@@ -1,4 +1,4 @@
-"""Bent normals and irradiance: against rays, each other and closed forms; pictures lie as they say; bad light is named."""
+"""Bent normals and irradiance agree with rays, each other and closed forms; pictures are oriented as documented."""
 
 from math import pi
 
@@ -42,7 +42,7 @@ def test_irradiance_by_a_picture_and_by_a_function(bunny, points):
 
 
 def test_pictures_lie_as_they_say(tmp_path):
-    """A file with one bright column, at azimuth pi/2 about up: seen from a wall that faces it."""
+    """A picture with one bright column, at azimuth pi/2 about up, is seen from a wall that faces it."""
     picture = np.zeros((16, 32, 3), np.uint8)
     picture[:8, 8] = 128
     header = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16 +X 32\n"

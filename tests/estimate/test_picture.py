@@ -1,4 +1,4 @@
-"""Pictures in files: read as VTK reads them if they are whole, refused wherever they are cut or garbled."""
+"""Pictures in files are read as VTK reads them if they are whole, and refused wherever they are cut or garbled."""
 
 import tracemalloc
 
@@ -28,7 +28,7 @@ def pixels():
 
 
 def runs(numbers):
-    """As Radiance encodes the bytes of a channel: repeated ones as 128 + their number and one of them."""
+    """Radiance's run-length code of a channel: a run of equal bytes is 128 + its length and the byte."""
     made, at = bytearray(), 0
     while at < len(numbers):
         same = next((k for k in range(at, len(numbers)) if numbers[k] != numbers[at]), len(numbers)) - at
@@ -131,7 +131,7 @@ def test_reading_takes_no_more_than_twice_the_file_and_the_picture(suffix, tmp_p
 
 
 class Loud:
-    """Whoever loads a pickle of it is heard."""
+    """Loading a pickle of it would leave a trace."""
 
     loaded = False
 

@@ -1,16 +1,14 @@
-"""What is skipped changes no bit of an estimate, under any weight, on any mesh; nor do threads, parts, order or masks."""
+"""Skipping changes no bit of an estimate, under any weight and on any mesh; nor do threads, parts, order or masks."""
 
 import numpy as np
 import pytest
 from estimate_cases import at, same
-from meshes import soup
+from meshes import CLOSED, soup
 
 import warpsample as ws
 from warpsample.bench import scenes
 from warpsample.estimate.cells import cells_of
-from warpsample.proof.rays import closed_meshes
 
-CLOSED = closed_meshes()
 RAYS = 65_536
 
 MESHES = {"city": lambda: scenes.city(12), "hostile": lambda: soup(300), "torus": lambda: CLOSED["torus"][0]}
@@ -68,18 +66,21 @@ def test_obscurance_lies_between_what_it_blends(bunny, points):
     assert abs(1.0 - found.value[0] - exact) <= 4.0 * found.standard_error[0] + 1e-5
 
 
-def test_threads_parts_order_and_masks_change_no_bit(bunny, points, monkeypatch):
-    right = ws.ambient_occlusion(bunny, points, 300, seed=7, first_point=2**40)
-    monkeypatch.setattr("warpsample.host.engine._LEAST_WORK", 1)
+def test_threads_parts_order_and_masks_change_no_bit(bunny, monkeypatch):
+    points = ws.sample_surface(bunny, 4200, seed=1)  # so many that their order is looked at
+    right = ws.ambient_occlusion(bunny, points, 40, seed=7, first_point=2**40)
+    monkeypatch.setattr("warpsample.host.engine.LEAST_WORK", 1)
     monkeypatch.setattr("warpsample.tracing.order.MANY_FACES", 1)
-    monkeypatch.setattr("warpsample.tracing.order._FEW_POINTS", 1)
-    assert same(ws.ambient_occlusion(bunny, points, 300, seed=7, first_point=2**40, workers=3), right)
+    sorts = []
+    monkeypatch.setattr(np, "argsort", lambda *args, real=np.argsort, **how: sorts.append(1) or real(*args, **how))
+    assert same(ws.ambient_occlusion(bunny, points, 40, seed=7, first_point=2**40, workers=3), right)
+    assert sorts == [1]
     half = ws.SurfacePoints(points.position[300:], points.normal[300:], points.face[300:])
-    part = ws.ambient_occlusion(bunny, half, 300, seed=7, first_point=2**40 + 300)
+    part = ws.ambient_occlusion(bunny, half, 40, seed=7, first_point=2**40 + 300)
     assert np.array_equal(part.value, right.value[300:])
-    active = np.arange(600) % 3 == 0
-    masked = ws.ambient_occlusion(bunny, points, 300, seed=7, first_point=2**40, active=active)
+    active = np.arange(4200) % 3 == 0
+    masked = ws.ambient_occlusion(bunny, points, 40, seed=7, first_point=2**40, active=active)
     assert np.array_equal(masked.value, np.where(active, right.value, 0.0))
-    assert masked.counts() == {ws.PointStatus.OK: 200, ws.PointStatus.INACTIVE: 400}
+    assert masked.counts() == {ws.PointStatus.OK: 1400, ws.PointStatus.INACTIVE: 2800}
     assert masked.rays[~active].sum() == 0
-    assert masked.skipped.points == 400
+    assert masked.skipped.points == 2800

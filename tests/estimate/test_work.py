@@ -1,4 +1,4 @@
-"""Work that is done: a margin wider than it must be, or a wrong order of visits, costs time and no answer; it is counted."""
+"""Work is counted, since a margin that is too wide, or a bad order of visits, costs time and changes no answer."""
 
 import pytest
 

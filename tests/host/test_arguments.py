@@ -1,4 +1,4 @@
-"""Every argument of every public function, given all that is wrong: the error names it, and is not NumPy's or Warp's."""
+"""Every argument of every public function gets all wrong values: the error names it, and is not NumPy's or Warp's."""
 
 import inspect
 import traceback
@@ -144,7 +144,7 @@ def test_the_sweep_is_over_everything():
     ],
 )
 def test_the_sweep_finds_what_is_wrong(wrong, fault):
-    """Silence, NumPy's own error, Warp's own, the name of another argument, another kind of error."""
+    """It finds no error, NumPy's own error, Warp's own, one that names another argument, and another kind of error."""
     assert fault_of(wrong, "no", valid=False, said=("skip",)).startswith(fault)
 
 

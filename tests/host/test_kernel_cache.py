@@ -70,12 +70,21 @@ def test_the_users_own_log_level_is_kept(level, alone, child_environment):
     assert before == "" or "Warp 1." in before
 
 
-def test_other_lines_on_stderr_are_shown(capfd):
-    def complain():
-        os.write(2, b"one\n" + kernel_cache._NO_DRIVER + b". And so on.\ntwo\n")
+def test_other_lines_on_stderr_are_shown(capfd, monkeypatch):
+    """Lines written while Warp starts are shown, and those after it, also if it fails."""
 
-    kernel_cache._without_driver_warning(complain)
-    with pytest.raises(OSError, match="three"):
-        kernel_cache._without_driver_warning(lambda: (_ for _ in ()).throw(OSError("three")))
+    def start(init):
+        monkeypatch.setattr(wp, "init", init)
+        kernel_cache.start.known.clear()  # as in a process that has not started Warp
+        kernel_cache.start()
+
+    def fail():
+        os.write(2, b"three\n")
+        raise ValueError("no Warp")
+
+    warning = b"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver. And so on.\n"
+    start(lambda: os.write(2, b"one\n" + warning + b"two\n"))
+    with pytest.raises(ValueError, match="no Warp"):
+        start(fail)
     os.write(2, b"four\n")
-    assert capfd.readouterr().err == "one\ntwo\nfour\n"
+    assert capfd.readouterr().err == "one\ntwo\nthree\nfour\n"

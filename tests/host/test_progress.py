@@ -1,4 +1,4 @@
-"""Bars of long library calls: shown where they are asked for and can be seen, and without a bit of change."""
+"""Bars of long calls are shown where they are asked for and can be seen, and change no bit of a result."""
 
 import os
 import pty
@@ -35,10 +35,22 @@ def test_nothing_is_printed_unless_asked_and_seen_and_no_bit_changes(name, capfd
 
 
 class Display:
-    """What a bar is told."""
+    """Takes the place of rich's display and records what a bar is told."""
 
     def __init__(self):
         self.total, self.done, self.runs = 0, 0, 0
+
+    def __call__(self, *columns, **options):
+        return self
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *error):
+        pass
+
+    def add_task(self, what, total):
+        return what
 
     def reset(self, task, total):
         assert self.done == self.total
@@ -52,14 +64,11 @@ class Display:
 @pytest.mark.parametrize("workers", [1, 3])
 @pytest.mark.parametrize("name", CALLS)
 def test_a_bar_is_told_of_all_work_whichever_thread_does_it(name, workers, monkeypatch):
-    monkeypatch.setattr(progress, "_LEAST_WORK", 1)
-    monkeypatch.setattr(engine, "_LEAST_WORK", 1)
+    monkeypatch.setattr(progress, "LEAST_WORK", 1)
+    monkeypatch.setattr(engine, "LEAST_WORK", 1)
     display = Display()
-    token = progress._shown.set((display, 0))
-    try:
-        CALLS[name](workers=workers)
-    finally:
-        progress._shown.reset(token)
+    monkeypatch.setattr("rich.progress.Progress", display)
+    CALLS[name](workers=workers, progress=True)
     assert display.runs >= 1
     assert display.done == display.total > 0
     assert progress.begin(10, 10**9) is None
@@ -69,14 +78,13 @@ def test_a_bar_is_told_of_all_work_whichever_thread_does_it(name, workers, monke
 def test_on_a_terminal_the_share_that_is_done_is_shown(child_environment):
     code = """
 import warp as wp, warpsample as ws
-from warpsample.host import engine
-from warpsample.host import progress
+from warpsample.host import engine, progress
 wp.config.log_level = wp.LOG_WARNING
 mesh = ws.load_mesh("courtyard")
 points = ws.face_centers(mesh)
 ws.ambient_occlusion(mesh, points, 256, workers=1)
 print("quiet", flush=True)
-engine._MOST_WORK, progress._LEAST_WORK = 1 << 17, 1
+engine.MOST_WORK, progress.LEAST_WORK = 1 << 17, 1
 for _ in range(5):
     ws.ambient_occlusion(mesh, points, 8192, workers=1, skip=False, progress=True)
 """

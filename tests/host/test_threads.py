@@ -1,4 +1,4 @@
-"""From any thread and after a fork: whoever comes first, kernels, trees and results are those of one thread."""
+"""Calls from any thread and after a fork give the kernels, trees and results of a single thread."""
 
 import subprocess
 import sys

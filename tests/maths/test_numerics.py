@@ -1,4 +1,4 @@
-"""Each building block over its whole range against float64, and its named corners."""
+"""Each building block is compared with float64 over its whole range, and at its special values."""
 
 import numpy as np
 import pytest
@@ -67,7 +67,7 @@ def grid():
     return np.arange(GRID) / GRID, out.numpy().astype(np.float64)
 
 
-def test_sincos_of_turns_is_right_at_every_variate(grid):
+def test_sincos_of_turns_is_correct_at_every_variate(grid):
     u, out = grid
     # Rounding the result costs 3.0e-8; the polynomials and their evaluation as much again.
     assert np.abs(out[:, 0] - np.cos(2 * np.pi * u)).max() <= 6e-8
@@ -89,7 +89,7 @@ def test_turns_come_back_at_every_variate(grid):
     assert out[:, 2].max() < 1.0
 
 
-def test_log1p_is_right_at_every_variate(grid):
+def test_log1p_is_correct_at_every_variate(grid):
     u, out = grid
     exact = np.log1p(-u[1:])
     assert np.abs(out[1:, 3] / exact - 1.0).max() <= 8.2e-8
@@ -179,7 +179,7 @@ def _height_and_x(u: wp.array[wp.vec2], out: wp.array[wp.float32]):
 
 
 def test_maps_can_be_differentiated():
-    """For those who optimise through a kernel of their own: the native fma has a gradient too."""
+    """Users may optimise through a kernel of their own, so the native fma has a gradient too."""
     points = np.random.default_rng(3).uniform(0.1, 0.9, size=(100, 2)).astype(np.float32)
     u = wp.array(points, dtype=wp.vec2, device="cpu", requires_grad=True)
     out = wp.zeros(100, dtype=wp.float32, device="cpu", requires_grad=True)

@@ -1,4 +1,4 @@
-"""Meshes: every kind that users hold, and every way in which one can be wrong."""
+"""Meshes of every kind that users hold, and every fault that a mesh can have."""
 
 import meshio
 import numpy as np
@@ -68,7 +68,7 @@ def test_strips_of_polydata_are_not_dropped():
     assert ws.as_mesh(strip).report.faces == 3
 
 
-def test_report_counts_what_is_wrong():
+def test_report_counts_faults():
     v = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0), (0, 0, 1), (9, 9, 9), (0.5, 0, 0)]
     f = [
         (0, 1, 2),  # agrees with the next along its diagonal

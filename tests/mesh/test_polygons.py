@@ -1,4 +1,4 @@
-"""Polygons: the triangles cover them once, whatever their shape, and are wound as they are."""
+"""The triangles of a polygon cover it once, whatever its shape, and keep its orientation."""
 
 from math import pi
 

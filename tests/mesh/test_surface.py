@@ -1,4 +1,4 @@
-"""Points on a mesh: uniform by area, where they should be, with the right normals."""
+"""Points on a mesh are uniform by area, lie on their face and have its normal."""
 
 import numpy as np
 import pytest
@@ -43,7 +43,7 @@ def test_same_points_in_parts_and_threads(monkeypatch):
     whole = ws.sample_surface(CUBE, 10_000, seed=3, first_point=2**32 - 5000, workers=1)
     part = ws.sample_surface(CUBE, 4000, seed=3, first_point=2**32 - 1000)
     assert np.array_equal(whole.position[4000:8000], part.position)
-    monkeypatch.setattr("warpsample.host.engine._LEAST_WORK", 1)
+    monkeypatch.setattr("warpsample.host.engine.LEAST_WORK", 1)
     assert np.array_equal(
         whole.position, ws.sample_surface(CUBE, 10_000, seed=3, first_point=2**32 - 5000, workers=3).position
     )
@@ -52,7 +52,7 @@ def test_same_points_in_parts_and_threads(monkeypatch):
 
 @pytest.mark.slow
 def test_hostile_meshes():
-    """Tiny, far away, degenerate, slivers, and 10^7 faces, the last of which would get 1.7 % of all points in float32."""
+    """Tiny, far away, degenerate, slivers, and 10^7 faces, of which float32 would give the last one 1.7 % of all points."""
     found = judge_meshes()
     assert len(found) == 6
     assert [verdict for verdict in found if not verdict.passed] == []

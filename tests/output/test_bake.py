@@ -47,7 +47,7 @@ def _columns(data):
 @pytest.mark.parametrize("suffix", bake.SUFFIXES)
 @pytest.mark.parametrize("at", ["vertices", "faces"])
 def test_every_file_holds_the_numbers(call, torus, tmp_path, suffix, at, monkeypatch):
-    monkeypatch.setattr(bake, "_RAYS_PER_PART", 4096)  # several parts
+    monkeypatch.setattr(bake, "RAYS_PER_PART", 4096)  # several parts
     output = tmp_path / f"out{suffix}"
     status, out, err = call("bake", torus, "-o", output, "--at", at, "--samples", 64, "--seed", 3)
     assert (status, err) == (0, "")
@@ -111,7 +111,7 @@ def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, 
     output.write_text("old")
 
     class Terminated(KeyboardInterrupt):
-        """As another signal is raised."""
+        """What another signal raises."""
 
     def interrupted(*arguments, first_point, **rest):
         if first_point:
@@ -119,7 +119,7 @@ def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, 
         return ws.ambient_occlusion(*arguments, first_point=first_point, **rest)
 
     monkeypatch.setattr(bake, "ambient_occlusion", interrupted)
-    monkeypatch.setattr(bake, "_RAYS_PER_PART", 64 * 100)
+    monkeypatch.setattr(bake, "RAYS_PER_PART", 64 * 100)
     status, out, err = call("bake", torus, "-o", output, "--samples", 64)
     assert (status, out) == (130, "")
     assert err == f"interrupted after 100 of 288 points; {output} is as it was before\n"

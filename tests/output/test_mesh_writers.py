@@ -1,10 +1,9 @@
-"""Meshes and clouds that we write: every bit of their coordinates, at any scale and on any map; in little memory."""
+"""Meshes and clouds are written with every bit of their coordinates, at any scale and on any map, and in little memory."""
 
 import json
 import re
 import struct
 import tracemalloc
-from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -12,7 +11,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample.output import bake, baked, export, mesh_writers
+from warpsample.output import bake, baked, export
 
 MAP = np.array([500_000.0, 5_400_000.0, 300.0])
 PLACES = [(size, at) for size in (1e-6, 1.0, 5e6) for at in (0.0, 1.0)]  # size, and whether on the map
@@ -74,7 +73,7 @@ def test_every_face_keeps_its_area(call, placed, tmp_path, suffix, of, size, at)
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 5e6])
 @pytest.mark.parametrize("suffix", [".ply", ".glb", ".vtp"])
 def test_what_float32_holds_stays_as_it_is(call, tmp_path, suffix, scale):
-    """And a .ply of it stays small; other readers than ours find the same."""
+    """A .ply of it stays small, and other readers find the same numbers."""
     whole = ground().vertices.astype(np.float32) * np.float32(scale)
     source, output = tmp_path / "in.ply", tmp_path / f"out{suffix}"
     trimesh.Trimesh(whole, ground().faces, process=False).export(source)
@@ -114,11 +113,11 @@ def test_a_cloud_keeps_its_directions(call, placed, tmp_path, suffix, size, at):
 
 
 def test_a_glb_that_would_lose_faces_is_refused_before_the_work(call, placed, tmp_path, monkeypatch):
-    """Faces of a millimetre, ten kilometres apart."""
+    """The mesh has faces of a millimetre, ten kilometres apart."""
     near = ground(1e-3)
     vertices = np.concatenate([near.vertices, near.vertices + np.array([1e4, 0.0, 0.0])])
     path = placed(ws.Mesh(vertices, np.concatenate([near.faces, near.faces + len(near.vertices)])))
-    monkeypatch.setattr(bake, "_quantity", None)
+    monkeypatch.setattr(bake, "ambient_occlusion", None)
     status, _, err = call("bake", path, "-o", tmp_path / "out.glb")
     said = (
         r"error: --output: got 'out.glb', whose float32 would change the area of ([\d,]+) of 8,192 faces by more than 1%, "
@@ -128,26 +127,30 @@ def test_a_glb_that_would_lose_faces_is_refused_before_the_work(call, placed, tm
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_a_face_without_area_is_none_that_is_lost(call, tmp_path):
+def test_a_face_without_area_is_not_counted_as_lost(call, tmp_path):
     path = tmp_path / "flat.obj"
     path.write_text("v 0.1 0 0\nv 1.1 0 0\nv 0.1 1 0\nv 0.3 0.2 0\nv 0.4 0.3 0\nf 1 2 3\nf 1 4 5\nf 1 1 2\n")
     assert ws.load_mesh(path).report.degenerate_faces >= 1
     assert call("bake", path, "-o", tmp_path / "out.glb", "--samples", 2)[0] == 0
 
 
-def test_a_glb_of_more_than_four_gigabytes_is_refused(call, placed, tmp_path, monkeypatch):
-    monkeypatch.setattr(baked, "_BYTES_OF_CORNER", 2**32 // (3 * 4096))
-    path = placed(ground())
-    status, _, err = call("bake", path, "-o", tmp_path / "out.glb", "--at", "faces")
-    assert (status, err) == (
-        2,
-        "error: --output: got 'out.glb' of 12,288 corners, want .ply or .vtp: it holds 4 GiB\n",
-    )
-    assert call("bake", path, "-o", tmp_path / "out.glb", "--at", "vertices", "--samples", 2)[0] == 0
+def test_a_glb_larger_than_its_format_allows_is_refused(call, placed, tmp_path, monkeypatch):
+    """A limit that the corners of faces exceed and the vertices do not stands for 4 GiB."""
+    assert baked.MOST_GLB_BYTES < 2**32
+    monkeypatch.setattr(baked, "MOST_GLB_BYTES", 400_000)
+    path, output = placed(ground()), tmp_path / "out.glb"
+    status, _, err = call("bake", path, "-o", output, "--at", "faces")
+    said = "error: --output: got 'out.glb' of 12,288 corners, want .ply or .vtp: it holds 4 GiB\n"
+    assert (status, err, output.exists()) == (2, said, False)
+    assert call("bake", path, "-o", output, "--at", "vertices", "--samples", 2)[0] == 0
+    assert output.stat().st_size <= 400_000
+    monkeypatch.undo()
+    assert call("bake", path, "-o", output, "--at", "faces", "--samples", 2)[0] == 0
+    assert output.stat().st_size > 400_000
 
 
 def test_a_glb_says_what_is_in_it(call, placed, tmp_path):
-    """As the format asks: lengths, alignment, limits of positions, a translation that float64 holds."""
+    """Lengths, alignment, limits of positions and a float64 translation are as the format asks."""
     mesh, path = ground(1.0, 1.0), tmp_path / "out.glb"
     call("bake", placed(mesh), "-o", path, "--samples", 2)
     content = path.read_bytes()
@@ -169,7 +172,7 @@ def test_a_glb_says_what_is_in_it(call, placed, tmp_path):
 
 
 class Sink:
-    """Counts what is written and keeps none."""
+    """A stream that counts what is written and keeps nothing."""
 
     def __init__(self):
         self.size = 0
@@ -205,8 +208,7 @@ def traced(write):
 
 @pytest.mark.parametrize("suffix", bake.SUFFIXES)
 @pytest.mark.parametrize("at", ["vertices", "faces"])
-def test_a_bake_takes_no_more_than_twice_its_file(tmp_path, monkeypatch, suffix, at):
-    monkeypatch.setattr(mesh_writers, "_BLOCK", 1 << 10)
+def test_a_bake_takes_no_more_than_twice_its_file(tmp_path, suffix, at):
     mesh = ground()
     points = bake.PLACEMENTS[at](mesh)
     found = ws.ambient_occlusion(mesh, points, 2)
@@ -216,13 +218,13 @@ def test_a_bake_takes_no_more_than_twice_its_file(tmp_path, monkeypatch, suffix,
 
 
 @pytest.mark.parametrize("suffix", [".ply", ".vtp"])
-def test_a_cloud_takes_no_more_than_twice_its_file(tmp_path, monkeypatch, suffix):
-    """With the directions themselves, and with points that have none."""
-    monkeypatch.setattr(mesh_writers, "_BLOCK", 1 << 10)
-    points = ws.sample_surface(ground(), 2000)
-    points = replace(points, normal=np.where(np.arange(2000)[:, None] % 10 == 0, np.float32(0.0), points.normal))
-    run = export.Run(tmp_path, tmp_path / f"x{suffix}", 2000, 64, "cosine_hemisphere", "sobol", 0, "surface")
-    export._write_cloud(Sink(), 1.0, points, run, 1)  # builds the kernel
-    written, held = traced(lambda sink: export._write_cloud(sink, 1.0, points, run, 1))
-    assert written > 1800 * 64 * 36
-    assert held <= 2 * written
+def test_a_cloud_takes_no_more_than_twice_its_file(placed, tmp_path, suffix):
+    """The memory includes the mesh and the directions; some points have none."""
+    faces = ground().faces.copy()
+    faces[::10, 1] = faces[::10, 0]
+    output = tmp_path / f"x{suffix}"
+    run = export.Run(placed(ws.Mesh(ground().vertices, faces)), output, 1, 96, "cosine_hemisphere", "sobol", 0, "faces")
+    export.export(run, 1)  # builds the kernel
+    _, held = traced(lambda _: export.export(run, 1))
+    assert output.stat().st_size > 3600 * 96 * 36
+    assert held <= 2 * output.stat().st_size

@@ -59,8 +59,8 @@ def test_planted_defects_are_caught(name):
     assert caught >= CAUGHT_BY[name]
 
 
-def test_the_right_sampler_passes_where_the_defects_are_planted():
-    """With the very seeds of the defects: what rejects them is not the draw."""
+def test_the_correct_sampler_passes_where_the_defects_are_planted():
+    """The seeds are those of the defects, so what rejects the defects is not the draw."""
     for name in ("sphere scaled by 0.99999", "azimuth gap of 1e-3 rad"):
         found = verify.judge(verify.Evidence(verify.Subject(name, RIGHT, RIGHT), every=64))
         assert all(verdict.passed for verdict in found)
@@ -87,7 +87,7 @@ def test_pearsons_test_refuses_what_it_cannot_judge():
 
 
 def test_quadrature_knows_closed_integrals():
-    """Of theta and theta^2 over the cosine lobe: pi / 4 and (pi^2 - 4) / 8."""
+    """The means of theta and theta^2 over the cosine lobe are pi / 4 and (pi^2 - 4) / 8."""
     edges = np.array([0.0, 0.3, np.pi / 2, np.pi])
     for weight, exact in ((0, 1.0), (1, np.pi / 4), (2, (np.pi**2 - 4) / 8)):
         assert laws.cell_masses(RIGHT, edges, 4, weight).sum() == pytest.approx(exact, abs=1e-6)
@@ -138,7 +138,7 @@ def test_hostile_meshes_reject_float32_positions_and_a_heavy_last_face(monkeypat
         points.face[: count // 60] = len(ws.as_mesh(mesh).faces) - 1  # what float32 sums do to 10^7 faces
         return ws.SurfacePoints(points.position.astype(np.float32).astype(np.float64), points.normal, points.face)
 
-    monkeypatch.setattr(stress, "_ten_million_faces", lambda: ws.as_mesh(trimesh.creation.icosphere(4)))
+    monkeypatch.setattr(stress, "ten_million_faces", lambda: ws.as_mesh(trimesh.creation.icosphere(4)))
     monkeypatch.setattr(stress, "sample_surface", in_float32)
     assert laws_broken(stress.judge_meshes()) == {"points on their face", "shares of the area"}
 

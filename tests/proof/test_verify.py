@@ -1,15 +1,18 @@
 """The trial as a command: what it prints, and its exit status with and without a planted defect."""
 
+import re
 import sys
+from io import StringIO
 
 import pytest
+from rich.console import Console
 
 import warpsample as ws
 from warpsample import cli
 from warpsample.proof import defects, report, run, verify
 from warpsample.proof.run import Task
 from warpsample.proof.streams import judge_sequence
-from warpsample.proof.stress import judge_indices, judge_normals
+from warpsample.proof.stress import judge_bad_normals, judge_indices, judge_normals
 
 
 @pytest.fixture
@@ -67,16 +70,18 @@ def test_power_names_the_laws_and_a_defect_that_nobody_catches(call, monkeypatch
     status, out, _ = call("--power")
     assert status == 0
     assert "inverse with a swapped pair   round trip" in out
-    monkeypatch.setattr(run, "planted", lambda: [Task("case", ws.OffsetCircle())])  # right, so nothing catches it
+    monkeypatch.setattr(run, "planted", lambda: [Task("case", ws.OffsetCircle())])  # correct, so nothing catches it
     status, out, _ = call("--power")
     assert status == 1
     assert "nothing" in out
 
 
 def test_every_verdict_has_a_table():
-    found = [*judge_sequence("philox", 1000), judge_indices("philox"), *judge_normals(ws.UniformHemisphere())]
-    laws = {law.name for law in verify.LAWS} | {verdict.law for verdict in found}
-    assert laws <= set(report._SUMMARIES)
+    found = [*judge_sequence("philox", 1000), judge_indices("philox")]
+    found += [*judge_normals(ws.UniformHemisphere()), judge_bad_normals()]
+    found += [verify.Verdict(law.name, "made up", 0.0, 1.0, False) for law in verify.LAWS]
+    report.show(found, Console(file=(shown := StringIO()), width=200))
+    assert {verdict.law for verdict in found} - set(re.findall(r"^(.+?): ", shown.getvalue(), flags=re.MULTILINE)) == set()
 
 
 @pytest.mark.slow

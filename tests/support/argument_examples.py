@@ -1,4 +1,4 @@
-"""What each argument of each public function takes, and what none does: for the sweep of test_arguments.py."""
+"""For the sweep of test_arguments.py: what each argument of each public function accepts, and values that none accepts."""
 
 from dataclasses import dataclass
 from fractions import Fraction

@@ -1,4 +1,4 @@
-"""What the tests of estimates share: points anywhere, a street, a square, and whether two estimates are the same."""
+"""What the tests of estimates share: points anywhere, a street, a square, a sky, and whether two estimates are the same."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ import warpsample as ws
 
 
 def at(position, normal, copies=1):
-    """SurfacePoints of no face, each as often as told: with ids, and so rays, of their own."""
+    """SurfacePoints without a face, `copies` of each, with ids, and so rays, of their own."""
     position, normal = (np.repeat(np.atleast_2d(np.float64(a)), copies, axis=0) for a in (position, normal))
     return ws.SurfacePoints(position, np.broadcast_to(normal, position.shape).astype(np.float32))
 
@@ -25,3 +25,8 @@ def square(z=1.0):
 
 def same(found, other):
     return np.array_equal(found.value, other.value) and np.array_equal(found.standard_error, other.standard_error)
+
+
+def irradiance(mesh, points, count, **options):
+    """Irradiance under a sky that is bright on top and dark below."""
+    return ws.irradiance(mesh, points, np.linspace(2.0, 0.0, 32)[:, None].repeat(4, axis=1), count, **options)

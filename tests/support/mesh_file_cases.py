@@ -1,8 +1,10 @@
-"""Writes one mesh into every kind of file that `load_mesh` reads, with all digits that the kind holds."""
+"""Writes one mesh into every kind of file that `load_mesh` reads, with all digits that the kind holds; and its refusal."""
 
+import re
 import struct
 
 import numpy as np
+import pytest
 import trimesh
 
 SUFFIXES = {
@@ -13,6 +15,13 @@ SUFFIXES = {
 KINDS = list(SUFFIXES)
 TEXTS = ("ply_text", "stl_text", "obj", "off")  # of any number of digits
 HOLDS = {kind: np.float64 if kind in (*TEXTS, "ply_double") else np.float32 for kind in KINDS}
+
+SPHERE = trimesh.creation.icosphere(subdivisions=1)
+
+
+def refused(path, why=".+"):
+    """Expects the error of a file that cannot be read as a mesh, for that reason, a pattern."""
+    return pytest.raises(ValueError, match=f"^path: got '{re.escape(str(path))}', which cannot be read as a mesh: {why}$")
 
 
 def write(kind, folder, vertices, faces):

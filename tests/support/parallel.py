@@ -1,4 +1,4 @@
-"""Work for threads and processes, run as a script by test_threads.py: what crashes, crashes alone. Exit status 1: wrong."""
+"""Work for threads and processes, run as a script by test_threads.py, since it may crash. Exit status 1 means failure."""
 
 import multiprocessing
 import sys
@@ -56,7 +56,7 @@ def first_use():
 
 
 def new_meshes():
-    """Kernels are loaded; one new mesh after the other."""
+    """Kernels are loaded already, and one new mesh follows the other."""
     answers(torus())
     return all(same(by_slices(torus(seed)), answers(torus(seed))) for seed in range(30))
 
@@ -73,7 +73,7 @@ def refits():
 
 
 def in_child(seed):
-    """Enough for the threads of the pool: above 2^17 directions, and estimates."""
+    """More than 2^17 directions, enough for the threads of the pool, and estimates."""
     mesh = torus(seed)
     return (ws.sample_directions(ws.face_centers(mesh), 256, workers=2).vectors, *answers(mesh))
 

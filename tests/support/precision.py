@@ -1,8 +1,8 @@
 """Fails a call of ours by which NumPy or SciPy computes a transcendental function in less than double precision.
 
-NumPy has a float32 loop for each kind of processor (AVX2, AVX-512, neither), and they round otherwise: whoever judges by the
-sine of a float32 judges the processor. Arithmetic, comparisons and square roots round alike everywhere (IEEE 754), as does
-`**` where NumPy squares or takes the root; what else may be written with it, test_precision.py says.
+NumPy has a float32 loop for each kind of processor (AVX2, AVX-512, neither), and they round differently: a test that judges
+by the sine of a float32 judges the processor. Arithmetic, comparisons and square roots round alike everywhere (IEEE 754), as
+does `**` where NumPy squares or takes the root; test_precision.py says what else may be written with it.
 """
 
 import sys
@@ -76,7 +76,7 @@ def _is_watched(code: CodeType) -> bool:
 
 
 def watch() -> None:
-    """From now on, for all that is imported after it."""
+    """Starts to watch, for everything that is imported afterwards."""
     if type(np.sin) is Watched:  # a test imports conftest, which pytest has loaded under another name
         return
     assert "warpsample" not in sys.modules, "warpsample was imported before it is watched"

@@ -1,4 +1,4 @@
-"""Where rays of surface points start: at corners, edges, the foot of a wall; in any closed room, however it is stored."""
+"""Rays of surface points start on the correct side at corners, edges and the foot of a wall, in any closed room."""
 
 import numpy as np
 import pytest
@@ -34,7 +34,7 @@ def on_all_edges(mesh):
 @pytest.mark.parametrize("turn", [0, 3])
 @pytest.mark.parametrize("name", ROOMS)
 def test_no_point_of_a_closed_room_sees_out_of_it(name, turn):
-    """Stored with shared corners or as an .stl's, wound inwards, or outwards and looked at from behind."""
+    """The room is stored with shared corners or as an .stl, oriented inwards, or outwards and seen from behind."""
     vertices, faces = ROOMS[name].vertices @ turned(turn).T, ROOMS[name].faces
     split = vertices[faces].reshape(-1, 3), np.arange(faces.size).reshape(-1, 3)
     for corners, triangles in ((vertices, faces), split):
@@ -56,7 +56,7 @@ def test_no_point_of_a_closed_room_sees_out_of_it(name, turn):
 
 
 def test_next_to_an_acute_edge_no_point_sees_out():
-    """An attic of 10 x 14: points of floor and roof from 10^-12 to 10^-2 off the eave."""
+    """In an attic of 10 x 14, points of floor and roof are 10^-12 to 10^-2 off the eave."""
     distance = 10.0 ** np.arange(-12.0, -2.0, 0.1)
     for angle in np.radians([45.0, 20.0, 5.0, 1.0]):
         profile = np.array([[0.0, 0.0], [10.0, 0.0], [5.0, 5.0 * np.tan(angle)]])
@@ -123,7 +123,7 @@ def corner(side, across=0.0, wall_first=1.0):
 
 
 # An endless wall hides half of the lobe. This one is 18 long and a point is at least 4 from its ends: up to
-# 0.5 (1 - 1/sqrt(1 + (x/4)^2)) of the lobe passes it, nothing where x is 0; 1,024 rays are right to 0.01.
+# 0.5 (1 - 1/sqrt(1 + (x/4)^2)) of the lobe passes it, nothing where x is 0; 1,024 rays are accurate to 0.01.
 HALF = 0.012
 
 
@@ -152,7 +152,7 @@ def test_a_wall_in_the_middle_of_a_floor_has_the_points_on_its_foot_on_its_front
 
 
 def test_what_floats_starts_where_it_is(bunny, points):
-    """And what is on the surface, within a few millionths of it, on the side of its normal."""
+    """What is on the surface starts within a few millionths of it, on the side of its normal."""
     from warpsample.tracing import trace as tracing
 
     started = []

@@ -1,11 +1,12 @@
-"""Trees: every face in one leaf, every box around what is below, on any mesh; built once, and refitted."""
+"""Trees hold every face in one leaf and every box around its children, on any mesh; they are built once, and refitted."""
 
+import weakref
 from collections import Counter
 
 import numpy as np
 import pytest
 import trimesh
-from meshes import BOX, TORUS, random_rays
+from meshes import BOX, random_rays
 
 import warpsample as ws
 from warpsample.proof.rays import rays_inside
@@ -64,11 +65,16 @@ def test_both_tracers_answer_on_hostile_meshes(name):
 
 
 def test_a_tree_too_deep_for_areas_is_split_by_count(monkeypatch):
-    monkeypatch.setattr(build, "_SAH_LEVELS", 0)
-    mesh = ws.Mesh(TORUS.vertices, TORUS.faces)
-    rays = rays_inside(TORUS, 1 << 12, 1)
-    assert len(scene_of(mesh).tree(1).topology.levels) - 1 == 2  # 2304 faces: 16 x 16 leaves of 9
-    assert np.array_equal(ws.trace(mesh, *rays).face, ws.trace(TORUS, *rays).face)
+    """Triangles about a corner are each a little smaller than the last, so that areas would make a deep tree of them."""
+    rows = np.concatenate([np.eye(3) * 0.95**k for k in range(1000)]), np.arange(3000).reshape(-1, 3)
+    deep, flat = (ws.Mesh(*rows) for _ in range(2))
+    rays = np.array([0.5, 0.6, 0.7]), np.random.default_rng(1).uniform(-1.0, 0.1, (1 << 12, 3))
+    want = ws.trace(deep, *rays)
+    assert len(scene_of(deep).tree(1).topology.levels) - 1 > 2
+    monkeypatch.setattr(build, "SAH_LEVELS", 0)
+    assert np.array_equal(ws.trace(flat, *rays).face, want.face)
+    assert len(scene_of(flat).tree(1).topology.levels) - 1 == 2  # 1000 faces: 16 x 16 leaves
+    assert 0.1 < (want.face >= 0).mean() < 0.9
 
 
 # Trees are kept, and follow their vertices
@@ -77,12 +83,12 @@ def test_a_tree_too_deep_for_areas_is_split_by_count(monkeypatch):
 def test_a_tree_is_built_once_and_dies_with_its_mesh(monkeypatch):
     mesh = ws.Mesh(BOX.vertices, BOX.faces)
     ws.trace(mesh, [0.0, 0.0, 0.0], [[0.0, 0.0, 1.0]])
-    known = len(scene_of.__globals__["_scenes"])
+    kept = weakref.ref(scene_of(mesh))
     monkeypatch.setattr("warpsample.tracing.scene.build", None)
     monkeypatch.setattr("warpsample.tracing.scene.fill", None)
     ws.trace(mesh, [0.0, 0.0, 0.0], [[0.0, 0.0, 1.0]], any_hit=True)
     del mesh
-    assert len(scene_of.__globals__["_scenes"]) == known - 1
+    assert kept() is None
 
 
 def test_refit_is_a_tree_of_the_moved_vertices(bunny_path, monkeypatch):

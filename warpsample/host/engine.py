@@ -17,9 +17,16 @@ from warpsample.host.progress import begin
 
 _FEW_CHUNKS, _MANY_CHUNKS = 4, 16  # of a worker: many even out threads of unlike speed, but each passes the GIL around,
 _CHUNK_WORK = 1 << 17  # so from this many directions a chunk on
-_LEAST_WORK = 1 << 17  # directions; below that (0.3 ms) handing work to a thread costs more than it gains
-_MOST_WORK = 1 << 25  # directions of a chunk: 0.1 s, after which an interrupt is heard
-_MOST_TASKS = (1 << 31) - 1  # wp.tid() is an int32
+
+LEAST_WORK = 1 << 17
+"""Directions; below that (0.3 ms) handing work to a thread costs more than it gains, so the calling thread does it alone."""
+
+MOST_WORK = 1 << 25
+"""Directions of a chunk: 0.1 s, after which an interrupt is heard and a bar moves."""
+
+MOST_TASKS = (1 << 31) - 1
+"""Tasks of a chunk: wp.tid() is an int32."""
+
 
 _ALWAYS_FREE = 1 << 24  # bytes; asking the system for the rest takes 100 us
 
@@ -66,10 +73,10 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
         workers: at most this many threads.
         work: directions computed, or the like of it: little work stays on the calling thread.
     """
-    workers = workers if device.is_cpu and work >= _LEAST_WORK else 1
+    workers = workers if device.is_cpu and work >= LEAST_WORK else 1
     each = min(max(work // (workers * _CHUNK_WORK), _FEW_CHUNKS), _MANY_CHUNKS)
     shares = workers * each if workers > 1 else 1
-    chunk = min(-(-tasks // shares), max(1, _MOST_WORK * tasks // work), _MOST_TASKS)
+    chunk = min(-(-tasks // shares), max(1, MOST_WORK * tasks // work), MOST_TASKS)
     commands = [_take(kernel, inputs, device) for _ in range(workers)]
     try:
         _share(commands, chunk, tasks, begin(tasks, work))

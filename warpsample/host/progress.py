@@ -5,7 +5,8 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import Any
 
-_LEAST_WORK = 1 << 25  # directions, or the like, 0.1 s: what takes less does not show how far it is
+LEAST_WORK = 1 << 25
+"""Directions, or the like: 0.1 s. What takes less does not show how far it is."""
 
 _shown: ContextVar[tuple[Any, Any] | None] = ContextVar("shown", default=None)
 
@@ -33,7 +34,7 @@ def bar(progress: bool, what: str) -> Iterator[None]:
 def begin(tasks: int, work: int) -> Callable[[int], None] | None:
     """What to call with how many tasks have been done, from any thread, if a bar is shown and the work is long."""
     shown = _shown.get()
-    if shown is None or work < _LEAST_WORK:
+    if shown is None or work < LEAST_WORK:
         return None
     display, task = shown
     display.reset(task, total=tasks)

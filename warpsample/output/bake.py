@@ -21,7 +21,8 @@ QUANTITIES = {"ao": "ambient occlusion", "sky": "sky view factor", "irradiance":
 PLACEMENTS = {"vertices": vertex_points, "faces": face_centers, "surface": sample_surface}
 SUFFIXES = tuple(WRITERS)
 
-_RAYS_PER_PART = 1 << 22  # half a second, after which the progress moves
+RAYS_PER_PART = 1 << 22
+"""Rays, half a second, after which the progress moves and an interrupt says how far it came."""
 
 
 def bake(run: Run) -> str:
@@ -84,7 +85,7 @@ def _parts(points: SurfacePoints, run: Run, estimate: Callable[[SurfacePoints, i
 
     console = Console(stderr=True)
     told = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(), TextColumn("{task.fields[told]}"))
-    step = max(1, _RAYS_PER_PART // run.samples)
+    step = max(1, RAYS_PER_PART // run.samples)
     cast, start, done = 0, perf_counter(), 0
     with Progress(*told, console=console, disable=not console.is_terminal, transient=True) as progress:
         task = progress.add_task(QUANTITIES[run.quantity], total=len(points), told="")

@@ -15,6 +15,10 @@ from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_glb, write_ply, write_vtp
 
 _KEPT = 0.01  # of its area a face may gain or lose by a .glb's float32
+
+MOST_GLB_BYTES = 2**32 - 2**20
+"""Of its arrays: a .glb tells its length in 32 bits, and holds a text too."""
+
 _BYTES_OF_CORNER = 12 + 4 + 8 * 4  # in a .glb, with all that is known of light
 
 
@@ -70,7 +74,7 @@ def check_glb(run: Run, mesh: Mesh) -> None:
             f"more than {_KEPT:.0%}, want .ply or .vtp"
         )
     corners = mesh.faces.size if run.at == "faces" else len(mesh.vertices)
-    if corners * _BYTES_OF_CORNER + mesh.faces.nbytes > 2**32 - 2**20:
+    if corners * _BYTES_OF_CORNER + mesh.faces.nbytes > MOST_GLB_BYTES:
         raise ValueError(f"--output: got {run.output.name!r} of {corners:,} corners, want .ply or .vtp: it holds 4 GiB")
 
 

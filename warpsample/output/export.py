@@ -28,8 +28,10 @@ SUFFIXES = (".npz", ".vtp", ".ply")
 CLOUD_SCALE = 0.05
 """Length of a direction in a cloud, over the diagonal of the mesh's box."""
 
+DIRECTIONS_PER_PART = 1 << 22
+"""Directions of an .npz that are in memory at a time, 50 MB."""
+
 _BYTES_IN_CLOUD = 24  # of a direction: once as sampled, once without the points that have none
-_DIRECTIONS_PER_PART = 1 << 22  # 50 MB in memory at a time
 
 
 @dataclass(frozen=True)
@@ -149,7 +151,7 @@ def _parts(points: SurfacePoints, run: Run, workers: int | None) -> Iterator[tup
     from rich.console import Console  # noqa: PLC0415
     from rich.progress import Progress  # noqa: PLC0415
 
-    step = max(1, _DIRECTIONS_PER_PART // run.samples)
+    step = max(1, DIRECTIONS_PER_PART // run.samples)
     console = Console(stderr=True)
     with Progress(console=console, disable=not console.is_terminal, transient=True) as progress:
         task = progress.add_task("sampling", total=len(points))

@@ -15,7 +15,7 @@ from warpsample.host.locks import once
 from warpsample.tracing.wide.layout import WIDTH
 from warpsample.tracing.wide.sah import ALL_BINS, BINS, MOST_BINS, best_split, centres, fill_bins, partition
 
-_SAH_LEVELS = 14
+SAH_LEVELS = 14
 """Deeper nodes halve their ranges by count, so that no arrangement of triangles makes the tree deeper than 22 nodes."""
 
 _MOST_VERTICES = 2**31 - 1
@@ -53,7 +53,7 @@ def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
     leaves = 0
     while len(begins):
         children = np.zeros((3, len(begins), WIDTH), np.int32)
-        by_area = int(len(levels) <= _SAH_LEVELS)
+        by_area = int(len(levels) <= SAH_LEVELS)
         inputs = [a.ctypes.data for a in (lower, upper, begins, ends, *children)]
         run(_split_nodes(), len(begins), [by_area, *inputs], cpu(), workers, 128 * int((ends - begins).sum()))
         begin, end, used = children

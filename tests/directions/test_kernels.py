@@ -1,0 +1,174 @@
+"""Kernels of directions: their loops are vectorised, they compile for CUDA, and each is built once."""
+
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import warp as wp
+
+import warpsample as ws
+from warpsample.directions.blocks import direction_blocks
+from warpsample.directions.rows import direction_rows
+from warpsample.directions.square import square_blocks
+from warpsample.distributions.elementwise import elementwise
+from warpsample.distributions.parameters import with_parameters
+from warpsample.distributions.record import Distribution, Maps
+from warpsample.mesh.placing import place_points
+
+# Sequence and map have loops of their own, so each needs one partner only.
+VECTORISED = [
+    *((name, ws.CosineHemisphere("polar")) for name in ws.sequences.names()),
+    ("sobol", ws.CosineHemisphere("offset")),
+    ("sobol", ws.CosineHemisphere("concentric")),
+    ("sobol", ws.CosineHemisphere("inversion")),
+    *(
+        ("sobol", ws.distributions.get(name).cases()[-1])
+        for name in ws.distributions.names()
+        if name not in ("cosine_hemisphere", "visible_beckmann")  # the latter says in its record that it is scalar
+    ),
+]
+
+_REMARKS = """
+import numpy as np, warp as wp
+wp.config.log_level = wp.LOG_WARNING
+wp.config.cpu_compiler_flags += " -Rpass=loop-vectorize -Rpass-missed=loop-vectorize"
+import warpsample as ws
+normals = np.ones((2, 3), np.float32)
+def announce(*what):
+    import sys
+    print("@@", *what, file=sys.stderr, flush=True)
+for name, case in CASES:
+    every = (1, 3, 64) if name == "sobol" else (3, 64)  # one sample a point is the loop of 3, without their quotients
+    shapes = every if getattr(case, "method", "") in ("polar", "offset") else (64,)
+    for count in shapes if case.width == 3 else ():
+        announce(name, case, count)
+        ws.sample_directions(normals, count, case, name)
+for count in (1, 3, 64) if FIRST else ():
+    announce("pdf and active", count)
+    ws.sample_directions(normals, count, pdf=True, active=[True, False])
+for name in ws.sequences.names() if FIRST else ():
+    announce("square", name)
+    ws.sample_square(name, 1, 1)
+seen = set()
+for _, case in CASES:
+    up = [[0.0] * (case.width - 1) + [1.0]]
+    for kind, x in (("sample", [[0.5, 0.5]]), ("pdf", up), ("invert", up)):
+        # Methods share maps, and a kernel is compiled once; some have no way back.
+        if getattr(case.maps, kind) not in {*seen, None}:
+            seen.add(getattr(case.maps, kind))
+            announce(kind, case)
+            getattr(case, kind)(x)
+announce("end")
+"""
+
+
+@pytest.mark.slow
+def test_every_loop_of_directions_is_vectorised(tmp_path, child_environment):
+    """The compiler's own remarks say so, with a cold cache, in two processes."""
+    halves = [VECTORISED[::2], VECTORISED[1::2]]
+    children = []
+    for i, half in enumerate(halves):
+        cases = "[" + ", ".join(f"({name!r}, ws.{case!r})" for name, case in half) + "]"
+        script = tmp_path / f"remarks_{i}.py"
+        script.write_text(_REMARKS.replace("CASES", cases).replace("FIRST", str(i == 0)))
+        environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / f"cache_{i}")}
+        children.append(subprocess.Popen([sys.executable, script], env=environment, stderr=subprocess.PIPE, text=True))
+    outputs = [child.communicate()[1] for child in children]
+    for child, remarks in zip(children, outputs, strict=True):
+        assert child.returncode == 0, remarks
+        compiled = re.split(r"^@@ ", remarks, flags=re.MULTILINE)[1:-1]
+        assert len(compiled) > 25
+        for one in compiled:
+            # Hot loops are the `while`s of their kernel; those over rows, and those that mend, are `for` loops.
+            hot = re.findall(r"vectorized loop \(vectorization width: (\d+).*\n.*goto end_while_", one)
+            assert hot, one
+            assert min(map(int, hot)) >= 4  # lanes of SSE, the narrowest
+            assert not re.search(r"loop not vectorized.*\n.*goto end_while_", one), one
+
+
+def slots(sequence, case, with_pdf, masked):
+    maps = case.maps
+    return (ws.sequences.get(sequence), case.about(), maps.redraw, maps.redraw_below, with_pdf, masked)
+
+
+def all_kernels():
+    yield "place_points", place_points()
+    for name in ws.sequences.names():
+        yield f"square {name}", square_blocks(ws.sequences.get(name).sample)
+        yield f"rows {name}", direction_rows(*slots(name, ws.CosineHemisphere(), True, True), 1)
+    for case in dict.fromkeys(case for _, case in VECTORISED):
+        w = case.width
+        maps = [(case.maps.sample, 2, w), (case.maps.pdf, w, 1), (case.maps.invert, w, 2)]
+        if w == 3:  # holds sample and pdf
+            yield f"blocks {case}", direction_blocks(*slots("sobol", case, True, False), False)
+            maps = maps[2:]
+        for func, width, out in maps:
+            if func is not None:
+                bound = with_parameters(func, wp.vec2 if width == 2 else wp.vec3, len(case.parameters))
+                yield f"{func.key} {case}", elementwise(bound, width, out)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("label", "kernel"), [pytest.param(*pair, id=pair[0]) for pair in all_kernels()])
+def test_every_kernel_compiles_for_cuda(label, kernel, tmp_path):
+    """The compiler inside warp-lang makes PTX of it, without a driver."""
+    if kernel.module in _compiled:
+        return
+    _compiled.add(kernel.module)
+    (ptx,) = wp.compile_aot_module(kernel.module, device=None, arch=86, use_ptx=True, module_dir=tmp_path)
+    assert ".visible .entry" in ptx.read_text()
+
+
+_compiled = set()
+
+
+@wp.func
+def _tilted(u: wp.vec2, tilt: wp.float32) -> wp.vec3:
+    return wp.vec3(tilt, 0.0, wp.sqrt(1.0 - tilt * tilt))
+
+
+@wp.func
+def _tilted_pdf(w: wp.vec3, tilt: wp.float32) -> wp.float32:
+    return tilt * w[2]
+
+
+@wp.func
+def _tilted_invert(w: wp.vec3, tilt: wp.float32) -> wp.vec2:
+    return wp.vec2(tilt, 0.0)
+
+
+class Tilted(Distribution):
+    """A made-up distribution with a parameter."""
+
+    name = "tilted"
+    parameters = ("tilt",)
+
+    def __init__(self, tilt):
+        object.__setattr__(self, "tilt", tilt)
+
+    @property
+    def maps(self):
+        return Maps(_tilted, _tilted_pdf, _tilted_invert)
+
+
+def test_a_parameter_reaches_the_kernels_and_a_new_value_compiles_nothing(normals):
+    u = np.zeros((5, 2), np.float32)
+    up = np.array([[0.0, 0.0, 1.0]], np.float32)
+    built = len(direction_rows.known)
+    for tilt in (0.25, 0.5):
+        distribution = Tilted(tilt)
+        assert (distribution.sample(u)[:, 0] == tilt).all()
+        assert distribution.pdf(up).tolist() == [tilt]
+        assert (distribution.invert(up)[:, 0] == tilt).all()
+        assert np.abs(ws.sample_directions(up, 16, distribution).vectors[0, :, 0] - tilt).max() <= 1e-7
+    assert len(direction_rows.known) == built + 1
+
+
+def test_kernels_are_built_once_for_equal_jobs(normals):
+    ws.sample_directions(normals, 16)
+    built = len(direction_rows.known)
+    ws.sample_directions(normals, 32, seed=9)
+    ws.sample_directions(normals, 16, ws.CosineHemisphere("polar"))
+    assert len(direction_rows.known) == built

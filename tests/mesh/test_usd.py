@@ -1,0 +1,134 @@
+""".usd: what a renderer shows of it, placed and turned; and one sentence on what is not whole."""
+
+import sys
+
+import mesh_file_cases as cases
+import pytest
+
+import warpsample as ws
+
+
+def triangle(stage, path, z=0.0):
+    from pxr import UsdGeom
+
+    mesh = UsdGeom.Mesh.Define(stage, path)
+    mesh.GetPointsAttr().Set([(0, 0, z), (1, 0, z), (0, 1, z)])
+    mesh.GetFaceVertexCountsAttr().Set([3])
+    mesh.GetFaceVertexIndicesAttr().Set([0, 1, 2])
+    return mesh
+
+
+@pytest.fixture
+def stage(tmp_path):
+    from pxr import Usd
+
+    return Usd.Stage.CreateNew(str(tmp_path / "scene.usda"))
+
+
+def loaded(stage):
+    stage.GetRootLayer().Save()
+    return ws.load_mesh(stage.GetRootLayer().realPath)
+
+
+def test_usd_polygons_placement_and_mirroring(stage):
+    from pxr import Gf
+
+    triangle(stage, "/moved").AddTranslateOp().Set(Gf.Vec3d(0, 0, 5e6 + 1e-3))
+    triangle(stage, "/mirrored").AddScaleOp().Set(Gf.Vec3f(-1, 1, 1))
+    left = triangle(stage, "/left")
+    left.GetFaceVertexIndicesAttr().Set([0, 2, 1])
+    left.CreateOrientationAttr("leftHanded")
+    mesh = loaded(stage)
+    assert mesh.report.area == 1.5
+    assert mesh.report.upper[2] == 5e6 + 1e-3
+    assert (mesh.face_normals == (0, 0, 1)).all()  # the mirrored one and the left-handed one are turned back
+
+
+def test_usd_instances_are_placed_and_empty_prims_left_out(stage):
+    from pxr import Gf, UsdGeom
+
+    stage.CreateClassPrim("/prototype")
+    triangle(stage, "/prototype/mesh", 1.0)
+    for x in (0, 10, 20):
+        place = UsdGeom.Xform.Define(stage, f"/at{x}")
+        place.AddTranslateOp().Set(Gf.Vec3d(x, 0, 0))
+        place.GetPrim().GetReferences().AddInternalReference("/prototype")
+        place.GetPrim().SetInstanceable(True)
+    UsdGeom.Mesh.Define(stage, "/empty")
+    UsdGeom.Points.Define(stage, "/points").GetPointsAttr().Set([(99, 99, 99)])
+    mesh = loaded(stage)
+    assert mesh.vertices[mesh.faces[:, 0]].tolist() == [[0, 0, 1], [10, 0, 1], [20, 0, 1]]
+
+
+def test_usd_point_instancers_are_placed(stage):
+    from pxr import Gf, UsdGeom
+
+    many = UsdGeom.PointInstancer.Define(stage, "/many")
+    many.AddTranslateOp().Set(Gf.Vec3d(0, 0, 100))
+    stage.OverridePrim("/many/prototypes")
+    UsdGeom.Xform.Define(stage, "/many/prototypes/one").AddTranslateOp().Set(Gf.Vec3d(0, 5, 0))
+    triangle(stage, "/many/prototypes/one/mesh").AddTranslateOp().Set(Gf.Vec3d(0, 0, 1))
+    triangle(stage, "/many/prototypes/two")
+    many.GetPrototypesRel().SetTargets(["/many/prototypes/one", "/many/prototypes/two"])
+    many.GetProtoIndicesAttr().Set([0, 0, 1, 0])
+    many.GetPositionsAttr().Set([(0, 0, 0), (10, 0, 0), (20, 0, 0), (30, 0, 0)])
+    many.GetScalesAttr().Set([(1, 1, 1), (-2, 2, 2), (1, 1, 1), (1, 1, 1)])
+    many.GetInvisibleIdsAttr().Set([3])
+    mesh = loaded(stage)
+    assert mesh.vertices[mesh.faces.min(axis=1)].tolist() == [[0, 5, 101], [10, 10, 102], [20, 0, 100]]
+    assert mesh.face_areas.tolist() == [0.5, 2.0, 0.5]
+    assert (mesh.face_normals == (0, 0, 1)).all()
+
+
+def test_usd_shows_what_a_renderer_shows(stage):
+    triangle(stage, "/hidden").MakeInvisible()
+    triangle(stage, "/hidden/below")
+    triangle(stage, "/guide").CreatePurposeAttr("guide")
+    triangle(stage, "/proxy").CreatePurposeAttr("proxy")
+    triangle(stage, "/render", 1.0).CreatePurposeAttr("render")
+    moving = triangle(stage, "/moving")
+    moving.GetPointsAttr().Clear()
+    for time in (2.0, 3.0):
+        moving.GetPointsAttr().Set([(0, 0, time), (1, 0, time), (0, 1, time)], time)
+    mesh = loaded(stage)
+    assert mesh.vertices[mesh.faces[:, 0], 2].tolist() == [1.0, 2.0]
+
+
+def test_usd_that_is_not_whole_is_refused_in_one_sentence(stage, tmp_path, capfd):
+    from pxr import UsdGeom
+
+    path = tmp_path / "refers.usda"
+    path.write_text('#usda 1.0\ndef Xform "x" (prepend references = @./missing.usda@</m>) { }\n')
+    with cases.refused(path, "Could not open asset .*missing.usda@ .*"):
+        ws.load_mesh(path)
+    path = tmp_path / "bad_byte.usda"
+    path.write_bytes(b'#usda 1.0\ndef Mesh "m\xbe\xff" { }\n')
+    with cases.refused(path, "it is damaged"):
+        ws.load_mesh(path)
+    path = cases.write("usdz", tmp_path, cases.SPHERE.vertices, cases.SPHERE.faces)
+    content = bytearray(path.read_bytes())
+    content[len(content) // 2] ^= 1
+    path.write_bytes(content)
+    with cases.refused(path, "inner.usdc in it is damaged"):
+        ws.load_mesh(path)
+    triangle(stage, "/mesh")
+    UsdGeom.Sphere.Define(stage, "/ball")
+    with cases.refused(tmp_path / "scene.usda", "/ball is a Sphere, want meshes alone"):
+        loaded(stage)
+    assert capfd.readouterr() == ("", "")
+
+
+def test_huge_tables_of_binary_usd_allocate_nothing(tmp_path):
+    path = cases.write("usdc", tmp_path, cases.SPHERE.vertices, cases.SPHERE.faces)
+    content = bytearray(path.read_bytes())
+    table = int.from_bytes(content[16:24], "little")
+    content[table : table + 8] = (10**8).to_bytes(8, "little")  # usd-core would take 3 GB for them
+    path.write_bytes(content)
+    with cases.refused(path, "its header declares 100,000,000 sections .*"):
+        ws.load_mesh(path)
+
+
+def test_usd_without_usd_core_says_what_to_install(bunny_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pxr", None)
+    with pytest.raises(ModuleNotFoundError, match=r"^path: got 'bunny\.usd', which needs usd-core: pip install usd-core"):
+        ws.load_mesh(bunny_path)

@@ -1,0 +1,112 @@
+"""An output that cannot be written, or is an input, is refused before anything is read or computed."""
+
+import os
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from warpsample.cli import commands
+from warpsample.output import bake, export
+from warpsample.plotting import rendering
+
+
+@pytest.fixture
+def uncomputed(monkeypatch):
+    """Fails every command that comes to read its mesh."""
+
+    def load(path):
+        raise AssertionError(f"{path} was read")
+
+    for module in (bake, export, commands):
+        monkeypatch.setattr(module, "load_mesh", load)
+
+
+@pytest.mark.parametrize("command", ["directions", "bake"])
+@pytest.mark.parametrize("alias", ["itself", "another way", "symlink", "link"])
+def test_an_input_is_no_output(call, cube, tmp_path, monkeypatch, uncomputed, command, alias):
+    (tmp_path / "folder").mkdir()
+    output = {
+        "itself": cube,
+        "another way": tmp_path / "folder" / ".." / "cube.ply",
+        "symlink": tmp_path / "folder" / "other.ply",
+        "link": tmp_path / "folder" / "other.ply",
+    }[alias]
+    if alias == "symlink":
+        output.symlink_to(cube)
+    if alias == "link":
+        output.hardlink_to(cube)
+    before = cube.read_bytes()
+    status, out, err = call(command, cube, "-o", output)
+    assert (status, out) == (2, "")
+    assert err == f"error: --output: got {str(output)!r}, which is the input {str(cube)!r}, want another file\n"
+    assert cube.read_bytes() == before
+
+
+def test_nor_are_a_light_or_a_mesh_that_is_looked_at(call, cube, tmp_path, uncomputed, can_render, script, capsys):
+    light, picture = tmp_path / "light.npy", tmp_path / "picture.png"
+    np.save(light, np.ones((2, 4, 3)))
+    npz = tmp_path / "light.npz"
+    npz.hardlink_to(light)
+    options = ["--quantity", "irradiance", "--environment", light]
+    status, _, err = call("bake", cube, "-o", npz, *options)
+    assert (status, err.partition(", which")[2]) == (2, f" is the input {str(light)!r}, want another file\n")
+    picture.hardlink_to(cube)
+    status, _, err = call("view", cube, "--screenshot", picture)
+    assert (status, err.partition(", which")[2]) == (2, f" is the input {str(cube)!r}, want another file\n")
+    with pytest.raises(SystemExit):
+        script("occlusion").main(mesh=cube, screenshot=picture)
+    assert "which is the input" in capsys.readouterr().err
+
+
+UNWRITABLE = {  # what is said of each
+    "missing": "whose folder does not exist",
+    "file": "whose folder does not exist",
+    "dangling": "whose folder does not exist",
+    "folder": "which is a folder, want a file",
+    "pipe": "which is no ordinary file",
+    "circle": "which cannot be written: Too many levels of symbolic links",
+    "long": "which cannot be written: File name too long",
+    "read-only": "which cannot be written: ",
+}
+
+
+def unwritable(tmp_path, kind, name):
+    """A path of that name where nothing can be written."""
+    path = tmp_path / name
+    if kind == "folder":
+        path.mkdir()
+    elif kind == "pipe":
+        os.mkfifo(path)
+    elif kind == "dangling":
+        path.symlink_to(tmp_path / "no" / "file")
+    elif kind == "circle":
+        path.symlink_to(path)
+    elif kind == "file":
+        (tmp_path / "file").touch()
+    elif kind == "long":
+        path = tmp_path / (300 * "o" + name)
+    return {"missing": tmp_path / "no" / name, "file": tmp_path / "file" / name, "read-only": Path("/proc") / name}.get(
+        kind, path
+    )  # /proc is read-only for root, too
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="/proc, pipes and links")
+@pytest.mark.parametrize("kind", UNWRITABLE)
+def test_what_cannot_be_written_is_refused_before_anything_is_computed(call, cube, tmp_path, uncomputed, can_render, kind):
+    for i, (command, suffix, option) in enumerate(
+        [
+            *((["directions", cube], suffix, "--output") for suffix in export.SUFFIXES),
+            *((["bake", cube], suffix, "--output") for suffix in bake.SUFFIXES),
+            *((["view", cube], suffix, "--screenshot") for suffix in rendering.SCENE_SUFFIXES),
+            (["bench", "error"], ".json", "--json"),
+        ]
+    ):
+        path = unwritable(tmp_path, kind, f"{i}{suffix}")
+        before = set(tmp_path.iterdir())
+        status, out, err = call(*command, option, path)
+        assert (status, out) == (2, "")
+        assert err.startswith(f"error: {option}: got {str(path)!r}, {UNWRITABLE[kind]}"), err
+        assert err.count("\n") == 1
+        assert set(tmp_path.iterdir()) == before

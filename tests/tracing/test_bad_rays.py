@@ -1,0 +1,80 @@
+"""Invalid rays are counted, and arguments that `trace` cannot use are named before any work."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import warp as wp
+
+import warpsample as ws
+
+TRIANGLE = ws.as_mesh(([(0, 0, 0), (2, 0, 0), (0, 2, 0)], [(0, 1, 2)]))
+tracers = pytest.mark.parametrize("tracer", ["wide", "warp"])
+queries = pytest.mark.parametrize("any_hit", [False, True], ids=["nearest", "any"])
+
+
+@tracers
+@queries
+def test_invalid_rays_are_counted(tracer, any_hit):
+    origins, directions = np.tile([[0.5, 0.5, 3.0]], (7, 1)), np.tile([[0.0, 0.0, -1.0]], (7, 1))
+    directions[1], directions[2, 1], directions[3, 0] = 0.0, np.nan, np.inf
+    origins[4, 2], origins[5, 0] = np.nan, -np.inf
+    for dtype in (np.float32, np.float64):
+        hits = ws.trace(TRIANGLE, origins.astype(dtype), directions.astype(dtype), any_hit=any_hit, tracer=tracer)
+        assert hits.face.tolist() == [0, -1, -1, -1, -1, -1, 0]
+        assert np.isnan(hits.distance).tolist() == [False, True, True, True, True, True, False]
+        assert hits.invalid == 5
+
+
+def test_no_rays_at_all():
+    hits = ws.trace(TRIANGLE, np.empty((0, 3)), np.empty((0, 3)))
+    assert (hits.distance.shape, hits.face.shape, hits.invalid) == ((0,), (0,), 0)
+    assert ws.trace(TRIANGLE, np.empty((5, 3)), np.empty((5, 0, 3))).face.shape == (5, 0)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "message"),
+    [
+        ({"mesh": 3}, TypeError, "mesh: got int"),
+        ({"mesh": (np.eye(3), np.empty((0, 3), int))}, ValueError, "faces: got shape"),
+        ({"mesh": (np.eye(3) * np.nan, [[0, 1, 2]])}, ValueError, "vertices: got 3 that are not finite"),
+        ({"mesh": (np.eye(3), [[0, 1, 3]])}, ValueError, "faces: got 1 indices outside 0 to 2"),
+        ({"origins": [[0, 0, 1]]}, TypeError, "origins: got dtype int64, want float32 or float64"),
+        ({"origins": np.zeros((1, 2))}, ValueError, r"origins: got shape \(1, 2\), want \(P, 3\) or \(3,\)"),
+        ({"directions": 0.5}, ValueError, r"directions: got shape \(\), want \(P, 3\) or \(P, n, 3\)"),
+        ({"directions": np.ones((2, 3))}, ValueError, r"directions: got shape \(2, 3\), want \(1, 3\) or \(1, 'n', 3\)"),
+        ({"directions": np.ones((1, 2, 2, 3))}, ValueError, r"directions: got shape \(1, 2, 2, 3\), want"),
+        (
+            {"directions": wp.zeros(1, dtype=wp.vec3, device="cpu")},
+            ValueError,
+            "directions: got a array on cpu, want a ndarray",
+        ),
+        ({"directions": wp.zeros(3, dtype=wp.int32, device="cpu")}, TypeError, "directions: got a wp.array of int32"),
+        ({"directions": wp.zeros((2, 2), dtype=wp.vec3, device="cpu")[:, 0]}, ValueError, "directions: .* not contiguous"),
+        ({"max_distance": -1.0}, ValueError, "max_distance: got -1.0, want a number from 0 to inf"),
+        ({"max_distance": np.nan}, ValueError, "max_distance: got nan, want"),
+        ({"max_distance": "far"}, TypeError, "max_distance: got 'far', want"),
+        ({"tracer": "embree"}, ValueError, "tracer: got 'embree', want one of auto, wide, warp"),
+        ({"workers": 0}, ValueError, "workers: got 0, want"),
+    ],
+)
+def test_bad_input_is_named(arguments, error, message):
+    good = {"mesh": TRIANGLE, "origins": np.zeros((1, 3)), "directions": np.ones((1, 3))}
+    with pytest.raises(error, match=message):
+        ws.trace(**{**good, **arguments})
+
+
+@pytest.mark.parametrize("face", [1, 2**31 - 1])
+def test_points_of_another_mesh_are_refused(face):
+    point = ws.SurfacePoints(np.zeros((1, 3)), np.float32([[0.0, 0.0, 1.0]]), np.int32([face]))
+    with pytest.raises(ValueError, match=f"origins: got points on faces {face} to {face}, want -1 .none. to 0"):
+        ws.trace(TRIANGLE, point, np.ones((1, 3)))
+
+
+def test_too_many_hits_for_the_memory(monkeypatch):
+    directions = np.zeros((1 << 22, 3), np.float32)
+    monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=10**7))
+    with pytest.raises(
+        MemoryError, match=r"the hits of 4,194,304 rays need 0.0 GB and 0.0 GB are free; trace them in parts"
+    ):
+        ws.trace(TRIANGLE, [0.0, 0.0, 0.0], directions)

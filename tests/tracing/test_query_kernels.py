@@ -1,0 +1,71 @@
+"""The hot loops of rays and estimates are vectorised, and both tracers compile for CUDA."""
+
+import re
+import subprocess
+import sys
+
+import pytest
+import warp as wp
+
+from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
+from warpsample.tracing.rays import ray_kernel
+from warpsample.tracing.wide.prepare import prepare_wide
+from warpsample.tracing.wide.query import wide_query
+
+_REMARKS = """
+import sys
+import warp as wp
+wp.config.log_level = wp.LOG_WARNING
+wp.config.cpu_compiler_flags += " -Rpass=loop-vectorize -Rpass-missed=loop-vectorize"
+import warpsample as ws
+from warpsample.estimate.kernel import estimate_kernel
+from warpsample.estimate.slots import Slots
+from warpsample.estimate.weights import everywhere
+from warpsample.tracing.wide.prepare import prepare_wide
+from warpsample.tracing.rays import ray_kernel
+from warpsample.tracing.wide.query import wide_query
+estimate = (ws.sequences.get("fibonacci"), ws.CosineHemisphere("polar").about(), everywhere, True, True, 1)
+for kernel in (
+    ray_kernel(prepare_wide, wide_query(False)),
+    ray_kernel(prepare_wide, wide_query(True)),
+    estimate_kernel(Slots(*estimate, prepare_wide, wide_query(True, several=True), True, True)),
+):
+    print("@@", file=sys.stderr, flush=True)
+    wp.load_module(kernel.module, device="cpu")
+"""
+
+
+@pytest.mark.slow
+def test_the_hot_loops_are_vectorised(tmp_path, child_environment):
+    """The compiler's own remarks say so.
+
+    The loops of rays are over the boxes of a node, the triangles of a leaf, and the rays of a chunk (two). Those of an
+    estimate are: boxes, triangles and preparation; start, variates and directions of a cell's rays; children and triangles
+    above the horizon; a beam's planes, boxes and triangles.
+    """
+    script = tmp_path / "remarks.py"
+    script.write_text(_REMARKS)
+    environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / "cache")}
+    done = subprocess.run([sys.executable, script], env=environment, capture_output=True, text=True, check=True)
+    _, *compiled = done.stderr.split("@@")
+    for remarks, loops in zip(compiled, (4, 4, 11), strict=True):
+        hot = re.findall(
+            r"\.cpp:(\d+):\d+: remark: vectorized loop \(vectorization width: (\d+).*\n.*goto end_while_", remarks
+        )
+        assert len({line for line, _ in hot}) == loops, remarks
+        assert min(int(width) for _, width in hot) >= 4  # lanes of SSE, the narrowest
+        assert not re.search(r"loop not vectorized.*\n.*goto end_while_", remarks), remarks
+
+
+KERNELS = {
+    "wide": (prepare_wide, wide_query(False)),
+    "warp": (prepare_builtin, builtin_query),
+    "warp, any": (prepare_builtin, builtin_any_query),
+}
+
+
+@pytest.mark.parametrize("name", KERNELS)
+def test_both_tracers_compile_for_cuda(name, tmp_path):
+    kernel = ray_kernel(*KERNELS[name])
+    (ptx,) = wp.compile_aot_module(kernel.module, device=None, arch=86, use_ptx=True, module_dir=tmp_path)
+    assert ".visible .entry" in ptx.read_text()
