@@ -1,6 +1,6 @@
 """What all estimates share: the checked call, and its run."""
 
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from math import inf
 from typing import Any
 
@@ -105,7 +105,6 @@ class Plan:
         tracer: str = "auto",
         workers: int | None = None,
         progress: bool = False,
-        **unknown: Any,
     ) -> "Plan":
         """The plan of a call's arguments.
 
@@ -113,9 +112,6 @@ class Plan:
             TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
             MemoryError: more than is free.
         """
-        if unknown:
-            known = ", ".join(item.name for item in fields(cls)[3:])
-            raise TypeError(f"{', '.join(unknown)}: got an unknown argument, want one of {known}")
         if not isinstance(points, SurfacePoints):
             raise TypeError(f"points: got {type(points).__name__}, want SurfacePoints, as sample_surface gives them")
         check_memory(_BYTES_PER_POINT * len(points), f"the numbers of {len(points):,} points", "take them in parts")
