@@ -238,8 +238,8 @@ READ_ONLY.setflags(write=False)
         ),
         (GOOD, {"workers": 0}, ValueError, "workers: got 0, want a whole number from 1"),
         (GOOD, {"workers": 1.5}, TypeError, "workers: got 1.5"),
-        (GOOD, {"active": np.ones(3, bool)}, ValueError, r"active: got shape \(3,\), want \(4,\)"),
-        (GOOD, {"active": np.ones(4)}, TypeError, "active: got dtype float64, want bool"),
+        (GOOD, {"active": np.ones(3, bool)}, ValueError, r"active: got shape \(3,\), want an array of bool of shape \(4,\)"),
+        (GOOD, {"active": np.ones(4)}, TypeError, "active: got dtype float64, want an array of bool"),
         (GOOD, {"out": np.zeros((4, 2, 3))}, TypeError, "out: got dtype float64, want a C-contiguous"),
         (
             GOOD,

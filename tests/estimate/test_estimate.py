@@ -264,7 +264,7 @@ def test_points_far_away_and_points_that_are_none(bunny):
         ({"sequence": "halton"}, "sequence: got 'halton'"),
         ({"seed": -1}, "seed: got -1"),
         ({"active": [True]}, r"active: got shape \(1,\), want \(600,\)"),
-        ({"active": np.zeros(600)}, "active: got dtype float64, want bool"),
+        ({"active": np.zeros(600)}, "active: got dtype float64, want an array of bool"),
         ({"tolerance": 0.0}, "tolerance: got 0.0"),
         ({"tracer": "embree"}, "tracer: got 'embree'"),
         ({"workers": 0}, "workers: got 0"),

@@ -161,6 +161,37 @@ def test_the_accessor_names_unknown_options(name):
         getattr(PLANE.warpsample, name)(2, tolerence=0.1)
 
 
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda **active: ws.sample_directions(UNIT, COUNT, **active),
+        lambda **active: ws.sample_directions(wp.array(UNIT, dtype=wp.vec3, device="cpu"), COUNT, **active),
+        *(
+            partial(function, MESH, POINTS, COUNT)
+            for function in (ws.ambient_occlusion, ws.sky_view_factor, ws.bent_normals)
+        ),
+        partial(ws.irradiance, MESH, POINTS, np.ones((2, 2)), COUNT),
+    ],
+)
+@pytest.mark.parametrize(
+    ("active", "kind", "got"),
+    [
+        ([1, 0, 1, 1], TypeError, "dtype int64"),
+        ([1.0, 0.0, 1.0, 1.0], TypeError, "dtype float64"),
+        ([1, 0, 1], TypeError, "dtype int64"),
+        ("yes", TypeError, "'yes'"),
+        (wp.zeros(4, dtype=wp.float32, device="cpu"), TypeError, "dtype float32"),
+        (True, ValueError, r"shape \(\)"),
+        ([True] * 3, ValueError, r"shape \(3,\)"),
+        ([[True] * 4], ValueError, r"shape \(1, 4\)"),
+        (wp.zeros(3, dtype=wp.bool, device="cpu"), ValueError, r"shape \(3,\)"),
+    ],
+)
+def test_a_wrong_active_mask_is_the_same_error_everywhere(call, active, kind, got):
+    with pytest.raises(kind, match=rf"^active: got {got}, want an array of bool of shape \(4,\), one for each point$"):
+        call(active=active)
+
+
 def test_points_become_what_is_worked_with():
     points = ws.SurfacePoints([[0, 0, 1]], np.array([[0, 0, 2]], np.float16), np.array([1], np.uint8), [[1, 0, 0]])
     kinds = [a.dtype for a in (points.position, points.normal, points.face, points.barycentric)]

@@ -21,7 +21,7 @@ from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_scale, check_seed, told
-from warpsample.host.arrays import Array, Vectors, address_of, as_mask, as_vectors, check_out, cpu, new_vectors
+from warpsample.host.arrays import Array, Vectors, address_of, as_vectors, check_active, check_out, cpu, new_vectors
 from warpsample.host.engine import check_memory, check_workers, run
 from warpsample.host.progress import bar
 from warpsample.mesh.polydata import cloud
@@ -154,7 +154,7 @@ def sample_directions(
         check_workers(workers),
     )
     progress, first_point = check_flag(progress, "progress"), check_first_point(first_point, given.count)
-    mask = _check_active(active, given)
+    mask = _active_beside(given, active)
     target = _check_device(device, given)
     shape = (given.count, count)
     vectors = None if out is None else check_out(out, given, shape)
@@ -279,11 +279,11 @@ def _same_high_word(first_point: int, points: int) -> list[tuple[int, int]]:
     return list(pairwise([0, *crossings, points]))
 
 
-def _check_active(active: Any, normals: Vectors) -> Array | None:
-    if active is None:
-        return None
-    mask = as_mask(active, "active", normals.shape)
-    return wp.array(mask, dtype=wp.uint8, device=normals.device) if isinstance(normals.owner, wp.array) else mask
+def _active_beside(normals: Vectors, active: Any) -> Array | None:
+    mask = check_active(active, normals.count)
+    if mask is None or isinstance(normals.owner, np.ndarray):
+        return mask
+    return wp.array(mask, dtype=wp.uint8, device=normals.device)
 
 
 def _check_device(device: Any, normals: Vectors) -> wp.Device:

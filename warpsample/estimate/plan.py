@@ -16,7 +16,7 @@ from warpsample.estimate.result import Estimate, Skipped
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.weights import WeightsJob
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_number, check_seed
-from warpsample.host.arrays import as_directions, as_mask, cpu
+from warpsample.host.arrays import as_directions, check_active, cpu
 from warpsample.host.engine import check_memory, check_workers, run
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import Mesh, as_mesh
@@ -122,7 +122,7 @@ class Plan:
             sequences.get(sequence),
             check_seed(seed),
             check_first_point(first_point, len(points)),
-            None if active is None else as_mask(active, "active", (len(points),)),
+            check_active(active, len(points)),
             None if tolerance is None else check_number(tolerance, "tolerance", 1e-12, 1e12),
             check_flag(skip, "skip"),
             check_tracer(tracer, cpu()),

@@ -88,18 +88,21 @@ def as_real(value: Any, argument: str, wants: str = "real numbers") -> np.ndarra
         return array.astype(np.float64)
 
 
-def as_mask(value: Any, argument: str, shape: tuple[int, ...]) -> np.ndarray:
-    """`value` as uint8, C-contiguous, if it is an array of bool of that shape.
+def check_active(active: Any, points: int) -> np.ndarray | None:
+    """Which of the points count: a copy as (points,) uint8, C-contiguous; None if all do.
 
     Raises:
-        TypeError: of something else.
+        TypeError: not an array of bool (or of uint8, as Warp has it).
         ValueError: of another shape.
     """
-    mask = value.numpy() if isinstance(value, wp.array) else as_ndarray(value, argument, "bool")
+    if active is None:
+        return None
+    wants = f"an array of bool of shape {(points,)}, one for each point"
+    mask = active.numpy() if isinstance(active, wp.array) else as_ndarray(active, "active", wants)
     if mask.dtype not in (np.bool_, np.uint8):
-        raise TypeError(f"{argument}: got dtype {mask.dtype}, want bool")
-    if mask.shape != shape:
-        raise ValueError(f"{argument}: got shape {mask.shape}, want {shape}, one for each point")
+        raise TypeError(f"active: got {f'dtype {mask.dtype}' if mask.ndim else told(active)}, want {wants}")
+    if mask.shape != (points,):
+        raise ValueError(f"active: got shape {mask.shape}, want {wants}")
     return np.array(mask, order="C").view(np.uint8)  # a copy: it may lie where results are written to
 
 
