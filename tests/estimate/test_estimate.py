@@ -263,7 +263,7 @@ def test_points_far_away_and_points_that_are_none(bunny):
         ({"falloff": -1.0, "max_distance": 1.0}, "falloff: got -1.0"),
         ({"sequence": "halton"}, "sequence: got 'halton'"),
         ({"seed": -1}, "seed: got -1"),
-        ({"active": [True]}, r"active: got shape \(1,\), want \(600,\)"),
+        ({"active": [True]}, r"active: got shape \(1,\), want an array of bool of shape \(600,\)"),
         ({"active": np.zeros(600)}, "active: got dtype float64, want an array of bool"),
         ({"tolerance": 0.0}, "tolerance: got 0.0"),
         ({"tracer": "embree"}, "tracer: got 'embree'"),

@@ -12,7 +12,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample.output import bake, baked, export, mesh_writers
+from warpsample.output import bake, baked, export, mesh_writers, places
 
 MAP = np.array([500_000.0, 5_400_000.0, 300.0])
 PLACES = [(size, at) for size in (1e-6, 1.0, 5e6) for at in (0.0, 1.0)]  # size, and whether on the map
@@ -93,7 +93,7 @@ def test_what_float32_holds_stays_as_it_is(call, tmp_path, suffix, scale):
 @pytest.mark.parametrize(("size", "at"), PLACES)
 def test_a_cloud_keeps_its_directions(call, placed, tmp_path, suffix, size, at):
     mesh, output = ground(size, at), tmp_path / f"cloud{suffix}"
-    assert call("directions", placed(mesh), "-o", output, "--count", 100, "--samples", 6)[0] == 0
+    assert call("directions", placed(mesh), "-o", output, "--points", 100, "--samples", 6)[0] == 0
     points = ws.sample_surface(mesh, 100)
     ways = ws.sample_directions(points, 6).vectors
     scale = export.CLOUD_SCALE * mesh.diagonal
@@ -208,9 +208,9 @@ def traced(write):
 def test_a_bake_takes_no_more_than_twice_its_file(tmp_path, monkeypatch, suffix, at):
     monkeypatch.setattr(mesh_writers, "_BLOCK", 1 << 10)
     mesh = ground()
-    points = bake.PLACEMENTS[at](mesh)
+    points = places.PLACES[at](mesh)
     found = ws.ambient_occlusion(mesh, points, 2)
-    run = bake.Run(tmp_path / "in", tmp_path / f"out{suffix}", "ao", at, 1, 2, None, (0, 0, 1), {})
+    run = bake.Run(tmp_path / "in", tmp_path / f"out{suffix}", "ao", at, None, 2, None, (0, 0, 1), {})
     written, held = traced(lambda sink: baked.WRITERS[suffix](sink, bake.Baked(run, mesh, points, found)))
     assert held <= 2 * written
 
@@ -221,7 +221,7 @@ def test_a_cloud_takes_no_more_than_twice_its_file(tmp_path, monkeypatch, suffix
     monkeypatch.setattr(mesh_writers, "_BLOCK", 1 << 10)
     points = ws.sample_surface(ground(), 2000)
     points = replace(points, normal=np.where(np.arange(2000)[:, None] % 10 == 0, np.float32(0.0), points.normal))
-    run = export.Run(tmp_path, tmp_path / f"x{suffix}", 2000, 64, "cosine_hemisphere", "sobol", 0, "surface")
+    run = export.Run(tmp_path, tmp_path / f"x{suffix}", 2000, 64, "cosine_hemisphere", "sobol", 0, None)
     export._write_cloud(Sink(), 1.0, points, run, 1)  # builds the kernel
     written, held = traced(lambda sink: export._write_cloud(sink, 1.0, points, run, 1))
     assert written > 1800 * 64 * 36

@@ -15,7 +15,8 @@ from warpsample.mesh.polydata import cloud
 if TYPE_CHECKING:
     from pyvista import PolyData
 
-_BYTES_PER_POINT = 24 + 12 + 4
+BYTES_PER_POINT = 24 + 12 + 4
+"""Of memory: position, normal and face."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,7 +103,7 @@ def sample_surface(
     seed, first_point, workers = check_seed(seed), check_first_point(first_point, count), check_workers(workers)
     if not mesh.face_areas.any():
         raise ValueError(f"mesh: got {len(mesh.faces)} faces without any area, want at least one triangle that has some")
-    size = count * (_BYTES_PER_POINT + (24 if barycentric else 0))
+    size = count * (BYTES_PER_POINT + (24 if barycentric else 0))
     check_memory(size, f"{count:,} surface points", "take them in parts with first_point")
     position, face, weights = (
         np.empty((count, 3)),
