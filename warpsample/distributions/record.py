@@ -86,7 +86,15 @@ class Distribution:
 
     @classmethod
     def cases(cls) -> tuple["Distribution", ...]:
-        """Instances that every law is proven for, from ordinary to extreme."""
+        """Instances that every law is proven for, from ordinary to extreme.
+
+        Returns:
+            at least one instance.
+
+        Example:
+            >>> print(len(ws.GGX.cases()), ws.PowerCosine.cases()[0])
+            4 PowerCosine(exponent=0.0)
+        """
         return (cls(),)
 
     @property
@@ -116,6 +124,10 @@ class Distribution:
         Raises:
             TypeError: theta is not real numbers.
             NotImplementedError: no closed form is known.
+
+        Example:
+            >>> print(ws.CosineHemisphere().cdf(np.radians([0.0, 30.0, 45.0, 90.0])).round(2))
+            [0.   0.25 0.5  1.  ]
         """
         return self._cdf(np.clip(as_real(theta, "theta").astype(np.float64), 0.0 if self.width == 3 else -pi, pi))
 
@@ -124,7 +136,18 @@ class Distribution:
         raise NotImplementedError(f"{self!r}: its density is not one of the angle alone")
 
     def seam(self, u: np.ndarray) -> np.ndarray:
-        """Mask of those u that `invert` cannot give back to float32 accuracy: by default the pole, which has no azimuth."""
+        """Which u `invert` cannot give back to float32 accuracy: by default those of the pole, which has no azimuth.
+
+        Args:
+            u: (..., 2) float, in [0, 1).
+
+        Returns:
+            (...) bool.
+
+        Example:
+            >>> print(ws.CosineHemisphere().seam(np.array([[0.0, 0.5], [0.5, 0.5]])))
+            [ True False]
+        """
         return u[..., 0] == 0.0
 
     def sample(self, u: Any) -> Array:
@@ -140,6 +163,12 @@ class Distribution:
         Raises:
             TypeError: u is not floating-point.
             ValueError: its last axis is not 2, or a value is outside [0, 1).
+
+        Example:
+            >>> u = ws.sample_square("sobol", points=1, count=256)
+            >>> w = ws.CosineHemisphere().sample(u)
+            >>> print(w.shape, f"{w[..., 2].mean():.2f}")  # the mean cosine is 2/3
+            (1, 256, 3) 0.67
         """
         if not isinstance(u, wp.array):
             u = _in_square(u)
@@ -157,6 +186,11 @@ class Distribution:
         Raises:
             TypeError: w is not floating-point.
             ValueError: its last axis has another length.
+
+        Example:
+            >>> p = ws.CosineHemisphere().pdf(np.array([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]]))
+            >>> print(p.round(4))  # 1 / pi at the normal, 0 below the surface
+            [0.3183 0.    ]
         """
         return self._map(self.maps.pdf, w, self.width, 1, "w")
 
@@ -173,17 +207,39 @@ class Distribution:
             TypeError: w is not floating-point.
             ValueError: its last axis has another length.
             NotImplementedError: `sample` sends several u to one w.
+
+        Example:
+            >>> lobe = ws.GGX(alpha=0.3)
+            >>> print(lobe.invert(lobe.sample(np.array([[0.25, 0.75]]))).round(3))
+            [[0.25 0.75]]
         """
         if self.maps.invert is None:
             raise NotImplementedError(f"{self!r}: sample sends several u to one w, so there is no way back")
         return self._map(self.maps.invert, w, self.width, 2, "w")
 
     def kernel_parameters(self) -> Parameters:
-        """This instance's scalars as the kernels take them."""
+        """This instance's scalars as the kernels take them.
+
+        Returns:
+            a struct of float32, a kernel's argument: another value compiles nothing.
+
+        Example:
+            >>> print(ws.GGX(alpha=0.5).kernel_parameters().scalar)
+            0.5
+        """
         return _pack(tuple(getattr(self, name) for name in self.parameters))
 
     def about(self) -> wp.Function:
-        """The `wp.func` (unit normal, u, Parameters) -> (world direction, pdf); none for what lies in a plane."""
+        """The map about a normal, for kernels; there is none for what lies in a plane.
+
+        Returns:
+            a `wp.func` (unit normal, u, Parameters) -> (world direction, pdf).
+
+        Example:
+            >>> about = ws.GGX(alpha=0.5).about()  # in a kernel: about(n, u, parameters)
+            >>> print(type(about).__name__)
+            Function
+        """
         maps = self.maps
         if maps.about is not None:
             return maps.about

@@ -73,8 +73,8 @@ def ambient_occlusion(
     Example:
         >>> mesh = ws.load_mesh("courtyard")
         >>> open_share = ws.ambient_occlusion(mesh, ws.sample_surface(mesh, 100), 64)
-        >>> open_share.value.shape, round(float(open_share.value.mean()), 1)
-        ((100,), 0.7)
+        >>> print(open_share.value.shape, f"{open_share.value.mean():.1f}")
+        (100,) 0.7
     """
     plan = Plan.of(
         mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress=progress
@@ -145,8 +145,8 @@ def sky_view_factor(
     Example:
         >>> mesh = ws.load_mesh("courtyard")
         >>> sky = ws.sky_view_factor(mesh, ws.face_centers(mesh), 64, up=(0, 0, 1))
-        >>> sky.value.shape == (len(mesh.faces),), 0.0 <= sky.value.min(), sky.value.max() == 1.0
-        (True, True, True)
+        >>> print(sky.value.shape, f"{sky.value.max():.2f}", f"{sky.below_horizon.max():.2f}")  # a roof; an upright wall
+        (2080,) 1.00 0.50
     """
     plan = Plan.of(
         mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress=progress
@@ -197,8 +197,8 @@ def bent_normals(
         progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
     Returns:
-        value (P, 3), vectors in world coordinates, of length 0 where all is closed to 2/3 where all is open; the standard
-        error of each component, and for each point the rays cast and a status.
+        value (P, 3), vectors in world coordinates, of length 0 where all is closed to about 2/3 where all is open; the
+        standard error of each component, and for each point the rays cast and a status.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
@@ -207,8 +207,8 @@ def bent_normals(
     Example:
         >>> mesh = ws.load_mesh("courtyard")
         >>> bent = ws.bent_normals(mesh, ws.sample_surface(mesh, 100), 64)
-        >>> bent.value.shape, bool((np.linalg.norm(bent.value, axis=1) < 0.7).all())
-        ((100, 3), True)
+        >>> print(bent.value.shape, f"{np.linalg.norm(bent.value, axis=1).max():.1f}")
+        (100, 3) 0.7
     """
     plan = Plan.of(
         mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress=progress

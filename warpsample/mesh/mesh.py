@@ -63,6 +63,11 @@ class Mesh:
     Raises:
         TypeError: vertices are not real numbers or faces not whole ones.
         ValueError: wrong shapes, no faces, an index that no vertex has, a coordinate that is not finite or beyond 1e36.
+
+    Example:
+        >>> mesh = ws.Mesh([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]], [[0, 1, 2]])
+        >>> print(mesh.face_areas, mesh.face_normals, mesh.report.boundary_edges)
+        [2.] [[0. 0. 1.]] 3
     """
 
     vertices: np.ndarray
@@ -82,8 +87,16 @@ class Mesh:
     def to_polydata(self) -> "PolyData":
         """The triangles as PyVista's PolyData.
 
+        Returns:
+            a copy of the vertices and the faces, in the same order.
+
         Raises:
             ModuleNotFoundError: PyVista is missing.
+
+        Example:
+            >>> made = ws.load_mesh("courtyard").to_polydata()
+            >>> print(made.n_points, made.n_cells)
+            1089 2080
         """
         return surface(self.vertices, self.faces)
 
@@ -162,11 +175,23 @@ class Mesh:
 
 
 def as_mesh(mesh: Any) -> Mesh:
-    """What users hold, as a Mesh: Mesh, (vertices, faces), pyvista.PolyData, trimesh.Trimesh or meshio.Mesh.
+    """What other libraries hold, as a Mesh.
+
+    Args:
+        mesh: a Mesh, which is given back as it is; a tuple (vertices, faces); a pyvista.PolyData, a trimesh.Trimesh or a
+            meshio.Mesh. Polygons are cut into triangles.
+
+    Returns:
+        the checked mesh; what it was made of may change later, it does not.
 
     Raises:
         TypeError: something else.
-        ValueError: what it holds is no valid triangle mesh.
+        ValueError: what it holds is not a valid triangle mesh.
+
+    Example:
+        >>> mesh = ws.as_mesh((np.eye(3), np.array([[0, 1, 2]])))  # or ws.as_mesh(pyvista.Sphere())
+        >>> print(len(mesh.faces), mesh.face_areas.round(3))
+        1 [0.866]
     """
     return mesh_of(mesh, "mesh", "a warpsample.Mesh")
 

@@ -33,6 +33,12 @@ class SurfacePoints:
     Raises:
         TypeError: not real numbers, or faces that are not whole ones.
         ValueError: shapes that do not agree, or faces below -1.
+
+    Example:
+        >>> eyes = ws.SurfacePoints(position=[[36.0, 36.0, 1.7], [3.0, 3.0, 1.7]], normal=[[0, 0, 1], [0, 0, 1]])
+        >>> sky = ws.sky_view_factor(ws.load_mesh("courtyard"), eyes, 256)  # in the yard, and outside
+        >>> print(sky.value.round(1))
+        [0.4 1. ]
     """
 
     position: np.ndarray
@@ -62,8 +68,16 @@ class SurfacePoints:
     def to_polydata(self) -> "PolyData":
         """The points as PyVista's PolyData, row for row: "Normals", "face", and "barycentric" where kept.
 
+        Returns:
+            a point for each row, with these as arrays of point data.
+
         Raises:
             ModuleNotFoundError: PyVista is missing.
+
+        Example:
+            >>> made = ws.sample_surface(ws.load_mesh("courtyard"), 100).to_polydata()
+            >>> print(made.n_points, sorted(made.point_data))
+            100 ['Normals', 'face']
         """
         return cloud(self.position, self.normal, face=self.face, barycentric=self.barycentric)
 
@@ -97,6 +111,12 @@ def sample_surface(
         MemoryError: more than is free.
 
     Source: Turk 1990, "Generating Random Points in Triangles", method 2.
+
+    Example:
+        >>> mesh = ws.load_mesh("courtyard")
+        >>> points = ws.sample_surface(mesh, 100, seed=1)
+        >>> print(points.position.shape, points.normal.shape, points.face.max() < len(mesh.faces))
+        (100, 3) (100, 3) True
     """
     mesh, barycentric = as_mesh(mesh), check_flag(barycentric, "barycentric")
     count = check_integer(count, "count", 1, 2**31 - 1)
@@ -123,6 +143,17 @@ def face_centers(mesh: Any) -> SurfacePoints:
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
+
+    Returns:
+        position (F, 3) float64, normal (F, 3) float32 of unit length or zero, face, barycentric.
+
+    Raises:
+        TypeError, ValueError: not a triangle mesh; names it.
+
+    Example:
+        >>> points = ws.face_centers(ws.load_mesh("courtyard"))
+        >>> print(points.position.shape, points.face[:3])
+        (2080, 3) [0 1 2]
     """
     mesh = as_mesh(mesh)
     position = mesh.vertices[mesh.faces].mean(axis=1)
@@ -135,6 +166,17 @@ def vertex_points(mesh: Any) -> SurfacePoints:
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
+
+    Returns:
+        position (V, 3) float64, normal (V, 3) float32 of unit length or zero; the face is -1.
+
+    Raises:
+        TypeError, ValueError: not a triangle mesh; names it.
+
+    Example:
+        >>> points = ws.vertex_points(ws.load_mesh("courtyard"))
+        >>> print(points.position.shape, np.linalg.norm(points.normal, axis=1).round(3).min())
+        (1089, 3) 1.0
     """
     mesh = as_mesh(mesh)
     return SurfacePoints(mesh.vertices.copy(), mesh.vertex_normals.copy())

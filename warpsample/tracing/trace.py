@@ -90,11 +90,18 @@ def trace(
         progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
     Returns:
-        distance and face, of the directions' shape without the last axis.
+        distance, at least 0 and inf where nothing is met, and face, -1 there; of the directions' shape without the last
+        axis.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
         MemoryError: more than is free.
+
+    Example:
+        >>> mesh = ws.load_mesh("courtyard")
+        >>> hits = ws.trace(mesh, np.array([36.0, 36.0, 100.0]), np.array([[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]]))
+        >>> print(hits.distance, hits.face >= 0)  # down into the yard, up into the sky
+        [100.  inf] [ True False]
     """
     mesh, workers = as_mesh(mesh), check_workers(workers)
     any_hit, progress = check_flag(any_hit, "any_hit"), check_flag(progress, "progress")

@@ -60,8 +60,8 @@ class WarpsampleAccessor:
         Example:
             >>> surface = ws.load_mesh("courtyard").to_polydata()
             >>> cloud = surface.warpsample.sample_directions(16, points=10, pdf=True)
-            >>> cloud.n_points, cloud.point_data["pdf"].shape
-            (160, (160,))
+            >>> print(cloud.n_points, sorted(cloud.point_data))
+            160 ['Normals', 'pdf', 'point']
         """
         length = CLOUD_SCALE * self.mesh.diagonal if scale is None else check_scale(scale)
         if points is None:
@@ -88,9 +88,8 @@ class WarpsampleAccessor:
 
         Example:
             >>> shaded = ws.load_mesh("courtyard").to_polydata().warpsample.ambient_occlusion(64, at="faces")
-            >>> values = shaded.cell_data["ambient_occlusion"]
-            >>> values.shape == (shaded.n_cells,), 0.0 <= values.min(), values.max() <= 1.0
-            (True, True, True)
+            >>> print(shaded.n_cells, shaded.cell_data["ambient_occlusion"].shape)
+            2080 (2080,)
         """
         return self._with("ambient_occlusion", at, ambient_occlusion(self.mesh, self._points(at), count, **options))
 
@@ -112,9 +111,8 @@ class WarpsampleAccessor:
 
         Example:
             >>> seen = ws.load_mesh("courtyard").to_polydata().warpsample.sky_view_factor(64, up=(0, 0, 1))
-            >>> values = seen.point_data["sky_view_factor"]
-            >>> values.shape == (seen.n_points,), 0.0 <= values.min(), values.max() <= 1.0
-            (True, True, True)
+            >>> print(seen.n_points, seen.point_data["sky_view_factor"].shape)
+            1089 (1089,)
         """
         return self._with("sky_view_factor", at, sky_view_factor(self.mesh, self._points(at), count, **options))
 
