@@ -134,7 +134,7 @@ def test_variates_that_round_up_to_one_stay_below():
 @pytest.mark.parametrize(
     ("value", "error", "message"),
     [
-        ([[1.0, 0.5]], ValueError, r"u: got values from 0.5 to 1.0, want \[0, 1\)"),
+        ([[1.0, 0.5]], ValueError, r"u: got values from 0.5 to 1.0, want values in \[0, 1\)"),
         ([[-0.1, 0.5]], ValueError, r"u: got values from -0.1 to 0.5"),
         ([[np.nan, 0.5]], ValueError, r"u: got values from nan to nan"),
         ([[0.5, 0.5, 0.5]], ValueError, r"u: got shape \(1, 3\), want \(..., 2\)"),

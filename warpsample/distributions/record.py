@@ -1,7 +1,6 @@
 """What a distribution says of itself, and its maps on arrays."""
 
 from dataclasses import dataclass
-from functools import lru_cache
 from math import pi
 from typing import Any, ClassVar
 
@@ -9,9 +8,9 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
-from warpsample.distributions.parameters import Parameters, about_frame, with_parameters
+from warpsample.distributions.parameters import Parameters, about_frame, packed, with_parameters
 from warpsample.host.arguments import check_number
-from warpsample.host.arrays import Array, as_ndarray, as_real, as_vectors, new_vectors
+from warpsample.host.arrays import Array, as_real, as_square, as_vectors, new_vectors
 from warpsample.host.engine import check_workers, run
 
 _VECTORS = {2: wp.vec2, 3: wp.vec3}
@@ -161,17 +160,14 @@ class Distribution:
             NumPy for NumPy, wp.array for wp.array.
 
         Raises:
-            TypeError: u is not floating-point.
-            ValueError: its last axis is not 2, or a value is outside [0, 1).
+            TypeError, ValueError: u is not floating-point, its last axis is not 2, or a value is outside [0, 1).
 
         Example:
-            >>> u = ws.sample_square("sobol", points=1, count=256)
-            >>> w = ws.CosineHemisphere().sample(u)
+            >>> w = ws.CosineHemisphere().sample(ws.sample_square("sobol", points=1, count=256))
             >>> print(w.shape, f"{w[..., 2].mean():.2f}")  # the mean cosine is 2/3
             (1, 256, 3) 0.67
         """
-        if not isinstance(u, wp.array):
-            u = _in_square(u)
+        u = u if isinstance(u, wp.array) else as_square(u, "u")
         return self._map(self.maps.sample, u, 2, self.width, "u")
 
     def pdf(self, w: Any) -> Array:
@@ -184,12 +180,10 @@ class Distribution:
             (...) float32, at least 0; 0 outside the support and where w is NaN.
 
         Raises:
-            TypeError: w is not floating-point.
-            ValueError: its last axis has another length.
+            TypeError, ValueError: w is not floating-point, or its last axis has another length.
 
         Example:
-            >>> p = ws.CosineHemisphere().pdf(np.array([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]]))
-            >>> print(p.round(4))  # 1 / pi at the normal, 0 below the surface
+            >>> print(ws.CosineHemisphere().pdf(np.array([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])).round(4))  # 1 / pi; below: 0
             [0.3183 0.    ]
         """
         return self._map(self.maps.pdf, w, self.width, 1, "w")
@@ -204,8 +198,7 @@ class Distribution:
             (..., 2) float32 in [0, 1).
 
         Raises:
-            TypeError: w is not floating-point.
-            ValueError: its last axis has another length.
+            TypeError, ValueError: w is not floating-point, or its last axis has another length.
             NotImplementedError: `sample` sends several u to one w.
 
         Example:
@@ -227,7 +220,7 @@ class Distribution:
             >>> print(ws.GGX(alpha=0.5).kernel_parameters().scalar)
             0.5
         """
-        return _pack(tuple(getattr(self, name) for name in self.parameters))
+        return packed(tuple(getattr(self, name) for name in self.parameters))
 
     def about(self) -> wp.Function:
         """The map about a normal, for kernels; there is none for what lies in a plane.
@@ -236,8 +229,7 @@ class Distribution:
             a `wp.func` (unit normal, u, Parameters) -> (world direction, pdf).
 
         Example:
-            >>> about = ws.GGX(alpha=0.5).about()  # in a kernel: about(n, u, parameters)
-            >>> print(type(about).__name__)
+            >>> print(type(ws.GGX(alpha=0.5).about()).__name__)  # called in a kernel, as about(n, u, parameters)
             Function
         """
         maps = self.maps
@@ -256,22 +248,3 @@ class Distribution:
             kernel = elementwise(bound, width, out_width)
             run(kernel, -(-source.count // block), inputs, source.device, check_workers(None), source.count)
         return target.owner
-
-
-@lru_cache(maxsize=256)
-def _pack(values: tuple[Any, ...]) -> Parameters:
-    parameters = Parameters()
-    for field, value in zip(("scalar", "x", "y", "z"), np.hstack(values or (0.0,)), strict=False):
-        setattr(parameters, field, value)
-    return parameters
-
-
-def _in_square(u: Any) -> Any:
-    """u, if its values are in [0, 1); float64 values that would round up to 1 become the float32 below it."""
-    array = as_ndarray(u, "u")
-    if array.dtype in (np.float32, np.float64) and array.size:
-        if not (array.min() >= 0.0 and array.max() < 1.0):
-            raise ValueError(f"u: got values from {array.min()} to {array.max()}, want [0, 1)")
-        if array.dtype == np.float64:
-            array = np.minimum(array.astype(np.float32), np.float32(1 - 2**-24))
-    return array

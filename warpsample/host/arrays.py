@@ -106,6 +106,22 @@ def check_active(active: Any, points: int) -> np.ndarray | None:
     return np.array(mask, order="C").view(np.uint8)  # a copy: it may lie where results are written to
 
 
+def as_square(value: Any, argument: str) -> np.ndarray:
+    """`value`, if its numbers are in [0, 1); float64 ones that would round up to 1 become the float32 below it.
+
+    Raises:
+        TypeError: not an array.
+        ValueError: numbers outside of [0, 1).
+    """
+    array = as_ndarray(value, argument)
+    if array.dtype in (np.float32, np.float64) and array.size:
+        if not (array.min() >= 0.0 and array.max() < 1.0):
+            raise ValueError(f"{argument}: got values from {array.min()} to {array.max()}, want values in [0, 1)")
+        if array.dtype == np.float64:
+            array = np.minimum(array.astype(np.float32), np.float32(1 - 2**-24))
+    return array
+
+
 def as_unit(value: Any, argument: str, wants: str = "three finite numbers, not all 0") -> tuple[float, float, float]:
     """`value` as a unit vector.
 

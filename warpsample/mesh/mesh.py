@@ -9,6 +9,7 @@ from warpsample.host.arrays import as_ndarray, as_real
 from warpsample.host.locks import once_property, read_only
 from warpsample.mesh.polydata import surface
 from warpsample.mesh.polygons import triangles
+from warpsample.mesh.report import MeshReport, report_of
 
 if TYPE_CHECKING:
     from pyvista import PolyData
@@ -19,37 +20,6 @@ LARGEST = 1e36
 _SMALLEST = 1e-140  # of a mesh with areas
 _LEAST_SQUARE = 1e-280  # that has all its digits
 _SLIVER = 2.0**-48  # of abs(e1) abs(e2): below 16 roundings of the cross product the normal is noise
-
-
-@dataclass(frozen=True)
-class MeshReport:
-    """What is notable about a mesh.
-
-    Attributes:
-        vertices: how many.
-        faces: how many, degenerate ones included.
-        degenerate_faces: whose area is 0 or lost to rounding; they carry no points and have a zero normal.
-        duplicate_faces: that have the same three vertices as an earlier face, in any order.
-        unreferenced_vertices: that no face uses.
-        boundary_edges: with one face.
-        nonmanifold_edges: with more than two.
-        inconsistent_edges: that two faces run along in the same direction, so one of them is inside out.
-        area: of all faces, in square units of the coordinates.
-        lower: smallest coordinates of the vertices that faces use, (3,).
-        upper: largest coordinates of them, (3,).
-    """
-
-    vertices: int
-    faces: int
-    degenerate_faces: int
-    duplicate_faces: int
-    unreferenced_vertices: int
-    boundary_edges: int
-    nonmanifold_edges: int
-    inconsistent_edges: int
-    area: float
-    lower: np.ndarray
-    upper: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)
@@ -154,24 +124,7 @@ class Mesh:
     @once_property
     def report(self) -> MeshReport:
         """What is notable about this mesh; takes a sort of all edges."""
-        start = self.faces.ravel().astype(np.int64)
-        end = self.faces[:, [1, 2, 0]].ravel().astype(np.int64)
-        stride = len(self.vertices)
-        _, uses = np.unique(np.minimum(start, end) * stride + np.maximum(start, end), return_counts=True)
-        _, same_way = np.unique(start * stride + end, return_counts=True)
-        return MeshReport(
-            vertices=len(self.vertices),
-            faces=len(self.faces),
-            degenerate_faces=int(np.count_nonzero(self.face_areas == 0.0)),
-            duplicate_faces=len(self.faces) - len(np.unique(np.sort(self.faces, axis=1), axis=0)),
-            unreferenced_vertices=int(np.count_nonzero(~self.used)),
-            boundary_edges=int(np.count_nonzero(uses == 1)),
-            nonmanifold_edges=int(np.count_nonzero(uses > 2)),
-            inconsistent_edges=int(np.count_nonzero(same_way > 1)),
-            area=float(self.face_areas.sum()),
-            lower=self.bounds[0],
-            upper=self.bounds[1],
-        )
+        return report_of(self)
 
 
 def as_mesh(mesh: Any) -> Mesh:
