@@ -101,7 +101,9 @@ def test_chances_are_0_below_all_angles_and_1_above(case):
 
 
 def test_cdf_that_is_not_closed_says_so():
-    with pytest.raises(NotImplementedError, match=r"VisibleGGX\(alpha=0.5.*: its density is not one of the angle alone"):
+    with pytest.raises(
+        NotImplementedError, match=r"VisibleGGX\(alpha=0.5.*: its density does not depend on the angle alone"
+    ):
         ws.VisibleGGX(0.5).cdf(0.1)
 
 

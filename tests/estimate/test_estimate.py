@@ -254,8 +254,8 @@ def test_points_far_away_and_points_that_are_none(bunny):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"points": np.zeros((3, 3))}, "points: got ndarray, want SurfacePoints"),
-        ({"mesh": 3}, "mesh: got int"),
+        ({"points": np.zeros((3, 3))}, "points: got a NumPy array, want SurfacePoints"),
+        ({"mesh": 3}, "mesh: got a value of type int"),
         ({"count": 1}, "count: got 1, want a whole number from 2"),
         ({"count": 2.5}, "count: got 2.5"),
         ({"max_distance": -1.0}, "max_distance: got -1.0"),

@@ -178,7 +178,7 @@ def test_ply_of_other_elements(tmp_path):
         path.write_bytes(head.replace(b"element vertex", extra + b"element vertex") + end + row + data)
         assert ws.load_mesh(path).report.area == 8.0
         path.write_bytes(head + extra.replace(b"extra", b"tristrips") + end + data + row)
-        with refused(path, "it has triangle strips, want all of them as faces"):
+        with refused(path, "it has triangle strips, want faces one by one"):
             ws.load_mesh(path)
         path.write_bytes(head.replace(b"list uchar int", b"list float int") + end + data)
         with refused(path, "its header has the line 'property list float int vertex_indices'"):
@@ -197,16 +197,16 @@ def test_obj_indices_and_lines(tmp_path):
     assert mesh.vertices[mesh.faces][:, :, 2].tolist() == [[0, 0, 0], [1, 1, 1], [0, 0, 0]]
     whole = path.read_text(encoding="utf-8")
     for line, why in [
-        ("f 1 2", "line 18: it is no face: '1 2'"),
-        ("f 1/1 2/1 3/", "line 18: it is no face: .*"),
-        ("f 1//1 2//1 3/1", "line 18: it is no face: .*"),
-        ("f 1 2 7", "a face has the vertex 6, and there are 6, from 0 on"),
-        ("f 1 2 -7", "a face has the vertex -1, and .*"),
-        ("f 0 1 2", "line 18: a face has the vertex 0, and they count from 1"),
+        ("f 1 2", "line 18: it is not a face: '1 2'"),
+        ("f 1/1 2/1 3/", "line 18: it is not a face: .*"),
+        ("f 1//1 2//1 3/1", "line 18: it is not a face: .*"),
+        ("f 1 2 7", "a face has the vertex 6, but they are 0 to 5"),
+        ("f 1 2 -7", "a face has the vertex -1, but .*"),
+        ("f 0 1 2", "line 18: a face has the vertex 0, but vertices count from 1"),
         ("f 1 2 3.5", "line 18: invalid literal .*"),
         ("v 1 2", "line 18: a vertex has 2 numbers, not 3"),
         ("v 1 2 x", "line 18: could not convert .*"),
-        ("curv 1 2", "line 18: it begins with 'curv'"),
+        ("curv 1 2", "line 18: it begins with 'curv', which is not known"),
         ("f 1 2 3 \\\n", "line 17: it ends within a line|line 18: it ends within a line"),
     ]:
         path.write_text(whole + line, encoding="utf-8")
@@ -309,13 +309,13 @@ def test_gltf_is_not_read_by_half(tmp_path):
         (whole[:-1], "Expecting .*"),
         (gltf({}, [{**places, "count": 4}], data), "it declares 4 VEC3 in 36 bytes"),
         (gltf({}, [{**places, "byteOffset": 1}], data), "it declares 3 VEC3 in 36 bytes"),
-        (gltf({}, [{**places, "sparse": {"count": 1}}], data), "it has sparse data, want all of its numbers"),
-        (gltf({"indices": 5}, [places], data), "its description is not whole: .*"),
-        (gltf({"mode": 1}, [places], data), "there is no face in it"),
+        (gltf({}, [{**places, "sparse": {"count": 1}}], data), "it has sparse data, want a file that holds all numbers"),
+        (gltf({"indices": 5}, [places], data), "its JSON is incomplete: .*"),
+        (gltf({"mode": 1}, [places], data), "it has no faces"),
         (gltf({}, [places], data, nodes=[{"mesh": 0, "children": [0]}]), r".*\(RecursionError\)"),
         (
             gltf({}, [places], data, extensionsUsed=["KHR_draco_mesh_compression"]),
-            "it needs KHR_draco.*, want a file without",
+            "it uses KHR_draco.*, want a file that does not",
         ),
     ]:
         path.write_text(damaged)
@@ -323,7 +323,7 @@ def test_gltf_is_not_read_by_half(tmp_path):
             ws.load_mesh(path)
     path.write_text(whole)
     (tmp_path / "some data.bin").write_bytes(data[:-1])
-    with refused(path, "it declares 36 bytes of data, and there are 35"):
+    with refused(path, "it declares 36 bytes of data, but there are 35"):
         ws.load_mesh(path)
 
 
@@ -432,7 +432,7 @@ def test_usd_that_is_not_whole_is_refused_in_one_sentence(stage, tmp_path, capfd
         ws.load_mesh(path)
     triangle(stage, "/mesh")
     UsdGeom.Sphere.Define(stage, "/ball")
-    with refused(tmp_path / "scene.usda", "/ball is a Sphere, want meshes alone"):
+    with refused(tmp_path / "scene.usda", "/ball is a Sphere, want only meshes"):
         loaded(stage)
     assert capfd.readouterr() == ("", "")
 

@@ -66,11 +66,11 @@ def info(mesh: MeshFile) -> None:
         ("duplicate faces", f"{report.duplicate_faces:,}", "same three vertices"),
         ("unused vertices", f"{report.unreferenced_vertices:,}", "no normal"),
         ("boundary edges", f"{report.boundary_edges:,}", "open there"),
-        ("non-manifold edges", f"{report.nonmanifold_edges:,}", "over two faces"),
+        ("non-manifold edges", f"{report.nonmanifold_edges:,}", "more than two faces"),
         ("inconsistent edges", f"{report.inconsistent_edges:,}", "wound both ways"),
     ]
     if mesh.suffix.lower() == ".stl":
-        rows.insert(1, ("merged corners", f"{3 * report.faces - report.vertices:,}", "equal ones; an .stl shares none"))
+        rows.insert(1, ("merged corners", f"{3 * report.faces - report.vertices:,}", "an .stl repeats them"))
     for row in rows:
         table.add_row(*row)
     Console().print(table)

@@ -132,7 +132,7 @@ class Distribution:
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """`cdf` of float64 angles that can be."""
-        raise NotImplementedError(f"{self!r}: its density is not one of the angle alone")
+        raise NotImplementedError(f"{self!r}: its density does not depend on the angle alone")
 
     def seam(self, u: np.ndarray) -> np.ndarray:
         """Which u `invert` cannot give back to float32 accuracy: by default those of the pole, which has no azimuth.
@@ -207,7 +207,7 @@ class Distribution:
             [[0.25 0.75]]
         """
         if self.maps.invert is None:
-            raise NotImplementedError(f"{self!r}: sample sends several u to one w, so there is no way back")
+            raise NotImplementedError(f"{self!r}: sample sends several u to one w, so it has no inverse")
         return self._map(self.maps.invert, w, self.width, 2, "w")
 
     def kernel_parameters(self) -> Parameters:

@@ -16,7 +16,7 @@ from warpsample.estimate.result import Estimate, Skipped
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.weights import WeightsJob
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_number, check_seed
-from warpsample.host.arrays import as_directions, check_active, cpu
+from warpsample.host.arrays import as_directions, check_active, cpu, kind_told
 from warpsample.host.engine import check_memory, check_workers, run
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import Mesh, as_mesh
@@ -113,7 +113,7 @@ class Plan:
             MemoryError: more than is free.
         """
         if not isinstance(points, SurfacePoints):
-            raise TypeError(f"points: got {type(points).__name__}, want SurfacePoints, as sample_surface gives them")
+            raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints, as sample_surface gives them")
         check_memory(_BYTES_PER_POINT * len(points), f"the numbers of {len(points):,} points", "take them in parts")
         return cls(
             as_mesh(mesh),

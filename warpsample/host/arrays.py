@@ -55,6 +55,13 @@ def address_of(array: Array) -> int:
     return array.ptr or 0 if isinstance(array, wp.array) else array.__array_interface__["data"][0]
 
 
+def kind_told(value: Any) -> str:
+    """What kind of thing `value` is, as a message shows it."""
+    if isinstance(value, wp.array):
+        return "a wp.array"
+    return "a NumPy array" if isinstance(value, np.ndarray) else f"a value of type {type(value).__name__}"
+
+
 def as_ndarray(value: Any, argument: str, wants: str = "an array") -> np.ndarray:
     """`value` as NumPy has it, without a copy where it is an array.
 
@@ -66,7 +73,7 @@ def as_ndarray(value: Any, argument: str, wants: str = "an array") -> np.ndarray
     try:
         return np.asarray(value)
     except Exception as error:  # whatever the value's own code raises
-        raise TypeError(f"{argument}: got {told(value)}, which makes no array ({error}), want {wants}") from error
+        raise TypeError(f"{argument}: got {told(value)}, which NumPy makes no array of ({error}), want {wants}") from error
 
 
 def _has_mask(value: Any) -> bool:
@@ -231,9 +238,9 @@ def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
             raise ValueError(f"out: got an array that is {flaw}, want {want}")
         vectors = Vectors(out, out.shape[:-1], out.shape[-1] if out.ndim else 0, like.device)
     else:
-        raise TypeError(f"out: got {type(out).__name__}, want {type(like.owner).__name__}, the kind of the normals")
+        raise TypeError(f"out: got {kind_told(out)}, want {kind_told(like.owner)}, as the normals are")
     if (*vectors.shape, vectors.width) != (*shape, 3):
         raise ValueError(f"out: got shape {(*vectors.shape, vectors.width)}, want {want}")
     if vectors.address < like.address + 12 * like.count and like.address < vectors.address + 12 * vectors.count:
-        raise ValueError("out: got an array that overlaps the normals, want one of its own")
+        raise ValueError("out: got an array that overlaps the normals, want one apart from them")
     return vectors

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from warpsample.host.arrays import as_ndarray, as_real
+from warpsample.host.arrays import as_ndarray, as_real, kind_told
 from warpsample.host.locks import once_property, read_only
 from warpsample.mesh.polydata import surface
 from warpsample.mesh.polygons import triangles
@@ -96,7 +96,9 @@ class Mesh:
             ValueError: the mesh is so small that areas have no float64.
         """
         if 0.0 < np.ptp(self.bounds, axis=0).max() < _SMALLEST:
-            raise ValueError(f"mesh: got one of size {np.ptp(self.bounds, axis=0).max():.3g}, want at least {_SMALLEST:g}")
+            raise ValueError(
+                f"mesh: got a mesh of size {np.ptp(self.bounds, axis=0).max():.3g}, want at least {_SMALLEST:g}"
+            )
         corner, first, second = (self.vertices[self.faces[:, k]] for k in range(3))
         first -= corner
         second -= corner
@@ -163,7 +165,7 @@ def mesh_of(value: Any, argument: str, wants: str) -> Mesh:
     if hasattr(value, "points") and hasattr(value, "cells"):
         return Mesh(value.points, _faces_of_cells(value, argument))
     raise TypeError(
-        f"{argument}: got {type(value).__name__}, want {wants}, a tuple (vertices, faces), "
+        f"{argument}: got {kind_told(value)}, want {wants}, a tuple (vertices, faces), "
         "a pyvista.PolyData, a trimesh.Trimesh or a meshio.Mesh"
     )
 
@@ -177,7 +179,7 @@ def _faces_of_cells(value: Any, argument: str) -> np.ndarray:
     blocks = [block for block in value.cells if block.type != "vertex" and not block.type.startswith("line")]
     others = sorted({block.type for block in blocks} - {"triangle", "quad", "polygon"})
     if others:
-        raise ValueError(f"{argument}: got cells of type {', '.join(others)}, want triangle, quad and polygon alone")
+        raise ValueError(f"{argument}: got cells of type {', '.join(others)}, want only triangle, quad and polygon")
     lengths = [np.array([len(face) for face in block.data], np.int64) for block in blocks if len(block.data)]
     corners = [np.concatenate([np.asarray(face) for face in block.data]) for block in blocks if len(block.data)]
     if not corners:
@@ -185,7 +187,7 @@ def _faces_of_cells(value: Any, argument: str) -> np.ndarray:
     try:
         return triangles(np.asarray(value.points, np.float64), np.concatenate(lengths), np.concatenate(corners))
     except ValueError as error:
-        raise ValueError(f"{argument}: got a meshio.Mesh of cells that are no faces: {error}") from None
+        raise ValueError(f"{argument}: got a meshio.Mesh whose cells are not faces: {error}") from None
 
 
 def unit_or_zero(vectors: np.ndarray) -> np.ndarray:
@@ -215,7 +217,7 @@ def _check_vertices(vertices: np.ndarray) -> np.ndarray:
         first = int(np.argmax(broken))
         flaw = "not finite" if not np.isfinite(vertices[broken]).all() else f"beyond {LARGEST:g}"
         raise ValueError(
-            f"vertices: got {broken.sum()} that are {flaw}, the first being number {first}, {vertices[first]}, "
+            f"vertices: got coordinates that are {flaw}, the first in row {first}, {vertices[first]}, "
             f"want coordinates from {-LARGEST:g} to {LARGEST:g}"
         )
     return vertices
@@ -231,6 +233,7 @@ def _check_faces(faces: np.ndarray, vertices: int) -> np.ndarray:
     if outside.any():
         first = int(np.argmax(outside.any(axis=1)))
         raise ValueError(
-            f"faces: got {outside.sum()} indices outside 0 to {vertices - 1}, the first in face {first}, {faces[first]}"
+            f"faces: got indices from {faces.min()} to {faces.max()}, the first wrong one in face {first}, {faces[first]}, "
+            f"want 0 to {vertices - 1}"
         )
     return faces if faces.dtype == np.int32 else read_only(faces.astype(np.int32))

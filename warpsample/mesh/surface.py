@@ -58,7 +58,7 @@ class SurfacePoints:
         shapes = {"normal": (points, 3), "face": (points,), "barycentric": (points, 3)}
         for name, array in fields.items():
             if array is not None and array.shape != shapes.get(name, array.shape):
-                raise ValueError(f"{name}: got shape {array.shape}, want {shapes[name]} like position")
+                raise ValueError(f"{name}: got shape {array.shape}, want {shapes[name]}, a row for each position")
             object.__setattr__(self, name, array)
 
     def __len__(self) -> int:
@@ -122,7 +122,7 @@ def sample_surface(
     count = check_integer(count, "count", 1, 2**31 - 1)
     seed, first_point, workers = check_seed(seed), check_first_point(first_point, count), check_workers(workers)
     if not mesh.face_areas.any():
-        raise ValueError(f"mesh: got {len(mesh.faces)} faces without any area, want at least one triangle that has some")
+        raise ValueError("mesh: got a mesh whose faces have no area, want at least one that has")
     size = count * (BYTES_PER_POINT + (24 if barycentric else 0))
     check_memory(size, f"{count:,} surface points", "take them in parts with first_point")
     position, face, weights = (
@@ -187,5 +187,5 @@ def _check_face(value: Any) -> np.ndarray:
     if face.dtype.kind not in "iu" and face.size:
         raise TypeError(f"face: got {f'dtype {face.dtype}' if face.ndim else told(value)}, want whole numbers")
     if face.size and not (face.min() >= -1 and face.max() < 2**31):
-        raise ValueError(f"face: got numbers from {face.min()} to {face.max()}, want -1 (none) to the last of the mesh")
+        raise ValueError(f"face: got numbers from {face.min()} to {face.max()}, want -1 (none) or the number of a face")
     return face.astype(np.int32, copy=False)

@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.host.arguments import check_choice, check_flag, check_number
-from warpsample.host.arrays import Array, address_of, as_ndarray, cpu
+from warpsample.host.arrays import Array, address_of, as_ndarray, cpu, kind_told
 from warpsample.host.engine import check_memory, check_workers, run
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import Mesh, as_mesh, unit_or_zero
@@ -252,8 +252,8 @@ def _check_pair(start: Triples, way: Triples) -> None:
         )
     if start.device != way.device or isinstance(start.owner, wp.array) != isinstance(way.owner, wp.array):
         raise ValueError(
-            f"directions: got a {type(way.owner).__name__} on {way.device}, "
-            f"want a {type(start.owner).__name__} on {start.device}, as the origins are"
+            f"directions: got {kind_told(way.owner)} on {way.device}, "
+            f"want {kind_told(start.owner)} on {start.device}, as the origins are"
         )
 
 
