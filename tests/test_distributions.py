@@ -101,7 +101,9 @@ def test_chances_are_0_below_all_angles_and_1_above(case):
 
 
 def test_cdf_that_is_not_closed_says_so():
-    with pytest.raises(NotImplementedError, match=r"VisibleGGX\(alpha=0.5.*: its density is not one of the angle alone"):
+    with pytest.raises(
+        NotImplementedError, match=r"VisibleGGX\(alpha=0.5.*: its density does not depend on the angle alone"
+    ):
         ws.VisibleGGX(0.5).cdf(0.1)
 
 
@@ -134,7 +136,7 @@ def test_variates_that_round_up_to_one_stay_below():
 @pytest.mark.parametrize(
     ("value", "error", "message"),
     [
-        ([[1.0, 0.5]], ValueError, r"u: got values from 0.5 to 1.0, want \[0, 1\)"),
+        ([[1.0, 0.5]], ValueError, r"u: got values from 0.5 to 1.0, want values in \[0, 1\)"),
         ([[-0.1, 0.5]], ValueError, r"u: got values from -0.1 to 0.5"),
         ([[np.nan, 0.5]], ValueError, r"u: got values from nan to nan"),
         ([[0.5, 0.5, 0.5]], ValueError, r"u: got shape \(1, 3\), want \(..., 2\)"),

@@ -76,7 +76,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample bench rays",  # test_bench_rays.py
         "warpsample bench visibility",  # test_bench_visibility.py
         "warpsample info courtyard",
-        "warpsample directions courtyard -o directions.npz --count 10000 --samples 64",
+        "warpsample directions courtyard -o directions.npz --points 10000 --samples 64",
         "warpsample bake courtyard -o sky.ply --quantity sky --samples 256",
         "warpsample view courtyard --up z --screenshot clouds.html",
         "python viz/gallery.py",  # test_gallery.py, without the benchmarks

@@ -23,7 +23,7 @@ def panels_of(found: ws.Estimate, samples: int) -> list[Panel]:
     ]
 
 
-@fail_plainly()
+@fail_plainly(count="--samples")
 def main(
     mesh: Annotated[Path | None, typer.Argument(help="Mesh file; by default the bunny inside warp-lang.")] = None,
     samples: Annotated[int, typer.Option(help="Rays of each vertex.")] = 1024,

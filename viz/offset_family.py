@@ -62,7 +62,7 @@ def panel(
 
 @fail_plainly()
 def main(
-    count: Annotated[int, typer.Option(help="Independent directions of each histogram.")] = 200_000,
+    samples: Annotated[int, typer.Option(help="Independent directions of each histogram.")] = 200_000,
     seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
     screenshot: FigureFile = None,
     size: Size = (1600, 1650),
@@ -74,10 +74,10 @@ def main(
     """
     rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES)
     rendering.check_size(size)
-    check_integer(count, "--count", 1000, 100_000_000)
+    check_integer(samples, "--samples", 1000, 100_000_000)
     rendering.check_rendering()
-    four, others = ([panel(*row, count, seed) for row in rows] for rows in (SETS, SPHERES))
-    what = f"{count:,} independent directions each, seed {seed}"
+    four, others = ([panel(*row, samples, seed) for row in rows] for rows in (SETS, SPHERES))
+    what = f"{samples:,} independent directions each, seed {seed}"
     figure = sheets.family_sheet(four, others, f"{what}; {SHOWN} points of each set, seen from the side")
     rendering.size_figure(figure, size)
     worst = min(each.test.p_value for each in four + others)

@@ -28,7 +28,7 @@ def directions(count: int, sequence: str, seed: int) -> dict[str, np.ndarray]:
 
 @fail_plainly()
 def main(
-    count: Annotated[int, typer.Option(help="Points of each set.")] = 1024,
+    samples: Annotated[int, typer.Option(help="Points of each set.")] = 1024,
     sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(ws.sequences.names())}.")] = "fibonacci",
     seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
     screenshot: FigureFile = None,
@@ -40,15 +40,15 @@ def main(
     """
     rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES)
     rendering.check_size(size)
-    check_integer(count, "--count", 1, 100_000)
+    check_integer(samples, "--samples", 1, 100_000)
     rendering.check_rendering()
-    found = directions(count, sequence, seed)
+    found = directions(samples, sequence, seed)
     panels, shares = [], []
     for name in ("sphere", "ball"):
         picture, share = sheets.overlay(found["cosine"], found[name], PIXELS)
         panels.append(("the cosine set", f"normalize({name} + n)", picture, share))
         shares.append(f"{name} {share:.1%}")
-    what = f"{count:,} points each, {sequence}, seed {seed}, seen along the normal"
+    what = f"{samples:,} points each, {sequence}, seed {seed}, seen along the normal"
     figure = sheets.overlay_sheet(panels, f"{what}; the ball is the sphere with a radius of its own for each point")
     rendering.size_figure(figure, size)
     show_or_save(figure, screenshot, f"{what}; yellow: {', '.join(shares)}")

@@ -26,7 +26,8 @@ if TYPE_CHECKING:
     from warpsample.estimate.result import Estimate, PointStatus, Skipped
     from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
     from warpsample.mesh.files import load_mesh
-    from warpsample.mesh.mesh import Mesh, MeshReport, as_mesh
+    from warpsample.mesh.mesh import Mesh, as_mesh
+    from warpsample.mesh.report import MeshReport
     from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
     from warpsample.tracing.scene import refit
     from warpsample.tracing.trace import Hits, trace
@@ -96,8 +97,9 @@ _HOMES = {
     "estimate.irradiance": ("irradiance",),
     "estimate.result": ("Estimate", "PointStatus", "Skipped"),
     "estimate.visibility": ("SkyView", "ambient_occlusion", "bent_normals", "sky_view_factor"),
-    "mesh.mesh": ("Mesh", "MeshReport", "as_mesh"),
+    "mesh.mesh": ("Mesh", "as_mesh"),
     "mesh.files": ("load_mesh",),
+    "mesh.report": ("MeshReport",),
     "mesh.surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),

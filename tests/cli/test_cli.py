@@ -1,6 +1,7 @@
 """The command line: what it prints, what it writes, and what it leaves behind when it fails."""
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -19,11 +20,11 @@ def test_info_counts_and_explains(call, tmp_path):
     assert max(map(len, out.splitlines())) <= 80
 
 
-@pytest.mark.parametrize(("placement", "rows"), [("surface", 777), ("faces", 12), ("vertices", 8)])
-def test_directions_file_holds_the_run(call, cube, tmp_path, placement, rows, monkeypatch):
+@pytest.mark.parametrize(("where", "rows"), [(("--points", 777), 777), (("--at", "faces"), 12), (("--at", "vertices"), 8)])
+def test_directions_file_holds_the_run(call, cube, tmp_path, where, rows, monkeypatch):
     monkeypatch.setattr(export, "DIRECTIONS_PER_PART", 100)  # several parts
     output = tmp_path / "d.npz"
-    options = ["--samples", 5, "--sequence", "r2", "--seed", 3, "--placement", placement, "--count", 777]
+    options = ["--samples", 5, "--sequence", "r2", "--seed", 3, *where]
     status, out, err = call("directions", cube, "-o", output, *options)
     assert (status, err) == (0, "")
     assert out == f"{output}: {5 * rows:,} directions at {rows:,} points\n"
@@ -32,10 +33,10 @@ def test_directions_file_holds_the_run(call, cube, tmp_path, placement, rows, mo
         kept = {name: file[name] for name in ("position", "normal", "face", "vectors", "status")}
     mesh = ws.load_mesh(run["mesh"])
     points = {
-        "surface": lambda: ws.sample_surface(mesh, run["count"], run["seed"]),
+        None: lambda: ws.sample_surface(mesh, run["points"], run["seed"]),
         "faces": lambda: ws.face_centers(mesh),
         "vertices": lambda: ws.vertex_points(mesh),
-    }[run["placement"]]()
+    }[run["at"]]()
     again = ws.sample_directions(points, run["samples"], run["distribution"], run["sequence"], run["seed"])
     assert np.array_equal(kept["position"], points.position)
     assert np.array_equal(kept["normal"], points.normal)
@@ -50,7 +51,7 @@ def test_directions_file_holds_the_run(call, cube, tmp_path, placement, rows, mo
 def test_skipped_points_are_counted_in_the_summary(call, tmp_path):
     path = tmp_path / "flat.off"
     path.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n")
-    _, out, _ = call("directions", path, "-o", tmp_path / "d.npz", "--placement", "faces")
+    _, out, _ = call("directions", path, "-o", tmp_path / "d.npz", "--at", "faces")
     assert out.endswith("128 directions at 2 points, 1 zero_normal\n")
 
 
@@ -83,7 +84,7 @@ def test_an_interrupted_run_leaves_the_old_file_and_no_half_one(call, cube, tmp_
             "error: --output: got 'd.txt', want a file that ends in one of .npz .vtp .ply",
         ),
         (["directions", "CUBE", "-o", "no/d.npz"], "error: --output: got 'no/d.npz', whose folder does not exist"),
-        (["directions", "CUBE", "-o", "d.npz", "--count", "0"], "error: --count: got 0, want a whole number from 1"),
+        (["directions", "CUBE", "-o", "d.npz", "--points", "0"], "error: --points: got 0, want a whole number from 1"),
         (["directions", "CUBE", "-o", "d.npz", "--samples", "-3"], "error: --samples: got -3"),
         (["directions", "CUBE", "-o", "d.npz", "--workers", "0"], "error: --workers: got 0, want a whole number from 1"),
         (["directions", "CUBE", "-o", "d.npz", "--seed", "-1"], "error: --seed: got -1, want a whole number of 64 bits"),
@@ -111,7 +112,25 @@ def test_bad_input_is_one_line_and_writes_nothing(call, cube, tmp_path, monkeypa
     assert set(tmp_path.iterdir()) == {cube}
 
 
-def test_unknown_placement_lists_the_known_ones(call, cube):
-    status, _, err = call("directions", cube, "-o", "d.npz", "--placement", "corners")
+@pytest.mark.parametrize("command", ["directions", "bake"])
+def test_every_command_has_the_same_two_options_for_its_points(call, cube, tmp_path, command, monkeypatch):
+    output = tmp_path / "d.npz"
+    status, _, err = call(command, cube, "-o", output, "--at", "corners")
     assert status == 2
-    assert all(word in err for word in ("surface", "faces", "vertices"))
+    assert all(word in err for word in ("--at", "faces", "vertices"))
+    status, _, err = call(command, cube, "-o", output, "--at", "faces", "--points", 9)
+    assert (status, err) == (2, "error: --points: got 9 together with --at faces, want one of the two\n")
+    monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=10**9))
+    status, _, err = call(command, cube, "-o", output, "--points", 2**31 - 1)
+    assert status == 2
+    assert err == "error: 2,147,483,647 surface points need 85.9 GB and 1.0 GB are free; take fewer with --points\n"
+    for old in ("--count", "--placement"):
+        assert call(command, cube, "-o", output, old, "faces")[0] == 2
+    assert not output.exists()
+
+
+@pytest.mark.parametrize(("command", "rows"), [("directions", 10_000), ("bake", 8)])
+def test_without_them_points_are_where_they_were(call, cube, tmp_path, command, rows):
+    assert call(command, cube, "-o", tmp_path / "d.npz", "--samples", 2)[0] == 0
+    with np.load(tmp_path / "d.npz") as file:
+        assert len(file["status"]) == rows

@@ -185,7 +185,7 @@ CLOSED = {"stdout": ">&-", "stderr": "2>&-", "all": "<&- >&- 2>&-"}
 def test_what_is_closed_is_nowhere(streams, child_environment, tmp_path):
     """Standard streams are closed, as a service's are; the output file does not get what is printed."""
     command = f"{sys.executable} -m warpsample"
-    writes = f"{command} directions courtyard -o o.ply --count 9 --samples 2 {CLOSED[streams]}"
+    writes = f"{command} directions courtyard -o o.ply --points 9 --samples 2 {CLOSED[streams]}"
     lines = f"{writes} && {command} info o.off {CLOSED[streams]}"
     done = subprocess.run(
         ["sh", "-c", lines], env=child_environment, capture_output=True, text=True, check=False, cwd=tmp_path

@@ -56,7 +56,7 @@ def writing(cube, tmp_path):
     """Arguments that write hundreds of megabytes; and what says that a half of them is there."""
     output = tmp_path / "d.npz"
     output.write_text("old")
-    arguments = ["directions", cube, "-o", output, "--count", 500_000, "--samples", 256]
+    arguments = ["directions", cube, "-o", output, "--points", 500_000, "--samples", 256]
     yield arguments, lambda: [path for path in tmp_path.glob(".d*") if path.stat().st_size > 1_000_000]
     assert output.read_text() == "old"
     assert {path.name for path in tmp_path.iterdir()} == {"cube.ply", "d.npz"}

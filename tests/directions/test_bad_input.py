@@ -48,8 +48,8 @@ READ_ONLY.setflags(write=False)
         ),
         (GOOD, {"workers": 0}, ValueError, "workers: got 0, want a whole number from 1"),
         (GOOD, {"workers": 1.5}, TypeError, "workers: got 1.5"),
-        (GOOD, {"active": np.ones(3, bool)}, ValueError, r"active: got shape \(3,\), want \(4,\)"),
-        (GOOD, {"active": np.ones(4)}, TypeError, "active: got dtype float64, want bool"),
+        (GOOD, {"active": np.ones(3, bool)}, ValueError, r"active: got shape \(3,\), want an array of bool of shape \(4,\)"),
+        (GOOD, {"active": np.ones(4)}, TypeError, "active: got dtype float64, want an array of bool"),
         (GOOD, {"out": np.zeros((4, 2, 3))}, TypeError, "out: got dtype float64, want a C-contiguous"),
         (
             GOOD,
@@ -64,7 +64,7 @@ READ_ONLY.setflags(write=False)
             "out: got an array that is not C-cont",
         ),
         (GOOD, {"out": READ_ONLY}, ValueError, "out: got an array that is read-only"),
-        (GOOD, {"out": [0.0]}, TypeError, "out: got list, want ndarray"),
+        (GOOD, {"out": [0.0]}, TypeError, "out: got a value of type list, want a NumPy array, as the normals are"),
         (GOOD, {"device": "tpu"}, ValueError, "device: got 'tpu', want one of cpu"),
     ],
 )
@@ -74,7 +74,7 @@ def test_bad_input_is_named_before_any_work(normals, arguments, error, message):
 
 
 def test_out_may_not_overlap_the_normals(normals):
-    with pytest.raises(ValueError, match=r"^out: got an array that overlaps the normals, want one of its own"):
+    with pytest.raises(ValueError, match=r"^out: got an array that overlaps the normals, want one apart from them"):
         ws.sample_directions(normals, 1, out=normals[:, None])
 
 

@@ -162,8 +162,8 @@ def test_points_far_away_and_invalid_points(bunny):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"points": np.zeros((3, 3))}, "points: got ndarray, want SurfacePoints"),
-        ({"mesh": 3}, "mesh: got int"),
+        ({"points": np.zeros((3, 3))}, "points: got a NumPy array, want SurfacePoints"),
+        ({"mesh": 3}, "mesh: got a value of type int"),
         ({"count": 1}, "count: got 1, want a whole number from 2"),
         ({"count": 2.5}, "count: got 2.5"),
         ({"max_distance": -1.0}, "max_distance: got -1.0"),
@@ -171,8 +171,8 @@ def test_points_far_away_and_invalid_points(bunny):
         ({"falloff": -1.0, "max_distance": 1.0}, "falloff: got -1.0"),
         ({"sequence": "halton"}, "sequence: got 'halton'"),
         ({"seed": -1}, "seed: got -1"),
-        ({"active": [True]}, r"active: got shape \(1,\), want \(600,\)"),
-        ({"active": np.zeros(600)}, "active: got dtype float64, want bool"),
+        ({"active": [True]}, r"active: got shape \(1,\), want an array of bool of shape \(600,\)"),
+        ({"active": np.zeros(600)}, "active: got dtype float64, want an array of bool"),
         ({"tolerance": 0.0}, "tolerance: got 0.0"),
         ({"tracer": "embree"}, "tracer: got 'embree'"),
         ({"workers": 0}, "workers: got 0"),

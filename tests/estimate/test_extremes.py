@@ -149,7 +149,7 @@ def test_estimates_and_rays_do_not_depend_on_the_scale(bunny, scale):
 def test_coordinates_beyond_what_distances_can_tell_are_refused(coordinate, dtype):
     with np.errstate(over="ignore"):
         vertices = (np.eye(3) * coordinate).astype(dtype)
-    with pytest.raises(ValueError, match=r"vertices: got 3 that are .*want coordinates from -1e\+36 to 1e\+36"):
+    with pytest.raises(ValueError, match=r"vertices: got coordinates that are .*want coordinates from -1e\+36 to 1e\+36"):
         ws.Mesh(vertices, [[0, 1, 2]])
 
 
@@ -161,7 +161,7 @@ def test_meshes_too_small_for_distances_are_refused_where_distances_are_asked_fo
 
 
 def test_meshes_too_small_for_areas_are_refused():
-    with pytest.raises(ValueError, match="mesh: got one of size 1e-161, want at least 1e-140"):
+    with pytest.raises(ValueError, match="mesh: got a mesh of size 1e-161, want at least 1e-140"):
         ws.sample_surface(ws.Mesh(np.eye(3) * 1e-161, [[0, 1, 2]]), 10)
 
 

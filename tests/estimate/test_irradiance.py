@@ -105,7 +105,7 @@ def _not_annotated(d: wp.vec3):
         ("sky.png", "radiance: got 'sky.png', which is missing, want an .hdr or .npy file"),
         (np.full((4, 4), 1e300), "radiance: got numbers that are below 0, above"),
         (np.ma.masked_less(np.ones((4, 4)), 2.0), "radiance: got a masked array, want an array of numbers"),
-        ([[1.0, 2.0], [3.0]], "radiance: got .* which makes no array"),
+        ([[1.0, 2.0], [3.0]], "radiance: got .* which NumPy makes no array of"),
         (_yes, "radiance: got a function that gives bool"),
         (_not_annotated, "radiance: got a function that cannot be called with a direction .* annotated"),
         ("text", "radiance: got 'text'"),

@@ -37,7 +37,7 @@ def test_a_cache_is_mended_or_done_without(tasks, alone, tmp_path):
 
 @pytest.mark.slow
 def test_the_command_line_says_it_in_a_line(alone, cube, tmp_path):
-    command = ("-m", "warpsample.cli", "directions", cube, "-o", tmp_path / "d.npz", "--placement", "faces")
+    command = ("-m", "warpsample.cli", "directions", cube, "-o", tmp_path / "d.npz", "--at", "faces")
     first = alone(*command)
     assert first == (f"{tmp_path / 'd.npz'}: 768 directions at 12 points\n", "")
     damaged = min((tmp_path / "cache").rglob("*.o"))

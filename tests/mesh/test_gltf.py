@@ -92,13 +92,13 @@ def test_gltf_is_not_read_by_half(tmp_path):
         (whole[:-1], "Expecting .*"),
         (gltf({}, [{**places, "count": 4}], data), "it declares 4 VEC3 in 36 bytes"),
         (gltf({}, [{**places, "byteOffset": 1}], data), "it declares 3 VEC3 in 36 bytes"),
-        (gltf({}, [{**places, "sparse": {"count": 1}}], data), "it has sparse data, want all of its numbers"),
-        (gltf({"indices": 5}, [places], data), "its description is not whole: .*"),
-        (gltf({"mode": 1}, [places], data), "there is no face in it"),
+        (gltf({}, [{**places, "sparse": {"count": 1}}], data), "it has sparse data, want a file that holds all numbers"),
+        (gltf({"indices": 5}, [places], data), "its JSON is incomplete: .*"),
+        (gltf({"mode": 1}, [places], data), "it has no faces"),
         (gltf({}, [places], data, nodes=[{"mesh": 0, "children": [0]}]), r".*\(RecursionError\)"),
         (
             gltf({}, [places], data, extensionsUsed=["KHR_draco_mesh_compression"]),
-            "it needs KHR_draco.*, want a file without",
+            "it uses KHR_draco.*, want a file that does not",
         ),
     ]:
         path.write_text(damaged)
@@ -106,5 +106,5 @@ def test_gltf_is_not_read_by_half(tmp_path):
             ws.load_mesh(path)
     path.write_text(whole)
     (tmp_path / "some data.bin").write_bytes(data[:-1])
-    with cases.refused(path, "it declares 36 bytes of data, and there are 35"):
+    with cases.refused(path, "it declares 36 bytes of data, but there are 35"):
         ws.load_mesh(path)

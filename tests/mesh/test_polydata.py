@@ -108,7 +108,7 @@ def test_polygons_are_cut(ball):
 @pytest.mark.parametrize("suffix", [".vtp", ".ply"])
 def test_a_cloud_in_a_file(call, cube, tmp_path, suffix):
     output = tmp_path / f"cloud{suffix}"
-    status, out, err = call("directions", cube, "-o", output, "--count", 9, "--samples", 5, "--seed", 2)
+    status, out, err = call("directions", cube, "-o", output, "--points", 9, "--samples", 5, "--seed", 2)
     assert (status, err, out) == (0, "", f"{output}: 45 directions at 9 points\n")
     mesh = ws.load_mesh(cube)
     points = ws.sample_surface(mesh, 9, 2)
@@ -121,9 +121,9 @@ def test_a_cloud_in_a_file(call, cube, tmp_path, suffix):
 
 
 def test_a_cloud_needs_room(call, cube, tmp_path):
-    huge = ("--count", 1000, "--samples", 100_000_000)
+    huge = ("--points", 1000, "--samples", 100_000_000)
     status, _, err = call("directions", cube, "-o", tmp_path / "cloud.vtp", *huge)
     assert status == 2
-    assert err.startswith("error: a cloud of 100,000,000,000 directions need")
+    assert err.startswith("error: the 100,000,000,000 directions of the cloud need")
     assert err.endswith("take fewer, or write .npz, which is streamed\n")
     assert set(tmp_path.iterdir()) == {cube}

@@ -60,8 +60,8 @@ def test_a_comb_a_hole_with_a_bridge_and_corners_in_a_line():
     [
         ([3], [0, 1], "its 2 corners do not fill its 1 faces"),
         ([3, 2], [0, 1, 2, 0, 1], "face 1 has 2 corners"),
-        ([4], [0, 1, 2, 3], "a face has the vertex 3, and there are 3, from 0 on"),
-        ([3], [0, 1, -1], "a face has the vertex -1, and there are 3, from 0 on"),
+        ([4], [0, 1, 2, 3], "a face has the vertex 3, but they are 0 to 2"),
+        ([3], [0, 1, -1], "a face has the vertex -1, but they are 0 to 2"),
     ],
 )
 def test_what_is_no_polygon_is_named(counts, indices, message):

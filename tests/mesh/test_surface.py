@@ -98,7 +98,7 @@ def test_own_points():
     ("arguments", "message"),
     [
         ((np.zeros(3), np.zeros(3)), r"position: got shape \(3,\), want \(P, 3\)"),
-        ((np.zeros((2, 3)), np.zeros((3, 3))), r"normal: got shape \(3, 3\), want \(2, 3\) like position"),
+        ((np.zeros((2, 3)), np.zeros((3, 3))), r"normal: got shape \(3, 3\), want \(2, 3\), a row for each position"),
         ((np.zeros((2, 3)), np.zeros((2, 3)), [0]), r"face: got shape \(1,\), want \(2,\)"),
         (
             (np.zeros((2, 3)), np.zeros((2, 3)), [0, 0], np.zeros((2, 2))),
@@ -118,8 +118,8 @@ def test_bad_own_points_are_named(arguments, message):
         ((CUBE, 2**31), ValueError, "count: got 2147483648"),
         ((CUBE, 1.0), TypeError, "count: got 1.0"),
         ((CUBE, 1, -1), ValueError, "seed: got -1"),
-        (("cube", 1), TypeError, "mesh: got str"),
-        (((np.zeros((3, 3)), [(0, 1, 2)]), 1), ValueError, "mesh: got 1 faces without any area"),
+        (("cube", 1), TypeError, "mesh: got a value of type str"),
+        (((np.zeros((3, 3)), [(0, 1, 2)]), 1), ValueError, "mesh: got a mesh whose faces have no area"),
     ],
 )
 def test_bad_arguments_are_named(arguments, error, message):

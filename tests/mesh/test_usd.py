@@ -113,7 +113,7 @@ def test_usd_that_is_not_whole_is_refused_in_one_sentence(stage, tmp_path, capfd
         ws.load_mesh(path)
     triangle(stage, "/mesh")
     UsdGeom.Sphere.Define(stage, "/ball")
-    with cases.refused(tmp_path / "scene.usda", "/ball is a Sphere, want meshes alone"):
+    with cases.refused(tmp_path / "scene.usda", "/ball is a Sphere, want only meshes"):
         loaded(stage)
     assert capfd.readouterr() == ("", "")
 

@@ -9,6 +9,7 @@ import trimesh
 
 import warpsample as ws
 from warpsample.output import bake
+from warpsample.output.places import PLACES
 
 TORUS = trimesh.creation.torus(2.0, 0.6, 24, 12)
 
@@ -52,7 +53,7 @@ def test_every_file_holds_the_numbers(call, torus, tmp_path, suffix, at, monkeyp
     status, out, err = call("bake", torus, "-o", output, "--at", at, "--samples", 64, "--seed", 3)
     assert (status, err) == (0, "")
     mesh = ws.load_mesh(torus)
-    right = ws.ambient_occlusion(mesh, bake.PLACEMENTS[at](mesh), 64, seed=3)
+    right = ws.ambient_occlusion(mesh, PLACES[at](mesh), 64, seed=3)
     found = read(output)
     step = 3 if suffix == ".glb" and at == "faces" else 1
     for name in ("value", "standard_error", "rays"):
@@ -61,7 +62,8 @@ def test_every_file_holds_the_numbers(call, torus, tmp_path, suffix, at, monkeyp
     assert first == f"{output}: ambient occlusion of {len(right.value):,} {at}"
     assert f"mean {right.value.mean():.4f}; standard error" in rest[0]
     assert re.search(rf"{right.rays.sum():,} rays cast in \d+\.\d\d s", rest[1])
-    assert f"{right.skipped.empty_rays:,} where nothing is" in rest[2]
+    assert f"{right.skipped.empty_rays:,} in empty cells" in rest[2]
+    assert right.skipped.open_points == 0 or rest[3] == f"  {right.skipped.open_points:,} points needed no rays"
     assert set(tmp_path.iterdir()) == {torus, output}
 
 
@@ -78,7 +80,7 @@ def test_a_mesh_file_is_the_mesh_in_shades(call, torus, tmp_path):
 def test_sky_at_points_and_light(call, torus, tmp_path):
     output, light = tmp_path / "out.npz", tmp_path / "light.npy"
     np.save(light, np.dstack([np.ones((4, 8)), np.zeros((4, 8)), np.ones((4, 8))]))
-    where = ["--at", "surface", "--points", 100, "--samples", 64]
+    where = ["--points", 100, "--samples", 64]
     status, out, _ = call("bake", torus, "-o", output, "--quantity", "sky", "--up", 1, 0, 0, *where)
     assert status == 0
     assert "sky view factor of 100 points" in out
@@ -125,7 +127,7 @@ def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, 
     assert err == f"interrupted after 100 of 288 points; {output} is as it was before\n"
     assert output.read_text() == "old"
     assert set(tmp_path.iterdir()) == {torus, output}
-    run = bake.Run(torus, output, "ao", "vertices", 1, 64, None, (0, 0, 1), {"seed": 0})
+    run = bake.Run(torus, output, "ao", "vertices", None, 64, None, (0, 0, 1), {"seed": 0})
     with pytest.raises(Terminated, match="^interrupted after 100 of 288 points"):
         bake.bake(run)
 
@@ -135,12 +137,18 @@ def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, 
     [
         (["-o", "x.txt"], "error: --output: got 'x.txt', want a file that ends in one of .ply .vtp .glb .npz .csv"),
         (["-o", "no/x.ply"], "error: --output: got 'no/x.ply', whose folder does not exist"),
-        (["-o", "x.ply", "--at", "surface"], "error: --output: got 'x.ply' for points, want .vtp, .npz or .csv"),
+        (["-o", "x.ply", "--points", "9"], "error: --output: got 'x.ply' for --points, want .vtp, .npz or .csv"),
         (["-o", "x.csv", "--quantity", "irradiance"], "error: --environment: got None for irradiance"),
-        (["-o", "x.csv", "--environment", "a.hdr"], "error: --environment: got a.hdr for ao"),
+        (
+            ["-o", "x.csv", "--environment", "a.hdr"],
+            "error: --environment: got a.hdr for ao; it applies only to irr",
+        ),
         (["-o", "x.csv", "--samples", "1"], "error: --samples: got 1, want a whole number from 2"),
         (["-o", "x.csv", "--falloff", "1"], "error: --max-distance: got None, want a finite one"),
-        (["-o", "x.csv", "--falloff", "1", "--quantity", "sky"], "error: --falloff: got 1.0 for sky, want it for ao only"),
+        (
+            ["-o", "x.csv", "--falloff", "1", "--quantity", "sky"],
+            "error: --falloff: got 1.0 for sky; it applies only to ao",
+        ),
         (["-o", "x.csv", "--points", "0"], "error: --points: got 0"),
         (["-o", "x.csv", "--tolerance", "-1"], "error: --tolerance: got -1.0"),
     ],

@@ -11,7 +11,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample.output import bake, baked, export
+from warpsample.output import bake, baked, export, places
 
 MAP = np.array([500_000.0, 5_400_000.0, 300.0])
 PLACES = [(size, at) for size in (1e-6, 1.0, 5e6) for at in (0.0, 1.0)]  # size, and whether on the map
@@ -92,7 +92,7 @@ def test_what_float32_holds_stays_as_it_is(call, tmp_path, suffix, scale):
 @pytest.mark.parametrize(("size", "at"), PLACES)
 def test_a_cloud_keeps_its_directions(call, placed, tmp_path, suffix, size, at):
     mesh, output = ground(size, at), tmp_path / f"cloud{suffix}"
-    assert call("directions", placed(mesh), "-o", output, "--count", 100, "--samples", 6)[0] == 0
+    assert call("directions", placed(mesh), "-o", output, "--points", 100, "--samples", 6)[0] == 0
     points = ws.sample_surface(mesh, 100)
     ways = ws.sample_directions(points, 6).vectors
     scale = export.CLOUD_SCALE * mesh.diagonal
@@ -210,9 +210,9 @@ def traced(write):
 @pytest.mark.parametrize("at", ["vertices", "faces"])
 def test_a_bake_takes_no_more_than_twice_its_file(tmp_path, suffix, at):
     mesh = ground()
-    points = bake.PLACEMENTS[at](mesh)
+    points = places.PLACES[at](mesh)
     found = ws.ambient_occlusion(mesh, points, 2)
-    run = bake.Run(tmp_path / "in", tmp_path / f"out{suffix}", "ao", at, 1, 2, None, (0, 0, 1), {})
+    run = bake.Run(tmp_path / "in", tmp_path / f"out{suffix}", "ao", at, None, 2, None, (0, 0, 1), {})
     written, held = traced(lambda sink: baked.WRITERS[suffix](sink, bake.Baked(run, mesh, points, found)))
     assert held <= 2 * written
 
@@ -223,7 +223,7 @@ def test_a_cloud_takes_no_more_than_twice_its_file(placed, tmp_path, suffix):
     faces = ground().faces.copy()
     faces[::10, 1] = faces[::10, 0]
     output = tmp_path / f"x{suffix}"
-    run = export.Run(placed(ws.Mesh(ground().vertices, faces)), output, 1, 96, "cosine_hemisphere", "sobol", 0, "faces")
+    run = export.Run(placed(ws.Mesh(ground().vertices, faces)), output, None, 96, "cosine_hemisphere", "sobol", 0, "faces")
     export.export(run, 1)  # builds the kernel
     _, held = traced(lambda _: export.export(run, 1))
     assert output.stat().st_size > 3600 * 96 * 36

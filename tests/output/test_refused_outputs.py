@@ -65,7 +65,7 @@ UNWRITABLE = {  # what is said of each
     "file": "whose folder does not exist",
     "dangling": "whose folder does not exist",
     "folder": "which is a folder, want a file",
-    "pipe": "which is no ordinary file",
+    "pipe": "which is not an ordinary file",
     "circle": "which cannot be written: Too many levels of symbolic links",
     "long": "which cannot be written: File name too long",
     "read-only": "which cannot be written: ",

@@ -14,10 +14,10 @@ from warpsample.output import bake, export
 from warpsample.plotting import rendering
 
 OUTPUTS = [
-    *(("directions", suffix, ["--samples", 8, "--count", 500]) for suffix in export.SUFFIXES),
+    *(("directions", suffix, ["--samples", 8, "--points", 500]) for suffix in export.SUFFIXES),
     *(("bake", suffix, ["--samples", 32]) for suffix in bake.SUFFIXES),
     *(("bake", suffix, ["--samples", 32, "--at", "faces"]) for suffix in (".ply", ".glb", ".vtp")),
-    ("bake", ".vtp", ["--samples", 32, "--at", "surface", "--points", 100]),
+    ("bake", ".vtp", ["--samples", 32, "--points", 100]),
 ]
 PICTURES = [*rendering.SCENE_SUFFIXES, *rendering.FIGURE_SUFFIXES]
 

@@ -141,7 +141,7 @@ def test_errors_fall_as_they_should(script, monkeypatch):
 
 def test_the_overlay_is_drawn(can_render, script, tmp_path, capsys):
     file = tmp_path / "overlay.png"
-    script("shirley_overlay").main(count=300, screenshot=file, size=(800, 640))
+    script("shirley_overlay").main(samples=300, screenshot=file, size=(800, 640))
     assert re.match(
         r".*overlay.png: 300 points each, .* yellow: sphere (100.0|99.\d)%, ball \d.\d%\n$", capsys.readouterr().out
     )
@@ -149,6 +149,13 @@ def test_the_overlay_is_drawn(can_render, script, tmp_path, capsys):
     yellow, red = ((half[..., 0] > 0.9) & (half[..., 1] > 0.9) for half in (left, right))
     assert yellow.sum() > 2 * red.sum()
     assert list(tmp_path.iterdir()) == [file]
+
+
+@pytest.mark.parametrize("name", ["occlusion", "offset_family", "shirley_overlay"])
+def test_scripts_call_their_directions_samples(can_render, script, tmp_path, capsys, name):
+    with pytest.raises(SystemExit):
+        script(name).main(samples=0, screenshot=tmp_path / "a.png")
+    assert capsys.readouterr().err.startswith("error: --samples: got 0, want a whole number from ")
 
 
 def ball_for_sphere(module, monkeypatch):
@@ -169,7 +176,7 @@ def upside_down(module, monkeypatch):
 @pytest.mark.parametrize(
     ("name", "options", "spoil"),
     [
-        ("offset_family", {"count": 5000, "size": (800, 800)}, ball_for_sphere),
+        ("offset_family", {"samples": 5000, "size": (800, 800)}, ball_for_sphere),
         ("sequences", {"randomisations": 16, "size": (800, 640)}, ball_for_cosine),
         ("occlusion", {"samples": 32, "size": (900, 340)}, upside_down),
     ],

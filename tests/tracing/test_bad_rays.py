@@ -35,10 +35,14 @@ def test_no_rays_at_all():
 @pytest.mark.parametrize(
     ("arguments", "error", "message"),
     [
-        ({"mesh": 3}, TypeError, "mesh: got int"),
+        ({"mesh": 3}, TypeError, "mesh: got a value of type int"),
         ({"mesh": (np.eye(3), np.empty((0, 3), int))}, ValueError, "faces: got shape"),
-        ({"mesh": (np.eye(3) * np.nan, [[0, 1, 2]])}, ValueError, "vertices: got 3 that are not finite"),
-        ({"mesh": (np.eye(3), [[0, 1, 3]])}, ValueError, "faces: got 1 indices outside 0 to 2"),
+        (
+            {"mesh": (np.eye(3) * np.nan, [[0, 1, 2]])},
+            ValueError,
+            "vertices: got coordinates that are not finite, the first in row 0",
+        ),
+        ({"mesh": (np.eye(3), [[0, 1, 3]])}, ValueError, "faces: got indices from 0 to 3, the first wrong one in face 0"),
         ({"origins": [[0, 0, 1]]}, TypeError, "origins: got dtype int64, want float32 or float64"),
         ({"origins": np.zeros((1, 2))}, ValueError, r"origins: got shape \(1, 2\), want \(P, 3\) or \(3,\)"),
         ({"directions": 0.5}, ValueError, r"directions: got shape \(\), want \(P, 3\) or \(P, n, 3\)"),
@@ -47,7 +51,7 @@ def test_no_rays_at_all():
         (
             {"directions": wp.zeros(1, dtype=wp.vec3, device="cpu")},
             ValueError,
-            "directions: got a array on cpu, want a ndarray",
+            "directions: got a wp.array on cpu, want a NumPy array",
         ),
         ({"directions": wp.zeros(3, dtype=wp.int32, device="cpu")}, TypeError, "directions: got a wp.array of int32"),
         ({"directions": wp.zeros((2, 2), dtype=wp.vec3, device="cpu")[:, 0]}, ValueError, "directions: .* not contiguous"),

@@ -18,6 +18,10 @@ app.add_typer(bench.app, name="bench")
 _SPATIAL = (name for name in distributions.names() if distributions.get(name).width == 3)
 DISTRIBUTION_HELP = f"A name, or one with parameters as in 'beckmann(alpha=0.1)': {', '.join(_SPATIAL)}."
 MESH_HELP = "Mesh file: .ply .obj .stl .off .glb .gltf .usd; or courtyard, an example"
+At = Annotated[
+    Literal["vertices", "faces"] | None,
+    typer.Option(help="Where, if not at --points: at the vertices, or the faces' centres.", show_default=False),
+]
 MeshFile = Annotated[Path, typer.Argument(help=f"{MESH_HELP}.", show_default=False)]
 
 
@@ -62,11 +66,11 @@ def info(mesh: MeshFile) -> None:
         ("duplicate faces", f"{report.duplicate_faces:,}", "same three vertices"),
         ("unused vertices", f"{report.unreferenced_vertices:,}", "no normal"),
         ("boundary edges", f"{report.boundary_edges:,}", "open there"),
-        ("non-manifold edges", f"{report.nonmanifold_edges:,}", "over two faces"),
+        ("non-manifold edges", f"{report.nonmanifold_edges:,}", "more than two faces"),
         ("inconsistent edges", f"{report.inconsistent_edges:,}", "wound both ways"),
     ]
     if mesh.suffix.lower() == ".stl":
-        rows.insert(1, ("merged corners", f"{3 * report.faces - report.vertices:,}", "equal ones; an .stl shares none"))
+        rows.insert(1, ("merged corners", f"{3 * report.faces - report.vertices:,}", "an .stl repeats them"))
     for row in rows:
         table.add_row(*row)
     Console().print(table)
@@ -77,19 +81,22 @@ def info(mesh: MeshFile) -> None:
 def directions_command(
     mesh: MeshFile,
     output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: .npz .vtp .ply.", show_default=False)],
-    count: Annotated[int, typer.Option(help="Surface points; only for the placement 'surface'.")] = 10_000,
+    points: Annotated[
+        int | None, typer.Option(help="So many points, uniform by area; 10,000 without --at.", show_default=False)
+    ] = None,
+    at: At = None,
     samples: Annotated[int, typer.Option(help="Directions at each point.")] = 64,
     distribution: Annotated[str, typer.Option(help=DISTRIBUTION_HELP)] = "cosine_hemisphere",
     sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "sobol",
     seed: Annotated[int, typer.Option(help="Seed of points and directions.")] = 0,
-    placement: Annotated[Literal["surface", "faces", "vertices"], typer.Option(help="Where the points are.")] = "surface",
     workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
 ) -> None:
     """Sample directions at points of a mesh into a file; .npz holds all that is needed to repeat the run."""
     from warpsample.output.export import Run, export  # noqa: PLC0415
 
+    points = 10_000 if points is None and at is None else points
     with working(f"reading {mesh}, sampling, writing {output}; a kernel is compiled when it is first used, for about 2 s"):
-        summary = export(Run(mesh, output, count, samples, distribution, sequence, seed, placement), workers)
+        summary = export(Run(mesh, output, points, samples, distribution, sequence, seed, at), workers)
     print(f"{output}: {summary}")  # noqa: T201
 
 
@@ -103,14 +110,17 @@ def bake_command(
     quantity: Annotated[
         Literal["ao", "sky", "irradiance"], typer.Option(help="Ambient occlusion, sky view or light.")
     ] = "ao",
-    at: Annotated[Literal["vertices", "faces", "surface"], typer.Option(help="Where: of faces, the centres.")] = "vertices",
-    points: Annotated[int, typer.Option(help="How many; only at 'surface'.")] = 10_000,
+    points: Annotated[
+        int | None, typer.Option(help="So many points, uniform by area; else those of --at.", show_default=False)
+    ] = None,
+    at: At = None,
     samples: Annotated[int, typer.Option(help="Rays of each point.")] = 256,
     max_distance: Annotated[
-        float | None, typer.Option(help="What is farther does not hide; not for irradiance.", show_default=False)
+        float | None, typer.Option(help="Hits at or beyond it are ignored; ao and sky only.", show_default=False)
     ] = None,
     falloff: Annotated[
-        float | None, typer.Option(help="Exponent, with max-distance: less by distance; ao only.", show_default=False)
+        float | None,
+        typer.Option(help="Exponent of the decline up to --max-distance; ao only.", show_default=False),
     ] = None,
     environment: Annotated[
         Path | None,
@@ -131,10 +141,11 @@ def bake_command(
     for name, value, quantities in (("max_distance", max_distance, ("ao", "sky")), ("falloff", falloff, ("ao",))):
         if value is not None and quantity not in quantities:
             raise ValueError(
-                f"--{name.replace('_', '-')}: got {value} for {quantity}, want it for {' or '.join(quantities)} only"
+                f"--{name.replace('_', '-')}: got {value} for {quantity}; it applies only to {' and '.join(quantities)}"
             )
         if value is not None:
             options[name] = value
+    at = "vertices" if points is None and at is None else at
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
         summary = bake(Run(mesh, output, quantity, at, points, samples, environment, up, options))
     print(summary)  # noqa: T201

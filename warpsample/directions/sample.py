@@ -18,7 +18,7 @@ from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_scale, check_seed, told
-from warpsample.host.arrays import Array, Vectors, as_mask, as_vectors, check_out, cpu, new_vectors
+from warpsample.host.arrays import Array, Vectors, as_vectors, check_active, check_out, cpu, new_vectors
 from warpsample.host.engine import check_memory, check_workers, run
 from warpsample.host.progress import bar
 from warpsample.mesh.polydata import cloud
@@ -55,7 +55,16 @@ class Directions:
     status: Array
 
     def counts(self) -> dict[Status, int]:
-        """How many points have each status; those that occur."""
+        """How many points have each status; those that occur.
+
+        Returns:
+            {status: number of points, at least 1}.
+
+        Example:
+            >>> found = ws.sample_directions(np.array([[0.0, 0.0, 1.0], [0.0, 0.0, 0.0]]), 16)
+            >>> print({status.name: number for status, number in found.counts().items()})
+            {'OK': 1, 'ZERO_NORMAL': 1}
+        """
         status = self.status.numpy() if isinstance(self.status, wp.array) else self.status
         return {Status(code): int(n) for code, n in sorted(Counter(status.tolist()).items())}
 
@@ -74,6 +83,13 @@ class Directions:
             ModuleNotFoundError: PyVista is missing.
             TypeError: not SurfacePoints, or a scale that is no number.
             ValueError: another number of points, or a scale that is too large.
+
+        Example:
+            >>> mesh = ws.load_mesh("courtyard")
+            >>> points = ws.sample_surface(mesh, 100)
+            >>> cloud = ws.sample_directions(points, 16).to_polydata(points, scale=0.5)
+            >>> print(cloud.n_points)
+            1600
         """
         scale = check_scale(scale)
         vectors, pdf, status = (a.numpy() if isinstance(a, wp.array) else a for a in (self.vectors, self.pdf, self.status))
@@ -127,11 +143,17 @@ def sample_directions(
         progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
     Returns:
-        vectors in world coordinates, pdf if asked for, and a status per point.
+        vectors (P, n, 3) of unit length in world coordinates, pdf (P, n) if asked for, and a status per point.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
         MemoryError: more than is free; says how much and how to stream.
+
+    Example:
+        >>> points = ws.sample_surface(ws.load_mesh("courtyard"), 100)
+        >>> d = ws.sample_directions(points, 16, distribution=ws.Beckmann(alpha=0.1), pdf=True)
+        >>> print(d.vectors.shape, d.pdf.shape, (d.pdf > 0.0).all())
+        (100, 16, 3) (100, 16) True
     """
     given = as_vectors(normals.normal if isinstance(normals, SurfacePoints) else normals, 3, "normals", "(P, {})")
     if len(given.shape) != 1 or given.count == 0:
@@ -146,7 +168,7 @@ def sample_directions(
         check_workers(workers),
     )
     progress, first_point = check_flag(progress, "progress"), check_first_point(first_point, given.count)
-    mask = _check_active(active, given)
+    mask = _active_beside(given, active)
     target = _check_device(device, given)
     shape = (given.count, count)
     vectors = None if out is None else check_out(out, given, shape)
@@ -179,6 +201,11 @@ def sample_square(sequence: str, points: int, count: int, seed: int = 0, first_p
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it.
         MemoryError: more than is free.
+
+    Example:
+        >>> u = ws.sample_square("sobol", points=2, count=256)
+        >>> print(u.shape, u.mean(axis=1).round(2).tolist())
+        (2, 256, 2) [[0.5, 0.5], [0.5, 0.5]]
     """
     record = sequences.get(sequence)
     points = check_integer(points, "points", 1, 2**63 - 1)
@@ -193,11 +220,11 @@ def sample_square(sequence: str, points: int, count: int, seed: int = 0, first_p
     return square
 
 
-def _check_active(active: Any, normals: Vectors) -> Array | None:
-    if active is None:
-        return None
-    mask = as_mask(active, "active", normals.shape)
-    return wp.array(mask, dtype=wp.uint8, device=normals.device) if isinstance(normals.owner, wp.array) else mask
+def _active_beside(normals: Vectors, active: Any) -> Array | None:
+    mask = check_active(active, normals.count)
+    if mask is None or isinstance(normals.owner, np.ndarray):
+        return mask
+    return wp.array(mask, dtype=wp.uint8, device=normals.device)
 
 
 def _check_device(device: Any, normals: Vectors) -> wp.Device:

@@ -13,25 +13,57 @@ _KNOWN = records_of(sys.modules[__name__])
 
 
 def names() -> list[str]:
-    """Names of all distributions, sorted."""
+    """Names of all distributions.
+
+    Returns:
+        the names, sorted; what `distribution=` takes.
+
+    Example:
+        >>> print(ws.distributions.names()[:3])
+        ['beckmann', 'cosine_hemisphere', 'ggx']
+    """
     return sorted(_KNOWN)
 
 
 def get(name: str) -> type[Distribution]:
     """The class of a distribution; calling it with the parameters makes one.
 
+    Args:
+        name: one of `names()`.
+
+    Returns:
+        the class, not an instance.
+
     Raises:
+        TypeError: not a string.
         ValueError: the name is not known; the message lists those that are.
+
+    Example:
+        >>> kind = ws.distributions.get("beckmann")
+        >>> print(kind(alpha=0.1), kind.measure)
+        Beckmann(alpha=0.1) per steradian
     """
     return look_up(_KNOWN, name, "distribution")
 
 
 def as_distribution(value: Any) -> Distribution:
-    """An instance as it is; a name with its defaults; or a name with parameters, as "beckmann(alpha=0.1)".
+    """The distribution that an argument of that name stands for.
+
+    Args:
+        value: an instance as it is; a name with its defaults; or a name with parameters, as "beckmann(alpha=0.1)".
+
+    Returns:
+        an instance.
 
     Raises:
         ValueError: an unknown name, or a value that the distribution refuses.
-        TypeError: neither a string nor an instance, or parameters that are missing, unknown or no literals.
+        TypeError: neither a string nor an instance, or parameters that are missing, unknown or not literals.
+
+    Example:
+        >>> print(ws.distributions.as_distribution("offset_disk"))
+        OffsetDisk()
+        >>> print(ws.distributions.as_distribution("beckmann(alpha=0.1)"))
+        Beckmann(alpha=0.1)
     """
     if isinstance(value, Distribution):
         return value
@@ -50,8 +82,19 @@ def as_distribution(value: Any) -> Distribution:
 def as_spatial(value: Any) -> Distribution:
     """As `as_distribution`, of directions in space.
 
+    Args:
+        value: an instance, a name, or a name with parameters.
+
+    Returns:
+        an instance whose directions have three components.
+
     Raises:
-        TypeError: one that lies in a plane.
+        ValueError: an unknown name, or a value that the distribution refuses.
+        TypeError: neither a string nor an instance, wrong parameters, or a distribution that lies in a plane.
+
+    Example:
+        >>> print(ws.distributions.as_spatial("ggx(alpha=0.5)").width)
+        3
     """
     distribution = as_distribution(value)
     if distribution.width != 3:

@@ -1,5 +1,9 @@
 """A distribution's functions in the one form that kernels call: its scalars in a struct, its map about a normal."""
 
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
 import warp as wp
 
 from warpsample.host.locks import once
@@ -17,6 +21,15 @@ class Parameters:
     x: wp.float32
     y: wp.float32
     z: wp.float32
+
+
+@lru_cache(maxsize=256)
+def packed(values: tuple[Any, ...]) -> Parameters:
+    """A scalar, or a scalar and a vector, as kernels take them; zeros where there are none."""
+    parameters = Parameters()
+    for field, value in zip(("scalar", "x", "y", "z"), np.hstack(values or (0.0,)), strict=False):
+        setattr(parameters, field, value)
+    return parameters
 
 
 @once

@@ -1,7 +1,6 @@
 """What a distribution says of itself, and its maps on arrays."""
 
 from dataclasses import dataclass
-from functools import lru_cache
 from math import pi
 from typing import Any, ClassVar
 
@@ -9,9 +8,9 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
-from warpsample.distributions.parameters import Parameters, about_frame, with_parameters
+from warpsample.distributions.parameters import Parameters, about_frame, packed, with_parameters
 from warpsample.host.arguments import check_number
-from warpsample.host.arrays import Array, as_ndarray, as_real, as_vectors, new_vectors
+from warpsample.host.arrays import Array, as_real, as_square, as_vectors, new_vectors
 from warpsample.host.engine import check_workers, run
 
 _VECTORS = {2: wp.vec2, 3: wp.vec3}
@@ -86,7 +85,15 @@ class Distribution:
 
     @classmethod
     def cases(cls) -> tuple["Distribution", ...]:
-        """Instances that every law is proven for, from ordinary to extreme."""
+        """Instances that every law is proven for, from ordinary to extreme.
+
+        Returns:
+            at least one instance.
+
+        Example:
+            >>> print(len(ws.GGX.cases()), ws.PowerCosine.cases()[0])
+            4 PowerCosine(exponent=0.0)
+        """
         return (cls(),)
 
     @property
@@ -116,15 +123,30 @@ class Distribution:
         Raises:
             TypeError: theta is not real numbers.
             NotImplementedError: no closed form is known.
+
+        Example:
+            >>> print(ws.CosineHemisphere().cdf(np.radians([0.0, 30.0, 45.0, 90.0])).round(2))
+            [0.   0.25 0.5  1.  ]
         """
         return self._cdf(np.clip(as_real(theta, "theta").astype(np.float64), 0.0 if self.width == 3 else -pi, pi))
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """`cdf` of float64 angles that can be."""
-        raise NotImplementedError(f"{self!r}: its density is not one of the angle alone")
+        raise NotImplementedError(f"{self!r}: its density does not depend on the angle alone")
 
     def seam(self, u: np.ndarray) -> np.ndarray:
-        """Mask of those u that `invert` cannot give back to float32 accuracy: by default the pole, which has no azimuth."""
+        """Which u `invert` cannot give back to float32 accuracy: by default those of the pole, which has no azimuth.
+
+        Args:
+            u: (..., 2) float, in [0, 1).
+
+        Returns:
+            (...) bool.
+
+        Example:
+            >>> print(ws.CosineHemisphere().seam(np.array([[0.0, 0.5], [0.5, 0.5]])))
+            [ True False]
+        """
         return u[..., 0] == 0.0
 
     def sample(self, u: Any) -> Array:
@@ -138,11 +160,14 @@ class Distribution:
             NumPy for NumPy, wp.array for wp.array.
 
         Raises:
-            TypeError: u is not floating-point.
-            ValueError: its last axis is not 2, or a value is outside [0, 1).
+            TypeError, ValueError: u is not floating-point, its last axis is not 2, or a value is outside [0, 1).
+
+        Example:
+            >>> w = ws.CosineHemisphere().sample(ws.sample_square("sobol", points=1, count=256))
+            >>> print(w.shape, f"{w[..., 2].mean():.2f}")  # the mean cosine is 2/3
+            (1, 256, 3) 0.67
         """
-        if not isinstance(u, wp.array):
-            u = _in_square(u)
+        u = u if isinstance(u, wp.array) else as_square(u, "u")
         return self._map(self.maps.sample, u, 2, self.width, "u")
 
     def pdf(self, w: Any) -> Array:
@@ -155,8 +180,11 @@ class Distribution:
             (...) float32, at least 0; 0 outside the support and where w is NaN.
 
         Raises:
-            TypeError: w is not floating-point.
-            ValueError: its last axis has another length.
+            TypeError, ValueError: w is not floating-point, or its last axis has another length.
+
+        Example:
+            >>> print(ws.CosineHemisphere().pdf(np.array([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])).round(4))  # 1 / pi; below: 0
+            [0.3183 0.    ]
         """
         return self._map(self.maps.pdf, w, self.width, 1, "w")
 
@@ -170,20 +198,40 @@ class Distribution:
             (..., 2) float32 in [0, 1).
 
         Raises:
-            TypeError: w is not floating-point.
-            ValueError: its last axis has another length.
+            TypeError, ValueError: w is not floating-point, or its last axis has another length.
             NotImplementedError: `sample` sends several u to one w.
+
+        Example:
+            >>> lobe = ws.GGX(alpha=0.3)
+            >>> print(lobe.invert(lobe.sample(np.array([[0.25, 0.75]]))).round(3))
+            [[0.25 0.75]]
         """
         if self.maps.invert is None:
-            raise NotImplementedError(f"{self!r}: sample sends several u to one w, so there is no way back")
+            raise NotImplementedError(f"{self!r}: sample sends several u to one w, so it has no inverse")
         return self._map(self.maps.invert, w, self.width, 2, "w")
 
     def kernel_parameters(self) -> Parameters:
-        """This instance's scalars as the kernels take them."""
-        return _pack(tuple(getattr(self, name) for name in self.parameters))
+        """This instance's scalars as the kernels take them.
+
+        Returns:
+            a struct of float32, a kernel's argument: another value compiles nothing.
+
+        Example:
+            >>> print(ws.GGX(alpha=0.5).kernel_parameters().scalar)
+            0.5
+        """
+        return packed(tuple(getattr(self, name) for name in self.parameters))
 
     def about(self) -> wp.Function:
-        """The `wp.func` (unit normal, u, Parameters) -> (world direction, pdf); none for what lies in a plane."""
+        """The map about a normal, for kernels; there is none for what lies in a plane.
+
+        Returns:
+            a `wp.func` (unit normal, u, Parameters) -> (world direction, pdf).
+
+        Example:
+            >>> print(type(ws.GGX(alpha=0.5).about()).__name__)  # called in a kernel, as about(n, u, parameters)
+            Function
+        """
         maps = self.maps
         if maps.about is not None:
             return maps.about
@@ -200,22 +248,3 @@ class Distribution:
             kernel = elementwise(bound, width, out_width)
             run(kernel, -(-source.count // block), inputs, source.device, check_workers(None), source.count)
         return target.owner
-
-
-@lru_cache(maxsize=256)
-def _pack(values: tuple[Any, ...]) -> Parameters:
-    parameters = Parameters()
-    for field, value in zip(("scalar", "x", "y", "z"), np.hstack(values or (0.0,)), strict=False):
-        setattr(parameters, field, value)
-    return parameters
-
-
-def _in_square(u: Any) -> Any:
-    """u, if its values are in [0, 1); float64 values that would round up to 1 become the float32 below it."""
-    array = as_ndarray(u, "u")
-    if array.dtype in (np.float32, np.float64) and array.size:
-        if not (array.min() >= 0.0 and array.max() < 1.0):
-            raise ValueError(f"u: got values from {array.min()} to {array.max()}, want [0, 1)")
-        if array.dtype == np.float64:
-            array = np.minimum(array.astype(np.float32), np.float32(1 - 2**-24))
-    return array

@@ -28,7 +28,15 @@ def irradiance(
     radiance: Any,
     count: int = 256,
     up: Any = (0.0, 0.0, 1.0),
-    **options: Any,
+    sequence: str = "fibonacci",
+    seed: int = 0,
+    first_point: int = 0,
+    active: Any = None,
+    tolerance: float | None = None,
+    skip: bool = True,
+    tracer: str = "auto",
+    workers: int | None = None,
+    progress: bool = False,
 ) -> Estimate:
     """The irradiance of light from afar that the mesh does not block; faces reflect none. pi under a radiance of 1.
 
@@ -41,17 +49,34 @@ def irradiance(
             coordinates. A small bright sun takes many rays: they are spread by the cosine alone.
         count: rays of each point; none is cast where the radiance is 0.
         up: (3,), of any length; only for a picture.
-        **options: sequence, seed, first_point, active, tolerance (in the result's unit), skip, tracer, workers and
-            progress of `ambient_occlusion`.
+        sequence: of the rays, a name of `warpsample.sequences.names()`.
+        seed: of 64 bits.
+        first_point: the global id of row 0.
+        active: (P,) bool; other points get 0 and a status.
+        tolerance: the standard error to reach, in the result's unit, as the root mean square over the points; by default
+            each point takes `count` rays.
+        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
+        tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
+        workers: threads, all cores by default.
+        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
     Returns:
-        value (P,), or (P, 3) for a radiance of three numbers, in the radiance's unit times steradian.
+        value (P,), or (P, 3) for a radiance of three numbers, in the radiance's unit times steradian, at least 0 where
+        the radiance is; its standard error, and for each point the rays cast and a status.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
         MemoryError: more than is free.
+
+    Example:
+        >>> mesh, sky = ws.load_mesh("courtyard"), np.linspace(2.0, 0.0, 16)[:, None].repeat(32, axis=1)  # bright above
+        >>> light = ws.irradiance(mesh, ws.sample_surface(mesh, 100), sky, 64)
+        >>> print(light.value.shape, 0.0 < light.value.min() < light.value.max() < 2.0 * np.pi)
+        (100,) True
     """
-    plan = Plan.of(mesh, points, count, **options)
+    plan = Plan.of(
+        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress=progress
+    )
     axis = as_unit(up, "up")
     if isinstance(radiance, wp.Function):
         colour = _gives_colour(radiance)

@@ -1,6 +1,6 @@
 """What all estimates share: the checked call, and how many rays its points take."""
 
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from math import inf
 from typing import Any
 
@@ -13,7 +13,7 @@ from warpsample.estimate.result import Estimate
 from warpsample.estimate.runner import Runner, rays_of
 from warpsample.estimate.weights import WeightsArgs
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_number, check_seed
-from warpsample.host.arrays import as_mask, cpu
+from warpsample.host.arrays import check_active, cpu, kind_told
 from warpsample.host.engine import check_memory, check_workers
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import Mesh, as_mesh
@@ -86,7 +86,6 @@ class Plan:
         tracer: str = "auto",
         workers: int | None = None,
         progress: bool = False,
-        **unknown: Any,
     ) -> "Plan":
         """The plan of a call's arguments.
 
@@ -94,11 +93,8 @@ class Plan:
             TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
             MemoryError: more than is free.
         """
-        if unknown:
-            known = ", ".join(item.name for item in fields(cls)[3:])
-            raise TypeError(f"{', '.join(unknown)}: got an unknown argument, want one of {known}")
         if not isinstance(points, SurfacePoints):
-            raise TypeError(f"points: got {type(points).__name__}, want SurfacePoints, as sample_surface gives them")
+            raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints, as sample_surface gives them")
         check_memory(_BYTES_PER_POINT * len(points), f"the numbers of {len(points):,} points", "take them in parts")
         return cls(
             as_mesh(mesh),
@@ -107,7 +103,7 @@ class Plan:
             sequences.get(sequence),
             check_seed(seed),
             check_first_point(first_point, len(points)),
-            None if active is None else as_mask(active, "active", (len(points),)),
+            check_active(active, len(points)),
             None if tolerance is None else check_number(tolerance, "tolerance", 1e-12, 1e12),
             check_flag(skip, "skip"),
             tracer_of(tracer, cpu()),

@@ -96,11 +96,28 @@ class Estimate:
 
         Raises:
             TypeError, ValueError: a level that is none.
+
+        Example:
+            >>> mesh = ws.load_mesh("courtyard")
+            >>> found = ws.ambient_occlusion(mesh, ws.sample_surface(mesh, 100), 64)
+            >>> lower, upper = found.interval(0.95)
+            >>> print(lower.shape, (lower < found.value).all(), (found.value < upper).all())
+            (100,) True True
         """
         return interval_of(self.value, self.spread, self.degrees_of_freedom, check_number(level, "level", 0.01, 0.9999))
 
     def counts(self) -> dict[PointStatus, int]:
-        """How many points have each status; those that occur."""
+        """How many points have each status; those that occur.
+
+        Returns:
+            {status: number of points, at least 1}.
+
+        Example:
+            >>> mesh, active = ws.load_mesh("courtyard"), np.arange(100) < 40
+            >>> found = ws.ambient_occlusion(mesh, ws.sample_surface(mesh, 100), 64, active=active)
+            >>> print({status.name: number for status, number in found.counts().items()})
+            {'OK': 40, 'INACTIVE': 60}
+        """
         return {PointStatus(code): int(n) for code, n in enumerate(np.bincount(self.status)) if n}
 
     def to_polydata(self, on: Any, at: Literal["vertices", "faces"] | None = None) -> "PolyData":
@@ -118,6 +135,12 @@ class Estimate:
             ModuleNotFoundError: PyVista is missing.
             TypeError: neither points nor a mesh.
             ValueError: another number of points, or as many vertices as faces and no `at`.
+
+        Example:
+            >>> mesh = ws.load_mesh("courtyard")
+            >>> found = ws.ambient_occlusion(mesh, ws.face_centers(mesh), 64)
+            >>> print(found.to_polydata(mesh).cell_data["value"].shape)
+            (2080,)
         """
         if at is not None:
             check_choice(at, "at", ("vertices", "faces"))

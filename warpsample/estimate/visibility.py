@@ -44,8 +44,8 @@ def ambient_occlusion(
             middle of a floor, off its edges, a point is in front of the wall.
         count: rays of each point, 2 to 2^24. Rounded down, so that all cells have as many: to a multiple of 2, from 32 on
             of 8, from 256 of 16, from 448 of 64, from 4,096 of 128, from 16,384 of 256.
-        max_distance: what is as far or farther does not occlude, in units of the coordinates.
-        falloff: what is met at a distance t occludes by (1 - t / max_distance)^falloff, so that there is no edge at
+        max_distance: hits at or beyond this distance are ignored, in units of the coordinates; by default there is no limit.
+        falloff: a hit at a distance t occludes by (1 - t / max_distance)^falloff, so that there is no edge at
             max_distance: ambient obscurance (Zhukov, Iones, Kronin 1998). 1 is a straight line.
         sequence: of the rays of each cell, a name of `warpsample.sequences.names()`.
         seed: of 64 bits.
@@ -54,11 +54,14 @@ def ambient_occlusion(
         tolerance: the standard error to reach, in the root mean square over the points. A trial of 64 rays says how many of
             `count` each point takes, and is forgotten, which keeps the result unbiased. For where the right count is not
             known: if it is, that many for every point are as fast, since open points cost little anyway.
-        skip: whether to look for what cannot be met: parts of the mesh below a point's horizon, and, from 32 rays on, cells
-            of its lobe where nothing is. Changes no bit; off, it takes two to three times as long.
+        skip: whether to look for what cannot be met: parts of the mesh below a point's horizon, and, from 32 rays on, empty
+            cells of its lobe. Changes no bit; off, it takes two to three times as long.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
         workers: threads, all cores by default.
         progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+
+    Returns:
+        value (P,) from 0 to 1, its standard error, and for each point the rays cast and a status.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
@@ -66,11 +69,17 @@ def ambient_occlusion(
 
     Warns:
         UserWarning: parts of the mesh are so far apart that its coordinates are too coarse for most of its faces.
+
+    Example:
+        >>> mesh = ws.load_mesh("courtyard")
+        >>> open_share = ws.ambient_occlusion(mesh, ws.sample_surface(mesh, 100), 64)
+        >>> print(open_share.value.shape, f"{open_share.value.mean():.1f}")
+        (100,) 0.7
     """
     plan = Plan.of(
         mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress=progress
     )
-    reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
+    reach = _reach(max_distance)
     if falloff is not None:
         falloff = check_number(falloff, "falloff", 0.0, 1000.0)
         if not 0.0 < reach < inf:
@@ -95,7 +104,15 @@ def sky_view_factor(
     count: int = 256,
     up: Any = (0.0, 0.0, 1.0),
     max_distance: float | None = None,
-    **options: Any,
+    sequence: str = "fibonacci",
+    seed: int = 0,
+    first_point: int = 0,
+    active: Any = None,
+    tolerance: float | None = None,
+    skip: bool = True,
+    tracer: str = "auto",
+    workers: int | None = None,
+    progress: bool = False,
 ) -> SkyView:
     """The cosine-weighted share of rays that escape upward: the irradiance under a uniform sky, over that of open ground.
 
@@ -106,16 +123,35 @@ def sky_view_factor(
         points: P of them; as for `ambient_occlusion`.
         count: rays of each point.
         up: (3,), of any length; rays below the plane across it do not see the sky, whatever they meet, and are not cast.
-        max_distance: what is as far or farther does not hide the sky.
-        **options: sequence, seed, first_point, active, tolerance, skip, tracer, workers and progress of
-            `ambient_occlusion`.
+        max_distance: hits at or beyond this distance are ignored, in units of the coordinates; by default there is no limit.
+        sequence: of the rays, a name of `warpsample.sequences.names()`.
+        seed: of 64 bits.
+        first_point: the global id of row 0.
+        active: (P,) bool; other points get 0 and a status.
+        tolerance: the standard error to reach, as the root mean square over the points; by default each takes `count` rays.
+        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
+        tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
+        workers: threads, all cores by default.
+        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+
+    Returns:
+        value (P,) from 0 to 1, its standard error, the share of the lobe below the horizon, and for each point the rays
+        cast and a status.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
         MemoryError: more than is free.
+
+    Example:
+        >>> mesh = ws.load_mesh("courtyard")
+        >>> sky = ws.sky_view_factor(mesh, ws.face_centers(mesh), 64, up=(0, 0, 1))
+        >>> print(sky.value.shape, f"{sky.value.max():.2f}", f"{sky.below_horizon.max():.2f}")  # a roof; an upright wall
+        (2080,) 1.00 0.50
     """
-    plan = Plan.of(mesh, points, count, **options)
-    reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
+    plan = Plan.of(
+        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress=progress
+    )
+    reach = _reach(max_distance)
     axis = as_unit(up, "up")
     found = plan.estimate(Quantity(above, binary=True, weights=vector_weights(axis), reach=reach))
     normal = np.asarray(points.normal, np.float64)
@@ -130,7 +166,15 @@ def bent_normals(
     points: SurfacePoints,
     count: int = 256,
     max_distance: float | None = None,
-    **options: Any,
+    sequence: str = "fibonacci",
+    seed: int = 0,
+    first_point: int = 0,
+    active: Any = None,
+    tolerance: float | None = None,
+    skip: bool = True,
+    tracer: str = "auto",
+    workers: int | None = None,
+    progress: bool = False,
 ) -> Estimate:
     """The mean of the directions that get away, cosine-weighted, (P, 3): of length 2/3 along the normal where it is open.
 
@@ -140,16 +184,36 @@ def bent_normals(
         mesh: a Mesh or whatever `as_mesh` takes.
         points: P of them; as for `ambient_occlusion`.
         count: rays of each point.
-        max_distance: what is as far or farther is not met.
-        **options: sequence, seed, first_point, active, tolerance (of each component), skip, tracer, workers and
-            progress of `ambient_occlusion`.
+        max_distance: hits at or beyond this distance are ignored, in units of the coordinates; by default there is no limit.
+        sequence: of the rays, a name of `warpsample.sequences.names()`.
+        seed: of 64 bits.
+        first_point: the global id of row 0.
+        active: (P,) bool; other points get 0 and a status.
+        tolerance: the standard error to reach in each component, as the root mean square over the points; by default each
+            point takes `count` rays.
+        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
+        tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
+        workers: threads, all cores by default.
+        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+
+    Returns:
+        value (P, 3), vectors in world coordinates, of length 0 where all is closed to about 2/3 where all is open; the
+        standard error of each component, and for each point the rays cast and a status.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
         MemoryError: more than is free.
+
+    Example:
+        >>> mesh = ws.load_mesh("courtyard")
+        >>> bent = ws.bent_normals(mesh, ws.sample_surface(mesh, 100), 64)
+        >>> print(bent.value.shape, f"{np.linalg.norm(bent.value, axis=1).max():.1f}")
+        (100, 3) 0.7
     """
-    plan = Plan.of(mesh, points, count, **options)
-    reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
+    plan = Plan.of(
+        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress=progress
+    )
+    reach = _reach(max_distance)
     return plan.estimate(Quantity(itself, channels=3, reach=reach))
 
 
@@ -157,3 +221,7 @@ def vector_weights(vector: tuple[float, float, float]) -> WeightsArgs:
     """What `weights.above` takes."""
     x, y, z = vector
     return WeightsArgs(x=x, y=y, z=z)
+
+
+def _reach(max_distance: Any) -> float:
+    return inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)

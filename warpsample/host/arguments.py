@@ -61,7 +61,7 @@ def check_file(value: Any, argument: str, wants: str) -> Path:
     try:
         flaw = "" if path.is_file() else "a folder" if path.is_dir() else "missing"
     except (OSError, ValueError):  # too long a name, a folder that may not be read, a zero byte
-        flaw = "not to be reached"
+        flaw = "out of reach"
     if flaw:
         raise FileNotFoundError(f"{argument}: got {str(path)!r}, which is {flaw}, want {wants}")
     return path

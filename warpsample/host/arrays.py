@@ -55,6 +55,13 @@ def address_of(array: Array) -> int:
     return array.ptr or 0 if isinstance(array, wp.array) else array.__array_interface__["data"][0]
 
 
+def kind_told(value: Any) -> str:
+    """What kind of thing `value` is, as a message shows it."""
+    if isinstance(value, wp.array):
+        return "a wp.array"
+    return "a NumPy array" if isinstance(value, np.ndarray) else f"a value of type {type(value).__name__}"
+
+
 def as_ndarray(value: Any, argument: str, wants: str = "an array") -> np.ndarray:
     """`value` as NumPy has it, without a copy where it is an array.
 
@@ -66,7 +73,7 @@ def as_ndarray(value: Any, argument: str, wants: str = "an array") -> np.ndarray
     try:
         return np.asarray(value)
     except Exception as error:  # whatever the value's own code raises
-        raise TypeError(f"{argument}: got {told(value)}, which makes no array ({error}), want {wants}") from error
+        raise TypeError(f"{argument}: got {told(value)}, which NumPy makes no array of ({error}), want {wants}") from error
 
 
 def _has_mask(value: Any) -> bool:
@@ -88,19 +95,38 @@ def as_real(value: Any, argument: str, wants: str = "real numbers") -> np.ndarra
         return array.astype(np.float64)
 
 
-def as_mask(value: Any, argument: str, shape: tuple[int, ...]) -> np.ndarray:
-    """`value` as uint8, C-contiguous, if it is an array of bool of that shape.
+def check_active(active: Any, points: int) -> np.ndarray | None:
+    """Which of the points count: a copy as (points,) uint8, C-contiguous; None if all do.
 
     Raises:
-        TypeError: of something else.
+        TypeError: not an array of bool (or of uint8, as Warp has it).
         ValueError: of another shape.
     """
-    mask = value.numpy() if isinstance(value, wp.array) else as_ndarray(value, argument, "bool")
+    if active is None:
+        return None
+    wants = f"an array of bool of shape {(points,)}, one for each point"
+    mask = active.numpy() if isinstance(active, wp.array) else as_ndarray(active, "active", wants)
     if mask.dtype not in (np.bool_, np.uint8):
-        raise TypeError(f"{argument}: got dtype {mask.dtype}, want bool")
-    if mask.shape != shape:
-        raise ValueError(f"{argument}: got shape {mask.shape}, want {shape}, one for each point")
+        raise TypeError(f"active: got {f'dtype {mask.dtype}' if mask.ndim else told(active)}, want {wants}")
+    if mask.shape != (points,):
+        raise ValueError(f"active: got shape {mask.shape}, want {wants}")
     return np.array(mask, order="C").view(np.uint8)  # a copy: it may lie where results are written to
+
+
+def as_square(value: Any, argument: str) -> np.ndarray:
+    """`value`, if its numbers are in [0, 1); float64 ones that would round up to 1 become the float32 below it.
+
+    Raises:
+        TypeError: not an array.
+        ValueError: numbers outside of [0, 1).
+    """
+    array = as_ndarray(value, argument)
+    if array.dtype in (np.float32, np.float64) and array.size:
+        if not (array.min() >= 0.0 and array.max() < 1.0):
+            raise ValueError(f"{argument}: got values from {array.min()} to {array.max()}, want values in [0, 1)")
+        if array.dtype == np.float64:
+            array = np.minimum(array.astype(np.float32), np.float32(1 - 2**-24))
+    return array
 
 
 def as_unit(value: Any, argument: str, wants: str = "three finite numbers, not all 0") -> tuple[float, float, float]:
@@ -212,9 +238,9 @@ def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
             raise ValueError(f"out: got an array that is {flaw}, want {want}")
         vectors = Vectors(out, out.shape[:-1], out.shape[-1] if out.ndim else 0, like.device)
     else:
-        raise TypeError(f"out: got {type(out).__name__}, want {type(like.owner).__name__}, the kind of the normals")
+        raise TypeError(f"out: got {kind_told(out)}, want {kind_told(like.owner)}, as the normals are")
     if (*vectors.shape, vectors.width) != (*shape, 3):
         raise ValueError(f"out: got shape {(*vectors.shape, vectors.width)}, want {want}")
     if vectors.address < like.address + 12 * like.count and like.address < vectors.address + 12 * vectors.count:
-        raise ValueError("out: got an array that overlaps the normals, want one of its own")
+        raise ValueError("out: got an array that overlaps the normals, want one apart from them")
     return vectors

@@ -189,7 +189,7 @@ def _flaw(path: Path, inputs: list[Path]) -> str:
         kinds = {
             "which is a folder, want a file": stat.S_ISDIR(mode),
             "whose folder does not exist": not target.parent.is_dir(),
-            "which is no ordinary file": mode and not stat.S_ISREG(mode),
+            "which is not an ordinary file": mode and not stat.S_ISREG(mode),
             "which may not be written": mode and not os.access(target, os.W_OK),
         }
         for flaw, found in kinds.items():

@@ -5,10 +5,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from warpsample.host.arrays import as_ndarray, as_real
+from warpsample.host.arrays import as_ndarray, as_real, kind_told
 from warpsample.host.locks import once_property, read_only
 from warpsample.mesh.polydata import surface
 from warpsample.mesh.polygons import triangles
+from warpsample.mesh.report import MeshReport, report_of
 
 if TYPE_CHECKING:
     from pyvista import PolyData
@@ -19,37 +20,6 @@ LARGEST = 1e36
 _SMALLEST = 1e-140  # of a mesh with areas
 _LEAST_SQUARE = 1e-280  # that has all its digits
 _SLIVER = 2.0**-48  # of abs(e1) abs(e2): below 16 roundings of the cross product the normal is noise
-
-
-@dataclass(frozen=True)
-class MeshReport:
-    """What is notable about a mesh.
-
-    Attributes:
-        vertices: how many.
-        faces: how many, degenerate ones included.
-        degenerate_faces: whose area is 0 or lost to rounding; they carry no points and have a zero normal.
-        duplicate_faces: that have the same three vertices as an earlier face, in any order.
-        unreferenced_vertices: that no face uses.
-        boundary_edges: with one face.
-        nonmanifold_edges: with more than two.
-        inconsistent_edges: that two faces run along in the same direction, so one of them is inside out.
-        area: of all faces, in square units of the coordinates.
-        lower: smallest coordinates of the vertices that faces use, (3,).
-        upper: largest coordinates of them, (3,).
-    """
-
-    vertices: int
-    faces: int
-    degenerate_faces: int
-    duplicate_faces: int
-    unreferenced_vertices: int
-    boundary_edges: int
-    nonmanifold_edges: int
-    inconsistent_edges: int
-    area: float
-    lower: np.ndarray
-    upper: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,6 +33,11 @@ class Mesh:
     Raises:
         TypeError: vertices are not real numbers or faces not whole ones.
         ValueError: wrong shapes, no faces, an index that no vertex has, a coordinate that is not finite or beyond 1e36.
+
+    Example:
+        >>> mesh = ws.Mesh([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]], [[0, 1, 2]])
+        >>> print(mesh.face_areas, mesh.face_normals, mesh.report.boundary_edges)
+        [2.] [[0. 0. 1.]] 3
     """
 
     vertices: np.ndarray
@@ -82,8 +57,16 @@ class Mesh:
     def to_polydata(self) -> "PolyData":
         """The triangles as PyVista's PolyData.
 
+        Returns:
+            a copy of the vertices and the faces, in the same order.
+
         Raises:
             ModuleNotFoundError: PyVista is missing.
+
+        Example:
+            >>> made = ws.load_mesh("courtyard").to_polydata()
+            >>> print(made.n_points, made.n_cells)
+            1089 2080
         """
         return surface(self.vertices, self.faces)
 
@@ -113,7 +96,9 @@ class Mesh:
             ValueError: the mesh is so small that areas have no float64.
         """
         if 0.0 < np.ptp(self.bounds, axis=0).max() < _SMALLEST:
-            raise ValueError(f"mesh: got one of size {np.ptp(self.bounds, axis=0).max():.3g}, want at least {_SMALLEST:g}")
+            raise ValueError(
+                f"mesh: got a mesh of size {np.ptp(self.bounds, axis=0).max():.3g}, want at least {_SMALLEST:g}"
+            )
         corner, first, second = (self.vertices[self.faces[:, k]] for k in range(3))
         first -= corner
         second -= corner
@@ -141,32 +126,27 @@ class Mesh:
     @once_property
     def report(self) -> MeshReport:
         """What is notable about this mesh; takes a sort of all edges."""
-        start = self.faces.ravel().astype(np.int64)
-        end = self.faces[:, [1, 2, 0]].ravel().astype(np.int64)
-        stride = len(self.vertices)
-        _, uses = np.unique(np.minimum(start, end) * stride + np.maximum(start, end), return_counts=True)
-        _, same_way = np.unique(start * stride + end, return_counts=True)
-        return MeshReport(
-            vertices=len(self.vertices),
-            faces=len(self.faces),
-            degenerate_faces=int(np.count_nonzero(self.face_areas == 0.0)),
-            duplicate_faces=len(self.faces) - len(np.unique(np.sort(self.faces, axis=1), axis=0)),
-            unreferenced_vertices=int(np.count_nonzero(~self.used)),
-            boundary_edges=int(np.count_nonzero(uses == 1)),
-            nonmanifold_edges=int(np.count_nonzero(uses > 2)),
-            inconsistent_edges=int(np.count_nonzero(same_way > 1)),
-            area=float(self.face_areas.sum()),
-            lower=self.bounds[0],
-            upper=self.bounds[1],
-        )
+        return report_of(self)
 
 
 def as_mesh(mesh: Any) -> Mesh:
-    """What users hold, as a Mesh: Mesh, (vertices, faces), pyvista.PolyData, trimesh.Trimesh or meshio.Mesh.
+    """What other libraries hold, as a Mesh.
+
+    Args:
+        mesh: a Mesh, which is given back as it is; a tuple (vertices, faces); a pyvista.PolyData, a trimesh.Trimesh or a
+            meshio.Mesh. Polygons are cut into triangles.
+
+    Returns:
+        the checked mesh; what it was made of may change later, it does not.
 
     Raises:
         TypeError: something else.
-        ValueError: what it holds is no valid triangle mesh.
+        ValueError: what it holds is not a valid triangle mesh.
+
+    Example:
+        >>> mesh = ws.as_mesh((np.eye(3), np.array([[0, 1, 2]])))  # or ws.as_mesh(pyvista.Sphere())
+        >>> print(len(mesh.faces), mesh.face_areas.round(3))
+        1 [0.866]
     """
     return mesh_of(mesh, "mesh", "a warpsample.Mesh")
 
@@ -185,7 +165,7 @@ def mesh_of(value: Any, argument: str, wants: str) -> Mesh:
     if hasattr(value, "points") and hasattr(value, "cells"):
         return Mesh(value.points, _faces_of_cells(value, argument))
     raise TypeError(
-        f"{argument}: got {type(value).__name__}, want {wants}, a tuple (vertices, faces), "
+        f"{argument}: got {kind_told(value)}, want {wants}, a tuple (vertices, faces), "
         "a pyvista.PolyData, a trimesh.Trimesh or a meshio.Mesh"
     )
 
@@ -199,7 +179,7 @@ def _faces_of_cells(value: Any, argument: str) -> np.ndarray:
     blocks = [block for block in value.cells if block.type != "vertex" and not block.type.startswith("line")]
     others = sorted({block.type for block in blocks} - {"triangle", "quad", "polygon"})
     if others:
-        raise ValueError(f"{argument}: got cells of type {', '.join(others)}, want triangle, quad and polygon alone")
+        raise ValueError(f"{argument}: got cells of type {', '.join(others)}, want only triangle, quad and polygon")
     lengths = [np.array([len(face) for face in block.data], np.int64) for block in blocks if len(block.data)]
     corners = [np.concatenate([np.asarray(face) for face in block.data]) for block in blocks if len(block.data)]
     if not corners:
@@ -207,7 +187,7 @@ def _faces_of_cells(value: Any, argument: str) -> np.ndarray:
     try:
         return triangles(np.asarray(value.points, np.float64), np.concatenate(lengths), np.concatenate(corners))
     except ValueError as error:
-        raise ValueError(f"{argument}: got a meshio.Mesh of cells that are no faces: {error}") from None
+        raise ValueError(f"{argument}: got a meshio.Mesh whose cells are not faces: {error}") from None
 
 
 def unit_or_zero(vectors: np.ndarray) -> np.ndarray:
@@ -237,7 +217,7 @@ def _check_vertices(vertices: np.ndarray) -> np.ndarray:
         first = int(np.argmax(broken))
         flaw = "not finite" if not np.isfinite(vertices[broken]).all() else f"beyond {LARGEST:g}"
         raise ValueError(
-            f"vertices: got {broken.sum()} that are {flaw}, the first being number {first}, {vertices[first]}, "
+            f"vertices: got coordinates that are {flaw}, the first in row {first}, {vertices[first]}, "
             f"want coordinates from {-LARGEST:g} to {LARGEST:g}"
         )
     return vertices
@@ -253,6 +233,7 @@ def _check_faces(faces: np.ndarray, vertices: int) -> np.ndarray:
     if outside.any():
         first = int(np.argmax(outside.any(axis=1)))
         raise ValueError(
-            f"faces: got {outside.sum()} indices outside 0 to {vertices - 1}, the first in face {first}, {faces[first]}"
+            f"faces: got indices from {faces.min()} to {faces.max()}, the first wrong one in face {first}, {faces[first]}, "
+            f"want 0 to {vertices - 1}"
         )
     return faces if faces.dtype == np.int32 else read_only(faces.astype(np.int32))

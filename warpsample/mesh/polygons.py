@@ -20,7 +20,7 @@ def triangles(points: np.ndarray, counts: np.ndarray, indices: np.ndarray) -> np
         raise ValueError(f"face {np.argmax(counts < 3)} has {counts[counts < 3][0]} corners")
     if len(indices) and not (indices.min() >= 0 and indices.max() < len(points)):
         outside = (indices < 0) | (indices >= len(points))
-        raise ValueError(f"a face has the vertex {indices[np.argmax(outside)]:,}, and there are {len(points):,}, from 0 on")
+        raise ValueError(f"a face has the vertex {indices[np.argmax(outside)]:,}, but they are 0 to {len(points) - 1:,}")
     if (counts == 3).all():
         return indices.reshape(-1, 3)
     counts = counts.astype(np.int64)

@@ -15,7 +15,8 @@ from warpsample.mesh.polydata import cloud
 if TYPE_CHECKING:
     from pyvista import PolyData
 
-_BYTES_PER_POINT = 24 + 12 + 4
+BYTES_PER_POINT = 24 + 12 + 4
+"""Of memory: position, normal and face."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,6 +33,12 @@ class SurfacePoints:
     Raises:
         TypeError: not real numbers, or faces that are not whole ones.
         ValueError: shapes that do not agree, or faces below -1.
+
+    Example:
+        >>> eyes = ws.SurfacePoints(position=[[36.0, 36.0, 1.7], [3.0, 3.0, 1.7]], normal=[[0, 0, 1], [0, 0, 1]])
+        >>> sky = ws.sky_view_factor(ws.load_mesh("courtyard"), eyes, 256)  # in the yard, and outside
+        >>> print(sky.value.round(1))
+        [0.4 1. ]
     """
 
     position: np.ndarray
@@ -51,7 +58,7 @@ class SurfacePoints:
         shapes = {"normal": (points, 3), "face": (points,), "barycentric": (points, 3)}
         for name, array in fields.items():
             if array is not None and array.shape != shapes.get(name, array.shape):
-                raise ValueError(f"{name}: got shape {array.shape}, want {shapes[name]} like position")
+                raise ValueError(f"{name}: got shape {array.shape}, want {shapes[name]}, a row for each position")
             object.__setattr__(self, name, array)
 
     def __len__(self) -> int:
@@ -61,8 +68,16 @@ class SurfacePoints:
     def to_polydata(self) -> "PolyData":
         """The points as PyVista's PolyData, row for row: "Normals", "face", and "barycentric" where kept.
 
+        Returns:
+            a point for each row, with these as arrays of point data.
+
         Raises:
             ModuleNotFoundError: PyVista is missing.
+
+        Example:
+            >>> made = ws.sample_surface(ws.load_mesh("courtyard"), 100).to_polydata()
+            >>> print(made.n_points, sorted(made.point_data))
+            100 ['Normals', 'face']
         """
         return cloud(self.position, self.normal, face=self.face, barycentric=self.barycentric)
 
@@ -96,13 +111,19 @@ def sample_surface(
         MemoryError: more than is free.
 
     Source: Turk 1990, "Generating Random Points in Triangles", method 2.
+
+    Example:
+        >>> mesh = ws.load_mesh("courtyard")
+        >>> points = ws.sample_surface(mesh, 100, seed=1)
+        >>> print(points.position.shape, points.normal.shape, points.face.max() < len(mesh.faces))
+        (100, 3) (100, 3) True
     """
     mesh, barycentric = as_mesh(mesh), check_flag(barycentric, "barycentric")
     count = check_integer(count, "count", 1, 2**31 - 1)
     seed, first_point, workers = check_seed(seed), check_first_point(first_point, count), check_workers(workers)
     if not mesh.face_areas.any():
-        raise ValueError(f"mesh: got {len(mesh.faces)} faces without any area, want at least one triangle that has some")
-    size = count * (_BYTES_PER_POINT + (24 if barycentric else 0))
+        raise ValueError("mesh: got a mesh whose faces have no area, want at least one that has")
+    size = count * (BYTES_PER_POINT + (24 if barycentric else 0))
     check_memory(size, f"{count:,} surface points", "take them in parts with first_point")
     position, face, weights = (
         np.empty((count, 3)),
@@ -122,6 +143,17 @@ def face_centers(mesh: Any) -> SurfacePoints:
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
+
+    Returns:
+        position (F, 3) float64, normal (F, 3) float32 of unit length or zero, face, barycentric.
+
+    Raises:
+        TypeError, ValueError: not a triangle mesh; names it.
+
+    Example:
+        >>> points = ws.face_centers(ws.load_mesh("courtyard"))
+        >>> print(points.position.shape, points.face[:3])
+        (2080, 3) [0 1 2]
     """
     mesh = as_mesh(mesh)
     position = mesh.vertices[mesh.faces].mean(axis=1)
@@ -134,6 +166,17 @@ def vertex_points(mesh: Any) -> SurfacePoints:
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
+
+    Returns:
+        position (V, 3) float64, normal (V, 3) float32 of unit length or zero; the face is -1.
+
+    Raises:
+        TypeError, ValueError: not a triangle mesh; names it.
+
+    Example:
+        >>> points = ws.vertex_points(ws.load_mesh("courtyard"))
+        >>> print(points.position.shape, np.linalg.norm(points.normal, axis=1).round(3).min())
+        (1089, 3) 1.0
     """
     mesh = as_mesh(mesh)
     return SurfacePoints(mesh.vertices.copy(), mesh.vertex_normals.copy())
@@ -144,5 +187,5 @@ def _check_face(value: Any) -> np.ndarray:
     if face.dtype.kind not in "iu" and face.size:
         raise TypeError(f"face: got {f'dtype {face.dtype}' if face.ndim else told(value)}, want whole numbers")
     if face.size and not (face.min() >= -1 and face.max() < 2**31):
-        raise ValueError(f"face: got numbers from {face.min()} to {face.max()}, want -1 (none) to the last of the mesh")
+        raise ValueError(f"face: got numbers from {face.min()} to {face.max()}, want -1 (none) or the number of a face")
     return face.astype(np.int32, copy=False)

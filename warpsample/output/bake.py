@@ -10,15 +10,14 @@ from warpsample.estimate.irradiance import irradiance
 from warpsample.estimate.picture import read_picture
 from warpsample.estimate.result import Estimate, PointStatus, Skipped
 from warpsample.estimate.visibility import ambient_occlusion, sky_view_factor
-from warpsample.host.arguments import check_integer
 from warpsample.host.files import check_output, complete_or_absent
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.mesh import Mesh
-from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.baked import WRITERS, Baked, Run, check_glb
+from warpsample.output.places import check_places, points_on
 
 QUANTITIES = {"ao": "ambient occlusion", "sky": "sky view factor", "irradiance": "irradiance"}
-PLACEMENTS = {"vertices": vertex_points, "faces": face_centers, "surface": sample_surface}
 SUFFIXES = tuple(WRITERS)
 
 RAYS_PER_PART = 1 << 22
@@ -40,7 +39,7 @@ def bake(run: Run) -> str:
     mesh = load_mesh(run.mesh)
     if run.output.suffix == ".glb":
         check_glb(run, mesh)
-    points = sample_surface(mesh, run.points, run.options["seed"]) if run.at == "surface" else PLACEMENTS[run.at](mesh)
+    points = points_on(mesh, run.points, run.at, run.options["seed"])
     estimate = _quantity(run, mesh)
     estimate(_slice(points, 0, 1), 0)  # builds the tree and the kernel
     start = perf_counter()
@@ -55,11 +54,16 @@ def _check(run: Run) -> None:
     if run.output.suffix not in SUFFIXES:
         raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
     check_output(run.output, "--output", run.mesh, run.environment)
-    if run.at == "surface" and run.output.suffix in (".ply", ".glb"):
-        raise ValueError(f"--output: got {run.output.name!r} for points, want .vtp, .npz or .csv: it holds faces")
-    if (run.environment is None) == (run.quantity == "irradiance"):
-        raise ValueError(f"--environment: got {run.environment} for {run.quantity}, want a picture for irradiance alone")
-    check_integer(run.points, "--points", 1, 2**31 - 1)
+    check_places(run.points, run.at)
+    if run.points is not None and run.output.suffix in (".ply", ".glb"):
+        raise ValueError(
+            f"--output: got {run.output.name!r} for --points, want .vtp, .npz or .csv; "
+            f"a {run.output.suffix} holds the numbers of vertices or faces (--at)"
+        )
+    if run.environment is None and run.quantity == "irradiance":
+        raise ValueError("--environment: got None for irradiance, want a picture of the light, .hdr or .npy")
+    if run.environment is not None and run.quantity != "irradiance":
+        raise ValueError(f"--environment: got {run.environment} for {run.quantity}; it applies only to irradiance")
 
 
 def _quantity(run: Run, mesh: Mesh) -> Callable[[SurfacePoints, int], Estimate]:
@@ -115,19 +119,19 @@ def _join(parts: list[Estimate]) -> Estimate:
 def _summary(run: Run, found: Estimate, seconds: float) -> str:
     good = found.status == 0
     cast, skipped = int(found.rays.sum(dtype=np.int64)), found.skipped
-    lines = [f"{run.output}: {QUANTITIES[run.quantity]} of {len(good):,} {'points' if run.at == 'surface' else run.at}"]
+    lines = [f"{run.output}: {QUANTITIES[run.quantity]} of {len(good):,} {run.at or 'points'}"]
     if good.any():
         error = float(np.sqrt(np.mean(np.square(found.standard_error[good]))))
         lines.append(f"mean {found.value[good].mean():.4f}; standard error {error:.2g}, root mean square over the points")
     lines.append(f"{cast:,} rays cast in {seconds:.2f} s, {cast / max(seconds, 1e-9) / 1e6:.1f} million a second")
     told = {
-        "where nothing is": skipped.empty_rays,
+        "in empty cells": skipped.empty_rays,
         "without weight": skipped.weightless_rays,
         "not needed for the tolerance": skipped.unneeded_rays,
     }
     lines.append("rays skipped: " + ", ".join(f"{n:,} {why}" for why, n in told.items() if n) if any(told.values()) else "")
     if skipped.open_points:
-        lines.append(f"points that no ray was cast from: {skipped.open_points:,}")
+        lines.append(f"{skipped.open_points:,} {'point' if skipped.open_points == 1 else 'points'} needed no rays")
     bad = {status: n for status, n in found.counts().items() if status != PointStatus.OK}
     if bad:
         lines.append("points without a number: " + ", ".join(f"{n:,} {status.name.lower()}" for status, n in bad.items()))

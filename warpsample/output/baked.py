@@ -30,8 +30,8 @@ class Run:
         mesh: the mesh file.
         output: the file to write, of WRITERS.
         quantity: of bake.QUANTITIES.
-        at: of bake.PLACEMENTS.
-        points: how many, of the placement "surface".
+        at: of places.PLACES; None: on the surface, uniform by area.
+        points: how many on the surface; None: what `at` says.
         samples: rays of each point.
         environment: the picture of the light, .hdr or .npy; for irradiance.
         up: the sky's axis.
@@ -41,8 +41,8 @@ class Run:
     mesh: Path
     output: Path
     quantity: str
-    at: str
-    points: int
+    at: str | None
+    points: int | None
     samples: int
     environment: Path | None
     up: tuple[float, float, float]
@@ -156,7 +156,7 @@ def _repeated(array: np.ndarray, times: int, dtype: type) -> Lazy:
 
 def _write_vtp(file: BinaryIO, baked: Baked) -> None:
     points, arrays = baked.points, _arrays(baked.found)
-    if baked.run.at == "surface":
+    if baked.run.at is None:
         write_vtp(file, points.position, None, {"Normals": points.normal, "face": points.face, **arrays}, {})
     else:
         data = ({}, arrays) if baked.run.at == "faces" else (arrays, {})

@@ -19,9 +19,9 @@ from warpsample.host.engine import check_memory, check_workers
 from warpsample.host.files import check_output, complete_or_absent, write_array
 from warpsample.mesh.examples import content_of
 from warpsample.mesh.files import load_mesh
-from warpsample.mesh.mesh import Mesh
-from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_ply, write_vtp
+from warpsample.output.places import check_places, points_on
 from warpsample.sequences import get as get_sequence
 
 SUFFIXES = (".npz", ".vtp", ".ply")
@@ -41,22 +41,22 @@ class Run:
     Attributes:
         mesh: the mesh file.
         output: the file, of SUFFIXES.
-        count: surface points; only for the placement "surface".
+        points: how many on the surface, uniform by area; None: what `at` says.
         samples: directions at each point.
         distribution: a name with its defaults, or with parameters as "beckmann(alpha=0.1)".
         sequence: a name.
         seed: of points and directions.
-        placement: "surface" (uniform by area), "faces" (centres) or "vertices".
+        at: "vertices" or "faces" (centres); None: on the surface.
     """
 
     mesh: Path
     output: Path
-    count: int
+    points: int | None
     samples: int
     distribution: str
     sequence: str
     seed: int
-    placement: str
+    at: str | None
 
 
 def export(run: Run, workers: int | None = None) -> str:
@@ -78,7 +78,7 @@ def export(run: Run, workers: int | None = None) -> str:
     _check(run)
     check_workers(workers)
     mesh = load_mesh(run.mesh)
-    points = _place(mesh, run)
+    points = points_on(mesh, run.points, run.at, run.seed)
     with complete_or_absent(run.output) as file:
         if run.output.suffix == ".npz":
             status = _write_archive(file, points, run, workers)
@@ -109,7 +109,7 @@ def _write_archive(file: BinaryIO, points: SurfacePoints, run: Run, workers: int
 def _write_cloud(file: BinaryIO, scale: float, points: SurfacePoints, run: Run, workers: int | None) -> np.ndarray:
     size = len(points) * run.samples * _BYTES_IN_CLOUD
     check_memory(
-        size, f"a cloud of {len(points) * run.samples:,} directions", "take fewer, or write .npz, which is streamed"
+        size, f"the {len(points) * run.samples:,} directions of the cloud", "take fewer, or write .npz, which is streamed"
     )
     found = sample_directions(points, run.samples, run.distribution, run.sequence, run.seed, workers=workers)
     rows = np.flatnonzero(found.status == 0)
@@ -131,19 +131,11 @@ def _check(run: Run) -> None:
     if run.output.suffix not in SUFFIXES:
         raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
     check_output(run.output, "--output", run.mesh)
-    check_integer(run.count, "--count", 1, 2**31 - 1)
+    check_places(run.points, run.at)
     check_integer(run.samples, "--samples", 1, 2**31 - 1)
     check_seed(run.seed)
     as_spatial(run.distribution)
     get_sequence(run.sequence)
-
-
-def _place(mesh: Mesh, run: Run) -> SurfacePoints:
-    if run.placement == "faces":
-        return face_centers(mesh)
-    if run.placement == "vertices":
-        return vertex_points(mesh)
-    return sample_surface(mesh, run.count, run.seed)
 
 
 def _parts(points: SurfacePoints, run: Run, workers: int | None) -> Iterator[tuple[int, Directions]]:

@@ -133,8 +133,17 @@ def refit(mesh: Any, vertices: Any, workers: int | None = None) -> Mesh:
         vertices: (V, 3), as many as before.
         workers: threads, all cores by default.
 
+    Returns:
+        the moved mesh; the one that was given stays as it is.
+
     Raises:
         TypeError, ValueError: vertices that are not V finite points.
+
+    Example:
+        >>> mesh = ws.load_mesh("courtyard")
+        >>> raised = ws.refit(mesh, mesh.vertices + np.array([0.0, 0.0, 2.0]))
+        >>> print(mesh.bounds[0], raised.bounds[0])
+        [0. 0. 0.] [0. 0. 2.]
     """
     mesh, workers = as_mesh(mesh), check_workers(workers)
     vertices = as_real(vertices, "vertices")

@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.host.arguments import check_flag, check_number
-from warpsample.host.arrays import Array, address_of
+from warpsample.host.arrays import Array, address_of, kind_told
 from warpsample.host.engine import check_memory, check_workers
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import as_mesh
@@ -77,11 +77,18 @@ def trace(
         progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
     Returns:
-        distance and face, of the directions' shape without the last axis.
+        distance, at least 0 and inf where nothing is met, and face, -1 there; of the directions' shape without the last
+        axis.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
         MemoryError: more than is free.
+
+    Example:
+        >>> mesh = ws.load_mesh("courtyard")
+        >>> hits = ws.trace(mesh, np.array([36.0, 36.0, 100.0]), np.array([[0.0, 0.0, -1.0], [0.0, 0.0, 1.0]]))
+        >>> print(hits.distance, hits.face >= 0)  # down into the yard, up into the sky
+        [100.  inf] [ True False]
     """
     mesh, workers = as_mesh(mesh), check_workers(workers)
     any_hit, progress = check_flag(any_hit, "any_hit"), check_flag(progress, "progress")
@@ -128,6 +135,6 @@ def _check_pair(start: Triples, way: Triples) -> None:
         )
     if start.device != way.device or isinstance(start.owner, wp.array) != isinstance(way.owner, wp.array):
         raise ValueError(
-            f"directions: got a {type(way.owner).__name__} on {way.device}, "
-            f"want a {type(start.owner).__name__} on {start.device}, as the origins are"
+            f"directions: got {kind_told(way.owner)} on {way.device}, "
+            f"want {kind_told(start.owner)} on {start.device}, as the origins are"
         )

@@ -48,7 +48,7 @@ class WarpsampleAccessor:
             points: so many points, uniform by area; by default the dataset's own, with their area-weighted normals.
             scale: length of a direction in the cloud, in the dataset's unit; by default 5 % of its diagonal.
             seed: of points and directions.
-            options: of `warpsample.sample_directions`: sequence, pdf, active, workers.
+            **options: as `warpsample.sample_directions` takes them: sequence, pdf, active, workers, progress.
 
         Returns:
             a point at position + scale * direction for each direction, with "Normals" (the direction), "point" (the row of
@@ -56,6 +56,12 @@ class WarpsampleAccessor:
 
         Raises:
             TypeError, ValueError: an argument that cannot be used; names it.
+
+        Example:
+            >>> surface = ws.load_mesh("courtyard").to_polydata()
+            >>> cloud = surface.warpsample.sample_directions(16, points=10, pdf=True)
+            >>> print(cloud.n_points, sorted(cloud.point_data))
+            160 ['Normals', 'pdf', 'point']
         """
         length = CLOUD_SCALE * self.mesh.diagonal if scale is None else check_scale(scale)
         if points is None:
@@ -65,28 +71,48 @@ class WarpsampleAccessor:
         return sample_directions(at, count, distribution, seed=seed, **options).to_polydata(at, length)
 
     def ambient_occlusion(self, count: int = 256, at: At = "vertices", **options: Any) -> pv.PolyData:
-        """A copy of the dataset with "ambient_occlusion" (1: open), "standard_error", "rays" and "status".
+        """Ambient occlusion at the vertices or the faces, on a copy of the dataset.
 
         Args:
             count: rays of each point.
             at: "vertices" gives point data, "faces" cell data; faces are those of `mesh`.
-            options: of `warpsample.ambient_occlusion`.
+            **options: as `warpsample.ambient_occlusion` takes them: max_distance, falloff, sequence,
+                seed, active, tolerance, skip, tracer, workers, progress.
+
+        Returns:
+            "ambient_occlusion" (0: closed in, to 1: open), "standard_error", "rays", "status" and what else an `Estimate`
+            has, as point or cell data.
 
         Raises:
             TypeError, ValueError: an argument that cannot be used; names it.
+
+        Example:
+            >>> shaded = ws.load_mesh("courtyard").to_polydata().warpsample.ambient_occlusion(64, at="faces")
+            >>> print(shaded.n_cells, shaded.cell_data["ambient_occlusion"].shape)
+            2080 (2080,)
         """
         return self._with("ambient_occlusion", at, ambient_occlusion(self.mesh, self._points(at), count, **options))
 
     def sky_view_factor(self, count: int = 256, at: At = "vertices", **options: Any) -> pv.PolyData:
-        """A copy of the dataset with "sky_view_factor", "standard_error", "below_horizon", "rays" and "status".
+        """The sky view factor at the vertices or the faces, on a copy of the dataset.
 
         Args:
             count: rays of each point.
             at: "vertices" gives point data, "faces" cell data; faces are those of `mesh`.
-            options: of `warpsample.sky_view_factor`.
+            **options: as `warpsample.sky_view_factor` takes them: up, max_distance, sequence,
+                seed, active, tolerance, skip, tracer, workers, progress.
+
+        Returns:
+            "sky_view_factor" (0: no sky, to 1: all of it), "standard_error", "below_horizon", "rays", "status" and what
+            else a `SkyView` has, as point or cell data.
 
         Raises:
             TypeError, ValueError: an argument that cannot be used; names it.
+
+        Example:
+            >>> seen = ws.load_mesh("courtyard").to_polydata().warpsample.sky_view_factor(64, up=(0, 0, 1))
+            >>> print(seen.n_points, seen.point_data["sky_view_factor"].shape)
+            1089 (1089,)
         """
         return self._with("sky_view_factor", at, sky_view_factor(self.mesh, self._points(at), count, **options))
 

@@ -29,11 +29,11 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
     tree, chunk = _parts(path.read_bytes()) if is_binary else (json.loads(path.read_bytes()), memoryview(b""))
     needed = _EXTENSIONS & set(tree.get("extensionsUsed", []))
     if needed:
-        raise ValueError(f"it needs {', '.join(sorted(needed))}, want a file without")
+        raise ValueError(f"it uses {', '.join(sorted(needed))}, want a file that does not")
     try:
         return joined(_surfaces(tree, [_buffer(path, buffer, chunk) for buffer in tree.get("buffers", [])]))
     except (KeyError, IndexError, TypeError, AttributeError) as error:
-        raise ValueError(f"its description is not whole: {error!r}") from None
+        raise ValueError(f"its JSON is incomplete: {error!r}") from None
 
 
 def _surfaces(tree: dict[str, Any], buffers: list[memoryview]) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
@@ -52,7 +52,7 @@ def _parts(content: bytes) -> tuple[dict[str, Any], memoryview]:
     if content[:4] != b"glTF" or content[16:20] != b"JSON" or version != 2:
         raise ValueError("it does not begin as a .glb of version 2")
     if length != len(content) or size > length - 20:
-        raise ValueError(f"its header declares {length:,} bytes, {size:,} in the first part, and it has {len(content):,}")
+        raise ValueError(f"its header declares {length:,} bytes, {size:,} in the first part, but it has {len(content):,}")
     return json.loads(content[20 : 20 + size]), memoryview(content)[28 + size :]
 
 
@@ -65,7 +65,7 @@ def _buffer(path: Path, buffer: dict[str, Any], chunk: memoryview) -> memoryview
     else:
         content = memoryview((path.parent / unquote(uri)).read_bytes())
     if len(content) < buffer["byteLength"]:
-        raise ValueError(f"it declares {buffer['byteLength']:,} bytes of data, and there are {len(content):,}")
+        raise ValueError(f"it declares {buffer['byteLength']:,} bytes of data, but there are {len(content):,}")
     return content[: buffer["byteLength"]]
 
 
@@ -111,7 +111,7 @@ def _numbers(tree: dict[str, Any], buffers: list[memoryview], number: int) -> np
     """What an accessor declares, without a copy, if it is there: NumPy makes no array that goes beyond its buffer."""
     accessor = tree["accessors"][number]
     if "sparse" in accessor or "bufferView" not in accessor:
-        raise ValueError("it has sparse data, want all of its numbers")
+        raise ValueError("it has sparse data, want a file that holds all numbers")
     view = tree["bufferViews"][accessor["bufferView"]]
     kind, shape = np.dtype(_KINDS[accessor["componentType"]]), (accessor["count"], _WIDTHS[accessor["type"]])
     begin = view.get("byteOffset", 0)

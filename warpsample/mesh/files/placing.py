@@ -24,5 +24,5 @@ def joined(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray]]) -> tuple[
         faces[-1] += offset
         offset += len(points)
     if not faces:
-        raise ValueError("there is no face in it")
+        raise ValueError("it has no faces")
     return (vertices[0], faces[0]) if len(faces) == 1 else (np.concatenate(vertices), np.concatenate(faces))

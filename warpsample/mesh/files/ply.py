@@ -49,7 +49,7 @@ class _Element:
             raise self.cut(f"{size:,} bytes follow")
 
     def cut(self, found: str) -> ValueError:
-        return ValueError(f"its header declares {self.count:,} of '{self.name}', and {found}")
+        return ValueError(f"its header declares {self.count:,} of '{self.name}', but {found}")
 
 
 def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
@@ -71,7 +71,7 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
             found = {element.name: _text(rows, element) for element in elements}
             rest = next(rows, b"")
     if rest:
-        raise ValueError("it goes on after what its header declares")
+        raise ValueError("it is longer than its header declares")
     return _mesh(found)
 
 
@@ -81,7 +81,7 @@ def _mesh(found: dict[str, dict[str, Any]]) -> tuple[np.ndarray, np.ndarray]:
     if not {"x", "y", "z"} <= vertex.keys() or not isinstance(polygons, tuple):
         raise ValueError("its header declares no vertices with x, y, z or no faces with vertex_indices")
     if "tristrips" in found:
-        raise ValueError("it has triangle strips, want all of them as faces")
+        raise ValueError("it has triangle strips, want faces one by one")
     vertices = np.stack([vertex[axis] for axis in "xyz"], axis=1, dtype=np.float64)
     return vertices, triangles(vertices, *polygons)
 

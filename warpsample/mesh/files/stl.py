@@ -28,7 +28,7 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
     if header[:5].lower() == b"solid":
         return _merged(_text(path))
     wants = f"whose header declares {faces:,} faces, {_HEADER + faces * _FACE.itemsize:,} bytes"
-    raise ValueError(f"it has {size:,} bytes, {wants}" if size > _HEADER else "there is no face in it")
+    raise ValueError(f"it has {size:,} bytes, {wants}" if size > _HEADER else "it has no faces")
 
 
 def _text(path: Path) -> np.ndarray:
@@ -36,12 +36,12 @@ def _text(path: Path) -> np.ndarray:
     for number, words in numbered(path):
         word = words[0].lower()
         if word not in _WORDS:
-            raise ValueError(f"line {number} begins with {words[0][:20]!r}")
+            raise ValueError(f"line {number} begins with {words[0][:20]!r}, which is not known")
         seen[word] += 1
         if word == "vertex":
             places.extend(three(words[1:]))
         elif word == "endfacet" and len(places) != 9 * seen[word]:
-            raise ValueError(f"line {number} ends a facet that has not three corners")
+            raise ValueError(f"line {number} ends a facet that does not have three corners")
     if len({seen[word] for word in ("facet", "outer", "endloop", "endfacet")}) > 1 or seen["solid"] != seen["endsolid"]:
         raise ValueError("it ends within a solid")
     return np.frombuffer(places).reshape(-1, 3)

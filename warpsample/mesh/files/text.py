@@ -35,7 +35,7 @@ def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray]:
                 lengths.append(len(face))
                 corners.extend(face)
             elif words[0] not in _NO_SURFACE:
-                raise ValueError(f"it begins with {words[0][:20]!r}")
+                raise ValueError(f"it begins with {words[0][:20]!r}, which is not known")
     except ValueError as error:
         raise ValueError(f"line {number}: {error}") from None
     return _cut(places, lengths, corners)
@@ -66,7 +66,7 @@ def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
         corners.extend(face)
     if (len(places), len(lengths)) != (3 * vertices, faces) or next(lines, None):
         found = f"holds {len(places) // 3:,} and {len(lengths):,}" if len(lengths) < faces else "goes on after them"
-        raise ValueError(f"its header declares {vertices:,} vertices and {faces:,} faces, and it {found}")
+        raise ValueError(f"its header declares {vertices:,} vertices and {faces:,} faces, but it {found}")
     return _cut(places, lengths, corners)
 
 
@@ -106,7 +106,7 @@ def whole(word: str | bytes) -> int:
 def _plain(word: str | bytes) -> str | bytes:
     """Refuses what Python takes for a number and files do not: 1_0 for 10, and digits of other scripts."""
     if {"_", "\\"} & set(ascii(word)):
-        raise ValueError(f"{ascii(word)[:60]} is no number")
+        raise ValueError(f"{ascii(word)[:60]} is not a number")
     return word
 
 
@@ -114,10 +114,10 @@ def _corners(words: list[str], vertices: int) -> list[int]:
     """Of a face of an .obj, from 0 on: it counts from 1, or from -1 back; after a slash stand other indices."""
     parts = [word.split("/") for word in words]
     if len({tuple(map(bool, part)) for part in parts}) != 1 or len(parts) < 3:
-        raise ValueError(f"it is no face: {' '.join(words)[:60]!r}")
+        raise ValueError(f"it is not a face: {' '.join(words)[:60]!r}")
     indices = [whole(part[0]) for part in parts]
     if 0 in indices:
-        raise ValueError("a face has the vertex 0, and they count from 1")
+        raise ValueError("a face has the vertex 0, but vertices count from 1")
     return [index - 1 if index > 0 else vertices + index for index in indices]
 
 

@@ -62,7 +62,7 @@ def _check_sections(path: Path) -> None:
         file.seek(min(start, size))
         sections = int.from_bytes(file.read(8), "little")
     if start + 8 + 32 * sections > size:
-        raise ValueError(f"its header declares {sections:,} sections from byte {start:,} on, and it has {size:,}")
+        raise ValueError(f"its header declares {sections:,} sections from byte {start:,} on, but it has {size:,} bytes")
 
 
 def _said(error: Any, path: Path) -> str:
@@ -117,7 +117,7 @@ def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> 
         elif prim.IsA(UsdGeom.Mesh):
             yield prim, matrix
         elif prim.IsA(UsdGeom.Gprim) and not prim.IsA(UsdGeom.Curves) and not prim.IsA(UsdGeom.Points):
-            raise ValueError(f"{prim.GetPath()} is a {prim.GetTypeName()}, want meshes alone")
+            raise ValueError(f"{prim.GetPath()} is a {prim.GetTypeName()}, want only meshes")
 
 
 def _instances(prim: Any, above: np.ndarray, placements: Any) -> Iterator[tuple[Any, np.ndarray]]:

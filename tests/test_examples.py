@@ -1,0 +1,124 @@
+"""Every public function says what it takes and gives, and shows it by an example, which is run."""
+
+import doctest
+import inspect
+import re
+from enum import Enum
+from types import ModuleType
+
+import numpy as np
+import pytest
+import pyvista as pv
+
+import warpsample as ws
+from warpsample.distributions.record import Distribution
+
+ACCESSOR = type(pv.PolyData().warpsample)
+EXAMPLE = "Example of one to five lines, with what it prints"
+SECTIONS = re.compile(r"^(Args|Returns|Raises|Warns|Attributes|Example|Source):", re.MULTILINE)
+
+
+def public():
+    """(name, function) of the functions of `ws.__all__`, its modules' and its classes', each where it is first defined."""
+    for name in ws.__all__:
+        item = getattr(ws, name)
+        if isinstance(item, ModuleType):
+            yield from ((f"{name}.{key}", f) for key, f in own(item) if f.__module__ == item.__name__)
+        elif inspect.isclass(item):
+            yield from methods(name, item)
+        else:
+            yield name, item
+    yield from methods("Distribution", Distribution)
+    yield from methods("accessor", ACCESSOR)
+
+
+def own(owner):
+    """Public functions by name, class methods among them."""
+    found = ((key, getattr(owner, key)) for key in vars(owner) if not key.startswith("_"))
+    return [(key, item) for key, item in found if inspect.isfunction(item) or inspect.ismethod(item)]
+
+
+def methods(name, owner):
+    inherited = {key for base in owner.__mro__[1:] for key in vars(base)}
+    if not issubclass(owner, Enum):
+        yield from ((f"{name}.{key}", function) for key, function in own(owner) if key not in inherited)
+
+
+def sections(function):
+    """{heading: text} of a docstring."""
+    _, *parts = SECTIONS.split(inspect.getdoc(function))
+    return dict(zip(parts[::2], parts[1::2], strict=True))
+
+
+def documented():
+    """Every docstring that has an example, of functions and of classes."""
+    classes = {name: item for name in ws.__all__ if inspect.isclass(item := getattr(ws, name))}
+    return FUNCTIONS | {name: item for name, item in classes.items() if "Example" in sections(item)}
+
+
+FUNCTIONS = dict(public())
+EXAMPLES = documented()
+
+
+def failures(name, text):
+    """What a doctest says of an example; "" if each line prints what it says."""
+    test = doctest.DocTestParser().get_doctest(text, {"ws": ws, "np": np}, name, None, None)
+    said = []
+    doctest.DocTestRunner(verbose=False).run(test, out=said.append)
+    return "".join(said)
+
+
+def flaws(function):
+    """What a docstring lacks."""
+    found, signature = sections(function), inspect.signature(function)
+    taken = [str(p).split(":")[0].split("=")[0].strip() for key, p in signature.parameters.items() if key != "self"]
+    lacking = [f"Args: {key}" for key in taken if f"\n    {key}: " not in found.get("Args", "")]
+    if signature.return_annotation not in (None, inspect.Signature.empty) and "Returns" not in found:
+        lacking.append("Returns")
+    example = doctest.DocTestParser().get_examples(found.get("Example", ""))
+    if not 1 <= len(example) <= 5 or not any(line.want for line in example):
+        lacking.append(EXAMPLE)
+    return lacking
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_a_docstring_says_what_goes_in_and_comes_out(name):
+    assert flaws(FUNCTIONS[name]) == []
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_an_example_prints_what_it_says(name):
+    assert failures(name, sections(EXAMPLES[name])["Example"]) == ""
+
+
+def test_all_that_is_public_is_read():
+    functions = {name for name in ws.__all__ if inspect.isfunction(getattr(ws, name))}
+    assert functions | {"distributions.get", "sequences.names", "Estimate.interval", "Directions.to_polydata"} <= set(
+        FUNCTIONS
+    )
+    assert {"Distribution.sample", "Distribution.cases", "Distribution.invert", "accessor.sky_view_factor"} <= set(FUNCTIONS)
+
+
+def lacks_much(count: int, seed: int = 0, **options) -> int:
+    """Lacks much.
+
+    Args:
+        count: told.
+
+    Example:
+        >>> print(count)
+    """
+
+
+def test_what_is_lacking_is_seen():
+    assert flaws(lacks_much) == [
+        "Args: seed",
+        "Args: **options",
+        "Returns",
+        "Example of one to five lines, with what it prints",
+    ]
+
+
+@pytest.mark.parametrize("text", [">>> 1 + 1\n3\n", ">>> ws.nothing\n", ">>> 2\n"])
+def test_an_example_that_is_wrong_fails(text):
+    assert failures("wrong", text) != ""
