@@ -71,7 +71,7 @@ def test_few_samples_are_the_first_of_many_bit_for_bit(distribution, normals):
         few, many = (ws.sample_directions(some, count, distribution, pdf=True) for count in (less, more))
         assert np.array_equal(few.vectors, many.vectors[:, :less])
         assert np.array_equal(few.pdf, many.pdf[:, :less])
-    parts = ws.sample_directions(some, 40_000, distribution)
+    parts = ws.sample_directions(some, 40_000, distribution, pdf=True)
     assert np.array_equal(parts.vectors[:, :20_000], many.vectors)
 
 

@@ -71,10 +71,10 @@ def cut(share, file):
     file.write_bytes(file.read_bytes()[: int(share * file.stat().st_size)])
 
 
-def garble(count, file):
-    """Changes `count` bytes in the middle of the file, or a third of it for 0."""
+def garble(share, file):
+    """Changes a share of the file, or at least one byte, in its middle."""
     content = bytearray(file.read_bytes())
-    middle = slice(len(content) // 3, len(content) // 3 + (count or len(content) // 3))
+    middle = slice(len(content) // 3, len(content) // 3 + max(1, int(share * len(content))))
     content[middle] = bytes(255 - byte for byte in content[middle])
     file.write_bytes(content)
 
@@ -84,7 +84,7 @@ def folder_instead(file):
     file.mkdir()
 
 
-DAMAGES = [partial(cut, 0.0), partial(cut, 0.7), partial(garble, 0), partial(garble, 1), Path.unlink, folder_instead]
+DAMAGES = [partial(garble, 0.0), partial(cut, 0.7), Path.unlink, folder_instead]
 
 
 def damages():
@@ -92,7 +92,7 @@ def damages():
     cpu()
     assert load_anew() == []
     for suffix in (".o", ".meta", ".o.sha256", ".meta.sha256"):
-        for damage in DAMAGES if suffix == ".o" else (DAMAGES[1], Path.unlink):
+        for damage in DAMAGES if suffix == ".o" else DAMAGES[1:3]:
             damage(next(entry().glob(f"*{suffix}")))
             said = load_anew()
             by_warp_alone = suffix.endswith(".sha256") and damage is Path.unlink  # as it seems then
@@ -128,7 +128,7 @@ def unmarked():
     wp.config.log_level = wp.LOG_WARNING
     triple.module.unload()
     wp.load_module(triple.module, "cpu", block_dim=1)
-    for damage in (partial(cut, 0.5), partial(garble, 0)):
+    for damage in (partial(cut, 0.5), partial(garble, 0.3)):
         damage(next(entry().glob("*.o")))
         for mark in entry().glob("*.sha256"):
             mark.unlink()
