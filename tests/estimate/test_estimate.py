@@ -20,9 +20,7 @@ from warpsample.tracing.builtin import builtin_any_query, prepare_builtin
 RAYS = 65_536
 CLOSED = closed_meshes()
 
-
-# Closed forms, of ../shared/GROUND_TRUTH.md
-
+# Closed forms
 
 WIDTH, HEIGHT = 1.0, 1.7
 ACROSS = (np.arange(64) + 0.5) / 64

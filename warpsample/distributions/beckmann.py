@@ -55,7 +55,7 @@ class Beckmann(Distribution):
     parameters = ("alpha",)
     shown = (0.01, 1.0)
     bounds = (1e-6, 1.0)
-    source = "the NORI note, Beckmann; Walter et al. 2007, equations 25, 28 and 29"
+    source = "Nori2025, Beckmann; Walter2007, equations 25, 28 and 29"
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:

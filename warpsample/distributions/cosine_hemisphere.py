@@ -38,7 +38,7 @@ def square_to_cosine_hemisphere(u: wp.vec2) -> wp.vec3:
 
 @wp.func
 def square_to_cosine_hemisphere_pdf(w: wp.vec3) -> wp.float32:
-    """cos(theta) / pi per steradian above the surface, else 0. Cranberry note, equation (5)."""
+    """cos(theta) / pi per steradian above the surface, else 0. Cranberry2020, equation 5."""
     return wp.where(w[2] > 0.0, w[2] * _INV_PI, 0.0)
 
 
@@ -64,7 +64,7 @@ def cosine_hemisphere_to_square_concentric(w: wp.vec3) -> wp.vec2:
 
 @wp.func
 def square_to_cosine_hemisphere_inversion(u: wp.vec2) -> wp.vec3:
-    """theta = acos(1 - 2 u[0]) / 2, the Cranberry note's equation (7), by the half-angle formulas.
+    """theta = acos(1 - 2 u[0]) / 2 (Cranberry2020, equation 7), by the half-angle formulas.
 
     With cos 2 theta = 1 - 2 u[0], exact on the grid, cos(acos(.)/2) is a root and keeps the digits that acos drops.
     """
@@ -90,7 +90,7 @@ def square_to_cosine_hemisphere_offset(u: wp.vec2) -> wp.vec3:
 def cosine_offset_about(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.vec4:
     """Shirley's trick about any unit normal, without a tangent frame: (normalize(n + s), pdf).
 
-    abs(n + s) = 2 cos theta (the quick proof's figure 1: theta of s is twice that of the sum), so pdf = abs(n + s) / (2 pi).
+    abs(n + s) = 2 cos theta (ShirleyTrick, figure 1: theta of s is twice that of the sum), so pdf = abs(n + s) / (2 pi).
     Where the sum is short the digits of n and s have cancelled: see `cosine_offset_redraw`.
     """
     s = square_to_uniform_sphere(u)
@@ -142,7 +142,7 @@ class CosineHemisphere(Distribution):
     """The cosine lobe about the normal: cos(theta) / pi per steradian.
 
     Attributes:
-        method: "polar" (Malley's disk, lifted), "concentric" (Shirley and Chiu's disk, lifted), "inversion"
+        method: "polar" (Malley's disk, lifted), "concentric" (the disk of Shirley1997, lifted), "inversion"
             (theta = acos(1 - 2u) / 2) or "offset" (sphere point + normal, normalised; no tangent frame). One density;
             they differ in cost, in where neighbouring u land, and, for "offset", by the rim of `cosine_offset_redraw`.
     """
@@ -152,7 +152,7 @@ class CosineHemisphere(Distribution):
     name = "cosine_hemisphere"
     density = "cosθ/π"
     support = "hemisphere"
-    source = "Malley in the NORI note; Cranberry 2020, eq. 5 and 7; Shirley trick proof, eq. 6; Chizhov, section 4.3"
+    source = "Nori2025, Malley; Cranberry2020, equations 5 and 7; ShirleyTrick, equation 6; Chizhov2019, section 4.3"
     limits = "offset about a normal adds float32 vectors: near the horizon angle and pdf are up to 1.3e-5 off"
 
     def __post_init__(self) -> None:

@@ -53,7 +53,7 @@ class GGX(Distribution):
     parameters = ("alpha",)
     shown = (0.01, 1.0)
     bounds = (1e-6, 1.0)
-    source = "Walter et al. 2007, equations 33, 35 and 36"
+    source = "Walter2007, equations 33, 35 and 36"
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:

@@ -22,7 +22,7 @@ def square_to_offset_ball(u: wp.vec2) -> wp.vec3:
 
 @wp.func
 def square_to_offset_ball_pdf(w: wp.vec3) -> wp.float32:
-    """2 cos^3 theta / pi per steradian above the surface, else 0. Chizhov, section 4.1."""
+    """2 cos^3 theta / pi per steradian above the surface, else 0. Chizhov2019, section 4.1."""
     return wp.where(w[2] > 0.0, _TWO_OVER_PI * (w[2] * w[2] * w[2]), 0.0)
 
 
@@ -43,7 +43,7 @@ class OffsetBall(Distribution):
     name = "offset_ball"
     density = "2cos³θ/π"
     support = "hemisphere"
-    source = "Chizhov, sections 4.1 and 4.2"
+    source = "Chizhov2019, sections 4.1 and 4.2"
 
     @property
     def maps(self) -> Maps:

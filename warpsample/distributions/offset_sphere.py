@@ -83,7 +83,7 @@ class OffsetSphere(Distribution):
     parameters = ("rho",)
     shown = (0.2, 5.0)
     bounds = (1e-15, 1e15)
-    source = "Chizhov, sections 4.3 and 4.4, for ρ = 1; our change of variables for any other"
+    source = "Chizhov2019, sections 4.3 and 4.4, for ρ = 1; our change of variables for any other"
     limits = "ρ < 1: density infinite at the edge sinθ = ρ, held within 5e-7 of it; two u to a direction, so no inverse"
 
     @classmethod

@@ -55,7 +55,7 @@ class PowerCosine(Distribution):
     parameters = ("exponent",)
     shown = (0.1, 1000.0)
     bounds = (0.0, 1e9)
-    source = "Phong's lobe: Lafortune and Willems 1994, equation 8; exponent 3 is Chizhov's section 4.1"
+    source = "Lafortune1994, equation 8 (Phong's lobe); exponent 3: Chizhov2019, section 4.1"
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:

@@ -58,7 +58,7 @@ class UniformCone(Distribution):
     support = "cone"
     parameters = ("one_minus_cos",)
     shown = (1e-4, 2.0)
-    source = "Pharr, Jakob, Humphreys 2023, section A.5.4"
+    source = "Pharr2023, section A.5.4"
 
     def __post_init__(self) -> None:
         """Checks that one of the two is given, and derives the other."""

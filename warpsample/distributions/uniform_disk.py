@@ -19,7 +19,7 @@ _RIM = wp.constant(wp.float32(1.0 + 5e-7))  # points within rounding of the edge
 
 @wp.func
 def square_to_uniform_disk(u: wp.vec2) -> wp.vec2:
-    """Radius sqrt(u[0]), azimuth 2 pi u[1]. Cranberry's and the NORI note's disk; Chizhov, section 3.2."""
+    """Radius sqrt(u[0]), azimuth 2 pi u[1]. Cranberry2020, Nori2025; Chizhov2019, section 3.2."""
     r = wp.sqrt(u[0])
     cs = sincos_turns(u[1])
     return wp.vec2(r * cs[0], r * cs[1])
@@ -33,7 +33,7 @@ def uniform_disk_to_square(p: wp.vec2) -> wp.vec2:
 
 @wp.func
 def square_to_concentric_disk(u: wp.vec2) -> wp.vec3:
-    """(x, y, radius) by Shirley and Chiu 1997: squares become rings, so that neighbours stay neighbours.
+    """(x, y, radius) by Shirley1997: squares become rings, so that neighbours stay neighbours.
 
     The grid is shifted by half a cell onto the middles of its cells, exactly, so that the radius stays below 1.
     """
@@ -82,7 +82,7 @@ class UniformDisk(Distribution):
     """Points (x, y) uniform on the unit disk: 1 / pi per unit area.
 
     Attributes:
-        method: "polar" (radius sqrt(u), azimuth 2 pi v) or "concentric" (Shirley and Chiu; less distortion).
+        method: "polar" (radius sqrt(u), azimuth 2 pi v) or "concentric" (Shirley1997; less distortion).
     """
 
     method: Method = "polar"
@@ -92,7 +92,7 @@ class UniformDisk(Distribution):
     measure = "per unit area"
     support = "disk"
     width = 2
-    source = "Cranberry 2020; the NORI note, UniformDisk; Shirley and Chiu 1997"
+    source = "Cranberry2020; Nori2025, UniformDisk; Shirley1997"
 
     def __post_init__(self) -> None:
         """Checks the method's name."""

@@ -137,7 +137,7 @@ class VisibleBeckmann(Distribution):
     shown = (0.05, 1.0)
     bounds = (1e-6, 1.0)
     symmetric = False
-    source = "Heitz and d'Eon 2014, section 5; Walter et al. 2007, equation 25"
+    source = "HeitzDEon2014, section 5; Walter2007, equation 25"
     limits = "the horizon of the view is blurred by rounding; sampled in scalar code, by Newton's method"
 
     def __post_init__(self) -> None:

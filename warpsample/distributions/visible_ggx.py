@@ -41,7 +41,7 @@ def blurred_facing(m: wp.vec3, view: wp.vec3) -> wp.float32:
 
 @wp.func
 def square_to_visible_ggx(u: wp.vec2, alpha: wp.float32, view: wp.vec3) -> wp.vec3:
-    """The cap of the sphere above -v.z, plus the view v, unstretched: Dupuy and Benyoub 2023, listing 3.
+    """The cap of the sphere above -v.z, plus the view v, unstretched: Dupuy2023, listing 3.
 
     It is the sphere + normal trick once more, and cancels as much where the sum h is short. With c the cap's point,
     h.z = (1 - u[0]) (1 + v.z) is exact, sin c - sin v = h.z (2 v.z - h.z) / (sin c + sin v), and 1 + cos phi is
@@ -111,7 +111,7 @@ class VisibleGGX(Distribution):
     shown = (0.05, 1.0)
     bounds = (1e-6, 1.0)
     symmetric = False
-    source = "Heitz 2014, equation 3; sampled as Dupuy and Benyoub 2023, section 3"
+    source = "Heitz2014, equation 3; sampled as in Dupuy2023, section 3"
     limits = (
         "the horizon of the view is blurred by rounding; the way back is stated off the cap's poles, u[0] in 0.06 to 0.94"
     )

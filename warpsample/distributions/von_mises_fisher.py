@@ -64,7 +64,7 @@ class VonMisesFisher(Distribution):
     parameters = ("kappa",)
     shown = (0.1, 10000.0)
     bounds = (1e-6, 1e12)
-    source = "Fisher 1953; Jakob 2012, Numerically stable sampling of the von Mises-Fisher distribution on S²"
+    source = "Fisher1953; sampled as in Jakob2012"
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:

@@ -186,7 +186,7 @@ def scaled_to_unit(v: wp.vec3) -> wp.vec4:
 
     For a zero vector it is 1/2, for one that is not finite NaN, and the direction then means nothing. A power of two
     first brings the largest component to about 1, exactly, so no square under- or overflows. The inverse root starts from
-    the bits (Lomont 2003) and takes two Newton steps; a third on the vector itself leaves a length within 8e-8 of 1. That
+    the bits (Lomont2003) and takes two Newton steps; a third on the vector itself leaves a length within 8e-8 of 1. That
     is twice as fast as a root and a division, which do not pipeline.
     """
     # The exponents alone, as integers: an integer maximum is one instruction where a float one is four.

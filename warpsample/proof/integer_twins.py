@@ -14,7 +14,7 @@ def expected(name: str, seed: int, point: int, sample: int, count: int) -> tuple
 
 
 def pcg4d(x: int, y: int, z: int, w: int) -> tuple[int, int, int, int]:
-    """Jarzynski and Olano 2020, listing 13."""
+    """Jarzynski2020, listing 13."""
     v = [(a * 1664525 + 1013904223) & _MASK for a in (x, y, z, w)]
     for turn in range(2):
         for k, (i, j) in enumerate([(1, 3), (2, 0), (0, 1), (1, 2)]):
@@ -41,7 +41,7 @@ def _independent(seed: int, point: int, sample: int, count: int) -> tuple[int, i
 
 
 def _philox(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
-    """Salmon et al. 2011, table 2 and section 4.3."""
+    """Salmon2011, table 2 and section 4.3."""
     x, key = [sample >> 1, point & _MASK, point >> 32, 0], [seed & _MASK, seed >> 32]
     for _ in range(10):
         high_0, low_0 = divmod(0xD2511F53 * x[0], 2**32)
@@ -71,7 +71,7 @@ def _reversed(x: int) -> int:
 
 
 def _owen(x: int, key: int) -> int:
-    """The hash of Vegdahl 2021 on a bit-reversed word."""
+    """The hash of Vegdahl2021 on a bit-reversed word."""
     x ^= x * 0x3D20ADEA & _MASK
     x = (x + key) * ((key >> 16) | 1) & _MASK
     x ^= x * 0x05526C56 & _MASK

@@ -170,7 +170,7 @@ def moments_p_value(sampler: Sampler, a: np.ndarray, edges: np.ndarray) -> float
 
 
 def azimuth_p_value(w: np.ndarray) -> float:
-    """Rayleigh's test for one preferred azimuth: n R^2 of the mean unit vector is exponential (Mardia and Jupp 2000)."""
+    """Rayleigh's test for one preferred azimuth: n R^2 of the mean unit vector is exponential (Mardia2000)."""
     turns = np.exp(2j * np.pi * DISK.azimuth(w))
     return _number(np.exp(-(np.abs(turns.mean()) ** 2) * len(turns)))
 
@@ -178,7 +178,7 @@ def azimuth_p_value(w: np.ndarray) -> float:
 def azimuth_gap_p_value(w: np.ndarray) -> float:
     """The widest gap between the azimuths of independent directions: a missing sector, however thin.
 
-    n uniform points leave a gap above x turns somewhere with probability about n (1 - x)^(n - 1) (Whitworth 1897).
+    n uniform points leave a gap above x turns somewhere with probability about n (1 - x)^(n - 1) (Whitworth1897).
     """
     turns = np.sort(DISK.azimuth(w))
     widest = max(np.diff(turns).max(), 1.0 - (turns[-1] - turns[0]))
@@ -231,7 +231,7 @@ def _number(p_value: float) -> float:
 
 
 def _solid_angle(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
-    """Signed solid angle of spherical triangles. Van Oosterom and Strackee 1983, equation (8)."""
+    """Signed solid angle of spherical triangles. VanOosterom1983, equation 8."""
     volume = (a * np.cross(b - a, c - a)).sum(axis=-1)
     return 2.0 * np.arctan2(volume, 1.0 + (a * b).sum(axis=-1) + (b * c).sum(axis=-1) + (c * a).sum(axis=-1))
 

@@ -1,6 +1,6 @@
 """Second routes to the same laws, named as the sources name them, in float64 NumPy.
 
-Chizhov samples each offset set in two ways: a uniform point of the set, plus the normal, normalised; by inversion or by
+Chizhov2019 samples each offset set in two ways: a uniform point of the set, plus the normal, normalised; by inversion or by
 rejection. Here they judge the direct maps, and each other.
 """
 
@@ -37,12 +37,12 @@ _TURN = 2.0 * np.pi
 
 
 def circle(turns: np.ndarray) -> np.ndarray:
-    """Points of the unit circle. Chizhov, section 3.4: (sin 2 pi u, cos 2 pi u), one u for both, where he prints two."""
+    """Points of the unit circle. Chizhov2019, section 3.4: (sin 2 pi u, cos 2 pi u), one u for both, where he prints two."""
     return np.stack([np.sin(_TURN * turns), np.cos(_TURN * turns)], axis=-1)
 
 
 def disk(u: np.ndarray) -> np.ndarray:
-    """Points of the unit disk by inversion. Chizhov, section 3.2."""
+    """Points of the unit disk by inversion. Chizhov2019, section 3.2."""
     return np.sqrt(u[..., 1:2]) * circle(u[..., 0])
 
 
@@ -81,7 +81,7 @@ def plus_normal(points: np.ndarray) -> np.ndarray:
 
 
 def disk_by_inverted_distribution(u: np.ndarray) -> np.ndarray:
-    """The angle at which (theta + sin theta cos theta) / pi + 1/2 = u[0], by bisection. Chizhov, section 3.2."""
+    """The angle at which (theta + sin theta cos theta) / pi + 1/2 = u[0], by bisection. Chizhov2019, section 3.2."""
     low, high = np.full(u.shape[:-1], -np.pi / 2.0), np.full(u.shape[:-1], np.pi / 2.0)
     for _ in range(52):
         middle = 0.5 * (low + high)
@@ -124,20 +124,20 @@ ROUTES = (
 
 
 def _malley(u: np.ndarray) -> np.ndarray:
-    """The disk lifted. Cranberry 2020, after its equation (8)."""
+    """The disk lifted. Cranberry2020, after equation 8."""
     x, y = np.sqrt(u[..., 0]) * np.stack([np.cos(_TURN * u[..., 1]), np.sin(_TURN * u[..., 1])])
     return np.stack([x, y, np.sqrt(1.0 - x * x - y * y)], axis=-1)
 
 
 def _half_acos(u: np.ndarray) -> np.ndarray:
-    """theta = acos(1 - 2u) / 2. Cranberry 2020, equation (7)."""
+    """theta = acos(1 - 2u) / 2. Cranberry2020, equation 7."""
     theta = np.arccos(1.0 - 2.0 * u[..., 0])[..., None] / 2.0
     turn = np.stack([np.cos(_TURN * u[..., 1]), np.sin(_TURN * u[..., 1])], axis=-1)
     return np.concatenate([np.sin(theta) * turn, np.cos(theta)], axis=-1)
 
 
 def _keinert(count: int) -> np.ndarray:
-    """The square's points of Keinert's spherical Fibonacci sets."""
+    """The square's points of the spherical Fibonacci sets of Keinert2014."""
     i = np.arange(count)
     return np.stack([(i + 0.5) / count, i * 0.6180339887498949 % 1.0], axis=1).astype(np.float32)
 
@@ -154,7 +154,7 @@ def _point_by_point() -> dict[str, float]:
         "Malley's projection of the disk": laws.worst(_malley(wide) - polar(u)),
         "θ = acos(1 − 2u)/2": laws.worst(_half_acos(wide) - CosineHemisphere("inversion").sample(u)),
         "sphere + normal is the cosine lobe": laws.worst(shirley - polar(u)),
-        "half angle θ = 2θ' of the Shirley proof, equation (3)": laws.worst(whole - 2.0 * half),
+        "half angle θ = 2θ' of ShirleyTrick, equation 3": laws.worst(whole - 2.0 * half),
         "Fibonacci sphere + normal is the Fibonacci cosine set": laws.worst(fibonacci - polar(set_)),
         "OffsetSphere(1) is the cosine lobe": laws.worst(OffsetSphere(1.0).sample(u) - polar(u)),
         "PowerCosine(1) is the cosine lobe": laws.worst(PowerCosine(1.0).sample(u) - polar(u)),

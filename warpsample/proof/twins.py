@@ -59,7 +59,7 @@ def _beckmann(d: Any, u: np.ndarray) -> np.ndarray:
 
 
 def _beckmann_density(d: Any, w: np.ndarray) -> np.ndarray:
-    """D(m) cos theta with D as Walter et al. 2007, equation (25), prints it."""
+    """D(m) cos theta with D as Walter2007, equation 25, prints it."""
     theta, alpha = polar_angle(w), _parameter(d, "alpha")
     return np.exp(-((np.tan(theta) / alpha) ** 2)) / (np.pi * alpha**2 * np.square(np.cos(theta)) ** 2) * np.cos(theta)
 
@@ -69,7 +69,7 @@ def _ggx(d: Any, u: np.ndarray) -> np.ndarray:
 
 
 def _ggx_normals(alpha: float, w: np.ndarray) -> np.ndarray:
-    """D(m) as Walter et al. 2007, equation (33), prints it."""
+    """D(m) as Walter2007, equation 33, prints it."""
     theta = polar_angle(w)
     return alpha**2 / (np.pi * np.square(np.cos(theta)) ** 2 * (alpha**2 + np.tan(theta) ** 2) ** 2)
 
@@ -82,7 +82,7 @@ def _cosine(d: Any, u: np.ndarray) -> np.ndarray:
 
 
 def _triangles(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Radius and turns of Shirley and Chiu 1997, by the four triangles of the square, cells centred as in the kernel."""
+    """Radius and turns by Shirley1997, from the four triangles of the square, cells centred as in the kernel."""
     a = 2.0 * u[..., 0] - 1.0 + 2.0**-24
     b = 2.0 * u[..., 1] - 1.0 + 2.0**-24
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -156,7 +156,7 @@ def _unit(w: np.ndarray) -> np.ndarray:
 
 
 def _visible_ggx(d: Any, u: np.ndarray) -> np.ndarray:
-    """Dupuy and Benyoub 2023, listing 3, as printed, but for the azimuth's start at the view."""
+    """Dupuy2023, listing 3, as printed, but for the azimuth's start at the view."""
     x, y, z = _view(d)
     alpha = _parameter(d, "alpha")
     view = _unit(np.array([alpha * np.hypot(x, y), 0.0, z]))
@@ -167,7 +167,7 @@ def _visible_ggx(d: Any, u: np.ndarray) -> np.ndarray:
 
 
 def _visible_ggx_density(d: Any, m: np.ndarray) -> np.ndarray:
-    """G1 D (v.m) / v.z of Heitz 2014, equation (3), with G1 / v.z in the form that a grazing view keeps finite."""
+    """G1 D (v.m) / v.z of Heitz2014, equation 3, with G1 / v.z in the form that a grazing view keeps finite."""
     x, y, z = _view(d)
     alpha = _parameter(d, "alpha")
     seen = 2.0 / (z + np.hypot(z, alpha * np.hypot(x, y)))
@@ -202,7 +202,7 @@ def _visible_beckmann(d: Any, u: np.ndarray) -> np.ndarray:
 
 
 def _visible_beckmann_density(d: Any, m: np.ndarray) -> np.ndarray:
-    """The normals' density times what the view sees of each, over the area seen: Heitz 2014, equations (2) and (3)."""
+    """The normals' density times what the view sees of each, over the area seen: Heitz2014, equations 2 and 3."""
     from scipy.special import erf  # noqa: PLC0415  (slow to import)
 
     a, across = _slopes_seen(d)
@@ -245,7 +245,7 @@ _TWINS = {
 
 
 def frames(n: np.ndarray) -> np.ndarray:
-    """(N, 3, 3) float64, columns tangent, bitangent, n: Duff et al. 2017."""
+    """(N, 3, 3) float64, columns tangent, bitangent, n: Duff2017."""
     x, y, z = n.T
     sign = np.copysign(1.0, z)
     a = -1.0 / (sign + z)

@@ -16,7 +16,7 @@ _BELOW_2_64 = wp.constant(wp.float64(2.0**64 * (1.0 - 2.0**-53)))
 def fibonacci(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
     """((sample + shift) / count, sample / phi + rotation mod 1), shift and rotation random at every surface point.
 
-    The shift 1/2 of Keinert's sets (Shirley's blog, 2014) is this one's mean; a random one makes every count unbiased.
+    The shift 1/2 of Keinert2014 is the mean of this one; a random one makes every count unbiased.
     The phase i / phi is the top of an integer product, within 2^-32 for any i: float32 has lost it at 10^7.
     """
     key = point_key(seed, point)
@@ -34,5 +34,5 @@ RECORD = Sequence(
     marker="s",
     cells_off=1,
     summary="Fibonacci lattice with a random shift and rotation, the best for visibility",
-    source="Marques et al. 2013, Spherical Fibonacci Point Sets; Keinert in Shirley 2014",
+    source="Marques2013; Keinert2014",
 )

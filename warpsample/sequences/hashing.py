@@ -15,7 +15,7 @@ ONE_WORD = wp.constant(wp.uint32(1))
 def pcg4d(x: wp.uint32, y: wp.uint32, z: wp.uint32, w: wp.uint32) -> wp.vec4ui:
     """Four random words; a bijection of 128 bits, so different arguments never give the same four.
 
-    Jarzynski and Olano 2020, "Hash Functions for GPU Rendering", listing 13.
+    Jarzynski2020, listing 13.
     """
     x = x * _MULTIPLIER + _INCREMENT
     y = y * _MULTIPLIER + _INCREMENT

@@ -43,5 +43,5 @@ RECORD = Sequence(
     pair=independent_pair,
     rate=0.5,
     edge=1.0,
-    source="Jarzynski and Olano 2020, listing 13",
+    source="Jarzynski2020, listing 13",
 )

@@ -16,7 +16,7 @@ _WEYL_1 = wp.constant(wp.uint32(0xBB67AE85))
 def philox4x32_10(counter: wp.vec4ui, key_0: wp.uint32, key_1: wp.uint32) -> wp.vec4ui:
     """Four random words: a keyed bijection of the 128-bit counter.
 
-    Salmon et al. 2011, "Parallel Random Numbers: As Easy as 1, 2, 3", section 4.4; known answers in Random123.
+    Salmon2011, section 4.4; known answers in Random123.
     """
     x0 = counter[0]
     x1 = counter[1]
@@ -66,5 +66,5 @@ RECORD = Sequence(
     pair=philox_pair,
     rate=0.5,
     edge=1.0,
-    source="Salmon et al. 2011, section 4.4",
+    source="Salmon2011, section 4.4",
 )

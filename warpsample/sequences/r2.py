@@ -26,5 +26,5 @@ RECORD = Sequence(
     colour="#5b8e3e",
     marker="^",
     summary="additive recurrence of the plastic number, cheap and progressive",
-    source="Roberts 2018, The Unreasonable Effectiveness of Quasirandom Sequences",
+    source="Roberts2018",
 )

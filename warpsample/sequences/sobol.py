@@ -15,7 +15,7 @@ _HASH_3 = wp.constant(wp.uint32(0x53A22864))
 def laine_karras(x: wp.uint32, key: wp.uint32) -> wp.uint32:
     """Owen's nested uniform scramble of bit-reversed x: each bit is flipped by a hash of the bits below it.
 
-    Vegdahl 2021, "Building a Better LK Hash" (psychopath.io), the improved form of Laine and Karras 2011.
+    Vegdahl2021, which improves the hash of Laine2011.
     """
     x = x ^ (x * _HASH_1)
     x = x + key
@@ -77,5 +77,5 @@ RECORD = Sequence(
     marker="o",
     summary="Owen-scrambled Sobol', the best for smooth integrands",
     pair=sobol_pair,
-    source="Burley 2020, Practical Hash-based Owen Scrambling; hash by Vegdahl 2021",
+    source="Burley2020; the hash: Vegdahl2021",
 )

@@ -41,5 +41,5 @@ RECORD = Sequence(
     marker="D",
     cells_off=1,
     summary="one jittered point in each cell of an equal-area grid",
-    source="Pharr, Jakob, Humphreys 2023, section 8.5, with rows of two lengths for any count",
+    source="Pharr2023, section 8.5, with rows of two lengths for any count",
 )

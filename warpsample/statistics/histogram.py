@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-_LEAST_EXPECTED = 5.0  # below that a count is not near enough to normal for its square to be chi-square (Cochran 1954)
+_LEAST_EXPECTED = 5.0  # below that a count is not near enough to normal for its square to be chi-square (Cochran1954)
 
 
 @dataclass(frozen=True, eq=False)
