@@ -159,6 +159,22 @@ def test_public_names_come_from_where_type_checkers_see_them(repository):
         ws.nothing  # noqa: B018
 
 
+def test_every_distribution_and_sequence_has_its_names_and_its_twin():
+    """What the rooms' READMEs say that a new one takes, but for its own file."""
+    import warpsample as ws
+    from warpsample import distributions, funcs
+    from warpsample.proof import twins
+    from warpsample.proof.twins import sequences as integer_twins
+
+    assert set(distributions.classes()) <= set(ws.__all__)
+    assert set(distributions.names()) == twins.names()
+    assert set(ws.sequences.names()) == integer_twins.names()
+    cases = [case.maps for kind in distributions.classes().values() for case in kind.cases()]
+    maps = {func.key for case in cases for func in (case.sample, case.pdf, case.invert) if func is not None}
+    assert maps | set(ws.sequences.names()) <= set(funcs.__all__)
+    assert set(funcs.__all__) <= set(dir(funcs))
+
+
 def test_public_names_are_documented():
     import warpsample as ws
 

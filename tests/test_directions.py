@@ -9,7 +9,7 @@ import warp as wp
 import warpsample as ws
 from warpsample.directions import sample as module
 from warpsample.proof import laws, twins
-from warpsample.proof.integer_twins import pcg4d
+from warpsample.proof.twins.sequences import pcg4d
 
 COSINES = ws.CosineHemisphere.cases()
 # The ways through the kernels: a map in a frame, one without a frame and with a rim drawn anew, one with parameters.

@@ -75,23 +75,9 @@ __all__ = [
     "vertex_points",
 ]
 
+# Of what is no distribution: those are found by their records.
 _HOMES = {
     "directions.sample": ("Directions", "Status", "sample_directions", "sample_square"),
-    "distributions.beckmann": ("Beckmann",),
-    "distributions.cosine_hemisphere": ("CosineHemisphere",),
-    "distributions.ggx": ("GGX",),
-    "distributions.offset_ball": ("OffsetBall",),
-    "distributions.offset_circle": ("OffsetCircle",),
-    "distributions.offset_disk": ("OffsetDisk",),
-    "distributions.offset_sphere": ("OffsetSphere",),
-    "distributions.power_cosine": ("PowerCosine",),
-    "distributions.uniform_cone": ("UniformCone",),
-    "distributions.uniform_disk": ("UniformDisk",),
-    "distributions.uniform_hemisphere": ("UniformHemisphere",),
-    "distributions.uniform_sphere": ("UniformSphere",),
-    "distributions.visible_beckmann": ("VisibleBeckmann",),
-    "distributions.visible_ggx": ("VisibleGGX",),
-    "distributions.von_mises_fisher": ("VonMisesFisher",),
     "estimate.intervals": ("Interval",),
     "estimate.irradiance": ("irradiance",),
     "estimate.result": ("Estimate", "PointStatus", "Skipped"),
@@ -115,6 +101,8 @@ def __getattr__(name: str) -> object:
         value: object = version("warpsample")
     elif name in _HOME:
         value = getattr(import_module(f"warpsample.{_HOME[name]}"), name)
+    elif name in __all__:
+        value = import_module("warpsample.distributions").classes()[name]
     else:
         raise AttributeError(f"module 'warpsample' has no attribute {name!r}")
     globals()[name] = value

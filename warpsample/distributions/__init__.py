@@ -17,6 +17,11 @@ def names() -> list[str]:
     return sorted(_KNOWN)
 
 
+def classes() -> dict[str, type[Distribution]]:
+    """All distributions, by the names of their classes."""
+    return {kind.__name__: kind for kind in _KNOWN.values()}
+
+
 def get(name: str) -> type[Distribution]:
     """The class of a distribution; calling it with the parameters makes one.
 

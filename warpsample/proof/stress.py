@@ -16,7 +16,7 @@ from warpsample.host.kernel_cache import load
 from warpsample.mesh.mesh import as_mesh
 from warpsample.mesh.surface import sample_surface
 from warpsample.proof import laws, twins
-from warpsample.proof.integer_twins import expected
+from warpsample.proof.twins.sequences import expected
 from warpsample.proof.verify import LEVEL, Verdict
 
 _SAMPLES = 64

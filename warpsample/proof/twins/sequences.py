@@ -1,4 +1,4 @@
-"""The sequences once more, point by point in exact integers and fractions: the judges of indices near the edges of words."""
+"""The sequences once more, point by point in exact integers and fractions, and the digests that their streams must keep."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -9,8 +9,18 @@ _CELLS = 2**24
 
 
 def expected(name: str, seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
-    """Both coordinates in cells of 2^-24."""
-    return _TWINS[name](seed, point, sample, count)
+    """Both coordinates of a sequence's point, in cells of 2^-24."""
+    return _TWINS[name][0](seed, point, sample, count)
+
+
+def frozen_digest(name: str) -> str:
+    """What `streams.digest` must give for a sequence."""
+    return _TWINS[name][1]
+
+
+def names() -> set[str]:
+    """The sequences that have a twin."""
+    return set(_TWINS)
 
 
 def pcg4d(x: int, y: int, z: int, w: int) -> tuple[int, int, int, int]:
@@ -100,11 +110,12 @@ def _stratified(seed: int, point: int, sample: int, count: int) -> tuple[int, in
     return min(int(u[0] * _CELLS), _CELLS - 1), min(int(u[1] * _CELLS), _CELLS - 1)
 
 
+# A change of the stream changes every result that anyone has stored: it must be meant.
 _TWINS = {
-    "fibonacci": _fibonacci,
-    "independent": _independent,
-    "philox": _philox,
-    "r2": _r2,
-    "sobol": _sobol,
-    "stratified": _stratified,
+    "fibonacci": (_fibonacci, "be3491b49b9e0314"),
+    "independent": (_independent, "ab00f3a4a2d36c47"),
+    "philox": (_philox, "d0a7cbe4f6926d5d"),
+    "r2": (_r2, "fedda182c7cb5b06"),
+    "sobol": (_sobol, "d327ca05417a79a5"),
+    "stratified": (_stratified, "31ae1d675f359ae7"),
 }
