@@ -2,7 +2,7 @@
 
 from importlib import import_module
 
-TYPE_CHECKING = False  # that of `typing` takes as long as all else here
+TYPE_CHECKING = False  # importing it from `typing` takes as long as all else here
 if TYPE_CHECKING:
     from warpsample import distributions, sequences
     from warpsample.directions.sample import Directions, Status, sample_directions, sample_square
@@ -75,7 +75,7 @@ __all__ = [
     "vertex_points",
 ]
 
-# Of what is no distribution: those are found by their records.
+# Distributions are not listed: they are found by their records.
 _HOMES = {
     "directions.sample": ("Directions", "Status", "sample_directions", "sample_square"),
     "estimate.intervals": ("Interval",),
@@ -92,7 +92,7 @@ _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 
 def __getattr__(name: str) -> object:
-    """Imports what is first asked for: Warp takes a second, in which the command line must hear an interrupt already."""
+    """Imports a name when it is first used: Warp takes a second, in which the command line must react to Ctrl-C."""
     if name in ("distributions", "sequences"):
         return import_module(f"warpsample.{name}")
     if name == "__version__":

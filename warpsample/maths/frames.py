@@ -1,4 +1,4 @@
-"""An orthonormal frame about a normal, and the way between local and world coordinates. Local +z is the normal."""
+"""An orthonormal frame about a normal, and the change between local and world coordinates. Local +z is the normal."""
 
 import warp as wp
 
