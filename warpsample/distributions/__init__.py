@@ -32,7 +32,7 @@ def get(name: str) -> type[Distribution]:
 
 
 def as_distribution(value: Any) -> Distribution:
-    """An instance as it is; a name with its defaults; or a name with parameters, as "beckmann(alpha=0.1)".
+    """A distribution from an instance, a name, or a name with parameters such as "beckmann(alpha=0.1)".
 
     Raises:
         ValueError: an unknown name, or a value that the distribution refuses.
@@ -53,10 +53,10 @@ def as_distribution(value: Any) -> Distribution:
 
 
 def as_spatial(value: Any) -> Distribution:
-    """As `as_distribution`, of directions in space.
+    """Like `as_distribution`, for directions in space.
 
     Raises:
-        TypeError: one that lies in a plane.
+        TypeError: a distribution in a plane.
     """
     distribution = as_distribution(value)
     if distribution.width != 3:
@@ -67,7 +67,7 @@ def as_spatial(value: Any) -> Distribution:
 def _keywords(text: str) -> dict[str, Any]:
     try:
         call = ast.parse(f"_({text})", mode="eval").body
-    except (ValueError, RecursionError, MemoryError) as error:  # zero bytes; more brackets than the parser has room for
+    except (ValueError, RecursionError, MemoryError) as error:  # zero bytes, or more nested brackets than the parser allows
         raise SyntaxError from error
     if not isinstance(call, ast.Call) or call.args or any(keyword.arg is None for keyword in call.keywords):
         raise TypeError("parameters go by name")

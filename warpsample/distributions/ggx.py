@@ -1,4 +1,4 @@
-"""Normals of a rough surface with the long tails of a sphere cut in pieces: Trowbridge and Reitz, GGX."""
+"""Normals of a rough surface with long tails, GGX: those of an ellipsoid, after Trowbridge and Reitz."""
 
 from dataclasses import dataclass
 
@@ -57,7 +57,7 @@ class GGX(Distribution):
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
-        """From a mirror's polish to the cosine lobe."""
+        """From almost a mirror to the cosine lobe."""
         return tuple(cls(alpha) for alpha in (1e-6, 0.01, 0.3, 1.0))
 
     @property

@@ -1,4 +1,4 @@
-"""In the plane: a point of the circle that touches the surface point, seen from there: uniform in angle."""
+"""In the plane: a point of the circle that touches the surface point, seen from there: density uniform in angle."""
 
 from dataclasses import dataclass
 

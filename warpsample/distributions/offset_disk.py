@@ -1,4 +1,4 @@
-"""In the plane: a point of the disk that touches the surface point, seen from there: the cosine squared."""
+"""In the plane: a point of the disk that touches the surface point, seen from there: density cosine squared."""
 
 from dataclasses import dataclass
 
@@ -39,7 +39,7 @@ class OffsetDisk(Distribution):
     support = "half circle"
     width = 2
     source = "Chizhov2019, sections 3.1 and 3.2"
-    limits = "two variates make one angle, so no inverse"
+    limits = "two variates give one angle, so there is no inverse"
 
     @property
     def maps(self) -> Maps:

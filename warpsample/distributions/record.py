@@ -1,4 +1,4 @@
-"""What a distribution says of itself, and its maps on arrays."""
+"""The record of a distribution: its properties, and its maps applied to arrays."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -120,7 +120,7 @@ class Distribution:
         return self._cdf(np.clip(as_real(theta, "theta").astype(np.float64), 0.0 if self.width == 3 else -pi, pi))
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """`cdf` of float64 angles that can be."""
+        """`cdf` for float64 angles within the range."""
         raise NotImplementedError(f"{self!r}: its density is not one of the angle alone")
 
     def seam(self, u: np.ndarray) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""The unit disk, by two maps of the square that keep area: under the cosine lobe, and for lenses."""
+"""The unit disk, by two maps of the square that preserve area: the basis of the cosine lobe, and for lenses."""
 
 from dataclasses import dataclass
 from typing import Literal, get_args
@@ -33,9 +33,9 @@ def uniform_disk_to_square(p: wp.vec2) -> wp.vec2:
 
 @wp.func
 def square_to_concentric_disk(u: wp.vec2) -> wp.vec3:
-    """(x, y, radius) by Shirley1997: squares become rings, so that neighbours stay neighbours.
+    """(x, y, radius) by Shirley1997: squares become rings, so neighbours stay neighbours.
 
-    The grid is shifted by half a cell onto the middles of its cells, exactly, so that the radius stays below 1.
+    The grid is shifted exactly to the middles of its cells, so that the radius stays below 1.
     """
     a = (2.0 * u[0] - 1.0) + _HALF_CELL
     b = (2.0 * u[1] - 1.0) + _HALF_CELL
@@ -48,14 +48,14 @@ def square_to_concentric_disk(u: wp.vec2) -> wp.vec3:
 
 @wp.func
 def square_to_uniform_disk_concentric(u: wp.vec2) -> wp.vec2:
-    """The point of `square_to_concentric_disk`."""
+    """The point of `square_to_concentric_disk`, without the radius."""
     p = square_to_concentric_disk(u)
     return wp.vec2(p[0], p[1])
 
 
 @wp.func
 def uniform_disk_to_square_concentric(p: wp.vec2) -> wp.vec2:
-    """The way back: the radius is the longer coordinate, the octant's angle the ratio of the two."""
+    """The inverse: the radius is the longer coordinate, the angle in the octant the ratio of the two."""
     ax = wp.abs(p[0])
     ay = wp.abs(p[1])
     longer = wp.sqrt(ax * ax + ay * ay)

@@ -1,4 +1,4 @@
-"""Every direction above the surface equally likely."""
+"""All directions above the surface, equally likely."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""Every direction equally likely."""
+"""All directions, equally likely."""
 
 from dataclasses import dataclass
 

@@ -101,6 +101,7 @@ class _Part(FileIO):
         super().__init__(part, "x")
 
     def write(self, data: Any) -> int | None:
+        """As `FileIO.write`."""
         with _told(self.path):
             return super().write(data)
 

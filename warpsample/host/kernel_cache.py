@@ -56,6 +56,7 @@ def load(kernel: wp.Kernel, device: str) -> None:
     block = 1 if device == "cpu" else 256  # as wp.launch has it
 
     def load_module() -> None:
+        """Builds or loads the module, as Warp does it."""
         wp.load_module(kernel.module, device, block_dim=block)
 
     entry = Path(wp.config.kernel_cache_dir, kernel.module.get_module_identifier(block))

@@ -24,6 +24,7 @@ def once(factory: Callable[..., T]) -> Callable[..., T]:
 
     @wraps(factory)
     def get(*arguments: Any, **named: Any) -> T:
+        """The known value, or a new one."""
         key = (*arguments, *named.items())
         if key not in known:
             with making:

@@ -29,6 +29,7 @@ def place_points() -> wp.Kernel:
         barycentric: wp.uint64,
         first_task: wp.int64,
     ):
+        """One point."""
         i = wp.int32(first_task) + wp.tid()
         corners = wp.array(ptr=vertices, shape=(vertex_count,), dtype=wp.vec3d)
         triangles = wp.array(ptr=faces, shape=(last_face + 1,), dtype=wp.vec3i)

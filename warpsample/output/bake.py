@@ -1,4 +1,4 @@
-"""Numbers at the points of a mesh, into a file: `warpsample bake`."""
+"""Writes numbers at the points of a mesh into a file: `warpsample bake`."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import fields
@@ -21,18 +21,18 @@ QUANTITIES = {"ao": "ambient occlusion", "sky": "sky view factor", "irradiance":
 PLACEMENTS = {"vertices": vertex_points, "faces": face_centers, "surface": sample_surface}
 SUFFIXES = tuple(WRITERS)
 
-_RAYS_PER_PART = 1 << 22  # half a second, after which the progress moves
+_RAYS_PER_PART = 1 << 22  # half a second of work for each step of the progress
 
 
 def bake(run: Run) -> str:
-    """Runs and writes `run.output`, which appears when it is complete; an interrupted run leaves what was there before.
+    """Runs and writes `run.output`, which appears when it is complete; an interrupted run leaves the old file.
 
     Returns:
-        what was done, in sentences.
+        a report in sentences.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is computed.
-        KeyboardInterrupt: with a sentence about what was done.
+        KeyboardInterrupt: with a sentence that says how far it was.
         WriteError: the file cannot be written.
     """
     _check(run)
@@ -62,7 +62,7 @@ def _check(run: Run) -> None:
 
 
 def _quantity(run: Run, mesh: Mesh) -> Callable[[SurfacePoints, int], Estimate]:
-    """(points, id of the first) -> their numbers."""
+    """A function (points, id of the first) -> their numbers."""
     if run.quantity == "ao":
         return lambda points, first: ambient_occlusion(mesh, points, run.samples, first_point=first, **run.options)
     if run.quantity == "sky":
@@ -78,7 +78,7 @@ def _slice(points: SurfacePoints, first: int, count: int) -> SurfacePoints:
 
 
 def _parts(points: SurfacePoints, run: Run, estimate: Callable[[SurfacePoints, int], Estimate]) -> Iterator[Estimate]:
-    """Part by part, with a progress bar where stderr is a terminal."""
+    """Estimates part by part, with a progress bar if stderr is a terminal."""
     from rich.console import Console  # noqa: PLC0415
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn  # noqa: PLC0415
 
@@ -120,13 +120,13 @@ def _summary(run: Run, found: Estimate, seconds: float) -> str:
         lines.append(f"mean {found.value[good].mean():.4f}; standard error {error:.2g}, root mean square over the points")
     lines.append(f"{cast:,} rays cast in {seconds:.2f} s, {cast / max(seconds, 1e-9) / 1e6:.1f} million a second")
     told = {
-        "where nothing is": skipped.empty_rays,
+        "in empty cells": skipped.empty_rays,
         "without weight": skipped.weightless_rays,
         "not needed for the tolerance": skipped.unneeded_rays,
     }
     lines.append("rays skipped: " + ", ".join(f"{n:,} {why}" for why, n in told.items() if n) if any(told.values()) else "")
     if skipped.open_points:
-        lines.append(f"points that no ray was cast from: {skipped.open_points:,}")
+        lines.append(f"{skipped.open_points:,} points needed no rays")
     bad = {status: n for status, n in found.counts().items() if status != PointStatus.OK}
     if bad:
         lines.append("points without a number: " + ", ".join(f"{n:,} {status.name.lower()}" for status, n in bad.items()))

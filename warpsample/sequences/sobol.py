@@ -46,8 +46,8 @@ def _scrambled(index: wp.uint32, second: wp.uint32, key: wp.vec4ui) -> wp.vec2:
 def sobol(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
     """The sample-th point of the Sobol' sequence at this surface point, shuffled and scrambled by its own keys.
 
-    The first coordinate is the index with its bits reversed, which is the form that the scramble wants. Shuffling the
-    index lets two calls with different seeds be paired sample by sample.
+    The first coordinate is the index with its bits reversed, which is what the scramble takes. As the index is shuffled,
+    two calls with different seeds can be paired sample by sample.
     """
     key = point_key(seed, point)
     index = reverse_bits(laine_karras(reverse_bits(sample), key[0]))
@@ -58,8 +58,8 @@ def sobol(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32
 def sobol_pair(seed: wp.uint64, point: wp.uint64, half: wp.uint32, count: wp.uint32) -> wp.vec4:
     """The points of samples 2 half and 2 half + 1, shuffled together.
 
-    Their indices, reversed, differ in the top bit alone, which the scramble passes on and nothing else depends on: the
-    shuffled indices, and so the second coordinates, differ in the last bit.
+    Their reversed indices differ only in the top bit, on which no other bit of the scramble depends. So the shuffled
+    indices, and the second coordinates, differ only in the last bit.
     """
     key = point_key(seed, point)
     index = reverse_bits(laine_karras(reverse_bits(half + half), key[0]))

@@ -1,7 +1,7 @@
-"""The judges: every map, density and frame once more in float64 NumPy, slow and written differently from the kernels.
+"""Second implementations, the twins: every map, density and frame in float64 NumPy, written differently from the kernels.
 
-Where a record states a limit (an edge held, a horizon blurred), its twin holds and blurs the same. Parameters are rounded
-to float32 first, as the kernels take them. The twins of the sequences, in exact integers, are in `sequences`.
+Where a record states a limit (a clamped edge, a blurred horizon), its twin does the same. Parameters are first rounded to
+float32, as the kernels take them. The twins of the sequences, in exact integers, are in `sequences`.
 """
 
 import numpy as np
@@ -16,12 +16,12 @@ _TWINS = {**shapes.TWINS, **microfacets.TWINS}
 
 
 def directions(distribution: Distribution, u: np.ndarray) -> np.ndarray:
-    """What `distribution.sample(u)` should be: (..., width) float64 for float64 u."""
+    """The exact value of `distribution.sample(u)`: (..., width) float64 for float64 u."""
     return _TWINS[distribution.name][0](distribution, u)
 
 
 def density(distribution: Distribution, w: np.ndarray) -> np.ndarray:
-    """What `distribution.pdf(w)` should be at w in the support: float64 for float64 w of about unit length."""
+    """The exact value of `distribution.pdf(w)` for w in the support: float64 for float64 w of about unit length."""
     return _TWINS[distribution.name][1](distribution, w)
 
 

@@ -1,4 +1,4 @@
-"""What the twins share, in float64: angles, unit vectors, frames about normals, and parameters as the kernels take them."""
+"""Shared by the twins, in float64: angles, unit vectors, frames about normals, and parameters as the kernels take them."""
 
 from collections.abc import Callable
 from typing import Any
@@ -7,7 +7,7 @@ import numpy as np
 
 TAU = 2.0 * np.pi
 BLUR = 2.0**-21
-"""By how much the kernels hold an edge or a horizon."""
+"""The relative width in which the kernels clamp an edge or blur a horizon."""
 
 
 def spherical(theta: np.ndarray, turns: np.ndarray) -> np.ndarray:
@@ -43,7 +43,7 @@ def parameter(distribution: Any, name: str) -> float:
 
 
 def by_theta(theta: Callable[[Any, np.ndarray], np.ndarray]) -> Callable[[Any, np.ndarray], np.ndarray]:
-    """A map with the azimuth 2 pi u[1] from theta(distribution, u[0])."""
+    """A map with azimuth 2 pi u[1] and the angle theta(distribution, u[0])."""
     return lambda d, u: spherical(theta(d, u[..., 0]), u[..., 1])
 
 

@@ -36,7 +36,7 @@ def _facing(d: Any, m: np.ndarray) -> np.ndarray:
 
 
 def _turned_to_view(d: Any, w: np.ndarray) -> np.ndarray:
-    """From a frame whose x lies below the view to the local one."""
+    """From a frame whose x axis lies below the view to the local frame."""
     x, y, _ = _view(d)
     turn = np.exp(1j * np.arctan2(y, x)) * (w[..., 0] + 1j * w[..., 1])
     return np.stack([turn.real, turn.imag, w[..., 2]], axis=-1)
@@ -47,7 +47,7 @@ def _unit(w: np.ndarray) -> np.ndarray:
 
 
 def _visible_ggx(d: Any, u: np.ndarray) -> np.ndarray:
-    """Dupuy2023, listing 3, as printed, but for the azimuth's start at the view."""
+    """Dupuy2023, listing 3, as printed, except that the azimuth starts at the view."""
     x, y, z = _view(d)
     alpha = parameter(d, "alpha")
     view = _unit(np.array([alpha * np.hypot(x, y), 0.0, z]))
@@ -66,7 +66,7 @@ def _visible_ggx_density(d: Any, m: np.ndarray) -> np.ndarray:
 
 
 def _slopes_seen(d: Any) -> tuple[float, float]:
-    """(a, alpha sin v): in units of alpha, the slope at which normals turn away from the view; a sine at least 1e-12."""
+    """(a, alpha sin v): in units of alpha, the slope at which normals face away; the sine is at least 1e-12."""
     x, y, z = _view(d)
     across = parameter(d, "alpha") * max(np.hypot(x, y), 1e-12)
     return z / across, across
@@ -79,6 +79,7 @@ def _visible_beckmann(d: Any, u: np.ndarray) -> np.ndarray:
     a, _ = _slopes_seen(d)
 
     def share_above(x: np.ndarray) -> np.ndarray:
+        """What the view sees of slopes above x."""
         return a / 2.0 * erfc(x) + np.exp(-x * x) / np.sqrt(4.0 * np.pi)
 
     low, high = np.full(u.shape[:-1], -min(a, 6.0)), np.full(u.shape[:-1], 6.0)
@@ -93,7 +94,7 @@ def _visible_beckmann(d: Any, u: np.ndarray) -> np.ndarray:
 
 
 def _visible_beckmann_density(d: Any, m: np.ndarray) -> np.ndarray:
-    """The normals' density times what the view sees of each, over the area seen: Heitz2014, equations 2 and 3."""
+    """The density of normals times their visible share, over the visible area: Heitz2014, equations 2 and 3."""
     from scipy.special import erf  # noqa: PLC0415  (slow to import)
 
     a, across = _slopes_seen(d)

@@ -1,4 +1,4 @@
-"""The sequences once more, point by point in exact integers and fractions, and the digests that their streams must keep."""
+"""Second implementations of the sequences, in exact integers and fractions, and the digests that their streams must keep."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -14,7 +14,7 @@ def expected(name: str, seed: int, point: int, sample: int, count: int) -> tuple
 
 
 def frozen_digest(name: str) -> str:
-    """What `streams.digest` must give for a sequence."""
+    """The value that `streams.digest` must have for a sequence."""
     return _TWINS[name][1]
 
 
@@ -89,7 +89,7 @@ def _owen(x: int, key: int) -> int:
 
 
 def _sobol(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
-    """By direction numbers: those of the second dimension are v ^ (v >> 1), from 1/2 on."""
+    """By direction numbers: in the second dimension each is v ^ (v >> 1) of the one before, from 1/2 on."""
     key = _key(seed, point)
     index = _reversed(_owen(_reversed(sample), key[0]))
     second, direction = 0, 1 << 31
@@ -110,7 +110,7 @@ def _stratified(seed: int, point: int, sample: int, count: int) -> tuple[int, in
     return min(int(u[0] * _CELLS), _CELLS - 1), min(int(u[1] * _CELLS), _CELLS - 1)
 
 
-# A change of the stream changes every result that anyone has stored: it must be meant.
+# A change of a stream changes every result that users have stored: it must be intended.
 _TWINS = {
     "fibonacci": (_fibonacci, "be3491b49b9e0314"),
     "independent": (_independent, "ab00f3a4a2d36c47"),

@@ -51,7 +51,7 @@ def _offset_sphere(d: Any, u: np.ndarray) -> np.ndarray:
 
 
 def _offset_sphere_density(d: Any, w: np.ndarray) -> np.ndarray:
-    """The two formulas of the exact law, for a sphere that the surface point is outside of, and inside of."""
+    """The exact density: one formula if the surface point is outside of the sphere, one if it is inside."""
     rho, theta = parameter(d, "rho"), polar_angle(w)
     if rho < 1.0:
         root = np.sqrt(np.maximum(rho**2 - np.sin(theta) ** 2, BLUR * rho**2))
