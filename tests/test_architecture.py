@@ -160,7 +160,7 @@ def test_public_names_come_from_where_type_checkers_see_them(repository):
 
 
 def test_every_distribution_and_sequence_has_its_names_and_its_twin():
-    """What the rooms' READMEs say that a new one takes, but for its own file."""
+    """The steps that the READMEs of the rooms list for a new one, besides its own file."""
     import warpsample as ws
     from warpsample import distributions, funcs
     from warpsample.proof import twins

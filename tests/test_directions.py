@@ -1,4 +1,4 @@
-"""sample_directions: the same bits however it is run, right about any normal, and clear about bad input."""
+"""sample_directions: the same bits however it is run, correct about any normal, and clear errors for bad input."""
 
 from itertools import pairwise
 

@@ -27,7 +27,7 @@ def test_ten_laws_or_more_judge_every_case():
 
 
 def laws_of(case):
-    """For pytest: the masses of a grazing view have no closed form and take seconds; two other views of each do not."""
+    """Marks grazing views as slow: their masses have no closed form and take seconds. Each has two other views."""
     grazing = getattr(case, "view", None) == (1.0, 0.0, 0.0)
     return pytest.param(case, marks=pytest.mark.slow) if grazing else case
 
@@ -56,7 +56,7 @@ def test_second_routes_give_the_same_laws_and_maps():
 
 @pytest.mark.parametrize("case", [c for c in CASES if c.maps.invert is not None and c.variates == 2], ids=repr)
 def test_invert_gives_uniform_variates(case, plausible):
-    """Of directions that another method of the same density drew: its inverse must make them uniform."""
+    """The inverse must make directions uniform that another method of the same density has drawn."""
     other = {"cosine_hemisphere": ws.CosineHemisphere("inversion"), "uniform_disk": ws.UniformDisk("polar")}
     u = case.invert(independent_directions(other.get(case.name, case), 4000, seed=2))
     for axis in (0, 1):
@@ -94,13 +94,15 @@ def test_cdf_is_the_integral_of_the_density(case):
 
 @pytest.mark.parametrize("case", [case for case in CASES if case.symmetric], ids=repr)
 def test_chances_are_0_below_all_angles_and_1_above(case):
-    """Also where the formula itself would turn round; in float64, whatever the angles are."""
+    """Also beyond the range of the formula; in float64, whatever type the angles have."""
     assert case.cdf([-4.0, 4.0]).tolist() == pytest.approx([0.0, 1.0], abs=1e-15)  # a few roundings
     assert case.cdf(np.float32([0.5, 1.0])).dtype == np.float64
 
 
 def test_cdf_that_is_not_closed_says_so():
-    with pytest.raises(NotImplementedError, match=r"VisibleGGX\(alpha=0.5.*: its density is not one of the angle alone"):
+    with pytest.raises(
+        NotImplementedError, match=r"VisibleGGX\(alpha=0.5.*: its density does not depend on the angle alone"
+    ):
         ws.VisibleGGX(0.5).cdf(0.1)
 
 

@@ -47,7 +47,7 @@ def test_each_listed_source_is_cited(listed, texts):
 
 
 def test_sources_are_cited_by_their_keys(texts):
-    """Not as "Walter et al. 2007": that leads nowhere."""
+    """A citation such as "Walter et al. 2007" does not lead to an entry."""
     found = {(path, hit) for path, text in texts.items() for hit in BY_NAME.findall(DATE.sub("", text))}
     assert found == set()
 

@@ -1,4 +1,4 @@
-"""What a newcomer types first, on terminals and machines of all kinds."""
+"""The first commands of a newcomer, on terminals and machines of all kinds."""
 
 import os
 import pty
@@ -17,7 +17,7 @@ from warpsample.mesh import examples
 
 @pytest.fixture
 def run(child_environment, tmp_path):
-    """`python -m warpsample ...` in a process and a folder of its own."""
+    """`python -m warpsample ...` in its own process and folder."""
 
     def run(*arguments, **environment):
         command = [sys.executable, "-m", "warpsample", *map(str, arguments)]
@@ -53,7 +53,7 @@ def test_a_file_name_is_shown_as_it_is(call, tmp_path):
 
 @pytest.mark.slow
 def test_an_ascii_terminal_is_told_all_the_same(run, can_render, tmp_path):
-    """What was drawn has a theta in it; a file may have any name."""
+    """The output contains a theta, and a file name may contain anything."""
     ascii_only = {"PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
     status, out, err = run("view", "courtyard", "--points", 3, "--samples", 16, "--screenshot", "é.png", **ascii_only)
     assert (status, err) == (0, "")
@@ -183,7 +183,7 @@ CLOSED = {"stdout": ">&-", "stderr": "2>&-", "all": "<&- >&- 2>&-"}
 
 @pytest.mark.parametrize("streams", CLOSED)
 def test_what_is_closed_is_nowhere(streams, child_environment, tmp_path):
-    """As a service's: the file gets none of the numbers that are printed to, and a command that works says that it did."""
+    """As in a service: the file does not get the number of a closed stream, and a command that works reports it."""
     command = f"{sys.executable} -m warpsample"
     writes = f"{command} directions courtyard -o o.ply --count 9 --samples 2 {CLOSED[streams]}"
     lines = f"{writes} && {command} info o.off {CLOSED[streams]}"

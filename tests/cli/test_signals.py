@@ -1,4 +1,4 @@
-"""Ended from outside, at any moment: nothing half-written, no hidden cursor, no process, one sentence, 128 + the signal."""
+"""A command ended by a signal leaves no partial file, hidden cursor or process, prints one sentence, ends with 128 + it."""
 
 import os
 import pty
@@ -19,7 +19,7 @@ HIDE, SHOW = "\x1b[?25l", "\x1b[?25h"
 
 
 def mostly_slow(*quick):
-    """The signals for pytest: all but these are heard by the same lines, and a test of each takes seconds."""
+    """The signals for pytest; those that the same code handles are slow tests."""
     return [name if name in quick else pytest.param(name, marks=pytest.mark.slow) for name in SIGNALS]
 
 
@@ -28,7 +28,7 @@ def sentence(name):
 
 
 def until(condition, seconds=60.0):
-    """Waits for it."""
+    """Waits until a condition holds; returns its value."""
     end = time.monotonic() + seconds
     while not (found := condition()):
         assert time.monotonic() < end
@@ -37,7 +37,7 @@ def until(condition, seconds=60.0):
 
 
 def read(master, word=None):
-    """What is written to a terminal up to a word, or until its programs end."""
+    """The output on a terminal up to a word, or until its programs end."""
     text = b""
     with suppress(OSError):
         while (word is None or word.encode() not in text) and (part := os.read(master, 1 << 16)):
@@ -46,14 +46,14 @@ def read(master, word=None):
 
 
 def start(environment, *arguments, **streams):
-    """The command in a session of its own, as a terminal's programs are."""
+    """The command in its own session, like the programs of a terminal."""
     command = [sys.executable, "-m", "warpsample", *map(str, arguments)]
     return subprocess.Popen(command, env={**environment, "TERM": "xterm"}, start_new_session=True, text=True, **streams)
 
 
 @pytest.fixture
 def writing(cube, tmp_path):
-    """Arguments that write hundreds of megabytes; and what says that a half of them is there."""
+    """Arguments that write hundreds of megabytes, and a test whether half of them is written."""
     output = tmp_path / "d.npz"
     output.write_text("old")
     arguments = ["directions", cube, "-o", output, "--count", 500_000, "--samples", 256]
@@ -82,7 +82,7 @@ def test_on_a_terminal_the_half_file_goes_and_the_cursor_comes_back(name, writin
 
 
 def test_a_terminal_that_is_closed_leaves_no_half_file(writing, child_environment):
-    """Which is a SIGHUP, and errors at each word that is still said."""
+    """The closed terminal sends SIGHUP, and every further output fails."""
     arguments, half = writing
     master, slave = pty.openpty()
     running = start(child_environment, *arguments, stdin=slave, stdout=slave, stderr=slave)
@@ -129,14 +129,14 @@ def end_while_importing(name, module, cube, environment, **ignored):
     ("name", "module"), [*((name, "warp") for name in SIGNALS), ("SIGINT", "numpy"), ("SIGINT", "typer")]
 )
 def test_in_the_first_second_it_is_one_sentence(name, module, cube, child_environment):
-    """When nothing of the command is imported yet but what hears signals."""
+    """When only the handling of signals is imported."""
     done = end_while_importing(name, module, cube, child_environment)
     assert (done.returncode, done.stdout, done.stderr) == (128 + getattr(signal, name), "", sentence(name) + "\n")
 
 
 @pytest.mark.parametrize("name", ["SIGHUP", pytest.param("SIGINT", marks=pytest.mark.slow)])
 def test_what_the_parent_ignores_stays_ignored(name, cube, child_environment):
-    """As nohup and a shell's background jobs do."""
+    """As for nohup and a shell's background jobs."""
     number = getattr(signal, name)
     done = end_while_importing(
         name, "warp", cube, child_environment, preexec_fn=lambda: signal.signal(number, signal.SIG_IGN)
@@ -166,7 +166,7 @@ def test_a_second_signal_does_not_break_the_cleaning_up(child_environment):
 
 
 def test_one_that_python_drops_is_raised_again(child_environment):
-    """As where it comes while something is deleted, or in a callback of VTK's."""
+    """As when it comes while an object is deleted, or in a callback of VTK."""
     body = """
     class Dropping:
         def __del__(self):
@@ -183,7 +183,7 @@ def test_one_that_python_drops_is_raised_again(child_environment):
 
 @pytest.mark.parametrize("name", SIGNALS)
 def test_while_a_window_is_open_a_signal_ends_it_at_once(name, child_environment):
-    """VTK's loop runs no Python while nothing happens; afterwards signals are heard as before."""
+    """VTK's event loop runs no Python while idle; afterwards signals are handled as before."""
     body = f"""
     from warpsample.cli.signals import at_once
     with at_once():
@@ -199,7 +199,7 @@ def test_while_a_window_is_open_a_signal_ends_it_at_once(name, child_environment
     "name", ["SIGTERM", *(pytest.param(other, marks=pytest.mark.slow) for other in ("SIGINT", "SIGHUP"))]
 )
 def test_the_processes_of_verify_end_with_it(name, child_environment):
-    """To the group, as from a terminal, where a child that has not started yet must not say anything; or to it alone."""
+    """Sent to the process group, as by a terminal, where a starting child must not print; or to the process alone."""
     running = start(child_environment, "verify", stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     children = until(lambda: psutil.Process(running.pid).children())
     send = running.send_signal if name == "SIGTERM" else lambda number: os.killpg(running.pid, number)
@@ -213,7 +213,7 @@ def test_the_processes_of_verify_end_with_it(name, child_environment):
 
 
 def test_a_benchmarks_child_ends_when_the_parent_is_interrupted(monkeypatch, tmp_path):
-    """In the middle of its work."""
+    """Raised in the middle of the work."""
     monkeypatch.setenv("PYTHONPATH", str(Path(__file__).parent), prepend=os.pathsep)
     child = Child("test_signals:no_end", at_work=str(tmp_path / "at work"))
     until((tmp_path / "at work").exists)

@@ -1,4 +1,4 @@
-"""Every argument of every public function, given all that is wrong: the error names it, and is not NumPy's or Warp's."""
+"""Every argument of every public function with wrong values: the error names the argument, and is not NumPy's or Warp's."""
 
 import inspect
 import traceback
@@ -47,7 +47,7 @@ VIA = {  # whose arguments **options are
 
 
 def targets():
-    """(name, function) of all that is public: functions, constructors, and methods where they are defined."""
+    """(name, function) of the public functions, constructors and methods."""
     for name in ws.__all__:
         item = getattr(ws, name)
         if isinstance(item, ModuleType):
@@ -70,7 +70,7 @@ def methods(name, owner, example):
 
 
 def parameters(function):
-    """All that a function takes, by name, through its **options."""
+    """All arguments of a function by name, including those through **options."""
     found = {}
     for name, parameter in inspect.signature(function).parameters.items():
         if parameter.kind is inspect.Parameter.VAR_KEYWORD:
@@ -87,7 +87,7 @@ CASES = [(name, argument) for name, function in CALLS.items() for argument in pa
 
 
 def fault_of(call, value, valid, said):
-    """What is wrong with how a call answers a value; "" if nothing is."""
+    """The fault in the reaction of a call to a value; "" if there is none."""
     try:
         call(value)
     except (TypeError, ValueError, FileNotFoundError) as error:
@@ -101,7 +101,7 @@ def fault_of(call, value, valid, said):
 
 
 def faults(name, argument):
-    """(label, fault) of all values, of one argument with the others as they should be."""
+    """(label, fault) for all values of one argument, with valid values for the others."""
     function, own = CALLS[name], kind_of(name, argument)
     takes = parameters(function)
     needed = {key: kind_of(name, key).good for key, p in takes.items() if p.default is p.empty}
@@ -144,7 +144,7 @@ def test_the_sweep_is_over_everything():
     ],
 )
 def test_the_sweep_finds_what_is_wrong(wrong, fault):
-    """Silence, NumPy's own error, Warp's own, the name of another argument, another kind of error."""
+    """No error, an error of NumPy or of Warp, the name of another argument, or another type of error."""
     assert fault_of(wrong, "no", valid=False, said=("skip",)).startswith(fault)
 
 

@@ -1,4 +1,4 @@
-"""How kernels are built and run: split, threaded, vectorised, portable to CUDA."""
+"""Kernels are split, threaded and vectorised, and can be built for CUDA."""
 
 import mmap
 import re
@@ -58,7 +58,7 @@ def test_an_interrupt_stops_the_threads_before_the_call_returns(monkeypatch):
 
 
 def test_however_often_it_is_interrupted_a_call_outlasts_its_threads(monkeypatch):
-    """They write to arrays that are gone after it."""
+    """They write to arrays that are released afterwards."""
     run_chunks, patient, begun, waits = engine._run_chunks, engine.wait, threading.Event(), []
     ended = []
 
@@ -87,7 +87,7 @@ def test_however_often_it_is_interrupted_a_call_outlasts_its_threads(monkeypatch
 
 
 def test_fewer_threads_than_asked_for_do_the_work(monkeypatch):
-    """As where the system gives no more, or Python is ending."""
+    """As when the system has no more, or Python is ending."""
 
     class NoMore:
         left = 1
@@ -112,7 +112,7 @@ def test_an_error_in_a_worker_reaches_the_caller():
 
 
 def _reserve(size):
-    """Memory that is there once it is written to."""
+    """Memory that is only allocated when it is written to."""
     return mmap.mmap(-1, size, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS | getattr(mmap, "MAP_NORESERVE", 0x4000))
 
 
@@ -208,7 +208,7 @@ announce("end")
 
 @pytest.mark.slow
 def test_every_loop_of_directions_is_vectorised(tmp_path, child_environment):
-    """By the compiler's own remarks, with a cold cache, in two processes."""
+    """According to the compiler's remarks, with a cold cache, in two processes."""
     halves = [VECTORISED[::2], VECTORISED[1::2]]
     children = []
     for i, half in enumerate(halves):
@@ -255,7 +255,7 @@ def all_kernels():
 @pytest.mark.slow
 @pytest.mark.parametrize(("label", "kernel"), [pytest.param(*pair, id=pair[0]) for pair in all_kernels()])
 def test_every_kernel_compiles_for_cuda(label, kernel, tmp_path):
-    """To PTX, by the compiler inside warp-lang; no driver needed."""
+    """They are compiled to PTX by the compiler in warp-lang, which needs no driver."""
     if kernel.module in _compiled:
         return
     _compiled.add(kernel.module)

@@ -1,4 +1,4 @@
-"""What is written is whole or not there: full disks, signals, killed processes, links, inputs, bad folders."""
+"""Files are complete or absent: full disks, signals, killed processes, links, inputs, bad folders."""
 
 import json
 import os
@@ -70,7 +70,7 @@ with files.complete_or_absent(Path("out.npz")) as file:
 
 
 class Ended(KeyboardInterrupt):
-    """As a signal is raised at the command line."""
+    """Raises as the command line does on a signal."""
 
 
 @pytest.fixture
@@ -193,7 +193,7 @@ def test_no_moment_at_which_a_signal_leaves_a_part(tmp_path, work):
 
 @pytest.mark.skipif(files.fcntl is None, reason="Windows has no SIGKILL and no locks of this kind")
 def test_the_next_run_removes_what_a_killed_one_left_and_nothing_else(tmp_path, child_environment):
-    """The dead one's part, and one of a process whose number is another's now; not a living one's, nor another machine's."""
+    """The part of a dead process, also if its number is used again, but not of a living one or of another machine."""
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
     command, output = [sys.executable, "-c", WRITING], tmp_path / "out.npz"
     with (
@@ -223,7 +223,7 @@ def test_the_next_run_removes_what_a_killed_one_left_and_nothing_else(tmp_path, 
 
 @pytest.fixture
 def uncomputed(monkeypatch):
-    """Fails what gets as far as reading its mesh."""
+    """Fails a test that gets as far as reading its mesh."""
 
     def load(path):
         raise AssertionError(f"{path} was read")
@@ -282,7 +282,7 @@ UNWRITABLE = {  # what is said of each
 
 
 def unwritable(tmp_path, kind, name):
-    """A path of that name where nothing can be written."""
+    """A path of that name that cannot be written."""
     path = tmp_path / name
     if kind == "folder":
         path.mkdir()
@@ -322,7 +322,7 @@ def test_what_cannot_be_written_is_refused_before_anything_is_computed(call, bal
 
 
 def test_a_file_that_may_not_be_written_is_left(tmp_path, monkeypatch):
-    """Root may write everything, so the system's answer is made up."""
+    """Root may write everything, so the system's answer is simulated."""
     path = tmp_path / "out"
     path.write_text("old")
     monkeypatch.setattr(os, "access", lambda asked, mode: (asked, mode) != (path, os.W_OK))
@@ -365,7 +365,7 @@ def test_links_and_permissions_stay(tmp_path):
 
 
 def test_two_threads_write_one_file(tmp_path):
-    """One of the two stays, whole."""
+    """One of the two stays, complete."""
     path, contents = tmp_path / "out", [bytes([i]) * 100_000 for i in range(8)]
     with ThreadPoolExecutor(8) as pool:
         list(pool.map(lambda content: files.write_bytes(path, content), contents))
@@ -374,7 +374,7 @@ def test_two_threads_write_one_file(tmp_path):
 
 
 def test_a_part_that_is_taken_for_an_orphan_is_made_again(tmp_path, monkeypatch):
-    """By another run, before it is locked."""
+    """Another run removes it before it is locked."""
     lock, taken = files._lock, []
 
     def late(raw):
@@ -390,7 +390,7 @@ def test_a_part_that_is_taken_for_an_orphan_is_made_again(tmp_path, monkeypatch)
 
 
 def test_an_error_of_the_work_stays_what_it_is(tmp_path):
-    """Only what the output's own file says is about the output."""
+    """Only errors of the output's own file are reported as errors of the output."""
     with pytest.raises(FileNotFoundError, match="elsewhere"), files.complete_or_absent(tmp_path / "out"):
         (tmp_path / "elsewhere").read_bytes()
     with (

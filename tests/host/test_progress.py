@@ -1,4 +1,4 @@
-"""Bars of long library calls: shown where they are asked for and can be seen, and without a bit of change."""
+"""Progress bars of long calls: shown if requested and visible, without changing a bit of the result."""
 
 import os
 import pty
@@ -35,7 +35,7 @@ def test_nothing_is_printed_unless_asked_and_seen_and_no_bit_changes(name, capfd
 
 
 class Display:
-    """What a bar is told."""
+    """Records the steps of a bar."""
 
     def __init__(self):
         self.total, self.done, self.runs = 0, 0, 0

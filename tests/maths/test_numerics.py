@@ -1,4 +1,4 @@
-"""Each building block over its whole range against float64, and its named corners."""
+"""Each building block over its whole range against float64, and at its special values."""
 
 import numpy as np
 import pytest
@@ -179,7 +179,7 @@ def _height_and_x(u: wp.array[wp.vec2], out: wp.array[wp.float32]):
 
 
 def test_maps_can_be_differentiated():
-    """For those who optimise through a kernel of their own: the native fma has a gradient too."""
+    """For users who differentiate their own kernels: the native fma has a gradient."""
     points = np.random.default_rng(3).uniform(0.1, 0.9, size=(100, 2)).astype(np.float32)
     u = wp.array(points, dtype=wp.vec2, device="cpu", requires_grad=True)
     out = wp.zeros(100, dtype=wp.float32, device="cpu", requires_grad=True)

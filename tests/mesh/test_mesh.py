@@ -1,4 +1,4 @@
-"""Meshes: every kind that users hold, and every way in which one can be wrong."""
+"""Meshes: those of other libraries, and every way in which one can be invalid."""
 
 import meshio
 import numpy as np

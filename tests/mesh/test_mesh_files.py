@@ -1,4 +1,4 @@
-"""Mesh files: every format keeps all digits, polygons and instances, and none is read by half."""
+"""Mesh files: every format keeps all digits, polygons and instances, and no truncated file is read."""
 
 import json
 import re
@@ -166,7 +166,7 @@ def test_polygons_are_cut_into_triangles_without_loss(kind, tmp_path):
 
 
 def test_ply_of_other_elements(tmp_path):
-    """Rows that are passed over, before and after what counts, and whose lists are of different lengths."""
+    """Elements that are ignored, before and after the mesh, with lists of different lengths."""
     path = tmp_path / "more.ply"
     for order in ("ascii", "binary_big_endian"):
         whole = cases.ply(order, CORNERS, POLYGONS[:1])
@@ -228,7 +228,7 @@ def test_stl_corners_are_merged_and_info_says_so(tmp_path, call):
 
 
 def hierarchy():
-    """Meshes under nodes that turn, mirror, scale and shift, one of them twice."""
+    """Meshes below nodes that rotate, mirror, scale and translate, one of them twice."""
     scene, matrices = trimesh.Scene(), trimesh.transformations
     turned = matrices.rotation_matrix(0.7, (1, 2, 3), (0.5, 0, 0))
     scene.add_geometry(SPHERE, "a", "a", transform=turned)
@@ -289,7 +289,7 @@ def test_gltf_strips_and_fans(mode, points, area, tmp_path):
 
 
 def test_gltf_of_short_numbers_far_apart(tmp_path):
-    """Positions of 16 bits that are shares of 32767, each followed by another number, and no indices."""
+    """Normalised positions of 16 bits, each followed by another number, and no indices."""
     path, data = tmp_path / "short.gltf", np.int16([(0, 0, 0, 9), (32767, 0, 0, 9), (0, -32767, -32768, 9)]).tobytes()
     (tmp_path / "some data.bin").write_bytes(data)
     places = {"componentType": 5122, "type": "VEC3", "count": 3, "normalized": True}

@@ -1,4 +1,4 @@
-"""What PyVista gets: points, clouds, numbers on meshes; and the accessor that every PolyData has."""
+"""PyVista's PolyData: points, clouds, numbers on meshes; and the accessor of every PolyData."""
 
 import sys
 
@@ -63,7 +63,7 @@ def test_numbers_go_where_they_are_of():
 
 
 def test_the_accessor_comes_by_entry_point(child_environment):
-    """In a process that has imported PyVista alone."""
+    """In a process that has imported only PyVista."""
     import subprocess
 
     code = "import pyvista as pv; print(pv.Sphere().warpsample.sample_directions(2).n_points)"
@@ -88,7 +88,7 @@ def test_the_accessor_gives_what_the_functions_give(ball):
 
 
 def test_the_accessor_follows_its_mesh(ball):
-    """The ball moved away takes its shadow with it; until then the tree is kept."""
+    """When the ball is moved, so is its shadow; until then the tree is kept."""
     moved = ball.copy()
     before = moved.warpsample.mesh
     assert moved.warpsample.mesh is before
@@ -99,7 +99,7 @@ def test_the_accessor_follows_its_mesh(ball):
 
 
 def test_polygons_are_cut(ball):
-    """A mesh of quads and triangles: numbers at its vertices as they are, at faces on the triangles."""
+    """A mesh of quads and triangles: numbers at vertices belong to its vertices, numbers at faces to the triangles."""
     mixed = pv.Plane(i_resolution=2, j_resolution=2).merge(pv.Sphere(center=(0, 0, 2.0))).extract_surface(algorithm=None)
     assert mixed.warpsample.ambient_occlusion(32).n_cells == mixed.n_cells
     assert mixed.warpsample.ambient_occlusion(32, at="faces").n_cells == mixed.n_cells + 4

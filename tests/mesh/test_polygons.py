@@ -1,4 +1,4 @@
-"""Polygons: the triangles cover them once, whatever their shape, and are wound as they are."""
+"""Polygons: their triangles cover them once, whatever their shape, and have the same winding."""
 
 from math import pi
 

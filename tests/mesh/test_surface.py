@@ -1,4 +1,4 @@
-"""Points on a mesh: uniform by area, where they should be, with the right normals."""
+"""Points on a mesh: uniform by area, on their faces, with the correct normals."""
 
 import numpy as np
 import pytest

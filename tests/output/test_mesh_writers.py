@@ -1,4 +1,4 @@
-"""Meshes and clouds that we write: every bit of their coordinates, at any scale and on any map; in little memory."""
+"""Written meshes and clouds keep every bit of their coordinates, at any scale and on any map, and need little memory."""
 
 import json
 import re
@@ -20,7 +20,7 @@ PLACES = [(size, at) for size in (1e-6, 1.0, 5e6) for at in (0.0, 1.0)]  # size,
 
 @lru_cache
 def ground(size=1.0, at=0.0):
-    """4,096 triangles of random corners in a square of that size, none of which float32 holds."""
+    """4,096 triangles of random corners in a square of that size, none of them exact in float32."""
     x, y = np.meshgrid(np.linspace(0.0, size, 33), np.linspace(0.0, size, 65), indexing="ij")
     rng = np.random.default_rng(3)
     vertices = np.stack([x, y, size * rng.uniform(0.0, 0.05, x.shape)], axis=-1).reshape(-1, 3) / 3.0 + at * MAP
@@ -31,7 +31,7 @@ def ground(size=1.0, at=0.0):
 
 @pytest.fixture
 def placed(tmp_path):
-    """Writes a mesh as .obj, whose text holds float64, and gives its path."""
+    """Writes a mesh as .obj, whose text keeps float64, and returns its path."""
 
     def write(mesh):
         path = tmp_path / "ground.obj"
@@ -74,7 +74,7 @@ def test_every_face_keeps_its_area(call, placed, tmp_path, suffix, of, size, at)
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 5e6])
 @pytest.mark.parametrize("suffix", [".ply", ".glb", ".vtp"])
 def test_what_float32_holds_stays_as_it_is(call, tmp_path, suffix, scale):
-    """And a .ply of it stays small; other readers than ours find the same."""
+    """A .ply of it stays small, and other readers find the same."""
     whole = ground().vertices.astype(np.float32) * np.float32(scale)
     source, output = tmp_path / "in.ply", tmp_path / f"out{suffix}"
     trimesh.Trimesh(whole, ground().faces, process=False).export(source)
@@ -147,7 +147,7 @@ def test_a_glb_of_more_than_four_gigabytes_is_refused(call, placed, tmp_path, mo
 
 
 def test_a_glb_says_what_is_in_it(call, placed, tmp_path):
-    """As the format asks: lengths, alignment, limits of positions, a translation that float64 holds."""
+    """As the format requires: lengths, alignment, limits of positions, a translation in float64."""
     mesh, path = ground(1.0, 1.0), tmp_path / "out.glb"
     call("bake", placed(mesh), "-o", path, "--samples", 2)
     content = path.read_bytes()
@@ -169,7 +169,7 @@ def test_a_glb_says_what_is_in_it(call, placed, tmp_path):
 
 
 class Sink:
-    """Counts what is written and keeps none."""
+    """Counts the bytes that are written, and keeps none."""
 
     def __init__(self):
         self.size = 0
@@ -193,7 +193,7 @@ class Sink:
 
 
 def traced(write):
-    """(bytes written, most bytes that Python and NumPy held for it at a time)."""
+    """(bytes written, peak of the memory of Python and NumPy)."""
     sink = Sink()
     tracemalloc.start()
     try:
@@ -217,7 +217,7 @@ def test_a_bake_takes_no_more_than_twice_its_file(tmp_path, monkeypatch, suffix,
 
 @pytest.mark.parametrize("suffix", [".ply", ".vtp"])
 def test_a_cloud_takes_no_more_than_twice_its_file(tmp_path, monkeypatch, suffix):
-    """With the directions themselves, and with points that have none."""
+    """With the directions, and with points that have none."""
     monkeypatch.setattr(mesh_writers, "_BLOCK", 1 << 10)
     points = ws.sample_surface(ground(), 2000)
     points = replace(points, normal=np.where(np.arange(2000)[:, None] % 10 == 0, np.float32(0.0), points.normal))

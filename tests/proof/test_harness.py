@@ -1,4 +1,4 @@
-"""The laws must reject wrong samplers: each planted defect is caught by the law named beside it."""
+"""The laws must reject wrong samplers: the law named beside each planted defect catches it."""
 
 import numpy as np
 import pytest
@@ -60,7 +60,7 @@ def test_planted_defects_are_caught(name):
 
 
 def test_the_right_sampler_passes_where_the_defects_are_planted():
-    """With the very seeds of the defects: what rejects them is not the draw."""
+    """With the seeds of the defects: they are not rejected because of an unlucky draw."""
     for name in ("sphere scaled by 0.99999", "azimuth gap of 1e-3 rad"):
         found = verify.judge(verify.Evidence(verify.Subject(name, RIGHT, RIGHT), every=64))
         assert all(verdict.passed for verdict in found)
@@ -87,7 +87,7 @@ def test_pearsons_test_refuses_what_it_cannot_judge():
 
 
 def test_quadrature_knows_closed_integrals():
-    """Of theta and theta^2 over the cosine lobe: pi / 4 and (pi^2 - 4) / 8."""
+    """The means of theta and theta^2 over the cosine lobe are pi / 4 and (pi^2 - 4) / 8."""
     edges = np.array([0.0, 0.3, np.pi / 2, np.pi])
     for weight, exact in ((0, 1.0), (1, np.pi / 4), (2, (np.pi**2 - 4) / 8)):
         assert laws.cell_masses(RIGHT, edges, 4, weight).sum() == pytest.approx(exact, abs=1e-6)

@@ -14,7 +14,7 @@ from warpsample.proof.stress import judge_indices, judge_normals
 
 @pytest.fixture
 def call(monkeypatch, capsys):
-    """Runs `warpsample verify ...` on a few tasks in this process; gives (exit status, stdout, stderr)."""
+    """Runs `warpsample verify ...` on a few tasks in this process; returns (exit status, stdout, stderr)."""
     short = [Task("case", ws.OffsetCircle()), Task("case", ws.OffsetDisk())]
     monkeypatch.setattr(run, "trial", lambda: list(short))
     monkeypatch.setattr(run, "run", lambda tasks, thorough: ((task, task.verdicts(thorough)) for task in tasks))
@@ -67,7 +67,7 @@ def test_power_names_the_laws_and_a_defect_that_nobody_catches(call, monkeypatch
     status, out, _ = call("--power")
     assert status == 0
     assert "inverse with a swapped pair   round trip" in out
-    monkeypatch.setattr(run, "planted", lambda: [Task("case", ws.OffsetCircle())])  # right, so nothing catches it
+    monkeypatch.setattr(run, "planted", lambda: [Task("case", ws.OffsetCircle())])  # correct, so nothing catches it
     status, out, _ = call("--power")
     assert status == 1
     assert "nothing" in out

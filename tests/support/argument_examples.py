@@ -1,4 +1,4 @@
-"""What each argument of each public function takes, and what none does: for the sweep of test_arguments.py."""
+"""Valid values of each argument of each public function, and invalid values: for test_arguments.py."""
 
 from dataclasses import dataclass
 from fractions import Fraction
@@ -125,7 +125,7 @@ def kind_of(name, argument):
 
 
 def values(example):
-    """By label: what is wrong nearly everywhere, and arrays that are wrong in one way each."""
+    """Values by label: those that nearly every argument refuses, and arrays with one fault each."""
     plain = {
         "None": None,
         "an object": object(),

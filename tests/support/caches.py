@@ -37,7 +37,7 @@ def undefined(x: wp.array[wp.int32]):
 
 
 def load_anew(kernel=triple):
-    """Loads a kernel as a new process does; gives what is warned of."""
+    """Loads a kernel as a new process does; returns the warnings."""
     kernel.module.unload()
     kernel_cache.load.known.clear()
     with warnings.catch_warnings(record=True) as caught:
@@ -67,7 +67,7 @@ def cut(share, file):
 
 
 def garble(file):
-    """As many bytes, but noise in the middle."""
+    """The same number of bytes, with noise in the middle."""
     content = bytearray(file.read_bytes())
     third = len(content) // 3
     content[third : 2 * third] = np.random.default_rng(0).bytes(third)
@@ -89,7 +89,7 @@ DAMAGES = [partial(cut, share) for share in (0.0, 0.7)] + [garble, one_byte, Pat
 
 
 def damages():
-    """Whatever befalls a file of a module: the module is built once more, and that is said once."""
+    """Whatever happens to a file of a module, it is built again, with one warning."""
     cpu()
     assert load_anew() == []
     for suffix in (".o", ".meta", ".o.sha256", ".meta.sha256"):
@@ -105,7 +105,7 @@ def damages():
 
 
 def folders():
-    """What stands where a module's folder was."""
+    """Something else in the place of a module's folder."""
     cpu()
     load_anew()
     shutil.rmtree(entry())
@@ -126,7 +126,7 @@ def folders():
 
 
 def unmarked():
-    """What Warp alone has built may have been cut since: it is built again, without a word. Another processor's stays."""
+    """A module that Warp alone built may be truncated: it is built again, without a warning. Another processor's stays."""
     cpu()
     wp.config.log_level = wp.LOG_WARNING
     triple.module.unload()
@@ -147,7 +147,7 @@ def unmarked():
 
 
 def again():
-    """What cannot be loaded although it was just built is an error that names the folder; a wrong kernel, its own."""
+    """A module that cannot be loaded after it was built is an error that names the folder; a wrong kernel has its own."""
     cpu()
     build = wp._src.build.build_cpu
 
@@ -169,7 +169,7 @@ def again():
 
 
 def unwritable():
-    """Where nothing can be written to the cache, what it holds is used, and the rest is built elsewhere; said once."""
+    """If the cache cannot be written, its modules are used, and the others are built elsewhere, with one warning."""
     cpu()
     usual = wp.config.kernel_cache_dir
     load_anew()
@@ -196,7 +196,7 @@ def unwritable():
 
 
 def homeless():
-    """Without some variables of the environment, and with another that names a folder that cannot be made."""
+    """Without some environment variables, and with one that names a folder that cannot be made."""
     for name in sys.argv[2:]:
         os.environ.pop(name, None)
     cpu()
@@ -204,7 +204,7 @@ def homeless():
 
 
 def use():
-    """A call of each kind that loads a kernel, and of those that load none."""
+    """Calls of each kind that loads kernels, and of those that load none."""
     mesh = ws.Mesh(np.eye(3), [[0, 1, 2]])
     points = ws.sample_surface(mesh, 10)
     directions = ws.sample_directions(points, 4, pdf=True)
@@ -215,7 +215,7 @@ def use():
 
 
 def respectful():
-    """The user's own log level stays and is heard, and so are the user's own kernels."""
+    """The user's log level is kept and obeyed, also for the user's kernels."""
     level = int(sys.argv[2])
     wp.config.log_level = level
     use()
@@ -231,7 +231,7 @@ def mend(barrier):
 
 
 def together():
-    """Processes that find the same damage at the same moment all go on, and what they leave is whole."""
+    """Processes that find the same damage at the same moment all continue, and leave a complete module."""
     cpu()
     load_anew(triple)
     load_anew(double)

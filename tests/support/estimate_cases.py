@@ -1,4 +1,4 @@
-"""What the tests of estimates share: points anywhere, a street, a square, and whether two estimates are the same."""
+"""Shared by the tests of estimates: points anywhere, a street, a square, and whether two estimates are equal."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ import warpsample as ws
 
 
 def at(position, normal, copies=1):
-    """SurfacePoints of no face, each as often as told: with ids, and so rays, of their own."""
+    """SurfacePoints without a face, each several times, with different ids and so different rays."""
     position, normal = (np.repeat(np.atleast_2d(np.float64(a)), copies, axis=0) for a in (position, normal))
     return ws.SurfacePoints(position, np.broadcast_to(normal, position.shape).astype(np.float32))
 

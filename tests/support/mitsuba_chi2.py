@@ -21,7 +21,7 @@ import warpsample as ws  # noqa: E402
 from warpsample.proof import verify  # noqa: E402
 from warpsample.statistics.charts import PLANE, SPHERE  # noqa: E402
 
-FINE = 64  # subintervals of a cell in its quadrature: at its default, 4, it rejects right samplers
+FINE = 64  # subintervals of a cell in its quadrature: at its default, 4, it rejects correct samplers
 LEVEL = 0.01
 NARROWEST = 0.05  # radians within which half of all directions must not lie
 

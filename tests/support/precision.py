@@ -76,7 +76,7 @@ def _is_watched(code: CodeType) -> bool:
 
 
 def watch() -> None:
-    """From now on, for all that is imported after it."""
+    """Installs the check for everything that is imported afterwards."""
     if type(np.sin) is Watched:  # a test imports conftest, which pytest has loaded under another name
         return
     assert "warpsample" not in sys.modules, "warpsample was imported before it is watched"

@@ -121,7 +121,7 @@ class Distribution:
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """`cdf` for float64 angles within the range."""
-        raise NotImplementedError(f"{self!r}: its density is not one of the angle alone")
+        raise NotImplementedError(f"{self!r}: its density does not depend on the angle alone")
 
     def seam(self, u: np.ndarray) -> np.ndarray:
         """Mask of those u that `invert` cannot give back to float32 accuracy: by default the pole, which has no azimuth."""
