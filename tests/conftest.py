@@ -1,4 +1,4 @@
-"""What all tests share."""
+"""Fixtures that all tests share."""
 
 import importlib.util
 import os
@@ -48,7 +48,7 @@ def bunny(bunny_path) -> ws.Mesh:
 
 @pytest.fixture(scope="session")
 def points(bunny) -> ws.SurfacePoints:
-    """600 on the bunny."""
+    """600 points on the bunny."""
     return ws.sample_surface(bunny, 600, seed=1)
 
 
@@ -66,7 +66,7 @@ def repository() -> Path:
 
 @pytest.fixture
 def child_environment() -> dict[str, str]:
-    """For child processes: no window, and plain output."""
+    """The environment of child processes: no window, and plain output."""
     return {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY", "FORCE_COLOR")}
 
 
@@ -79,7 +79,7 @@ def cube(tmp_path):
 
 @pytest.fixture
 def call(monkeypatch, capsys):
-    """Runs `warpsample ...`; gives (exit status, stdout, stderr)."""
+    """Runs `warpsample ...`; returns (exit status, stdout, stderr)."""
 
     def run(*arguments):
         monkeypatch.setattr(sys, "argv", ["warpsample", *map(str, arguments)])
@@ -92,7 +92,7 @@ def call(monkeypatch, capsys):
 
 @pytest.fixture(scope="session")
 def can_render():
-    """Skips where no picture can be made, and lets those be off-screen that are."""
+    """Skips if no picture can be made, and keeps pictures off-screen."""
     try:
         rendering.check_rendering()
     except RuntimeError as error:

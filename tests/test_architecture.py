@@ -1,7 +1,28 @@
-"""The rooms of DESIGN.md, section 2: a room imports only from rooms above it, and importing the package is light."""
+"""The map of the house: a room imports only from rooms below it in this list, and importing the package is light.
+
+- `__init__.py`: the public names; `funcs.py`: the public `wp.func`s and structs of the kernel API; neither defines any
+- `cli`: the `warpsample` command
+- `viewer`: the window and the PyVista accessor
+- `bench`: run time against error, and other tools side by side
+- `output`: files of directions and of numbers
+- `plotting`: arrays to PyVista actors and matplotlib figures, imported lazily; computes nothing else
+- `estimate`: numbers per point (ambient occlusion, sky view, bent normals, irradiance); what is skipped
+- `proof`: the laws that judge a sampler, for the tests and `warpsample verify`
+- `tracing`: rays against the mesh; `wide/` is the 16-wide tree, `builtin.py` is `wp.Mesh`
+- `directions`: directions at points: the call and its kernels
+- `mesh`: a validated mesh and points on it
+- `distributions`: from the unit square to a direction, a file each
+- `statistics`: charts, histograms and quadrature, for proof and pictures
+- `sequences`: points of the unit square, a file each
+- `host`: arguments, arrays, threads, devices, memory, files
+- `maths`: float32 building blocks that vectorise, nothing but `wp.func`s
+
+`viz/` has scripts that call the package; `tests/` has a file or folder for each room.
+"""
 
 import ast
 import importlib
+import re
 import subprocess
 import sys
 
@@ -27,6 +48,7 @@ ROOMS = [
     "funcs",
     "__init__",
 ]
+"""From the lowest up."""
 UNRELATED = [
     ("distributions", "mesh"),
     ("mesh", "distributions"),
@@ -62,7 +84,7 @@ def room_of(module):
     return parts[1] if parts[0] == "warpsample" and len(parts) > 1 else None
 
 
-def test_rooms_import_only_from_rooms_above(repository):
+def test_rooms_import_only_from_rooms_below(repository):
     package = repository / "warpsample"
     files = sorted(package.rglob("*.py"))
     assert len(files) > 20
@@ -72,8 +94,15 @@ def test_rooms_import_only_from_rooms_above(repository):
         for module, _ in imports(path):
             other = room_of(module)
             if other in ROOMS and other != room:
-                assert ROOMS.index(other) < ROOMS.index(room), f"{path} imports {module}, which is below it"
+                assert ROOMS.index(other) < ROOMS.index(room), f"{path} imports {module}, which is above it"
                 assert (room, other) not in UNRELATED, f"{path} imports {module}"
+
+
+def test_the_map_names_every_room_once(repository):
+    named = re.findall(r"^- `(\w+)", __doc__, flags=re.MULTILINE)
+    folders = {path.parent.name for path in (repository / "warpsample").glob("*/__init__.py")}
+    assert sorted(named[1:]) == sorted(folders)
+    assert named[1:] == [room for room in reversed(ROOMS) if room in folders]
 
 
 def test_heavy_libraries_are_imported_where_they_are_used(repository):
@@ -128,6 +157,22 @@ def test_public_names_come_from_where_type_checkers_see_them(repository):
     assert set(ws.__all__) <= set(dir(ws))
     with pytest.raises(AttributeError, match="no attribute 'nothing'"):
         ws.nothing  # noqa: B018
+
+
+def test_every_distribution_and_sequence_has_its_names_and_its_twin():
+    """The steps that the READMEs of the rooms list for a new one, besides its own file."""
+    import warpsample as ws
+    from warpsample import distributions, funcs
+    from warpsample.proof import twins
+    from warpsample.proof.twins import sequences as integer_twins
+
+    assert set(distributions.classes()) <= set(ws.__all__)
+    assert set(distributions.names()) == twins.names()
+    assert set(ws.sequences.names()) == integer_twins.names()
+    cases = [case.maps for kind in distributions.classes().values() for case in kind.cases()]
+    maps = {func.key for case in cases for func in (case.sample, case.pdf, case.invert) if func is not None}
+    assert maps | set(ws.sequences.names()) <= set(funcs.__all__)
+    assert set(funcs.__all__) <= set(dir(funcs))
 
 
 def test_public_names_are_documented():

@@ -14,7 +14,7 @@ ROOMS = ("distributions", "sequences", "tracing", "estimate", "proof", "bench", 
 
 
 def documents(repository):
-    """The README, and those that it links to."""
+    """The top README, and those that it links to."""
     rooms = [repository / "warpsample" / room for room in ROOMS]
     return [folder / "README.md" for folder in (repository, *rooms, repository / "viz")]
 
@@ -88,7 +88,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
 
 
 def test_mesh_commands_run(repository, tmp_path, call, can_render, monkeypatch):
-    """As `warpsample` runs them, but in this process, which knows the kernels already."""
+    """As `warpsample` runs them, but in this process, which has loaded the kernels."""
     monkeypatch.chdir(tmp_path)
     lines = [line for block in blocks(repository, "sh") for line in block.splitlines() if "courtyard" in line]
     assert [line.split()[1] for line in lines] == ["info", "bake", "info", "directions", "bake", "view"]

@@ -1,4 +1,4 @@
-"""Sequences: known answers, exact structure, uniformity, and streams that never meet."""
+"""Sequences: known answers, exact structure, uniformity, and streams that are never shared."""
 
 import subprocess
 import sys
@@ -82,7 +82,7 @@ def test_emitted_stream_stops_with_its_reader(child_environment):
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("count", [1, 7, 64])
 def test_every_coordinate_is_uniform_over_points(name, count, plausible):
-    """Whatever the samples of one point share, one from each of many points are uniform: every average is unbiased."""
+    """One sample from each of many points is uniform, so every average is unbiased."""
     u = ws.sample_square(name, 20_160, count, seed=3)
     point = np.arange(len(u))
     for axis in (0, 1):

@@ -2,7 +2,7 @@
 
 from importlib import import_module
 
-TYPE_CHECKING = False  # that of `typing` takes as long as all else here
+TYPE_CHECKING = False  # importing it from `typing` takes as long as all else here
 if TYPE_CHECKING:
     from warpsample import distributions, sequences
     from warpsample.directions.sample import Directions, Status, sample_directions, sample_square
@@ -76,23 +76,9 @@ __all__ = [
     "vertex_points",
 ]
 
+# Distributions are not listed: they are found by their records.
 _HOMES = {
     "directions.sample": ("Directions", "Status", "sample_directions", "sample_square"),
-    "distributions.beckmann": ("Beckmann",),
-    "distributions.cosine_hemisphere": ("CosineHemisphere",),
-    "distributions.ggx": ("GGX",),
-    "distributions.offset_ball": ("OffsetBall",),
-    "distributions.offset_circle": ("OffsetCircle",),
-    "distributions.offset_disk": ("OffsetDisk",),
-    "distributions.offset_sphere": ("OffsetSphere",),
-    "distributions.power_cosine": ("PowerCosine",),
-    "distributions.uniform_cone": ("UniformCone",),
-    "distributions.uniform_disk": ("UniformDisk",),
-    "distributions.uniform_hemisphere": ("UniformHemisphere",),
-    "distributions.uniform_sphere": ("UniformSphere",),
-    "distributions.visible_beckmann": ("VisibleBeckmann",),
-    "distributions.visible_ggx": ("VisibleGGX",),
-    "distributions.von_mises_fisher": ("VonMisesFisher",),
     "estimate.intervals": ("Interval",),
     "estimate.irradiance": ("irradiance",),
     "estimate.result": ("Estimate", "PointStatus", "Skipped"),
@@ -108,7 +94,7 @@ _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 
 def __getattr__(name: str) -> object:
-    """Imports what is first asked for: Warp takes a second, in which the command line must hear an interrupt already."""
+    """Imports a name when it is first used: Warp takes a second, in which the command line must react to Ctrl-C."""
     if name in ("distributions", "sequences"):
         return import_module(f"warpsample.{name}")
     if name == "__version__":
@@ -117,6 +103,8 @@ def __getattr__(name: str) -> object:
         value: object = version("warpsample")
     elif name in _HOME:
         value = getattr(import_module(f"warpsample.{_HOME[name]}"), name)
+    elif name in __all__:
+        value = import_module("warpsample.distributions").classes()[name]
     else:
         raise AttributeError(f"module 'warpsample' has no attribute {name!r}")
     globals()[name] = value

@@ -1,4 +1,4 @@
-"""What a newcomer types first, on terminals and machines of all kinds."""
+"""The first commands of a newcomer, on terminals and machines of all kinds."""
 
 import os
 import pty
@@ -17,7 +17,7 @@ from warpsample.mesh import examples
 
 @pytest.fixture
 def run(child_environment, tmp_path):
-    """`python -m warpsample ...` in a process and a folder of its own."""
+    """`python -m warpsample ...` in its own process and folder."""
 
     def run(*arguments, **environment):
         command = [sys.executable, "-m", "warpsample", *map(str, arguments)]

@@ -19,7 +19,7 @@ HIDE, SHOW = "\x1b[?25l", "\x1b[?25h"
 
 
 def mostly_slow(*quick):
-    """The signals for pytest: all but these are heard by the same lines, and a test of each takes seconds."""
+    """The signals for pytest; those that the same code handles are slow tests."""
     return [name if name in quick else pytest.param(name, marks=pytest.mark.slow) for name in SIGNALS]
 
 
@@ -37,7 +37,7 @@ def until(condition, seconds=60.0):
 
 
 def read(master, word=None):
-    """What is written to a terminal up to a word, or until its programs end."""
+    """The output on a terminal up to a word, or until its programs end."""
     text = b""
     with suppress(OSError):
         while (word is None or word.encode() not in text) and (part := os.read(master, 1 << 16)):
@@ -46,14 +46,14 @@ def read(master, word=None):
 
 
 def start(environment, *arguments, **streams):
-    """The command in a session of its own, as a terminal's programs are."""
+    """The command in its own session, like the programs of a terminal."""
     command = [sys.executable, "-m", "warpsample", *map(str, arguments)]
     return subprocess.Popen(command, env={**environment, "TERM": "xterm"}, start_new_session=True, text=True, **streams)
 
 
 @pytest.fixture
 def writing(cube, tmp_path):
-    """Arguments that write hundreds of megabytes; and what says that a half of them is there."""
+    """Arguments that write hundreds of megabytes, and a test whether half of them is written."""
     output = tmp_path / "d.npz"
     output.write_text("old")
     arguments = ["directions", cube, "-o", output, "--points", 500_000, "--samples", 256]
@@ -183,7 +183,7 @@ def test_one_that_python_drops_is_raised_again(child_environment):
 
 @pytest.mark.parametrize("name", SIGNALS)
 def test_while_a_window_is_open_a_signal_ends_it_at_once(name, child_environment):
-    """VTK's loop runs no Python while nothing happens; afterwards signals are heard as before."""
+    """VTK's event loop runs no Python while idle; afterwards signals are handled as before."""
     body = f"""
     from warpsample.cli.signals import at_once
     with at_once():

@@ -5,7 +5,7 @@ import pytest
 
 import warpsample as ws
 from warpsample.proof import laws, twins
-from warpsample.proof.integer_twins import pcg4d
+from warpsample.proof.twins.sequences import pcg4d
 
 
 def unit(normals):

@@ -62,7 +62,7 @@ def lobes(seed, flat):
 
 
 def frames(normals):
-    """(N, 3, 3) float64 rows x, y, z of the frame about each normal (Duff et al. 2017)."""
+    """(N, 3, 3) float64 rows x, y, z of the frame about each normal (Duff2017)."""
     x, y, z = np.moveaxis(normals.astype(np.float64), 1, 0)
     sign = np.copysign(1.0, z)
     a = -1.0 / (sign + z)

@@ -43,7 +43,7 @@ VIA = {  # whose arguments **options are
 
 
 def targets():
-    """(name, function) of all that is public: functions, constructors, and methods where they are defined."""
+    """(name, function) of the public functions, constructors and methods."""
     for name in ws.__all__:
         item = getattr(ws, name)
         if isinstance(item, ModuleType):
@@ -66,7 +66,7 @@ def methods(name, owner, example):
 
 
 def parameters(function):
-    """All that a function takes, by name, through its **options."""
+    """All arguments of a function by name, including those through **options."""
     found = {}
     for name, parameter in inspect.signature(function).parameters.items():
         if parameter.kind is inspect.Parameter.VAR_KEYWORD:
@@ -83,7 +83,7 @@ CASES = [(name, argument) for name, function in CALLS.items() for argument in pa
 
 
 def fault_of(call, value, valid, said):
-    """What is wrong with how a call answers a value; "" if nothing is."""
+    """The fault in the reaction of a call to a value; "" if there is none."""
     try:
         call(value)
     except (TypeError, ValueError, FileNotFoundError) as error:
@@ -97,7 +97,7 @@ def fault_of(call, value, valid, said):
 
 
 def faults(name, argument):
-    """(label, fault) of all values, of one argument with the others as they should be."""
+    """(label, fault) for all values of one argument, with valid values for the others."""
     function, own = CALLS[name], kind_of(name, argument)
     takes = parameters(function)
     needed = {key: kind_of(name, key).good for key, p in takes.items() if p.default is p.empty}

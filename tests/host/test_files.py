@@ -138,7 +138,7 @@ def test_links_and_permissions_stay(tmp_path):
 
 
 def test_two_threads_write_one_file(tmp_path):
-    """One of the two stays, whole."""
+    """One of the two stays, complete."""
     path, contents = tmp_path / "out", [bytes([i]) * 100_000 for i in range(8)]
     with ThreadPoolExecutor(8) as pool:
         list(pool.map(lambda content: files.write_bytes(path, content), contents))

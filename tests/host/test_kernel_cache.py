@@ -1,4 +1,4 @@
-"""Warp's start and its kernel cache: nothing is printed, and no damage to the cache's files reaches a run."""
+"""Starting Warp and its kernel cache: nothing is printed, and damage to the cache does not affect a run."""
 
 import os
 import subprocess
@@ -13,7 +13,7 @@ from warpsample.host import kernel_cache
 
 @pytest.fixture
 def alone(tmp_path, child_environment):
-    """Runs a task of caches.py, or another command, with a cache of its own; gives stdout and stderr."""
+    """Runs a task of caches.py, or another command, with its own cache; returns stdout and stderr."""
 
     def run(*command, **environment):
         if not command[0].startswith("-"):

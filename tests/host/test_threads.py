@@ -13,7 +13,7 @@ from warpsample.host.locks import once, once_property
 
 @pytest.fixture
 def alone(child_environment):
-    """Runs a task of parallel.py in a process of its own, which may crash or hang without the suite."""
+    """Runs a task of parallel.py in its own process, which may crash or hang without affecting the suite."""
 
     def run(*task, timeout=150):
         command = [sys.executable, "-X", "faulthandler", str(Path(__file__).parents[1] / "support" / "parallel.py"), *task]

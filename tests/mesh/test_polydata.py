@@ -88,7 +88,7 @@ def test_the_accessor_gives_what_the_functions_give(ball):
 
 
 def test_the_accessor_follows_its_mesh(ball):
-    """The ball moved away takes its shadow with it; until then the tree is kept."""
+    """When the ball is moved, so is its shadow; until then the tree is kept."""
     moved = ball.copy()
     before = moved.warpsample.mesh
     assert moved.warpsample.mesh is before

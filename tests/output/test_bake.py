@@ -1,4 +1,4 @@
-"""`warpsample bake`: the numbers in every kind of file, what it says, and what it leaves behind when it fails."""
+"""`warpsample bake`: the numbers in every kind of file, the printed report, and what remains after an error."""
 
 import json
 import re
@@ -22,7 +22,7 @@ def torus(tmp_path):
 
 
 def read(path):
-    """{name: array} of what is in a file about its points."""
+    """{name: array} of the numbers in a file."""
     if path.suffix == ".npz":
         with np.load(path) as file:
             return {name: file[name] for name in file}

@@ -19,7 +19,7 @@ PLACES = [(size, at) for size in (1e-6, 1.0, 5e6) for at in (0.0, 1.0)]  # size,
 
 @lru_cache
 def ground(size=1.0, at=0.0):
-    """4,096 triangles of random corners in a square of that size, none of which float32 holds."""
+    """4,096 triangles of random corners in a square of that size, none of them exact in float32."""
     x, y = np.meshgrid(np.linspace(0.0, size, 33), np.linspace(0.0, size, 65), indexing="ij")
     rng = np.random.default_rng(3)
     vertices = np.stack([x, y, size * rng.uniform(0.0, 0.05, x.shape)], axis=-1).reshape(-1, 3) / 3.0 + at * MAP
@@ -30,7 +30,7 @@ def ground(size=1.0, at=0.0):
 
 @pytest.fixture
 def placed(tmp_path):
-    """Writes a mesh as .obj, whose text holds float64, and gives its path."""
+    """Writes a mesh as .obj, whose text keeps float64, and returns its path."""
 
     def write(mesh):
         path = tmp_path / "ground.obj"
@@ -196,7 +196,7 @@ class Sink:
 
 
 def traced(write):
-    """(bytes written, most bytes that Python and NumPy held for it at a time)."""
+    """(bytes written, peak of the memory of Python and NumPy)."""
     sink = Sink()
     tracemalloc.start()
     try:

@@ -1,4 +1,4 @@
-"""The laws must reject wrong samplers: each planted defect is caught by the law named beside it."""
+"""The laws must reject wrong samplers: the law named beside each planted defect catches it."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,7 @@ from significance import ALPHA
 
 import warpsample as ws
 from warpsample.proof import defects, laws, routes, stress, twins, verify
-from warpsample.proof.integer_twins import expected
+from warpsample.proof.twins.sequences import expected
 from warpsample.statistics.charts import SPHERE, chart_of
 from warpsample.statistics.histogram import histogram_test, joined_test
 

@@ -1,4 +1,4 @@
-"""Judges compute in double precision, and so give the same verdicts on every processor."""
+"""The laws compute in double precision, so their verdicts are the same on every processor."""
 
 import ast
 import re

@@ -17,7 +17,7 @@ from warpsample.proof.stress import judge_bad_normals, judge_indices, judge_norm
 
 @pytest.fixture
 def call(monkeypatch, capsys):
-    """Runs `warpsample verify ...` on a few tasks in this process; gives (exit status, stdout, stderr)."""
+    """Runs `warpsample verify ...` on a few tasks in this process; returns (exit status, stdout, stderr)."""
     short = [Task("case", ws.OffsetCircle()), Task("case", ws.OffsetDisk())]
     monkeypatch.setattr(run, "trial", lambda: list(short))
     monkeypatch.setattr(run, "run", lambda tasks, thorough: ((task, task.verdicts(thorough)) for task in tasks))

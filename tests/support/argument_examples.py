@@ -125,7 +125,7 @@ def kind_of(name, argument):
 
 
 def values(example):
-    """By label: what is wrong nearly everywhere, and arrays that are wrong in one way each."""
+    """Values by label: those that nearly every argument refuses, and arrays with one fault each."""
     plain = {
         "None": None,
         "an object": object(),

@@ -37,7 +37,7 @@ def undefined(x: wp.array[wp.int32]):
 
 
 def load_anew(kernel=triple):
-    """Loads a kernel as a new process does; gives what is warned of."""
+    """Loads a kernel as a new process does; returns the warnings."""
     kernel.module.unload()
     kernel_cache.load.known.clear()
     with warnings.catch_warnings(record=True) as caught:
@@ -123,7 +123,7 @@ def folders():
 
 
 def unmarked():
-    """What Warp alone has built may have been cut since: it is built again, without a word. Another processor's stays."""
+    """A module that Warp alone built may be truncated: it is built again, without a warning. Another processor's stays."""
     cpu()
     wp.config.log_level = wp.LOG_WARNING
     triple.module.unload()
@@ -145,7 +145,7 @@ def unmarked():
 
 
 def again():
-    """What cannot be loaded although it was just built is an error that names the folder; a wrong kernel, its own."""
+    """A module that cannot be loaded after it was built is an error that names the folder; a wrong kernel has its own."""
     cpu()
     build = wp._src.build.build_cpu
 
@@ -167,7 +167,7 @@ def again():
 
 
 def unwritable():
-    """Where nothing can be written to the cache, what it holds is used, and the rest is built elsewhere; said once."""
+    """If the cache cannot be written, its modules are used, and the others are built elsewhere, with one warning."""
     cpu()
     usual = wp.config.kernel_cache_dir
     load_anew()
@@ -224,7 +224,7 @@ def mend(barrier):
 
 
 def together():
-    """Processes that find the same damage at the same moment all go on, and what they leave is whole."""
+    """Processes that find the same damage at the same moment all continue, and leave a complete module."""
     cpu()
     load_anew(triple)
     load_anew(double)

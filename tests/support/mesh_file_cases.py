@@ -48,7 +48,7 @@ def rows(array, before="", first=0):
 
 
 def ply(order, vertices, polygons, kind="float", dtype="f4"):
-    """A .ply of polygons, each with as many corners as it has."""
+    """A .ply of polygons with different numbers of corners."""
     head = f"ply\nformat {order} 1.0\ncomment by hand\nelement vertex {len(vertices)}\n"
     head += "".join(f"property {kind} {axis}\n" for axis in "xyz")
     head += f"element face {len(polygons)}\nproperty uchar flag\nproperty list uchar int vertex_indices\nend_header\n"

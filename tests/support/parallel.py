@@ -16,12 +16,12 @@ TORUS = trimesh.creation.torus(2.0, 0.5)
 
 
 def torus(seed=0):
-    """A mesh that nothing has asked anything of."""
+    """A mesh without any cached values."""
     return ws.Mesh(TORUS.vertices + np.random.default_rng(seed).normal(0.0, 0.01, TORUS.vertices.shape), TORUS.faces)
 
 
 def answers(mesh, first=0, last=None):
-    """What the package says of some faces of a mesh, by every way through it: sampled, traced, estimated."""
+    """The results for some faces of a mesh by every kind of call: sampled, traced, estimated."""
     centers = ws.face_centers(mesh)
     rows = slice(first, last)
     points = ws.SurfacePoints(centers.position[rows], centers.normal[rows], centers.face[rows])
@@ -134,7 +134,7 @@ def faces_changed():
 
 
 def stress(seconds=60.0, threads=16):
-    """Mixed calls from many threads, on meshes that they share and meshes of their own; every answer as by one thread."""
+    """Mixed calls from many threads, on shared meshes and on their own; every result is that of one thread."""
     shared = [torus(seed) for seed in range(4)]
     moved = [1.5 * mesh.vertices for mesh in shared]
     end = time.monotonic() + seconds

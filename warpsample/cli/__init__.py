@@ -1,4 +1,4 @@
-"""The `warpsample` command: its entry point, which imports nothing but what hears a signal."""
+"""The `warpsample` command: its entry point, which first imports only the handling of signals."""
 
 import os
 import sys
@@ -11,12 +11,12 @@ def main() -> None:
     """Entry point."""
     _open_what_is_closed()
     with listening():
-        from warpsample.cli.commands import app  # noqa: PLC0415  (takes a second, in which Ctrl-C is heard already)
+        from warpsample.cli.commands import app  # noqa: PLC0415  (takes a second, in which Ctrl-C must work)
         from warpsample.cli.terminal import print_anything, saying_what_fails  # noqa: PLC0415
 
         warnings.formatwarning = lambda message, *_, **__: f"warning: {message}\n"
         print_anything()
-        with saying_what_fails():  # outside of the commands: --version and --help
+        with saying_what_fails():  # for what no command handles: --version and --help
             try:
                 app(prog_name="warpsample")
             finally:
@@ -24,7 +24,7 @@ def main() -> None:
 
 
 def _open_what_is_closed() -> None:
-    """Standard streams that are closed lead nowhere: else a file of ours takes the number that libraries print to."""
+    """Opens closed standard streams to nowhere: else a file of ours could get the number that libraries print to."""
     while (number := os.open(os.devnull, os.O_RDWR)) <= 2:
         pass
     os.close(number)

@@ -1,6 +1,6 @@
-"""Ended from outside: Ctrl-C, SIGTERM, SIGHUP and SIGQUIT end a command as an exception does, so that all is cleaned up.
+"""Signals: Ctrl-C, SIGTERM, SIGHUP and SIGQUIT end a command like an exception, so that everything is cleaned up.
 
-Python hears a signal between two of its own steps. A compiler or VTK at work is one step: it is over first.
+Python handles a signal between two of its own steps. A call of a compiler or of VTK is one step, which ends first.
 """
 
 import os
@@ -11,7 +11,7 @@ import weakref
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 
-TYPE_CHECKING = False  # that of `typing` takes 10 ms, in which no signal is heard
+TYPE_CHECKING = False  # importing it from `typing` takes 10 ms, without signal handling
 if TYPE_CHECKING:
     from typing import TextIO
 
@@ -21,16 +21,16 @@ _AGAIN = 0.3  # seconds
 
 
 class Ended(KeyboardInterrupt):
-    """A signal, on its way up."""
+    """A signal, as an exception."""
 
     def __init__(self, number: int):
-        """Without words: `told` has them."""
+        """Without a message: `_tell` prints it."""
         super().__init__()
         self.number = number
 
 
 class _State:
-    """Of this process: the first signal heard, the last exception made of it, and whether the user knows."""
+    """State of this process: the first signal, the last exception raised for it, and whether the user was told."""
 
     number: int | None = None
     rising: "weakref.ref[Ended] | None" = None
@@ -39,10 +39,10 @@ class _State:
 
 @contextmanager
 def listening() -> Iterator[None]:
-    """Within, the signals raise `Ended` in the main thread; it ends in a sentence and exit status 128 + the signal's number.
+    """Within, signals raise `Ended` in the main thread: a sentence on stderr and exit status 128 + the signal's number.
 
-    A KeyboardInterrupt that no signal has raised ends as SIGINT does. Signals that the parent ignores, as nohup does, stay
-    ignored. May be nested.
+    A KeyboardInterrupt without a signal ends like SIGINT. Signals that the parent ignores, as nohup does, stay ignored. May
+    be nested.
     """
     usual = (signal.SIG_DFL, signal.default_int_handler)
     here = threading.current_thread() is threading.main_thread()
@@ -57,16 +57,16 @@ def listening() -> Iterator[None]:
         raise SystemExit(_tell(error)) from None
     finally:
         if before:
-            _State.told = True  # what comes now comes too late
+            _State.told = True  # later signals are ignored
             _raise_again_after(0.0)
-            for number, handler in before.items():  # all is cleaned up, so that a further one may end it at once
+            for number, handler in before.items():  # everything is cleaned up, so a further one may end the process at once
                 signal.signal(number, signal.SIG_DFL if heard() else handler)
             _State.number, _State.rising, _State.told = None, None, False
 
 
 @contextmanager
 def at_once() -> Iterator[None]:
-    """Within, a signal ends the process by itself: an open window runs no Python that could hear one, and writes nothing."""
+    """Within, a signal ends the process at once: an open window runs no Python that could handle it, and writes nothing."""
     ours = [number for number in SIGNALS if signal.getsignal(number) is _hear]
     try:
         for number in ours:
@@ -78,12 +78,12 @@ def at_once() -> Iterator[None]:
 
 
 def heard() -> bool:
-    """Whether the command is being ended by a signal."""
+    """Whether a signal is ending the command."""
     return _State.number is not None
 
 
 def say(sentence: str) -> None:
-    """A line on stderr, unless nobody is there any more."""
+    """Prints a line on stderr, unless it is closed."""
     try:
         print(sentence, file=sys.stderr, flush=True)  # noqa: T201
     except OSError:
@@ -91,13 +91,13 @@ def say(sentence: str) -> None:
 
 
 def forget(stream: "TextIO") -> None:
-    """Sends nowhere what is still to come, and what Python writes when it ends."""
+    """Discards all further output of a stream, including what Python writes when it ends."""
     with suppress(OSError, ValueError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def _tell(error: BaseException) -> int:
-    """Says that the command was ended, in the words of a KeyboardInterrupt if it has any; the exit status."""
+    """Reports the end of the command, in the words of a KeyboardInterrupt if it has any; returns the exit status."""
     _State.told = True
     _show_cursor()
     number = _State.number or signal.SIGINT
@@ -107,7 +107,7 @@ def _tell(error: BaseException) -> int:
 
 
 def _show_cursor() -> None:
-    """Rich does, unless it is interrupted while it starts a bar."""
+    """Shows the cursor, which rich hides for good if it is interrupted while it starts a bar."""
     terminal = sys.__stderr__
     if terminal is not None and terminal.isatty() and os.environ.get("TERM", "dumb") != "dumb":
         with suppress(OSError):
@@ -115,9 +115,9 @@ def _show_cursor() -> None:
 
 
 def _hear(number: int, _: object) -> None:
-    """Raises `Ended`, but not while one is on its way, since what cleans up must not be interrupted.
+    """Raises `Ended`, but not while one is propagating, since the cleaning up must not be interrupted.
 
-    One that is raised where Python drops exceptions, as in a weak reference's callback, is raised again a little later.
+    If Python drops the exception, as in the callback of a weak reference, it is raised again a little later.
     """
     if _State.told or (_State.rising is not None and _State.rising() is not None):
         return
@@ -128,11 +128,11 @@ def _hear(number: int, _: object) -> None:
     try:
         raise ended
     finally:
-        del ended  # which its own traceback would keep alive
+        del ended  # its own traceback would keep it alive
 
 
 def _raise_again_after(seconds: float) -> None:
-    """Lets `_hear` look whether the exception has been dropped; not after 0 seconds."""
+    """Calls `_hear` after so many seconds, in case the exception has been dropped; 0 cancels it."""
     if hasattr(signal, "setitimer") and (seconds or heard()):
         signal.signal(signal.SIGALRM, _hear if seconds else signal.SIG_DFL)
         signal.setitimer(signal.ITIMER_REAL, seconds, seconds)

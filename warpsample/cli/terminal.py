@@ -1,4 +1,4 @@
-"""What every command and script shares: errors in a line, progress, tables, and where a picture goes."""
+"""Shared by all commands and scripts: errors in one line, progress, tables, and where a picture goes."""
 
 import codecs
 import inspect
@@ -20,24 +20,25 @@ from warpsample.host.files import WriteError
 FigureFile = Annotated[Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)]
 Size = Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")]
 
-_PIPE_WIDTH = 120  # of tables where there is no terminal to fit
-_SILENCE = 1.0  # seconds that a step may take without a word
+_PIPE_WIDTH = 120  # width of tables without a terminal
+_SILENCE = 1.0  # seconds that a step may take without a message
 
 
 def fail_plainly(**options: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
-    """Decorates a command: an error is one line on stderr; status 2 for the input, 1 for a file that cannot be written.
+    """Decorates a command: an error is one line on stderr; status 2 for bad input, 1 for a file that cannot be written.
 
-    What is neither keeps its traceback. A message that starts with an argument's name gets the option's instead.
+    Other errors keep their traceback. If a message starts with the name of an argument, it is replaced by the option.
 
     Args:
-        options: arguments of the calls that the command makes, if they are not called as its options.
+        options: the options for arguments whose names differ from theirs.
     """
 
     def decorate(command: Callable[..., Any]) -> Callable[..., Any]:
+        """The command, wrapped."""
         names = _options_of(command) | options
 
         @wraps(command)
-        def run(*arguments: Any, **keywords: Any) -> None:
+        def run(*arguments: Any, **keywords: Any) -> None:  # without a docstring: `wraps` gives it the command's
             with signals.listening(), saying_what_fails(**names):
                 command(*arguments, **keywords)
                 sys.stdout.flush()
@@ -49,11 +50,11 @@ def fail_plainly(**options: str) -> Callable[[Callable[..., Any]], Callable[...,
 
 @contextmanager
 def saying_what_fails(**options: str) -> Iterator[None]:
-    """The same for a block; `options` by the names of arguments."""
+    """The same for a block of code; `options` by the names of arguments."""
     try:
         yield
     except (ValueError, TypeError, OSError, EOFError, MemoryError, ModuleNotFoundError, RuntimeError) as error:
-        if signals.heard() or isinstance(error, typer.Exit):  # a terminal that is gone can fail in many ways
+        if signals.heard() or isinstance(error, typer.Exit):  # a closed terminal can fail in many ways
             raise
         _fail(error, options)
 
@@ -68,29 +69,29 @@ def _options_of(command: Callable[..., Any]) -> dict[str, str]:
 
 
 def _fail(error: Exception, options: dict[str, str]) -> None:
-    """Says what is wrong, and ends."""
+    """Prints the error, and ends the command."""
     try:
         sys.stdout.flush()
-    except OSError as flaw:  # a full disk, or a reader that has gone
+    except OSError as flaw:  # a full disk, or a closed pipe
         signals.forget(sys.stdout)
         if type(error) is OSError and error.errno == flaw.errno and error.filename is None:
             error = WriteError(f"standard output cannot be written: {flaw.strerror}")
     if isinstance(error, BrokenPipeError):
-        raise SystemExit(128 + 13) from None  # as the signal of a closed pipe does
+        raise SystemExit(128 + 13) from None  # the status of SIGPIPE
     message = re.sub(r"^\w+(?=: )", lambda name: options.get(name[0], name[0]), str(error) or type(error).__name__)
     signals.say(f"error: {message}")
     raise SystemExit(1 if isinstance(error, WriteError) else 2) from error
 
 
 def print_anything() -> None:
-    """Lets stdout and stderr take what their encoding has no letter for: θ as theta, others as their number."""
+    """Lets stdout and stderr print characters outside their encoding: θ as theta, others by their number."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="warpsample")
 
 
 def _spell(error: UnicodeError) -> tuple[str, int]:
-    """What to print for letters that cannot be: a Greek one's name; an error handler of `codecs`."""
+    """An error handler of `codecs`: spells characters that cannot be printed."""
     if not isinstance(error, UnicodeEncodeError):
         raise error
     return "".join(map(_spelt, error.object[error.start : error.end])), error.end
@@ -108,7 +109,7 @@ codecs.register_error("warpsample", _spell)
 
 @contextmanager
 def working(what: str) -> Iterator[None]:
-    """Says on stderr what takes longer than a second, if that is a terminal."""
+    """Names on stderr, if it is a terminal, a step that takes longer than a second."""
     timer = threading.Timer(_SILENCE, signals.say, [f"{what} ..."])
     timer.daemon = True
     if sys.stderr.isatty():
@@ -120,12 +121,12 @@ def working(what: str) -> Iterator[None]:
 
 
 def show_or_save(picture: Any, screenshot: Path | None, what: str) -> None:
-    """The end of a script that makes pictures: a window, or a file and a line on stdout that says what it shows.
+    """Ends a script that makes a picture: opens a window, or writes a file and a line on stdout that says what it shows.
 
     Args:
         picture: a PyVista plotter or a matplotlib figure.
         screenshot: the file; None opens a window.
-        what: is to be seen.
+        what: a description of the picture.
     """
     from warpsample.plotting import rendering, scenes  # noqa: PLC0415
 
@@ -142,14 +143,14 @@ def show_or_save(picture: Any, screenshot: Path | None, what: str) -> None:
 
 
 def console() -> Any:
-    """For tables on stdout."""
+    """A rich Console for tables on stdout."""
     from rich.console import Console  # noqa: PLC0415
 
     return Console(width=None if sys.stdout.isatty() else _PIPE_WIDTH)
 
 
 def with_progress(items: Iterable[Any], total: int, what: str) -> Iterator[Any]:
-    """Shows a bar on stderr, if that is a terminal."""
+    """Yields the items, with a bar on stderr if that is a terminal."""
     from rich.console import Console  # noqa: PLC0415
     from rich.progress import track  # noqa: PLC0415
 

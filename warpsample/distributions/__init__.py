@@ -25,6 +25,19 @@ def names() -> list[str]:
     return sorted(_KNOWN)
 
 
+def classes() -> dict[str, type[Distribution]]:
+    """All distributions, by the names of their classes.
+
+    Returns:
+        class name -> class.
+
+    Example:
+        >>> print(ws.distributions.classes()["GGX"].density)
+        α²cosθ/(π(sin²θ+α²cos²θ)²)
+    """
+    return {kind.__name__: kind for kind in _KNOWN.values()}
+
+
 def get(name: str) -> type[Distribution]:
     """The class of a distribution; calling it with the parameters makes one.
 
@@ -80,7 +93,7 @@ def as_distribution(value: Any) -> Distribution:
 
 
 def as_spatial(value: Any) -> Distribution:
-    """As `as_distribution`, of directions in space.
+    """Like `as_distribution`, for directions in space.
 
     Args:
         value: an instance, a name, or a name with parameters.
@@ -105,7 +118,7 @@ def as_spatial(value: Any) -> Distribution:
 def _keywords(text: str) -> dict[str, Any]:
     try:
         call = ast.parse(f"_({text})", mode="eval").body
-    except (ValueError, RecursionError, MemoryError) as error:  # zero bytes; more brackets than the parser has room for
+    except (ValueError, RecursionError, MemoryError) as error:  # zero bytes, or more nested brackets than the parser allows
         raise SyntaxError from error
     if not isinstance(call, ast.Call) or call.args or any(keyword.arg is None for keyword in call.keywords):
         raise TypeError("parameters go by name")

@@ -14,7 +14,7 @@ _INV_PI = wp.constant(wp.float64(0.3183098861837907))
 
 @wp.func
 def square_to_beckmann(u: wp.vec2, alpha: wp.float32) -> wp.vec3:
-    """tan^2 theta = -alpha^2 log(1 - u[0]), azimuth 2 pi u[1]; sine and cosine from the tangent keep their digits."""
+    """tan^2 theta = -alpha^2 log(1 - u[0]), azimuth 2 pi u[1]; sine and cosine from the tangent stay precise."""
     t = -(alpha * alpha) * log1p(-u[0])
     inverse = 1.0 / (1.0 + t)
     r = wp.sqrt(t * inverse)
@@ -55,7 +55,7 @@ class Beckmann(Distribution):
     parameters = ("alpha",)
     shown = (0.01, 1.0)
     bounds = (1e-6, 1.0)
-    source = "the NORI note, Beckmann; Walter et al. 2007, equations 25, 28 and 29"
+    source = "Nori2025, Beckmann; Walter2007, equations 25, 28 and 29"
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:

@@ -1,4 +1,4 @@
-"""The cosine lobe, by four methods of one density: cos(theta) / pi per steradian above the surface."""
+"""The cosine lobe by four methods with one density: cos(theta) / pi per steradian above the surface."""
 
 from dataclasses import dataclass
 from typing import Literal, get_args
@@ -27,9 +27,9 @@ _STEP = wp.constant(wp.float32(2.0**-23))
 
 @wp.func
 def square_to_cosine_hemisphere(u: wp.vec2) -> wp.vec3:
-    """Malley's method, polar: a uniform point of the disk at radius sqrt(u[0]), lifted.
+    """Malley's method, polar: a uniform point of the disk at radius sqrt(u[0]), lifted to the hemisphere.
 
-    cos theta is sqrt(1 - u[0]), exact to an ulp and never 0 on the grid; sqrt(1 - x^2 - y^2) is off by 73 % at the horizon.
+    cos theta is sqrt(1 - u[0]), exact to an ulp and never 0 on the grid; sqrt(1 - x^2 - y^2) is 73 % wrong at the horizon.
     """
     r = wp.sqrt(u[0])
     cs = sincos_turns(u[1])
@@ -38,13 +38,13 @@ def square_to_cosine_hemisphere(u: wp.vec2) -> wp.vec3:
 
 @wp.func
 def square_to_cosine_hemisphere_pdf(w: wp.vec3) -> wp.float32:
-    """cos(theta) / pi per steradian above the surface, else 0. Cranberry note, equation (5)."""
+    """cos(theta) / pi per steradian above the surface, else 0. Cranberry2020, equation 5."""
     return wp.where(w[2] > 0.0, w[2] * _INV_PI, 0.0)
 
 
 @wp.func
 def cosine_hemisphere_to_square(w: wp.vec3) -> wp.vec2:
-    """u[0] = sin^2 theta = 1 - cos^2 theta, from whichever is smaller; u[1] the azimuth in turns."""
+    """u[0] = sin^2 theta = 1 - cos^2 theta, from the smaller of the two; u[1] the azimuth in turns."""
     small = w[0] * w[0] + w[1] * w[1]
     return wp.vec2(clamp_uniform(wp.where(small < 0.5, small, 1.0 - w[2] * w[2])), turns_of(w[0], w[1]))
 
@@ -58,15 +58,15 @@ def square_to_cosine_hemisphere_concentric(u: wp.vec2) -> wp.vec3:
 
 @wp.func
 def cosine_hemisphere_to_square_concentric(w: wp.vec3) -> wp.vec2:
-    """The disk's way back."""
+    """The inverse of the concentric disk."""
     return uniform_disk_to_square_concentric(wp.vec2(w[0], w[1]))
 
 
 @wp.func
 def square_to_cosine_hemisphere_inversion(u: wp.vec2) -> wp.vec3:
-    """theta = acos(1 - 2 u[0]) / 2, the Cranberry note's equation (7), by the half-angle formulas.
+    """theta = acos(1 - 2 u[0]) / 2 (Cranberry2020, equation 7), by the half-angle formulas.
 
-    With cos 2 theta = 1 - 2 u[0], exact on the grid, cos(acos(.)/2) is a root and keeps the digits that acos drops.
+    With cos 2 theta = 1 - 2 u[0], exact on the grid, cos(acos(.)/2) is a root, which is more precise than acos.
     """
     cos_double = 1.0 - 2.0 * u[0]
     r = wp.sqrt(0.5 * (1.0 - cos_double))
@@ -78,7 +78,7 @@ def square_to_cosine_hemisphere_inversion(u: wp.vec2) -> wp.vec3:
 def square_to_cosine_hemisphere_offset(u: wp.vec2) -> wp.vec3:
     """Shirley's trick in the local frame: a uniform point of the sphere plus the normal, normalised.
 
-    Here 1 + z = 2 - 2 u[0] is exact, so the sum keeps all its digits down to the horizon.
+    Here 1 + z = 2 - 2 u[0] is exact, so the sum is precise down to the horizon.
     """
     s = square_to_uniform_sphere(u)
     z = 2.0 - 2.0 * u[0]
@@ -90,8 +90,8 @@ def square_to_cosine_hemisphere_offset(u: wp.vec2) -> wp.vec3:
 def cosine_offset_about(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.vec4:
     """Shirley's trick about any unit normal, without a tangent frame: (normalize(n + s), pdf).
 
-    abs(n + s) = 2 cos theta (the quick proof's figure 1: theta of s is twice that of the sum), so pdf = abs(n + s) / (2 pi).
-    Where the sum is short the digits of n and s have cancelled: see `cosine_offset_redraw`.
+    abs(n + s) = 2 cos theta (ShirleyTrick, figure 1: theta of s is twice that of the sum), so pdf = abs(n + s) / (2 pi).
+    Where the sum is short, n and s cancel: see `cosine_offset_redraw`.
     """
     s = square_to_uniform_sphere(u)
     x = n[0] + s[0]
@@ -104,10 +104,10 @@ def cosine_offset_about(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.ve
 
 @wp.func
 def cosine_offset_redraw(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.vec4:
-    """A direction of the lobe's rim, abs(n + s) < 2^-6 (6 draws of 10^5), drawn anew from a hash of u.
+    """A direction in the rim of the lobe, abs(n + s) < 2^-6 (6 draws in 10^5), drawn again from a hash of u.
 
-    P(abs(n + s) < r) = r^2 / 4, so cos theta = 2^-7 sqrt(u') for a fresh u' keeps the law exact. Scaling the sphere by
-    0.99999 instead, a published remedy, never samples 2e-5 of the lobe.
+    P(abs(n + s) < r) = r^2 / 4, so cos theta = 2^-7 sqrt(u') for a fresh u' keeps the law exact. The published remedy,
+    scaling the sphere by 0.99999, never samples 2e-5 of the lobe.
     """
     bits = pcg4d(wp.uint32(u[0] * _GRID_SIZE), wp.uint32(u[1] * _GRID_SIZE), wp.uint32(0), wp.uint32(0))
     fresh = (wp.float32(wp.int32(bits[0] >> wp.uint32(9))) + 0.5) * _STEP
@@ -142,9 +142,9 @@ class CosineHemisphere(Distribution):
     """The cosine lobe about the normal: cos(theta) / pi per steradian.
 
     Attributes:
-        method: "polar" (Malley's disk, lifted), "concentric" (Shirley and Chiu's disk, lifted), "inversion"
-            (theta = acos(1 - 2u) / 2) or "offset" (sphere point + normal, normalised; no tangent frame). One density;
-            they differ in cost, in where neighbouring u land, and, for "offset", by the rim of `cosine_offset_redraw`.
+        method: "polar" (Malley's disk, lifted), "concentric" (the disk of Shirley1997, lifted), "inversion"
+            (theta = acos(1 - 2u) / 2) or "offset" (sphere point + normal, normalised; no tangent frame). All have
+            the same density; they differ in cost, in where neighbouring u go, and "offset" in `cosine_offset_redraw`.
     """
 
     method: Method = "polar"
@@ -152,8 +152,8 @@ class CosineHemisphere(Distribution):
     name = "cosine_hemisphere"
     density = "cosθ/π"
     support = "hemisphere"
-    source = "Malley in the NORI note; Cranberry 2020, eq. 5 and 7; Shirley trick proof, eq. 6; Chizhov, section 4.3"
-    limits = "offset about a normal adds float32 vectors: near the horizon angle and pdf are up to 1.3e-5 off"
+    source = "Nori2025, Malley; Cranberry2020, equations 5 and 7; ShirleyTrick, equation 6; Chizhov2019, section 4.3"
+    limits = "offset adds float32 vectors about a normal: near the horizon its angle and pdf have errors up to 1.3e-5"
 
     def __post_init__(self) -> None:
         """Checks the method's name."""

@@ -1,4 +1,4 @@
-"""Flat arrays: a function of each element."""
+"""A kernel that applies a function to each element of a flat array."""
 
 import warp as wp
 
@@ -6,13 +6,13 @@ from warpsample.distributions.parameters import Parameters
 from warpsample.host.locks import once
 
 FLAT_BLOCK = 256
-"""Elements of one task on the CPU: long enough to hide its setup, short enough that a rare redraw rereads little."""
+"""Elements of one task on the CPU: enough to hide its setup, few enough that a rare redraw repeats little."""
 
 
 @wp.func
 def _read_2(x: wp.array[wp.float32], i: wp.int32) -> wp.vec2:
-    # Adding 0 changes nothing but -0.0. Without it LLVM makes one short vector load of the two, and then cannot make a
-    # long one of the loop.
+    # Adding 0 changes nothing but -0.0. Without it LLVM joins the two loads into a short vector, and then cannot vectorise
+    # the loop.
     return wp.vec2(x[2 * i] + 0.0, x[2 * i + 1] + 0.0)
 
 
@@ -45,7 +45,7 @@ _WRITE = {1: _write_1, 2: _write_2, 3: _write_3}
 
 @once
 def elementwise(func: wp.Function, width: int, out_width: int) -> wp.Kernel:
-    """A kernel over blocks of a flat array: func(x, Parameters) of each of `total` vectors."""
+    """A kernel over blocks of a flat array: y = func(x, Parameters) for each of `total` vectors."""
     read = _READ[width]
     write = _WRITE[out_width]
 
@@ -58,6 +58,7 @@ def elementwise(func: wp.Function, width: int, out_width: int) -> wp.Kernel:
         parameters: Parameters,
         first_task: wp.int64,
     ):
+        """One block of the array."""
         first = (first_task + wp.int64(wp.tid())) * wp.int64(block)
         length = wp.int32(wp.min(wp.int64(block), total - first))
         x = wp.array(ptr=source + wp.uint64(first * wp.int64(4 * width)), shape=(width * length,), dtype=wp.float32)

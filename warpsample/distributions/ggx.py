@@ -1,4 +1,4 @@
-"""Normals of a rough surface with the long tails of a sphere cut in pieces: Trowbridge and Reitz, GGX."""
+"""Normals of a rough surface with long tails, GGX: those of an ellipsoid, after Trowbridge and Reitz."""
 
 from dataclasses import dataclass
 
@@ -53,11 +53,11 @@ class GGX(Distribution):
     parameters = ("alpha",)
     shown = (0.01, 1.0)
     bounds = (1e-6, 1.0)
-    source = "Walter et al. 2007, equations 33, 35 and 36"
+    source = "Walter2007, equations 33, 35 and 36"
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
-        """From a mirror's polish to the cosine lobe."""
+        """From almost a mirror to the cosine lobe."""
         return tuple(cls(alpha) for alpha in (1e-6, 0.01, 0.3, 1.0))
 
     @property

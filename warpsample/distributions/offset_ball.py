@@ -1,4 +1,4 @@
-"""A uniform point of the ball that touches the surface point from above, seen from there: the cosine cubed."""
+"""A uniform point of the ball that touches the surface point from above, seen from there: density cosine cubed."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ _TWO_OVER_PI = wp.constant(wp.float32(0.6366197723675814))
 
 @wp.func
 def square_to_offset_ball(u: wp.vec2) -> wp.vec3:
-    """cos theta = (1 - u[0])^(1/4); sin theta = sqrt(u / (1 + sqrt(1 - u))), where sqrt(1 - cos^2) has no digits."""
+    """cos theta = (1 - u[0])^(1/4); sin theta = sqrt(u / (1 + sqrt(1 - u))), where sqrt(1 - cos^2) cancels."""
     root = wp.sqrt(1.0 - u[0])
     r = wp.sqrt(u[0] / (1.0 + root))
     cs = sincos_turns(u[1])
@@ -22,7 +22,7 @@ def square_to_offset_ball(u: wp.vec2) -> wp.vec3:
 
 @wp.func
 def square_to_offset_ball_pdf(w: wp.vec3) -> wp.float32:
-    """2 cos^3 theta / pi per steradian above the surface, else 0. Chizhov, section 4.1."""
+    """2 cos^3 theta / pi per steradian above the surface, else 0. Chizhov2019, section 4.1."""
     return wp.where(w[2] > 0.0, _TWO_OVER_PI * (w[2] * w[2] * w[2]), 0.0)
 
 
@@ -37,13 +37,13 @@ def offset_ball_to_square(w: wp.vec3) -> wp.vec2:
 class OffsetBall(Distribution):
     """A uniform point of the unit ball plus the normal, normalised: 2 cos³θ / π per steradian.
 
-    As weights of a cosine integrand, cos / pdf is proportional to 1 / cos²: unbounded at the horizon. Take the cosine lobe.
+    For a cosine integrand the weight cos / pdf is proportional to 1 / cos², unbounded at the horizon: use the cosine lobe.
     """
 
     name = "offset_ball"
     density = "2cos³θ/π"
     support = "hemisphere"
-    source = "Chizhov, sections 4.1 and 4.2"
+    source = "Chizhov2019, sections 4.1 and 4.2"
 
     @property
     def maps(self) -> Maps:

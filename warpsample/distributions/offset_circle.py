@@ -1,4 +1,4 @@
-"""In the plane: a point of the circle that touches the surface point, seen from there: uniform in angle."""
+"""In the plane: a point of the circle that touches the surface point, seen from there: density uniform in angle."""
 
 from dataclasses import dataclass
 
@@ -13,14 +13,14 @@ _INV_PI = wp.constant(wp.float32(0.3183098861837907))
 
 @wp.func
 def square_to_offset_circle(u: wp.vec2) -> wp.vec2:
-    """(sin theta, cos theta) of theta = (u[0] - 1/2) pi; u[1] is not used. Chizhov, section 3.4, the third way."""
+    """(sin theta, cos theta) of theta = (u[0] - 1/2) pi; u[1] is not used. Chizhov2019, section 3.4, the third way."""
     cs = sincos_turns(0.5 * u[0])
     return wp.vec2(-cs[0], cs[1])
 
 
 @wp.func
 def square_to_offset_circle_pdf(w: wp.vec2) -> wp.float32:
-    """1 / pi per radian on the half circle above, else 0. Chizhov, section 3.3."""
+    """1 / pi per radian on the half circle above, else 0. Chizhov2019, section 3.3."""
     return wp.where(w[1] >= 0.0, _INV_PI, 0.0)
 
 
@@ -40,7 +40,7 @@ class OffsetCircle(Distribution):
     support = "half circle"
     width = 2
     variates = 1
-    source = "Chizhov, sections 3.3 and 3.4"
+    source = "Chizhov2019, sections 3.3 and 3.4"
 
     @property
     def maps(self) -> Maps:
@@ -48,7 +48,7 @@ class OffsetCircle(Distribution):
         return Maps(square_to_offset_circle, square_to_offset_circle_pdf, offset_circle_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Theta / pi + 1/2, where Chizhov prints + 1. See `Distribution.cdf`."""
+        """Theta / pi + 1/2, where Chizhov2019 prints + 1. See `Distribution.cdf`."""
         return np.clip(theta, -np.pi / 2.0, np.pi / 2.0, dtype=np.float64) / np.pi + 0.5
 
 

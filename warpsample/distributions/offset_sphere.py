@@ -16,7 +16,7 @@ _INV_FOUR_PI = wp.constant(wp.float64(0.07957747154594767))
 def square_to_offset_sphere(u: wp.vec2, rho: wp.float32) -> wp.vec3:
     """normalize((0, 0, 1) + rho s), s uniform on the sphere.
 
-    Its z, 1 + rho (1 - 2 u), is put together as (1 - rho) + 2 rho (1 - u), which is exact where the sum is short.
+    Its z, 1 + rho (1 - 2 u), is computed as (1 - rho) + 2 rho (1 - u), which is exact where the sum is short.
     """
     r = 2.0 * rho * wp.sqrt(u[0] * (1.0 - u[0]))
     cs = sincos_turns(u[1])
@@ -30,7 +30,7 @@ def square_to_offset_sphere_pdf(w: wp.vec3, rho: wp.float32) -> wp.float32:
     """Per steradian, by the one or two points t w of the sphere about the normal: the sum of t^2 / (4 pi rho sqrt(D)).
 
     D = rho^2 - sin^2 theta and t = cos theta -+ sqrt(D). Below rho = 1 the density is infinite at the edge sin theta = rho:
-    within 5e-7 of it D is held, and as much beyond, so that the mass stays 1 and no sampled direction has density 0.
+    D is clamped within 5e-7 on either side of it, so that the mass stays 1 and no sampled direction has density 0.
     """
     radius = wp.float64(rho)
     square = radius * radius
@@ -51,9 +51,9 @@ def square_to_offset_sphere_pdf(w: wp.vec3, rho: wp.float32) -> wp.float32:
 
 @wp.func
 def offset_sphere_to_square(w: wp.vec3, rho: wp.float32) -> wp.vec2:
-    """(1 - s.z) / 2 of the far point s, and the azimuth in turns; for rho >= 1, where there is one point.
+    """(1 - s.z) / 2 of the far point s, and the azimuth in turns; for rho >= 1, where there is only one point.
 
-    1 - s.z = 1 - (t cos theta - 1) / rho = sin^2 theta' / (1 + s.z), from whichever cancels less.
+    1 - s.z = 1 - (t cos theta - 1) / rho = sin^2 theta' / (1 + s.z), by the form that cancels less.
     """
     radius = wp.float64(rho)
     sine_squared = sin_squared(w)
@@ -83,8 +83,11 @@ class OffsetSphere(Distribution):
     parameters = ("rho",)
     shown = (0.2, 5.0)
     bounds = (1e-15, 1e15)
-    source = "Chizhov, sections 4.3 and 4.4, for ρ = 1; our change of variables for any other"
-    limits = "ρ < 1: density infinite at the edge sinθ = ρ, held within 5e-7 of it; two u to a direction, so no inverse"
+    source = "Chizhov2019, sections 4.3 and 4.4, for ρ = 1; our change of variables for any other"
+    limits = (
+        "for ρ < 1 the density is infinite at the edge sinθ = ρ and clamped within 5e-7 of it; "
+        "two u give a direction, so there is no inverse"
+    )
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
@@ -105,17 +108,17 @@ class OffsetSphere(Distribution):
 
     @property
     def largest_angle(self) -> float:
-        """Below rho = 1 the edge, asin(rho), with what it is held by."""
+        """Below rho = 1 the edge, asin(rho), with the width in which the density is clamped."""
         edge = min(1.0, self.rho * np.sqrt(1.0 + float(_BLUR)))
         return float(np.arcsin(edge)) if self.support == "cone" else super().largest_angle
 
     @property
     def thinnest_tail(self) -> float:
-        """Half of 7e-4 of the directions are within the held edge."""
+        """Half of 7e-4 of the directions are within the clamped edge."""
         return 1e-2 if self.support == "cone" else super().thinnest_tail
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """By the sphere's own angles to the one or two points that are seen at theta. See `Distribution.cdf`."""
+        """From the angles on the sphere of the one or two points seen at theta. See `Distribution.cdf`."""
         theta = np.clip(theta, 0.0, self.largest_angle, dtype=np.float64)
         beyond = np.arcsin(np.clip(np.sin(theta) / self.rho, -1.0, 1.0))
         far = np.sin(0.5 * (theta + beyond)) ** 2

@@ -1,4 +1,4 @@
-"""A distribution's functions in the one form that kernels call: its scalars in a struct, its map about a normal."""
+"""The functions of a distribution in the form that kernels call: parameters in a struct, and its map about a normal."""
 
 from functools import lru_cache
 from typing import Any
@@ -12,9 +12,9 @@ from warpsample.maths.frames import frame_about, to_world
 
 @wp.struct
 class Parameters:
-    """What a distribution's functions take after their first argument, so that a new value compiles nothing.
+    """The parameters of a distribution, a scalar and a vector, as a kernel argument: a new value compiles nothing.
 
-    A scalar and a vector, by components: a vector in a struct is copied as one, and keeps the loop scalar.
+    The vector is kept by components: a vector in a struct is copied as a whole, and the loop is then not vectorised.
     """
 
     scalar: wp.float32
@@ -39,18 +39,21 @@ def with_parameters(func: wp.Function, argument: type, count: int) -> wp.Functio
 
         @wp.func
         def call(x: argument, parameters: Parameters):
+            """Without parameters."""
             return func(x)
 
     elif count == 1:
 
         @wp.func
         def call(x: argument, parameters: Parameters):
+            """With the scalar."""
             return func(x, parameters.scalar)
 
     else:
 
         @wp.func
         def call(x: argument, parameters: Parameters):
+            """With the scalar and the vector."""
             return func(x, parameters.scalar, wp.vec3(parameters.x, parameters.y, parameters.z))
 
     return call
@@ -62,6 +65,7 @@ def about_frame(sample: wp.Function, pdf: wp.Function) -> wp.Function:
 
     @wp.func
     def about(n: wp.vec3, u: wp.vec2, parameters: Parameters):
+        """By a tangent frame."""
         w = sample(u, parameters)
         d = to_world(frame_about(n), w)
         return wp.vec4(d[0], d[1], d[2], pdf(w, parameters))

@@ -16,7 +16,7 @@ _INV_TWO_PI = wp.constant(wp.float64(0.15915494309189535))
 def square_to_power_cosine(u: wp.vec2, exponent: wp.float32) -> wp.vec3:
     """cos theta = (1 - u[0])^(1 / (exponent + 1)) = e^s; sin^2 theta = (1 - e^s)(1 + e^s).
 
-    1 - e^s comes with all its digits, as narrow lobes need. Exponent 1 is the cosine lobe, 0 the uniform hemisphere.
+    1 - e^s is precise, as narrow lobes need. Exponent 1 is the cosine lobe, 0 the uniform hemisphere.
     """
     power = exp_double(log1p_double(-wp.float64(u[0])) / (wp.float64(exponent) + ONE))
     r = wp.float32(wp.sqrt(-power[0] * (ONE + power[1])))
@@ -55,7 +55,7 @@ class PowerCosine(Distribution):
     parameters = ("exponent",)
     shown = (0.1, 1000.0)
     bounds = (0.0, 1e9)
-    source = "Phong's lobe: Lafortune and Willems 1994, equation 8; exponent 3 is Chizhov's section 4.1"
+    source = "Lafortune1994, equation 8 (Phong's lobe); exponent 3: Chizhov2019, section 4.1"
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
@@ -69,7 +69,7 @@ class PowerCosine(Distribution):
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - cos^(n + 1) theta. See `Distribution.cdf`."""
-        # log cos = log1p(-2 sin^2(theta / 2)), which keeps the digits of narrow lobes.
+        # log cos = log1p(-2 sin^2(theta / 2)), which stays precise for narrow lobes.
         with np.errstate(divide="ignore"):
             log_cos = np.log1p(-2.0 * np.sin(0.5 * np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) ** 2)
         return -np.expm1((self.exponent + 1.0) * log_cos)

@@ -1,4 +1,4 @@
-"""What a distribution says of itself, and its maps on arrays."""
+"""The record of a distribution: its properties, and its maps applied to arrays."""
 
 from dataclasses import dataclass
 from math import pi

@@ -16,9 +16,9 @@ _LEAST = 1e-24
 
 @wp.func
 def square_to_uniform_cone(u: wp.vec2, one_minus_cos: wp.float32) -> wp.vec3:
-    """1 - cos theta = u[0] (1 - cos of the cone's angle), and sin theta from it, so that a narrow cone keeps its digits.
+    """1 - cos theta = u[0] (1 - cos of the cone's angle), and sin theta from it, which is precise for narrow cones.
 
-    Its complement to 2 is put together from two positive terms, so the whole sphere keeps them at the far pole too.
+    Its complement to 2 is a sum of two positive terms, so the whole sphere is precise at the far pole too.
     """
     h = u[0] * one_minus_cos
     rest = (2.0 - one_minus_cos) + (1.0 - u[0]) * one_minus_cos
@@ -46,8 +46,8 @@ class UniformCone(Distribution):
 
     Attributes:
         cos_angle: cosine of the angle between the axis and the edge, in [-1, 1).
-        one_minus_cos: 1 - cos_angle, in [1e-24, 2], for narrow cones: 1 - cos of 1e-6 rad is 5e-13, which cos_angle itself
-            holds to four digits only.
+        one_minus_cos: 1 - cos_angle, in [1e-24, 2], for narrow cones: 1 - cos of 1e-6 rad is 5e-13, of which
+            cos_angle itself keeps only four digits.
     """
 
     cos_angle: float | None = None
@@ -58,7 +58,7 @@ class UniformCone(Distribution):
     support = "cone"
     parameters = ("one_minus_cos",)
     shown = (1e-4, 2.0)
-    source = "Pharr, Jakob, Humphreys 2023, section A.5.4"
+    source = "Pharr2023, section A.5.4"
 
     def __post_init__(self) -> None:
         """Checks that one of the two is given, and derives the other."""

@@ -1,4 +1,4 @@
-"""The unit disk, by two maps of the square that keep area: under the cosine lobe, and for lenses."""
+"""The unit disk, by two maps of the square that preserve area: the basis of the cosine lobe, and for lenses."""
 
 from dataclasses import dataclass
 from typing import Literal, get_args
@@ -19,7 +19,7 @@ _RIM = wp.constant(wp.float32(1.0 + 5e-7))  # points within rounding of the edge
 
 @wp.func
 def square_to_uniform_disk(u: wp.vec2) -> wp.vec2:
-    """Radius sqrt(u[0]), azimuth 2 pi u[1]. Cranberry's and the NORI note's disk; Chizhov, section 3.2."""
+    """Radius sqrt(u[0]), azimuth 2 pi u[1]. Cranberry2020, Nori2025; Chizhov2019, section 3.2."""
     r = wp.sqrt(u[0])
     cs = sincos_turns(u[1])
     return wp.vec2(r * cs[0], r * cs[1])
@@ -33,9 +33,9 @@ def uniform_disk_to_square(p: wp.vec2) -> wp.vec2:
 
 @wp.func
 def square_to_concentric_disk(u: wp.vec2) -> wp.vec3:
-    """(x, y, radius) by Shirley and Chiu 1997: squares become rings, so that neighbours stay neighbours.
+    """(x, y, radius) by Shirley1997: squares become rings, so neighbours stay neighbours.
 
-    The grid is shifted by half a cell onto the middles of its cells, exactly, so that the radius stays below 1.
+    The grid is shifted exactly to the middles of its cells, so that the radius stays below 1.
     """
     a = (2.0 * u[0] - 1.0) + _HALF_CELL
     b = (2.0 * u[1] - 1.0) + _HALF_CELL
@@ -48,14 +48,14 @@ def square_to_concentric_disk(u: wp.vec2) -> wp.vec3:
 
 @wp.func
 def square_to_uniform_disk_concentric(u: wp.vec2) -> wp.vec2:
-    """The point of `square_to_concentric_disk`."""
+    """The point of `square_to_concentric_disk`, without the radius."""
     p = square_to_concentric_disk(u)
     return wp.vec2(p[0], p[1])
 
 
 @wp.func
 def uniform_disk_to_square_concentric(p: wp.vec2) -> wp.vec2:
-    """The way back: the radius is the longer coordinate, the octant's angle the ratio of the two."""
+    """The inverse: the radius is the longer coordinate, the angle in the octant the ratio of the two."""
     ax = wp.abs(p[0])
     ay = wp.abs(p[1])
     longer = wp.sqrt(ax * ax + ay * ay)
@@ -82,7 +82,7 @@ class UniformDisk(Distribution):
     """Points (x, y) uniform on the unit disk: 1 / pi per unit area.
 
     Attributes:
-        method: "polar" (radius sqrt(u), azimuth 2 pi v) or "concentric" (Shirley and Chiu; less distortion).
+        method: "polar" (radius sqrt(u), azimuth 2 pi v) or "concentric" (Shirley1997; less distortion).
     """
 
     method: Method = "polar"
@@ -92,7 +92,7 @@ class UniformDisk(Distribution):
     measure = "per unit area"
     support = "disk"
     width = 2
-    source = "Cranberry 2020; the NORI note, UniformDisk; Shirley and Chiu 1997"
+    source = "Cranberry2020; Nori2025, UniformDisk; Shirley1997"
 
     def __post_init__(self) -> None:
         """Checks the method's name."""

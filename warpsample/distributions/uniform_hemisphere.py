@@ -1,4 +1,4 @@
-"""Every direction above the surface equally likely."""
+"""All directions above the surface, equally likely."""
 
 from dataclasses import dataclass
 
@@ -38,7 +38,7 @@ class UniformHemisphere(Distribution):
     name = "uniform_hemisphere"
     density = "1/(2π)"
     support = "hemisphere"
-    source = "the NORI note, P(θ) = 1 − cosθ; Pharr, Jakob, Humphreys 2023, section A.5.2"
+    source = "Nori2025, P(θ) = 1 − cosθ; Pharr2023, section A.5.2"
 
     @property
     def maps(self) -> Maps:

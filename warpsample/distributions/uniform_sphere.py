@@ -1,4 +1,4 @@
-"""Every direction equally likely."""
+"""All directions, equally likely."""
 
 from dataclasses import dataclass
 
@@ -39,7 +39,7 @@ class UniformSphere(Distribution):
     name = "uniform_sphere"
     density = "1/(4π)"
     support = "sphere"
-    source = "Pharr, Jakob, Humphreys 2023, section A.5.2; the NORI note, UniformSphere"
+    source = "Nori2025, UniformSphere; Pharr2023, section A.5.2"
 
     @property
     def maps(self) -> Maps:

@@ -1,4 +1,4 @@
-"""Beckmann normals as a viewer sees them: weighted by the area that each turns to the view."""
+"""Beckmann normals as a viewer sees them: weighted by the area that each shows to the view."""
 
 from dataclasses import dataclass
 
@@ -20,7 +20,7 @@ _TINY = wp.constant(wp.float64(1e-12))
 
 @wp.func
 def slope_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4d:
-    """(cos v / (alpha sin v), that is the slope at which normals turn away; alpha sin v; cosine, sine of the azimuth)."""
+    """(cos v / (alpha sin v), the slope at which normals face away; alpha sin v; cosine and sine of the azimuth)."""
     x = wp.float64(view[0])
     y = wp.float64(view[1])
     across = wp.sqrt(x * x + y * y)
@@ -37,7 +37,7 @@ def visible_share_above(x: wp.float64, a: wp.float64) -> wp.float64:
 
 @wp.func
 def slope_along_view(rest: wp.float64, a: wp.float64) -> wp.float64:
-    """The slope above which the view sees the share `rest`: Newton's method, kept in a bracket."""
+    """The slope above which the view sees the share `rest`, by Newton's method in a bracket."""
     low = -wp.min(a, _STEEPEST)
     high = _STEEPEST
     target = rest * visible_share_above(low, a)
@@ -60,7 +60,7 @@ def slope_along_view(rest: wp.float64, a: wp.float64) -> wp.float64:
 
 @wp.func
 def gaussian_slope(v: wp.float32) -> wp.float64:
-    """The slope below which the share v, at its cell's middle, of e^(-s^2) / sqrt(pi) lies: Newton on erfc."""
+    """The slope below which lies the share v (at its cell's middle) of e^(-s^2) / sqrt(pi), by Newton's method."""
     below = wp.float64(v) + _HALF_CELL
     tail = TWO * wp.min(below, ONE - below)
     y = wp.sqrt(-wp.log(tail * (TWO - tail)))
@@ -74,7 +74,7 @@ def gaussian_slope(v: wp.float32) -> wp.float64:
 
 @wp.func
 def square_to_visible_beckmann(u: wp.vec2, alpha: wp.float32, view: wp.vec3) -> wp.vec3:
-    """Slopes along and across the view, unstretched. Scalar: erfc, exp and Newton's steps do not vectorise."""
+    """Slopes along and across the view, scaled back by alpha. Scalar: erfc, exp and Newton's steps do not vectorise."""
     v = slope_view(alpha, view)
     along = slope_along_view(ONE - wp.float64(u[0]) - _HALF_CELL, v[0]) * wp.float64(alpha)
     aside = gaussian_slope(u[1]) * wp.float64(alpha)
@@ -90,7 +90,7 @@ def square_to_visible_beckmann(u: wp.vec2, alpha: wp.float32, view: wp.vec3) -> 
 def square_to_visible_beckmann_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> wp.float32:
     """(v.m) D(m) / area per steradian where v.m > 0 and m above the surface, else 0; the horizon as for GGX.
 
-    The area that the view sees is that of slopes above -a, times alpha sin v.
+    The visible area is that of slopes above -a, times alpha sin v.
     """
     v = slope_view(alpha, view)
     x = wp.float64(w[0])
@@ -137,7 +137,7 @@ class VisibleBeckmann(Distribution):
     shown = (0.05, 1.0)
     bounds = (1e-6, 1.0)
     symmetric = False
-    source = "Heitz and d'Eon 2014, section 5; Walter et al. 2007, equation 25"
+    source = "HeitzDEon2014, section 5; Walter2007, equation 25"
     limits = "the horizon of the view is blurred by rounding; sampled in scalar code, by Newton's method"
 
     def __post_init__(self) -> None:
@@ -147,7 +147,7 @@ class VisibleBeckmann(Distribution):
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
-        """From above, from aside, from the horizon."""
+        """From above, from the side, from the horizon."""
         views = ((0.5, (0.0, 0.0, 1.0)), (0.3, (0.6, -0.64, 0.48)), (1.0, (1.0, 0.0, 0.0)), (1e-6, (1.0, 0.0, 0.0)))
         return tuple(cls(alpha, view) for alpha, view in views)
 

@@ -1,4 +1,4 @@
-"""GGX normals as a viewer sees them: weighted by the area that each turns to the view."""
+"""GGX normals as a viewer sees them: weighted by the area that each shows to the view."""
 
 from dataclasses import dataclass
 
@@ -15,7 +15,7 @@ _TINY = wp.constant(wp.float32(1e-30))
 
 @wp.func
 def stretched_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4:
-    """(sine, cosine of the angle to +z; cosine, sine of the azimuth) of the view where the surface is a sphere."""
+    """(sine, cosine of the angle to +z; cosine, sine of the azimuth) of the view, the surface stretched to a sphere."""
     across = wp.sqrt(fma(view[0], view[0], view[1] * view[1]))
     inverse = 1.0 / wp.sqrt(fma(alpha * across, alpha * across, view[2] * view[2]))
     per_across = 1.0 / wp.max(across, _TINY)
@@ -30,7 +30,7 @@ def stretched_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4:
 
 @wp.func
 def blurred_facing(m: wp.vec3, view: wp.vec3) -> wp.float32:
-    """v.m, but at least the rounding of its three terms, and 0 where it is below minus that."""
+    """v.m, at least the rounding error of its three terms; 0 where it is below minus that."""
     x = wp.float64(m[0]) * wp.float64(view[0])
     y = wp.float64(m[1]) * wp.float64(view[1])
     z = wp.float64(m[2]) * wp.float64(view[2])
@@ -41,11 +41,11 @@ def blurred_facing(m: wp.vec3, view: wp.vec3) -> wp.float32:
 
 @wp.func
 def square_to_visible_ggx(u: wp.vec2, alpha: wp.float32, view: wp.vec3) -> wp.vec3:
-    """The cap of the sphere above -v.z, plus the view v, unstretched: Dupuy and Benyoub 2023, listing 3.
+    """The cap of the sphere above -v.z, plus the view v, unstretched: Dupuy2023, listing 3.
 
-    It is the sphere + normal trick once more, and cancels as much where the sum h is short. With c the cap's point,
+    Like the sphere plus the normal, it cancels where the sum h is short. With c the cap's point,
     h.z = (1 - u[0]) (1 + v.z) is exact, sin c - sin v = h.z (2 v.z - h.z) / (sin c + sin v), and 1 + cos phi is
-    2 cos^2(phi / 2) for phi = 2 pi u[1] from the view's azimuth; so no digit is lost.
+    2 cos^2(phi / 2) for phi = 2 pi u[1] from the view's azimuth; so the result is precise.
     """
     v = stretched_view(alpha, view)
     sin_v = v[0]
@@ -67,7 +67,7 @@ def square_to_visible_ggx(u: wp.vec2, alpha: wp.float32, view: wp.vec3) -> wp.ve
 def square_to_visible_ggx_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> wp.float32:
     """2 (v.m) D(m) / (cos v + sqrt(cos^2 v + alpha^2 sin^2 v)) per steradian where v.m > 0 and m above the surface, else 0.
 
-    The view's horizon, v.m = 0, is blurred by the rounding of the sum's three terms, so that none sampled has density 0.
+    The view's horizon, v.m = 0, is blurred by the rounding error of the sum, so that no sampled direction has density 0.
     """
     across = fma(w[0], w[0], w[1] * w[1])
     ratio = alpha / fma(alpha * w[2], alpha * w[2], across)
@@ -79,7 +79,7 @@ def square_to_visible_ggx_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> w
 
 @wp.func
 def visible_ggx_to_square(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> wp.vec2:
-    """Stretch the normal, reflect the view about it: that is the cap's point."""
+    """The cap's point is the view reflected about the stretched normal."""
     v = stretched_view(alpha, view)
     x = fma(w[0], v[2], w[1] * v[3])
     y = fma(w[1], v[2], -w[0] * v[3])
@@ -111,9 +111,10 @@ class VisibleGGX(Distribution):
     shown = (0.05, 1.0)
     bounds = (1e-6, 1.0)
     symmetric = False
-    source = "Heitz 2014, equation 3; sampled as Dupuy and Benyoub 2023, section 3"
+    source = "Heitz2014, equation 3; sampled as in Dupuy2023, section 3"
     limits = (
-        "the horizon of the view is blurred by rounding; the way back is stated off the cap's poles, u[0] in 0.06 to 0.94"
+        "the horizon of the view is blurred by rounding; "
+        "the error of the inverse holds off the cap's poles, for u[0] from 0.06 to 0.94"
     )
 
     def __post_init__(self) -> None:
@@ -123,7 +124,7 @@ class VisibleGGX(Distribution):
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
-        """From above, from aside, from the horizon."""
+        """From above, from the side, from the horizon."""
         views = (
             (1.0, (0.0, 0.0, 1.0)),
             (0.3, (0.6, -0.64, 0.48)),

@@ -1,4 +1,4 @@
-"""The Gaussian of the sphere."""
+"""The von Mises-Fisher lobe, the counterpart of a Gaussian on the sphere."""
 
 from dataclasses import dataclass
 
@@ -10,7 +10,7 @@ from warpsample.maths.exponentials import exp_double, log1p_double
 from warpsample.maths.numerics import ONE, TWO, clamp_uniform, sincos_turns, turns_of, versine
 
 _INV_TWO_PI = wp.constant(wp.float64(0.15915494309189535))
-# Above this kappa no variate of the grid reaches the lower hemisphere, and e^(2 kappa) would leave the floats.
+# Above this kappa no variate of the grid reaches the lower hemisphere, and e^(2 kappa) could overflow.
 _NO_BACK = wp.constant(wp.float64(20.0))
 
 
@@ -18,7 +18,7 @@ _NO_BACK = wp.constant(wp.float64(20.0))
 def square_to_von_mises_fisher(u: wp.vec2, kappa: wp.float32) -> wp.vec3:
     """1 - cos theta = -log(1 - u[0] (1 - e^(-2 kappa))) / kappa, azimuth 2 pi u[1].
 
-    Below the equator from its own pole, 1 + cos theta = log(1 + (1 - u[0]) (e^(2 kappa) - 1)) / kappa, digits and all.
+    Below the equator, for precision: 1 + cos theta = log(1 + (1 - u[0]) (e^(2 kappa) - 1)) / kappa.
     """
     k = wp.float64(kappa)
     x = wp.float64(u[0])
@@ -64,7 +64,7 @@ class VonMisesFisher(Distribution):
     parameters = ("kappa",)
     shown = (0.1, 10000.0)
     bounds = (1e-6, 1e12)
-    source = "Fisher 1953; Jakob 2012, Numerically stable sampling of the von Mises-Fisher distribution on S²"
+    source = "Fisher1953; sampled as in Jakob2012"
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
@@ -77,7 +77,7 @@ class VonMisesFisher(Distribution):
         return Maps(square_to_von_mises_fisher, square_to_von_mises_fisher_pdf, von_mises_fisher_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """The share of e^(kappa cos theta) beyond. See `Distribution.cdf`."""
+        """The share of e^(kappa cos theta) within theta. See `Distribution.cdf`."""
         versine = 2.0 * np.sin(0.5 * theta) ** 2
         return np.expm1(-self.kappa * versine) / np.expm1(-2.0 * self.kappa)
 

@@ -46,7 +46,7 @@ def ambient_occlusion(
             of 8, from 256 of 16, from 448 of 64, from 4,096 of 128, from 16,384 of 256.
         max_distance: hits at or beyond this distance are ignored, in units of the coordinates; by default there is no limit.
         falloff: a hit at a distance t occludes by (1 - t / max_distance)^falloff, so that there is no edge at
-            max_distance: ambient obscurance (Zhukov, Iones, Kronin 1998). 1 is a straight line.
+            max_distance: ambient obscurance (Zhukov1998). 1 is a straight line.
         sequence: of the rays of each cell, a name of `warpsample.sequences.names()`.
         seed: of 64 bits.
         first_point: the global id of row 0.
@@ -178,7 +178,7 @@ def bent_normals(
 ) -> Estimate:
     """The mean of the directions that get away, cosine-weighted, (P, 3): of length 2/3 along the normal where it is open.
 
-    Divided by its length it is the bent normal (Landis 2002). Its product with the normal is the mean cosine of those rays.
+    Divided by its length it is the bent normal (Landis2002). Its product with the normal is the mean cosine of those rays.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.

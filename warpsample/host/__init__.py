@@ -1,1 +1,1 @@
-"""What every call needs on this side of a kernel: arguments, arrays, threads, locks, files."""
+"""The host side of every call: arguments, arrays, threads, locks, files."""

@@ -69,7 +69,7 @@ def check_file(value: Any, argument: str, wants: str) -> Path:
 
 @contextmanager
 def naming_file(argument: str, path: Path, wants: str) -> Iterator[None]:
-    """Around the reader of a file: whatever it stumbles over where a file is damaged becomes one error that names it.
+    """Wraps the reader of a file: whatever it raises on a damaged file becomes one error that names the file.
 
     Raises:
         ValueError: the file cannot be read; names it and says why.

@@ -1,4 +1,4 @@
-"""What users hold and get back: NumPy and Warp arrays, checked once and then known by their address."""
+"""The arrays of users, NumPy and Warp: checked once, and from then on known by their address."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -35,7 +35,7 @@ class Vectors:
 
     @cached_property
     def address(self) -> int:
-        """Of the first component."""
+        """Address of the first component."""
         return address_of(self.owner)
 
     @cached_property
@@ -51,7 +51,7 @@ def cpu() -> wp.Device:
 
 
 def address_of(array: Array) -> int:
-    """Of the first element, on the array's device."""
+    """Address of the first element, on the array's device."""
     return array.ptr or 0 if isinstance(array, wp.array) else array.__array_interface__["data"][0]
 
 
@@ -178,7 +178,7 @@ def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") 
 
 
 def _rounded(array: np.ndarray) -> np.ndarray:
-    """float32, C-contiguous; without a copy where it is that."""
+    """The array as C-contiguous float32, copied only if it is not that already."""
     with np.errstate(over="ignore"):
         return np.ascontiguousarray(array, np.float32)
 

@@ -1,4 +1,4 @@
-"""How a kernel is run: over chunks of its tasks, on worker threads, on a device, within the memory that is free."""
+"""Runs kernels: in chunks of their tasks, on worker threads or on a device, within the free memory."""
 
 import os
 from collections import defaultdict, deque
@@ -36,7 +36,7 @@ _pool_size = 0
 
 
 def check_workers(workers: int | None) -> int:
-    """The number of threads to use: all cores that this process may run on, unless told.
+    """The number of threads to use: by default all cores that this process may run on.
 
     Raises:
         ValueError: not from 1 to 1024.
@@ -48,7 +48,7 @@ def check_workers(workers: int | None) -> int:
 
 
 def check_memory(needed: int, what: str, remedy: str) -> None:
-    """Refuses what would not fit into the memory that is free now.
+    """Refuses what would not fit into the free memory.
 
     Raises:
         MemoryError: says how much is needed, how much is free and what to do instead.
@@ -71,7 +71,7 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
         inputs: the other parameters; structs as instances or as ctypes.
         device: on a CPU, `workers` threads share the chunks; on CUDA the launches queue up.
         workers: at most this many threads.
-        work: directions computed, or the like of it: little work stays on the calling thread.
+        work: number of directions computed, or of comparable units: little work stays on the calling thread.
     """
     workers = workers if device.is_cpu and work >= LEAST_WORK else 1
     each = min(max(work // (workers * _CHUNK_WORK), _FEW_CHUNKS), _MANY_CHUNKS)
@@ -85,14 +85,14 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
 
 
 def _share(commands: list[wp.Launch], chunk: int, tasks: int, done: Callable[[int], None] | None) -> None:
-    """Runs all tasks, in chunks, a thread for each command; the calling thread is one, since others take time to wake."""
+    """Runs all tasks in chunks, a thread for each command; the calling thread is one, as others take time to wake."""
     starts = iter(range(0, tasks, chunk))
     if len(commands) == 1:
         _run_chunks(commands[0], starts, chunk, tasks, done)
         return
     others: list[Future] = []
     try:
-        with suppress(RuntimeError):  # the system gives no more threads, or Python is ending: so fewer share the work
+        with suppress(RuntimeError):  # no more threads are available, or Python is ending: fewer threads share the work
             for command in commands[1:]:
                 others.append(_threads(len(commands) - 1).submit(_run_chunks, command, starts, chunk, tasks, done))  # noqa: PERF401
         _run_chunks(commands[0], starts, chunk, tasks, done)
@@ -104,9 +104,9 @@ def _share(commands: list[wp.Launch], chunk: int, tasks: int, done: Callable[[in
 
 
 def _outlast(starts: Any, others: list[Future]) -> None:
-    """Waits until no thread is at work any more, however often that is interrupted, and lets none start another chunk.
+    """Waits until all threads have stopped, even through interrupts, and lets none start another chunk.
 
-    They write to arrays that the caller lets go of.
+    They write to arrays that the caller is about to release.
     """
     interrupt = None
     while True:
@@ -121,7 +121,7 @@ def _outlast(starts: Any, others: list[Future]) -> None:
 
 
 def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
-    """A recorded launch of nobody else's, with these inputs: 4 us where a new launch takes 60."""
+    """A recorded launch that no other thread uses, with these inputs: 4 us where a new launch takes 60."""
     command = None
     with suppress(IndexError):
         command = _idle[kernel, device.alias].pop()
@@ -139,7 +139,7 @@ def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
 
 
 def _run_chunks(command: wp.Launch, starts: Any, chunk: int, tasks: int, done: Callable[[int], None] | None = None) -> None:
-    """Takes chunks until none is left, and tells `done`; next() on a range's iterator is atomic, so threads can share it."""
+    """Runs chunks until none is left, and calls `done` after each; next() on a range is atomic, so threads can share it."""
     last = len(command.kernel.adj.args) - 1
     for start in starts:
         command.set_param_at_index_from_ctype(last, start)
@@ -152,7 +152,7 @@ def _run_chunks(command: wp.Launch, starts: Any, chunk: int, tasks: int, done: C
 
 
 def _threads(workers: int) -> ThreadPoolExecutor:
-    """The one pool of this process, grown when more are asked for."""
+    """The thread pool of this process, replaced by a larger one when more workers are needed."""
     global _pool, _pool_size  # noqa: PLW0603  (threads belong to the process)
     with making:
         if _pool is None or _pool_size < workers:
@@ -162,7 +162,7 @@ def _threads(workers: int) -> ThreadPoolExecutor:
 
 
 def _forget_threads() -> None:
-    """In a forked child: none of its parent's threads came along."""
+    """Resets the pool in a forked child, where the parent's threads do not exist."""
     global _pool, _pool_size
     _pool, _pool_size = None, 0
 

@@ -1,7 +1,7 @@
-"""The one way into a file: refused before the work where it cannot be, then whole or not at all, and nothing left behind.
+"""Writes files: refused before any work if they cannot be written, then complete or absent, and nothing is left behind.
 
-Libraries get no path but a stream of ours, or write into memory: some of them (VTK) end in a crash on a full disk, others
-(PLY of VTK) never look whether their bytes arrived.
+Libraries get one of our streams instead of a path, or write into memory: some (VTK) crash on a full disk, others (VTK's PLY
+writer) do not check whether their bytes were written.
 """
 
 import os
@@ -21,7 +21,7 @@ import numpy as np
 
 try:
     import fcntl
-except ModuleNotFoundError:  # Windows, where nobody can remove a file that is open
+except ModuleNotFoundError:  # Windows, where an open file cannot be removed
     fcntl = None  # type: ignore[assignment]
 
 _BUFFER = 1 << 20
@@ -29,16 +29,16 @@ _LONGEST = 40  # characters of a name within the name of its part: file systems 
 
 
 class WriteError(OSError):
-    """A file could not be written; what was there before is as it was."""
+    """A file could not be written; the previous file is unchanged."""
 
 
 def check_output(path: Path, argument: str, *inputs: Path | None) -> None:
-    """Refuses what could not be written, before anything is computed; leaves no trace.
+    """Refuses a file that could not be written, before anything is computed; leaves no trace.
 
     Args:
         path: a file that may exist.
         argument: its name in the message.
-        inputs: files that are read and must stay as they are; None is left out.
+        inputs: files that are read and must not change; None is ignored.
 
     Raises:
         ValueError: a folder, a file that may not be written or is an input by another name, or no folder to write in.
@@ -62,10 +62,10 @@ def check_output_folder(folder: Path, argument: str) -> None:
 
 @contextmanager
 def complete_or_absent(path: Path) -> Iterator[BinaryIO]:
-    """A stream whose bytes become the file `path` at the end, and vanish if it does not come to that.
+    """A stream whose bytes become the file `path` at the end, or are discarded on an error.
 
-    They go to a hidden file beside it, reach the disk and take the place of the old file, whose permissions they keep. Where
-    `path` is a link, what it points to is replaced. What a killed process has left of the same file is removed first.
+    They go to a hidden file beside it, are flushed to disk and replace the old file, whose permissions they keep. If `path`
+    is a link, its target is replaced. Remains of killed processes that wrote the same file are removed first.
 
     Raises:
         WriteError: it cannot be written.
@@ -77,7 +77,7 @@ def complete_or_absent(path: Path) -> Iterator[BinaryIO]:
         with _told(path):
             os.fsync(raw.fileno())
             if fcntl is None:
-                raw.close()  # which Windows asks for; elsewhere the lock is needed to the end
+                raw.close()  # Windows requires it; elsewhere the lock is needed to the end
             Path(raw.name).replace(_target(path))
 
 
@@ -94,27 +94,28 @@ def write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None:
 
 
 class _Part(FileIO):
-    """What a file is before it is whole; its errors name the file."""
+    """The hidden file that a file is written to; its errors name the file."""
 
     def __init__(self, part: Path, path: Path) -> None:
         self.path = path
         super().__init__(part, "x")
 
     def write(self, data: Any) -> int | None:
+        """As `FileIO.write`."""
         with _told(self.path):
             return super().write(data)
 
 
 @contextmanager
 def _part(path: Path) -> Iterator[_Part]:
-    """An empty file beside `path`, locked while this process lives; removed at the end if it is there still."""
+    """An empty file beside `path`, locked while this process lives; removed at the end if it still exists."""
     target = _target(path)
     _remove_orphans(target)
     part = target.with_name(f"{_prefix(target)}{os.getpid()}.{secrets.token_hex(4)}.part")
     raw = None
-    try:  # from here on, because an interrupt may come as soon as there is a file
+    try:  # starts here, because an interrupt may come as soon as the file exists
         with _told(path):
-            while not part.exists():  # once more, if another run took it for an orphan before it was locked
+            while not part.exists():  # again, if another run took it for an orphan before it was locked
                 if raw is not None:
                     raw.close()
                 raw = _Part(part, path)
@@ -132,10 +133,10 @@ def _part(path: Path) -> Iterator[_Part]:
 
 
 def _remove_orphans(target: Path) -> None:
-    """Those parts of `target` whose processes were killed: that are of this machine and that nobody has locked.
+    """Removes the parts of `target` that killed processes left: those of this machine that are not locked.
 
-    Locks tell the living from the dead whatever has become of the number of a process. Those of other machines on a shared
-    folder need not be seen here, so that their parts are left to them; where there are no locks nothing is removed.
+    A lock shows that the process lives, even if its number is used again. Locks of other machines on a shared folder may not
+    be visible here, so their parts are left alone; without locks nothing is removed.
     """
     with suppress(OSError):
         for orphan in target.parent.glob(f"{escape(_prefix(target))}*.part"):
@@ -154,24 +155,24 @@ def _remove_if_dead(orphan: Path) -> None:
 
 
 def _lock(file: Any) -> None:
-    """Until it is closed or its process ends."""
+    """Locks a file until it is closed or its process ends."""
     if fcntl is not None:
         with suppress(OSError):  # of file systems without locks
             fcntl.flock(file, fcntl.LOCK_EX)
 
 
 def _prefix(target: Path) -> str:
-    """Of the names of its parts on this machine."""
+    """The prefix of the names of the parts of `target` on this machine."""
     return f".{target.name[:_LONGEST]}.{re.sub(r'[^A-Za-z0-9-]', '-', platform.node())[-_LONGEST:]}."
 
 
 def _target(path: Path) -> Path:
-    """Where the bytes go: what a link points to."""
+    """The file itself, or the target of a link."""
     return Path(os.path.realpath(path))
 
 
 def _mode(target: Path) -> int:
-    """Kind and permissions of what is there; 0 of nothing."""
+    """Kind and permissions of an existing file; 0 if there is none."""
     try:
         return target.stat().st_mode
     except (FileNotFoundError, NotADirectoryError):
@@ -179,7 +180,7 @@ def _mode(target: Path) -> int:
 
 
 def _flaw(path: Path, inputs: list[Path]) -> str:
-    """What is wrong with an output; nothing if it can be written."""
+    """Why an output cannot be written; empty if it can."""
     target = _target(path)
     try:
         mode = _mode(target)
@@ -197,21 +198,21 @@ def _flaw(path: Path, inputs: list[Path]) -> str:
                 return flaw
         with _part(path) as raw:
             raw.close()
-            Path(raw.name).unlink(missing_ok=True)  # here too: whatever an interrupt skips, one of the two is done
+            Path(raw.name).unlink(missing_ok=True)  # as `_part` does: an interrupt can skip one of the two, not both
             return ""
     except OSError as error:
         return f"which cannot be written: {_reason(error)}"
 
 
 def _same(target: Path, source: Path) -> bool:
-    with suppress(OSError):  # one of the two is not there
+    with suppress(OSError):  # one of the two does not exist
         return target.samefile(source)
     return False
 
 
 @contextmanager
 def _told(path: Path) -> Iterator[None]:
-    """Turns what the system says of a part into an error of the file."""
+    """Turns a system error about a part into an error that names the file."""
     try:
         yield
     except OSError as error:

@@ -1,7 +1,7 @@
-"""How Warp is started and kernels loaded: without a word on stdout, and never from files that are not as they were built.
+"""Starts Warp and loads kernels: without printing to stdout, and never from damaged files.
 
-LLVM crashes on some damaged objects, runs others as they are, and ends the process where the disk is full. So what was built
-is marked by its digest, which is looked at before anything is loaded. Users' own modules are left to Warp.
+LLVM crashes on some damaged objects, runs others unchecked, and ends the process when the disk is full. So each file that
+was built gets a digest, which is checked before it is loaded. Users' own modules are left to Warp.
 """
 
 import atexit
@@ -20,7 +20,7 @@ import warp as wp
 from warpsample.host.locks import once
 
 _MARK = ".sha256"  # of a file's digest, beside it
-_SOURCES = (".cpp", ".cu")  # which Warp leaves there to be read
+_SOURCES = (".cpp", ".cu")  # kept by Warp for reading only
 _ROOM = 1 << 20  # bytes; twice what the largest module takes
 _NO_DRIVER = b"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver"
 
@@ -56,6 +56,7 @@ def load(kernel: wp.Kernel, device: str) -> None:
     block = 1 if device == "cpu" else 256  # as wp.launch has it
 
     def load_module() -> None:
+        """Builds or loads the module, as Warp does it."""
         wp.load_module(kernel.module, device, block_dim=block)
 
     entry = Path(wp.config.kernel_cache_dir, kernel.module.get_module_identifier(block))
@@ -64,9 +65,9 @@ def load(kernel: wp.Kernel, device: str) -> None:
         if whole:
             try:
                 load_module()
-                _mark(entry)  # to what another kind of processor built Warp has added this one's
+                _mark(entry)  # Warp may have added this processor's object to that of another
                 return
-            except Exception:  # whatever Warp raises of files that another process has just taken away
+            except Exception:  # whatever Warp raises about files that another process has just removed
                 whole = False
         _build(kernel.module, load_module, entry)
     if whole is False:
@@ -76,7 +77,7 @@ def load(kernel: wp.Kernel, device: str) -> None:
 
 @contextmanager
 def _quiet(level: int) -> Iterator[None]:
-    """Warp logs from this level on, not every module to stdout; unless the user has set another level than the default."""
+    """Raises Warp's log level, so that modules are not listed on stdout; a level that the user has set is kept."""
     before = wp.config.log_level
     if before == wp.LOG_INFO:
         wp.config.log_level = level
@@ -87,7 +88,7 @@ def _quiet(level: int) -> Iterator[None]:
 
 
 def _without_driver_warning(work: Callable[[], None]) -> None:
-    """Holds stderr back meanwhile: Warp's native part misses a CUDA driver there, and nothing switches that off."""
+    """Filters stderr during `work`: Warp's native part reports a missing CUDA driver there, and has no option against it."""
     with ExitStack() as after:
         with suppress(OSError):  # stderr is closed, or there is no temporary folder
             held = after.enter_context(tempfile.TemporaryFile())
@@ -106,7 +107,7 @@ def _show_others(held: BinaryIO, stderr: int) -> None:
 
 
 def _is_whole(entry: Path) -> bool | None:
-    """Whether a module's files are as they were built; None if nobody knows: there are none, or Warp alone built them."""
+    """Whether a module's files match their digests; None if it has no files or no digests, as when Warp alone built them."""
     if not os.path.lexists(entry):
         return None
     try:
@@ -119,7 +120,7 @@ def _is_whole(entry: Path) -> bool | None:
 
 
 def _contents(entry: Path) -> tuple[set[str], set[str]]:
-    """The names of what Warp loads, and those that have a mark."""
+    """The names of the files that Warp loads, and of those that have a digest."""
     names = [path.name for path in entry.iterdir()]
     marked = {name.removesuffix(_MARK) for name in names if name.endswith(_MARK)}
     return {name for name in names if not name.endswith((_MARK, *_SOURCES))}, marked
@@ -130,14 +131,14 @@ def _digest(entry: Path, name: str) -> bytes:
 
 
 def _mark(entry: Path) -> None:
-    with suppress(OSError):  # what has no mark is built again, that is all
+    with suppress(OSError):  # a file without a digest is only built again
         outputs, marked = _contents(entry)
         for name in outputs - marked:
             Path(entry, name + _MARK).write_bytes(_digest(entry, name))
 
 
 def _build(module: wp.Module, load_module: Callable[[], None], entry: Path) -> None:
-    """Builds and loads a module in a folder of its own; where the cache's has no room for one, in a temporary one."""
+    """Builds and loads a module in a new folder in the cache, or in a temporary one if the cache has no room."""
     home = entry.parent
     try:
         with _workshop(home, entry.name) as built:
@@ -157,16 +158,16 @@ def _build(module: wp.Module, load_module: Callable[[], None], entry: Path) -> N
 
 @contextmanager
 def _workshop(parent: Path, name: str) -> Iterator[Path]:
-    """Makes a new folder Warp's cache meanwhile, and yields where in it the module of that name will be.
+    """Makes a new folder Warp's cache for the time being, and yields the path in it of the module of that name.
 
     Raises:
-        OSError: there is no room, for which LLVM would end the process.
+        OSError: there is no room; LLVM would end the process.
     """
     parent.mkdir(parents=True, exist_ok=True)
-    folder = Path(tempfile.mkdtemp(prefix="wp_", dir=parent))  # wp.clear_kernel_cache() finds what a killed process left
+    folder = Path(tempfile.mkdtemp(prefix="wp_", dir=parent))  # wp.clear_kernel_cache() removes it if this process is killed
     usual = wp.config.kernel_cache_dir
     try:
-        (folder / f"{name}_room").write_bytes(os.urandom(_ROOM))  # zeros may take no room
+        (folder / f"{name}_room").write_bytes(os.urandom(_ROOM))  # zeros might not use disk space
         (folder / f"{name}_room").unlink()
         wp.config.kernel_cache_dir = str(folder)
         yield folder / name
@@ -174,7 +175,7 @@ def _workshop(parent: Path, name: str) -> Iterator[Path]:
         wp.config.kernel_cache_dir = usual
         for path in folder.glob(f"{name}*"):
             _remove(path)
-        with suppress(OSError):  # what another thread has Warp build at this moment stays
+        with suppress(OSError):  # files that another thread is building now stay
             folder.rmdir()
 
 
@@ -189,18 +190,18 @@ def _build_there(module: wp.Module, load_module: Callable[[], None], built: Path
     try:
         load_module()
     except Exception as error:
-        if isinstance(error, OSError) or module.failed_builds:  # the folder's fault, or the kernel's
+        if isinstance(error, OSError) or module.failed_builds:  # the folder or the kernel is at fault
             raise
         raise RuntimeError(
             f"kernel cache: {built.name} cannot be loaded although it was just built ({error}); "
             f"delete {built.parent.parent} and try again"
         ) from error
-    _mark(built)  # if it is there, and was not loaded with another of its kernels
+    _mark(built)  # if it exists: another kernel of the module may have loaded it before
 
 
 def _publish(built: Path, entry: Path) -> None:
-    """Moves a module to the cache as one, so that other processes find all of it or nothing."""
-    with suppress(OSError):  # one of them has come first, and what it built is as good; or the old one stays
+    """Moves a module to the cache in one step, so that other processes find all of it or nothing."""
+    with suppress(OSError):  # another process was first, with an equal result; or the old one stays
         if built.exists() and not _is_whole(entry):
             if os.path.lexists(entry):
                 entry.rename(built.with_name(f"{built.name}_old"))

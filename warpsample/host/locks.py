@@ -1,4 +1,4 @@
-"""What a process makes once: in one thread at a time, published whole, and never half-made in a forked child."""
+"""Values that a process makes once: by one thread at a time, visible when complete, never half-made in a forked child."""
 
 import os
 import threading
@@ -9,8 +9,8 @@ from typing import Any, Generic, TypeVar
 import numpy as np
 
 making = threading.RLock()
-"""Held while a kernel is built or loaded, a launch recorded, a tree or another cache made: Warp's own steps are not safe
-from two threads at once. A fork waits for it, so that the child finds everything either made or not begun."""
+"""Held while a kernel is built or loaded, a launch recorded, a tree or another cache made: Warp does not allow two threads
+there. A fork waits for it, so that the child finds everything either complete or not begun."""
 
 if hasattr(os, "register_at_fork"):
     os.register_at_fork(before=making.acquire, after_in_parent=making.release, after_in_child=making.release)
@@ -19,11 +19,12 @@ T = TypeVar("T")
 
 
 def once(factory: Callable[..., T]) -> Callable[..., T]:
-    """As `functools.cache`, but made once whichever threads ask; what is known already is found without the lock."""
+    """Like `functools.cache`, but two threads never make the same value; known values are found without the lock."""
     known: dict[tuple[Any, ...], T] = {}
 
     @wraps(factory)
     def get(*arguments: Any, **named: Any) -> T:
+        """The known value, or a new one."""
         key = (*arguments, *named.items())
         if key not in known:
             with making:
@@ -36,10 +37,10 @@ def once(factory: Callable[..., T]) -> Callable[..., T]:
 
 
 class once_property(Generic[T]):  # noqa: N801  (used as a decorator, like `functools.cached_property`)
-    """As `functools.cached_property`, but made once whichever threads ask; an array is kept read-only."""
+    """Like `functools.cached_property`, but two threads never make the same value; an array is kept read-only."""
 
     def __init__(self, make: Callable[[Any], T]) -> None:
-        """Of the method that makes the value."""
+        """Takes the method that makes the value."""
         self.make = make
         self.__doc__ = make.__doc__
 
@@ -48,7 +49,7 @@ class once_property(Generic[T]):  # noqa: N801  (used as a decorator, like `func
         self.name = name
 
     def __get__(self, instance: Any, owner: type | None = None) -> T:
-        """Makes the value; afterwards the instance's own attribute is found first."""
+        """Makes the value; afterwards Python finds the instance's own attribute first."""
         if instance is None:
             return self  # type: ignore[return-value]
         with making:
@@ -59,5 +60,5 @@ class once_property(Generic[T]):  # noqa: N801  (used as a decorator, like `func
 
 
 def read_only(array: np.ndarray) -> np.ndarray:
-    """A copy on immutable memory, so that nobody can make it writeable again."""
+    """A copy in immutable memory, which cannot be made writeable again."""
     return np.ndarray(array.shape, array.dtype, array.tobytes())

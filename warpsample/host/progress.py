@@ -1,4 +1,4 @@
-"""A bar for long calls, asked for by `progress=True`: on a terminal's stderr, in a notebook, and nowhere else."""
+"""A progress bar for long calls with `progress=True`, on a terminal's stderr or in a notebook only."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -13,7 +13,7 @@ _shown: ContextVar[tuple[Any, Any] | None] = ContextVar("shown", default=None)
 
 @contextmanager
 def bar(progress: bool, what: str) -> Iterator[None]:
-    """Shows how far the work within is, if `progress` is True."""
+    """Shows a bar for the work within, if `progress` is True."""
     if not progress:
         yield
         return
@@ -32,7 +32,7 @@ def bar(progress: bool, what: str) -> Iterator[None]:
 
 
 def begin(tasks: int, work: int) -> Callable[[int], None] | None:
-    """What to call with how many tasks have been done, from any thread, if a bar is shown and the work is long."""
+    """A function that any thread calls with the number of tasks it has done; None without a bar, or for short work."""
     shown = _shown.get()
     if shown is None or work < LEAST_WORK:
         return None

@@ -1,4 +1,4 @@
-"""Finds the records of a package: a new file with a record is a new entry, and nothing else needs to know of it."""
+"""Finds the records of a package: a new file with a record is a new entry, listed nowhere else."""
 
 import importlib
 import pkgutil
@@ -9,7 +9,7 @@ from warpsample.host.arguments import check_choice
 
 
 def records_of(package: ModuleType) -> dict[str, Any]:
-    """What the modules of `package` define as `RECORD`, by its name."""
+    """The `RECORD` of each module of `package` that has one, by its name."""
     modules = (importlib.import_module(f"{package.__name__}.{info.name}") for info in pkgutil.iter_modules(package.__path__))
     return {module.RECORD.name: module.RECORD for module in modules if hasattr(module, "RECORD")}
 

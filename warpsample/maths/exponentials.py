@@ -1,7 +1,7 @@
 """Logarithm and exponential that vectorise, in float32 and, for densities, in float64.
 
-A density e^-s at the grid's last variate has s = 17: its relative error is 17 times that of s, so float32 is not enough.
-The float64 forms are plain arithmetic too, at half the lanes.
+A density e^-s at the grid's last variate has s = 17: its relative error is 17 times that of s, too large in float32. The
+float64 forms are plain arithmetic too, at half the lanes.
 """
 
 from math import factorial
@@ -22,7 +22,7 @@ _LEAST_EXPONENT = wp.constant(wp.float64(-170.0))
 def log1p(x: wp.float32) -> wp.float32:
     """log(1 + x) for x > -1. Worst relative error 8.1e-8, also for the smallest x.
 
-    FreeBSD msun s_log1pf.c with selects in place of its branches: 1 + x = 2^k (1 + f) with 1 + f in [sqrt(1/2), sqrt(2)),
+    s_log1pf.c of FreeBSD's msun, with selects for its branches: 1 + x = 2^k (1 + f) with 1 + f in [sqrt(1/2), sqrt(2)),
     and c restores what the sum 1 + x rounded away.
     """
     one_plus_x = 1.0 + x
@@ -43,7 +43,7 @@ def log1p(x: wp.float32) -> wp.float32:
 def log1p_double(x: wp.float64) -> wp.float64:
     """log(1 + x) for 1 + x in [1e-37, 1e38]. Worst relative error 2e-15 above, 1e-13 below the smallest normal float32.
 
-    1 + x = 2^k (1 + f), the exponent read off the sum rounded to float32; 2 atanh(f / (2 + f)) by its series.
+    1 + x = 2^k (1 + f), where the exponent k is that of the sum rounded to float32; 2 atanh(f / (2 + f)) by its series.
     """
     sum = ONE + x
     bits = wp.cast(wp.float32(sum), wp.int32) + _ONE_BITS - _SQRT_HALF_BITS
@@ -59,7 +59,7 @@ def log1p_double(x: wp.float64) -> wp.float64:
 
 @wp.func
 def exp_double(x: wp.float64) -> wp.vec2d:
-    """(e^x - 1, e^x) for x <= 175; below -170 as at -170, which no float32 tells from 0. Worst relative error 2e-14.
+    """(e^x - 1, e^x) for x <= 175; below -170 it is that of -170, which is 0 in float32. Worst relative error 2e-14.
 
     x = k ln 2 + r, e^r - 1 by its Taylor series; both results keep their digits, the first one near 0 too.
     """

@@ -1,4 +1,4 @@
-"""An orthonormal frame about a normal, and the way between local and world coordinates. Local +z is the normal."""
+"""An orthonormal frame about a normal, and the change between local and world coordinates. Local +z is the normal."""
 
 import warp as wp
 
@@ -9,8 +9,8 @@ from warpsample.maths.numerics import fma
 def frame_about(n: wp.vec3) -> wp.mat33:
     """Columns (tangent, bitangent, n) for a unit normal n; right-handed, orthonormal to 1.6e-7 for every direction.
 
-    Duff et al. 2017, "Building an Orthonormal Basis, Revisited", listing 3: the sign of n.z, -0.0 included, keeps the
-    divisor at least 1 in magnitude, where Frisvad 2012 loses 0.3 near -z.
+    Duff2017, listing 3: the sign of n.z, -0.0 included, keeps the divisor at least 1 in magnitude, where Frisvad2012 loses
+    0.3 near -z.
     """
     sign = wp.copysign(1.0, n[2])
     a = -1.0 / (sign + n[2])

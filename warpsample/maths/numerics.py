@@ -48,8 +48,8 @@ EVEN_BYTES = wp.constant(wp.uint32(0x00FF00FF))
 def fma(a: wp.float32, b: wp.float32, c: wp.float32) -> wp.float32:
     """a * b + c, rounded once.
 
-    Native because Warp has no such builtin. Leaving it to the compiler to fuse what it likes would make the bits depend on
-    the loop around; said here, they are the same in every kernel.
+    Native because Warp has no such builtin. If the compiler chose what to fuse, the bits would depend on the loop around it;
+    here they are the same in every kernel.
     """
 
 
@@ -79,7 +79,7 @@ def uniform_from_double(x: wp.float64) -> wp.float32:
 
 @wp.func
 def clamp_uniform(u: wp.float32) -> wp.float32:
-    """The nearest value in [0, 1 - 2^-24]: what an inverse returns where rounding would give -0.0 or 1."""
+    """The nearest value in [0, 1 - 2^-24], for inverses that rounding would take to -0.0 or 1."""
     return wp.min(wp.max(u, 0.0), _LARGEST_UNIFORM)
 
 
@@ -105,7 +105,7 @@ def sincos_eighth(x: wp.float32) -> wp.vec2:
     """(cos 2 pi x, sin 2 pi x) for abs(x) <= 1/8, by polynomials minimax there. Worst absolute error 8.4e-8."""
     t = x * x
     c = fma(t, fma(t, fma(t, fma(t, 59.245964, -85.443741), 64.939323), -19.739208), 1.0)
-    # 2 pi in two floats: one alone is off by half of the last digit.
+    # 2 pi as the sum of two floats: a single one is wrong by half a unit in the last place.
     s = fma(x, 6.2831855, x * fma(t, fma(t, fma(t, -75.393585, 81.592354), -41.341663), -1.7484555e-07))
     return wp.vec2(c, s)
 
@@ -114,7 +114,7 @@ def sincos_eighth(x: wp.float32) -> wp.vec2:
 def sincos_turns(u: wp.float32) -> wp.vec2:
     """(cos 2 pi u, sin 2 pi u) for u in [0, 1]. Exact at the quarter turns; worst absolute error 8.4e-8.
 
-    u - 1/2 and the two folds onto an eighth of a turn are exact in float32, so no digit of pi u is lost near a zero.
+    u - 1/2 and the two folds onto an eighth of a turn are exact in float32, so values near a zero keep their precision.
     """
     half = 0.5 - u
     x = wp.abs(half) - 0.25
@@ -131,7 +131,7 @@ def sincos_turns(u: wp.float32) -> wp.vec2:
 def turns_of(x: wp.float32, y: wp.float32) -> wp.float32:
     """The azimuth of (x, y) in turns, in [0, 1); 0 for the origin. Worst absolute error 6e-8.
 
-    atan2 without a branch: the octant first, then Cephes' atanf on [0, tan(pi/8)] after one more reduction.
+    atan2 without branches: reduced to an octant, then to [0, tan(pi/8)], where the polynomial is that of Cephes' atanf.
     """
     ax = wp.abs(x)
     ay = wp.abs(y)
@@ -150,7 +150,7 @@ def turns_of(x: wp.float32, y: wp.float32) -> wp.float32:
 
 @wp.func
 def sin_squared(w: wp.vec3) -> wp.float64:
-    """sin^2 of the angle between w and +z, for w of any length. In float64, so that all of w's own digits count."""
+    """sin^2 of the angle between w and +z, for w of any length. Float64 keeps the precision of w."""
     x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
     across = x * x + y * y
     return across / (across + z * z)
@@ -158,14 +158,14 @@ def sin_squared(w: wp.vec3) -> wp.float64:
 
 @wp.func
 def tan_squared(w: wp.vec3) -> wp.float64:
-    """tan^2 of the angle between w and +z, at most 1e37. 1 / z^2 - 1 would cancel near the pole."""
+    """tan^2 of the angle between w and +z, at most 1e37. 1 / z^2 - 1 would lose precision near the pole."""
     x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
     return wp.min((x * x + y * y) / wp.max(z * z, _TINY), _LARGEST_TAN_SQUARED)
 
 
 @wp.func
 def versine(w: wp.vec3) -> wp.float64:
-    """1 - cos of the angle between w and +z, with all its digits near both poles."""
+    """1 - cos of the angle between w and +z, precise near both poles."""
     x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
     across = x * x + y * y
     length = wp.sqrt(across + z * z)
@@ -175,19 +175,19 @@ def versine(w: wp.vec3) -> wp.float64:
 
 @wp.func
 def polish(v: wp.vec3) -> wp.vec3:
-    """v of a length within 1e-4 of 1, brought within 8e-8 of it: one Newton step, three times as close as 1 / sqrt alone."""
+    """v, of a length within 1e-4 of 1, normalised to 8e-8 by a Newton step: three times as close as by 1 / sqrt alone."""
     half_error = 0.5 * fma(-v[0], v[0], fma(-v[1], v[1], fma(-v[2], v[2], 1.0)))
     return wp.vec3(fma(v[0], half_error, v[0]), fma(v[1], half_error, v[1]), fma(v[2], half_error, v[2]))
 
 
 @wp.func
 def scaled_to_unit(v: wp.vec3) -> wp.vec4:
-    """(v / abs(v), error) for any finite v from 1e-45 to 3e38; the error is below 0.1 in magnitude just for those.
+    """(v / abs(v), error) for any finite v from 1e-45 to 3e38; the error is below 0.1 in magnitude for these and no others.
 
-    For a zero vector it is 1/2, for one that is not finite NaN, and the direction then means nothing. A power of two
-    first brings the largest component to about 1, exactly, so no square under- or overflows. The inverse root starts from
-    the bits (Lomont 2003) and takes two Newton steps; a third on the vector itself leaves a length within 8e-8 of 1. That
-    is twice as fast as a root and a division, which do not pipeline.
+    It is 1/2 for a zero vector and NaN for one that is not finite; the direction is then meaningless. An exact scaling
+    by a power of two brings the largest component to about 1, so no square under- or overflows. The inverse root starts
+    from the bits (Lomont2003) and takes two Newton steps; a third on the vector itself leaves a length within 8e-8 of 1.
+    This is twice as fast as a root and a division, which do not pipeline.
     """
     # The exponents alone, as integers: an integer maximum is one instruction where a float one is four.
     ex = wp.cast(v[0], wp.int32) & _EXPONENT_MASK
@@ -220,23 +220,23 @@ def normalize(v: wp.vec3) -> wp.vec3:
 
 @wp.func
 def lesser(a: wp.float32, b: wp.float32) -> wp.float32:
-    """The minimum, in one instruction: `wp.min` also asks for NaN, and none reaches this."""
+    """The minimum of two numbers that are not NaN, in one instruction: `wp.min` also tests for NaN."""
     return wp.where(a < b, a, b)
 
 
 @wp.func
 def greater(a: wp.float32, b: wp.float32) -> wp.float32:
-    """The maximum, likewise."""
+    """The maximum of two numbers that are not NaN, in one instruction."""
     return wp.where(a > b, a, b)
 
 
 @wp.func
 def negative(x: wp.float32) -> wp.float32:
-    """-x as a change of sign, which fuses with what follows: Warp's own minus subtracts from 0."""
+    """-x as a product, which fuses with what follows: Warp's own minus subtracts from 0."""
     return wp.float32(-1.0) * x
 
 
 @wp.func
 def lowest_bit(mask: wp.int32) -> wp.int32:
-    """The number of the lowest bit that is set, in a mask that is not 0."""
+    """Index of the lowest set bit of a mask that is not 0."""
     return wp.bit_count((mask & (-mask)) - 1)

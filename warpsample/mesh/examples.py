@@ -1,4 +1,4 @@
-"""A mesh to try things on, made by code: `load_mesh("courtyard")`."""
+"""The example mesh, made by code: `load_mesh("courtyard")`."""
 
 from os import PathLike, fspath
 from pathlib import Path
@@ -12,12 +12,12 @@ _STOREYS = (  # of the buildings: rows from, to, columns from, to
     (5, 19, 15, 19, 6),
     (5, 9, 9, 15, 3),
     (15, 19, 9, 15, 8),
-    (5, 9, 11, 13, 0),  # the way in
+    (5, 9, 11, 13, 0),  # the entrance
 )
 
 
 def courtyard() -> tuple[np.ndarray, np.ndarray]:
-    """Four buildings of 3 to 8 storeys around a yard with one way in, on a square of 72 m; z is up.
+    """Four buildings of 3 to 8 storeys around a yard with one entrance, on a square of 72 m; z is up.
 
     Returns:
         vertices (V, 3) float64 in metres, faces (F, 3) int32. Cells of 3 m, two triangles each; open below.
@@ -41,12 +41,12 @@ def courtyard() -> tuple[np.ndarray, np.ndarray]:
 
 
 def example(path: str | PathLike) -> tuple[np.ndarray, np.ndarray] | None:
-    """(vertices, faces) of the example of that name, if it is one's and no file's."""
+    """(vertices, faces) of the example of that name; None if there is none, or if a file has that name."""
     named = isinstance(path, str | PathLike) and fspath(path) == "courtyard"
     return courtyard() if named and not Path(path).exists() else None
 
 
 def content_of(path: Path) -> bytes:
-    """The bytes of a mesh file, or of an example's arrays."""
+    """The bytes of a mesh file, or of the arrays of an example."""
     made = example(path)
     return path.read_bytes() if made is None else b"".join(array.tobytes() for array in made)

@@ -1,4 +1,4 @@
-"""A validated triangle mesh, from what users hold, and what was wrong with it."""
+"""A validated triangle mesh, made from the meshes of other libraries, and a report of its flaws."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 LARGEST = 1e36
 """Coordinate of a vertex: distances, which are float32, stay finite."""
 
-_SMALLEST = 1e-140  # of a mesh with areas
-_LEAST_SQUARE = 1e-280  # that has all its digits
+_SMALLEST = 1e-140  # size of a mesh whose areas have a float64
+_LEAST_SQUARE = 1e-280  # square of a length that keeps its precision
 _SLIVER = 2.0**-48  # of abs(e1) abs(e2): below 16 roundings of the cross product the normal is noise
 
 
@@ -171,10 +171,10 @@ def mesh_of(value: Any, argument: str, wants: str) -> Mesh:
 
 
 def _faces_of_cells(value: Any, argument: str) -> np.ndarray:
-    """The triangles, quadrilaterals and polygons of a meshio.Mesh as triangles; its lines and points make no surface.
+    """The triangles, quadrilaterals and polygons of a meshio.Mesh as triangles; lines and points are ignored.
 
     Raises:
-        ValueError: cells of other kinds, as tetrahedra are, or polygons without sense.
+        ValueError: cells of other kinds, such as tetrahedra, or invalid polygons.
     """
     blocks = [block for block in value.cells if block.type != "vertex" and not block.type.startswith("line")]
     others = sorted({block.type for block in blocks} - {"triangle", "quad", "polygon"})

@@ -1,4 +1,4 @@
-"""Uniform points of a mesh, from the cumulated areas of its faces."""
+"""Uniform points of a mesh, from the cumulative areas of its faces."""
 
 import warp as wp
 
@@ -12,7 +12,7 @@ _WORD_STEP = wp.constant(wp.float64(2.0**-32))
 
 @once
 def place_points() -> wp.Kernel:
-    """A kernel with a task for each point: Philox draws the face with 64 bits and the place on it with 64."""
+    """A kernel with a task for each point: Philox draws the face with 64 bits and the point on it with 64."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def place_points(
@@ -29,6 +29,7 @@ def place_points() -> wp.Kernel:
         barycentric: wp.uint64,
         first_task: wp.int64,
     ):
+        """One point."""
         i = wp.int32(first_task) + wp.tid()
         corners = wp.array(ptr=vertices, shape=(vertex_count,), dtype=wp.vec3d)
         triangles = wp.array(ptr=faces, shape=(last_face + 1,), dtype=wp.vec3i)
@@ -39,7 +40,7 @@ def place_points() -> wp.Kernel:
         counter = wp.vec4ui(wp.uint32(0), low_word(id), high_word(id), _SURFACE_STREAM)
         bits = philox4x32_10(counter, low_word(seed), high_word(seed))
         share = (wp.float64(bits[0]) + wp.float64(bits[1]) * _WORD_STEP) * _WORD_STEP * areas[last_face]
-        # The first face whose cumulated area exceeds the share; faces without area never are.
+        # The first face whose cumulative area exceeds the share; a face without area is never chosen.
         low = wp.int32(0)
         high = last_face
         while low < high:
@@ -52,7 +53,7 @@ def place_points() -> wp.Kernel:
         split = (wp.float64(bits[3]) + wp.float64(0.5)) * _WORD_STEP
         weights = wp.vec3d(wp.float64(1.0) - root, root * (wp.float64(1.0) - split), root * split)
         triangle = triangles[low]
-        # From the first corner on, so that far from the origin only the edges are weighted.
+        # Relative to the first corner, so that far from the origin only the edges are weighted.
         a = corners[triangle[0]]
         positions[i] = a + weights[1] * (corners[triangle[1]] - a) + weights[2] * (corners[triangle[2]] - a)
         indices[i] = low

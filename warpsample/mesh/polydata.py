@@ -1,4 +1,4 @@
-"""PyVista's PolyData of what this package holds, for its filters, writers and pictures."""
+"""Meshes and points as PyVista's PolyData, for its filters, writers and pictures."""
 
 from typing import Any
 
@@ -6,7 +6,7 @@ import numpy as np
 
 
 def pyvista() -> Any:
-    """The module, imported where it is needed.
+    """The module `pyvista`, imported when it is first needed.
 
     Raises:
         ModuleNotFoundError: it is missing; says how to install it.
@@ -19,12 +19,12 @@ def pyvista() -> Any:
 
 
 def surface(vertices: np.ndarray, faces: np.ndarray) -> Any:
-    """Triangles: vertices (V, 3), faces (F, 3)."""
+    """The triangles of vertices (V, 3) and faces (F, 3)."""
     return pyvista().PolyData.from_regular_faces(vertices, faces)
 
 
 def cloud(position: np.ndarray, normal: np.ndarray, **arrays: np.ndarray | None) -> Any:
-    """Points with normals (the array "Normals", active) and whatever else each has; None is left out.
+    """Points with normals (the active array "Normals") and further arrays; None is left out.
 
     Args:
         position: (N, 3) float.

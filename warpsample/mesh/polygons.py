@@ -1,10 +1,10 @@
-"""Polygons cut into triangles: fans where a fan lies inside, else ear by ear."""
+"""Polygons cut into triangles: as a fan where it lies inside the polygon, else by ear clipping."""
 
 import numpy as np
 
 
 def triangles(points: np.ndarray, counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
-    """(F, 3) indices: each polygon of n corners as n - 2 triangles, wound as it is; all polygons in their order.
+    """(F, 3) indices: each polygon of n corners as n - 2 triangles of the same winding, in the order of the polygons.
 
     Args:
         points: (V, 3) float64.
@@ -12,7 +12,7 @@ def triangles(points: np.ndarray, counts: np.ndarray, indices: np.ndarray) -> np
         indices: of points, the corners of one polygon after the other.
 
     Raises:
-        ValueError: counts that do not fit the indices, a polygon of fewer than three corners or an index of no point.
+        ValueError: counts that do not fit the indices, a polygon of fewer than three corners or an index that is no point's.
     """
     if counts.sum() != len(indices):
         raise ValueError(f"its {len(indices):,} corners do not fill its {len(counts):,} faces")
@@ -40,16 +40,16 @@ def _fans(counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
 
 
 def _folded(points: np.ndarray, fans: np.ndarray, counts: np.ndarray) -> np.ndarray:
-    """The polygons whose fan has triangles that are turned over: those that are not convex, mostly."""
+    """The polygons whose fan has flipped triangles: mostly those that are not convex."""
     owner = np.repeat(np.arange(len(counts)), counts - 2)
-    with np.errstate(all="ignore"):  # of what is not finite `Mesh` tells
+    with np.errstate(all="ignore"):  # `Mesh` reports coordinates that are not finite
         crosses = np.cross(points[fans[:, 1]] - points[fans[:, 0]], points[fans[:, 2]] - points[fans[:, 0]])
         normals = np.add.reduceat(crosses, np.cumsum(counts - 2) - (counts - 2))
         return np.unique(owner[np.einsum("ij,ij->i", crosses, normals[owner]) < 0.0])
 
 
 def _ears(corners: np.ndarray) -> list[tuple[int, int, int]]:
-    """n - 2 triangles of a polygon (n, 3), by clipping ears; what crosses itself has none, and its rest becomes a fan."""
+    """n - 2 triangles of a polygon (n, 3), by ear clipping; the rest of one that crosses itself becomes a fan."""
     flat, left, found = _flattened(corners), list(range(len(corners))), []
     while len(left) > 3:
         ears = (at for at in range(len(left)) if _is_ear(flat[left], at))
@@ -60,7 +60,7 @@ def _ears(corners: np.ndarray) -> list[tuple[int, int, int]]:
 
 
 def _flattened(corners: np.ndarray) -> np.ndarray:
-    """(n, 2), counter-clockwise, in the plane of two axes that shows most of the polygon."""
+    """The polygon as (n, 2), counter-clockwise, in the plane of the two axes where its area is largest."""
     about = corners - corners[0]
     normal = np.cross(about[1:-1], about[2:]).sum(axis=0)
     axis = int(np.argmax(np.abs(normal)))
@@ -69,7 +69,7 @@ def _flattened(corners: np.ndarray) -> np.ndarray:
 
 
 def _is_ear(corners: np.ndarray, at: int) -> bool:
-    """Whether corner `at` of (n, 2) is convex and its triangle holds no other corner."""
+    """Whether corner `at` of (n, 2) is convex and its triangle contains no other corner."""
     a, b, c = corners[at - 1], corners[at], corners[(at + 1) % len(corners)]
     if _turn(a, b, c) <= 0.0:
         return False
@@ -79,5 +79,5 @@ def _is_ear(corners: np.ndarray, at: int) -> bool:
 
 
 def _turn(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
-    """Twice the area of the triangle abc, positive where it turns to the left."""
+    """Twice the signed area of the triangle abc, positive for a left turn."""
     return (b[..., 0] - a[..., 0]) * (c[..., 1] - a[..., 1]) - (b[..., 1] - a[..., 1]) * (c[..., 0] - a[..., 0])

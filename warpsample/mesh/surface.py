@@ -110,7 +110,7 @@ def sample_surface(
         TypeError, ValueError: an argument that cannot be used, or a mesh without area; names it.
         MemoryError: more than is free.
 
-    Source: Turk 1990, "Generating Random Points in Triangles", method 2.
+    Source: Turk1990, method 2.
 
     Example:
         >>> mesh = ws.load_mesh("courtyard")

@@ -1,1 +1,1 @@
-"""Files: directions, and numbers for each point."""
+"""Files of directions, and of numbers for each point."""

@@ -1,4 +1,4 @@
-"""Numbers at the points of a mesh, into a file: `warpsample bake`."""
+"""Writes numbers at the points of a mesh into a file: `warpsample bake`."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import fields
@@ -25,14 +25,14 @@ RAYS_PER_PART = 1 << 22
 
 
 def bake(run: Run) -> str:
-    """Runs and writes `run.output`, which appears when it is complete; an interrupted run leaves what was there before.
+    """Runs and writes `run.output`, which appears when it is complete; an interrupted run leaves the old file.
 
     Returns:
-        what was done, in sentences.
+        a report in sentences.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is computed.
-        KeyboardInterrupt: with a sentence about what was done.
+        KeyboardInterrupt: with a sentence that says how far it was.
         WriteError: the file cannot be written.
     """
     _check(run)
@@ -67,7 +67,7 @@ def _check(run: Run) -> None:
 
 
 def _quantity(run: Run, mesh: Mesh) -> Callable[[SurfacePoints, int], Estimate]:
-    """(points, id of the first) -> their numbers."""
+    """A function (points, id of the first) -> their numbers."""
     if run.quantity == "ao":
         return lambda points, first: ambient_occlusion(mesh, points, run.samples, first_point=first, **run.options)
     if run.quantity == "sky":
@@ -83,7 +83,7 @@ def _slice(points: SurfacePoints, first: int, count: int) -> SurfacePoints:
 
 
 def _parts(points: SurfacePoints, run: Run, estimate: Callable[[SurfacePoints, int], Estimate]) -> Iterator[Estimate]:
-    """Part by part, with a progress bar where stderr is a terminal."""
+    """Estimates part by part, with a progress bar if stderr is a terminal."""
     from rich.console import Console  # noqa: PLC0415
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn  # noqa: PLC0415
 

@@ -1,4 +1,4 @@
-"""What is baked, as files: .ply, .vtp, .glb, .npz and .csv."""
+"""Baked numbers as files: .ply, .vtp, .glb, .npz and .csv."""
 
 import json
 import zipfile
@@ -24,7 +24,7 @@ _BYTES_OF_CORNER = 12 + 4 + 8 * 4  # in a .glb, with all that is known of light
 
 @dataclass(frozen=True)
 class Run:
-    """What was asked for.
+    """The arguments of a run.
 
     Attributes:
         mesh: the mesh file.
@@ -35,7 +35,7 @@ class Run:
         samples: rays of each point.
         environment: the picture of the light, .hdr or .npy; for irradiance.
         up: the sky's axis.
-        options: of `ambient_occlusion` and the others.
+        options: keywords of `ambient_occlusion` and the others.
     """
 
     mesh: Path
@@ -51,7 +51,7 @@ class Run:
 
 @dataclass(frozen=True)
 class Baked:
-    """What is written: the mesh, the points and their numbers."""
+    """The content of a file: the mesh, the points and their numbers."""
 
     run: Run
     mesh: Mesh
@@ -60,10 +60,10 @@ class Baked:
 
 
 def check_glb(run: Run, mesh: Mesh) -> None:
-    """Refuses what float32 about the middle of the mesh does not hold, or 32 bits of a file's length.
+    """Refuses a mesh that needs more than float32 about its middle, or more than a file of 4 GiB.
 
     Raises:
-        ValueError: names the formats that hold it.
+        ValueError: names the formats that can hold it.
     """
     areas = mesh.face_areas
     change = np.abs(Mesh(_local(mesh)[0], mesh.faces).face_areas - areas)
@@ -79,7 +79,7 @@ def check_glb(run: Run, mesh: Mesh) -> None:
 
 
 def _local(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices as float32, (V, 3), and the float64 translation from them to the mesh: 0 if it is not far from the origin."""
+    """Vertices as float32, (V, 3), and their float64 translation to the mesh: 0 if it is not far from the origin."""
     single = mesh.vertices.astype(np.float32)
     middle = mesh.bounds.mean(axis=0)
     if np.abs(middle).max() <= mesh.diagonal or np.array_equal(single, mesh.vertices):
@@ -88,7 +88,7 @@ def _local(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _columns(found: Estimate) -> dict[str, np.ndarray]:
-    """What is kept of each point, by name; three numbers as red, green and blue."""
+    """The columns of each point, by name; three numbers become red, green and blue."""
     columns = {}
     for name in ("value", "standard_error"):
         array = getattr(found, name)
@@ -127,7 +127,7 @@ def _write_csv(file: BinaryIO, baked: Baked) -> None:
 
 
 def _write_ply(file: BinaryIO, baked: Baked) -> None:
-    """The numbers as properties of vertices or faces, and as colours; vertices as float32 if that is what they are."""
+    """Writes the numbers as properties of vertices or faces and as colours; vertices as float32 if that is exact."""
     vertices = baked.mesh.vertices
     single = Lazy(vertices.shape, np.dtype(np.float32), lambda i: vertices[i])
     exact = all(np.array_equal(single[i : i + 65536], vertices[i : i + 65536]) for i in range(0, len(vertices), 65536))
@@ -140,12 +140,12 @@ def _write_ply(file: BinaryIO, baked: Baked) -> None:
 
 
 def _write_glb(file: BinaryIO, baked: Baked) -> None:
-    """The numbers as attributes, which a .glb has of vertices only: of faces, each gets corners of its own."""
+    """Writes the numbers as attributes of vertices, as a .glb has no others: for faces, each gets its own corners."""
     local, middle = _local(baked.mesh)
     faces, times = baked.mesh.faces, 3 if baked.run.at == "faces" else 1
     corners = Lazy(faces.shape, np.dtype(np.uint32), lambda i: faces[i] if times == 1 else 3 * i[:, None] + np.arange(3))
     vertices = local if times == 1 else Lazy((faces.size, 3), local.dtype, lambda i: local[faces.ravel()[i]])
-    attributes = {"COLOR_0": _repeated(_colours(baked.found), times, np.uint8)}  # others' names begin with an underscore
+    attributes = {"COLOR_0": _repeated(_colours(baked.found), times, np.uint8)}  # custom names begin with an underscore
     attributes |= {f"_{name}": _repeated(array, times, np.float32) for name, array in _columns(baked.found).items()}
     write_glb(file, vertices, corners, attributes, tuple(middle.tolist()))
 

@@ -1,4 +1,4 @@
-"""Directions at the points of a mesh into a file: streamed into .npz, or as a cloud into .vtp or .ply."""
+"""Writes directions at the points of a mesh into a file: streamed into .npz, or as a cloud into .vtp or .ply."""
 
 import hashlib
 import json
@@ -26,7 +26,7 @@ from warpsample.sequences import get as get_sequence
 
 SUFFIXES = (".npz", ".vtp", ".ply")
 CLOUD_SCALE = 0.05
-"""Length of a direction in a cloud, over the diagonal of the mesh's box."""
+"""Length of a direction in a cloud, relative to the diagonal of the mesh's box."""
 
 DIRECTIONS_PER_PART = 1 << 22
 """Directions of an .npz that are in memory at a time, 50 MB."""
@@ -36,14 +36,14 @@ _BYTES_IN_CLOUD = 24  # of a direction: once as sampled, once without the points
 
 @dataclass(frozen=True)
 class Run:
-    """What was asked for; stored in the file.
+    """The arguments of a run; stored in the file.
 
     Attributes:
         mesh: the mesh file.
         output: the file, of SUFFIXES.
         points: how many on the surface, uniform by area; None: what `at` says.
         samples: directions at each point.
-        distribution: a name with its defaults, or with parameters as "beckmann(alpha=0.1)".
+        distribution: a name, or one with parameters such as "beckmann(alpha=0.1)".
         sequence: a name.
         seed: of points and directions.
         at: "vertices" or "faces" (centres); None: on the surface.
@@ -62,17 +62,18 @@ class Run:
 def export(run: Run, workers: int | None = None) -> str:
     """Runs and writes `run.output`.
 
-    An .npz file holds position, normal, face, vectors, status and `run`, a JSON text; memory holds the points and one part
-    of the directions. In .vtp and .ply each direction w is a point at position + CLOUD_SCALE * diagonal * w, with w as its
-    normal; .vtp keeps the row of its surface point, too. They are float64, since float32 would move a cloud that is small
-    beside its distance from the origin. The file appears when it is complete; an interrupted run leaves none.
+    An .npz file holds position, normal, face, vectors, status and `run`, a JSON text; the points and one part of the
+    directions are in memory at a time. In .vtp and .ply each direction w is a point at
+    position + CLOUD_SCALE * diagonal * w, with w as its normal; .vtp also has the row of its surface point. Positions are
+    float64, since float32 would displace a small cloud far from the origin. The file appears when it is complete; an
+    interrupted run leaves the old one, or none.
 
     Returns:
         a sentence about what was written.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is written.
-        MemoryError: a cloud that is larger than what is free.
+        MemoryError: a cloud that is larger than the free memory.
         WriteError: the file cannot be written.
     """
     _check(run)
@@ -139,7 +140,7 @@ def _check(run: Run) -> None:
 
 
 def _parts(points: SurfacePoints, run: Run, workers: int | None) -> Iterator[tuple[int, Directions]]:
-    """(first row, directions) of parts that fit into memory, with a progress bar where stderr is a terminal."""
+    """(first row, directions) of parts that fit into memory, with a progress bar if stderr is a terminal."""
     from rich.console import Console  # noqa: PLC0415
     from rich.progress import Progress  # noqa: PLC0415
 
@@ -159,7 +160,7 @@ def _parts(points: SurfacePoints, run: Run, workers: int | None) -> Iterator[tup
 
 
 def _record(run: Run) -> dict[str, object]:
-    """Everything needed to repeat the run: the arguments, the mesh's digest and the versions that fix the bits."""
+    """All that is needed to repeat the run: arguments, digest of the mesh, and the versions that determine the bits."""
     digest = hashlib.sha256(content_of(run.mesh)).hexdigest()
     arguments = {key: str(value) if isinstance(value, Path) else value for key, value in asdict(run).items()}
     versions = {name: version(name) for name in ("warpsample", "warp-lang", "numpy", "trimesh")}

@@ -1,7 +1,7 @@
-"""Meshes and clouds into .ply, .vtp and .glb, as streams: block by block, so that nothing is in memory twice.
+"""Writes meshes and clouds into .ply, .vtp and .glb as streams: block by block, so that nothing is in memory twice.
 
-What libraries there are do not keep to what is promised here. The writers of trimesh and of VTK make .ply of float32 alone;
-VTK ends in a segmentation fault where the disk is full; trimesh holds a .glb three times. What is written here they read.
+The writers of libraries do not suffice: those of trimesh and VTK write only float32 into .ply, VTK crashes when the disk is
+full, and trimesh holds a .glb three times in memory. These libraries read the files that are written here.
 """
 
 import json
@@ -21,12 +21,12 @@ _GLB = {"f4": 5126, "u4": 5125, "u1": 5121}
 
 @dataclass(frozen=True)
 class Lazy:
-    """Rows that are made as they are written.
+    """Rows that are computed when they are written.
 
     Attributes:
         shape: as an array's.
         dtype: as an array's.
-        make: numbers of rows, (n,) int64 -> these rows.
+        make: indices (n,) int64 -> these rows.
     """
 
     shape: tuple[int, ...]
@@ -43,7 +43,7 @@ class Lazy:
 
 
 Rows = np.ndarray | Lazy
-"""(n,) or (n, k)."""
+"""Arrays (n,) or (n, k), or `Lazy` ones."""
 
 
 def write_ply(file: BinaryIO, elements: dict[str, dict[str, Rows]]) -> None:
@@ -51,8 +51,8 @@ def write_ply(file: BinaryIO, elements: dict[str, dict[str, Rows]]) -> None:
 
     Args:
         file: open for writing.
-        elements: {"vertex": columns, "face": columns}. A column's name is that of its property, or of several with blanks
-            between; "vertex_indices" are the (F, 3) corners of faces.
+        elements: {"vertex": columns, "face": columns}. A column is named after its property, or after several with
+            blanks between them; "vertex_indices" are the (F, 3) corners of faces.
     """
     head = ["ply", "format binary_little_endian 1.0"]
     for element, columns in elements.items():
@@ -80,14 +80,14 @@ def write_vtp(
     point_data: dict[str, Rows],
     cell_data: dict[str, Rows],
 ) -> None:
-    """VTK's PolyData, binary: points with their faces, or as vertices to be drawn.
+    """VTK's PolyData, binary: points with faces, or each as a cell.
 
     Args:
         file: open for writing.
         points: (N, 3).
-        faces: (F, 3) rows of points; None makes each point a cell.
-        point_data: (N, ...) by name; "Normals" become the active ones.
-        cell_data: the same of cells.
+        faces: (F, 3) indices of points; None makes each point a cell.
+        point_data: (N, ...) by name; "Normals" become the active normals.
+        cell_data: (F, ...) by name.
     """
     count, corners = (len(points), 1) if faces is None else (len(faces), 3)
     kind = np.dtype(np.int32 if corners * count < 2**31 else np.int64)
@@ -128,9 +128,9 @@ def write_glb(
     Args:
         file: open for writing.
         vertices: (V, 3) float32.
-        corners: (F, 3) uint32 rows of vertices.
-        attributes: (V,) or (V, 4) by name, float32, or uint8 from 0 to 1.
-        translation: of the vertices, in float64.
+        corners: (F, 3) uint32 indices of vertices.
+        attributes: (V,) or (V, 4) by name, float32, or uint8 that stands for 0 to 1.
+        translation: added to the vertices, in float64.
     """
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     for block in _blocks(vertices):

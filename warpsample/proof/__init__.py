@@ -1,1 +1,1 @@
-"""The laws, twins and defects that judge a sampler and its judges; used by `warpsample verify`, the tests and the viewer."""
+"""The laws and twins that judge a sampler, and the defects that test the laws."""

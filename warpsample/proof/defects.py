@@ -1,4 +1,4 @@
-"""Wrong samplers, each with one defect that has been seen in the wild, to try the laws on."""
+"""Wrong samplers, each with one defect that real samplers have had, to test the laws."""
 
 from collections.abc import Callable
 from functools import partial
@@ -35,7 +35,7 @@ class Wrong:
         self.__dict__.update(replaced)
 
     def __getattr__(self, name: str) -> Any:
-        """Everything else as the distribution has it."""
+        """All other attributes are those of the distribution."""
         return getattr(self.claims, name)
 
 
@@ -78,7 +78,7 @@ def _one_below(w: np.ndarray, u: np.ndarray) -> None:
 
 
 def _with_seam(u: np.ndarray) -> np.ndarray:
-    """The concentric disk with the first octant's angle one percent short: it no longer meets the second."""
+    """The concentric disk with the angle of the first octant one percent short: it no longer meets the second."""
     p = UniformDisk("concentric").sample(u)
     turns = DISK.azimuth(p)
     short = np.where(turns < 0.125, 0.01 * turns, 0.0)
@@ -87,7 +87,7 @@ def _with_seam(u: np.ndarray) -> np.ndarray:
 
 
 def _rough_beckmann(u: np.ndarray) -> np.ndarray:
-    """sin theta as sqrt(1 - cos^2 theta), in float32; cos theta and the azimuth are right."""
+    """sin theta as sqrt(1 - cos^2 theta), in float32; cos theta and the azimuth are correct."""
     u = u.astype(np.float64)
     cosine = (1 / np.sqrt(1 - 1e-6 * np.log1p(-u[..., 0]))).astype(_F)
     circle = np.stack([f(2 * np.pi * u[..., 1]) for f in (np.cos, np.sin)]).astype(_F)
@@ -105,7 +105,7 @@ def _on_grid(bits: int, points: int, count: int, seed: int) -> np.ndarray:
 
 @wp.kernel(enable_backward=False)
 def _built_in(seed: wp.int32, count: wp.int32, out: wp.array[wp.vec2]):
-    """As Warp's documentation draws: a state of 32 bits for each thread, all on one cycle."""
+    """Draws as in Warp's documentation: a state of 32 bits for each thread, all on one cycle."""
     point = wp.tid()
     state = wp.rand_init(seed, point)
     for j in range(count):
@@ -168,12 +168,12 @@ _STREAMS = {
 
 
 def names() -> list[str]:
-    """Of all planted defects."""
+    """Names of all planted defects."""
     return [*_SAMPLERS, *_STREAMS]
 
 
 def judge_defect(name: str, every: int = 16, draws: int = 1 << 22, points: int = 1_000_000) -> list[Verdict]:
-    """All laws for one defect, with the effort of `Evidence`; those of streams over so many points."""
+    """All laws for one defect. `every` and `draws`: see `Evidence`; `points`: for the laws of streams."""
     sampler = _SAMPLERS.get(name, _RIGHT)
     claims = getattr(sampler, "claims", _RIGHT)
     variates = _STREAMS.get(name, independent)

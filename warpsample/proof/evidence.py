@@ -1,4 +1,4 @@
-"""What the laws look at, drawn once for each sampler: variates, directions, and the worst errors of a sweep."""
+"""The evidence for the laws, drawn once for each sampler: variates, directions, and the worst errors of a sweep."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ class Subject:
 
     Attributes:
         name: for tables.
-        sampler: the distribution, or something wrong that acts as one (`warpsample.statistics.charts.Sampler`).
+        sampler: the distribution, or a wrong sampler in its place (see `warpsample.statistics.charts.Sampler`).
         variates: (points, count, seed) -> (points, count, 2) float32.
         twin: the distribution that the sampler claims to be.
     """
@@ -40,10 +40,10 @@ class Subject:
 
 
 class Evidence:
-    """Draws of one subject, made when a law first asks for them."""
+    """Draws of one subject, made when a law first needs them."""
 
     def __init__(self, subject: Subject, every: int = 1, draws: int = 1 << 22):
-        """`every`: the sweep takes each so manieth variate. `draws`: of independent directions, for statistics."""
+        """`every`: the sweep takes every n-th variate. `draws`: number of independent directions, for statistics."""
         self.subject, self.sampler, self.every, self.draws = subject, subject.sampler, every, draws
         self.chart = chart_of(subject.sampler)
 
@@ -54,7 +54,7 @@ class Evidence:
 
     @cached_property
     def seed(self) -> int:
-        """Of the name, so that no two subjects share their luck."""
+        """A hash of the name, so that no two subjects share their random numbers."""
         return crc32(self.subject.name.encode())
 
     @cached_property
@@ -74,7 +74,7 @@ class Evidence:
 
     @cached_property
     def edges(self) -> np.ndarray:
-        """Cells of about equal counts, by a pilot of its own, with the support's ends and all that lies outside."""
+        """Edges of cells with about equal counts, from a pilot run, with the ends of the support and of the chart."""
         low, high = support_of(self.sampler)
         pilot = self.chart.polar(self.draw(self.seed + 1, 1 << 16))
         pilot = pilot[np.isfinite(pilot)]
@@ -86,7 +86,7 @@ class Evidence:
 
     @cached_property
     def smooth(self) -> np.ndarray:
-        """(N, 2) points of the square at least 2^-7 from its rim, off seams and the concentric map's kinks."""
+        """(N, 2) points of the square, at least 2^-7 from its rim, away from seams and the kinks of the concentric map."""
         k = np.arange(4096)
         u = np.stack([(k + 0.5) / 4096, k * 0.618033988749895 % 1.0], axis=1) * (1 - 2**-6) + 2**-7
         a, b = np.abs(u - 0.5).T
@@ -94,13 +94,13 @@ class Evidence:
 
     @cached_property
     def stretch(self) -> tuple[float, float]:
-        """Of `laws.area_stretch_error`."""
+        """The result of `laws.area_stretch_error`."""
         with np.errstate(all="ignore"):
             return laws.area_stretch_error(self.sampler, self.smooth)
 
     @cached_property
     def sweep(self) -> dict[str, float]:
-        """Worst errors over the corner grid and the variates, and how many values are broken."""
+        """Worst errors over the corner grid and the variates, and the number of invalid values."""
         found: dict[str, float] = {}
         for u in (laws.corner_grid(), *laws.all_variates(self.every)):
             for name, value in self._errors(u).items():
@@ -120,7 +120,7 @@ class Evidence:
         found["angle"] = laws.distance_error(wide, exact) if self.chart is DISK else laws.angle_error(wide, exact)
         if self.chart is SPHERE and sampler.symmetric:
             found["sine"] = laws.sine_error(wide, exact)
-        # At the sampled direction itself: what a wrong density would be off by, not what the direction is off by.
+        # At the sampled direction itself, so that the error of the direction does not count as one of the density.
         with np.errstate(all="ignore"):
             found["pdf"] = laws.density_error(pdf, twins.density(twin, wide))
         if sampler.maps.invert is not None:

@@ -1,7 +1,7 @@
 """The laws that a sampler must obey, one function each: a measured error, or the p-value of a statistic.
 
-They judge distributions and arrays, know nothing of meshes, and assert nothing: `verify` and the tests compare. A wrong
-sampler may return anything, so whatever is not a number counts as the worst.
+They judge distributions and arrays, not meshes, and assert nothing: `verify` and the tests compare. A wrong sampler may
+return anything, so NaN counts as the worst error.
 """
 
 from collections.abc import Iterator
@@ -13,14 +13,14 @@ from warpsample.statistics.charts import DISK, Sampler, chart_of, support_of
 from warpsample.statistics.histogram import histogram_test
 from warpsample.statistics.quadrature import cell_masses
 
-SLAB = 1 << 16  # float64 arrays of so many stay in a core's cache
+SLAB = 1 << 16  # float64 arrays of this length stay in a core's cache
 _SPREAD = 0x9E3779B1  # odd, so k -> k * _SPREAD mod 2^24 meets every value once
 _COLUMNS = 16
 _LEAST_COUNT = 10.0  # expected in a cell that Pearson's test may use
 
 
 def corner_grid() -> np.ndarray:
-    """(N, 2) float32: all pairs of values of u where maps break: ends, middle, quarters, eighths and their neighbours."""
+    """(N, 2) float32: all pairs of critical values of u: ends, middle, quarters, eighths and their neighbours."""
     edges = np.array(
         [0, 1, 2, 1 << 8, 1 << 16, GRID // 8, GRID // 4, 3 * GRID // 8, GRID // 2, 5 * GRID // 8, 3 * GRID // 4]
     )
@@ -33,7 +33,7 @@ def all_variates(every: int = 1) -> Iterator[np.ndarray]:
     """Yields float32 slabs of up to 2^16 points whose coordinates each take every value of the 2^24 grid once.
 
     Args:
-        every: keeps each so manieth value only; the last of the grid is kept always.
+        every: keep only every n-th value, and always the last of the grid.
     """
     for start in range(0, GRID, SLAB * every):
         k = np.arange(start, min(start + SLAB * every, GRID), every, dtype=np.int64) + (every - 1)
@@ -47,7 +47,7 @@ def length_error(w: np.ndarray) -> float:
 
 
 def angle_error(w: np.ndarray, twin: np.ndarray) -> float:
-    """Greatest angle in radians between directions and their float64 twins, from the part of w across the twin."""
+    """Greatest angle in radians between directions and their float64 twins, from the component of w across the twin."""
     along = _dot(w, twin)
     across = w - along[..., None] * twin
     return worst(np.sqrt(_dot(across, across))) if (along > 0.0).all() else np.pi
@@ -60,7 +60,7 @@ def distance_error(w: np.ndarray, twin: np.ndarray) -> float:
 
 
 def sine_error(w: np.ndarray, twin: np.ndarray) -> float:
-    """Greatest relative error of sin theta, float64 in: what a narrow lobe consists of."""
+    """Greatest relative error of sin theta, which matters for narrow lobes; w is float64."""
     exact = twin[..., 0] ** 2 + twin[..., 1] ** 2
     ratio = (w[..., 0] ** 2 + w[..., 1] ** 2) / np.maximum(exact, 1e-60)
     return worst(np.sqrt(ratio) - (exact > 0.0))  # at the pole itself any sine is an error
@@ -72,7 +72,7 @@ def density_error(pdf: np.ndarray, exact: np.ndarray) -> float:
 
 
 def round_trip_error(back: np.ndarray, u: np.ndarray) -> float:
-    """Greatest distance of a coordinate of u from the way there and back, on the circle, as azimuths go."""
+    """Greatest difference of a coordinate of u after `sample` and `invert`, modulo 1 as azimuths are."""
     difference = back.astype(np.float64) - u
     return worst(difference - np.round(difference))
 
@@ -98,7 +98,7 @@ def area_stretch_error(sampler: Sampler, u: np.ndarray, step: float = 2.0**-11) 
 
 
 def density_outside(sampler: Sampler) -> float:
-    """Greatest density beyond the support, and at NaN; infinite if it is not a number there."""
+    """Greatest density outside the support and at NaN; infinite if a density is NaN."""
     chart, (low, high) = chart_of(sampler), support_of(sampler)
     away = np.linspace(1e-3, 1.0, 200) ** 2
     beyond = np.concatenate([high + (chart.high - high) * away, low + (chart.low - low) * away])
@@ -111,7 +111,7 @@ def density_outside(sampler: Sampler) -> float:
 
 
 def cells_p_value(sampler: Sampler, w: np.ndarray, edges: np.ndarray) -> float:
-    """Chi-square of independent w in cells of the chart: twice the smaller p-value of the full cells and of all the others.
+    """Chi-square of independent w in cells of the chart: twice the smaller p-value of the full cells and of the others.
 
     Raises:
         ValueError: the density does not integrate to 1 within 1e-3, or its integral does not converge.
@@ -128,17 +128,17 @@ def cells_p_value(sampler: Sampler, w: np.ndarray, edges: np.ndarray) -> float:
         raise ValueError(f"pdf: its integral converges to {masses.sum():.5f}, want 1")
     expected = len(w) * masses
     lost = len(w) - observed.sum()  # NaN, or outside the chart
-    # Cells too empty for the test are judged together by Poisson's law: outside the support one direction is too many.
+    # Cells too empty for the test are judged together by Poisson's law: outside the support a single direction fails.
     full = expected >= _LEAST_COUNT
     rest = float(poisson.sf(observed[~full].sum() + lost - 1, max(expected[~full].sum(), 1e-30)))
     inside = expected[full] * (observed[full].sum() / expected[full].sum())
-    if inside.min() < 5.0:  # most are where few should be: too few are left to compare
+    if inside.min() < 5.0:  # most directions are in cells that expect few: too few are left to compare
         return rest
     return min(1.0, 2.0 * min(histogram_test(observed[full], inside).p_value, rest))
 
 
 def mass_error(sampler: Sampler, edges: np.ndarray) -> float:
-    """Distance of the density's integral from 1."""
+    """Difference of the density's integral from 1."""
     return worst(cell_masses(sampler, edges, _COLUMNS).sum() - 1.0)
 
 
@@ -170,15 +170,15 @@ def moments_p_value(sampler: Sampler, a: np.ndarray, edges: np.ndarray) -> float
 
 
 def azimuth_p_value(w: np.ndarray) -> float:
-    """Rayleigh's test for one preferred azimuth: n R^2 of the mean unit vector is exponential (Mardia and Jupp 2000)."""
+    """Rayleigh's test for one preferred azimuth: n R^2 of the mean unit vector is exponential (Mardia2000)."""
     turns = np.exp(2j * np.pi * DISK.azimuth(w))
     return _number(np.exp(-(np.abs(turns.mean()) ** 2) * len(turns)))
 
 
 def azimuth_gap_p_value(w: np.ndarray) -> float:
-    """The widest gap between the azimuths of independent directions: a missing sector, however thin.
+    """The widest gap between the azimuths of independent directions: finds a missing sector, however thin.
 
-    n uniform points leave a gap above x turns somewhere with probability about n (1 - x)^(n - 1) (Whitworth 1897).
+    n uniform points leave a gap above x turns somewhere with probability about n (1 - x)^(n - 1) (Whitworth1897).
     """
     turns = np.sort(DISK.azimuth(w))
     widest = max(np.diff(turns).max(), 1.0 - (turns[-1] - turns[0]))
@@ -186,7 +186,7 @@ def azimuth_gap_p_value(w: np.ndarray) -> float:
 
 
 def count_p_value(observed: int, draws: int, probability: float) -> float:
-    """Two-sided p-value of a count of independent events of known probability: tails, rims, caps."""
+    """Two-sided p-value of a count of independent events of known probability."""
     from scipy.stats import binomtest  # noqa: PLC0415  (slow to import)
 
     return float(binomtest(int(observed), int(draws), probability).pvalue)
@@ -200,20 +200,20 @@ def uniform_p_value(values: np.ndarray) -> float:
 
 
 def correlation_p_value(a: np.ndarray, b: np.ndarray) -> float:
-    """Of the sample correlation of independent uniform pairs."""
+    """P-value of the sample correlation of independent uniform pairs."""
     from scipy.stats import norm  # noqa: PLC0415  (slow to import)
 
     return _number(2.0 * norm.sf(abs(np.corrcoef(a, b)[0, 1]) * np.sqrt(len(a))))
 
 
 def worst(errors: np.ndarray) -> float:
-    """Greatest magnitude; infinite if one is not a number, 0 of none."""
+    """Greatest magnitude; infinite if one is NaN, 0 if there are none."""
     greatest = float(np.abs(errors).max(initial=0.0))
     return greatest if np.isfinite(greatest) else np.inf
 
 
 def _quantile(sampler: Sampler, probability: float) -> float:
-    """Where the distribution function passes a probability, by bisection."""
+    """The value at which the distribution function reaches a probability, by bisection."""
     low, high = support_of(sampler)
     for _ in range(80):
         middle = 0.5 * (low + high)
@@ -226,12 +226,12 @@ def _dot(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def _number(p_value: float) -> float:
-    """A statistic of NaNs rejects."""
+    """The p-value; 0, which rejects, for NaN."""
     return float(p_value) if np.isfinite(p_value) else 0.0
 
 
 def _solid_angle(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
-    """Signed solid angle of spherical triangles. Van Oosterom and Strackee 1983, equation (8)."""
+    """Signed solid angle of spherical triangles. VanOosterom1983, equation 8."""
     volume = (a * np.cross(b - a, c - a)).sum(axis=-1)
     return 2.0 * np.arctan2(volume, 1.0 + (a * b).sum(axis=-1) + (b * c).sum(axis=-1) + (c * a).sum(axis=-1))
 

@@ -1,4 +1,4 @@
-"""Rays: none leaves a closed mesh, wherever it is aimed; both tracers and both queries answer alike."""
+"""Rays: none leaves a closed mesh, wherever it is aimed; both tracers and both queries agree."""
 
 from functools import cache
 
@@ -15,7 +15,7 @@ _PER_POINT = 64
 
 @cache
 def closed_meshes() -> dict[str, tuple[Mesh, tuple[float, float, float]]]:
-    """Closed meshes by name, with a place inside each."""
+    """Closed meshes by name, with a point inside each."""
     from trimesh import creation  # noqa: PLC0415  (heavy)
 
     torus = creation.torus(1.0, 0.3, major_sections=48, minor_sections=24)
@@ -28,7 +28,7 @@ def closed_meshes() -> dict[str, tuple[Mesh, tuple[float, float, float]]]:
 
 
 def rays_inside(mesh: Mesh, count: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
-    """Rays all about, (P, 3) and (P, 64, 3), from just below the faces of a closed mesh, uniform by area."""
+    """Rays in all directions, (P, 3) and (P, 64, 3), from just below the faces of a closed mesh, uniform by area."""
     points = sample_surface(mesh, count // _PER_POINT, seed=seed)
     below = 1e-5 * np.ptp(mesh.vertices, axis=0).max()
     directions = np.random.default_rng(seed).normal(size=(count // _PER_POINT, _PER_POINT, 3))
@@ -36,7 +36,7 @@ def rays_inside(mesh: Mesh, count: int, seed: int) -> tuple[np.ndarray, np.ndarr
 
 
 def rays_at_edges(mesh: Mesh, origin: tuple[float, float, float], count: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
-    """Rays (R, 3), (R, 3) from about `origin`, every other one at a vertex, the rest at places on edges, in float64."""
+    """Rays (R, 3), (R, 3) from near `origin`: every second one at a vertex, the others at points on edges, in float64."""
     rng = np.random.default_rng(seed)
     face, corner = rng.integers(0, len(mesh.faces), count), rng.integers(0, 3, count)
     start, end = (mesh.vertices[mesh.faces[face, (corner + k) % 3]] for k in (0, 1))
@@ -46,7 +46,7 @@ def rays_at_edges(mesh: Mesh, origin: tuple[float, float, float], count: int, se
 
 
 def judge_rays(thorough: bool) -> list[Verdict]:
-    """Every closed mesh, with ten times as many rays if thorough: 10^7 inside, 10^6 at edges."""
+    """Judges every closed mesh; if thorough with ten times as many rays: 10^7 inside, 10^6 at edges."""
     count = 10_000_000 if thorough else 1_000_000
     meshes = closed_meshes()
     return [
@@ -62,9 +62,9 @@ def judge_mesh(name: str, mesh: Mesh, origin: tuple[float, float, float], inside
     Args:
         name: of the mesh.
         mesh: closed, faces outward.
-        origin: in it, from where rays at edges come.
-        inside: rays all about.
-        at_edges: rays at edges and vertices.
+        origin: a point inside, from which rays are aimed at edges.
+        inside: number of rays in all directions.
+        at_edges: number of rays at edges and vertices.
     """
     rays, aimed = rays_inside(mesh, inside, 1), rays_at_edges(mesh, origin, at_edges, 2)
     found = [trace(mesh, *rays, any_hit=any_hit, tracer="wide").face for any_hit in (False, True)]
@@ -74,13 +74,18 @@ def judge_mesh(name: str, mesh: Mesh, origin: tuple[float, float, float], inside
     points = sample_surface(mesh, inside // _PER_POINT, seed=3)
     cosines = sample_directions(points, _PER_POINT, seed=3).vectors
     wide, warp = (trace(mesh, points, cosines, tracer=tracer).face for tracer in ("wide", "warp"))
-    # Closer to the horizon a direction's own rounding decides on which side of its face a ray is.
+    # Closer to the horizon the rounding of a direction decides on which side of its face a ray is.
     clear = (cosines * points.normal[:, None]).sum(axis=2) > 1e-5
     own = np.count_nonzero((wide == points.face[:, None]) & clear)
     differ = np.count_nonzero(((wide < 0) != (warp < 0)) & clear)
     return [
         Verdict(
-            "rays that leave a closed mesh", name, float(escaped), 0.0, False, f"of {inside:,} all about, by either query"
+            "rays that leave a closed mesh",
+            name,
+            float(escaped),
+            0.0,
+            False,
+            f"of {inside:,} in all directions, by either query",
         ),
         Verdict(
             "rays between two faces",
@@ -91,6 +96,6 @@ def judge_mesh(name: str, mesh: Mesh, origin: tuple[float, float, float], inside
             f"of {at_edges:,} at edges; wp.Mesh {through[1]:,}",
         ),
         Verdict("rays that meet their own face", name, float(own), 0.0, False, "of surface points, outward"),
-        # A ray a rounding from an edge of the silhouette: none in 10^7 is the rule, one the exception.
+        # A ray within rounding of a silhouette edge: usually none in 10^7, rarely one.
         Verdict("tracers that differ", name, float(differ), 1.0, False, "wide and wp.Mesh, hit or not"),
     ]

@@ -1,4 +1,4 @@
-"""Verdicts as tables: a law a table for people, and the README's table of distributions."""
+"""Verdicts as tables: one for each law, and the table of distributions in their README."""
 
 import re
 from collections.abc import Iterable
@@ -15,7 +15,7 @@ _SUMMARIES = {
     "hostile normals, unit length": "worst | |w| − 1 | about them, in the world's coordinates",
     "hostile normals, direction": "worst angle in radians from float64 directions about them",
     "hostile normals, density": "worst relative error of the density about them",
-    "bad normals": "rows that are not zeros with a status, and neighbours that changed",
+    "bad normals": "rows that are not zeros with a status, and neighbours that have changed",
     "points on their face": "distance of sampled points from their triangle's plane",
     "points on faces without area": "points on degenerate faces and slivers, or not finite",
     "shares of the area": "Kolmogorov-Smirnov test of the face index of 10⁶ points",
@@ -27,21 +27,21 @@ _SUMMARIES = {
     "uniform": "Kolmogorov-Smirnov test of each coordinate over points",
     "repeats": "Poisson's law for equal pairs among 64 · 10⁶",
     "shared streams": "points among 10⁶ that begin with another's two samples",
-    "frozen stream": "1 where the stream is not what it was",
-    "rays that leave a closed mesh": "of those from just below its faces, all about, nearest or any hit",
-    "rays between two faces": "that leave a closed mesh where they are aimed at an edge or a vertex",
-    "rays that meet their own face": "outward from points of the surface",
-    "tracers that differ": "rays outward that meet something by the wide tree or by wp.Mesh, not by both",
-    "route, cells": "chi-square of the source's own way of drawing, against our density",
-    "route, angle": "Kolmogorov-Smirnov test of it against our distribution function",
-    "route, azimuth": "Rayleigh's test of it for a preferred azimuth",
+    "frozen stream": "1 if the stream has changed",
+    "rays that leave a closed mesh": "of those from just below its faces in all directions, nearest or any hit",
+    "rays between two faces": "rays that leave a closed mesh when they are aimed at an edge or a vertex",
+    "rays that meet their own face": "rays outward from points of the surface",
+    "tracers that differ": "outward rays that hit something by only one of the wide tree and wp.Mesh",
+    "route, cells": "chi-square of directions drawn as in the source, against our density",
+    "route, angle": "Kolmogorov-Smirnov test of the same against our distribution function",
+    "route, azimuth": "Rayleigh's test of the same for a preferred azimuth",
     "one map, two routes": "greatest distance between two formulas of one map, on the same variates",
     "one density, two routes": "greatest relative difference of two formulas of one density",
 }
 
 
 def show(verdicts: list[Verdict], console: Any) -> None:
-    """Prints a table for each law on a rich Console: each distribution's hardest case, its limit, and whether all hold."""
+    """Prints a table for each law on a rich Console: the hardest case of each distribution, its limit, and the verdict."""
     for law, summary in _SUMMARIES.items():
         table = _table()
         statistical = any(v.statistical for v in verdicts if v.law == law)
@@ -63,12 +63,12 @@ def show(verdicts: list[Verdict], console: Any) -> None:
 
 
 def conclusion(verdicts: list[Verdict]) -> str:
-    """One sentence on the whole run."""
+    """A summary of the whole run."""
     failed = sum(not v.passed for v in verdicts)
     statistics = sum(v.statistical for v in verdicts)
     return (
         f"{len(verdicts):,} verdicts, {failed} broken. {statistics} are statistics that reject below {LEVEL:g}, "
-        f"so right samplers fail by chance in at most {FAMILY_WISE:g} of all runs."
+        f"so a correct build fails by chance in at most {FAMILY_WISE:g} of all runs."
     )
 
 
@@ -91,7 +91,7 @@ def power_table(caught: dict[str, list[Verdict]]) -> Any:
 
 
 def markdown(verdicts: list[Verdict]) -> str:
-    """The README's table: what the registry says of each distribution, its worst errors over all cases, its limits."""
+    """The table of distributions in their README: their records, their worst errors over all cases, and their limits."""
     measured = {law: _worst_by_name(verdicts, law) for law in ("unit length", "direction", "density", "round trip")}
     lines = [
         "| distribution | density | per | inverse | worst errors: length, direction, density, inverse | source |",
@@ -123,7 +123,7 @@ def _worst_by_name(verdicts: Iterable[Verdict], law: str) -> dict[str, float]:
 
 
 def _groups(verdicts: Iterable[Verdict]) -> list[list[Verdict]]:
-    """By what comes before the parameters, the hardest case of each first."""
+    """Verdicts grouped by distribution, the hardest case of each first."""
     groups: dict[str, list[Verdict]] = {}
     for v in verdicts:
         groups.setdefault(_name(v), []).append(v)
@@ -131,7 +131,7 @@ def _groups(verdicts: Iterable[Verdict]) -> list[list[Verdict]]:
 
 
 def _name(v: Verdict) -> str:
-    """The distribution of a case, or the whole subject."""
+    """The class of a distribution, or the whole subject."""
     case = re.fullmatch(r"(\w+)\(.*\)", v.subject)
     return case[1] if case else v.subject
 

@@ -1,7 +1,7 @@
-"""Second routes to the same laws, named as the sources name them, in float64 NumPy.
+"""Second methods for the same distributions, named as in the sources, in float64 NumPy.
 
-Chizhov samples each offset set in two ways: a uniform point of the set, plus the normal, normalised; by inversion or by
-rejection. Here they judge the direct maps, and each other.
+Chizhov2019 samples each offset set in two ways: a uniform point of the set, plus the normal, normalised; by inversion or by
+rejection. Here these judge the direct maps, and each other.
 """
 
 from collections.abc import Callable
@@ -37,12 +37,12 @@ _TURN = 2.0 * np.pi
 
 
 def circle(turns: np.ndarray) -> np.ndarray:
-    """Points of the unit circle. Chizhov, section 3.4: (sin 2 pi u, cos 2 pi u), one u for both, where he prints two."""
+    """Points of the unit circle. Chizhov2019, section 3.4, with one u in sine and cosine, where the source prints two."""
     return np.stack([np.sin(_TURN * turns), np.cos(_TURN * turns)], axis=-1)
 
 
 def disk(u: np.ndarray) -> np.ndarray:
-    """Points of the unit disk by inversion. Chizhov, section 3.2."""
+    """Points of the unit disk by inversion. Chizhov2019, section 3.2."""
     return np.sqrt(u[..., 1:2]) * circle(u[..., 0])
 
 
@@ -58,7 +58,7 @@ def ball(u: np.ndarray) -> np.ndarray:
 
 
 def by_rejection(u: np.ndarray) -> np.ndarray:
-    """Those points of the cube [-1, 1]^k that lie in the ball: the disk's for k = 2."""
+    """The points of the cube [-1, 1]^k that lie in the unit ball; for k = 2 in the disk."""
     points = 2.0 * u - 1.0
     return points[(points * points).sum(axis=-1) < 1.0]
 
@@ -69,19 +69,19 @@ def normalized(v: np.ndarray) -> np.ndarray:
 
 
 def mirrored_sphere(u: np.ndarray) -> np.ndarray:
-    """The hemisphere's points."""
+    """Points of the unit hemisphere, by mirroring the sphere."""
     points = sphere(u)
     points[..., 2] = np.abs(points[..., 2])
     return points
 
 
 def plus_normal(points: np.ndarray) -> np.ndarray:
-    """The set moved by the normal, the last axis, and projected onto the unit circle or sphere."""
+    """The points plus the normal (the last axis), projected onto the unit circle or sphere."""
     return normalized(points + np.eye(points.shape[-1])[-1])
 
 
 def disk_by_inverted_distribution(u: np.ndarray) -> np.ndarray:
-    """The angle at which (theta + sin theta cos theta) / pi + 1/2 = u[0], by bisection. Chizhov, section 3.2."""
+    """The angle at which (theta + sin theta cos theta) / pi + 1/2 = u[0], by bisection. Chizhov2019, section 3.2."""
     low, high = np.full(u.shape[:-1], -np.pi / 2.0), np.full(u.shape[:-1], np.pi / 2.0)
     for _ in range(52):
         middle = 0.5 * (low + high)
@@ -98,7 +98,7 @@ def variates(dimensions: int) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Route:
-    """Another way to draw a law, with independent variates of so many dimensions."""
+    """Another method to draw from a distribution, with independent variates of `dimensions` coordinates."""
 
     name: str
     to: Distribution
@@ -124,26 +124,26 @@ ROUTES = (
 
 
 def _malley(u: np.ndarray) -> np.ndarray:
-    """The disk lifted. Cranberry 2020, after its equation (8)."""
+    """The disk, lifted to the hemisphere. Cranberry2020, after equation 8."""
     x, y = np.sqrt(u[..., 0]) * np.stack([np.cos(_TURN * u[..., 1]), np.sin(_TURN * u[..., 1])])
     return np.stack([x, y, np.sqrt(1.0 - x * x - y * y)], axis=-1)
 
 
 def _half_acos(u: np.ndarray) -> np.ndarray:
-    """theta = acos(1 - 2u) / 2. Cranberry 2020, equation (7)."""
+    """theta = acos(1 - 2u) / 2. Cranberry2020, equation 7."""
     theta = np.arccos(1.0 - 2.0 * u[..., 0])[..., None] / 2.0
     turn = np.stack([np.cos(_TURN * u[..., 1]), np.sin(_TURN * u[..., 1])], axis=-1)
     return np.concatenate([np.sin(theta) * turn, np.cos(theta)], axis=-1)
 
 
 def _keinert(count: int) -> np.ndarray:
-    """The square's points of Keinert's spherical Fibonacci sets."""
+    """Points of the square that give the spherical Fibonacci sets of Keinert2014."""
     i = np.arange(count)
     return np.stack([(i + 0.5) / count, i * 0.6180339887498949 % 1.0], axis=1).astype(np.float32)
 
 
 def _point_by_point() -> dict[str, float]:
-    """Greatest distance between two maps that claim to be one, on the same u."""
+    """Greatest distance between two formulas of the same map, on the same u."""
     u = sample_square("sobol", 16, 4096, seed=8).reshape(-1, 2)
     wide, set_ = u.astype(np.float64), _keinert(4096)
     shirley = plus_normal(UniformSphere().sample(u).astype(np.float64))
@@ -154,7 +154,7 @@ def _point_by_point() -> dict[str, float]:
         "Malley's projection of the disk": laws.worst(_malley(wide) - polar(u)),
         "θ = acos(1 − 2u)/2": laws.worst(_half_acos(wide) - CosineHemisphere("inversion").sample(u)),
         "sphere + normal is the cosine lobe": laws.worst(shirley - polar(u)),
-        "half angle θ = 2θ' of the Shirley proof, equation (3)": laws.worst(whole - 2.0 * half),
+        "half angle θ = 2θ' of ShirleyTrick, equation 3": laws.worst(whole - 2.0 * half),
         "Fibonacci sphere + normal is the Fibonacci cosine set": laws.worst(fibonacci - polar(set_)),
         "OffsetSphere(1) is the cosine lobe": laws.worst(OffsetSphere(1.0).sample(u) - polar(u)),
         "PowerCosine(1) is the cosine lobe": laws.worst(PowerCosine(1.0).sample(u) - polar(u)),
@@ -166,10 +166,11 @@ def _point_by_point() -> dict[str, float]:
 
 
 def _density_by_density() -> dict[str, float]:
-    """Greatest relative difference of two densities that claim to be one, at the same directions."""
+    """Greatest relative difference of two formulas of the same density, at the same directions."""
     u = sample_square("sobol", 16, 4096, seed=9).reshape(-1, 2)
 
     def difference(one: Any, other: Any) -> float:
+        """At directions that `other` samples."""
         w = other.sample(u)
         return laws.density_error(one.pdf(w), other.pdf(w).astype(np.float64))
 
@@ -184,7 +185,7 @@ def _density_by_density() -> dict[str, float]:
 
 
 def judge_routes() -> list[Verdict]:
-    """Both laws of each route's draws, and the greatest differences of maps and densities that are one."""
+    """The laws for the draws of each route, and the greatest differences of equal maps and densities."""
     verdicts = []
     for route in ROUTES:
         w, name = route.draw(variates(route.dimensions)), f"{type(route.to).__name__} by {route.name}"
@@ -195,7 +196,7 @@ def judge_routes() -> list[Verdict]:
             **({"route, azimuth": laws.azimuth_p_value(w)} if route.to.measure != "per radian" else {}),
         }
         verdicts += [Verdict(law, name, p_value, LEVEL, True) for law, p_value in p_values.items()]
-    # Both maps are right to 2e-7 and u itself moves a float64 formula by 6e-8 of a turn.
+    # Both maps are accurate to 2e-7, and the rounding of u moves a float64 formula by 6e-8 of a turn.
     verdicts += [Verdict("one map, two routes", n, value, 5e-7, False) for n, value in _point_by_point().items()]
     return verdicts + [
         Verdict("one density, two routes", n, value, 2e-6, False) for n, value in _density_by_density().items()

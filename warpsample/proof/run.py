@@ -1,4 +1,4 @@
-"""The whole trial, task by task in processes of their own: what `warpsample verify` runs."""
+"""The whole trial of `warpsample verify`, each task in its own process."""
 
 import multiprocessing
 import os
@@ -14,9 +14,9 @@ from warpsample.distributions.record import Distribution
 from warpsample.proof import defects, rays, routes, streams, stress, verify
 from warpsample.proof.verify import Verdict
 
-_USUAL, _SLOW = 4, 16  # the sweep takes each so manieth variate, unless it is thorough
+_USUAL, _SLOW = 4, 16  # the sweep takes every n-th variate, unless it is thorough
 _SLOW_TWINS = ("visible_beckmann",)
-_MOST_PROCESSES = 8  # each takes up to 3 GB, and all cores for its kernels
+_MOST_PROCESSES = 8  # each uses up to 3 GB, and all cores for its kernels
 
 
 @dataclass(frozen=True)
@@ -27,12 +27,12 @@ class Task:
     key: Any = None
 
     def verdicts(self, thorough: bool = False) -> list[Verdict]:
-        """Its outcome. `thorough`: see `trial`."""
+        """The verdicts of this task. `thorough`: see `run`."""
         return _KINDS[self.kind](self.key, thorough)
 
 
 def trial() -> list[Task]:
-    """What is proven: every case, sequence, second route and hostile input, and the rays. The longest tasks first."""
+    """All tasks, the longest first: every case, sequence, second route and hostile input, and the rays."""
     cases = sorted(verify.cases(), key=lambda case: case.symmetric)
     return [
         Task("meshes"),
@@ -44,7 +44,7 @@ def trial() -> list[Task]:
 
 
 def extent(thorough: bool) -> str:
-    """What the sweep sees, in words."""
+    """The extent of the sweep, in words."""
     if thorough:
         return "The sweep takes each of the 2^24 values of both coordinates."
     slow = " and ".join(_SLOW_TWINS)
@@ -59,7 +59,7 @@ def planted() -> list[Task]:
 
 
 def run(tasks: list[Task], thorough: bool = False) -> Iterator[tuple[Task, list[Verdict]]]:
-    """Yields tasks with their verdicts as they end, a process to a core.
+    """Yields tasks with their verdicts as they end, on one process for each core.
 
     Args:
         tasks: what to judge.
@@ -70,7 +70,7 @@ def run(tasks: list[Task], thorough: bool = False) -> Iterator[tuple[Task, list[
     with _deaf():
         pool = ProcessPoolExecutor(workers, context)
     try:
-        with _deaf():  # again: multiprocessing has started its tracker of resources, and heard SIGINT since
+        with _deaf():  # again: multiprocessing has since started its resource tracker, which unblocks SIGINT
             futures = {pool.submit(task.verdicts, thorough): task for task in tasks}
         for future in as_completed(futures):
             yield futures[future], future.result()
@@ -84,7 +84,7 @@ def run(tasks: list[Task], thorough: bool = False) -> Iterator[tuple[Task, list[
 
 @contextmanager
 def _deaf() -> Iterator[None]:
-    """What is started within never hears a terminal's signals: Ctrl-C is for the parent, which says so once and ends it."""
+    """Processes started within ignore a terminal's signals: the parent handles Ctrl-C, reports it once and ends them."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return

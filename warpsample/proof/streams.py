@@ -1,4 +1,4 @@
-"""The laws of the sequences, over points, samples and seeds; and their bits without end, for batteries of tests.
+"""The laws of the sequences, over points, samples and seeds; and their bits as an endless stream for test batteries.
 
 Run as `python -m warpsample.proof.streams independent | dieharder -a -g 200`.
 """
@@ -14,29 +14,21 @@ from warpsample import sequences
 from warpsample.directions.sample import sample_square
 from warpsample.maths.numerics import GRID
 from warpsample.proof import laws
+from warpsample.proof.twins.sequences import frozen_digest
 from warpsample.proof.verify import LEVEL, Verdict
 
 Variates = Callable[..., np.ndarray]
 
 _SIDE = 128  # points, and samples of each, in a block of the endless stream
-# A change of the stream changes every result that anyone has stored: it must be meant.
-FROZEN = {
-    "fibonacci": "be3491b49b9e0314",
-    "independent": "ab00f3a4a2d36c47",
-    "philox": "d0a7cbe4f6926d5d",
-    "r2": "fedda182c7cb5b06",
-    "sobol": "d327ca05417a79a5",
-    "stratified": "31ae1d675f359ae7",
-}
 
 
 def integers(u: np.ndarray) -> np.ndarray:
-    """Variates as the integers of the 2^24 grid that they are."""
+    """Variates as integers of the 2^24 grid."""
     return (u * np.float32(GRID)).astype("<u4", order="C")
 
 
 def digest(name: str) -> str:
-    """Of a stretch of the stream that crosses a multiple of 2^32 point ids."""
+    """A hash of a part of the stream that crosses a multiple of 2^32 point ids."""
     cells = integers(sample_square(name, 257, 67, seed=12345, first_point=2**33 - 100))
     return hashlib.sha256(cells.astype(np.int64).tobytes()).hexdigest()[:16]
 
@@ -47,8 +39,8 @@ def judge_stream(name: str, variates: Variates, points: int = 1_000_000, random:
     Args:
         name: for tables.
         variates: (points, count, seed) -> (points, count, 2) float32.
-        points: over which no direction may repeat, each with 64 samples.
-        random: whether the samples of one point claim to be independent too.
+        points: number of points, each with 64 samples, over which no pair may repeat more than by chance.
+        random: whether the samples of one point should be independent, too.
     """
     first, other = (variates(200_000, 4, seed).astype(np.float64) for seed in (3, 4))
     u = first[:, 1]
@@ -63,7 +55,7 @@ def judge_stream(name: str, variates: Variates, points: int = 1_000_000, random:
         for which, some in pairs.items()
         if some
     }
-    # Whatever the samples of one point share, one from each of many points are uniform. Half a cell up, to a cell's middle.
+    # One sample from each of many points is uniform, whatever those of one point share. Half a cell up, to a cell's middle.
     one_each = first[np.arange(len(first)), np.arange(len(first)) % 4] + 0.5 / GRID
     p_values["uniform"] = min(1.0, 2.0 * min(laws.uniform_p_value(one_each[:, axis]) for axis in (0, 1)))
     verdicts = [Verdict(law, name, p_value, LEVEL, True) for law, p_value in p_values.items()]
@@ -76,16 +68,17 @@ def judge_sequence(name: str, points: int = 1_000_000) -> list[Verdict]:
     """The laws for a sequence of the package, and that its stream has not changed."""
 
     def variates(points: int, samples: int, seed: int) -> np.ndarray:
+        """The points of the sequence."""
         return sample_square(name, points, samples, seed)
 
-    frozen = Verdict("frozen stream", name, float(digest(name) != FROZEN[name]), 0.0, False, digest(name))
+    frozen = Verdict("frozen stream", name, float(digest(name) != frozen_digest(name)), 0.0, False, digest(name))
     return [*judge_stream(name, variates, points, sequences.get(name).random), frozen]
 
 
 def repeats_p_value(variates: Variates, points: int) -> float:
-    """Poisson's law for how many of points * 64 independent pairs of 24 bits meet: n^2 / 2^49, 7 for a million points.
+    """Poisson's law for the number of equal pairs among points * 64 of 2 x 24 bits: n^2 / 2^49, 7 for a million points.
 
-    Too many come from a generator with a small state, too few from one that avoids itself.
+    A generator with a small state has too many, one that avoids repeats too few.
     """
     from scipy.stats import poisson  # noqa: PLC0415  (slow to import)
 
@@ -97,7 +90,7 @@ def repeats_p_value(variates: Variates, points: int) -> float:
 
 
 def shared_streams(variates: Variates, points: int) -> int:
-    """How many of the points begin with the two samples of another one: 96 bits that never meet by chance."""
+    """How many points begin with the same two samples as another one: 96 bits, which never agree by chance."""
     cells = integers(variates(points, 64, 6)[:, :2]).astype(np.uint64).reshape(-1, 4)
     packed = np.stack([(cells[:, 0] << np.uint64(24)) | cells[:, 1], (cells[:, 2] << np.uint64(24)) | cells[:, 3]], axis=1)
     return points - len(np.unique(packed, axis=0))
@@ -106,7 +99,7 @@ def shared_streams(variates: Variates, points: int) -> int:
 def emitted_bytes(name: str) -> Iterator[bytes]:
     """Yields all 24 bits of each variate, low byte first: both dimensions over 128 points x 128 samples of seed 0, 1, 2, ...
 
-    A battery finds what neighbours in its stream share, so points and samples take turns to be the neighbours.
+    A battery compares neighbours in its stream, so points and samples alternate as neighbours.
     """
     for seed in count():
         u = sample_square(name, points=_SIDE, count=_SIDE, seed=seed)
@@ -115,14 +108,14 @@ def emitted_bytes(name: str) -> Iterator[bytes]:
 
 
 def main() -> None:
-    """Writes the stream of the sequence named by the first argument to standard output until nobody reads."""
+    """Writes the stream of the sequence named by the first argument to standard output, until the reader stops."""
     if len(sys.argv) != 2 or sys.argv[1] not in sequences.names():
         sys.exit(f"usage: python -m warpsample.proof.streams {'|'.join(sequences.names())}")
     try:
         for block in emitted_bytes(sys.argv[1]):
             sys.stdout.buffer.write(block)
     except BrokenPipeError:
-        sys.stderr.close()  # the reader has had enough: nothing to say, also not at exit
+        sys.stderr.close()  # the reader has stopped: print nothing, also not at exit
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Hostile input: normals of every size and place, ids and sample indices at the edges of words, bad and huge meshes."""
+"""Hostile input: normals of all lengths and directions, ids and indices at the limits of words, bad and huge meshes."""
 
 from functools import cache
 from itertools import product
@@ -15,7 +15,7 @@ from warpsample.host.kernel_cache import load
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import sample_surface
 from warpsample.proof import laws, twins
-from warpsample.proof.integer_twins import expected
+from warpsample.proof.twins.sequences import expected
 from warpsample.proof.verify import LEVEL, Verdict
 
 _SAMPLES = 64
@@ -26,7 +26,7 @@ _SEEDS = [0, 1, 2**32, 2**64 - 1]
 
 
 def hostile_normals() -> np.ndarray:
-    """(N, 3) float32: axes, diagonals, beside them, beside -z, with -0.0, and random ones; each from 1e-45 to 3e38 long."""
+    """(N, 3) float32 of length 1e-45 to 3e38: axes, diagonals, vectors near them and near -z, with -0.0, and random ones."""
     signs = np.array(list(product((-1.0, -0.0, 0.0, 1.0), repeat=3)))
     beside = np.concatenate([axis + step * np.roll(axis, 1) for axis in np.eye(3) for step in (1e-30, 1e-8, 1e-7, -1e-4)])
     beside = np.concatenate([beside.reshape(-1, 3), -beside.reshape(-1, 3)])
@@ -40,17 +40,17 @@ def hostile_normals() -> np.ndarray:
 
 
 def exact_directions(distribution: Distribution, normals: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(P, n, 3) float64 twice: the twin's directions about the exact unit normals, and in their frames."""
+    """(P, n, 3) float64 twice: the twin's directions about the exact unit normals, and in their local frames."""
     wide = normals.astype(np.float64)
     unit = wide / np.abs(wide).max(axis=1, keepdims=True)
     unit /= np.linalg.norm(unit, axis=1, keepdims=True)
     frames = twins.frames(unit)
-    if distribution == CosineHemisphere("offset"):  # sphere + normal in the world's own axes
+    if distribution == CosineHemisphere("offset"):  # sphere + normal in world coordinates
         total = unit[:, None] + twins.directions(UniformSphere(), u.astype(np.float64))
         exact = total / np.linalg.norm(total, axis=-1, keepdims=True)
         return exact, np.einsum("nij,nsi->nsj", frames, exact)
     local = twins.directions(distribution, u.astype(np.float64))
-    # The density belongs to the float32 direction: a narrow one changes by more over its last digit.
+    # The density is that at the float32 direction: a narrow lobe changes by more than the limit over its rounding error.
     return np.einsum("nij,nsj->nsi", frames, local), distribution.sample(u).astype(np.float64)
 
 
@@ -71,7 +71,7 @@ def judge_normals(distribution: Distribution) -> list[Verdict]:
     lost = float(sum(n for status, n in got.counts().items() if status is not Status.OK))
     return [
         Verdict("hostile normals, lost", name, lost, 0.0, False),
-        # The frame's columns add their own 1e-7 to the local direction's 2e-7.
+        # The columns of the frame add 1e-7 to the 2e-7 of the local direction.
         Verdict("hostile normals, unit length", name, laws.length_error(w), 2.5e-7, False),
         Verdict("hostile normals, direction", name, laws.angle_error(w[kept], exact[kept]), angle, False, note),
         Verdict(
@@ -86,7 +86,7 @@ def judge_normals(distribution: Distribution) -> list[Verdict]:
 
 
 def judge_bad_normals() -> Verdict:
-    """Normals without a direction: zero vectors, density 0 and a status, and their neighbours as if alone."""
+    """Normals without a direction give zero vectors, density 0 and a status, and do not change their neighbours."""
     nan, inf = np.nan, np.inf
     bad = [(0, 0, 0), (-0.0, 0, 0), (nan, 0, 1), (0, nan, 0), (inf, 0, 0), (0, -inf, 1), (inf, nan, 0)]
     want = [Status.ZERO_NORMAL] * 2 + [Status.NONFINITE_NORMAL] * 5
@@ -103,6 +103,8 @@ def judge_bad_normals() -> Verdict:
 
 @cache
 def _at(sequence: wp.Function) -> wp.Kernel:
+    """A kernel that evaluates a sequence at given points, samples and counts."""
+
     @wp.kernel(module="unique", enable_backward=False)
     def at(
         seed: wp.uint64,
@@ -111,6 +113,7 @@ def _at(sequence: wp.Function) -> wp.Kernel:
         count: wp.array[wp.uint32],
         out: wp.array[wp.vec2],
     ):
+        """One point of the square."""
         i = wp.tid()
         out[i] = sequence(seed, point[i], sample[i], count[i])
 
@@ -118,7 +121,7 @@ def _at(sequence: wp.Function) -> wp.Kernel:
 
 
 def judge_indices(name: str) -> Verdict:
-    """Point ids, sample indices, counts and seeds at the edges of words, against exact integers."""
+    """Point ids, sample indices, counts and seeds at the limits of 32 and 64 bits, against exact integers."""
     asked = [(p, s, c) for p in _IDS for c in _COUNTS for s in {*_INDICES, c - 1} if s < c]
     columns = np.array(asked, np.uint64).T
     point, sample, count = (column.astype(kind) for column, kind in zip(columns, ("u8", "u4", "u4"), strict=True))

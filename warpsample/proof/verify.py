@@ -1,7 +1,7 @@
-"""Every law over every distribution, case by case; the verdicts that `warpsample verify` and the tests read.
+"""Every law for every case of every distribution: the verdicts of `warpsample verify` and the tests.
 
-Errors are compared with limits that each distribution states in its record. Statistics reject below LEVEL, so that a run of
-right samplers fails by chance once in FAMILY_WISE^-1 times, whatever the machine.
+Errors are compared with the limits in the record of each distribution. Statistics reject below LEVEL, so that correct
+samplers fail by chance in at most FAMILY_WISE of all runs, on any machine.
 """
 
 from collections.abc import Callable, Iterable
@@ -22,14 +22,14 @@ LEVEL = FAMILY_WISE / MOST_STATISTICS
 
 @dataclass(frozen=True)
 class Verdict:
-    """One law for one subject.
+    """The verdict of one law on one subject.
 
     Attributes:
         law: its name.
         subject: what was judged.
         measured: a worst error or a p-value.
-        limit: what an error must not exceed, or LEVEL, which a p-value must reach.
-        statistical: whether it is a p-value.
+        limit: the greatest error allowed, or LEVEL, the smallest p-value.
+        statistical: whether `measured` is a p-value.
         note: why there is no number, or what was left out.
     """
 
@@ -48,14 +48,14 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Law:
-    """A law as a row of tables.
+    """A law: what it measures, its limit and when it applies.
 
     Attributes:
         name: short.
-        summary: what it says, for newcomers.
+        summary: one line for tables.
         measure: the worst error or the p-value of a subject.
-        limit: of an error, by the distribution that the subject claims to be; None for p-values.
-        applies: to which subjects.
+        limit: the greatest error, from the distribution that the subject claims to be; None for p-values.
+        applies: whether the law applies to a sampler.
     """
 
     name: str
@@ -65,7 +65,7 @@ class Law:
     applies: Callable[[Any], bool] = lambda sampler: True
 
     def judge(self, evidence: Evidence) -> Verdict:
-        """The verdict; a law that cannot be evaluated is broken."""
+        """The verdict; a law that cannot be evaluated counts as broken."""
         note = ""
         try:
             with np.errstate(all="ignore"):  # a wrong sampler may return anything
@@ -95,7 +95,7 @@ def _invertible(sampler: Any) -> bool:
 LAWS = (
     Law(
         "finite",
-        "values of u that give NaN, an infinity or density 0; the square's corners and the sweep",
+        "values of u that give NaN, an infinity or density 0, over the corners of the square and the sweep",
         lambda e: e.sweep["broken"],
         _fixed(0.0),
     ),
@@ -144,8 +144,8 @@ LAWS = (
         lambda e: laws.mass_error(e.sampler, e.edges),
         _fixed(1e-4),
     ),
-    # float32 directions 1e-7 off at the ends of a side of 2^-10 leave 4e-4, curvature as much, and near the horizon of a
-    # view ten times that; both average out.
+    # An error of 1e-7 in float32 directions at the ends of a side of 2^-10 gives 4e-4, curvature as much, and near the
+    # horizon of a view ten times that; both average out.
     Law(
         "stretch",
         "pdf times the stretch of area is 1: worst deviation",
@@ -208,5 +208,5 @@ def judge(evidence: Evidence, which: Iterable[Law] = LAWS) -> list[Verdict]:
 
 
 def judge_case(case: Distribution, **effort: int) -> list[Verdict]:
-    """All laws for a distribution. `effort`: of `Evidence`."""
+    """All laws for a distribution. `effort`: keywords of `Evidence`."""
     return judge(Evidence(Subject(repr(case), case, case), **effort))

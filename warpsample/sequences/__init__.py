@@ -1,4 +1,4 @@
-"""Where u comes from: sequences of points in the unit square, a file each."""
+"""Sequences of points in the unit square, a file each."""
 
 import sys
 

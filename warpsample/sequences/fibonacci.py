@@ -1,4 +1,4 @@
-"""The Fibonacci lattice: evenly spaced in u[0], golden-ratio rotated in u[1]; the best here for visibility."""
+"""The Fibonacci lattice: evenly spaced in u[0], rotated by the golden ratio in u[1]; the best here for visibility."""
 
 import warp as wp
 
@@ -16,11 +16,11 @@ _BELOW_2_64 = wp.constant(wp.float64(2.0**64 * (1.0 - 2.0**-53)))
 def fibonacci(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
     """((sample + shift) / count, sample / phi + rotation mod 1), shift and rotation random at every surface point.
 
-    The shift 1/2 of Keinert's sets (Shirley's blog, 2014) is this one's mean; a random one makes every count unbiased.
-    The phase i / phi is the top of an integer product, within 2^-32 for any i: float32 has lost it at 10^7.
+    The shift 1/2 of Keinert2014 is the mean of this one; a random one makes every count unbiased.
+    The phase i / phi is the top of an integer product, exact to 2^-32 for any i; in float32 it would be lost at 10^7.
     """
     key = point_key(seed, point)
-    # All of it rounded down, so that sample + shift stays below count; within 2^-31 of the quotient.
+    # Rounded down, so that sample + shift stays below count; within 2^-31 of the quotient.
     step = wp.uint64(_BELOW_2_64 / wp.float64(count))
     shift = high_word(wp.uint64(key[0]) * wp.uint64(high_word(step)))
     return wp.vec2(uniform_from_bits(weyl(sample, step) + shift), uniform_from_bits(weyl(sample, GOLDEN_STEP) + key[1]))
@@ -34,5 +34,5 @@ RECORD = Sequence(
     marker="s",
     cells_off=1,
     summary="Fibonacci lattice with a random shift and rotation, the best for visibility",
-    source="Marques et al. 2013, Spherical Fibonacci Point Sets; Keinert in Shirley 2014",
+    source="Marques2013; Keinert2014",
 )

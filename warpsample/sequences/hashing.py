@@ -1,4 +1,4 @@
-"""pcg4d: four random words from four words, the hash under every sequence here."""
+"""pcg4d: four random words from four words, the hash behind the sequences here."""
 
 import warp as wp
 
@@ -13,9 +13,9 @@ ONE_WORD = wp.constant(wp.uint32(1))
 
 @wp.func
 def pcg4d(x: wp.uint32, y: wp.uint32, z: wp.uint32, w: wp.uint32) -> wp.vec4ui:
-    """Four random words; a bijection of 128 bits, so different arguments never give the same four.
+    """Four random words: a bijection of 128 bits, so different arguments never give the same four words.
 
-    Jarzynski and Olano 2020, "Hash Functions for GPU Rendering", listing 13.
+    Jarzynski2020, listing 13.
     """
     x = x * _MULTIPLIER + _INCREMENT
     y = y * _MULTIPLIER + _INCREMENT
@@ -38,7 +38,7 @@ def pcg4d(x: wp.uint32, y: wp.uint32, z: wp.uint32, w: wp.uint32) -> wp.vec4ui:
 
 @wp.func
 def point_key(seed: wp.uint64, point: wp.uint64) -> wp.vec4ui:
-    """Four random words of one point of one run: what a sequence scrambles or shifts its points by."""
+    """Four random words for one point of one run, by which a sequence scrambles or shifts its points."""
     return pcg4d(low_word(point), high_word(point), low_word(seed), high_word(seed))
 
 
@@ -52,7 +52,7 @@ def two_points(words: wp.vec4ui) -> wp.vec4:
 
 @wp.func
 def point_of_two(words: wp.vec4ui, sample: wp.uint32) -> wp.vec2:
-    """The point that an even or an odd sample has of `two_points`. By masks: a select of both words keeps loops scalar."""
+    """The first of `two_points` for an even sample, else the second. By masks: a select would prevent vectorisation."""
     odd = ZERO_WORD - (sample & ONE_WORD)
     return wp.vec2(
         uniform_from_bits(words[0] ^ ((words[0] ^ words[2]) & odd)),

@@ -1,4 +1,4 @@
-"""Independent uniform points by hashing: the cheapest, with the plain 1/sqrt(n) error of Monte Carlo."""
+"""Independent uniform points by hashing: the fastest, with the 1/sqrt(n) error of Monte Carlo."""
 
 import warp as wp
 
@@ -21,14 +21,14 @@ def independent(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.
     """An independent point of the square: two of the four words of pcg4d of (sample / 2, point, seed).
 
     pcg4d takes 128 bits and the arguments have 159, so the high word of `point` goes into both seed words. Below 2^32
-    points no two arguments share a stream; above, two seeds could only by both words meeting (chance 2^-64).
+    points no two arguments share a stream; above, two do only if both words are equal (probability 2^-64).
     """
     return point_of_two(_words(seed, point, sample >> ONE_WORD), sample)
 
 
 @wp.func
 def independent_pair(seed: wp.uint64, point: wp.uint64, half: wp.uint32, count: wp.uint32) -> wp.vec4:
-    """The points of samples 2 half and 2 half + 1, at the price of one."""
+    """The points of samples 2 half and 2 half + 1, at the cost of one."""
     return two_points(_words(seed, point, half))
 
 
@@ -43,5 +43,5 @@ RECORD = Sequence(
     pair=independent_pair,
     rate=0.5,
     edge=1.0,
-    source="Jarzynski and Olano 2020, listing 13",
+    source="Jarzynski2020, listing 13",
 )

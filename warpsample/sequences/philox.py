@@ -1,4 +1,4 @@
-"""Independent uniform points from Philox4x32-10: slower than pcg4d, with published known answers and no shared streams."""
+"""Independent uniform points from Philox4x32-10: slower than pcg4d, with published test vectors and no shared streams."""
 
 import warp as wp
 
@@ -16,7 +16,7 @@ _WEYL_1 = wp.constant(wp.uint32(0xBB67AE85))
 def philox4x32_10(counter: wp.vec4ui, key_0: wp.uint32, key_1: wp.uint32) -> wp.vec4ui:
     """Four random words: a keyed bijection of the 128-bit counter.
 
-    Salmon et al. 2011, "Parallel Random Numbers: As Easy as 1, 2, 3", section 4.4; known answers in Random123.
+    Salmon2011, section 4.4; test vectors in Random123.
     """
     x0 = counter[0]
     x1 = counter[1]
@@ -44,14 +44,14 @@ def _words(seed: wp.uint64, point: wp.uint64, half: wp.uint32) -> wp.vec4ui:
 def philox(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
     """An independent point of the square: two of the four words of counter (sample / 2, point, 0) under the seed as key.
 
-    No two arguments meet.
+    Different arguments never share random words.
     """
     return point_of_two(_words(seed, point, sample >> ONE_WORD), sample)
 
 
 @wp.func
 def philox_pair(seed: wp.uint64, point: wp.uint64, half: wp.uint32, count: wp.uint32) -> wp.vec4:
-    """The points of samples 2 half and 2 half + 1, at the price of one."""
+    """The points of samples 2 half and 2 half + 1, at the cost of one."""
     return two_points(_words(seed, point, half))
 
 
@@ -66,5 +66,5 @@ RECORD = Sequence(
     pair=philox_pair,
     rate=0.5,
     edge=1.0,
-    source="Salmon et al. 2011, section 4.4",
+    source="Salmon2011, section 4.4",
 )

@@ -13,7 +13,7 @@ _STEP_Y = wp.constant(wp.uint64(0x91E10DA5C79E7B1D))
 
 @wp.func
 def r2(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """(sample / g, sample / g^2) mod 1, shifted by this point's own random vector. In integers: exact for any sample."""
+    """(sample / g, sample / g^2) mod 1, shifted by this point's own random vector. Exact for any sample."""
     key = point_key(seed, point)
     return wp.vec2(uniform_from_bits(weyl(sample, _STEP_X) + key[0]), uniform_from_bits(weyl(sample, _STEP_Y) + key[1]))
 
@@ -26,5 +26,5 @@ RECORD = Sequence(
     colour="#5b8e3e",
     marker="^",
     summary="additive recurrence of the plastic number, cheap and progressive",
-    source="Roberts 2018, The Unreasonable Effectiveness of Quasirandom Sequences",
+    source="Roberts2018",
 )

@@ -15,7 +15,7 @@ _HASH_3 = wp.constant(wp.uint32(0x53A22864))
 def laine_karras(x: wp.uint32, key: wp.uint32) -> wp.uint32:
     """Owen's nested uniform scramble of bit-reversed x: each bit is flipped by a hash of the bits below it.
 
-    Vegdahl 2021, "Building a Better LK Hash" (psychopath.io), the improved form of Laine and Karras 2011.
+    Vegdahl2021, which improves the hash of Laine2011.
     """
     x = x ^ (x * _HASH_1)
     x = x + key
@@ -46,8 +46,8 @@ def _scrambled(index: wp.uint32, second: wp.uint32, key: wp.vec4ui) -> wp.vec2:
 def sobol(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
     """The sample-th point of the Sobol' sequence at this surface point, shuffled and scrambled by its own keys.
 
-    The first coordinate is the index with its bits reversed, which is the form that the scramble wants. Shuffling the
-    index lets two calls with different seeds be paired sample by sample.
+    The first coordinate is the index with its bits reversed, which is what the scramble takes. As the index is shuffled,
+    two calls with different seeds can be paired sample by sample.
     """
     key = point_key(seed, point)
     index = reverse_bits(laine_karras(reverse_bits(sample), key[0]))
@@ -58,8 +58,8 @@ def sobol(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32
 def sobol_pair(seed: wp.uint64, point: wp.uint64, half: wp.uint32, count: wp.uint32) -> wp.vec4:
     """The points of samples 2 half and 2 half + 1, shuffled together.
 
-    Their indices, reversed, differ in the top bit alone, which the scramble passes on and nothing else depends on: the
-    shuffled indices, and so the second coordinates, differ in the last bit.
+    Their reversed indices differ only in the top bit, on which no other bit of the scramble depends. So the shuffled
+    indices, and the second coordinates, differ only in the last bit.
     """
     key = point_key(seed, point)
     index = reverse_bits(laine_karras(reverse_bits(half + half), key[0]))
@@ -77,5 +77,5 @@ RECORD = Sequence(
     marker="o",
     summary="Owen-scrambled Sobol', the best for smooth integrands",
     pair=sobol_pair,
-    source="Burley 2020, Practical Hash-based Owen Scrambling; hash by Vegdahl 2021",
+    source="Burley2020; the hash: Vegdahl2021",
 )

@@ -11,8 +11,8 @@ from warpsample.sequences.record import Sequence
 def stratified(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
     """An independent point of the sample-th of `count` cells of area 1/count.
 
-    floor(sqrt(count)) rows of cells; where count is no product, the first rows hold one cell more and are higher by as
-    much, so the cells stay equal in area. Cells are filled in order: to pair two calls of equal count, shuffle one.
+    There are floor(sqrt(count)) rows of cells. If they do not divide count, the first rows hold one cell more and are
+    higher by as much, so all cells have equal area. Cells are filled in order: to pair two calls, shuffle one.
     """
     n = wp.float64(count)
     rows = wp.floor(wp.sqrt(n))
@@ -20,7 +20,7 @@ def stratified(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.u
     long_rows = n - rows * short_length
     j = wp.float64(wp.int32(sample))
     is_long = j < long_rows * (short_length + wp.float64(1.0))
-    # Counted from where every row is long, or from where every row is short, each row has one length.
+    # Counted from the first long or the first short row, all rows have one length.
     skipped = wp.where(is_long, wp.float64(0.0), long_rows)
     length = wp.where(is_long, short_length + wp.float64(1.0), short_length)
     row = wp.floor((j - skipped + wp.float64(0.5)) / length)
@@ -41,5 +41,5 @@ RECORD = Sequence(
     marker="D",
     cells_off=1,
     summary="one jittered point in each cell of an equal-area grid",
-    source="Pharr, Jakob, Humphreys 2023, section 8.5, with rows of two lengths for any count",
+    source="Pharr2023, section 8.5, with rows of two lengths for any count",
 )

@@ -7,25 +7,30 @@ import numpy as np
 
 
 class Sampler(Protocol):
-    """What a law asks of a distribution, right or wrong; each is described in `warpsample.distributions.record`."""
+    """What a law needs of a sampler, correct or not; `warpsample.distributions.record` describes each member."""
 
     measure: str
     symmetric: bool
     largest_angle: float
     thinnest_tail: float
 
-    def sample(self, u: Any) -> np.ndarray: ...  # noqa: D102
-    def pdf(self, w: Any) -> np.ndarray: ...  # noqa: D102
-    def cdf(self, theta: Any) -> np.ndarray: ...  # noqa: D102
+    def sample(self, u: Any) -> np.ndarray:
+        """Directions of points of the square."""
+
+    def pdf(self, w: Any) -> np.ndarray:
+        """Density at directions."""
+
+    def cdf(self, theta: Any) -> np.ndarray:
+        """Distribution function of the chart's coordinate a."""
 
 
 @dataclass(frozen=True)
 class Chart:
-    """Coordinates (a, phi) of w: the angle to the normal and the azimuth, or radius and azimuth, or a signed angle alone.
+    """Coordinates (a, phi) of w: angle to the normal and azimuth, radius and azimuth, or only a signed angle.
 
     Attributes:
         low: least value of a.
-        high: greatest value of a that the laws look at, in the support or not.
+        high: greatest value of a that the laws consider, inside or outside the support.
         azimuths: 2 pi, or 1 where there is no azimuth.
     """
 
@@ -42,14 +47,14 @@ class Chart:
         return np.arctan2(radius, w[..., 2]) if w.shape[-1] == 3 else radius
 
     def azimuth(self, w: np.ndarray) -> np.ndarray:
-        """In [0, 1] of `azimuths`, float64."""
+        """The coordinate phi as a share of `azimuths`, in [0, 1], float64."""
         if self.azimuths == 1.0:
             return np.full(w.shape[:-1], 0.5)
         w = w.astype(np.float64)
         return (np.arctan2(w[..., 1], w[..., 0]) / (2.0 * np.pi)) % 1.0
 
     def point(self, a: np.ndarray, turns: np.ndarray) -> np.ndarray:
-        """w of broadcast coordinates, float64."""
+        """w at coordinates that are broadcast, float64."""
         a, turns = np.broadcast_arrays(a, turns)
         if self.azimuths == 1.0:
             return np.stack([np.sin(a), np.cos(a)], axis=-1)
@@ -59,7 +64,7 @@ class Chart:
         return np.stack([np.sin(a) * x, np.sin(a) * y, np.cos(a)], axis=-1)
 
     def element(self, a: np.ndarray) -> np.ndarray:
-        """The measure per da dphi at a."""
+        """The density of the measure with respect to da dphi, at a."""
         return np.ones_like(a) if self.azimuths == 1.0 else a if self is DISK else np.sin(a)
 
 
@@ -70,7 +75,7 @@ _CHARTS = {"per steradian": SPHERE, "per unit area": DISK, "per radian": PLANE}
 
 
 def chart_of(sampler: Sampler) -> Chart:
-    """The chart of the measure that a sampler's density is in."""
+    """The chart for the measure of a sampler's density."""
     return _CHARTS[sampler.measure]
 
 

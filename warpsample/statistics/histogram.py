@@ -1,10 +1,10 @@
-"""Counts in cells against the counts a density predicts."""
+"""Tests of counts in cells against the counts that a density predicts."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
-_LEAST_EXPECTED = 5.0  # below that a count is not near enough to normal for its square to be chi-square (Cochran 1954)
+_LEAST_EXPECTED = 5.0  # a smaller count is not close enough to normal for chi-square (Cochran1954)
 
 
 @dataclass(frozen=True, eq=False)
@@ -17,7 +17,7 @@ class HistogramTest:
         residuals: (K,) observed - expected, in standard deviations of a binomial count.
         chi_square: Pearson's statistic.
         dof: degrees of freedom.
-        p_value: chance of at least this statistic under the density.
+        p_value: probability of at least this statistic under the density.
     """
 
     observed: np.ndarray
@@ -37,7 +37,7 @@ def histogram_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest:
 
     Raises:
         ValueError: an expected count below 5, or sums that differ by more than 1e-3 of a count per count: then the
-            expectation has not been integrated finely enough, and the test would reject a right sampler.
+            expectation is not integrated finely enough, and the test would reject a correct sampler.
     """
     observed, expected = np.asarray(observed, np.float64), np.asarray(expected, np.float64)
     if not expected.min() >= _LEAST_EXPECTED:
@@ -57,7 +57,7 @@ def histogram_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest:
 
 
 def joined_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest | None:
-    """`histogram_test` of neighbouring cells, joined until each expects enough; None if fewer than two come of it.
+    """`histogram_test` with neighbouring cells joined until each expects enough; None if fewer than two remain.
 
     Args:
         observed: (K,) counts.

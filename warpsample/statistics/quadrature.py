@@ -7,8 +7,8 @@ import numpy as np
 from warpsample.statistics.charts import Sampler, chart_of
 
 _COARSEST, _FINEST = 8, 256
-_TOLERANCE = 5e-5  # of the whole, between two refinements; 2^20 directions resolve 1e-3 of it
-_LONGEST_PANEL = 4.0  # ratio of the ends of a stretch that one rule covers: lobes span ten powers of ten
+_TOLERANCE = 5e-5  # change of the whole between two refinements; 2^20 directions resolve 1e-3
+_LONGEST_PANEL = 4.0  # ratio of the ends of an interval for one rule: lobes span ten powers of ten
 
 
 def cell_masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int = 0) -> np.ndarray:
@@ -21,7 +21,7 @@ def cell_masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int =
         weight: power of a.
 
     Raises:
-        ValueError: it does not converge; the test that needs it would reject a right sampler or pass a wrong one.
+        ValueError: it does not converge; a test based on it could reject a correct sampler or pass an incorrect one.
     """
     before = _masses(sampler, edges, columns, weight, _COARSEST)
     nodes = 2 * _COARSEST
@@ -43,7 +43,7 @@ def _masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int, node
     length = np.diff(panels)[:, None]
     a = panels[:-1, None] + length * np.sin(angle) ** 2
     step = length * np.sin(2.0 * angle) * gauss * np.pi / 4.0
-    # The density is smooth in azimuth where it depends on it at all: few midpoints.
+    # The density is smooth in azimuth, if it depends on it at all: a few midpoints are enough.
     fine = 1 if sampler.symmetric else max(1, nodes // 4)
     turns = (np.arange(columns * fine) + 0.5) / (columns * fine)
     density = sampler.pdf(chart.point(a[..., None], turns).astype(np.float32)).astype(np.float64)
@@ -53,7 +53,7 @@ def _masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int, node
 
 
 def _panels(edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Edges with long cells divided geometrically, and which cell each panel belongs to."""
+    """Edges with long cells divided geometrically, and the cell of each panel."""
     panels, owner = [edges[0]], []
     for cell, (low, high) in enumerate(pairwise(edges)):
         pieces = max(1, int(np.ceil(np.log(high / low) / np.log(_LONGEST_PANEL)))) if low > 0.0 else 1

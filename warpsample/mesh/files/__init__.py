@@ -1,4 +1,4 @@
-"""Mesh files: one reader for each format, and what all of them promise."""
+"""Mesh files: `load_mesh`, with one reader for each format."""
 
 from os import PathLike
 
@@ -16,7 +16,7 @@ _READERS = {
     **dict.fromkeys((".usd", ".usda", ".usdc", ".usdz"), usd.read),
 }
 SUFFIXES = tuple(_READERS)
-"""Of the files that `load_mesh` reads."""
+"""Suffixes of the files that `load_mesh` reads."""
 
 
 def load_mesh(path: str | PathLike) -> Mesh:

@@ -15,15 +15,15 @@ from warpsample.mesh.polygons import triangles
 _KINDS = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 _WIDTHS = {"SCALAR": 1, "VEC3": 3}
 _TRIANGLES, _STRIP, _FAN = 4, 5, 6
-# They decide what faces there are, and are not read.
+# They change the faces, and are not supported.
 _EXTENSIONS = {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "EXT_mesh_gpu_instancing"}
 
 
 def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and faces of the file's scene, in their pose of rest; lines and points are left out.
+    """Vertices and faces of the file's scene in its rest pose; lines and points are left out.
 
     Raises:
-        ValueError: not the bytes that it declares; compressed, sparse or instanced by an extension.
+        ValueError: the file is shorter or longer than it declares, or compressed, sparse or instanced by an extension.
     """
     is_binary = path.suffix.lower() == ".glb"
     tree, chunk = _parts(path.read_bytes()) if is_binary else (json.loads(path.read_bytes()), memoryview(b""))
@@ -47,7 +47,7 @@ def _surfaces(tree: dict[str, Any], buffers: list[memoryview]) -> Iterator[tuple
 
 
 def _parts(content: bytes) -> tuple[dict[str, Any], memoryview]:
-    """The description in a .glb, and the bytes of its first buffer."""
+    """The JSON part of a .glb, and the bytes of its first buffer."""
     version, length, size = (int.from_bytes(content[at : at + 4], "little") for at in (4, 8, 12))
     if content[:4] != b"glTF" or content[16:20] != b"JSON" or version != 2:
         raise ValueError("it does not begin as a .glb of version 2")
@@ -70,7 +70,7 @@ def _buffer(path: Path, buffer: dict[str, Any], chunk: memoryview) -> memoryview
 
 
 def _placed(nodes: list[dict[str, Any]], number: int, above: np.ndarray) -> Iterator[tuple[int, np.ndarray]]:
-    """Each mesh at or below a node with its matrix, from the right; `above` is that of the node's parent."""
+    """Each mesh at or below a node with its matrix, which multiplies from the right; `above` is that of the parent."""
     node = nodes[number]
     matrix = _matrix(node) @ above
     if "mesh" in node:
@@ -108,7 +108,7 @@ def _surface(tree: dict[str, Any], buffers: list[memoryview], primitive: dict[st
 
 
 def _numbers(tree: dict[str, Any], buffers: list[memoryview], number: int) -> np.ndarray:
-    """What an accessor declares, without a copy, if it is there: NumPy makes no array that goes beyond its buffer."""
+    """The numbers of an accessor, without a copy; NumPy refuses an array that goes beyond its buffer."""
     accessor = tree["accessors"][number]
     if "sparse" in accessor or "bufferView" not in accessor:
         raise ValueError("it has sparse data, want a file that holds all numbers")

@@ -1,4 +1,4 @@
-"""Meshes of a scene, each where the scene places it, as one."""
+"""Joins the meshes of a scene, each placed by its matrix, into one."""
 
 from collections.abc import Iterable
 
@@ -6,10 +6,10 @@ import numpy as np
 
 
 def joined(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray]]) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and faces of all parts; what a matrix mirrors is wound the other way, so that its outside stays outside.
+    """Vertices and faces of all parts; the winding of mirrored parts is reversed, so that their outside stays outside.
 
     Args:
-        parts: (V, 3) points, (F, 3) triangles of theirs and a matrix (4, 4) from the right, as in (x, y, z, 1) @ matrix.
+        parts: points (V, 3), triangles (F, 3) and a matrix (4, 4) that multiplies from the right: (x, y, z, 1) @ matrix.
 
     Raises:
         ValueError: no parts.

@@ -1,4 +1,4 @@
-"""Mesh files: .ply, as text or binary of either order."""
+"""Mesh files: .ply, as text or binary of either byte order."""
 
 from array import array
 from collections.abc import Callable, Iterator
@@ -43,7 +43,7 @@ class _Element:
     properties: list[_Property] = field(default_factory=list)
 
     def check(self, is_text: bool, size: int) -> None:
-        """Before anything is allocated for it: whether `size` bytes can hold it, if all its lists are empty."""
+        """Refuses, before anything is allocated, an element that `size` bytes cannot hold even with empty lists."""
         least = sum(2 if is_text else (p.count_kind or p.kind).itemsize for p in self.properties)
         if not 0 <= self.count * least <= size + 1 or (self.count and not least):
             raise self.cut(f"{size:,} bytes follow")
@@ -53,10 +53,10 @@ class _Element:
 
 
 def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and faces; polygons are cut, other elements passed over.
+    """Vertices and faces; polygons are cut into triangles, other elements ignored.
 
     Raises:
-        ValueError: a header that says nothing of them, or not the bytes or lines that it declares.
+        ValueError: the header declares no vertices or faces, or the file has more or less data than it declares.
     """
     with path.open("rb") as file:
         order, elements = _header(file)
@@ -87,7 +87,7 @@ def _mesh(found: dict[str, dict[str, Any]]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _header(file: BinaryIO) -> tuple[str, list[_Element]]:
-    """Order of the bytes, "" for text, and what is declared."""
+    """The byte order, "" for text, and the declared elements."""
     if file.readline(_LONGEST).split() != [b"ply"]:
         raise ValueError("it does not begin with 'ply'")
     order, elements, line = None, [], ""
@@ -121,7 +121,7 @@ def _kind(order: str | None, name: str, kinds: str = "iuf") -> np.dtype:
 
 
 def _text(rows: Iterator[list[bytes]], element: _Element) -> dict[str, Any]:
-    """Columns by name; of a list (lengths, all its numbers)."""
+    """Columns by name; a list is (lengths, all its numbers)."""
     lengths, numbers = _empty(element, lambda p: array("d" if p.kind.kind == "f" else "q"))
     steps = [(p.name in lengths, real if p.kind.kind == "f" else whole, p.name) for p in element.properties]
     seen = 0
@@ -144,7 +144,7 @@ def _text(rows: Iterator[list[bytes]], element: _Element) -> dict[str, Any]:
 
 
 def _binary(file: BinaryIO, element: _Element) -> dict[str, Any]:
-    """As `_text`: at once where all rows have the lengths of the first, else row by row."""
+    """Like `_text`: in one step if all rows have the lengths of the first, else row by row."""
     start = file.tell()
     left = file.seek(0, SEEK_END) - file.seek(start)
     kind = _first_row(file, element, left)
@@ -190,7 +190,7 @@ def _rows(file: BinaryIO, element: _Element) -> dict[str, Any]:
 
 
 def _empty(element: _Element, make: Callable[[_Property], Any]) -> tuple[dict[str, array], dict[str, Any]]:
-    """Where lengths of lists are gathered, and numbers."""
+    """Empty containers for the lengths of lists and for numbers."""
     lengths = {p.name: array("q") for p in element.properties if p.count_kind is not None}
     return lengths, {p.name: make(p) for p in element.properties}
 

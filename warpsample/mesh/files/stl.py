@@ -1,4 +1,4 @@
-"""Mesh files: .stl, binary or text, whose faces share no corners until they are merged."""
+"""Mesh files: .stl, binary or text. Its faces share no corners, so equal corners are merged."""
 
 from array import array
 from collections import Counter
@@ -17,7 +17,7 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
     """Vertices and faces; corners of equal coordinates are one vertex.
 
     Raises:
-        ValueError: another size than the header declares; text of other words, or whose facets, loops or solids do not end.
+        ValueError: the size differs from what the header declares; unknown words; facets, loops or solids that do not end.
     """
     size = path.stat().st_size
     with path.open("rb") as file:

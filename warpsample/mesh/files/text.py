@@ -1,4 +1,4 @@
-"""Mesh files that are lines of text: .obj and .off."""
+"""Text mesh files: .obj and .off."""
 
 import re
 from array import array
@@ -10,20 +10,19 @@ import numpy as np
 
 from warpsample.mesh.polygons import triangles
 
-# What may begin a line of an .obj and makes no surface: the rest of its vertices, groups, materials, lines and points.
+# First words of the lines of an .obj that make no surface: other vertex data, groups, materials, lines and points.
 _NO_SURFACE = {"vt", "vn", "vp", "l", "p", "g", "o", "s", "mg", "lod", "bevel", "c_interp", "d_interp", "usemtl", "mtllib"}
 _NO_SURFACE |= {"usemap", "maplib", "shadow_obj", "trace_obj"}
 
 
 def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and faces of an .obj; polygons are cut.
+    """Vertices and faces of an .obj; polygons are cut into triangles.
 
-    It declares no counts, so one that ends early cannot always be known from one that is whole: known are a line of fewer
-    numbers than it needs, a face of fewer than three corners or with some that lack what others have, and one of vertices
-    that are missing.
+    It declares no counts, so a truncated file cannot always be detected. Detected are a line with too few numbers, a face
+    with fewer than three corners or with corners of different kinds, and a face with missing vertices.
 
     Raises:
-        ValueError: a line that cannot be read; says which.
+        ValueError: a line that cannot be read; gives its number.
     """
     places, lengths, corners, number = array("d"), array("i"), array("i"), 0
     try:
@@ -42,10 +41,10 @@ def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and faces of an .off, and of a COFF or NOFF, whose colours or normals are passed over; polygons are cut.
+    """Vertices and faces of an .off, COFF or NOFF, without colours and normals; polygons are cut into triangles.
 
     Raises:
-        ValueError: another header, or not the lines that it declares; a line that cannot be read.
+        ValueError: another header, more or fewer lines than it declares, or a line that cannot be read.
     """
     lines = (words for _, words in numbered(path))
     keyword, *counts = next(lines, [""])
@@ -71,7 +70,7 @@ def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def numbered(path: Path, joins: bool = False) -> Iterator[tuple[int, list[str]]]:
-    """Number and words of each line that has some, without its comment; a backslash at its end may join it to the next."""
+    """Number and words of each line that is not empty, without comments; with `joins`, a backslash continues a line."""
     held = ""
     with path.open(encoding="utf-8-sig", errors="replace") as file:
         for number, line in enumerate(file, 1):
@@ -87,31 +86,31 @@ def numbered(path: Path, joins: bool = False) -> Iterator[tuple[int, list[str]]]
 
 
 def three(words: list[str]) -> list[float]:
-    """The coordinates of a vertex; what follows them is passed over."""
+    """The coordinates of a vertex; further numbers are ignored."""
     if len(words) < 3:
         raise ValueError(f"a vertex has {len(words)} numbers, not 3")
     return [real(word) for word in words[:3]]
 
 
 def real(word: str | bytes) -> float:
-    """A number as mesh files have it."""
+    """A real number as written in mesh files."""
     return float(_plain(word))
 
 
 def whole(word: str | bytes) -> int:
-    """The same of a whole number."""
+    """A whole number as written in mesh files."""
     return int(_plain(word))
 
 
 def _plain(word: str | bytes) -> str | bytes:
-    """Refuses what Python takes for a number and files do not: 1_0 for 10, and digits of other scripts."""
+    """Refuses numbers that only Python accepts: 1_0 for 10, and digits of other scripts."""
     if {"_", "\\"} & set(ascii(word)):
         raise ValueError(f"{ascii(word)[:60]} is not a number")
     return word
 
 
 def _corners(words: list[str], vertices: int) -> list[int]:
-    """Of a face of an .obj, from 0 on: it counts from 1, or from -1 back; after a slash stand other indices."""
+    """The corners of a face of an .obj, from 0 on: the file counts from 1, or back from -1; slashes precede other data."""
     parts = [word.split("/") for word in words]
     if len({tuple(map(bool, part)) for part in parts}) != 1 or len(parts) < 3:
         raise ValueError(f"it is not a face: {' '.join(words)[:60]!r}")

@@ -12,20 +12,20 @@ from warpsample.mesh.polygons import triangles
 
 
 def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and faces of all meshes that a renderer would show, instances too, at the first of their times.
+    """Vertices and faces of all meshes that a renderer would show, with instances, at their earliest time.
 
-    Left out are points, curves, and what is invisible or for guides or proxies. Of a subdivision surface it is the cage, of
-    an animated mesh its first pose, without skeletons.
+    Points, curves, invisible prims, guides and proxies are left out. A subdivision surface gives its cage, an animated mesh
+    its first pose, without skeletons.
 
     Raises:
         ModuleNotFoundError: usd-core is missing; says how to install it.
-        ValueError: a file that usd-core cannot open, or that refers to such a one; a surface that is no mesh, as a sphere.
+        ValueError: a file that usd-core cannot open, or that refers to one; a surface that is no mesh, such as a sphere.
     """
     try:
         from pxr import Tf, UsdUtils  # noqa: PLC0415  (an extra)
     except ModuleNotFoundError:
         raise ModuleNotFoundError(f"path: got {path.name!r}, which needs usd-core: pip install usd-core") from None
-    heard = UsdUtils.CoalescingDiagnosticDelegate()  # as long as it is there, it gets the warnings, and stderr does not
+    heard = UsdUtils.CoalescingDiagnosticDelegate()  # while it exists, it receives the warnings instead of stderr
     try:
         stage = _open(path)
         return joined(_parts(stage))
@@ -40,7 +40,7 @@ def _open(path: Path) -> Any:
 
     if path.suffix.lower() == ".usdz":
         with ZipFile(path) as archive:
-            damaged = archive.testzip()  # by sums that usd-core does not look at
+            damaged = archive.testzip()  # by checksums that usd-core ignores
         if damaged:
             raise ValueError(f"{damaged} in it is damaged")
     _check_sections(path)
@@ -52,7 +52,7 @@ def _open(path: Path) -> Any:
 
 
 def _check_sections(path: Path) -> None:
-    """Whether a binary file is long enough for its table of contents: usd-core takes memory for whatever that declares."""
+    """Refuses a binary file that is too short for its table of contents: usd-core allocates whatever that declares."""
     size = path.stat().st_size
     with path.open("rb") as file:
         header = file.read(24)
@@ -66,10 +66,10 @@ def _check_sections(path: Path) -> None:
 
 
 def _said(error: Any, path: Path) -> str:
-    """The first line of usd-core's reason, without the path and what its parser is called."""
+    """The first line of usd-core's reason, without the path and the name of its parser."""
     try:
         reason = error.args[0].commentary.strip().partition("\n")[0]
-    except UnicodeDecodeError:  # it quotes the damage
+    except UnicodeDecodeError:  # it quotes the damaged bytes
         return "it is damaged"
     for quoted, plain in ((f"{path}:", "line "), (f"<{path}>", "it"), (f" @{path}@", "")):
         reason = reason.replace(quoted, plain)
@@ -77,7 +77,7 @@ def _said(error: Any, path: Path) -> str:
 
 
 def _parts(stage: Any) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-    """Points, triangles and placement of each mesh that has faces."""
+    """Points, triangles and matrix of each mesh that has faces."""
     from pxr import Usd, UsdGeom  # noqa: PLC0415
 
     first = Usd.TimeCode.EarliestTime()
@@ -99,7 +99,7 @@ def _parts(stage: Any) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
 
 
 def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> Iterator[tuple[Any, np.ndarray]]:
-    """The meshes from `root` down, of prims like `predicate`, with their matrices; `above` is that of the prim over it."""
+    """The meshes at or below `root` that match `predicate`, with their matrices; `above` is that of the parent."""
     from pxr import Usd, UsdGeom  # noqa: PLC0415
 
     prims = iter(Usd.PrimRange(root, Usd.TraverseInstanceProxies(predicate)))
@@ -121,10 +121,10 @@ def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> 
 
 
 def _instances(prim: Any, above: np.ndarray, placements: Any) -> Iterator[tuple[Any, np.ndarray]]:
-    """The meshes of a point instancer: each prototype wherever it is placed."""
+    """The meshes of a point instancer: each prototype at each of its places."""
     from pxr import Usd, UsdGeom  # noqa: PLC0415
 
-    are_drawn = Usd.PrimIsActive & Usd.PrimIsLoaded & ~Usd.PrimIsAbstract  # prototypes may stand under a mere `over`
+    are_drawn = Usd.PrimIsActive & Usd.PrimIsLoaded & ~Usd.PrimIsAbstract  # prototypes may be below an `over`
     instancer, time = UsdGeom.PointInstancer(prim), placements.GetTime()
     matrices = instancer.ComputeInstanceTransformsAtTime(time, time, applyMask=UsdGeom.PointInstancer.IgnoreMask)
     is_shown = instancer.ComputeMaskAtTime(time) or [True] * len(matrices)

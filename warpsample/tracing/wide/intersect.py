@@ -62,7 +62,7 @@ def _flipped(x: wp.float32, sign: wp.int32) -> wp.float32:
 def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32) -> wp.int32:
     """Mask of the leaf's triangles that the ray may meet within reach, and from bit 16 on of those that it meets for sure.
 
-    Edge functions of the triangles sheared onto the ray (Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection"),
+    Edge functions of the triangles sheared onto the ray (Woop2013),
     in float32, by more than whose rounding a triangle must be missed, or met for sure. `triangle_distance` tells of others.
 
     Args:

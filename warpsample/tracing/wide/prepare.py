@@ -53,7 +53,7 @@ def prepare_wide(chunk: wp.uint64, length: wp.int32):
 
     A plane at x is met at x * inverse + shift. near: byte offset from an axis' lower row to that of the planes met first.
     along, first, second: byte offset to the row of the direction's longest axis and to those of the other two, which are
-    sheared along it until the ray is that axis (Woop, Benthin, Wald 2013), and the origin's coordinates on these.
+    sheared along it until the ray is that axis (Woop2013), and the origin's coordinates on these.
     """
     rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)

@@ -1,6 +1,6 @@
 """One split of a range of triangles by the binned surface-area heuristic.
 
-Wald 2007, "On fast construction of SAH-based bounding volume hierarchies". Triangles are counted by the sixteen, since that
+Wald2007. Triangles are counted by the sixteen, since that
 many cost as much as one.
 """
 

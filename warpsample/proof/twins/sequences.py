@@ -1,4 +1,4 @@
-"""The sequences once more, point by point in exact integers and fractions: the judges of indices near the edges of words."""
+"""Second implementations of the sequences, in exact integers and fractions, and the digests that their streams must keep."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -9,12 +9,22 @@ _CELLS = 2**24
 
 
 def expected(name: str, seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
-    """Both coordinates in cells of 2^-24."""
-    return _TWINS[name](seed, point, sample, count)
+    """Both coordinates of a sequence's point, in cells of 2^-24."""
+    return _TWINS[name][0](seed, point, sample, count)
+
+
+def frozen_digest(name: str) -> str:
+    """The value that `streams.digest` must have for a sequence."""
+    return _TWINS[name][1]
+
+
+def names() -> set[str]:
+    """The sequences that have a twin."""
+    return set(_TWINS)
 
 
 def pcg4d(x: int, y: int, z: int, w: int) -> tuple[int, int, int, int]:
-    """Jarzynski and Olano 2020, listing 13."""
+    """Jarzynski2020, listing 13."""
     v = [(a * 1664525 + 1013904223) & _MASK for a in (x, y, z, w)]
     for turn in range(2):
         for k, (i, j) in enumerate([(1, 3), (2, 0), (0, 1), (1, 2)]):
@@ -41,7 +51,7 @@ def _independent(seed: int, point: int, sample: int, count: int) -> tuple[int, i
 
 
 def _philox(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
-    """Salmon et al. 2011, table 2 and section 4.3."""
+    """Salmon2011, table 2 and section 4.3."""
     x, key = [sample >> 1, point & _MASK, point >> 32, 0], [seed & _MASK, seed >> 32]
     for _ in range(10):
         high_0, low_0 = divmod(0xD2511F53 * x[0], 2**32)
@@ -71,7 +81,7 @@ def _reversed(x: int) -> int:
 
 
 def _owen(x: int, key: int) -> int:
-    """The hash of Vegdahl 2021 on a bit-reversed word."""
+    """The hash of Vegdahl2021 on a bit-reversed word."""
     x ^= x * 0x3D20ADEA & _MASK
     x = (x + key) * ((key >> 16) | 1) & _MASK
     x ^= x * 0x05526C56 & _MASK
@@ -79,7 +89,7 @@ def _owen(x: int, key: int) -> int:
 
 
 def _sobol(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
-    """By direction numbers: those of the second dimension are v ^ (v >> 1), from 1/2 on."""
+    """By direction numbers: in the second dimension each is v ^ (v >> 1) of the one before, from 1/2 on."""
     key = _key(seed, point)
     index = _reversed(_owen(_reversed(sample), key[0]))
     second, direction = 0, 1 << 31
@@ -100,11 +110,12 @@ def _stratified(seed: int, point: int, sample: int, count: int) -> tuple[int, in
     return min(int(u[0] * _CELLS), _CELLS - 1), min(int(u[1] * _CELLS), _CELLS - 1)
 
 
+# A change of a stream changes every result that users have stored: it must be intended.
 _TWINS = {
-    "fibonacci": _fibonacci,
-    "independent": _independent,
-    "philox": _philox,
-    "r2": _r2,
-    "sobol": _sobol,
-    "stratified": _stratified,
+    "fibonacci": (_fibonacci, "be3491b49b9e0314"),
+    "independent": (_independent, "ab00f3a4a2d36c47"),
+    "philox": (_philox, "d0a7cbe4f6926d5d"),
+    "r2": (_r2, "fedda182c7cb5b06"),
+    "sobol": (_sobol, "d327ca05417a79a5"),
+    "stratified": (_stratified, "31ae1d675f359ae7"),
 }

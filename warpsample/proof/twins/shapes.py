@@ -1,0 +1,99 @@
+"""Twins of the uniform, cosine and offset distributions, and of the lobes that depend on the angle alone."""
+
+from typing import Any
+
+import numpy as np
+
+from warpsample.proof.twins.angles import BLUR, TAU, by_theta, constant, parameter, polar_angle, spherical
+
+
+def _cosine(d: Any, u: np.ndarray) -> np.ndarray:
+    if d.method == "concentric":
+        r, turns = _triangles(u)
+        return spherical(np.arctan2(r, np.sqrt((1.0 - r) * (1.0 + r))), turns)
+    return spherical(np.arctan2(np.sqrt(u[..., 0]), np.sqrt(1.0 - u[..., 0])), u[..., 1])
+
+
+def _triangles(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Radius and turns by Shirley1997, from the four triangles of the square, cells centred as in the kernel."""
+    a = 2.0 * u[..., 0] - 1.0 + 2.0**-24
+    b = 2.0 * u[..., 1] - 1.0 + 2.0**-24
+    with np.errstate(divide="ignore", invalid="ignore"):
+        right, top = (a > -b) & (a > b), (a > -b) & (a <= b)
+        left = (a <= -b) & (a < b)
+        r = np.select([right, top, left], [a, b, -a], -b)
+        turns = np.select([right, top, left], [b / a, 2.0 - a / b, 4.0 + b / a], 6.0 - a / b) / 8.0
+    return r, turns
+
+
+def _disk(d: Any, u: np.ndarray) -> np.ndarray:
+    r, turns = _triangles(u) if d.method == "concentric" else (np.sqrt(u[..., 0]), u[..., 1])
+    return r[..., None] * np.stack([np.cos(TAU * turns), np.sin(TAU * turns)], axis=-1)
+
+
+def _cone(d: Any, u: np.ndarray) -> np.ndarray:
+    return 2.0 * np.arcsin(np.sqrt(0.5 * u * parameter(d, "one_minus_cos")))
+
+
+def _offset_circle(d: Any, u: np.ndarray) -> np.ndarray:
+    theta = (u[..., 0] - 0.5) * np.pi
+    return np.stack([np.sin(theta), np.cos(theta)], axis=-1)
+
+
+def _offset_disk(d: Any, u: np.ndarray) -> np.ndarray:
+    sine = np.sqrt(u[..., 0]) * np.cos(TAU * u[..., 1])
+    return np.stack([sine, np.sqrt((1.0 - sine) * (1.0 + sine))], axis=-1)
+
+
+def _offset_sphere(d: Any, u: np.ndarray) -> np.ndarray:
+    rho, half = parameter(d, "rho"), np.arctan2(np.sqrt(u), np.sqrt(1.0 - u))
+    return np.arctan2(rho * np.sin(2.0 * half), (1.0 - rho) + 2.0 * rho * np.cos(half) ** 2)
+
+
+def _offset_sphere_density(d: Any, w: np.ndarray) -> np.ndarray:
+    """The exact density: one formula if the surface point is outside of the sphere, one if it is inside."""
+    rho, theta = parameter(d, "rho"), polar_angle(w)
+    if rho < 1.0:
+        root = np.sqrt(np.maximum(rho**2 - np.sin(theta) ** 2, BLUR * rho**2))
+        return (np.cos(theta) ** 2 + root**2) / (TAU * rho * root)
+    root = np.sqrt(rho**2 - np.sin(theta) ** 2)
+    return (np.cos(theta) + root) ** 2 / (2.0 * TAU * rho * root)
+
+
+def _power(d: Any, u: np.ndarray) -> np.ndarray:
+    return 2.0 * np.arcsin(np.sqrt(-0.5 * np.expm1(np.log1p(-u) / (parameter(d, "exponent") + 1.0))))
+
+
+def _power_density(d: Any, w: np.ndarray) -> np.ndarray:
+    n = parameter(d, "exponent")
+    return (n + 1.0) / TAU * np.exp(n * np.log1p(-2.0 * np.sin(0.5 * polar_angle(w)) ** 2))
+
+
+def _von_mises_fisher(d: Any, u: np.ndarray) -> np.ndarray:
+    kappa = parameter(d, "kappa")
+    return 2.0 * np.arcsin(np.sqrt(np.minimum(-np.log1p(u * np.expm1(-2.0 * kappa)) / (2.0 * kappa), 1.0)))
+
+
+def _von_mises_fisher_density(d: Any, w: np.ndarray) -> np.ndarray:
+    kappa = parameter(d, "kappa")
+    return kappa / (TAU * -np.expm1(-2.0 * kappa)) * np.exp(-2.0 * kappa * np.sin(0.5 * polar_angle(w)) ** 2)
+
+
+TWINS = {
+    "cosine_hemisphere": (_cosine, lambda d, w: w[..., 2] / np.pi),
+    "offset_ball": (
+        by_theta(lambda d, u: np.arccos(np.sqrt(np.sqrt(1.0 - u)))),
+        lambda d, w: 2.0 / np.pi * w[..., 2] ** 2 * w[..., 2],
+    ),
+    "offset_circle": (_offset_circle, constant(1.0 / np.pi)),
+    "offset_disk": (_offset_disk, lambda d, w: 2.0 / np.pi * w[..., 1] ** 2),
+    "offset_sphere": (by_theta(_offset_sphere), _offset_sphere_density),
+    "power_cosine": (by_theta(_power), _power_density),
+    "uniform_cone": (by_theta(_cone), lambda d, w: np.full(w.shape[:-1], 1.0 / (TAU * parameter(d, "one_minus_cos")))),
+    "uniform_disk": (_disk, constant(1.0 / np.pi)),
+    # By the half angle: sin^2(theta / 2) = u / 2 and u.
+    "uniform_hemisphere": (by_theta(lambda d, u: 2.0 * np.arcsin(np.sqrt(u / 2.0))), constant(1.0 / TAU)),
+    "uniform_sphere": (by_theta(lambda d, u: 2.0 * np.arctan2(np.sqrt(u), np.sqrt(1.0 - u))), constant(0.5 / TAU)),
+    "von_mises_fisher": (by_theta(_von_mises_fisher), _von_mises_fisher_density),
+}
+"""(map, density) by the name of the distribution."""
