@@ -6,11 +6,15 @@ from functools import partial
 import matplotlib.image
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.text import Text
 from significance import ALPHA
 
 import warpsample as ws
 from warpsample.plotting import rendering
+from warpsample.plotting.family_sheet import family_sheet
 from warpsample.plotting.overlay_sheet import overlay
+from warpsample.plotting.sequence_sheet import Convergence, sequence_sheet
 from warpsample.proof.defects import Wrong
 
 PNG_SCRIPTS = ("shirley_overlay", "offset_family", "sequences")
@@ -61,6 +65,35 @@ def test_the_offset_family_is_what_it_says(script, plausible):
     title, _, *rest = family.SETS[2]
     wrong = family.panel(title, Wrong(ws.OffsetSphere(), sample=ws.OffsetBall().sample), *rest, 40_000, 1)
     assert wrong.test.p_value < ALPHA
+
+
+def sheet_of_the_family(script):
+    family = script("offset_family")
+    panels = [family.panel(*row, 1000, 1) for row in family.SETS + family.SPHERES]
+    return family_sheet(panels[:4], panels[4:], "the caption")
+
+
+def sheet_of_the_sequences(script):
+    square = {name: np.full((4, 2), 0.5) for name in ws.sequences.names()}
+    lobe = {name: np.eye(3) for name in square}
+    curve = Convergence("sky", np.array([16, 64]), {name: np.array([0.1, 0.01]) for name in square})
+    return sequence_sheet(square, lobe, [curve, curve], "the caption")
+
+
+@pytest.mark.parametrize("sheet", [sheet_of_the_family, sheet_of_the_sequences])
+def test_captions_are_as_large_as_the_labels_and_legends_hide_no_data(script, sheet):
+    figure = sheet(script)
+    FigureCanvasAgg(figure).draw()
+    sizes = {text.get_text(): text.get_fontsize() for text in figure.findobj(Text)}
+    labels = {axes.get_xlabel() for axes in figure.axes} - {""}
+    assert len(labels) >= 1
+    assert {sizes[label] for label in labels} == {sizes["the caption"]}
+    for axes in figure.axes:
+        if axes.get_legend() is not None and axes.get_xlabel():
+            box = axes.get_legend().get_window_extent()
+            for line in axes.lines:
+                x, y = axes.transData.transform(line.get_xydata()).T
+                assert not ((x > box.x0) & (x < box.x1) & (y > box.y0)).any()
 
 
 @pytest.mark.slow
