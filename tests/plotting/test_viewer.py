@@ -4,12 +4,13 @@ from math import log, log2
 
 import numpy as np
 import pytest
+import pyvista as pv
 import trimesh
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import warpsample as ws
 from warpsample.plotting import rendering
-from warpsample.viewer import controls, window
+from warpsample.viewer import controls, start, window
 from warpsample.viewer.choice import Choice
 
 COSINE = ws.CosineHemisphere()
@@ -158,6 +159,22 @@ def test_a_double_click_chooses_the_point_under_the_mouse(fresh, bunny):
     before = fresh.chosen
     fresh.picker.click((1000, 300))  # on the charts
     assert fresh.chosen is before
+
+
+def test_texts_stay_within_their_panels(fresh):
+    """In the smallest window, with the longest names."""
+    assert fresh.plotter.window_size == list(start.LEAST_SIZE)
+    long = ws.VisibleBeckmann(0.123, (0.707, 0.1, 0.7))
+    fresh.show(Choice(long, ws.VisibleGGX(0.123, (0.707, 0.1, 0.7)), "independent", 4096, 99))
+    shown = 0
+    for renderer in fresh.plotter.renderers:
+        for text in renderer.actors.values():
+            if isinstance(text, pv.Text):
+                size = [0.0, 0.0]
+                text.GetSize(renderer, size)
+                assert text.position[0] * renderer.GetSize()[0] + size[0] <= renderer.GetSize()[0], text.input
+                shown += 1
+    assert shown > 25
 
 
 def test_charts_follow_the_size_of_the_window(fresh):

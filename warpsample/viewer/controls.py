@@ -9,7 +9,7 @@ from warpsample import distributions, sequences
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere, Method
 from warpsample.distributions.record import Distribution
 from warpsample.viewer.choice import Choice
-from warpsample.viewer.widgets import ROW, Menu, Slider
+from warpsample.viewer.widgets import ROW, Menu, Slider, fit_texts
 
 if TYPE_CHECKING:
     import pyvista
@@ -56,7 +56,7 @@ class Controls:
 
     def __init__(self, plotter: "pyvista.Plotter", choice: Choice, changed: Callable[[Choice], None]):
         """Adds them to the plotter's current renderer, which is at the left of the window."""
-        self.choice, self._changed = choice, changed
+        self.choice, self._changed, self._plotter = choice, changed, plotter
         top, self.menus = 1.0 - 1.5 * ROW, {}
         for name, title, entries in (
             ("distribution", "Distribution", spatial()),
@@ -98,7 +98,8 @@ class Controls:
         self.sliders["seed"].set(float(choice.seed))
 
     def place(self, *_: Any) -> None:
-        """Puts the buttons into their places after the window has changed its size."""
+        """Sizes the texts and puts the buttons into their places, whatever size the window has."""
+        fit_texts(self._plotter)
         for menu in self.menus.values():
             menu.place()
 

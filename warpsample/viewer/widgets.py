@@ -15,6 +15,19 @@ ROW = 1.0 / 42.0
 
 _LEFT = 0.06  # of the panel
 _BUTTON = 0.65  # of a row
+_TEXT = 0.02  # of the window's height
+_ASPECT = 16.0 / 9.0
+
+
+def fit_texts(plotter: "pyvista.Plotter") -> None:
+    """Sizes all texts in a window so that they keep their share of its height, or of its width if it is narrow."""
+    import pyvista as pv  # noqa: PLC0415
+
+    width, height = plotter.window_size
+    for renderer in plotter.renderers:
+        for actor in renderer.actors.values():
+            if isinstance(actor, pv.Text):
+                actor.prop.font_size = int(_TEXT * min(height, width / _ASPECT))
 
 
 class Menu:
@@ -146,8 +159,8 @@ class Slider:
 
 
 def _text(plotter: "pyvista.Plotter", words: str, x: float, y: float, bold: bool = False) -> Any:
-    """Adds a text at a share of the panel, sized for a window of 900 pixels' height."""
-    text = plotter.add_text(words, position=(x, y), viewport=True, color=INK, font_size=9)
+    """Adds a text at a share of the panel."""
+    text = plotter.add_text(words, position=(x, y), viewport=True, color=INK)
     text.prop.bold = bold
     return text
 

@@ -1,6 +1,7 @@
 """The window: knobs at the left, mesh and one chosen cloud in the middle, charts at the right."""
 
 from dataclasses import replace
+from textwrap import wrap
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,7 @@ LENGTH = 0.06
 """The length of a lobe on the mesh, as a share of the diagonal of the mesh's box."""
 
 _MOST_NEAR = 10_000  # directions of the enlarged cloud
+_MOST_LETTERS = 66  # of a line above the mesh
 _COLUMNS = (widgets.WIDTH, 0.37, 0.46)  # of the window's width
 _ROWS = (0.54, 0.46)
 _KNOBS, _MESH, _CLOUD, _CHARTS = (0, 0), (0, 1), (1, 1), (0, 2)
@@ -95,6 +97,7 @@ class Viewer:
         self._choose(int(np.argmax(self.points.normal @ np.array(VIEW[up]))))
         self.plotter.subplot(*_KNOBS)
         self.controls = Controls(self.plotter, choice, self.show)
+        self.controls.place()
         self.plotter.render_window.AddObserver("WindowResizeEvent", self.controls.place)
         self.show(choice)
 
@@ -166,7 +169,7 @@ class Viewer:
             lines.append(f"normals of the first {MOST_NORMALS:,} points only")
         if self.clouds.outside:
             lines.append(f"orange: {self.clouds.outside:,} directions outside that density")
-        return "\n".join(lines)
+        return "\n".join(piece for line in lines for piece in wrap(line, _MOST_LETTERS))
 
     def _draw_charts(self) -> None:
         self.plotter.subplot(*_CHARTS)
@@ -190,6 +193,6 @@ class Viewer:
 
     def _add_text(self, words: str, height: float, edge: str) -> Any:
         """Adds a text whose top or bottom edge is at a share of the renderer's height."""
-        text = self.plotter.add_text(words, position=(0.02, height), viewport=True, color=INK, font_size=9)
+        text = self.plotter.add_text(words, position=(0.02, height), viewport=True, color=INK)
         text.prop.justification_vertical = edge
         return text
