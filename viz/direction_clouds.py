@@ -1,4 +1,4 @@
-"""The viewer: clouds of directions around the normals of a mesh, against their density. As `warpsample view`."""
+"""The viewer: clouds of directions around the normals of a mesh, compared with their density; as `warpsample view`."""
 
 import typer
 

@@ -1,4 +1,4 @@
-"""Every picture of the README, and a page that shows them: `python viz/gallery.py`."""
+"""Every picture of the READMEs, and a page that shows them: `python viz/gallery.py`."""
 
 import base64
 import subprocess
@@ -25,10 +25,10 @@ class Shot:
     """A picture.
 
     Attributes:
-        name: of its file, without suffix.
-        title: on the page.
-        text: under it.
-        command: what makes it, after `python`; FILE is the picture, FOLDER a folder for it.
+        name: the name of its file, without suffix.
+        title: stands above it on the page.
+        text: stands below it.
+        command: makes it, after `python`; FILE stands for the picture, FOLDER for a folder for it.
     """
 
     name: str
@@ -41,47 +41,59 @@ SHOTS = (
     Shot(
         "direction_clouds",
         "The viewer",
-        "Clouds of directions around the normals, as long as their density: for the cosine lobe little spheres that rest "
-        "on the surface. One cloud enlarged in its tangent frame; the angles of all against the density.",
+        "Each direction is drawn as long as the cosine lobe's density, so correct samples form small, evenly covered "
+        "spheres that rest on the surface. Below, one cloud is enlarged in its tangent frame; at the right, the angles of "
+        "all directions are compared with the density.",
         "viz/direction_clouds.py --screenshot FILE",
     ),
     Shot(
         "direction_clouds_wrong",
-        "A wrong one",
-        "A ball in place of the sphere, held against the cosine lobe: too many directions near the normal.",
+        "A wrong sampler",
+        "A ball in place of the sphere, compared with the cosine lobe, has too many directions near the normal.",
         "viz/direction_clouds.py --distribution offset_ball --density cosine_hemisphere --screenshot FILE",
     ),
     Shot(
         "shirley_overlay",
         "Shirley's trick, Keinert's proof",
-        "A sphere's points plus the normal, normalised, in green; the cosine set in red; as light, both are yellow.",
+        "A sphere's points plus the normal, normalised, are green, and the cosine set is red. Where both are, the light "
+        "is yellow. A ball in place of the sphere does not agree.",
         "viz/shirley_overlay.py --screenshot FILE",
     ),
     Shot(
         "offset_family",
         "The projected offset sets",
-        "A circle, disk, sphere or ball about the tip of the normal, projected onto the unit circle or sphere, and what "
-        "becomes of the angle; spheres of other radii; and the half angle of the proof.",
+        "A circle, disk, sphere or ball about the tip of the normal is projected onto the unit circle or sphere; the "
+        "angles follow the densities below. Then spheres of other radii, and the half angle of the proof.",
         "viz/offset_family.py --screenshot FILE",
     ),
     Shot(
         "sequences",
         "Where the points come from",
-        "The sequences on the square, on the hemisphere, and the error of means over their directions.",
+        "The sequences on the square and on the hemisphere, and the errors of means over their directions.",
         "viz/sequences.py --screenshot FILE",
     ),
     Shot(
         "occlusion",
         "Ambient occlusion",
-        "Of the bunny's vertices, its standard error, and the rays it took.",
+        "Ambient occlusion at the bunny's vertices, its standard error, and the number of rays that were cast.",
         "viz/occlusion.py --screenshot FILE",
     ),
-    Shot("bench_error", "Which sequence", "RMSE against run time.", "-m warpsample.cli bench error --plot FOLDER"),
-    Shot("bench_rays", "Rays", "Against Embree, Open3D and wp.Mesh.", "-m warpsample.cli bench rays --plot FOLDER"),
+    Shot(
+        "bench_error",
+        "Which sequence",
+        "Root mean square error against run time.",
+        "-m warpsample.cli bench error --plot FOLDER",
+    ),
+    Shot(
+        "bench_rays",
+        "Rays",
+        "The speed of rays beside Embree, Open3D and wp.Mesh.",
+        "-m warpsample.cli bench rays --plot FOLDER",
+    ),
     Shot(
         "bench_visibility",
         "Time to an error",
-        "Of ambient occlusion, against other tools.",
+        "The time in which ambient occlusion reaches an error, beside other tools.",
         "-m warpsample.cli bench visibility --plot FOLDER",
     ),
 )
@@ -95,9 +107,10 @@ figure { margin: 0 0 3rem; } img, iframe { width: 100%; border: 1px solid #ddd; 
 code { background: #f2f0ec; padding: 0.15rem 0.4rem; overflow-wrap: anywhere; } footer { color: #777; }
 </style></head><body>
 <h1>warpsample</h1>
-<p>Directions around the normals of a mesh, sampled by NVIDIA Warp kernels on the CPU. Each picture with what makes it.</p>
+<p>Directions around the normals of a mesh, sampled by NVIDIA Warp kernels on the CPU.
+Below each picture stands the command that makes it.</p>
 $figures
-<h2>The clouds, to turn</h2>
+<h2>The clouds, to turn by the mouse</h2>
 <figure><iframe title="clouds on the bunny" srcdoc="$scene"></iframe>
 <figcaption><code>python $scene_command</code></figcaption></figure>
 <footer>$machine</footer>
@@ -109,10 +122,13 @@ _FIGURE = Template("""<h2>$title</h2>
 
 
 def make(command: str, file: Path) -> str:
-    """Runs a command of a Shot in the folder above this one, and puts its picture into `file`; what it said of it.
+    """Runs a Shot's command in the folder above this one, and puts its picture into `file`.
+
+    Returns:
+        What the command printed about the picture.
 
     Raises:
-        RuntimeError: it failed; with its last line.
+        RuntimeError: it failed; the message ends with its last line on stderr.
     """
     with TemporaryDirectory() as folder:
         words = command.replace("FILE", str(file.resolve())).replace("FOLDER", folder).split()
@@ -123,17 +139,17 @@ def make(command: str, file: Path) -> str:
             return done.stdout.strip().partition(": ")[2]
         (made,) = Path(folder).glob("*.png")
         write_bytes(file, made.read_bytes())
-    return "the tables are in the README"
+    return "The tables are in warpsample/bench/README.md."
 
 
 @fail_plainly()
 def main(
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="The folder for the pictures and index.html; made if need be.")
+        Path, typer.Option("--output", "-o", help="The folder for the pictures and index.html; it is made if it is missing.")
     ] = Path("gallery"),
-    benchmarks: Annotated[bool, typer.Option(help="With the benchmarks' pictures; they take eleven minutes.")] = True,
+    benchmarks: Annotated[bool, typer.Option(help="With the benchmarks' pictures, which take eleven minutes.")] = True,
 ) -> None:
-    """Make every picture of the README, and a page that shows them and needs no other file."""
+    """Make every picture of the READMEs, and a page that shows them and needs no other file."""
     check_output_folder(output, "--output")
     rendering.check_rendering()
     output.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""The projected offset sets: a circle, disk, sphere or ball about the tip of the normal, normalised."""
+"""The projected offset sets: a circle, disk, sphere or ball about the tip of the normal, projected onto directions."""
 
 from collections.abc import Callable
 from typing import Annotated
@@ -10,7 +10,8 @@ import warpsample as ws
 from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
 from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import check_integer
-from warpsample.plotting import rendering, sheets
+from warpsample.plotting import rendering
+from warpsample.plotting.family_sheet import SetPanel, family_sheet
 from warpsample.proof import routes
 from warpsample.statistics.charts import SPHERE, chart_of
 from warpsample.statistics.histogram import joined_test
@@ -18,13 +19,13 @@ from warpsample.statistics.histogram import joined_test
 SHOWN = 400  # points of a set that are drawn
 CELLS = 60
 SETS = (
-    ("circle about n, in 2-D", ws.OffsetCircle(), "1/π", lambda u: routes.circle(u[:, 0])),
-    ("disk about n, in 2-D", ws.OffsetDisk(), "2cos²θ/π", routes.disk),
-    ("sphere about n, in 3-D", ws.OffsetSphere(), "sin 2θ", routes.sphere),
-    ("ball about n, in 3-D", ws.OffsetBall(), "4cos³θ sinθ", routes.ball),
+    ("Circle about n, in 2-D", ws.OffsetCircle(), "1/π", lambda u: routes.circle(u[:, 0])),
+    ("Disk about n, in 2-D", ws.OffsetDisk(), "2cos²θ/π", routes.disk),
+    ("Sphere about n, in 3-D", ws.OffsetSphere(), "sin 2θ", routes.sphere),
+    ("Ball about n, in 3-D", ws.OffsetBall(), "4cos³θ sinθ", routes.ball),
 )
 SPHERES = tuple(
-    (f"sphere of radius ρ = {rho:g}", ws.OffsetSphere(rho), "density", lambda u, rho=rho: rho * routes.sphere(u))
+    (f"Sphere of radius ρ = {rho:g}", ws.OffsetSphere(rho), "density", lambda u, rho=rho: rho * routes.sphere(u))
     for rho in (0.5, 0.9, 2.0)
 )
 
@@ -36,8 +37,17 @@ def panel(
     points: Callable[[np.ndarray], np.ndarray],
     count: int,
     seed: int,
-) -> sheets.SetPanel:
-    """Angles of `count` independent directions against the distribution's own density, and a few points of its set."""
+) -> SetPanel:
+    """Compares the angles of `count` independent directions with their density, and takes a few points of their set.
+
+    Args:
+        title: stands above the panel.
+        distribution: whose directions are drawn.
+        formula: of the density, for the legend.
+        points: makes points of the set, about the origin, of (N, 3) numbers in [0, 1).
+        count: the number of directions.
+        seed: of the points.
+    """
     u = [ws.sample_square(name, 1, SHOWN, seed)[0] for name in ("r2", "independent")]
     moved = points(np.concatenate(u, axis=1)[:, :3].astype(np.float64)) + np.eye(distribution.width)[-1]
     w = distribution.sample(ws.sample_square("independent", 1, count, seed)[0])
@@ -47,7 +57,7 @@ def panel(
     edges = np.linspace(low, high, CELLS + 1)
     observed, _ = np.histogram(np.clip(chart.polar(w), low, high), edges)
     fine = np.linspace(low, high, 10 * CELLS + 1)
-    return sheets.SetPanel(
+    return SetPanel(
         title=title,
         points=moved[:, [0, -1]],
         directions=routes.normalized(moved)[:, [0, -1]],
@@ -67,7 +77,7 @@ def main(
     screenshot: FigureFile = None,
     size: Size = (1600, 1650),
 ) -> None:
-    """See the projected offset sets: points, histograms against their densities, other radii, and a proof.
+    """Show the projected offset sets: their points, their angles with their densities, other radii, and a proof.
 
     A set about the tip of the normal is projected onto the unit circle or sphere. The sphere gives the cosine lobe; the
     ball, the disk and spheres of other radii do not.
@@ -78,7 +88,7 @@ def main(
     rendering.check_rendering()
     four, others = ([panel(*row, samples, seed) for row in rows] for rows in (SETS, SPHERES))
     what = f"{samples:,} independent directions each, seed {seed}"
-    figure = sheets.family_sheet(four, others, f"{what}; {SHOWN} points of each set, seen from the side")
+    figure = family_sheet(four, others, f"{what}; {SHOWN} points of each set, seen from the side")
     rendering.size_figure(figure, size)
     worst = min(each.test.p_value for each in four + others)
     show_or_save(figure, screenshot, f"{what}; smallest p-value of {len(four + others)} tests {worst:.3f}")

@@ -1,4 +1,4 @@
-"""The point sequences: on the square, on the hemisphere, and the error of means over their directions."""
+"""The point sequences: on the square, on the hemisphere, and the errors of means over their directions."""
 
 from typing import Annotated
 
@@ -9,15 +9,22 @@ import warpsample as ws
 from warpsample.bench.integrands import INTEGRANDS, Integrand, evaluate
 from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
 from warpsample.host.arguments import check_integer
-from warpsample.plotting import rendering, sheets
+from warpsample.plotting import rendering
+from warpsample.plotting.sequence_sheet import Convergence, sequence_sheet
 
 SHOWN = 256  # points of each square
 COUNTS = (16, 64, 256, 1024, 4096)
 INTEGRANDS_SHOWN = ("sky gradient", "20° cap", "narrow lobe")
 
 
-def errors(names: tuple[str, ...], randomisations: int, seed: int) -> list[sheets.Convergence]:
-    """RMSE over randomisations of the mean of each integrand over the cosine lobe, at COUNTS."""
+def errors(names: tuple[str, ...], randomisations: int, seed: int) -> list[Convergence]:
+    """The errors of means over the cosine lobe, for each integrand and sequence, at COUNTS.
+
+    Args:
+        names: of integrands.
+        randomisations: means over which a root mean square error is taken.
+        seed: of the points.
+    """
     chosen = [integrand for integrand in INTEGRANDS if integrand.name in names]
     found = {integrand.name: {name: np.empty(len(COUNTS)) for name in ws.sequences.names()} for integrand in chosen}
     up = np.tile(np.array([0.0, 0.0, 1.0], np.float32), (randomisations, 1))
@@ -26,7 +33,7 @@ def errors(names: tuple[str, ...], randomisations: int, seed: int) -> list[sheet
             w = ws.sample_directions(up, count, sequence=name, seed=seed).vectors
             for integrand in chosen:
                 found[integrand.name][name][k] = _rmse(integrand, w)
-    return [sheets.Convergence(f"{i.name} ({i.kind})", np.array(COUNTS), found[i.name]) for i in chosen]
+    return [Convergence(f"{i.name} ({i.kind})", np.array(COUNTS), found[i.name]) for i in chosen]
 
 
 def _rmse(integrand: Integrand, w: np.ndarray) -> float:
@@ -36,12 +43,12 @@ def _rmse(integrand: Integrand, w: np.ndarray) -> float:
 
 @fail_plainly()
 def main(
-    randomisations: Annotated[int, typer.Option(help="Estimates of each mean.")] = 256,
+    randomisations: Annotated[int, typer.Option(help="Estimates of each mean, over which the error is taken.")] = 256,
     seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
     screenshot: FigureFile = None,
     size: Size = (1600, 1100),
 ) -> None:
-    """See the sequences on the square and on the hemisphere, and how fast means over their directions converge."""
+    """Show the sequences on the square and on the hemisphere, and how fast means over their directions converge."""
     rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES)
     rendering.check_size(size)
     check_integer(randomisations, "--randomisations", 16, 100_000)
@@ -51,7 +58,8 @@ def main(
     lobes = {name: ws.CosineHemisphere("concentric").sample(u) for name, u in squares.items()}
     curves = errors(INTEGRANDS_SHOWN, randomisations, seed)
     what = f"{SHOWN} points; errors over {randomisations} randomisations; seed {seed}"
-    figure = sheets.sequence_sheet(squares, lobes, curves, f"{what}; cosine lobe, hemispheres by the concentric map")
+    caption = f"{what}; directions of the cosine lobe, on the hemispheres by the concentric map"
+    figure = sequence_sheet(squares, lobes, curves, caption)
     rendering.size_figure(figure, size)
     best = {curve.title: min(curve.rmse, key=lambda name, c=curve: c.rmse[name][-1]) for curve in curves}
     show_or_save(

@@ -164,7 +164,7 @@ def view(
         str | None,
         typer.Option(help="What the directions are held against; by default their own.", show_default=False),
     ] = None,
-    sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "sobol",
+    sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "independent",
     seed: Annotated[int, typer.Option(help="Of points and directions.")] = 0,
     up: Annotated[Literal["x", "y", "z"], typer.Option(help="The mesh's axis that points up in the picture.")] = "y",
     screenshot: Annotated[

@@ -1,12 +1,14 @@
-"""Histograms of angles against their densities with residuals, and the projected disk: one sheet that is redrawn fast."""
+"""The viewer's charts: histograms of angles against their densities, with residuals, and the projected disk.
 
-from dataclasses import dataclass
+They stand on one sheet that is redrawn fast: what does not change between two drawings is drawn once.
+"""
+
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from warpsample.plotting.angle_histogram import AngleHistogram
 from warpsample.plotting.rendering import BARS, DOTS, INK, LOBE
-from warpsample.statistics.histogram import HistogramTest
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -14,75 +16,55 @@ if TYPE_CHECKING:
 _STEPS = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
 _TEXT, _SMALL = 11, 10
 _WIDTH = 7.4  # inches of the sheet, for which its text is sized
-_SURE = 1e-6  # p-values below it, or above 1 - it, are no chance
 _MOST_SIGMA = 6.0
 _MOST_WRONG = 3.0  # times the density: what is taller is cut
 _MOST_STILLS = 64  # sheets of 3 MB that are kept
 _BAND = 2.0  # standard deviations
 
 
-@dataclass(frozen=True, eq=False)
-class AngleHistogram:
-    """Counts of an angle, and what a density predicts.
+class LobeCharts:
+    """A sheet with charts of theta and azimuth, and the projected disk.
+
+    What does not change between two drawings is drawn once (blitting): Matplotlib takes 2 to 6 ms for a text, and a knob
+    would respond half as fast.
 
     Attributes:
-        edges: (K + 1,) degrees.
-        observed: (K,) density of the directions, per radian.
-        expected: (K,) density that is claimed, mean over each cell, per radian.
-        angles: (M,) degrees.
-        density: (M,) per radian, what is claimed, at those angles.
-        residuals: (K,) observed - expected count, in standard deviations; 0 where too few are expected to say.
-        test: over all cells, joined until each expects enough; None where too few directions are drawn.
-    """
-
-    edges: np.ndarray
-    observed: np.ndarray
-    expected: np.ndarray
-    angles: np.ndarray
-    density: np.ndarray
-    residuals: np.ndarray
-    test: HistogramTest | None
-
-    def verdict(self) -> str:
-        """Whether the angle agrees with the density, for people; and the figures, on a second line."""
-        if self.test is None:
-            return "too few directions to say\n"
-        p = self.test.p_value
-        said = "does NOT agree" if p < _SURE else "agrees, more evenly than chance" if p > 1.0 - _SURE else "agrees"
-        chance = "p < 10⁻⁶" if p < _SURE else f"p = {p:.3f}"
-        return f"{said}\nχ² = {self.test.chi_square:,.1f}, dof = {self.test.dof}, {chance}"
-
-
-class LobeCharts:
-    """A sheet of theta, azimuth and projected disk. What does not change between two drawings is drawn once (blitting).
-
-    Matplotlib takes 2 to 6 ms for a text: without that a knob would take twice as long.
+        size: width and height in pixels.
+        figure: the Matplotlib figure.
+        theta: the chart of the angle to the normal.
+        azimuth: the chart of the angle about the normal.
+        disk: the chart of the projected disk.
     """
 
     def __init__(self, size: tuple[int, int]):
-        """`size`: width and height in pixels."""
+        """Lays out a sheet of that width and height in pixels."""
         from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
         from matplotlib.figure import Figure  # noqa: PLC0415
 
         self.size = size
         self.figure = Figure(figsize=(_WIDTH, _WIDTH * size[1] / size[0]), dpi=size[0] / _WIDTH)
         self._canvas = FigureCanvasAgg(self.figure)
-        self.theta = _Histogram(self.figure, (0.1, 0.685, 0.88, 0.25), (0.1, 0.575, 0.88, 0.085), "θ", "from the normal")
-        self.azimuth = _Histogram(self.figure, (0.1, 0.185, 0.37, 0.235), (0.1, 0.075, 0.37, 0.085), "φ", "about the normal")
+        self.theta = HistogramChart(self.figure, (0.1, 0.685, 0.88, 0.25), (0.1, 0.575, 0.88, 0.085), "θ", "from the normal")
+        self.azimuth = HistogramChart(
+            self.figure, (0.1, 0.185, 0.37, 0.235), (0.1, 0.075, 0.37, 0.085), "φ", "about the normal"
+        )
         style = {"frameon": False, "fontsize": _TEXT, "handlelength": 1.2}
         self.figure.legend(handles=self.theta.handles, loc="upper right", bbox_to_anchor=(0.99, 1.005), **style)
-        self.disk = _Disk(self.figure, (0.56, 0.085, 0.42, 0.335))
+        self.disk = DiskChart(self.figure, (0.56, 0.085, 0.42, 0.335))
         self._parts = (self.theta, self.azimuth, self.disk)
         self._frames: tuple[Any, ...] = ()
         self._stills: dict[tuple[Any, ...], Any] = {}
 
     def draw(self, theta: AngleHistogram, azimuth: AngleHistogram, disk: np.ndarray) -> np.ndarray:
-        """The sheet as (H, W, 3) uint8.
+        """Draws new data.
 
         Args:
-            theta: in [0, 180] degrees.
-            azimuth: in [0, 360] degrees.
+            theta: angles to the normal, in [0, 180] degrees.
+            azimuth: angles about the normal, in [0, 360] degrees.
             disk: (N, 2), the tangent components of unit directions.
+
+        Returns:
+            The sheet's pixels, (H, W, 3) uint8.
         """
         self.theta.show(theta)
         self.azimuth.show(azimuth)
@@ -94,7 +76,7 @@ class LobeCharts:
         return np.asarray(self._canvas.buffer_rgba())[..., :3].copy()
 
     def _draw_still(self) -> None:
-        """The axes, of which only those are drawn anew that span something else; animated artists stay out."""
+        """Draws the axes; those whose span has not changed are copied, and animated artists are left out."""
         frames = tuple(part.frame for part in self._parts)
         if frames in self._stills:
             self._canvas.restore_region(self._stills[frames])
@@ -112,20 +94,38 @@ class LobeCharts:
         self._frames = frames
 
 
-class _Histogram:
-    """Bars, the density as a line, what the test says, and the residuals below."""
+class HistogramChart:
+    """A histogram as bars, its density as a line, the verdict above, and the residuals below.
+
+    Attributes:
+        moving: (axes, artist) of what each drawing replaces: the bars, the line, the verdict and the residuals.
+        handles: the bars and the line, for a legend.
+    """
 
     def __init__(self, figure: Any, above: tuple[float, ...], below: tuple[float, ...], name: str, label: str):
+        """Adds it to a figure.
+
+        Args:
+            figure: where it is drawn.
+            above: left, bottom, width and height of the histogram, as shares of the figure.
+            below: the same for the residuals.
+            name: the angle's letter.
+            label: what the angle is measured from.
+        """
         self._name = name
         self._box = (above[0] - 0.1, below[1] - 0.075, above[0] + above[2] + 0.02, above[1] + above[3] + 0.012)
         self._above, self._below = figure.add_axes(above), figure.add_axes(below)
         one, unit = np.zeros(1), np.array([0.0, 1.0])
         bars = self._above.stairs(one, unit, fill=True, color=BARS, label="directions", animated=True)
         (curve,) = self._above.plot([], [], color=LOBE, linewidth=2, label="density", animated=True)
-        says = self._above.text(0.0, 1.03, "", transform=self._above.transAxes, fontsize=_TEXT, color=INK, animated=True)
+        verdict = self._above.text(0.0, 1.03, "", transform=self._above.transAxes, fontsize=_TEXT, color=INK, animated=True)
         residuals = self._below.stairs(one, unit, fill=True, color=BARS, animated=True)
-        self.moving = ((self._above, bars), (self._above, curve), (self._above, says), (self._below, residuals))
+        self.moving = ((self._above, bars), (self._above, curve), (self._above, verdict), (self._below, residuals))
         self.handles = [bars, curve]
+        self._lay_out(f"{name} {label} [degrees]")
+
+    def _lay_out(self, label: str) -> None:
+        """Draws what stays: labels, ticks and the band of two standard deviations."""
         self._above.set_ylabel("density [1/rad]", fontsize=_TEXT)
         self._above.set_xticklabels([])
         self._above.locator_params(axis="y", nbins=5)
@@ -133,17 +133,17 @@ class _Histogram:
         self._below.axhspan(-_BAND, _BAND, color="0.92")
         self._below.axhline(0, color="0.3", linewidth=0.8)
         self._below.set_ylabel("residual [σ]", fontsize=_TEXT)
-        self._below.set_xlabel(f"{name} {label} [degrees]", fontsize=_TEXT)
+        self._below.set_xlabel(label, fontsize=_TEXT)
         for axes in (self._above, self._below):
             axes.tick_params(labelsize=_SMALL)
 
     @property
     def frame(self) -> tuple[float, ...]:
-        """What the axes span."""
+        """The span of the histogram's axes: left, right, bottom, top."""
         return (*self._above.get_xlim(), *self._above.get_ylim())
 
     def draw_still(self, canvas: Any) -> None:
-        """Draws the axes anew, with their labels around them."""
+        """Draws the axes anew, with the labels around them."""
         pixels = np.asarray(canvas.buffer_rgba())
         height, width = pixels.shape[:2]
         left, bottom, right, top = self._box
@@ -154,46 +154,56 @@ class _Histogram:
 
     def show(self, seen: AngleHistogram) -> None:
         """Takes new data; the axes change in steps only, so that most drawings can keep them."""
-        bars, curve, says, residuals = (artist for _, artist in self.moving)
+        bars, curve, verdict, residuals = (artist for _, artist in self.moving)
         bars.set_data(seen.observed, seen.edges)
         curve.set_data(seen.angles, seen.density)
-        says.set_text(f"{self._name} {seen.verdict()}")
-        says.set_color(LOBE if seen.test is not None and seen.test.p_value < _SURE else INK)
+        verdict.set_text(f"{self._name} {seen.verdict()}")
+        verdict.set_color(LOBE if seen.wrong else INK)
         residuals.set_data(np.clip(seen.residuals, -_MOST_SIGMA, _MOST_SIGMA), seen.edges)
-        low, high = float(seen.edges[0]), float(seen.edges[-1])
-        if self._below.get_xlim() != (low, high):
-            ticks = np.linspace(low, high, 4)
-            self._above.set(xlim=(low, high), xticks=ticks)
-            self._below.set(xlim=(low, high), xticks=ticks)
-            self._below.set_xticklabels([f"{tick:.4g}" for tick in ticks])
-            self._above.set_xticklabels([])
+        self._span(float(seen.edges[0]), float(seen.edges[-1]))
         tallest = float(seen.expected.max(initial=1e-9))
         top = _round_up(1.15 * min(max(tallest, float(seen.observed.max())), _MOST_WRONG * tallest))
         if self._above.get_ylim() != (0.0, top):
             self._above.set_ylim(0.0, top)
 
+    def _span(self, low: float, high: float) -> None:
+        """Lets the horizontal axes reach from `low` to `high` degrees."""
+        if self._below.get_xlim() == (low, high):
+            return
+        ticks = np.linspace(low, high, 4)
+        for axes in (self._above, self._below):
+            axes.set(xlim=(low, high), xticks=ticks)
+        self._below.set_xticklabels([f"{tick:.4g}" for tick in ticks])
+        self._above.set_xticklabels([])
 
-class _Disk:
-    """Directions seen along the normal: the projected hemisphere, which a cosine lobe fills evenly (Nusselt)."""
+
+class DiskChart:
+    """Directions seen along the normal: the projected hemisphere, which a cosine lobe fills evenly (Nusselt).
+
+    Attributes:
+        moving: (axes, artist) of what each drawing replaces: the points, the rim and the words above.
+        frame: the span of the axes, which is always the same.
+    """
 
     def __init__(self, figure: Any, place: tuple[float, ...]):
+        """Adds it to a figure; `place` is its left, bottom, width and height, as shares of the figure."""
         axes: Axes = figure.add_axes(place)
         (points,) = axes.plot([], [], "o", markersize=2.2, color=DOTS, markeredgewidth=0, animated=True)
         turn = np.linspace(0.0, 2.0 * np.pi, 181)
         (rim,) = axes.plot(np.cos(turn), np.sin(turn), color=INK, linewidth=1, animated=True)
-        says = axes.text(0.0, 1.03, "", transform=axes.transAxes, fontsize=_TEXT, color=INK, animated=True)
-        self.moving = ((axes, points), (axes, rim), (axes, says))
-        self.frame = ()  # is always the same
+        words = axes.text(0.0, 1.03, "", transform=axes.transAxes, fontsize=_TEXT, color=INK, animated=True)
+        self.moving = ((axes, points), (axes, rim), (axes, words))
+        self.frame = ()
         axes.set(aspect="equal", xlim=(-1.03, 1.03), ylim=(-1.03, 1.03), xticks=(-1, 0, 1), yticks=(-1, 0, 1))
         axes.tick_params(labelsize=_SMALL)
         axes.set_xlabel("ω·t", fontsize=_TEXT)
         axes.set_ylabel("ω·b", fontsize=_TEXT, labelpad=-6)
 
     def show(self, disk: np.ndarray) -> None:
-        """Takes new points."""
-        points, _, says = (artist for _, artist in self.moving)
+        """Takes new points, (N, 2)."""
+        points, _, words = (artist for _, artist in self.moving)
         points.set_data(disk[:, 0], disk[:, 1])
-        says.set_text(f"{len(disk):,} directions of the\nchosen point, along n")
+        words.set_text(f"{len(disk):,} directions of the\npinned point, seen along n")
 
 
 def _round_up(x: float) -> float:

@@ -1,4 +1,4 @@
-"""Whether pictures can be made here, how much is drawn on one, and how it is saved."""
+"""Whether pictures can be made here, how much is drawn on one, its colours, and how it is saved."""
 
 import json
 import os
@@ -21,13 +21,15 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MOST_POINTS = 1_000_000
-"""Cloud points that software rendering draws in a second."""
+"""The most cloud points on a picture; software rendering draws that many in a second."""
 MOST_NORMALS = 100_000
-"""Lines that it draws in a tenth of a second."""
+"""The most normals on a picture; software rendering draws that many in a tenth of a second."""
 MOST_SMOOTH_FACES = 200_000
-"""Faces whose shading is smoothed; of more, each is smaller than a few pixels, and smoothing takes seconds."""
+"""The most faces that are shaded smoothly; with more of them, each is a few pixels large and smoothing takes seconds."""
 SCENE_SUFFIXES = (".png", ".html")
+"""The kinds of files that a 3-D scene can be saved as."""
 FIGURE_SUFFIXES = (".png", ".svg", ".pdf")
+"""The kinds of files that a figure can be saved as."""
 
 _MOST_SIDE = 1 << 14
 _MOST_PIXELS = 100_000_000  # software rendering takes a minute and a half; 2^28 with their samples it leaves black
@@ -42,15 +44,16 @@ INK = "#333333"
 
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 VIEW = {"x": (0.35, 0.3, 1.0), "y": (0.3, 0.35, 1.0), "z": (0.3, -1.0, 0.35)}
-"""From where a mesh is seen whose axis of that name points up."""
+"""The direction from which a mesh is seen when the axis of that name points up."""
 
-# A style, since the scene's own script empties the body.
+# The caption is a style, because the scene's own script empties the body.
 _CAPTION = (
     "<style>body::after{{content:{};position:fixed;z-index:9;left:1em;top:1em;font:15px sans-serif;color:#333}}</style>"
 )
-_PROBE = (
+PROBE = (
     "import pyvista as pv; p = pv.Plotter(off_screen=True, window_size=(16, 16)); p.add_mesh(pv.Sphere()); p.screenshot()"
 )
+"""The program that a child process runs to find out whether scenes can be rendered here."""
 _NO_GL = "pictures need an OpenGL library and none works here. On Debian or Ubuntu: apt-get install libegl1 libgl1-mesa-dri"
 
 
@@ -62,8 +65,13 @@ def has_screen() -> bool:
 def check_output(screenshot: Path | None, suffixes: tuple[str, ...], *inputs: Path | None) -> None:
     """Refuses a picture that nobody would see.
 
+    Args:
+        screenshot: the file to write; None opens a window.
+        suffixes: the kinds of files that the picture can be saved as.
+        inputs: the files that the picture is made from; None where there is none.
+
     Raises:
-        ValueError: no file and no screen, a file of another kind, that cannot be written or is one of the inputs.
+        ValueError: there is neither a file nor a screen, or the file is of another kind, cannot be written or is an input.
     """
     if screenshot is None and not has_screen():
         raise ValueError("there is no screen to open a window on: save a picture with --screenshot FILE")
@@ -74,11 +82,11 @@ def check_output(screenshot: Path | None, suffixes: tuple[str, ...], *inputs: Pa
 
 
 def check_rendering() -> None:
-    """Renders 16 x 16 pixels in a child process, because without a GL library constructing a Plotter kills Python.
+    """Renders 16 x 16 pixels in a child process, because creating a Plotter without an OpenGL library kills Python.
 
     Raises:
-        ModuleNotFoundError: PyVista or matplotlib is missing; says how to install them.
-        RuntimeError: rendering does not work; says what to install.
+        ModuleNotFoundError: PyVista or matplotlib is missing; the message says how to install it.
+        RuntimeError: rendering does not work; the message says what to install.
     """
     try:
         import matplotlib  # noqa: F401, ICN001, PLC0415
@@ -88,7 +96,7 @@ def check_rendering() -> None:
     if not has_screen():
         # Without a screen VTK tries X first and complains on stderr before it takes EGL.
         os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
-    if not _renders(_PROBE):
+    if not _renders(PROBE):
         raise RuntimeError(_NO_GL)
 
 
@@ -97,28 +105,50 @@ def _renders(probe: str) -> bool:
     return subprocess.run([sys.executable, "-c", probe], capture_output=True, check=False).returncode == 0
 
 
-def budgeted(points: int, count: int, budget: int = MOST_POINTS) -> tuple[int, int]:
-    """(points, directions of each) to draw, at most those asked for, so that all clouds together stay within the budget."""
-    points = min(points, budget)
-    return points, max(1, min(count, budget // max(points, 1)))
+def budgeted(points: int, count: int) -> tuple[int, int]:
+    """How many points, and how many directions at each, are drawn so that all clouds together have MOST_POINTS at most.
+
+    Args:
+        points: the number of points asked for.
+        count: the number of directions asked for at each point.
+    """
+    points = min(points, MOST_POINTS)
+    return points, max(1, min(count, MOST_POINTS // max(points, 1)))
 
 
-def clouds_told(shown: tuple[int, int], asked: tuple[int, int]) -> str:
-    """What a picture says of its budget: (points, directions of each) that are drawn, and that were asked for."""
+def extent_of(shown: tuple[int, int], asked: tuple[int, int]) -> str:
+    """The size of a picture's clouds in words, for its caption.
+
+    Args:
+        shown: the number of points, and of directions at each, that are drawn.
+        asked: the same, as asked for.
+    """
     said = f"{shown[0]:,} {'point' if shown[0] == 1 else 'points'} x {shown[1]:,} directions"
     return said if shown == asked else f"{said} (of {asked[0]:,} x {asked[1]:,} asked for)"
 
 
+def round_ticks(high: float, most: int) -> np.ndarray:
+    """Round numbers at equal steps from 0 to the first one at or above `high`.
+
+    Args:
+        high: above 0.
+        most: the largest number of steps.
+    """
+    from matplotlib.ticker import MaxNLocator  # noqa: PLC0415
+
+    return MaxNLocator(most, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, high)
+
+
 def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
-    """Writes a .png of the plotter's size, or an .html to turn in a browser, and closes it; a failure leaves no half file.
+    """Writes a scene and closes its plotter. A failure leaves no half-written file.
 
     Args:
         plotter: not yet shown.
-        path: of SCENE_SUFFIXES.
-        caption: of the .html, which has no texts of the scene.
+        path: a .png of the plotter's size, or an .html that can be turned in a browser.
+        caption: a line for the .html, in which the scene's own texts do not appear.
 
     Raises:
-        ModuleNotFoundError: an .html without trame-pyvista.
+        ModuleNotFoundError: an .html is asked for, and trame-pyvista is missing.
     """
     try:
         if path.suffix == ".png":
@@ -140,7 +170,7 @@ def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
 
 @contextmanager
 def _offline() -> Iterator[None]:
-    """Keeps trame from fetching its viewer by WebAssembly from Kitware's server: an .html by vtk.js does without."""
+    """Keeps trame from fetching its WebAssembly viewer from Kitware's server, which an .html by vtk.js does not need."""
     try:
         from trame.widgets import vtklocal  # noqa: PLC0415  (an extra of an extra)
     except ImportError:
@@ -155,11 +185,15 @@ def _offline() -> Iterator[None]:
 
 
 def check_size(size: tuple[int, int], least: tuple[int, int] = (600, 600)) -> None:
-    """Whether a picture of so many pixels can be read, drawn and held in memory.
+    """Refuses a picture whose text could not be read, or that could not be drawn or held in memory.
+
+    Args:
+        size: width and height in pixels.
+        least: the smallest width and height at which its text can be read.
 
     Raises:
-        ValueError: it cannot.
-        MemoryError: more than is free.
+        ValueError: it is too small or too large.
+        MemoryError: it needs more memory than is free.
     """
     said = f"--size: got {size[0]} x {size[1]}"
     if size[0] < least[0] or size[1] < least[1]:
@@ -170,21 +204,21 @@ def check_size(size: tuple[int, int], least: tuple[int, int] = (600, 600)) -> No
 
 
 def size_figure(figure: "Figure", size: tuple[int, int]) -> None:
-    """Makes a figure so many pixels wide and high; its text keeps its share of the width."""
+    """Gives a figure a width and height in pixels; its text keeps its share of the width."""
     width = figure.get_figwidth()
     figure.set_dpi(size[0] / width)
     figure.set_size_inches(width, width * size[1] / size[0])
 
 
 def save_figure(figure: "Figure", path: Path) -> None:
-    """Writes a figure; a failure leaves no half file."""
+    """Writes a figure. A failure leaves no half-written file."""
     picture = BytesIO()
     figure.savefig(picture, format=path.suffix[1:], dpi=figure.dpi)
     files.write_bytes(path, picture.getvalue())
 
 
 def pixels_of(figure: "Figure") -> np.ndarray:
-    """(H, W, 3) uint8 of a figure."""
+    """The pixels of a figure, (H, W, 3) uint8."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
 
     canvas = FigureCanvasAgg(figure)

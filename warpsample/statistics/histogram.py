@@ -27,6 +27,11 @@ class HistogramTest:
     dof: int
     p_value: float
 
+    @property
+    def largest_residual(self) -> float:
+        """The largest of the residuals, whatever their sign."""
+        return float(np.abs(self.residuals).max())
+
 
 def histogram_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest:
     """Pearson's chi-square test of independent draws, all of which fell into the cells.

@@ -1,1 +1,1 @@
-"""The viewer: lobes (what is seen), window (where), controls (by which knobs)."""
+"""The viewer: choice (what is asked for), lobes and clouds (what is drawn), controls (the knobs), window (where)."""

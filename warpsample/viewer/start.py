@@ -1,4 +1,4 @@
-"""From the command line's words to a window or a file."""
+"""What `warpsample view` calls: from the command line's words to a window or a file."""
 
 from pathlib import Path
 
@@ -13,23 +13,32 @@ from warpsample.host.arguments import check_integer, check_seed
 from warpsample.mesh.mesh import Mesh
 from warpsample.plotting.rendering import save_scene
 from warpsample.plotting.scenes import clouds_on_mesh
-from warpsample.viewer.lobes import Choice, lobe_of
+from warpsample.viewer.choice import Choice
+from warpsample.viewer.lobes import lobe_of
 from warpsample.viewer.window import Viewer
 
 LEAST_SIZE = (1200, 675)
-"""Of a window in which knobs and charts can be read."""
+"""The smallest window, in pixels, in which knobs and charts can be read."""
 
 
 def bunny() -> Path:
-    """The mesh that comes with warp-lang."""
+    """The path of the mesh that comes with warp-lang."""
     return Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd"
 
 
 def choice(distribution: str | None, density: str | None, sequence: str, samples: int, seed: int) -> Choice:
-    """Of names; without a distribution, Shirley's trick held against the cosine lobe.
+    """A choice from the command line's words.
+
+    Args:
+        distribution: as the command line takes it; None for Shirley's trick, compared with the cosine lobe.
+        density: what it is compared with; None for its own density.
+        sequence: a sequence's name.
+        samples: directions at each point.
+        seed: of the directions.
 
     Raises:
-        TypeError, ValueError: a name or value that cannot be used; names it.
+        TypeError: a value is of a wrong type.
+        ValueError: a name is unknown or a value out of range.
     """
     sequences.get(sequence)
     check_integer(samples, "--samples", 1, 2**31 - 1)
@@ -48,12 +57,24 @@ def _density(name: str) -> Distribution:
 
 
 def window(mesh: Mesh, points: int, chosen: Choice, up: str, size: tuple[int, int]) -> None:
-    """Opens the viewer until it is closed."""
+    """Opens the viewer, and returns when it is closed."""
     Viewer(mesh, points, chosen, up, size).plotter.show(title="warpsample")
 
 
 def save(mesh: Mesh, points: int, chosen: Choice, up: str, size: tuple[int, int], path: Path) -> str:
-    """Writes a .png of the viewer or an .html of its clouds on the mesh; a sentence about what is to be seen."""
+    """Writes a .png of the viewer, or an .html of its clouds on the mesh.
+
+    Args:
+        mesh: any.
+        points: how many points have clouds.
+        chosen: what is drawn.
+        up: "x", "y" or "z", the mesh's axis that points up.
+        size: width and height in pixels.
+        path: the file.
+
+    Returns:
+        A line about what the picture shows.
+    """
     viewer = Viewer(mesh, points, chosen, up, size, off_screen=True)
     if path.suffix == ".png":
         viewer.plotter.enable_anti_aliasing("msaa", multi_samples=8, all_renderers=True)

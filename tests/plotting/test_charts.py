@@ -1,0 +1,78 @@
+"""Charts: what they say of their data, that they tell right from wrong, and that they are redrawn as a whole would be."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from warpsample.plotting.angle_histogram import AngleHistogram
+from warpsample.plotting.charts import LobeCharts
+from warpsample.plotting.rendering import LOBE
+from warpsample.statistics.histogram import HistogramTest, joined_test
+
+
+def test_cells_are_joined_until_each_expects_enough():
+    expected = np.array([0.0, 2.0, 4.0, 100.0, 3.0, 0.0, 4.0])
+    test = joined_test(np.array([1.0, 2.0, 3.0, 100.0, 3.0, 1.0, 3.0]), expected)
+    assert test.expected.tolist() == [6.0, 100.0, 7.0]
+    assert test.observed.tolist() == [6.0, 100.0, 7.0]
+    assert joined_test(np.array([4.0, 5.0]), np.array([4.0, 5.0])) is None
+    # A last cell too small to stand alone joins its neighbour.
+    assert joined_test(np.full(3, 6.0), np.array([8.0, 8.0, 2.0])).expected.tolist() == [8.0, 10.0]
+
+
+def histogram(p_value, independent=True):
+    edges, density = np.linspace(0.0, 90.0, 7), np.array([0.2, 0.7, 1.0, 1.0, 0.7, 0.2])
+    residuals = np.array([0.5, -0.5, 30.0, 0.1, 0.0, -1.0])
+    test = None if p_value is None else HistogramTest(density, density, residuals, 12.5, 5, p_value)
+    middle = 0.5 * (edges[1:] + edges[:-1])
+    return AngleHistogram(edges, 1.1 * density, density, middle, density, residuals, test, independent)
+
+
+@pytest.mark.parametrize(
+    ("p_value", "independent", "words"),
+    [
+        (0.3, True, "agrees with the density\nχ² = 12.5, dof = 5, p = 0.300"),
+        (1e-9, True, "does NOT agree with the density\nχ² = 12.5, dof = 5, p < 10⁻⁶"),
+        (1.0, True, "agrees more evenly than chance with the density\nχ² = 12.5, dof = 5, p = 1.000"),
+        (0.3, False, "agrees (evenly spread points)\nlargest residual 30.0 σ"),
+        (1.0, False, "agrees (evenly spread points)\nlargest residual 30.0 σ"),
+        (1e-9, False, "does NOT agree (evenly spread points)\nlargest residual 30.0 σ"),
+        (None, True, "cannot be judged\ntoo few directions"),
+        (None, False, "cannot be judged\ntoo few directions"),
+    ],
+)
+def test_charts_show_their_data(p_value, independent, words):
+    charts = LobeCharts((740, 900))
+    seen, disk = histogram(p_value, independent), np.array([[0.1, 0.2], [0.3, -0.4]])
+    charts.draw(seen, seen, disk)
+    bars, curve, verdict, residuals = (artist for _, artist in charts.theta.moving)
+    assert np.array_equal(bars.get_data().values, seen.observed)
+    assert np.array_equal(curve.get_ydata(), seen.density)
+    assert verdict.get_text() == f"θ {words}"
+    assert (verdict.get_color() == LOBE) == ("NOT" in words)
+    assert np.array_equal(residuals.get_data().values, np.clip(seen.residuals, -6.0, 6.0))
+    assert np.array_equal(charts.disk.moving[0][1].get_xydata(), disk)
+
+
+def test_blitting_draws_what_a_whole_drawing_would():
+    """After any other histogram, also one with other axes."""
+    reused, wide = LobeCharts((740, 900)), histogram(0.5)
+    other = replace(wide, edges=2.0 * wide.edges, observed=3.0 * wide.observed, expected=3.0 * wide.expected, test=None)
+    disk = np.random.default_rng(0).uniform(-0.7, 0.7, (100, 2))
+    for theta, azimuth in ((wide, wide), (other, wide), (wide, other), (wide, wide)):
+        drawn = reused.draw(theta, azimuth, disk)
+        assert np.array_equal(drawn, LobeCharts((740, 900)).draw(theta, azimuth, disk))
+    assert (drawn.min(axis=-1) < 200).mean() > 0.05
+
+
+@pytest.mark.parametrize("p_value", [1e-9, 0.5])
+def test_the_longest_verdict_stays_clear_of_the_disk(p_value):
+    """A chart of the azimuth is narrow, and the words above it must end before those above the disk begin."""
+    charts = LobeCharts((740, 900))
+    for independent in (True, False):
+        test = replace(histogram(p_value).test, chi_square=22_326_467.8, residuals=np.full(6, 12_345.6))
+        seen = replace(histogram(p_value, independent), test=test)
+        charts.draw(seen, seen, np.zeros((4096, 2)))
+        verdict, words = charts.azimuth.moving[2][1], charts.disk.moving[2][1]
+        assert verdict.get_window_extent().x1 < words.get_window_extent().x0

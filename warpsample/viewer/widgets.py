@@ -1,0 +1,175 @@
+"""Menus and sliders in a PyVista window."""
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from warpsample.plotting.rendering import DOTS, INK
+
+if TYPE_CHECKING:
+    import pyvista
+
+WIDTH = 0.17
+"""The width of the panel with menus and sliders, as a share of the window's."""
+ROW = 1.0 / 42.0
+"""The height of a row of the panel, as a share of the window's."""
+
+_LEFT = 0.06  # of the panel
+_BUTTON = 0.65  # of a row
+_TEXT = 0.02  # of the window's height
+_ASPECT = 16.0 / 9.0
+
+
+def fit_texts(plotter: "pyvista.Plotter") -> None:
+    """Sizes all texts in a window so that they keep their share of its height, or of its width if it is narrow."""
+    import pyvista as pv  # noqa: PLC0415
+
+    width, height = plotter.window_size
+    for renderer in plotter.renderers:
+        for actor in renderer.actors.values():
+            if isinstance(actor, pv.Text):
+                actor.prop.font_size = int(_TEXT * min(height, width / _ASPECT))
+
+
+class Menu:
+    """A title and radio buttons, one of which is on.
+
+    Attributes:
+        buttons: the PyVista widget of each entry.
+    """
+
+    def __init__(
+        self, plotter: "pyvista.Plotter", title: str, entries: list[str], top: float, choose: Callable[[str], None]
+    ):
+        """Adds it to the plotter's current renderer.
+
+        Args:
+            plotter: where it is drawn.
+            title: stands above the buttons.
+            entries: the words beside the buttons.
+            top: the height of the title, as a share of the window's height.
+            choose: is called with the entry that is pressed.
+        """
+        self._plotter = plotter
+        self._texts = [_text(plotter, title, _LEFT, top, bold=True)]
+        self._tops = [top - (i + 1) * ROW for i in range(len(entries))]
+        self.buttons = {}
+        height = plotter.window_size[1]
+        for entry, low in zip(entries, self._tops, strict=True):
+            self._texts.append(_text(plotter, entry, 3 * _LEFT, low))
+            self.buttons[entry] = plotter.add_radio_button_widget(
+                lambda entry=entry: choose(entry),
+                f"menu {title}",
+                size=int(_BUTTON * ROW * height),
+                border_size=3,
+                color_on=DOTS,
+                color_off="#bbbbbb",
+                background_color="white",
+            )
+        self.place()
+
+    def place(self) -> None:
+        """Puts the buttons beside their texts, whatever size the window has."""
+        width, height = self._plotter.window_size
+        side = _BUTTON * ROW * height
+        for button, low in zip(self.buttons.values(), self._tops, strict=True):
+            x, y = _LEFT * WIDTH * width, low * height
+            button.GetRepresentation().PlaceWidget((x, x + side, y, y + side, 0.0, 0.0))
+
+    def set(self, entry: str | None) -> None:
+        """Turns one button on and the others off; None hides the menu."""
+        for text in self._texts:
+            text.SetVisibility(entry is not None)
+        for name, button in self.buttons.items():
+            _reveal(button, entry is not None)
+            button.GetRepresentation().SetState(int(name == entry))
+
+
+class Slider:
+    """A slider with its name and value above it.
+
+    Attributes:
+        widget: the PyVista widget.
+        title: the text above it.
+    """
+
+    def __init__(
+        self,
+        plotter: "pyvista.Plotter",
+        top: float,
+        turn: Callable[[float], None],
+        name: Callable[[float], str],
+        low: float,
+        high: float,
+    ):
+        """Adds it to the plotter's current renderer.
+
+        Args:
+            plotter: where it is drawn.
+            top: its height, as a share of the window's height.
+            turn: is called with the slider's value.
+            name: makes the text above the slider of its value.
+            low: the smallest value.
+            high: the largest value.
+        """
+        self._name, self._ready = name, False
+        self.title = _text(plotter, "", _LEFT, top)
+        self.widget = plotter.add_slider_widget(
+            lambda value: self._turned(value, turn),
+            (low, high),
+            value=low,
+            pointa=(_LEFT, top - 0.6 * ROW),
+            pointb=(1.0 - _LEFT, top - 0.6 * ROW),
+            interaction_event="always",
+            style="modern",
+            color=INK,
+            slider_width=0.02,
+            tube_width=0.004,
+        )
+        slider = self.widget.GetRepresentation()
+        slider.ShowSliderLabelOff()
+        slider.GetSliderProperty().SetColor(*_rgb(DOTS))
+        self._ready = True
+
+    def _turned(self, value: float, turn: Callable[[float], None]) -> None:
+        if self._ready:  # PyVista calls it once while it makes the slider
+            self.title.input = self._name(value)
+            turn(value)
+
+    def set(
+        self, value: float | None, span: tuple[float, float] | None = None, name: Callable[[float], str] | None = None
+    ) -> None:
+        """Moves the slider without calling anyone.
+
+        Args:
+            value: where it moves to; None hides it.
+            span: its smallest and largest value, if they change.
+            name: makes the text above the slider, if that changes.
+        """
+        self.title.SetVisibility(value is not None)
+        _reveal(self.widget, value is not None)
+        if value is None:
+            return
+        slider = self.widget.GetRepresentation()
+        if span is not None:
+            slider.SetMinimumValue(span[0])
+            slider.SetMaximumValue(span[1])
+        self._name = name or self._name
+        slider.SetValue(value)
+        self.title.input = self._name(value)
+
+
+def _text(plotter: "pyvista.Plotter", words: str, x: float, y: float, bold: bool = False) -> Any:
+    """Adds a text at a share of the panel."""
+    text = plotter.add_text(words, position=(x, y), viewport=True, color=INK)
+    text.prop.bold = bold
+    return text
+
+
+def _reveal(widget: Any, visible: bool) -> None:
+    """Shows or hides a widget; SetEnabled would move it to the renderer that the mouse is in."""
+    widget.GetRepresentation().SetVisibility(visible)
+    widget.SetProcessEvents(visible)
+
+
+def _rgb(colour: str) -> tuple[float, ...]:
+    return tuple(int(colour[i : i + 2], 16) / 255.0 for i in (1, 3, 5))
