@@ -141,16 +141,16 @@ def measure_scene(
     """
     workers = check_workers(None)
     mesh, at = points_of(scene, settings.points)
-    right, errors = reference_of(mesh, at, workers)
+    right = reference_of(mesh, at, workers)
     with suppress(ModuleNotFoundError):  # the tools' lines say that embreex is missing
-        found.confirmed.append(confirm(scene, mesh, at, right, errors, workers))
+        found.confirmed.append(confirm(scene, mesh, at, right, workers))
     with tempfile.TemporaryDirectory() as folder:
         reference = Path(folder) / "reference.npy"
-        np.save(reference, right, allow_pickle=False)
+        np.save(reference, right.values, allow_pickle=False)
         same = {"scene": scene, "points": settings.points, "workers": workers, "reference": str(reference)}
         for target, tools in targets.items():
             found.rows.extend(compare(tools, settings.repeats, **same, target=target, open_points=False))
-        if (right == 1.0).any():
+        if (right.values == 1.0).any():
             found.rows.extend(compare(ours, settings.repeats, **same, target=min(targets), open_points=True))
 
 

@@ -12,10 +12,24 @@ from warpsample.host.registry import look_up
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints, sample_surface
 
-RAYS = 1 << 16
-"""Of each point of the reference."""
+_RAYS = 1 << 16  # of each point
 _REFERENCE_SEED = 1 << 40  # far from those of the estimates
 _BY_CHANCE = 5.0  # standard errors: of 768 points, by chance once in 2,000 runs
+
+
+@dataclass(frozen=True)
+class Reference:
+    """Right values.
+
+    Attributes:
+        values: (P,) float32.
+        errors: (P,) float32, their standard errors.
+        rays: of each point, asked for.
+    """
+
+    values: np.ndarray
+    errors: np.ndarray
+    rays: int
 
 
 @dataclass(frozen=True)
@@ -53,18 +67,17 @@ def points_of(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
     return mesh, SurfacePoints(found.position[order], found.normal[order], found.face[order])
 
 
-def reference_of(mesh: Mesh, at: SurfacePoints, workers: int, rays: int = RAYS) -> tuple[np.ndarray, np.ndarray]:
-    """(P,) values and (P,) standard errors by `ambient_occlusion` and its defaults: Fibonacci points, our own tracer."""
+def reference_of(mesh: Mesh, at: SurfacePoints, workers: int, rays: int = _RAYS) -> Reference:
+    """By `ambient_occlusion` and its defaults: Fibonacci points, our own tracer."""
     found = ambient_occlusion(mesh, at, rays, seed=_REFERENCE_SEED, workers=workers)
-    return found.value, found.standard_error
+    return Reference(found.value, found.standard_error, rays)
 
 
 def confirm(
     scene: str,
     mesh: Mesh,
     at: SurfacePoints,
-    values: np.ndarray,
-    errors: np.ndarray,
+    reference: Reference,
     workers: int,
     points: int = 256,
     rays: int = 1 << 14,
@@ -75,8 +88,7 @@ def confirm(
         scene: its name.
         mesh: the scene.
         at: where the reference is known.
-        values: of the reference, one for each of `at`.
-        errors: their standard errors.
+        reference: its values there.
         workers: threads.
         points: of `at`, spread over all, that are compared.
         rays: of each by Embree.
@@ -87,7 +99,7 @@ def confirm(
     chosen = np.linspace(0, len(at) - 1, min(points, len(at))).astype(int)
     some = SurfacePoints(at.position[chosen], at.normal[chosen], at.face[chosen])
     share = by_embree(mesh, some, workers)(rays).astype(np.float64)
-    values, errors = values[chosen].astype(np.float64), errors[chosen].astype(np.float64)
+    values, errors = (array[chosen].astype(np.float64) for array in (reference.values, reference.errors))
     # By Laplace's rule, so that a share of all or nothing has a variance too; of both, since they should agree.
     likely = [(rays * p + 1.0) / (rays + 2.0) for p in (values, share)]
     variance = sum(p * (1.0 - p) for p in likely) / (2.0 * rays) + errors**2
@@ -97,7 +109,7 @@ def confirm(
     return Confirmation(
         scene=scene,
         points=len(off),
-        reference_rays=RAYS,
+        reference_rays=reference.rays,
         embree_rays=rays,
         mean_difference=difference,
         mean_error=error,

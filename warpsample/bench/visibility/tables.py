@@ -3,7 +3,7 @@
 from warpsample.bench.report import SPREAD, Table, digits, figure, spread
 from warpsample.bench.result import Result
 from warpsample.bench.visibility.measuring import Found, Many, TimeToError
-from warpsample.bench.visibility.reference import RAYS, Confirmation
+from warpsample.bench.visibility.reference import Confirmation
 
 
 def tables(result: Result) -> list[Table | str]:
@@ -85,12 +85,12 @@ def _cell(row: TimeToError | None) -> str:
 
 
 def _confirmations(confirmed: list[Confirmation]) -> list[Table | str]:
-    what = (
-        f"The reference of these errors is `ambient_occlusion` itself, with {RAYS:,} rays a point, Fibonacci points, our "
-        "own tracer and another seed."
-    )
     if not confirmed:
-        return [f"{what} Embree was not at hand to confirm it."]
+        return ["Embree was not at hand to confirm the reference of these errors."]
+    what = (
+        f"The reference of these errors is `ambient_occlusion` itself, with {confirmed[0].reference_rays:,} rays a point, "
+        "Fibonacci points, our own tracer and another seed."
+    )
     cells = [
         [
             c.scene + ("" if c.agrees else ", DISAGREES"),
