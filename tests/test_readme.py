@@ -69,12 +69,13 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample verify",  # test_verify.py, on fewer cases
         "warpsample verify",
         "warpsample verify --power",
-        "warpsample bench directions",  # these: test_bench.py, on smaller sizes
+        "warpsample bench directions",  # these: tests/bench/test_command.py, on what was measured before
         "warpsample bench error",
         "warpsample bench peers",
+        "warpsample bench rays",
         "warpsample bench scaling",
-        "warpsample bench rays",  # test_bench_rays.py
-        "warpsample bench visibility",  # test_bench_visibility.py
+        "warpsample bench visibility",
+        "warpsample bench all --write",
         "warpsample info courtyard",
         "warpsample directions courtyard -o directions.npz --points 10000 --samples 64",
         "warpsample bake courtyard -o sky.ply --quantity sky --samples 256",

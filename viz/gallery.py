@@ -12,7 +12,7 @@ from typing import Annotated
 
 import typer
 
-from warpsample.bench.machine import caption
+from warpsample.bench.machine import this_machine
 from warpsample.cli.terminal import fail_plainly, with_progress
 from warpsample.host.files import check_output_folder, write_bytes
 from warpsample.plotting import rendering
@@ -166,7 +166,10 @@ def main(
         make(SCENE, scene)
         text = escape(scene.read_text(encoding="utf-8"))
     page = _PAGE.substitute(
-        figures="\n".join(figures), scene=text, scene_command=SCENE.replace("FILE", "scene.html"), machine=escape(caption())
+        figures="\n".join(figures),
+        scene=text,
+        scene_command=SCENE.replace("FILE", "scene.html"),
+        machine=escape(str(this_machine())),
     )
     write_bytes(output / "index.html", page.encode())
     print(f"{output / 'index.html'}: {len(shots)} pictures")

@@ -1,24 +1,31 @@
 """The benchmark of visibility: every tool estimates the same numbers, to the RMSE asked for, and its table says it all."""
 
-import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from bench_output import lines_of, not_blank, run_command
+from bench_output import drawn, lines_of
 
-from warpsample.bench import plots, report, visibility, visibility_jobs
+from warpsample.bench.visibility import measuring
+from warpsample.bench.visibility.reference import confirm, points_of, reference_of
+from warpsample.bench.visibility.tools import ESTIMATORS, Ours, Peer
 
 pytestmark = pytest.mark.slow  # peers and timers, in processes of their own
 
 TOOLS = ["warpsample", "trimesh + embreex"]
+SETTINGS = measuring.Settings(scene=["bunny"], points=200, repeats=1)
 
 
 @pytest.fixture(scope="module")
-def rows():
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(visibility, "TARGETS", {0.02: TOOLS})
-        patch.setattr(visibility, "OURS", ["warpsample"])
-        return next(iter(visibility.measure(["bunny"], 200, 1)))
+def found():
+    found = measuring.Found([], [], [])
+    measuring.measure_scene("bunny", SETTINGS, found, {0.02: TOOLS}, ["warpsample"])
+    return found
+
+
+@pytest.fixture(scope="module")
+def rows(found):
+    return found.rows
 
 
 def test_every_tool_reaches_the_error(rows):
@@ -39,14 +46,33 @@ def test_every_tool_reaches_the_error(rows):
 
 def test_a_tool_that_is_missing_says_so(tmp_path):
     np.save(tmp_path / "right.npy", np.ones(16))
-    (found,) = visibility._compare("bunny", 16, 1, 0.1, tmp_path / "right.npy", 1, ["nobody"], False)
+    arguments = {"scene": "bunny", "points": 16, "workers": 1, "target": 0.1, "open_points": False}
+    (found,) = measuring.compare(["nobody"], 1, reference=str(tmp_path / "right.npy"), **arguments)
     assert found.tool == "nobody"
     assert "KeyError" in found.failure
 
 
+def test_embree_confirms_the_reference(found):
+    (confirmed,) = found.confirmed
+    assert confirmed.points == 200
+    assert confirmed.agrees
+    assert 0.7 < confirmed.rms < 1.3  # 200 differences in their standard errors: 1, to within 0.05 (one sigma)
+    assert confirmed.mean_error < 3e-4
+
+
+@pytest.mark.parametrize("wrong", [lambda v: v + 0.002, lambda v: np.where(np.arange(len(v)) == 7, v - 0.05, v)])
+def test_a_wrong_reference_is_not_confirmed(wrong):
+    """All values by little, or one by much."""
+    mesh, at = points_of("bunny", 200)
+    right = reference_of(mesh, at, 1, rays=4096)
+    assert confirm("bunny", mesh, at, right, 1).agrees
+    changed = replace(right, values=np.clip(wrong(right.values), 0.0, 1.0))
+    assert not confirm("bunny", mesh, at, changed, 1).agrees
+
+
 @pytest.fixture(scope="module")
 def many():
-    return visibility.measure_many("bunny", 20_000, 2048)
+    return measuring.measure_many("bunny", 20_000, 2048)
 
 
 def test_memory_is_that_of_the_points(many):
@@ -54,41 +80,32 @@ def test_memory_is_that_of_the_points(many):
     assert many.seconds > 0.0
 
 
-def test_what_is_shown_and_drawn(rows, many, tmp_path, capsys):
-    lines = lines_of(report.show_visibility, capsys, rows, many)
-    assert any(line.startswith("bunny, 20,000 points x 2048 rays: ") and "MB at most" in line for line in lines)
-    text = "\n".join(lines)
+def test_what_is_shown_and_drawn(found, many, tmp_path, capsys):
+    both = measuring.Found(found.rows, [many], found.confirmed)
+    text = "\n".join(lines := lines_of("visibility", SETTINGS, both, capsys))
+    assert "20,000 points in the scene bunny with 2048 rays each take " in text
+    assert "MB at most" in text
     assert "bunny, 200 points" in text
     assert "only points that see nothing but sky" in text
+    assert "Embree confirms it" in text
     assert sum("trimesh + embreex (" in line for line in lines) == 1
-    assert not_blank(plots.save(plots.draw_visibility(rows, "caption"), tmp_path))
-
-
-def test_the_command_keeps_every_repeat(monkeypatch, tmp_path, rows, many):
-    monkeypatch.setattr(visibility, "measure", lambda *_: iter([rows]))
-    monkeypatch.setattr(visibility, "measure_many", lambda *_: many)
-    json_file = tmp_path / "v.json"
-    assert run_command(monkeypatch, "visibility", "--scene", "bunny", "--json", json_file) == 0
-    kept = json.loads(json_file.read_text())
-    assert kept["command"] == "bench visibility"
-    assert [len(row["seconds"]) for row in kept["rows"]] == [1] * len(rows)
-    assert kept["many"][0]["points"] == 20_000
+    assert drawn("visibility", both, tmp_path) == ["visibility.png"]
 
 
 @pytest.mark.parametrize("tool", ["embreex", "trimesh + embreex", "warpsample, skip=False"])
 def test_tools_estimate_the_same(tool):
-    mesh, at = visibility_jobs.points_of("bunny", 100)
-    right = visibility_jobs.Ours(mesh, at, 1)(4096)
-    found = visibility_jobs.TOOLS[tool][1](mesh, at, 1)(1024)
+    mesh, at = points_of("bunny", 100)
+    right = Ours(mesh, at, 1)(4096)
+    found = ESTIMATORS[tool][1](mesh, at, 1)(1024)
     assert np.abs(found - right).max() <= 5 * 0.5 / 32  # the greatest standard deviation of a ray
     assert abs(found.mean() - right.mean()) <= 5 * 0.27 / 320
 
 
 def test_peers_rays_are_cosine_weighted():
     """Their mean cosine is 2/3, whatever the normal; and they start off the surface."""
-    _, at = visibility_jobs.points_of("bunny", 64)
+    _, at = points_of("bunny", 64)
     seen = []
-    peer = visibility_jobs.Peer(lambda o, d: seen.append((o, d)) or np.zeros(len(o), bool), at, 1.0, 1)
+    peer = Peer(lambda o, d: seen.append((o, d)) or np.zeros(len(o), bool), at, 1.0, 1)
     assert (peer(1000) == 1.0).all()
     origins, directions = (np.concatenate(arrays).reshape(64, 1000, 3) for arrays in zip(*seen, strict=True))
     cosine = np.einsum("psk,pk->ps", directions, at.normal)

@@ -7,10 +7,10 @@ import subprocess
 import sys
 import time
 from contextlib import suppress
-from pathlib import Path
 
 import psutil
 import pytest
+from child_jobs import no_end
 
 from warpsample.bench.child import Child
 
@@ -212,17 +212,10 @@ def test_the_processes_of_verify_end_with_it(name, child_environment):
     assert alive == []
 
 
-def test_a_benchmarks_child_ends_when_the_parent_is_interrupted(monkeypatch, tmp_path):
+def test_a_benchmarks_child_ends_when_the_parent_is_interrupted(tmp_path):
     """The child is then in the middle of its work."""
-    monkeypatch.setenv("PYTHONPATH", str(Path(__file__).parent), prepend=os.pathsep)
-    child = Child("test_signals:no_end", at_work=str(tmp_path / "at work"))
+    child = Child(no_end, at_work=str(tmp_path / "at work"))
     until((tmp_path / "at work").exists)
     (running,) = [process for process in psutil.Process().children() if str(tmp_path) in " ".join(process.cmdline())]
     child.__exit__(KeyboardInterrupt, KeyboardInterrupt(), None)
     assert not running.is_running()
-
-
-def no_end(at_work):
-    Path(at_work).touch()
-    while True:
-        pass

@@ -11,7 +11,6 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 from warpsample.bench.timing import stopwatch
@@ -32,14 +31,35 @@ class Job:
     warm: Callable[[], object] | None = None
 
 
-class Child:
-    """A child process with a job; a context that ends it."""
+@dataclass(frozen=True)
+class Failure:
+    """Why a child has no job.
 
-    def __init__(self, builder: str, **arguments: Any):
-        """`builder`: "module:function" that makes a `Job` of the arguments, which JSON must hold."""
-        command = [sys.executable, "-m", "warpsample.bench.child", builder, json.dumps(arguments)]
-        self._process = subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
+    Attributes:
+        reason: in a line.
+        missing: the module that is not installed, if that is why.
+    """
+
+    reason: str
+    missing: str | None = None
+
+
+class Child:
+    """A child process that builds a job; a context that ends it."""
+
+    def __init__(self, build: Callable[..., Job], **arguments: Any):
+        """Starts it, and does not wait.
+
+        Args:
+            build: a function of a module, which makes the job; the child imports it anew.
+            arguments: of `build`; JSON must hold them.
+        """
+        self._name = f"{build.__module__}:{build.__qualname__}"
+        self._ready: Failure | bool | None = None
+        command = [sys.executable, "-m", "warpsample.bench.child", self._name, json.dumps(arguments)]
+        environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+        self.process = subprocess.Popen(
+            command, env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
         )
 
     def __enter__(self) -> "Child":
@@ -49,23 +69,16 @@ class Child:
     def __exit__(self, error: type[BaseException] | None, *rest: object) -> None:
         """Ends the process: it reads to the end of its input, unless something is wrong, as an interrupt."""
         if error:
-            self._process.kill()
+            self.process.kill()
         with suppress(OSError):
-            self._process.communicate()
+            self.process.communicate()
 
-    @cached_property
-    def failure(self) -> str | None:
-        """Why there is no job, in a line; None if there is one. Waits until that is known."""
-        return self._start.get("failure")
-
-    @cached_property
-    def missing(self) -> str | None:
-        """The module that is not installed, if that is why."""
-        return self._start.get("missing")
-
-    @cached_property
-    def _start(self) -> dict[str, Any]:
-        return self._read()
+    def wait_until_built(self) -> Failure | None:
+        """Waits until the child has built its job and run it once; why it could not, or None."""
+        if self._ready is None:
+            answer = self._read()
+            self._ready = Failure(answer["failure"], answer.get("missing")) if "failure" in answer else True
+        return self._ready if isinstance(self._ready, Failure) else None
 
     def run(self) -> float:
         """Runs the job and says how many seconds it took.
@@ -80,28 +93,28 @@ class Child:
         return self._ask("report")
 
     def _ask(self, what: str) -> dict[str, Any]:
-        if self.failure is not None:
-            raise RuntimeError(self.failure)
+        if failure := self.wait_until_built():
+            raise RuntimeError(failure.reason)
         with suppress(BrokenPipeError):  # then there is no answer either
-            print(what, file=self._process.stdin, flush=True)
+            print(what, file=self.process.stdin, flush=True)
         answer = self._read()
         if "failure" in answer:
-            raise RuntimeError(f"{self._process.args[-2]}: {answer['failure']}")
+            raise RuntimeError(f"{self._name}: {answer['failure']}")
         return answer
 
     def _read(self) -> dict[str, Any]:
-        line = self._process.stdout.readline() if self._process.stdout else ""
-        return json.loads(line) if line else {"failure": f"its process ended with status {self._process.wait()}"}
+        line = self.process.stdout.readline() if self.process.stdout else ""
+        return json.loads(line) if line else {"failure": f"its process ended with status {self.process.wait()}"}
 
 
-def _serve(builder: str, arguments: dict[str, Any]) -> None:
+def _serve(name: str, arguments: dict[str, Any]) -> None:
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)  # what libraries print is no answer
 
     def answer(content: dict[str, Any]) -> None:
         print(json.dumps(content), file=answers, flush=True)
 
-    module, function = builder.split(":")
+    module, function = name.split(":")
     try:
         job = getattr(importlib.import_module(module), function)(**arguments)
         job.work()

@@ -1,19 +1,25 @@
-"""Functions of a direction with a known mean over the cosine lobe: smooth, discontinuous and peaked.
+"""Functions of a direction with a known mean over the cosine lobe: smooth, discontinuous and peaked; and their estimates.
 
 None has an axis in common with the square's coordinates: a half-space along the azimuth's strata would have no error.
 Axes are float32 in the kernels; a rounded one moves a mean by 1e-7 at most.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from math import cos, radians, sin, sqrt
+from typing import Any
 
 import numpy as np
 import warp as wp
 
+from warpsample import sequences
+from warpsample.bench.record import SEED
+from warpsample.directions.means import direction_means
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
 from warpsample.distributions.parameters import with_parameters
-from warpsample.host.arrays import as_vectors, new_vectors
+from warpsample.host.arrays import as_vectors, cpu, new_vectors
 from warpsample.host.engine import check_workers, run
 
 
@@ -128,3 +134,22 @@ def evaluate(integrand: Integrand, w: np.ndarray) -> np.ndarray:
     inputs = [source.count, FLAT_BLOCK, source.address, target.address, CosineHemisphere().kernel_parameters()]
     run(kernel, -(-source.count // FLAT_BLOCK), inputs, source.device, check_workers(None), source.count)
     return target.owner
+
+
+def estimates(
+    integrand: Integrand, sequence: str, count: int, randomisations: int, seed: int = SEED, workers: int | None = None
+) -> np.ndarray:
+    """(randomisations,) float64: means over `count` directions, each with its own randomisation of the sequence."""
+    out = np.empty(randomisations)
+    estimator(integrand, sequence, count, out, seed, workers)()
+    return out
+
+
+def estimator(
+    integrand: Integrand, sequence: str, count: int, out: np.ndarray, seed: int = SEED, workers: int | None = None
+) -> Callable[[], Any]:
+    """What fills `out`, float64, with such means when it is called."""
+    lobe = CosineHemisphere()
+    kernel = direction_means(sequences.get(sequence), lobe.about(), integrand.function)
+    inputs = [seed, 0, count, out.__array_interface__["data"][0], lobe.kernel_parameters().__ctype__()]
+    return partial(run, kernel, len(out), inputs, cpu(), check_workers(workers), len(out) * count)

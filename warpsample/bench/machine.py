@@ -2,51 +2,86 @@
 
 import platform
 import subprocess
+from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 
 from warpsample.host.engine import check_workers
 
 
-def machine() -> dict[str, object]:
-    """Of this process; `cores` are those that it may use."""
-    versions = {name: version(name) for name in ("warpsample", "warp-lang", "numpy")}
-    return {
-        "cpu": _cpu(),
-        "cores": check_workers(None),
-        "system": platform.system(),
-        "python": platform.python_version(),
-        **versions,
-        "commit": commit(),
-    }
+@dataclass(frozen=True)
+class Machine:
+    """Where something was measured.
+
+    Attributes:
+        cpu: the processor's own name, where the system tells it.
+        instructions: the widest that the kernels use there: "avx512", "avx2", or else the architecture.
+        cores: that the process may use.
+        system: its name.
+        python: version.
+        warp: version.
+        numpy: version.
+        warpsample: version.
+        commit: of the checkout around the package, "unknown" without one.
+    """
+
+    cpu: str
+    instructions: str
+    cores: int
+    system: str
+    python: str
+    warp: str
+    numpy: str
+    warpsample: str
+    commit: str
+
+    def __str__(self) -> str:
+        """In a line, for pictures and headings."""
+        return (
+            f"{self.processor}, {self.cores} cores, warp-lang {self.warp}, NumPy {self.numpy}, "
+            f"Python {self.python}, commit {self.commit}"
+        )
+
+    @property
+    def processor(self) -> str:
+        """Its name and its instructions."""
+        return f"{self.cpu}, {({'avx512': 'AVX-512', 'avx2': 'AVX2'}).get(self.instructions, self.instructions)}"
 
 
-def caption() -> str:
-    """The same in a line, for pictures."""
-    m = machine()
-    return f"{m['cpu']}, {m['cores']} cores, warp-lang {m['warp-lang']}, NumPy {m['numpy']}, warpsample {m['commit']}"
+def this_machine() -> Machine:
+    """Of this process."""
+    cpu, instructions = _processor()
+    return Machine(
+        cpu=cpu,
+        instructions=instructions,
+        cores=check_workers(None),
+        system=platform.system(),
+        python=platform.python_version(),
+        warp=version("warp-lang"),
+        numpy=version("numpy"),
+        warpsample=version("warpsample"),
+        commit=commit(Path(__file__).parents[1]),
+    )
 
 
-def _cpu() -> str:
-    """The processor's own name where the system tells it, and its vector width, on which everything here depends."""
+def _processor() -> tuple[str, str]:
     information = Path("/proc/cpuinfo")
     lines = information.read_text().splitlines() if information.is_file() else []
     entries = dict(line.split(":", 1) for line in lines if ":" in line)
-    names = {key.strip(): value for key, value in entries.items()}
+    names = {key.strip(): value.strip() for key, value in entries.items()}
     flags = names.get("flags", "").split()
-    width = next((name for flag, name in (("avx512f", " AVX-512"), ("avx2", " AVX2")) if flag in flags), "")
-    return names.get("model name", platform.processor() or platform.machine()).strip() + width
+    found = next((name for flag, name in (("avx512f", "avx512"), ("avx2", "avx2")) if flag in flags), platform.machine())
+    return names.get("model name") or platform.processor() or platform.machine(), found.lower()
 
 
-def commit() -> str:
-    """Of the checkout around the package, if the package is what is in it; else "unknown"."""
-    package = Path(__file__).parents[1]
+def commit(package: Path) -> str:
+    """Of the checkout around a package, if the package is what is in it; else "unknown"."""
     try:
         top = Path(_git(package, "rev-parse", "--show-toplevel"))
         files = sorted(package.rglob("*.py"))
         if not all(file.read_bytes() == (top / "warpsample" / file.relative_to(package)).read_bytes() for file in files):
             return "unknown"
-        changed = _git(top, "status", "--porcelain", "--", "warpsample")
+        changed = _git(top, "status", "--porcelain", "--", ":(glob)warpsample/**/*.py")  # results are no part of it
         return _git(top, "rev-parse", "--short=12", "HEAD") + ("+changes" if changed else "")
     except (OSError, subprocess.CalledProcessError):
         return "unknown"
@@ -55,3 +90,15 @@ def commit() -> str:
 def _git(folder: Path, *arguments: str) -> str:
     command = ["git", "-C", str(folder), *arguments]
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+
+
+def peak_megabytes() -> float | None:
+    """The greatest resident memory of this process so far; None on a system that does not say."""
+    status = Path("/proc/self/status")
+    if status.is_file():  # getrusage counts what the parent held when it started this process, too
+        return next(float(line.split()[1]) * 1024 / 1e6 for line in status.read_text().splitlines() if "VmHWM" in line)
+    try:
+        import resource  # noqa: PLC0415  (not on Windows)
+    except ModuleNotFoundError:
+        return None
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6  # bytes on macOS

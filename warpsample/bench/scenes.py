@@ -1,4 +1,4 @@
-"""What rays are traced against in the benchmark, and the rays."""
+"""What rays are traced against, and the rays."""
 
 from collections.abc import Callable
 from functools import cache
@@ -7,8 +7,10 @@ from pathlib import Path
 import numpy as np
 import warp as wp
 
+from warpsample.bench.record import SEED
 from warpsample.directions.sample import sample_directions
 from warpsample.distributions.uniform_sphere import UniformSphere
+from warpsample.host.registry import look_up
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import sample_surface
@@ -37,7 +39,7 @@ def hills() -> Mesh:
     try:
         from pyvista.examples import load_random_hills  # noqa: PLC0415
     except ModuleNotFoundError:
-        raise ModuleNotFoundError("bench rays needs PyVista for its hills: pip install pyvista") from None
+        raise ModuleNotFoundError("the scene of hills needs PyVista: pip install pyvista") from None
     return as_mesh(load_random_hills())
 
 
@@ -68,7 +70,7 @@ SCENES: dict[str, Callable[[], Mesh]] = {
 
 
 @cache
-def rays(mesh: Mesh, kind: str, count: int) -> tuple[np.ndarray, np.ndarray]:
+def ray_set(mesh: Mesh, kind: str, count: int) -> tuple[np.ndarray, np.ndarray]:
     """About `count` rays: origins (P, 3) or (3,), and directions, float32, seed 0.
 
     Args:
@@ -88,7 +90,7 @@ def rays(mesh: Mesh, kind: str, count: int) -> tuple[np.ndarray, np.ndarray]:
         directions = forward + across.reshape(-1, 1) * right - down.reshape(-1, 1) * np.cross(right, forward)
         return (0.5 * (lower + upper) - 1.6 * size * forward).astype(np.float32), directions.astype(np.float32)
     if kind == "random":
-        origins = np.random.default_rng(0).uniform(lower, upper, (count, 3)).astype(np.float32)
+        origins = np.random.default_rng(SEED).uniform(lower, upper, (count, 3)).astype(np.float32)
         up = np.broadcast_to(np.float32([0.0, 0.0, 1.0]), (count, 3))
         return origins, sample_directions(up, 1, UniformSphere(), sequence="independent").vectors[:, 0]
     points = sample_surface(mesh, count // PER_POINT)
@@ -97,3 +99,13 @@ def rays(mesh: Mesh, kind: str, count: int) -> tuple[np.ndarray, np.ndarray]:
     normal = points.normal[order]
     directions = side * sample_directions(normal, PER_POINT, sequence="independent").vectors
     return (points.position[order] + side * _OFF * size * normal).astype(np.float32), directions.astype(np.float32)
+
+
+def check_scenes(names: list[str] | None) -> None:
+    """Whether there are such scenes.
+
+    Raises:
+        ValueError: one is not known; the message lists those that are.
+    """
+    for name in names or []:
+        look_up(SCENES, name, "scene")

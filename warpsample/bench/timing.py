@@ -7,7 +7,8 @@ from statistics import median, quantiles
 from time import perf_counter
 
 _LEAST_REPEATS = 3
-_WARM_UP = 0.03  # seconds
+WARM_UP = 0.03
+"""Seconds of untimed runs before a timed one."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +42,7 @@ def stopwatch(work: Callable[[], object], warm: Callable[[], object] | None = No
         start = perf_counter()
         while True:
             (warm or work)()
-            if perf_counter() - start >= _WARM_UP:
+            if perf_counter() - start >= WARM_UP:
                 break
         start = perf_counter()
         work()

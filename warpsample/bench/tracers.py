@@ -1,4 +1,4 @@
-"""The tools that trace the same rays: each is built from a mesh and then says which rays meet something."""
+"""The tools that trace rays: each is built from a mesh and then says which rays meet something."""
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -9,7 +9,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from warpsample.bench.scenes import rays
+from warpsample.bench.scenes import ray_set
 from warpsample.host.arrays import cpu
 from warpsample.mesh.mesh import Mesh
 from warpsample.tracing.placement import placed
@@ -22,7 +22,7 @@ from warpsample.tracing.triples import Triples
 _PARTS = 8  # of the rays, for each thread of a peer that leaves threads to its caller
 
 
-class Tool(Protocol):
+class Tracer(Protocol):
     """Something that traces."""
 
     version: str
@@ -36,7 +36,7 @@ class Wide:
 
     def __init__(self, mesh: Mesh, kind: str, count: int) -> None:
         """Of a mesh and its rays."""
-        self.mesh, self.rays = mesh, rays(mesh, kind, count)
+        self.mesh, self.rays = mesh, ray_set(mesh, kind, count)
         self.version = version("warpsample")
 
     def hits(self, any_hit: bool, workers: int) -> Callable[[], np.ndarray]:
@@ -61,7 +61,7 @@ class Builtin:
 
     def __init__(self, mesh: Mesh, kind: str, count: int) -> None:
         """Of a mesh and its rays."""
-        self.scene, self.rays = scene_of(mesh), rays(mesh, kind, count)
+        self.scene, self.rays = scene_of(mesh), ray_set(mesh, kind, count)
         self.mesh, self.version = mesh, version("warp-lang")
 
     def hits(self, any_hit: bool, workers: int) -> Callable[[], np.ndarray]:
@@ -87,7 +87,7 @@ class Embree:
     def __init__(self, mesh: Mesh, kind: str, count: int) -> None:
         """Of a mesh and its rays."""
         self.scene, self.version = embree_scene(mesh), version("embreex")
-        self.origins, self.directions = _flat(*rays(mesh, kind, count))
+        self.origins, self.directions = _flat(*ray_set(mesh, kind, count))
 
     def hits(self, any_hit: bool, workers: int) -> Callable[[], np.ndarray]:
         """Parts of the rays in threads: embreex releases the interpreter's lock."""
@@ -113,7 +113,7 @@ class Open3D:
         import open3d  # noqa: PLC0415
 
         self.scene, self.version = open3d_scene(mesh), version("open3d")
-        self.rays = open3d.core.Tensor(np.hstack(_flat(*rays(mesh, kind, count))))
+        self.rays = open3d.core.Tensor(np.hstack(_flat(*ray_set(mesh, kind, count))))
 
     def hits(self, any_hit: bool, workers: int) -> Callable[[], np.ndarray]:
         """By cast_rays or test_occlusions."""
@@ -144,7 +144,12 @@ def open3d_scene(mesh: Mesh) -> Any:
     return scene
 
 
-TOOLS: dict[str, Callable[[Mesh, str, int], Tool]] = {"wide": Wide, "wp.Mesh": Builtin, "Embree": Embree, "Open3D": Open3D}
+TRACERS: dict[str, Callable[[Mesh, str, int], Tracer]] = {
+    "wide": Wide,
+    "wp.Mesh": Builtin,
+    "Embree": Embree,
+    "Open3D": Open3D,
+}
 
 REMEDIES = {"Embree": "embreex", "Open3D": "open3d"}
 """What pip installs for a tool that may be missing."""

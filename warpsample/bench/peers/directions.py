@@ -1,80 +1,22 @@
-"""The same job by other tools, each as its own documentation would write it, and by this one.
-
-`count` directions of the cosine lobe about each of `points` normals, float32 (x, y, z), or points on a mesh, uniform by
-area. Each runs in a process of its own (`warpsample.bench.child`); the libraries are imported there.
-"""
+"""Directions of the cosine lobe by other tools, each as its own documentation would write it, and by this one."""
 
 # ruff: noqa: PLC0415
 
-from collections.abc import Callable, Iterator
 from functools import partial
-from importlib.metadata import version
 from itertools import count as count_from
 from typing import Any
 
 import numpy as np
 import warp as wp
 
-from warpsample.bench.child import Job
-from warpsample.bench.integrands import INTEGRANDS, evaluate
+from warpsample.bench.peers.tool import Built, Peer, keeping_last
+from warpsample.bench.record import SEED
 from warpsample.directions.sample import sample_directions
 from warpsample.host.kernel_cache import load
 from warpsample.maths.frames import frame_about, to_world
-from warpsample.mesh.mesh import as_mesh
-from warpsample.mesh.surface import sample_surface
 from warpsample.proof import twins
 
-_JUDGED = 1 << 20  # directions or points that the report's means take
 _TAU = np.float32(2.0 * np.pi)
-
-
-def directions(peer: str, points: int, count: int, workers: int) -> Job:
-    """The job of one peer; its report has "library" and "means", {integrand: [mean, its standard error]}."""
-    normals = np.random.default_rng(0).normal(size=(points, 3))
-    normals = (normals / np.linalg.norm(normals, axis=1, keepdims=True)).astype(np.float32)
-    library, build = _DIRECTIONS[peer]
-    work, result = build(normals, count, workers)
-    frames = twins.frames(normals[: max(1, _JUDGED // count)].astype(np.float64))
-
-    def report() -> dict[str, Any]:
-        d = np.asarray(result()).reshape(points, count, 3)[: len(frames)]
-        local = np.einsum("nij,nsi->nsj", frames, d).reshape(-1, 3).astype(np.float32)
-        values = {i.name: evaluate(i, local).astype(np.float64) for i in INTEGRANDS}
-        return {"library": f"{library} {version(library)}", "means": {name: _mean(v) for name, v in values.items()}}
-
-    return Job(work, report)
-
-
-def surface(peer: str, points: int, workers: int) -> Job:
-    """Points on a sphere of 81,920 faces; the report's means are of x, x^2 and z^2."""
-    import trimesh
-
-    library, build = _SURFACE[peer]
-    work, result = build(trimesh.creation.icosphere(subdivisions=6), points, workers)
-
-    def report() -> dict[str, Any]:
-        p = np.asarray(result(), np.float64)[:_JUDGED]
-        values = {"x": p[:, 0], "x^2": p[:, 0] ** 2, "z^2": p[:, 2] ** 2}
-        return {"library": f"{library} {version(library)}", "means": {name: _mean(v) for name, v in values.items()}}
-
-    return Job(work, report)
-
-
-Built = tuple[Callable[[], object], Callable[[], Any]]
-
-
-def _mean(values: np.ndarray) -> list[float]:
-    return [float(values.mean()), float(values.std() / np.sqrt(len(values)))]
-
-
-def _kept(run: Callable[[], Any]) -> Built:
-    """Work that keeps its last result."""
-    last: list[Any] = []
-
-    def work() -> None:
-        last[:] = [run()]
-
-    return work, lambda: last[0]
 
 
 def _warpsample(sequence: str, normals: np.ndarray, count: int, workers: int) -> Built:
@@ -99,13 +41,13 @@ def _frames(n: np.ndarray) -> np.ndarray:
 
 def _numpy(normals: np.ndarray, count: int, workers: int) -> Built:
     """Malley's method and a frame. The sphere + normal by `standard_normal` takes 2.6 times as long."""
-    rng = np.random.default_rng(0)
+    rng = np.random.default_rng(SEED)
 
     def run() -> np.ndarray:
         u = rng.random((2, len(normals), count), dtype=np.float32)
         return _polar(u[0], np.sqrt(u[0]), u[1]) @ _frames(normals)
 
-    return _kept(run)
+    return keeping_last(run)
 
 
 def _scipy(normals: np.ndarray, count: int, workers: int) -> Built:
@@ -119,7 +61,7 @@ def _scipy(normals: np.ndarray, count: int, workers: int) -> Built:
         u = u.astype(np.float32).clip(0.0, 1.0 - 2.0**-24).reshape(len(normals), count, 2)
         return _polar(u[..., 0], np.sqrt(u[..., 0]), u[..., 1]) @ _frames(normals)
 
-    return _kept(run)
+    return keeping_last(run)
 
 
 @wp.kernel(enable_backward=False)
@@ -187,7 +129,7 @@ def _torch(normals: np.ndarray, count: int, workers: int) -> Built:
 
     torch.set_num_threads(workers)
     given = torch.from_numpy(normals)[:, None]
-    return _kept(lambda: normalize(given + normalize(torch.randn(len(normals), count, 3), dim=-1), dim=-1))
+    return keeping_last(lambda: normalize(given + normalize(torch.randn(len(normals), count, 3), dim=-1), dim=-1))
 
 
 def _mitsuba(interleaved: bool, normals: np.ndarray, count: int, workers: int) -> Built:
@@ -210,64 +152,23 @@ def _mitsuba(interleaved: bool, normals: np.ndarray, count: int, workers: int) -
         dr.sync_thread()
         return d
 
-    work, result = _kept(run)
+    work, result = keeping_last(run)
     return work, lambda: np.asarray(result()) if interleaved else np.asarray(result()).T
 
 
-def _surface_here(mesh: Any, points: int, workers: int) -> Built:
-    ours, seeds = as_mesh(mesh), count_from()
-    work, result = _kept(lambda: sample_surface(ours, points, seed=next(seeds), workers=workers))
-    return work, lambda: result().position
-
-
-def _surface_trimesh(mesh: Any, points: int, workers: int) -> Built:
-    import trimesh
-
-    return _kept(lambda: trimesh.sample.sample_surface(mesh, points)[0])
-
-
-def _surface_open3d(mesh: Any, points: int, workers: int) -> Built:
-    import open3d
-
-    theirs = open3d.geometry.TriangleMesh(
-        open3d.utility.Vector3dVector(mesh.vertices), open3d.utility.Vector3iVector(mesh.faces)
-    )
-    work, result = _kept(lambda: theirs.sample_points_uniformly(points))
-    return work, lambda: result().points
-
-
-_DIRECTIONS: dict[str, tuple[str, Callable[[np.ndarray, int, int], Built]]] = {
-    "warpsample independent": ("warpsample", partial(_warpsample, "independent")),
-    "warpsample philox": ("warpsample", partial(_warpsample, "philox")),
-    "warpsample sobol": ("warpsample", partial(_warpsample, "sobol")),
-    "warpsample fibonacci": ("warpsample", partial(_warpsample, "fibonacci")),
-    "Mitsuba, three planes": ("mitsuba", partial(_mitsuba, False)),
-    "Mitsuba, interleaved": ("mitsuba", partial(_mitsuba, True)),
-    "Numba": ("numba", _numba),
-    "PyTorch": ("torch", _torch),
-    "Warp built-ins, polar": ("warp-lang", partial(_warp, _builtins_polar)),
-    "Warp built-ins, sphere": ("warp-lang", partial(_warp, _builtins)),
-    "NumPy": ("numpy", _numpy),
-    "SciPy Sobol'": ("scipy", _scipy),
-    "fill": ("numpy", _fill),
+DIRECTIONS = {
+    "warpsample independent": Peer("warpsample", partial(_warpsample, "independent")),
+    "warpsample philox": Peer("warpsample", partial(_warpsample, "philox")),
+    "warpsample sobol": Peer("warpsample", partial(_warpsample, "sobol")),
+    "warpsample fibonacci": Peer("warpsample", partial(_warpsample, "fibonacci")),
+    "Mitsuba, three planes": Peer("mitsuba", partial(_mitsuba, False)),
+    "Mitsuba, interleaved": Peer("mitsuba", partial(_mitsuba, True)),
+    "Numba": Peer("numba", _numba),
+    "PyTorch": Peer("torch", _torch),
+    "Warp built-ins, polar": Peer("warp-lang", partial(_warp, _builtins_polar), threaded=False),
+    "Warp built-ins, sphere": Peer("warp-lang", partial(_warp, _builtins), threaded=False),
+    "NumPy": Peer("numpy", _numpy, threaded=False),
+    "SciPy Sobol'": Peer("scipy", _scipy, threaded=False),
+    "fill": Peer("numpy", _fill, threaded=False),
 }
-_SURFACE: dict[str, tuple[str, Callable[[Any, int, int], Built]]] = {
-    "warpsample surface": ("warpsample", _surface_here),
-    "trimesh surface": ("trimesh", _surface_trimesh),
-    "Open3D surface": ("open3d", _surface_open3d),
-}
-SINGLE_THREADED = {name for name in _DIRECTIONS if name.startswith(("Warp ", "NumPy", "SciPy", "fill"))} | {
-    "trimesh surface",
-    "Open3D surface",
-}
-"""Those that offer one thread only."""
-
-
-def names(job: str) -> Iterator[str]:
-    """Of the peers for "directions" or "surface"."""
-    yield from _DIRECTIONS if job == "directions" else _SURFACE
-
-
-def library_of(peer: str) -> str:
-    """The package to install for it."""
-    return (_DIRECTIONS | _SURFACE)[peer][0]
+"""By name; each builds of (normals, count, threads)."""

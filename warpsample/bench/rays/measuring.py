@@ -1,20 +1,35 @@
 """Rays a second: ours, wp.Mesh, Embree and Open3D on the same rays and threads; and how long each takes to build."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import product
+from typing import Annotated
 
 import numpy as np
+import typer
 
-from warpsample.bench.scenes import KINDS, SCENES, rays
+from warpsample.bench.record import Repeats, Track
+from warpsample.bench.scenes import KINDS, SCENES, check_scenes, ray_set
 from warpsample.bench.timing import Spread, interleave, stopwatch
-from warpsample.bench.tracers import REMEDIES, TOOLS, Tool, Wide, builds
+from warpsample.bench.tracers import REMEDIES, TRACERS, Tracer, Wide, builds
 from warpsample.host.engine import check_workers
 from warpsample.mesh.mesh import Mesh
 
 
 @dataclass(frozen=True)
-class Row:
+class Settings:
+    """Of the command."""
+
+    scene: Annotated[list[str] | None, typer.Option(help="Only this one; may be repeated.", show_default=False)] = None
+    rays: Annotated[int, typer.Option(help="Rays of a set.", min=64)] = 131_072
+    repeats: Repeats = 5
+
+    def __post_init__(self) -> None:
+        """Refuses unknown scenes."""
+        check_scenes(self.scene)
+
+
+@dataclass(frozen=True)
+class Speed:
     """One tool on one set of rays.
 
     Attributes:
@@ -29,9 +44,11 @@ class Row:
         differ: how many rays it answers otherwise than our wide tree: hit or not.
         rays: how many.
         million_per_second: rays.
+        ours: how many times as fast our wide tree is by as many threads, in the same round; None for itself.
+        gain: how many times as fast the tool is as by one thread, in the same round; None for one thread.
         nodes: visited by a ray, on average; None where unknown.
         leaves: likewise.
-        seconds: of each repeat.
+        seconds: of each repeat; none where they were not kept.
     """
 
     scene: str
@@ -45,9 +62,11 @@ class Row:
     differ: int
     rays: int
     million_per_second: Spread
+    ours: Spread | None
+    gain: Spread | None
     nodes: float | None
     leaves: float | None
-    seconds: list[float]
+    seconds: list[float] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
@@ -60,7 +79,7 @@ class Build:
         tool: its name.
         workers: threads; 0 where the tool decides.
         milliseconds: from vertices and faces in memory to the first ray.
-        seconds: of each repeat.
+        seconds: of each repeat; none where they were not kept.
     """
 
     scene: str
@@ -68,48 +87,52 @@ class Build:
     tool: str
     workers: int
     milliseconds: Spread
-    seconds: list[float]
+    seconds: list[float] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
-class Measured:
-    """Of one scene.
+class Missing:
+    """A tool that is not there.
 
     Attributes:
-        rows: of every tool, kind of rays, query and number of workers.
-        builds: of every tool.
-        missing: what to install, by tool.
+        tool: its name.
+        remedy: why not, and what to install.
     """
 
-    rows: list[Row]
+    tool: str
+    remedy: str
+
+
+@dataclass(frozen=True)
+class Found:
+    """Of every scene, tool, kind of rays, query and number of workers."""
+
+    rows: list[Speed]
     builds: list[Build]
-    missing: dict[str, str]
+    missing: list[Missing]
 
 
-def measure(scenes: list[str], count: int, repeats: int) -> Iterator[Measured]:
-    """Scene by scene, all that is compared taking turns.
-
-    Args:
-        scenes: names of SCENES.
-        count: rays of a set, about.
-        repeats: timed runs.
-    """
+def measure(settings: Settings, track: Track) -> Found:
+    """Scene by scene, all that is compared taking turns."""
     everyone = sorted({1, check_workers(None)})
-    for name in scenes:
+    names = settings.scene or list(SCENES)
+    found = Found([], [], [])
+    missing: dict[str, str] = {}
+    for name in track(names, len(names)):
         mesh = SCENES[name]()
-        missing: dict[str, str] = {}
-        rows = [
-            row
-            for kind, any_hit in product(KINDS, (True, False))
-            for row in _compare(name, mesh, kind, any_hit, _tools(mesh, kind, count, missing), everyone, repeats)
-        ]
-        yield Measured(rows, _builds(name, mesh, missing, everyone, repeats), missing)
-        rays.cache_clear()
+        for kind, any_hit in product(KINDS, (True, False)):
+            tools = tracers_of(mesh, kind, settings.rays, missing)
+            found.rows.extend(compare(name, mesh, kind, any_hit, tools, everyone, settings.repeats))
+        found.builds.extend(_builds(name, mesh, missing, everyone, settings.repeats))
+        ray_set.cache_clear()
+    found.missing.extend(Missing(*item) for item in missing.items())
+    return found
 
 
-def _tools(mesh: Mesh, kind: str, count: int, missing: dict[str, str]) -> dict[str, Tool]:
-    tools: dict[str, Tool] = {}
-    for name, tool in TOOLS.items():
+def tracers_of(mesh: Mesh, kind: str, count: int, missing: dict[str, str]) -> dict[str, Tracer]:
+    """Those of TRACERS that are installed, each with its rays; the others are added to `missing`, with what to install."""
+    tools: dict[str, Tracer] = {}
+    for name, tool in TRACERS.items():
         try:
             tools[name] = tool(mesh, kind, count)
         except (ImportError, OSError) as error:  # noqa: PERF203  (OSError: a library of the system's that Open3D wants)
@@ -117,17 +140,29 @@ def _tools(mesh: Mesh, kind: str, count: int, missing: dict[str, str]) -> dict[s
     return tools
 
 
-def _compare(
-    scene: str, mesh: Mesh, kind: str, any_hit: bool, tools: dict[str, Tool], everyone: list[int], repeats: int
-) -> list[Row]:
+def compare(
+    scene: str, mesh: Mesh, kind: str, any_hit: bool, tools: dict[str, Tracer], everyone: list[int], repeats: int
+) -> list[Speed]:
+    """One set of rays and one query by all tools, taking turns.
+
+    Args:
+        scene: its name.
+        mesh: the scene.
+        kind: of the rays that the tools hold.
+        any_hit: whether any hit is asked for, or the nearest.
+        tools: by name, "wide" among them.
+        everyone: numbers of workers.
+        repeats: timed runs.
+    """
     cases = [(name, workers) for name in tools for workers in everyone]
     work = {(name, workers): tools[name].hits(any_hit, workers) for name, workers in cases}
     found = {name: tools[name].hits(any_hit, 1)() for name in tools}
     times, _ = interleave([stopwatch(work[case]) for case in cases], repeats)
+    seconds_of = dict(zip(cases, times, strict=True))
     wide = tools["wide"]
     visits = wide.visits(any_hit) if isinstance(wide, Wide) else None
     return [
-        Row(
+        Speed(
             scene=scene,
             triangles=len(mesh.faces),
             kind=kind,
@@ -139,11 +174,13 @@ def _compare(
             differ=int(np.count_nonzero(found[name] != found["wide"])),
             rays=len(found[name]),
             million_per_second=Spread.of([len(found[name]) / t / 1e6 for t in seconds]),
+            ours=Spread.of_ratios(seconds, seconds_of["wide", workers]) if name != "wide" else None,
+            gain=Spread.of_ratios(seconds_of[name, 1], seconds) if workers > 1 else None,
             nodes=visits[0] if visits and name == "wide" else None,
             leaves=visits[1] if visits and name == "wide" else None,
             seconds=seconds,
         )
-        for (name, workers), seconds in zip(cases, times, strict=True)
+        for (name, workers), seconds in seconds_of.items()
     ]
 
 

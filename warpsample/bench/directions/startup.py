@@ -41,7 +41,7 @@ class Startup:
     further_kernel: float
 
 
-def measure() -> list[Startup]:
+def measure_startup() -> list[Startup]:
     """Two new processes with a kernel cache of their own: the first finds it cold, the second warm."""
     with tempfile.TemporaryDirectory(prefix="warpsample-bench-") as cache:
         environment = {**os.environ, "WARP_CACHE_PATH": cache}

@@ -1,4 +1,4 @@
-"""The same ambient occlusion by each tool, each in a process of its own: `build` makes its job.
+"""Ambient occlusion by each tool: (rays of each point) -> an estimate.
 
 The peers take independent cosine directions, as their users do: made by NumPy in float32, part by part, in as many threads
 as there are cores where the tool lets its caller's threads trace; in Mitsuba's own kernel for Mitsuba.
@@ -6,30 +6,22 @@ as there are cores where the tool lets its caller's threads trace; in Mitsuba's 
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from importlib.metadata import version
 from itertools import count as count_from
 from typing import Any, Protocol
 
 import numpy as np
 
-from warpsample import sequences
-from warpsample.bench.child import Job
-from warpsample.bench.scaling import peak_megabytes
-from warpsample.bench.scenes import SCENES
 from warpsample.bench.tracers import embree_scene, open3d_scene
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.visibility import ambient_occlusion
-from warpsample.host.registry import look_up
 from warpsample.mesh.mesh import Mesh
-from warpsample.mesh.surface import SurfacePoints, sample_surface
+from warpsample.mesh.surface import SurfacePoints
 
 _RAYS_PER_PART = 1 << 18  # 6 MB of directions and origins
-_TRIAL = 64
 _OFF = 1e-5  # of the mesh's size, by which peers move points off their face
-_TRIALS = 2
 
 
-class Tool(Protocol):
+class Estimator(Protocol):
     """What estimates: (rays of each point) -> (P,) share of them that gets away."""
 
     def __call__(self, count: int) -> np.ndarray:
@@ -88,12 +80,13 @@ def _tangents(n: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return tangent, np.cross(n, tangent)
 
 
-def _embree(mesh: Mesh, points: SurfacePoints, workers: int) -> Tool:
+def by_embree(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
+    """By embreex, which leaves threads to its caller."""
     scene = embree_scene(mesh)
     return Peer(lambda o, d: np.asarray(scene.run(o, d, query="OCCLUDED")) >= 0, points, _size(mesh), workers)
 
 
-def _trimesh(mesh: Mesh, points: SurfacePoints, workers: int) -> Tool:
+def _trimesh(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
     import trimesh  # noqa: PLC0415
     from trimesh.ray.ray_pyembree import RayMeshIntersector  # noqa: PLC0415
 
@@ -101,7 +94,7 @@ def _trimesh(mesh: Mesh, points: SurfacePoints, workers: int) -> Tool:
     return Peer(intersector.intersects_any, points, _size(mesh), workers)
 
 
-def _open3d(mesh: Mesh, points: SurfacePoints, workers: int) -> Tool:
+def _open3d(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
     import open3d  # noqa: PLC0415
 
     scene = open3d_scene(mesh)
@@ -113,7 +106,7 @@ def _open3d(mesh: Mesh, points: SurfacePoints, workers: int) -> Tool:
     return Peer(trace, points, _size(mesh), 1)
 
 
-def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> Tool:
+def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
     import drjit as dr  # noqa: PLC0415
     import mitsuba as mi  # noqa: PLC0415
 
@@ -149,68 +142,13 @@ def _size(mesh: Mesh) -> float:
     return float(np.ptp(mesh.vertices, axis=0).max())
 
 
-TOOLS: dict[str, tuple[str, Callable[[Mesh, SurfacePoints, int], Tool]]] = {
+ESTIMATORS: dict[str, tuple[str, Callable[[Mesh, SurfacePoints, int], Estimator]]] = {
     "warpsample": ("warpsample", Ours),
     "warpsample, skip=False": ("warpsample", lambda *scene: Ours(*scene, skip=False)),
     "warpsample, wp.Mesh": ("warp-lang", lambda *scene: Ours(*scene, tracer="warp")),
     "Mitsuba": ("mitsuba", _mitsuba),
-    "embreex": ("embreex", _embree),
+    "embreex": ("embreex", by_embree),
     "trimesh + embreex": ("trimesh", _trimesh),
     "Open3D": ("open3d", _open3d),
 }
 """By name: whose version is said, and what makes it of a mesh, points and threads."""
-
-
-def points_of(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
-    """A scene of the benchmark and points uniform on it by area, in the order of the faces; seed 0."""
-    mesh = look_up(SCENES, scene, "scene")()
-    found = sample_surface(mesh, points)
-    order = np.argsort(found.face, kind="stable")
-    return mesh, SurfacePoints(found.position[order], found.normal[order], found.face[order])
-
-
-def build(tool: str, scene: str, points: int, workers: int, target: float, reference: str, open_points: bool) -> Job:
-    """A tool's estimate by as many rays as take it to an RMSE; it looks for that number first.
-
-    Args:
-        tool: of TOOLS.
-        scene: of SCENES.
-        points: on it.
-        workers: threads.
-        target: the RMSE over all points.
-        reference: an .npy file of the right values.
-        open_points: whether, once the number is known, the points that the reference calls open are estimated, repeated.
-    """
-    library, make = TOOLS[tool]
-    mesh, at = points_of(scene, points)
-    right = np.load(reference)
-    run = make(mesh, at, workers)
-    rate = sequences.get("fibonacci" if library.startswith("warp") else "independent").rate
-    count = _TRIAL
-    for _ in range(_TRIALS):
-        error = float(np.sqrt(np.mean((run(count) - right) ** 2)))
-        count = max(2, round(count * float(np.float_power(error / target, 1.0 / rate))))
-    if open_points:
-        chosen = np.resize(np.flatnonzero(right == 1.0), points)  # as many, so that what a call costs weighs the same
-        at = SurfacePoints(at.position[chosen], at.normal[chosen], at.face[chosen])
-        run, right = make(mesh, at, workers), right[chosen]
-    values: list[np.ndarray] = []
-
-    def work() -> None:
-        values[:] = [run(count)]
-
-    def report() -> dict[str, Any]:
-        cast = float(run.last.rays.mean()) if isinstance(run, Ours) and run.last else float(count)
-        error = float(np.sqrt(np.mean((values[0] - right) ** 2)))
-        told = {"version": version(library), "count": count, "cast": cast, "rmse": error, "points": len(right)}
-        return {**told, "to_target": 1.0 if open_points else float(np.float_power(error / target, 1.0 / rate))}
-
-    return Job(work, report)
-
-
-def build_many(scene: str, points: int, rays: int, workers: int) -> Job:
-    """Our estimate by its defaults, and the memory of all its process: Python, mesh and points included."""
-    mesh, at = points_of(scene, points)
-    few = SurfacePoints(at.position[:64], at.normal[:64])
-    run, warm = Ours(mesh, at, workers), Ours(mesh, few, workers)
-    return Job(lambda: run(rays), lambda: {"peak_megabytes": peak_megabytes()}, lambda: warm(rays))

@@ -2,14 +2,17 @@
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
+import typer
 import warp as wp
 
 from warpsample import distributions, sequences
+from warpsample.bench.directions.startup import Startup, measure_startup
+from warpsample.bench.record import SEED, Repeats, Track
 from warpsample.bench.timing import Spread, interleave, stopwatch
 from warpsample.directions.sample import sample_directions, sample_square
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
@@ -30,7 +33,7 @@ _BUDGET = 20.0  # seconds after which a group makes do with three repeats: visib
 
 
 @dataclass(frozen=True)
-class Row:
+class Speed:
     """One case.
 
     Attributes:
@@ -45,7 +48,7 @@ class Row:
         nanoseconds: per direction.
         of_fill: its speed over that of a fill right after it.
         worst: "length" (of unit length), "angle" (radians) and "pdf" (relative): worst errors against float64.
-        seconds: of each repeat.
+        seconds: of each repeat; none where they were not kept.
         fill_seconds: of the fill after each.
     """
 
@@ -60,8 +63,31 @@ class Row:
     nanoseconds: Spread
     of_fill: Spread
     worst: dict[str, float]
-    seconds: list[float]
-    fill_seconds: list[float]
+    seconds: list[float] = field(default_factory=list)
+    fill_seconds: list[float] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Found:
+    """Of every map, sequence and count, and of two new processes."""
+
+    rows: list[Speed]
+    startup: list[Startup]
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Of the command."""
+
+    points: Annotated[int, typer.Option(help="Points, with 64 samples each, or as many directions.", min=1)] = 65_536
+    repeats: Repeats = 15
+
+
+def measure(settings: Settings, track: Track) -> Found:
+    """Everything."""
+    chosen = groups(settings.points, settings.repeats)
+    rows = [row for group in track(chosen, len(chosen)) for row in group()]
+    return Found(rows, measure_startup())
 
 
 def maps() -> list[Distribution]:
@@ -73,7 +99,7 @@ def maps() -> list[Distribution]:
     return sorted(chosen, key=lambda case: (not isinstance(case, CosineHemisphere), -case.width))
 
 
-def groups(points: int, repeats: int) -> list[Callable[[], list[Row]]]:
+def groups(points: int, repeats: int) -> list[Callable[[], list[Speed]]]:
     """What measures the rows, an interleaved group at a time.
 
     Args:
@@ -82,14 +108,16 @@ def groups(points: int, repeats: int) -> list[Callable[[], list[Row]]]:
     """
     everyone = sorted({1, check_workers(None)})
     by_map = [
-        partial(_measure, "maps", points, SAMPLES, [(case, "independent", w, p) for w in everyone for p in (False, True)])
+        partial(
+            _measure_group, "maps", points, SAMPLES, [(case, "independent", w, p) for w in everyone for p in (False, True)]
+        )
         if case.width == 3
-        else partial(_measure, "maps", points, SAMPLES, [(case, GIVEN, everyone[-1], False)])
+        else partial(_measure_group, "maps", points, SAMPLES, [(case, GIVEN, everyone[-1], False)])
         for case in maps()
     ]
     by_sequence = [
         partial(
-            _measure,
+            _measure_group,
             "sequences",
             max(1, points * SAMPLES // count),
             count,
@@ -124,8 +152,8 @@ def short_name(distribution: str) -> str:
     return re.sub(r", .*\)", ")", distribution.replace("method=", "").replace("'", ""))
 
 
-def _measure(table: str, points: int, samples: int, chosen: list[tuple[Any, ...]], repeats: int) -> list[Row]:
-    normals = np.random.default_rng(0).normal(size=(points, 3)).astype(np.float32)
+def _measure_group(table: str, points: int, samples: int, chosen: list[tuple[Any, ...]], repeats: int) -> list[Speed]:
+    normals = np.random.default_rng(SEED).normal(size=(points, 3)).astype(np.float32)
     out = np.zeros((points, samples, 3), np.float32)
     fill = stopwatch(partial(out.fill, 0.0))
     cases = [stopwatch(_work(normals, out, *columns)) for columns in chosen]
@@ -133,7 +161,7 @@ def _measure(table: str, points: int, samples: int, chosen: list[tuple[Any, ...]
     worst = worst_errors(chosen[0][0]) if table == "maps" else {}
     described = [("fill", "", 1, False), *chosen]
     return [
-        Row(
+        Speed(
             table=table,
             distribution=str(case),
             sequence=sequence,

@@ -1,0 +1,116 @@
+"""`warpsample bench`: a command for each benchmark, what it keeps, and how it refuses."""
+
+import json
+import sys
+from dataclasses import replace
+
+import pytest
+from bench_output import give, run_command
+from matplotlib.figure import Figure
+
+from warpsample.bench import benchmarks, readme
+from warpsample.bench.result import RESULTS, kept
+
+
+@pytest.fixture
+def found():
+    """What every benchmark has found, as its files hold it, with repeats made up."""
+    results = kept(readme.processors(RESULTS)[0], benchmarks())
+    peers = results["peers"].found
+    rows = [replace(row, seconds=[1.0, 2.0]) for row in peers.rows]
+    return {name: result.found for name, result in results.items()} | {"peers": replace(peers, rows=rows)}
+
+
+@pytest.fixture
+def measured(found, monkeypatch):
+    """The settings that each benchmark was asked for; nothing is measured."""
+    asked = {}
+    for name in found:
+        give(monkeypatch, name, measure=lambda settings, _, name=name: asked.update({name: settings}) or found[name])
+    return asked
+
+
+@pytest.mark.parametrize(
+    ("name", "options", "pictures"),
+    [
+        ("directions", {"points": 64}, ["maps", "sequences"]),
+        ("error", {"rmse": 0.01, "largest": 64}, ["error"]),
+        ("peers", {"points": 64}, ["peers_directions", "peers_surface"]),
+        ("rays", {"scene": "bunny", "rays": 64}, ["rays"]),
+        ("scaling", {"largest": 1000}, ["scaling"]),
+        ("visibility", {"scene": "city", "points": 64}, ["visibility"]),
+    ],
+)
+def test_a_command_keeps_what_it_finds(measured, monkeypatch, capsys, tmp_path, name, options, pictures):
+    given = [text for option, value in options.items() for text in (f"--{option}", value)]
+    file = tmp_path / "a.json"
+    assert run_command(monkeypatch, name, *given, "--repeats", 3, "--json", file, "--plot", tmp_path / "new") == 0
+    out = capsys.readouterr()
+    assert "\r" not in out.out
+    chosen = {option: [value] if option == "scene" else value for option, value in options.items()} | {"repeats": 3}
+    assert measured == {name: benchmarks()[name].settings(**chosen)}
+    kept_there = json.loads(file.read_text())
+    assert kept_there["command"] == f"bench {name}"
+    assert kept_there["settings"].items() >= chosen.items()
+    assert {"cpu", "cores", "system", "python", "warpsample", "warp", "numpy", "commit"} <= set(kept_there["machine"])
+    if name == "peers":
+        assert [row["seconds"] for row in kept_there["rows"]] == [[1.0, 2.0]] * len(kept_there["rows"])
+    assert sorted(path.stem for path in (tmp_path / "new").iterdir()) == pictures
+    assert not list(tmp_path.glob("*.part"))
+
+
+def test_what_is_wrong_ends_with_a_status(measured, found, monkeypatch):
+    wrong = replace(found["peers"], rows=[replace(row, agrees=False) for row in found["peers"].rows])
+    give(monkeypatch, "peers", measure=lambda *_: wrong)
+    assert run_command(monkeypatch, "peers") == 1
+    unconfirmed = [replace(c, agrees=False) for c in found["visibility"].confirmed]
+    again = replace(found["visibility"], confirmed=unconfirmed)
+    give(monkeypatch, "visibility", measure=lambda *_: again)
+    assert run_command(monkeypatch, "visibility") == 1
+
+
+def test_all_are_run_and_written(measured, monkeypatch, capsys, tmp_path):
+    """The README, its pictures and the results are remade from what was found, by default sizes."""
+    monkeypatch.setattr(readme, "README", tmp_path / "README.md")
+    monkeypatch.setattr(readme, "PICTURES", tmp_path / "viz")
+    monkeypatch.setattr(readme, "RESULTS", tmp_path / "results")
+    (tmp_path / "README.md").write_text(f"Before.\n{readme.BEGIN}\n{readme.END}\nAfter.\n")
+    assert run_command(monkeypatch, "all", "--write") == 2
+    assert "--write: got an installed package, want a checkout" in capsys.readouterr().err
+    (tmp_path / "results").mkdir()
+    (tmp_path / "viz").mkdir()
+    (tmp_path / "viz" / "gallery.py").touch()
+    assert measured == {}
+    for name, benchmark in benchmarks().items():  # small pictures: the others are drawn above
+        drawn = {picture: Figure((1.0, 1.0)) for picture in benchmark.pictures}
+        give(monkeypatch, name, figures=lambda *_, drawn=drawn: drawn)
+    assert run_command(monkeypatch, "all", "--write") == 0
+    assert measured == {name: benchmark.settings() for name, benchmark in benchmarks().items()}
+    text = (tmp_path / "README.md").read_text(encoding="utf-8")
+    assert text.startswith("Before.\n")
+    assert text.endswith("After.\n")
+    assert all(f"### {benchmark.title}" in text for benchmark in benchmarks().values())
+    assert len(list((tmp_path / "results").iterdir())) == len(benchmarks())
+    shown = {f"bench_{name}.png" for benchmark in benchmarks().values() for name in benchmark.pictures}
+    assert {path.name for path in (tmp_path / "viz").glob("*.png")} == shown
+
+
+def test_all_without_write_leaves_everything(measured, monkeypatch, tmp_path):
+    before = {path: path.stat().st_mtime_ns for path in [readme.README, *RESULTS.iterdir()]}
+    assert run_command(monkeypatch, "all") == 0
+    assert set(measured) == set(benchmarks())
+    assert {path: path.stat().st_mtime_ns for path in [readme.README, *RESULTS.iterdir()]} == before
+
+
+def test_what_cannot_be_written_is_refused_before_any_work(measured, monkeypatch, capsys, tmp_path):
+    (tmp_path / "file").touch()
+    assert run_command(monkeypatch, "directions", "--json", tmp_path / "no" / "a.json") == 2
+    assert "--json: got" in capsys.readouterr().err
+    assert run_command(monkeypatch, "directions", "--plot", tmp_path / "file") == 2
+    assert "which is a file, want a folder" in capsys.readouterr().err
+    assert run_command(monkeypatch, "rays", "--scene", "teapot") == 2
+    assert "--scene: got 'teapot', want one of bunny, " in capsys.readouterr().err
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    assert run_command(monkeypatch, "directions", "--plot", tmp_path) == 2
+    assert "pip install matplotlib" in capsys.readouterr().err
+    assert measured == {}

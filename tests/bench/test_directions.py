@@ -1,0 +1,67 @@
+"""The benchmark of directions: every map, sequence and count is measured, and its errors are those of the world."""
+
+import pytest
+from bench_output import drawn, lines_of
+
+import warpsample as ws
+from warpsample.bench import timing
+from warpsample.bench.directions import measuring, startup
+
+STARTS = [startup.Startup("cold", 0.5, 0.1, 2.0, 0.5), startup.Startup("warm", 0.5, 0.1, 0.1, 0.1)]
+
+
+@pytest.fixture(scope="module")
+def rows():
+    groups = measuring.groups(64, 2)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(timing, "WARM_UP", 0.0)
+        return [row for group in (groups[0], groups[-6], groups[-2]) for row in group()]
+
+
+def test_every_distribution_method_sequence_and_count_is_measured():
+    names = {case.name for case in measuring.maps()}
+    assert names == set(ws.distributions.names())
+    assert {case.method for case in measuring.maps() if case.name == "cosine_hemisphere"} == {
+        *("polar", "concentric", "inversion", "offset")
+    }
+    assert len(measuring.groups(64, 2)) == len(measuring.maps()) + len(measuring.COUNTS)
+
+
+@pytest.mark.slow
+def test_rows_say_what_was_measured(rows):
+    assert {row.points * row.samples for row in rows} == {4096}
+    polar = [row for row in rows if row.distribution == "CosineHemisphere(method='polar')" and row.table == "maps"]
+    assert {(row.workers, row.pdf) for row in polar} >= {(1, False), (1, True)}
+    assert {row.sequence for row in rows if row.table == "sequences"} == {"", *ws.sequences.names()}
+    assert {row.samples for row in rows} == {64}
+    for row in rows:
+        assert len(row.seconds) == len(row.fill_seconds) == 2
+        assert min(row.seconds) > 0.0
+        assert row.of_fill.low <= row.of_fill.median <= row.of_fill.high
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", [ws.CosineHemisphere("offset"), ws.UniformDisk()], ids=str)
+def test_worst_errors_are_those_of_the_world_too(case):
+    worst = measuring.worst_errors(case)
+    assert set(worst) == ({"angle", "pdf"} if case.width == 2 else {"length", "angle", "pdf"})
+    # The offset method's errors are those of its sum of two vectors, which its local map does not have.
+    assert (5e-7 < worst["angle"] <= 1.3e-5) if case.width == 3 else (5e-8 < worst["angle"] <= 3e-7)
+
+
+@pytest.mark.slow
+def test_directions_tables_and_pictures(rows, capsys, tmp_path):
+    found = measuring.Found(rows, STARTS)
+    lines = lines_of("directions", measuring.Settings(), found, capsys)
+    assert [line for line in lines if line.startswith(" CosineHemisphere(polar)") and line.count("e-07") == 3]
+    assert [line for line in lines if line.startswith(" independent")]
+    assert [line for line in lines if line.startswith("ceiling: NumPy's out.fill(0)")]
+    assert drawn("directions", found, tmp_path) == ["maps.png", "sequences.png"]
+
+
+@pytest.mark.slow
+def test_startup_is_measured_in_new_processes():
+    cold, warm = startup.measure_startup()
+    assert (cold.kernel_cache, warm.kernel_cache) == ("cold", "warm")
+    for start in (cold, warm):
+        assert min(start.import_warp, start.import_warpsample, start.first_directions, start.further_kernel) > 0.0

@@ -1,0 +1,67 @@
+"""The benchmark of errors: its integrals are right, and so is what it makes of them."""
+
+import re
+
+import numpy as np
+import pytest
+from bench_output import drawn, lines_of, untracked
+from scipy.stats import norm
+
+import warpsample as ws
+from warpsample.bench import timing
+from warpsample.bench.error import measuring
+from warpsample.bench.integrands import INTEGRANDS, estimates, evaluate
+from warpsample.bench.timing import Spread
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("integrand", INTEGRANDS, ids=lambda i: i.name)
+def test_known_means_are_right(integrand, plausible):
+    """By 2^22 independent directions and, to 1e-4, by Sobol'."""
+    w = ws.CosineHemisphere().sample(ws.sample_square("independent", 1 << 16, 64, seed=5))
+    values = evaluate(integrand, w).astype(np.float64)
+    plausible(2.0 * norm.sf(abs(values.mean() - integrand.mean) / values.std() * np.sqrt(values.size)))
+    w = ws.CosineHemisphere().sample(ws.sample_square("sobol", 4, 1 << 18, seed=5))
+    assert abs(evaluate(integrand, w).astype(np.float64).mean() - integrand.mean) <= 1e-4
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("sequence", ["sobol", "stratified"])
+@pytest.mark.parametrize("count", [4, 100])
+def test_fused_means_are_those_of_the_directions(sequence, count):
+    sky = next(i for i in INTEGRANDS if i.name == "sky gradient")
+    got = estimates(sky, sequence, count, 50, seed=3, workers=2)
+    w = ws.CosineHemisphere().sample(ws.sample_square(sequence, 50, count, seed=3))
+    assert np.abs(got - evaluate(sky, w).astype(np.float64).mean(axis=1)).max() <= 2e-7  # the frame about +z rounds
+
+
+@pytest.mark.slow
+def test_every_sequence_is_measured(monkeypatch, capsys, tmp_path):
+    monkeypatch.setattr(measuring, "INTEGRANDS", INTEGRANDS[2:3])
+    monkeypatch.setattr(timing, "WARM_UP", 0.0)
+    settings = measuring.Settings(randomisations=64, largest=64, repeats=1)
+    found = measuring.measure(settings, untracked)
+    by_sequence = {sequence: curve for (_, sequence), curve in measuring.curves(found.points).items()}
+    assert set(by_sequence) == set(ws.sequences.names())
+    for curve in by_sequence.values():
+        assert [p.count for p in curve.points] == [4, 16, 64]
+        assert all(p.randomisations * p.count >= 1 << 21 for p in curve.points)
+    assert abs(by_sequence["independent"].slope + 0.5) <= 0.05  # an RMSE of 32,768 estimates is within 0.4 % (one sigma)
+    assert by_sequence["sobol"].slope <= -1.0
+    assert by_sequence["sobol"].reaching(0.02)[1] is False
+    assert by_sequence["independent"].reaching(1e-3)[1] is True
+    lines = lines_of("error", settings, found, capsys)
+    assert [line for line in lines if line.startswith(" independent") and " ~" in line]
+    assert [line for line in lines if line.startswith(" sky gradient") and re.search(" (sobol|fibonacci|r2) *$", line)]
+    assert drawn("error", found, tmp_path) == ["error.png"]
+
+
+def test_a_time_to_an_error_lies_on_the_line_between_its_neighbours():
+    data = ((4, 1e-1, 1.0), (16, 1e-2, 4.0), (64, 1e-3, 16.0))
+    points = [measuring.Point("f", "sobol", n, 64, e, Spread(t, t, t)) for n, e, t in data]
+    curve = measuring.Curve(points)
+    assert curve.reaching(10**-2.5) == (pytest.approx(8.0), False)
+    assert curve.reaching(1e-4) == (pytest.approx(64.0), True)
+    assert curve.reaching(0.5) == (1.0, True)
+    assert measuring.Curve(points[:2]).reaching(1e-4) is None  # one point alone has no slope
+    assert curve.efficiency == pytest.approx(1.0 / (1e-6 * 16.0))

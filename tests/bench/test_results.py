@@ -1,0 +1,132 @@
+"""What the README says was measured: it, the result files and the pictures belong together."""
+
+import json
+import re
+from collections import Counter
+from dataclasses import replace
+
+import pytest
+from bench_output import lines_of
+from PIL import Image
+
+from warpsample.bench import benchmarks, readme
+from warpsample.bench.result import RESULTS, keep, kept
+
+NAMES = sorted(benchmarks())
+TINY = "results of a tiny run, until `warpsample bench all --write` has run on a quiet machine; then take this mark away"
+
+
+@pytest.fixture(scope="module")
+def results():
+    """Of the first processor."""
+    return kept(readme.processors(RESULTS)[0], benchmarks())
+
+
+@pytest.fixture
+def copied(tmp_path):
+    for path in RESULTS.glob("*.json"):
+        (tmp_path / path.name).write_bytes(path.read_bytes())
+    return tmp_path
+
+
+def scale(path):
+    """Makes every median and quartile in a file of results 1.5 times as large."""
+    content = json.loads(path.read_text(encoding="utf-8"))
+    for part in content.values():
+        for row in part.get("rows", ()) if isinstance(part, dict) else ():
+            row[:] = [[1.5 * x for x in value] if isinstance(value, list) else value for value in row]
+    path.write_text(json.dumps(content), encoding="utf-8")
+
+
+def test_the_readme_is_made_from_the_results():
+    text = readme.README.read_text(encoding="utf-8")
+    assert readme.fill(text, RESULTS) == text
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_an_edit_of_a_result_is_seen(copied, name):
+    text = readme.README.read_text(encoding="utf-8")
+    scale(copied / f"{name}-{readme.processors(copied)[0]}.json")
+    assert readme.fill(text, copied) != text
+
+
+def test_an_edit_of_the_readme_is_seen_where_it_is_measured_and_only_there():
+    text = readme.README.read_text(encoding="utf-8")
+    head, middle = text.split(readme.BEGIN)
+    figures = [found.start() for found in re.finditer(r"\d", middle.split(readme.END)[0])]
+    for place in figures[:: len(figures) // 8]:
+        at = len(head) + len(readme.BEGIN) + place
+        edited = text[:at] + str((int(text[at]) + 1) % 10) + text[at + 1 :]
+        assert readme.fill(edited, RESULTS) == text
+    assert readme.fill(f"{text}More.", RESULTS) == f"{text}More."
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_results_are_read_as_they_were_written(results, name, tmp_path):
+    path = keep(benchmarks()[name], results[name], tmp_path)
+    assert path.read_bytes() == (RESULTS / path.name).read_bytes()
+    content = json.loads(path.read_text(encoding="utf-8"))
+    assert content["command"] == f"bench {name}"
+    assert content["seed"] == 0
+    assert content["machine"]["commit"]
+    assert not [part for part in content.values() if isinstance(part, dict) and "seconds" in part.get("columns", ())
+                and isinstance(part["rows"][0][part["columns"].index("seconds")], list)]  # fmt: skip
+
+
+def test_results_are_small():
+    sizes = Counter()
+    for path in RESULTS.glob("*.json"):
+        sizes[path.stem.rpartition("-")[2]] += path.stat().st_size
+    assert max(sizes.values()) <= 120_000
+
+
+@pytest.mark.xfail(reason=TINY)
+@pytest.mark.parametrize("name", NAMES)
+def test_results_are_of_the_default_sizes_and_of_a_commit(results, name):
+    assert results[name].settings == benchmarks()[name].settings()
+    assert re.fullmatch("[0-9a-f]{12}", results[name].machine.commit)
+
+
+@pytest.mark.xfail(reason=TINY)
+def test_the_first_page_says_what_was_measured(repository):
+    text = " ".join((repository / "README.md").read_text(encoding="utf-8").split())
+    assert [phrase for phrase in readme.headline() if phrase not in text] == []
+
+
+def test_pictures_are_of_the_results(results):
+    for name, benchmark in benchmarks().items():
+        path = RESULTS / f"{name}-{readme.processors(RESULTS)[0]}.json"
+        for picture in benchmark.pictures:
+            with Image.open(readme.PICTURES / f"bench_{picture}.png") as image:
+                assert image.text["Description"] == readme.digest(path)
+
+
+def test_each_processor_has_a_heading_and_the_first_the_pictures(results, tmp_path):
+    for name, result in results.items():
+        keep(benchmarks()[name], replace(result, machine=replace(result.machine, cpu="One", instructions="avx2")), tmp_path)
+    result = results["peers"]
+    keep(benchmarks()["peers"], replace(result, machine=replace(result.machine, cpu="Two", instructions="avx512")), tmp_path)
+    text = readme.fill(readme.BEGIN + readme.END, tmp_path)
+    headings = re.findall("^##+ .*$", text, flags=re.MULTILINE)
+    assert headings[0].startswith("## Two, AVX-512")
+    assert headings[1] == f"### {benchmarks()['peers'].title}"
+    assert headings[2].startswith("## One, AVX2")
+    assert headings[3:] == [f"### {benchmarks()[name].title}" for name in NAMES]
+    assert readme.fill(text, tmp_path) == text
+    assert "](../../viz/" not in text  # of the benchmark of peers the README shows no picture
+
+
+def test_every_figure_of_the_first_page_follows_its_result(copied):
+    before = readme.headline(copied)
+    assert len(before) == 4
+    for name, changed in (("peers", 0), ("rays", 1), ("visibility", 2)):
+        scale(copied / f"{name}-{readme.processors(copied)[0]}.json")
+        after = readme.headline(copied)
+        assert [i for i in range(4) if after[i] != before[i]] == [changed]
+        before = after
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_results_are_shown(results, name, capsys):
+    """All lines fit; `lines_of` looks."""
+    assert len(lines_of(name, results[name].settings, results[name].found, capsys)) > 10
