@@ -1,4 +1,4 @@
-"""How kernels are run: split into chunks, by threads that are kept, which stop and fail together."""
+"""How kernels are run: split into batches, by threads that are kept, which stop and fail together."""
 
 import threading
 import time
@@ -26,7 +26,7 @@ def count(out, workers, work=MUCH):
 
 @pytest.fixture
 def after_each_chunk(monkeypatch):
-    """Sets what the engine calls after each chunk, as it does for a progress bar: (thread is the caller's) -> anything."""
+    """Sets what the engine calls after each batch, as it does for a progress bar: (thread is the caller's) -> anything."""
 
     def set_to(function):
         caller = threading.current_thread()
@@ -47,10 +47,10 @@ def test_every_task_runs_once(workers, tasks, monkeypatch):
 @pytest.mark.parametrize(("limit", "work"), [("MOST_TASKS", 1), ("MOST_WORK", 10_000)])
 def test_no_chunk_is_larger_than_its_limit(limit, work, monkeypatch):
     monkeypatch.setattr(engine, limit, 1000)
-    chunks = []
-    monkeypatch.setattr(engine, "begin", lambda *_: chunks.append)
+    batches = []
+    monkeypatch.setattr(engine, "begin", lambda *_: batches.append)
     count(np.zeros(10_000, np.int32), 1, work)
-    assert chunks == [1000] * 10
+    assert batches == [1000] * 10
 
 
 def test_an_interrupt_stops_the_threads_before_the_call_returns(after_each_chunk):
@@ -61,7 +61,7 @@ def test_an_interrupt_stops_the_threads_before_the_call_returns(after_each_chunk
     after_each_chunk(interrupt)
     out = np.zeros(100_000, np.int32)
     with pytest.raises(KeyboardInterrupt):
-        count(out, 3, engine.MOST_WORK * len(out))  # a chunk for each task
+        count(out, 3, engine.MOST_WORK * len(out))  # a batch for each task
     done = out.sum()
     assert done < len(out)  # 100,000 launches take longer than the interrupt
     time.sleep(0.05)

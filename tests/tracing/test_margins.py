@@ -19,10 +19,10 @@ from margin_cases import (
 )
 
 from warpsample.tracing.wide.boxes import PADDING
-from warpsample.tracing.wide.decision import triangle_distance
-from warpsample.tracing.wide.intersect import boxes_met, triangles_near
+from warpsample.tracing.wide.candidates import boxes_met, triangles_near
 from warpsample.tracing.wide.layout import CHUNK_FLOATS, LEAF_BYTES, NODE_BYTES, WIDTH
 from warpsample.tracing.wide.prepare import prepare_wide, ray_in
+from warpsample.tracing.wide.triangle import triangle_distance
 
 
 @wp.kernel(enable_backward=False, module="unique")

@@ -1,4 +1,4 @@
-"""Runs kernels: in chunks of their tasks, on worker threads or on a device, within the free memory."""
+"""Runs kernels: in batches of their tasks, on worker threads or on a device, within the free memory."""
 
 import os
 from collections import defaultdict, deque
@@ -15,17 +15,17 @@ from warpsample.host.kernel_cache import load
 from warpsample.host.locks import making
 from warpsample.host.progress import begin
 
-_FEW_CHUNKS, _MANY_CHUNKS = 4, 16  # of a worker: many even out threads of unlike speed, but each passes the GIL around,
-_CHUNK_WORK = 1 << 17  # so from this many directions a chunk on
+_FEW_BATCHES, _MANY_BATCHES = 4, 16  # of a worker: many even out threads of unlike speed, but each passes the GIL around,
+_BATCH_WORK = 1 << 17  # so from this many directions a batch on
 
 LEAST_WORK = 1 << 17
 """Directions; below that (0.3 ms) handing work to a thread costs more than it gains, so the calling thread does it alone."""
 
 MOST_WORK = 1 << 25
-"""Directions of a chunk: 0.1 s, after which an interrupt is heard and a bar moves."""
+"""Directions of a batch: 0.1 s, after which an interrupt is heard and a bar moves."""
 
 MOST_TASKS = (1 << 31) - 1
-"""Tasks of a chunk: wp.tid() is an int32."""
+"""Tasks of a batch: wp.tid() is an int32."""
 
 
 _ALWAYS_FREE = 1 << 24  # bytes; asking the system for the rest takes 100 us
@@ -67,35 +67,35 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
 
     Args:
         kernel: its last parameter is first_task.
-        tasks: how many; any number, chunks stay below 2^31.
+        tasks: how many; any number, batches stay below 2^31.
         inputs: the other parameters; structs as instances or as ctypes.
-        device: on a CPU, `workers` threads share the chunks; on CUDA the launches queue up.
+        device: on a CPU, `workers` threads share the batches; on CUDA the launches queue up.
         workers: at most this many threads.
         work: number of directions computed, or of comparable units: little work stays on the calling thread.
     """
     workers = workers if device.is_cpu and work >= LEAST_WORK else 1
-    each = min(max(work // (workers * _CHUNK_WORK), _FEW_CHUNKS), _MANY_CHUNKS)
+    each = min(max(work // (workers * _BATCH_WORK), _FEW_BATCHES), _MANY_BATCHES)
     shares = workers * each if workers > 1 else 1
-    chunk = min(-(-tasks // shares), max(1, MOST_WORK * tasks // work), MOST_TASKS)
+    batch = min(-(-tasks // shares), max(1, MOST_WORK * tasks // work), MOST_TASKS)
     commands = [_take(kernel, inputs, device) for _ in range(workers)]
     try:
-        _share(commands, chunk, tasks, begin(tasks, work))
+        _share(commands, batch, tasks, begin(tasks, work))
     finally:
         _idle[kernel, device.alias].extend(commands)
 
 
-def _share(commands: list[wp.Launch], chunk: int, tasks: int, done: Callable[[int], None] | None) -> None:
-    """Runs all tasks in chunks, a thread for each command; the calling thread is one, as others take time to wake."""
-    starts = iter(range(0, tasks, chunk))
+def _share(commands: list[wp.Launch], batch: int, tasks: int, done: Callable[[int], None] | None) -> None:
+    """Runs all tasks in batches, a thread for each command; the calling thread is one, as others take time to wake."""
+    starts = iter(range(0, tasks, batch))
     if len(commands) == 1:
-        _run_chunks(commands[0], starts, chunk, tasks, done)
+        _run_batches(commands[0], starts, batch, tasks, done)
         return
     others: list[Future] = []
     try:
         with suppress(RuntimeError):  # no more threads are available, or Python is ending: fewer threads share the work
             for command in commands[1:]:
-                others.append(_threads(len(commands) - 1).submit(_run_chunks, command, starts, chunk, tasks, done))  # noqa: PERF401
-        _run_chunks(commands[0], starts, chunk, tasks, done)
+                others.append(_threads(len(commands) - 1).submit(_run_batches, command, starts, batch, tasks, done))  # noqa: PERF401
+        _run_batches(commands[0], starts, batch, tasks, done)
     finally:
         _outlast(starts, others)
     for future in others:
@@ -104,7 +104,7 @@ def _share(commands: list[wp.Launch], chunk: int, tasks: int, done: Callable[[in
 
 
 def _outlast(starts: Any, others: list[Future]) -> None:
-    """Waits until all threads have stopped, even through interrupts, and lets none start another chunk.
+    """Waits until all threads have stopped, even through interrupts, and lets none start another batch.
 
     They write to arrays that the caller is about to release.
     """
@@ -112,7 +112,7 @@ def _outlast(starts: Any, others: list[Future]) -> None:
     while True:
         try:
             deque(starts, maxlen=0)
-            wait([future for future in others if not future.cancel()])  # the rest would wait for other calls' chunks
+            wait([future for future in others if not future.cancel()])  # the rest would wait for other calls' batches
             break
         except KeyboardInterrupt as again:
             interrupt = again
@@ -138,12 +138,12 @@ def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
     return command
 
 
-def _run_chunks(command: wp.Launch, starts: Any, chunk: int, tasks: int, done: Callable[[int], None] | None = None) -> None:
-    """Runs chunks until none is left, and calls `done` after each; next() on a range is atomic, so threads can share it."""
+def _run_batches(command: wp.Launch, starts: Any, batch: int, tasks: int, done: Callable[[int], None] | None = None) -> None:
+    """Runs batches until none is left, and calls `done` after each; next() on a range is atomic, so threads can share it."""
     last = len(command.kernel.adj.args) - 1
     for start in starts:
         command.set_param_at_index_from_ctype(last, start)
-        size = min(chunk, tasks - start)
+        size = min(batch, tasks - start)
         if command.bounds.size != size:
             command.set_dim(size)
         command.launch()

@@ -85,7 +85,7 @@ class Mesh:
 
     @once_property
     def diagonal(self) -> float:
-        """Of the box `bounds`, in the unit of the coordinates."""
+        """The diagonal of the box `bounds`, in the unit of the coordinates."""
         return float(np.linalg.norm(self.bounds[1] - self.bounds[0]))
 
     @once_property
@@ -125,7 +125,7 @@ class Mesh:
 
     @once_property
     def report(self) -> MeshReport:
-        """What is notable about this mesh; takes a sort of all edges."""
+        """The report on this mesh; it takes a sort of all edges."""
         return report_of(self)
 
 

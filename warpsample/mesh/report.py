@@ -1,4 +1,4 @@
-"""What is notable about a mesh."""
+"""A report on a mesh: its size, and the defects that it has."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class MeshReport:
-    """What is notable about a mesh.
+    """The size of a mesh, and the defects that it has.
 
     Attributes:
         vertices: how many.
@@ -41,7 +41,7 @@ class MeshReport:
 
 
 def report_of(mesh: "Mesh") -> MeshReport:
-    """What is notable about a checked mesh; takes a sort of all edges."""
+    """The report on a checked mesh; it takes a sort of all edges."""
     start = mesh.faces.ravel().astype(np.int64)
     end = mesh.faces[:, [1, 2, 0]].ravel().astype(np.int64)
     stride = len(mesh.vertices)

@@ -26,11 +26,11 @@ _MOST_DISTANCE = float(np.finfo(np.float32).max)  # what is farther is not met: 
 
 @dataclass(frozen=True, eq=False)
 class Hits:
-    """What rays met; NumPy or Warp arrays, as the rays were.
+    """The hits of rays; NumPy or Warp arrays, as the rays were.
 
     Attributes:
         distance: float32, one for each ray, in units of the mesh's coordinates: to the nearest face, or with any_hit to some
-            face; inf where there is none; NaN where the ray is none (see `invalid`).
+            face; inf where there is none; NaN for an invalid ray (see `invalid`).
         face: int32, the number of that face, -1 where there is none.
         tracer: "wide" or "warp".
     """

@@ -4,10 +4,10 @@ import warp as wp
 
 from warpsample.host.locks import once
 from warpsample.maths.numerics import lowest_bit
-from warpsample.tracing.wide.decision import triangle_distance
-from warpsample.tracing.wide.intersect import boxes_met, triangles_near
+from warpsample.tracing.wide.candidates import boxes_met, triangles_near
 from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH, Accelerator
 from warpsample.tracing.wide.prepare import Ray, ray_in
+from warpsample.tracing.wide.triangle import triangle_distance
 
 _NODE = wp.constant(wp.uint64(NODE_BYTES))
 _LEAF = wp.constant(wp.uint64(LEAF_BYTES))
