@@ -13,7 +13,6 @@ from warpsample.bench import benchmarks, readme
 from warpsample.bench.result import RESULTS, keep, kept
 
 NAMES = sorted(benchmarks())
-TINY = "results of a tiny run, until `warpsample bench all --write` has run on a quiet machine; then take this mark away"
 
 
 @pytest.fixture(scope="module")
@@ -80,14 +79,12 @@ def test_results_are_small():
     assert max(sizes.values()) <= 120_000
 
 
-@pytest.mark.xfail(reason=TINY)
 @pytest.mark.parametrize("name", NAMES)
 def test_results_are_of_the_default_sizes_and_of_a_commit(results, name):
     assert results[name].settings == benchmarks()[name].settings()
     assert re.fullmatch("[0-9a-f]{12}", results[name].machine.commit)
 
 
-@pytest.mark.xfail(reason=TINY)
 def test_the_first_page_says_what_was_measured(repository):
     text = " ".join((repository / "README.md").read_text(encoding="utf-8").split())
     assert [phrase for phrase in readme.headline() if phrase not in text] == []
