@@ -26,9 +26,9 @@ def tables(result: Result) -> list[Table | str]:
 
 
 _FOOT_OF_A_WALL = (
-    "In the city one of the points is nearer to the foot of a wall than 10⁻⁶ of the mesh's size. The peers take it to be inside "
-    "of the building, we in front of it (see `ambient_occlusion`). This point alone gives the peers an RMSE that hardly falls "
-    "below 0.005: their times to 0.003 there are of this definition, not of their speed."
+    "In the city one of the points is nearer to the foot of a wall than 10⁻⁶ of the mesh's size. The peers take it to be "
+    "inside of the building, we in front of it (see `ambient_occlusion`). This point alone gives the peers an RMSE that "
+    "hardly falls below 0.005: their times to 0.003 there are of this definition, not of their speed."
 )
 
 
