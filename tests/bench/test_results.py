@@ -90,11 +90,11 @@ def test_the_first_page_says_what_was_measured(repository):
     assert [phrase for phrase in readme.headline() if phrase not in text] == []
 
 
-def test_pictures_are_of_the_results(results):
+def test_pictures_are_of_the_results(results, repository):
     for name, benchmark in benchmarks().items():
         path = RESULTS / f"{name}-{readme.processors(RESULTS)[0]}.json"
         for picture in benchmark.pictures:
-            with Image.open(readme.PICTURES / f"bench_{picture}.png") as image:
+            with Image.open(repository / "viz" / f"bench_{picture}.png") as image:
                 assert image.text["Description"] == readme.digest(path)
 
 
