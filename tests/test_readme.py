@@ -5,6 +5,7 @@ import subprocess
 import sys
 
 import pytest
+import warp as wp
 
 import warpsample as ws
 from warpsample.proof import defects, report
@@ -31,6 +32,14 @@ def test_links_lead_to_files(repository):
     first, *others = documents(repository)
     shown = re.findall(r"\]\(([^)]+README.md)\)", first.read_text())
     assert {repository / link for link in shown} == set(others)
+
+
+def test_what_is_said_to_take_warp_arrays_takes_them(repository):
+    said = re.search(r"\*\*CUDA\.\*\* (.*?) take `wp.array`s", (repository / "README.md").read_text(), flags=re.DOTALL)[1]
+    devices = {"sample_directions": ws.sample_directions(wp.ones(1, dtype=wp.vec3, device="cpu"), 1).vectors.device}
+    ray = wp.ones(1, dtype=wp.vec3, device="cpu")
+    devices["trace"] = ws.trace(ws.load_mesh("courtyard"), ray, ray).distance.device
+    assert sorted(re.findall(r"`(\w+)`", said)) == sorted(devices)
 
 
 def test_the_first_page_is_short(repository):
