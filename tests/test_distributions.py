@@ -173,7 +173,7 @@ def test_bad_warp_arrays_are_named():
         (lambda: ws.PowerCosine(-1), ValueError, "exponent: got -1, want a number from 0 to 1e[+]09"),
         (lambda: ws.OffsetSphere(0), ValueError, "rho: got 0, want a number from 1e-15 to 1e[+]15"),
         (lambda: ws.VonMisesFisher(0.0), ValueError, "kappa: got 0.0, want a number from 1e-06 to 1e[+]12"),
-        (lambda: ws.UniformCone(1.0), ValueError, "cos_angle: got 1.0, want a number from -1 to 1"),
+        (lambda: ws.UniformCone(1.0), ValueError, "cos_angle: got 1.0, want a number from -1 to below 1"),
         (ws.UniformCone, TypeError, "cos_angle: got None, want a number from -1 to below 1, or one_minus_cos"),
         (lambda: ws.UniformCone(0.5, 0.1), TypeError, "cos_angle: got 0.5 beside one_minus_cos, want one of the two"),
         (lambda: ws.UniformCone(one_minus_cos=3), ValueError, "one_minus_cos: got 3, want a number from 1e-24 to 2"),

@@ -1,14 +1,18 @@
 """What the README shows is run as it is."""
 
+import inspect
 import re
 import subprocess
 import sys
 
 import pytest
+import warp as wp
 
 import warpsample as ws
+from warpsample.cli import commands
 from warpsample.proof import defects, report
 from warpsample.proof.evidence import Evidence, Subject
+from warpsample.viewer.accessor import WarpsampleAccessor
 
 ROOMS = ("distributions", "sequences", "tracing", "estimate", "proof", "bench", "output")
 
@@ -31,6 +35,14 @@ def test_links_lead_to_files(repository):
     first, *others = documents(repository)
     shown = re.findall(r"\]\(([^)]+README.md)\)", first.read_text())
     assert {repository / link for link in shown} == set(others)
+
+
+def test_what_is_said_to_take_warp_arrays_takes_them(repository):
+    said = re.search(r"\*\*CUDA\.\*\* (.*?) take `wp.array`s", (repository / "README.md").read_text(), flags=re.DOTALL)[1]
+    devices = {"sample_directions": ws.sample_directions(wp.ones(1, dtype=wp.vec3, device="cpu"), 1).vectors.device}
+    ray = wp.ones(1, dtype=wp.vec3, device="cpu")
+    devices["trace"] = ws.trace(ws.load_mesh("courtyard"), ray, ray).distance.device
+    assert sorted(re.findall(r"`(\w+)`", said)) == sorted(devices)
 
 
 def test_the_first_page_is_short(repository):
@@ -86,6 +98,19 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "python viz/sequences.py --screenshot sequences.png",
         "python viz/occlusion.py --screenshot occlusion.png",
     ]
+
+
+def test_options_and_calls_are_those_of_the_commands_and_the_accessor(repository):
+    output = (repository / "warpsample" / "output" / "README.md").read_text()
+    said = re.search(r"^(.*) also\ntake `--at", output, flags=re.MULTILINE)[1].split(". ")[-1]
+    parameters = {name.removesuffix("_command"): inspect.signature(call).parameters for name, call in vars(commands).items()
+                  if inspect.isfunction(call) and call.__module__ == commands.__name__}  # fmt: skip
+    assert re.findall(r"`(\w+)`", said) == sorted((n for n, given in parameters.items() if "at" in given), reverse=True)
+    calls = re.search(
+        r"^`mesh.warpsample` has (.*) \(and", (repository / "viz" / "README.md").read_text(), flags=re.MULTILINE
+    )[1]
+    public = {name for name, call in vars(WarpsampleAccessor).items() if inspect.isfunction(call) and name[0] != "_"}
+    assert set(re.findall(r"`(\w+)`", calls)) == public
 
 
 def test_mesh_commands_run(repository, tmp_path, call, can_render, monkeypatch):

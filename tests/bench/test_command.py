@@ -95,6 +95,28 @@ def test_all_are_run_and_written(measured, monkeypatch, capsys, tmp_path):
     assert {path.name for path in (tmp_path / "viz").glob("*.png")} == shown
 
 
+def test_an_end_before_the_last_result_leaves_results_and_readme_as_they_were(measured, monkeypatch, tmp_path):
+    monkeypatch.setattr(readme, "RESULTS", tmp_path)
+
+    def stopped(*_):
+        raise KeyboardInterrupt
+
+    give(monkeypatch, list(benchmarks())[-1], measure=stopped)
+    assert run_command(monkeypatch, "all", "--write") == 130
+    assert len(measured) == len(benchmarks()) - 1
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("name", ["README", "RESULTS"])
+def test_a_checkout_that_cannot_be_written_is_refused_before_any_work(measured, monkeypatch, capsys, tmp_path, name):
+    place = {"README": tmp_path / "no" / "README.md", "RESULTS": tmp_path / "file"}[name]
+    (tmp_path / "file").touch()
+    monkeypatch.setattr(readme, name, place)
+    assert run_command(monkeypatch, "all", "--write") == 2
+    assert f"--write: got '{place}'" in capsys.readouterr().err
+    assert measured == {}
+
+
 def test_all_without_write_leaves_everything(measured, monkeypatch, tmp_path):
     before = {path: path.stat().st_mtime_ns for path in [readme.README, *RESULTS.iterdir()]}
     assert run_command(monkeypatch, "all") == 0

@@ -72,6 +72,14 @@ def test_results_are_read_as_they_were_written(results, name, tmp_path):
                 and isinstance(part["rows"][0][part["columns"].index("seconds")], list)]  # fmt: skip
 
 
+@pytest.mark.parametrize("content", ['{"command": "bench rays", "machine": {"cp', "{}", "[]", ""])
+def test_a_damaged_file_of_results_is_named(copied, content):
+    path = copied / f"rays-{readme.processors(copied)[0]}.json"
+    path.write_text(content, encoding="utf-8")
+    with pytest.raises(ValueError, match=rf"^{re.escape(str(path))}: got \w+Error .*, want results as `warpsample bench"):
+        readme.fill(readme.BEGIN + readme.END, copied)
+
+
 def test_results_are_small():
     sizes = Counter()
     for path in RESULTS.glob("*.json"):

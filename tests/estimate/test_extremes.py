@@ -115,6 +115,18 @@ def test_parts_too_far_apart_for_their_faces_are_told():
         ws.trace(ws.Mesh(vertices, faces), vertices[:1], np.float32([[0.0, 0.0, 1.0]]))
 
 
+def test_a_stray_vertex_so_far_that_points_are_moved_off_beyond_the_mesh_is_told():
+    mesh = ws.load_mesh("courtyard")
+    vertices = mesh.vertices.copy()
+    vertices[0] = 1e12  # a point is moved off its face by 2^-35 of 2^40, 32 m among buildings of 24 m
+    with pytest.warns(UserWarning, match=r"^mesh: got faces of size .* where points are moved off their faces by about 32;"):
+        ws.ambient_occlusion(ws.Mesh(vertices, mesh.faces), ws.face_centers(mesh), 2)
+    vertices[0] = 1e7
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        ws.ambient_occlusion(ws.Mesh(vertices, mesh.faces), ws.face_centers(mesh), 2)
+
+
 @pytest.mark.parametrize(("share", "warned"), [(0.9, 1), (1.1, 0)])
 def test_the_warning_begins_where_faces_are_lost_in_the_lift(share, warned):
     """The limit is a longest edge of 2^-16 of the mesh's half size, which is eight lifts of 2^-19."""

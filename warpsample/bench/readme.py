@@ -13,7 +13,7 @@ from warpsample.bench.record import SEED, Benchmark
 from warpsample.bench.report import digits, markdown
 from warpsample.bench.result import RESULTS, Result, kept
 from warpsample.bench.visibility.tables import time_to
-from warpsample.host.files import write_bytes
+from warpsample.host.files import check_output, check_output_folder, write_bytes
 
 README = Path(__file__).parent / "README.md"
 PICTURES = Path(__file__).parents[2] / "viz"
@@ -21,13 +21,16 @@ BEGIN, END = "<!-- measured: `warpsample bench all --write` -->", "<!-- end of w
 
 
 def check_checkout(argument: str) -> None:
-    """Refuses an installed package, which has no pictures beside it.
+    """Refuses an installed package, which has no pictures beside it, and a checkout that may not be written.
 
     Raises:
-        ValueError: this is no checkout.
+        ValueError: this is no checkout, or the README or the folders of results and pictures cannot be written.
     """
     if not (PICTURES / "gallery.py").is_file():
         raise ValueError(f"{argument}: got an installed package, want a checkout, whose README and pictures can be written")
+    check_output(README, argument)
+    check_output_folder(RESULTS, argument)
+    check_output_folder(PICTURES, argument)
 
 
 def write() -> list[Path]:

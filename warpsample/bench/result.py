@@ -50,12 +50,20 @@ def keep(benchmark: Benchmark, result: Result, folder: Path = RESULTS) -> Path:
 
 
 def load(benchmark: Benchmark, path: Path) -> Result:
-    """What `keep` wrote, without the repeats."""
-    content = json.loads(path.read_text(encoding="utf-8"))
+    """What `keep` wrote, without the repeats.
+
+    Raises:
+        ValueError: the file is damaged, or of another version; names it.
+    """
     types = get_type_hints(benchmark.found)
-    parts = {name: [_row(get_args(kind)[0], row, content[name]["columns"]) for row in content[name]["rows"]]
-             for name, kind in types.items()}  # fmt: skip
-    return Result(Machine(**content["machine"]), benchmark.settings(**content["settings"]), benchmark.found(**parts))
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+        parts = {name: [_row(get_args(kind)[0], row, content[name]["columns"]) for row in content[name]["rows"]]
+                 for name, kind in types.items()}  # fmt: skip
+        return Result(Machine(**content["machine"]), benchmark.settings(**content["settings"]), benchmark.found(**parts))
+    except (KeyError, TypeError, ValueError) as error:
+        told = f"{type(error).__name__} {error}"
+        raise ValueError(f"{path}: got {told}, want results as `warpsample bench all --write` keeps them") from error
 
 
 def kept(instructions: str, benchmarks: dict[str, Benchmark], folder: Path = RESULTS) -> dict[str, Result]:

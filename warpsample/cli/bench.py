@@ -82,13 +82,8 @@ def bench_all(
     if write:
         readme.check_checkout("--write")
         pictures.check_drawing("--write")
-    wrong = False
-    for benchmark in benchmarks().values():
-        result = _measure(benchmark, benchmark.settings())
-        wrong |= benchmark.wrong(result.found)
-        if write:
-            print(f"{keep(benchmark, result, readme.RESULTS)}", file=sys.stderr)  # noqa: T201
-    if write:
-        for file in readme.write():
+    results = [(benchmark, _measure(benchmark, benchmark.settings())) for benchmark in benchmarks().values()]
+    if write:  # after all are measured, so that what is interrupted leaves README and results that agree
+        for file in [*(keep(*found, readme.RESULTS) for found in results), *readme.write()]:
             print(f"{file}", file=sys.stderr)  # noqa: T201
-    raise SystemExit(wrong)
+    raise SystemExit(any(benchmark.wrong(result.found) for benchmark, result in results))

@@ -65,7 +65,9 @@ class UniformCone(Distribution):
         if self.one_minus_cos is None:
             if self.cos_angle is None:
                 raise TypeError("cos_angle: got None, want a number from -1 to below 1, or one_minus_cos instead")
-            cosine = check_number(self.cos_angle, "cos_angle", -1.0, float(np.nextafter(1.0, 0.0)))
+            cosine = check_number(self.cos_angle, "cos_angle", -1.0, 1.0)
+            if cosine == 1.0:
+                raise ValueError("cos_angle: got 1.0, want a number from -1 to below 1")
             object.__setattr__(self, "one_minus_cos", 1.0 - cosine)
         else:
             object.__setattr__(self, "one_minus_cos", check_number(self.one_minus_cos, "one_minus_cos", _LEAST, 2.0))

@@ -63,7 +63,7 @@ class Scene:
         self._topology: Topology | None = None
         self._tree: Tree | None = None
         self._builtin: dict[str, wp.Mesh] = {}
-        self._warn_if_coarse(float(spread.max()))
+        self._warn_if_coarse(float(self.spread.max()))
 
     def _warn_if_coarse(self, spread: float) -> None:
         some = self.vertices[self.faces[:: -(-len(self.faces) // _LOOKED_AT)]].astype(np.float64)

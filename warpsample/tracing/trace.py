@@ -129,10 +129,8 @@ def rays_of(placement: PlacementArgs, directions: Triples, hits: Hits) -> RaysAr
 
 def _check_pair(start: Triples, way: Triples) -> None:
     if way.shape[: len(start.shape)] != start.shape or len(way.shape) - len(start.shape) > 1:
-        raise ValueError(
-            f"directions: got shape {(*way.shape, 3)}, want {(*start.shape, 3)} or {(*start.shape, 'n', 3)}, "
-            "as there are origins"
-        )
+        rows = "".join(f"{size}, " for size in start.shape)
+        raise ValueError(f"directions: got shape {(*way.shape, 3)}, want ({rows}3) or ({rows}n, 3), as there are origins")
     if start.device != way.device or isinstance(start.owner, wp.array) != isinstance(way.owner, wp.array):
         raise ValueError(
             f"directions: got {kind_told(way.owner)} on {way.device}, "
