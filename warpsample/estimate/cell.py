@@ -70,9 +70,10 @@ def cell_sum(slots: Slots) -> wp.Function:
     """A function that sums a cell."""
     spread, share_left = spread_of(slots), share_of(slots)
     weigh, prepare, counts, channels = slots.weigh, slots.prepare, slots.counts, slots.channels
+    struct = slots.struct
 
     @wp.func
-    def sum_cell(lobes: Lobes, accelerator: Accelerator, spot: Spot, cell: wp.int32, found: wp.int32, near: wp.int32):
+    def sum_cell(lobes: Lobes, accelerator: Accelerator, data: struct, spot: Spot, cell: wp.int32, found: wp.int32, near: wp.int32):
         """(sum of the weights of both replicates' rays, how much more the first has, rays cast, free, a weight)."""
         # Scalars: a vector of doubles goes through memory, and costs half as much as a ray. Hits are whole numbers.
         hits = wp.int32(0)
@@ -98,7 +99,7 @@ def cell_sum(slots: Slots) -> wp.Function:
             for k in range(length):
                 column = spot.chunk + wp.uint64(4 * k)
                 ray = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-                w = weigh(wp.vec3(ray[DIRECTION], ray[DIRECTION + CHUNK], ray[DIRECTION + 2 * CHUNK]), lobes.weights)
+                w = weigh(wp.vec3(ray[DIRECTION], ray[DIRECTION + CHUNK], ray[DIRECTION + 2 * CHUNK]), spot.lobe, data)
                 share = wp.float32(1.0)
                 if found != 0 and (w[0] != 0.0 or w[1] != 0.0 or w[2] != 0.0):
                     cast += 1

@@ -3,17 +3,20 @@
 import warp as wp
 
 from warpsample.directions.samples import normal_status, weigh_by_mask
+from warpsample.estimate.free import free_lobe
 from warpsample.estimate.lobe import NOTHING, counted_lobe, weighed_lobe
 from warpsample.estimate.rays import SQUARE_FLOATS
 from warpsample.estimate.skipping.frontier import HORIZON_MARGIN
 from warpsample.estimate.slots import Slots
-from warpsample.estimate.spot import NONFINITE_POSITION, Lobes, Spot, start
+from warpsample.estimate.spot import NONFINITE_POSITION, NONFINITE_VALUE, Lobes, Spot, start
 from warpsample.host.locks import once
 from warpsample.maths.numerics import scaled_to_unit
 from warpsample.tracing.placement import lift, local_origin, point_of, reach_along
-from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, SCRATCH, START_FLOATS, Accelerator
+from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, PREPARED, SCRATCH, START_FLOATS, Accelerator
 
 _NONFINITE_POSITION = wp.constant(wp.int32(NONFINITE_POSITION))
+_NONFINITE_VALUE = wp.constant(wp.int32(NONFINITE_VALUE))
+_ANYTHING = wp.constant(wp.float32(2.0**60))  # nothing is so low below a horizon
 _ZERO = wp.constant(wp.float64(0.0))
 
 
@@ -40,32 +43,52 @@ def _keep(channels: int) -> wp.Function:
 
 
 @once
+def _placer(slots: Slots) -> wp.Function:
+    """A function that places a point and its rays; nothing to do where there is no mesh."""
+    wide, upward, traced = slots.wide, slots.upward, slots.query is not None
+
+    @wp.func
+    def place(lobes: Lobes, point: wp.int64, spot: Spot) -> Spot:
+        if wp.static(traced):
+            spot.place = local_origin(lobes.placement, point)
+            if wp.static(wide):
+                spot.o = wp.array(ptr=lobes.placement.starts + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+            else:
+                side = wp.array(ptr=lobes.placement.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+                spot.o = wp.vec3(spot.place) + wp.copysign(lift(lobes.placement, side), wp.dot(side, spot.n)) * side
+            spot.low = _ANYTHING
+            if wp.static(upward):
+                spot.low = HORIZON_MARGIN * reach_along(lobes.placement, spot.n, spot.o)
+            spot.reach = wp.float32(lobes.placement.reach)
+            start(spot.chunk, spot.o, spot.reach)
+        return spot
+
+    return place
+
+
+@once
 def estimate_kernel(slots: Slots) -> wp.Kernel:
     """A kernel with a task for each point, in the order of the placement."""
-    wide, keep = slots.wide, _keep(slots.channels)
-    sum_lobe = counted_lobe(slots) if slots.counts else weighed_lobe(slots)
+    traced, struct, keep, place = slots.query is not None, slots.struct, _keep(slots.channels), _placer(slots)
+    sum_lobe = (counted_lobe if slots.counts else weighed_lobe)(slots) if traced else free_lobe(slots)
+    chunk_floats = CHUNK_FLOATS if traced else PREPARED
+    words_size, beam_size, room_size = (SCRATCH, BEAM_FLOATS, START_FLOATS) if traced else (1, 1, 1)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
-    def estimate(lobes: Lobes, accelerator: Accelerator, first_task: wp.int64):
-        words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
-        floats = wp.zeros(shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    def estimate(lobes: Lobes, accelerator: Accelerator, data: struct, first_task: wp.int64):
+        words = wp.zeros(shape=(words_size,), dtype=wp.int32)
+        floats = wp.zeros(shape=(chunk_floats,), dtype=wp.float32)
         square = wp.zeros(shape=(SQUARE_FLOATS,), dtype=wp.float32)
-        beam = wp.zeros(shape=(BEAM_FLOATS,), dtype=wp.float32)
-        room = wp.zeros(shape=(START_FLOATS,), dtype=wp.float32)
+        beam = wp.zeros(shape=(beam_size,), dtype=wp.float32)
+        room = wp.zeros(shape=(room_size,), dtype=wp.float32)
         point = point_of(lobes.placement, first_task + wp.int64(wp.tid()))
         normal = wp.array(ptr=lobes.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
         unit = scaled_to_unit(normal)
         spot = Spot()
-        spot.id = lobes.first_point + wp.uint64(point)
         spot.n = wp.vec3(unit[0], unit[1], unit[2])
-        spot.place = local_origin(lobes.placement, point)
-        if wp.static(wide):
-            spot.o = wp.array(ptr=lobes.placement.starts + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
-        else:
-            side = wp.array(ptr=lobes.placement.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
-            spot.o = wp.vec3(spot.place) + wp.copysign(lift(lobes.placement, side), wp.dot(side, spot.n)) * side
-        spot.low = HORIZON_MARGIN * reach_along(lobes.placement, spot.n, spot.o)
-        spot.reach = wp.float32(lobes.placement.reach)
+        spot.lobe.normal = spot.n
+        spot.lobe.row = wp.int32(point)
+        spot.lobe.point = lobes.first_point + wp.uint64(point)
         spot.chunk = floats.ptr
         spot.square = square.ptr
         spot.room = room.ptr
@@ -75,6 +98,7 @@ def estimate_kernel(slots: Slots) -> wp.Kernel:
         if lobes.active != wp.uint64(0):
             weight = weigh_by_mask(wp.array(ptr=lobes.active + wp.uint64(point), shape=(1,), dtype=wp.uint8), 0)
         status = normal_status(normal, weight)
+        spot = place(lobes, point, spot)
         if status == 0 and wp.dot(spot.place - spot.place, spot.place - spot.place) != _ZERO:
             status = _NONFINITE_POSITION
         total = NOTHING
@@ -84,15 +108,17 @@ def estimate_kernel(slots: Slots) -> wp.Kernel:
         cast = wp.int32(0)
         empty = wp.int32(0)
         if status == 0:
-            start(spot.chunk, spot.o, spot.reach)
-            total, variance, width, degrees, cast, empty = sum_lobe(lobes, accelerator, spot)
+            total, variance, width, degrees, cast, empty = sum_lobe(lobes, accelerator, data, spot)
+            if wp.dot(total - total, total - total) != _ZERO:
+                status = _NONFINITE_VALUE
+                total = NOTHING
+                variance = NOTHING
+                width = NOTHING
+                degrees = NOTHING
         keep(lobes, point, total, variance, width, degrees)
         at = wp.uint64(point) * wp.uint64(4)
-        counts = wp.array(ptr=lobes.cast + at, shape=(1,), dtype=wp.int32)
-        counts[0] = cast
-        counts = wp.array(ptr=lobes.empty + at, shape=(1,), dtype=wp.int32)
-        counts[0] = empty
-        statuses = wp.array(ptr=lobes.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)
-        statuses[0] = wp.uint8(status)
+        wp.array(ptr=lobes.cast + at, shape=(1,), dtype=wp.int32)[0] = cast
+        wp.array(ptr=lobes.empty + at, shape=(1,), dtype=wp.int32)[0] = empty
+        wp.array(ptr=lobes.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)[0] = wp.uint8(status)
 
     return estimate

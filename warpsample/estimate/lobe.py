@@ -88,11 +88,11 @@ def search_of(slots: Slots) -> wp.Function:
 @once
 def counted_lobe(slots: Slots) -> wp.Function:
     """A function that sums a lobe whose rays add 1 or 0: scalars, and where all rays agree their difference is 0."""
-    constant = slots.constant
+    constant, struct = slots.constant, slots.struct
     open_around, search, sum_cell, widths = opened_for(slots), search_of(slots), cell_sum(slots), widths_of(slots)
 
     @wp.func
-    def sum_lobe(lobes: Lobes, accelerator: Accelerator, spot: Spot):
+    def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, spot: Spot):
         """(sum of the weights of all rays, squares of its standard error and spread, degrees, rays cast, in empty cells)."""
         hits = wp.int32(0)
         squared = _ZERO
@@ -114,7 +114,7 @@ def counted_lobe(slots: Slots) -> wp.Function:
                 else:
                     empty += wp.where(found == 0, 2 * lobes.each, 0)
                     _add, difference, rays, free, _w = sum_cell(
-                        lobes, seen, spot, sector * lobes.bands + step - 1, found, cell_near
+                        lobes, seen, data, spot, sector * lobes.bands + step - 1, found, cell_near
                     )
                     cast += rays
                     hits += free
@@ -135,12 +135,12 @@ def counted_lobe(slots: Slots) -> wp.Function:
 @once
 def weighed_lobe(slots: Slots) -> wp.Function:
     """A function that sums a lobe whose rays add any weights."""
-    constant, open_jump = slots.constant, _ONE if slots.any_hit else _HALF
+    constant, struct, open_jump = slots.constant, slots.struct, _ONE if slots.any_hit else _HALF
     open_around, search, sum_cell, widths = opened_for(slots), search_of(slots), cell_sum(slots), widths_of(slots)
     jump_at = jump_of(slots)
 
     @wp.func
-    def sum_lobe(lobes: Lobes, accelerator: Accelerator, spot: Spot):
+    def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, spot: Spot):
         """The same sums as in `counted_lobe`."""
         total = NOTHING
         variance = NOTHING
@@ -166,7 +166,7 @@ def weighed_lobe(slots: Slots) -> wp.Function:
                 else:
                     empty += wp.where(found == 0, 2 * lobes.each, 0)
                     add, difference, rays, free, w = sum_cell(
-                        lobes, seen, spot, sector * lobes.bands + step - 1, found, cell_near
+                        lobes, seen, data, spot, sector * lobes.bands + step - 1, found, cell_near
                     )
                     cast += rays
                     squares = wp.cw_mul(difference, difference)

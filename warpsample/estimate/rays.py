@@ -2,7 +2,6 @@
 
 import warp as wp
 
-from warpsample.distributions.parameters import Parameters
 from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.spot import Lobes, Spot
@@ -22,7 +21,7 @@ _LAST_UNIFORM = wp.constant(wp.float32(1.0 - 2.0**-24))
 @once
 def spread_of(slots: Slots) -> wp.Function:
     """A function that writes the directions of a chunk of rays."""
-    sample, about = slots.sequence.sample, slots.about
+    sample, directions = slots.sequence.sample, directions_of(slots)
 
     @wp.func
     def spread(lobes: Lobes, spot: Spot, cell: wp.int32, first: wp.int32, length: wp.int32):
@@ -31,7 +30,6 @@ def spread_of(slots: Slots) -> wp.Function:
         Each replicate of each cell is a stream of its own: its number goes into the seed's high word.
         """
         u = wp.array(ptr=spot.square, shape=(SQUARE_FLOATS,), dtype=wp.float32)
-        rays = wp.array(ptr=spot.chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
         low = low_word(lobes.seed)
         high = high_word(lobes.seed)
         stream = wp.uint32(2 * cell)
@@ -39,8 +37,7 @@ def spread_of(slots: Slots) -> wp.Function:
         band = wp.float32(cell - sector * lobes.bands)
         band_size = 1.0 / wp.float32(lobes.bands)
         sector_size = 1.0 / wp.float32(lobes.sectors)
-        n = spot.n
-        id = spot.id
+        id = spot.lobe.point
         each = lobes.each
         k = wp.int32(0)
         while k < length:
@@ -54,15 +51,71 @@ def spread_of(slots: Slots) -> wp.Function:
             u[k] = wp.where(x < _LAST_UNIFORM, x, _LAST_UNIFORM)  # where the sum is rounded up to the next cell
             u[CHUNK + k] = wp.where(y < _LAST_UNIFORM, y, _LAST_UNIFORM)
             k += 1
+        directions(lobes, spot, length)
+
+    return spread
+
+
+@once
+def spread_of_replicate(slots: Slots) -> wp.Function:
+    """A function that writes the directions of a chunk of rays of one replicate: the same, with one stream in the loop."""
+    sample, directions = slots.sequence.sample, directions_of(slots)
+
+    @wp.func
+    def spread(lobes: Lobes, spot: Spot, cell: wp.int32, replicate: wp.int32, first: wp.int32, length: wp.int32):
+        u = wp.array(ptr=spot.square, shape=(SQUARE_FLOATS,), dtype=wp.float32)
+        word = high_word(lobes.seed) ^ (wp.uint32(2 * cell + replicate) * _STREAM_STEP)
+        seed = (wp.uint64(word) << wp.uint64(32)) | wp.uint64(low_word(lobes.seed))
+        sector = cell / lobes.bands
+        band = wp.float32(cell - sector * lobes.bands)
+        band_size = 1.0 / wp.float32(lobes.bands)
+        sector_size = 1.0 / wp.float32(lobes.sectors)
+        id = spot.lobe.point
+        each = lobes.each
         k = wp.int32(0)
         while k < length:
-            d = about(n, wp.vec2(u[k] + 0.0, u[CHUNK + k] + 0.0), Parameters())
+            p = sample(seed, id, wp.uint32(first + k), wp.uint32(each))
+            x = (p[0] + band) * band_size
+            y = (p[1] + wp.float32(sector)) * sector_size
+            u[k] = wp.where(x < _LAST_UNIFORM, x, _LAST_UNIFORM)
+            u[CHUNK + k] = wp.where(y < _LAST_UNIFORM, y, _LAST_UNIFORM)
+            k += 1
+        directions(lobes, spot, length)
+
+    return spread
+
+
+@once
+def directions_of(slots: Slots) -> wp.Function:
+    """A function that maps a chunk's variates to directions."""
+    about, redraw, redraw_below, redraws = slots.about, slots.redraw, slots.redraw_below, slots.redraw is not None
+
+    @wp.func
+    def write_directions(lobes: Lobes, spot: Spot, length: wp.int32):
+        u = wp.array(ptr=spot.square, shape=(SQUARE_FLOATS,), dtype=wp.float32)
+        rays = wp.array(ptr=spot.chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+        n = spot.n
+        rare = wp.int32(0)
+        k = wp.int32(0)
+        while k < length:
+            d = about(n, wp.vec2(u[k] + 0.0, u[CHUNK + k] + 0.0), lobes.parameters)
             rays[DIRECTION + k] = d[0]
             rays[DIRECTION + CHUNK + k] = d[1]
             rays[DIRECTION + 2 * CHUNK + k] = d[2]
+            if wp.static(redraws):
+                rare = rare | wp.where(d[3] < redraw_below, 1, 0)
             k += 1
+        if wp.static(redraws):  # noqa: SIM102  (one is decided when the kernel is built, the other when it runs)
+            if rare != 0:
+                for j in range(length):
+                    at = wp.vec2(u[j], u[CHUNK + j])
+                    if about(n, at, lobes.parameters)[3] < redraw_below:
+                        d = redraw(n, at, lobes.parameters)
+                        rays[DIRECTION + j] = d[0]
+                        rays[DIRECTION + CHUNK + j] = d[1]
+                        rays[DIRECTION + 2 * CHUNK + j] = d[2]
 
-    return spread
+    return write_directions
 
 
 @once

@@ -8,7 +8,7 @@ import numpy as np
 
 from warpsample.directions.sample import Status
 from warpsample.estimate.intervals import Interval, interval_of
-from warpsample.estimate.spot import NONFINITE_POSITION
+from warpsample.estimate.spot import NONFINITE_POSITION, NONFINITE_VALUE
 from warpsample.host.arguments import check_choice, check_number
 from warpsample.mesh.mesh import mesh_of
 from warpsample.mesh.surface import SurfacePoints
@@ -25,6 +25,7 @@ class PointStatus(IntEnum):
     ZERO_NORMAL = Status.ZERO_NORMAL
     NONFINITE_NORMAL = Status.NONFINITE_NORMAL
     NONFINITE_POSITION = NONFINITE_POSITION
+    NONFINITE_VALUE = NONFINITE_VALUE
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,7 @@
 """The parts that a kernel of an estimate is made of; each combination is compiled once."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import warp as wp
 
@@ -13,8 +14,13 @@ class Slots:
 
     Attributes:
         sequence: of the rays.
-        about: (unit normal, u, Parameters) -> (direction, pdf): the polar map, whose cells `Cells` are.
-        weigh: (direction, Weights) -> vec3 that a ray adds which meets nothing; one of weight 0 is not cast.
+        about: (unit normal, u, Parameters) -> (direction, pdf): its cells are those of the square.
+        redraw: what replaces `about` where its pdf is below `redraw_below`, or None.
+        redraw_below: that pdf.
+        upward: whether all directions have a cosine to the normal of at least 2^-12, as those of the cosine lobe do: then
+            what is below a point's horizon need not be looked at.
+        weigh: (direction, Lobe, data) -> vec3 that a ray adds which meets nothing; one of weight 0 is not cast.
+        struct: the type of the data.
         constant: whether that is (1, 0, 0) in all directions.
         counts: whether each ray adds 1 or 0, and nothing between.
         channels: 1 or 3, how many of the vec3 are kept.
@@ -26,7 +32,11 @@ class Slots:
 
     sequence: Sequence
     about: wp.Function
+    redraw: wp.Function | None
+    redraw_below: float
+    upward: bool
     weigh: wp.Function
+    struct: Any
     constant: bool
     counts: bool
     channels: int

@@ -2,16 +2,17 @@
 
 import warp as wp
 
+from warpsample.distributions.parameters import Parameters
+from warpsample.estimate.integrand import Lobe
 from warpsample.estimate.skipping.beams import meets, triangles_in
 from warpsample.estimate.skipping.frontier import NEAR
-from warpsample.estimate.weights import Weights
 from warpsample.maths.frames import frame_about, to_world
 from warpsample.tracing.placement import Placement, way_to_scene
 from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, REACH, WIDTH, Accelerator
 
-NONFINITE_POSITION = 4
-"""The status of a point that is nowhere; the others are those of `directions.samples`."""
+NONFINITE_POSITION, NONFINITE_VALUE = 4, 5
+"""The status of a point that is nowhere, and of one whose integrand is not finite; the others are in `directions.samples`."""
 
 _PADDING = wp.constant(wp.float32(PADDING))
 _VISITS = wp.constant(wp.int32(32))  # nodes and leaves that a beam may look into: as long as five rays take
@@ -27,7 +28,7 @@ class Lobes:
     normals, active: (P, 3) float32, (P,) uint8 or 0: the lobes' axes, and which points count.
     each, bands, sectors, beams: as `Cells` has them; beams 0 tests none.
     skip: whether the tree is searched for what cannot be met.
-    edge: what is expected at most of an edge through a cell, see `edge_variance`.
+    edge: what is expected at most of an edge through a cell, see `edge_variance`. parameters: of the distribution.
     value, error, spread, degrees: (P, channels) float32.
     cast, empty, status: (P,) int32, int32, uint8: rays cast, rays in parts of the lobe that meet nothing, why not.
     """
@@ -44,7 +45,7 @@ class Lobes:
     skip: wp.int32
     falloff: wp.float32
     edge: wp.float32
-    weights: Weights
+    parameters: Parameters
     value: wp.uint64
     error: wp.uint64
     spread: wp.uint64
@@ -64,7 +65,7 @@ class Spot:
     Unit normal, origin as it is and as rays have it, what is lower is below the horizon, reach, and memory to work in.
     """
 
-    id: wp.uint64
+    lobe: Lobe
     n: wp.vec3
     place: wp.vec3d
     o: wp.vec3

@@ -1,8 +1,8 @@
-"""The weight of an unoccluded ray by its direction: `wp.func`s (direction, Weights) -> vec3."""
+"""The built-in integrands: `wp.func`s (direction, Lobe, Weights) -> vec3, what a ray adds that meets nothing."""
 
 import warp as wp
 
-from warpsample.host.locks import once
+from warpsample.estimate.integrand import Lobe
 from warpsample.maths.frames import frame_about, to_local
 
 _TURNS = wp.constant(wp.float32(0.15915494309189535))
@@ -10,7 +10,7 @@ _TURNS = wp.constant(wp.float32(0.15915494309189535))
 
 @wp.struct
 class Weights:
-    """Their second argument: a unit vector, by components; a picture of width x height RGB float32."""
+    """The data of the built-in integrands: a unit vector, by components; a picture of width x height RGB float32."""
 
     x: wp.float32
     y: wp.float32
@@ -24,19 +24,19 @@ WeightsArgs = type(Weights().__ctype__())
 
 
 @wp.func
-def everywhere(d: wp.vec3, weights: Weights) -> wp.vec3:
+def everywhere(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
     """1."""
     return wp.vec3(1.0, 0.0, 0.0)
 
 
 @wp.func
-def above(d: wp.vec3, weights: Weights) -> wp.vec3:
+def above(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
     """1 on the vector's side of the horizon, else 0."""
     return wp.vec3(wp.where(d[0] * weights.x + d[1] * weights.y + d[2] * weights.z > 0.0, 1.0, 0.0), 0.0, 0.0)
 
 
 @wp.func
-def itself(d: wp.vec3, weights: Weights) -> wp.vec3:
+def itself(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
     """The direction."""
     return d
 
@@ -51,7 +51,7 @@ def _pixel(weights: Weights, column: wp.int32, row: wp.int32) -> wp.vec3:
 
 
 @wp.func
-def environment(d: wp.vec3, weights: Weights) -> wp.vec3:
+def environment(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
     """The picture's radiance there, bilinear: rows from the vector down, columns by azimuth in the frame about it."""
     w = to_local(frame_about(wp.vec3(weights.x, weights.y, weights.z)), d)
     turns = wp.atan2(w[1], w[0]) * _TURNS
@@ -64,21 +64,3 @@ def environment(d: wp.vec3, weights: Weights) -> wp.vec3:
     top = wp.lerp(_pixel(weights, column, row), _pixel(weights, column + 1, row), right)
     bottom = wp.lerp(_pixel(weights, column, row + 1), _pixel(weights, column + 1, row + 1), right)
     return wp.lerp(top, bottom, lower)
-
-
-@once
-def radiance_of(function: wp.Function, colour: bool) -> wp.Function:
-    """A user's function of the direction, which gives a number of any type or, with colour, a vec3."""
-    if colour:
-
-        @wp.func
-        def radiance(d: wp.vec3, weights: Weights):
-            return function(d)
-
-    else:
-
-        @wp.func
-        def radiance(d: wp.vec3, weights: Weights):
-            return wp.vec3(wp.float32(function(d)), 0.0, 0.0)
-
-    return radiance

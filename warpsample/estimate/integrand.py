@@ -1,0 +1,149 @@
+"""The function that an estimate integrates: the user's `wp.func`, checked, in the one form that the kernels call."""
+
+from dataclasses import dataclass
+from inspect import signature
+from typing import Any
+
+import warp as wp
+
+from warpsample.host.arguments import told
+from warpsample.host.locks import once
+
+WANTED = "a wp.func (w: wp.vec3[, lobe: funcs.Lobe[, data: the struct of `data`]]) -> float or wp.vec3, annotated"
+
+_NUMBERS = (float, int, wp.float16, wp.float32, wp.float64, wp.int8, wp.int16, wp.int32, wp.int64)
+_NUMBERS += (wp.uint8, wp.uint16, wp.uint32, wp.uint64)
+
+
+@wp.struct
+class Lobe:
+    """The point whose lobe is integrated: its unit normal, its row in this call, and its global id."""
+
+    normal: wp.vec3
+    row: wp.int32
+    point: wp.uint64
+
+
+@wp.struct
+class NoData:
+    """The data of a function that takes none."""
+
+    nothing: wp.int32
+
+
+@dataclass(frozen=True)
+class Integrand:
+    """What is integrated.
+
+    Attributes:
+        function: (direction, Lobe, Data) -> vec3 of a ray that meets nothing.
+        channels: how many components of the vec3 count, 1 or 3.
+        data: the third argument, as ctypes take it.
+        struct: its type.
+        constant: whether the function is (1, 0, 0) everywhere.
+        binary: whether it is (1, 0, 0) or 0.
+    """
+
+    function: wp.Function
+    channels: int
+    data: Any
+    struct: Any
+    constant: bool = False
+    binary: bool = False
+
+
+def integrand_of(function: Any, data: Any = None, argument: str = "integrand") -> Integrand:
+    """A user's function and data.
+
+    Raises:
+        TypeError: not a function that can be integrated; names the argument.
+        ValueError: an array in the data is not on the CPU.
+    """
+    struct = _struct_of(data)
+    if not isinstance(function, wp.Function) or function.func is None:
+        raise TypeError(f"{argument}: got {told(function)}, want {WANTED}")
+    names = list(signature(function.func).parameters)
+    missing = [name for name in names if name not in function.input_types]
+    if missing:
+        raise TypeError(f"{argument}: got a function whose {missing[0]} has no type, want {WANTED}")
+    known = [wp.vec3, Lobe] if data is None else [wp.vec3, Lobe, struct]
+    given = list(function.input_types.values())
+    if not given or given != known[: len(given)]:
+        shown = ", ".join(f"{name}: {_name(kind)}" for name, kind in function.input_types.items())
+        most = ", ".join(_name(kind) for kind in known)
+        raise TypeError(f"{argument}: got a function of ({shown}), want {WANTED}; with this data, of ({most})")
+    if data is not None and len(given) < len(known):
+        raise TypeError(f"data: got {_name(struct)} for a function that takes none, want a function that does, or None")
+    colour = _returns_colour(function, argument)
+    fields = (NoData() if data is None else data).__ctype__()
+    return Integrand(_in_one_form(function, struct, len(given), colour), 3 if colour else 1, fields, struct)
+
+
+def _struct_of(data: Any) -> Any:
+    """The wp.struct of an instance; NoData for None."""
+    if data is None:
+        return NoData
+    struct = getattr(data, "cls", None)
+    if struct is None or not hasattr(data, "__ctype__"):
+        raise TypeError(f"data: got {told(data)}, want an instance of a wp.struct, or None")
+    for name in struct.vars:
+        value = getattr(data, name)
+        if isinstance(value, wp.array) and value.device and not value.device.is_cpu:
+            raise ValueError(f"data: got an array {name} on {value.device}, want it on cpu")
+    return struct
+
+
+def _returns_colour(function: wp.Function, argument: str) -> bool:
+    """Whether a function gives a vec3, and not a number."""
+    kind = getattr(function.func, "__annotations__", {}).get("return")
+    if kind is None:
+        try:
+            kind = type(function(wp.vec3(0.0, 0.0, 1.0)))
+        except Exception as error:  # whatever its author's code raises; and some of Warp, as wp.where, is for kernels alone
+            raise TypeError(
+                f"{argument}: got a function that does not say what it returns and cannot be called with a direction "
+                f"({error}), want {WANTED}"
+            ) from error
+    if kind not in (wp.vec3, *_NUMBERS):
+        raise TypeError(f"{argument}: got a function that gives {_name(kind)}, want {WANTED}")
+    return kind is wp.vec3
+
+
+def _name(kind: Any) -> str:
+    name = getattr(kind, "key", None) or getattr(kind, "__name__", str(kind))
+    return "vec3" if kind is wp.vec3 else name
+
+
+@wp.func
+def _as_vector(x: wp.vec3) -> wp.vec3:
+    return x
+
+
+@wp.func
+def _number_as_vector(x: Any) -> wp.vec3:
+    return wp.vec3(wp.float32(x), 0.0, 0.0)
+
+
+@once
+def _in_one_form(function: wp.Function, struct: Any, count: int, colour: bool) -> wp.Function:
+    """A function of up to three arguments that gives a number of any type or a vec3, as one of three that gives a vec3."""
+    vector = _as_vector if colour else _number_as_vector
+    if count == 1:
+
+        @wp.func
+        def value(w: wp.vec3, lobe: Lobe, data: struct):
+            return vector(function(w))
+
+    elif count == 2:
+
+        @wp.func
+        def value(w: wp.vec3, lobe: Lobe, data: struct):
+            return vector(function(w, lobe))
+
+    else:
+
+        @wp.func
+        def value(w: wp.vec3, lobe: Lobe, data: struct):
+            return vector(function(w, lobe, data))
+
+    return value
