@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from warpsample.distributions.visible_beckmann import VisibleBeckmann
     from warpsample.distributions.visible_ggx import VisibleGGX
     from warpsample.distributions.von_mises_fisher import VonMisesFisher
+    from warpsample.estimate.integrate import integrate
     from warpsample.estimate.intervals import Interval
     from warpsample.estimate.irradiance import irradiance
     from warpsample.estimate.result import Estimate, PointStatus, Skipped
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
     from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
     from warpsample.tracing.scene import refit
     from warpsample.tracing.trace import Hits, trace
+    from warpsample.tracing.tree import tree
 
 __all__ = [
     "GGX",
@@ -64,6 +66,7 @@ __all__ = [
     "bent_normals",
     "distributions",
     "face_centers",
+    "integrate",
     "irradiance",
     "load_mesh",
     "refit",
@@ -73,12 +76,14 @@ __all__ = [
     "sequences",
     "sky_view_factor",
     "trace",
+    "tree",
     "vertex_points",
 ]
 
 # Distributions are not listed: they are found by their records.
 _HOMES = {
     "directions.sample": ("Directions", "Status", "sample_directions", "sample_square"),
+    "estimate.integrate": ("integrate",),
     "estimate.intervals": ("Interval",),
     "estimate.irradiance": ("irradiance",),
     "estimate.result": ("Estimate", "PointStatus", "Skipped"),
@@ -89,6 +94,7 @@ _HOMES = {
     "mesh.surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
+    "tracing.tree": ("tree",),
 }
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
 

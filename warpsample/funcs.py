@@ -4,6 +4,10 @@
   steradian, or as the catalogue says), `X_to_square(w, ...)` the way back; parameters follow as float32.
 - `sobol`, `fibonacci`, `r2`, `stratified`, `independent`, `philox` (seed: uint64, point: uint64, sample, count: uint32)
   are points of the unit square, a pure function of their arguments.
+- `any_hit(tree, origin, direction, max_distance)` and `nearest_hit`, which gives (distance, face), ask a mesh for a ray;
+  `Tree` is what `warpsample.tree(mesh)` makes, a kernel's argument; `offset_origin(tree, position, normal)` moves a point
+  off its face.
+- `Lobe` is the second argument of a function that `warpsample.integrate` takes.
 - `frame_about(n)` is an orthonormal frame whose z is the unit normal n, `to_world` and `to_local` go there and back.
 """
 
@@ -60,6 +64,7 @@ from warpsample.distributions.von_mises_fisher import (
     square_to_von_mises_fisher_pdf,
     von_mises_fisher_to_square,
 )
+from warpsample.estimate.integrand import Lobe
 from warpsample.maths.frames import frame_about, to_local, to_world
 from warpsample.sequences.fibonacci import fibonacci
 from warpsample.sequences.independent import independent
@@ -67,8 +72,12 @@ from warpsample.sequences.philox import philox
 from warpsample.sequences.r2 import r2
 from warpsample.sequences.sobol import sobol
 from warpsample.sequences.stratified import stratified
+from warpsample.tracing.tree import Tree, any_hit, nearest_hit, offset_origin
 
 __all__ = [
+    "Lobe",
+    "Tree",
+    "any_hit",
     "beckmann_to_square",
     "cosine_hemisphere_to_square",
     "cosine_hemisphere_to_square_concentric",
@@ -76,8 +85,10 @@ __all__ = [
     "frame_about",
     "ggx_to_square",
     "independent",
+    "nearest_hit",
     "offset_ball_to_square",
     "offset_circle_to_square",
+    "offset_origin",
     "offset_sphere_to_square",
     "philox",
     "power_cosine_to_square",

@@ -18,7 +18,7 @@ from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_scale, check_seed, told
-from warpsample.host.arrays import Array, Vectors, as_vectors, check_active, check_out, cpu, new_vectors
+from warpsample.host.arrays import Array, Vectors, as_vectors, check_active, check_device, check_out, cpu, new_vectors
 from warpsample.host.engine import check_memory, check_workers, run
 from warpsample.host.progress import bar
 from warpsample.mesh.polydata import cloud
@@ -169,7 +169,7 @@ def sample_directions(
     )
     progress, first_point = check_flag(progress, "progress"), check_first_point(first_point, given.count)
     mask = _active_beside(given, active)
-    target = _check_device(device, given)
+    target = _device_beside(given, device)
     shape = (given.count, count)
     vectors = None if out is None else check_out(out, given, shape)
     size = prod(shape) * ((12 if out is None else 0) + (4 if plan.pdf else 0)) + given.count
@@ -227,16 +227,8 @@ def _active_beside(normals: Vectors, active: Any) -> Array | None:
     return wp.array(mask, dtype=wp.uint8, device=normals.device)
 
 
-def _check_device(device: Any, normals: Vectors) -> wp.Device:
-    if device is None:
-        return normals.device
-    known = ", ".join(str(d) for d in wp.get_devices())
-    if not isinstance(device, str | wp.Device):
-        raise TypeError(f"device: got {told(device)}, want one of {known}")
-    try:
-        target = wp.get_device(device)
-    except Exception as error:  # Warp raises several types for a device that does not exist
-        raise ValueError(f"device: got {told(device)}, want one of {known}") from error
+def _device_beside(normals: Vectors, device: Any) -> wp.Device:
+    target = check_device(device, normals.device)
     if isinstance(normals.owner, wp.array) and target != normals.device:
         raise ValueError(f"device: got {target}, want {normals.device}, where the normals are")
     return target

@@ -159,6 +159,11 @@ class CosineHemisphere(Distribution):
         """Checks the method's name."""
         check_choice(self.method, "method", get_args(Method))
 
+    @property
+    def polar(self) -> bool:
+        """The others map the square by a disk, or about an axis of their own."""
+        return self.method in ("polar", "inversion")
+
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
         """All four methods."""

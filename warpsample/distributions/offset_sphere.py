@@ -89,6 +89,11 @@ class OffsetSphere(Distribution):
         "two u give a direction, so there is no inverse"
     )
 
+    @property
+    def polar(self) -> bool:
+        """Not for rho below 1, where two u go to one direction."""
+        return self.rho >= 1.0
+
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
         """A narrow cone, both sides of the cosine lobe, and almost uniform."""

@@ -134,6 +134,11 @@ class Distribution:
         """`cdf` of float64 angles that can be."""
         raise NotImplementedError(f"{self!r}: its density does not depend on the angle alone")
 
+    @property
+    def polar(self) -> bool:
+        """Whether `sample` makes u[0] the cdf of the angle to +z, and u[1] the azimuth in turns."""
+        return self.symmetric and self.width == 3
+
     def seam(self, u: np.ndarray) -> np.ndarray:
         """Which u `invert` cannot give back to float32 accuracy: by default those of the pole, which has no azimuth.
 

@@ -73,7 +73,9 @@ def cell_sum(slots: Slots) -> wp.Function:
     struct = slots.struct
 
     @wp.func
-    def sum_cell(lobes: Lobes, accelerator: Accelerator, data: struct, spot: Spot, cell: wp.int32, found: wp.int32, near: wp.int32):
+    def sum_cell(
+        lobes: Lobes, accelerator: Accelerator, data: struct, spot: Spot, cell: wp.int32, found: wp.int32, near: wp.int32
+    ):
         """(sum of the weights of both replicates' rays, how much more the first has, rays cast, free, a weight)."""
         # Scalars: a vector of doubles goes through memory, and costs half as much as a ray. Hits are whole numbers.
         hits = wp.int32(0)

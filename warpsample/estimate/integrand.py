@@ -83,7 +83,7 @@ def _struct_of(data: Any) -> Any:
     """The wp.struct of an instance; NoData for None."""
     if data is None:
         return NoData
-    struct = getattr(data, "cls", None)
+    struct = getattr(data, "_cls", None)  # what a kernel's argument is annotated with
     if struct is None or not hasattr(data, "__ctype__"):
         raise TypeError(f"data: got {told(data)}, want an instance of a wp.struct, or None")
     for name in struct.vars:

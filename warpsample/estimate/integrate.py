@@ -1,12 +1,18 @@
 """The general estimate: the mean over a lobe of a function of the user's."""
 
+from dataclasses import replace
 from typing import Any
+
+import numpy as np
 
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.plan import Plan, Quantity, reach_of
-from warpsample.estimate.result import Estimate
+from warpsample.estimate.result import Estimate, PointStatus
+from warpsample.mesh.surface import SurfacePoints
+
+_FEW_POINTS, _FEW_RAYS = 64, 64
 
 
 def integrate(
@@ -87,4 +93,21 @@ def integrate(
     )
     if mesh is None and max_distance is not None:
         raise ValueError(f"max_distance: got {max_distance} without a mesh, want one with a mesh")
-    return plan.estimate(Quantity(integrand_of(integrand, data), reach=reach_of(max_distance)), trial=True)
+    quantity = Quantity(integrand_of(integrand, data), reach=reach_of(max_distance))
+    _try(plan, quantity)
+    return plan.estimate(quantity)
+
+
+def _try(plan: Plan, quantity: Quantity) -> None:
+    """Runs the first points with few rays.
+
+    Raises:
+        ValueError: the function is finite at none of them.
+    """
+    few = slice(_FEW_POINTS)
+    points = SurfacePoints(plan.points.position[few], plan.points.normal[few], plan.points.face[few])
+    active = None if plan.active is None else plan.active[few]
+    found = replace(plan, points=points, active=active, count=min(plan.count, _FEW_RAYS), tolerance=None).estimate(quantity)
+    broken = np.count_nonzero(found.status == PointStatus.NONFINITE_VALUE)
+    if broken and broken == np.count_nonzero(np.isin(found.status, (PointStatus.OK, PointStatus.NONFINITE_VALUE))):
+        raise ValueError(f"integrand: got NaN or infinity at each of the first {broken} points, want finite numbers")

@@ -8,16 +8,13 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.picture import read_picture
 from warpsample.estimate.plan import Plan, Quantity
 from warpsample.estimate.result import Estimate
-from warpsample.estimate.visibility import vector_weights
-from warpsample.estimate.weights import environment, radiance_of
+from warpsample.estimate.weights import seen_in
 from warpsample.host.arrays import as_real, as_unit
 from warpsample.mesh.surface import SurfacePoints
-
-_NUMBERS = (float, int, wp.float16, wp.float32, wp.float64, wp.int8, wp.int16, wp.int32, wp.int64)
-_NUMBERS += (wp.uint8, wp.uint16, wp.uint32, wp.uint64)
 
 _BRIGHTEST = 1e37  # of a picture: pi times that is a float32
 
@@ -79,39 +76,15 @@ def irradiance(
     )
     axis = as_unit(up, "up")
     if isinstance(radiance, wp.Function):
-        colour = _gives_colour(radiance)
-        return plan.estimate(Quantity(radiance_of(radiance, colour), channels=3 if colour else 1, unit=pi))
+        return plan.estimate(Quantity(integrand_of(radiance, argument="radiance"), unit=pi))
     picture = _picture(radiance)
     colour = picture.ndim == 3
     pixels = np.ascontiguousarray(np.broadcast_to(picture if colour else picture[..., None], (*picture.shape[:2], 3)))
-    weights = vector_weights(axis)
-    weights.pixels, (weights.height, weights.width) = pixels.ctypes.data, picture.shape[:2]
-    found = plan.estimate(Quantity(environment, channels=3, weights=weights, unit=pi))
+    found = plan.estimate(Quantity(seen_in(pixels, axis), unit=pi))
     if colour:
         return found
     numbers = ("value", "standard_error", "spread", "degrees_of_freedom")
     return replace(found, **{name: getattr(found, name)[:, 0] for name in numbers})
-
-
-def _gives_colour(function: wp.Function) -> bool:
-    """Whether a function of the direction gives a vec3, and not a number.
-
-    Raises:
-        TypeError: it gives something else, or cannot be called so.
-    """
-    wants = "want a wp.func (direction: wp.vec3) -> float or wp.vec3"
-    try:
-        kind = type(function(wp.vec3(0.0, 0.0, 1.0)))
-    except Exception as error:  # whatever its author's code raises; and some of Warp, as wp.where, is for kernels alone
-        kind = getattr(function.func, "__annotations__", {}).get("return")
-        if not isinstance(kind, type):
-            raise TypeError(
-                f"radiance: got a function that cannot be called with a direction ({error}), {wants}, "
-                "annotated with what it returns if it is for kernels alone"
-            ) from error
-    if kind not in (wp.vec3, *_NUMBERS):
-        raise TypeError(f"radiance: got a function that gives {kind.__name__}, {wants}")
-    return kind is wp.vec3
 
 
 def _picture(radiance: Any) -> np.ndarray:

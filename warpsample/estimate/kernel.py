@@ -52,7 +52,9 @@ def _placer(slots: Slots) -> wp.Function:
         if wp.static(traced):
             spot.place = local_origin(lobes.placement, point)
             if wp.static(wide):
-                spot.o = wp.array(ptr=lobes.placement.starts + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+                spot.o = wp.array(ptr=lobes.placement.starts + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[
+                    0
+                ]
             else:
                 side = wp.array(ptr=lobes.placement.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
                 spot.o = wp.vec3(spot.place) + wp.copysign(lift(lobes.placement, side), wp.dot(side, spot.n)) * side

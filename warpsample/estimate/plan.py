@@ -1,25 +1,27 @@
 """What all estimates share: the checked call, and how many rays its points take."""
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from math import inf
 from typing import Any
 
 import numpy as np
-import warp as wp
 
 from warpsample import sequences
-from warpsample.estimate.cells import cells_of
+from warpsample.distributions import as_spatial
+from warpsample.distributions.record import Distribution
+from warpsample.estimate.cells import POLAR_COSINE, cells_of
+from warpsample.estimate.integrand import Integrand
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.runner import Runner, rays_of
-from warpsample.estimate.weights import WeightsArgs
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_number, check_seed
-from warpsample.host.arrays import check_active, cpu, kind_told
+from warpsample.host.arrays import as_directions, check_active, cpu, kind_told
 from warpsample.host.engine import check_memory, check_workers
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.record import Sequence
 from warpsample.tracing.tracers import Tracer, tracer_of
+from warpsample.tracing.triples import Triples
 
 _MOST_RAYS = 2**24  # of a point: hits are counted in float64 and rays in int32, and one point is one task
 _BYTES_PER_POINT = 132
@@ -34,21 +36,13 @@ class Quantity:
     """The quantity that is summed over the rays of a point.
 
     Attributes:
-        weigh: what a ray adds that meets nothing, of `estimate.weights`.
-        constant: whether that is 1 in all directions.
-        binary: whether it is 1 or 0.
-        channels: how many numbers it is, 1 or 3.
-        weights: what `weigh` takes after the direction.
+        integrand: what a ray adds that meets nothing.
         reach: how far rays go, in the user's units.
         unit: what the mean of the rays is multiplied by.
         falloff: see `ambient_occlusion`; None: a ray that meets something adds nothing.
     """
 
-    weigh: wp.Function
-    constant: bool = False
-    binary: bool = False
-    channels: int = 1
-    weights: WeightsArgs = field(default_factory=WeightsArgs)
+    integrand: Integrand
     reach: float = inf
     unit: float = 1.0
     falloff: float | None = None
@@ -58,9 +52,10 @@ class Quantity:
 class Plan:
     """The checked arguments of a call, apart from the quantity that is summed."""
 
-    mesh: Mesh
+    mesh: Mesh | None
     points: SurfacePoints
     count: int
+    distribution: Distribution
     sequence: Sequence
     seed: int
     first_point: int
@@ -86,6 +81,7 @@ class Plan:
         tracer: str = "auto",
         workers: int | None = None,
         progress: bool = False,
+        distribution: Any = POLAR_COSINE,
     ) -> "Plan":
         """The plan of a call's arguments.
 
@@ -93,13 +89,17 @@ class Plan:
             TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
             MemoryError: more than is free.
         """
+        if mesh is None and not isinstance(points, SurfacePoints):
+            normals = as_directions(Triples.of(points, "points", "(P, 3)").owner)
+            points = SurfacePoints(np.zeros(normals.shape, np.float32), normals)
         if not isinstance(points, SurfacePoints):
             raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints, as sample_surface gives them")
         check_memory(_BYTES_PER_POINT * len(points), f"the numbers of {len(points):,} points", "take them in parts")
         return cls(
-            as_mesh(mesh),
+            None if mesh is None else as_mesh(mesh),
             points,
             check_integer(count, "count", 2, _MOST_RAYS),
+            as_spatial(distribution),
             sequences.get(sequence),
             check_seed(seed),
             check_first_point(first_point, len(points)),
@@ -113,7 +113,7 @@ class Plan:
 
     def estimate(self, quantity: Quantity) -> Estimate:
         """Runs the plan for a quantity."""
-        with bar(self.progress, "casting rays"):
+        with bar(self.progress, "casting rays" if self.mesh else "sampling directions"):
             return self._estimate(quantity)
 
     def _estimate(self, quantity: Quantity) -> Estimate:
@@ -138,3 +138,12 @@ class Plan:
         # A power of two is its own: a logarithm's last digit, which depends on the processor, must not double the rays.
         half, steps = np.frexp(np.clip(needed, _FEWEST_RAYS, self.count))
         return np.minimum(2 ** (steps.astype(np.int64) - (half == 0.5)), self.count)
+
+
+def reach_of(max_distance: Any) -> float:
+    """How far rays go: infinitely far by default.
+
+    Raises:
+        TypeError, ValueError: not a number from 0 on.
+    """
+    return inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)

@@ -105,7 +105,7 @@ def directions_of(slots: Slots) -> wp.Function:
             if wp.static(redraws):
                 rare = rare | wp.where(d[3] < redraw_below, 1, 0)
             k += 1
-        if wp.static(redraws):  # noqa: SIM102  (one is decided when the kernel is built, the other when it runs)
+        if wp.static(redraws):
             if rare != 0:
                 for j in range(length):
                     at = wp.vec2(u[j], u[CHUNK + j])

@@ -4,8 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from warpsample.distributions.cosine_hemisphere import CosineHemisphere
-from warpsample.estimate.cells import Cells, cells_of
+from warpsample.estimate.cells import POLAR_COSINE, Cells, cells_of
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.result import Estimate, Skipped
 from warpsample.estimate.slots import Slots
@@ -18,6 +17,7 @@ from warpsample.tracing.rays import RAY_WORK
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.starts import faces_and_normals, set_starts
 from warpsample.tracing.triples import Triples
+from warpsample.tracing.wide.layout import AcceleratorArgs
 
 if TYPE_CHECKING:
     from warpsample.estimate.plan import Plan, Quantity
@@ -36,20 +36,20 @@ class Runner:
 
     def __init__(self, plan: "Plan", quantity: "Quantity") -> None:
         """Places the points and finds where their rays start."""
-        self.plan, self.quantity, self.scene = plan, quantity, scene_of(plan.mesh)
+        self.plan, self.quantity = plan, quantity
+        self.scene = scene_of(plan.mesh) if plan.mesh else None
         self.position = Triples.of(plan.points.position, "points.position")
         self.normal = as_directions(Triples.of(plan.points.normal, "points.normal").owner)
-        self.face, self.side = faces_and_normals(plan.mesh, plan.points, "points")
         self.placement = self._placement() if len(plan.points) else None
 
     def result(self, seed: int, counts: np.ndarray) -> Estimate:
         """The estimate by counts[i] rays from the i-th point."""
-        points, channels = len(counts), self.quantity.channels
+        points, channels = len(counts), self.quantity.integrand.channels
         shape = (points,) if channels == 1 else (points, channels)
         value, error, spread, degrees = (np.zeros(shape, np.float32) for _ in range(4))
         cast, empty, status = (np.zeros(points, kind) for kind in (np.int32, np.int32, np.uint8))
         for count in np.unique(counts):
-            lobes = self._lobes(cells_of(int(count)), seed)
+            lobes = self._lobes(cells_of(int(count), self.plan.distribution), seed)
             lobes.value, lobes.error, lobes.spread, lobes.degrees = (a.ctypes.data for a in (value, error, spread, degrees))
             lobes.cast, lobes.empty, lobes.status = (a.ctypes.data for a in (cast, empty, status))
             self._run(lobes, counts == count)
@@ -64,12 +64,15 @@ class Runner:
         return Estimate(unit * value, unit * error, unit * spread, degrees, cast, status, skipped)
 
     def _placement(self) -> PlacementArgs:
+        if self.scene is None:
+            return PlacementArgs(points=len(self.plan.points))
         placement = placed(self.scene, self.position, self.quantity.reach)
+        face, self.side = faces_and_normals(self.plan.mesh, self.plan.points, "points")
         placement.normals = self.side.ctypes.data
         if self.quantity.falloff is not None:  # is relative to the reach, so that must be a float32
             placement.reach = min(placement.reach, _MOST_REACH)
         plan = self.plan
-        self.starts = set_starts(self.scene, placement, self.face, self.normal, plan.tracer, plan.workers)
+        self.starts = set_starts(self.scene, placement, face, self.normal, plan.tracer, plan.workers)
         return placement
 
     def _lobes(self, cells: Cells, seed: int) -> LobesArgs:
@@ -88,27 +91,36 @@ class Runner:
             skip=plan.skip,
             falloff=quantity.falloff or 0.0,
             edge=plan.sequence.edge_variance(cells.each),
-            weights=quantity.weights,
+            parameters=plan.distribution.kernel_parameters().__ctype__(),
         )
 
     def _run(self, lobes: LobesArgs, chosen: np.ndarray) -> None:
         """Sums the lobes of the chosen points."""
-        plan, quantity, rays = self.plan, self.quantity, 2 * lobes.each * lobes.bands * lobes.sectors
-        order = order_of(self.scene, lobes.placement, rays, plan.workers)
+        plan, rays = self.plan, 2 * lobes.each * lobes.bands * lobes.sectors
+        order = order_of(self.scene, lobes.placement, rays, plan.workers) if self.scene else None
         rows = np.flatnonzero(chosen) if order is None else order[chosen[order]]
         lobes.placement.order = rows.ctypes.data
-        any_hit = quantity.falloff is None
-        slots = Slots(
-            plan.sequence,
-            CosineHemisphere("polar").about(),
-            quantity.weigh,
-            quantity.constant,
-            quantity.binary and any_hit,
-            quantity.channels,
-            plan.tracer.prepare,
-            plan.tracer.distance_query(any_hit),
-            any_hit,
-            plan.tracer.skips,
+        accelerator = plan.tracer.accelerator(self.scene, cpu(), plan.workers) if self.scene else AcceleratorArgs()
+        inputs = [lobes, accelerator, self.quantity.integrand.data]
+        work = (RAY_WORK if self.scene else 1) * len(rows) * rays
+        run(estimate_kernel(self._slots()), len(rows), inputs, cpu(), plan.workers, work)
+
+    def _slots(self) -> Slots:
+        plan, integrand, any_hit = self.plan, self.quantity.integrand, self.quantity.falloff is None
+        maps, tracer = plan.distribution.maps, plan.tracer
+        return Slots(
+            sequence=plan.sequence,
+            about=plan.distribution.about(),
+            redraw=maps.redraw,
+            redraw_below=maps.redraw_below,
+            upward=plan.distribution == POLAR_COSINE,
+            weigh=integrand.function,
+            struct=integrand.struct,
+            constant=integrand.constant,
+            counts=integrand.binary and any_hit,
+            channels=integrand.channels,
+            prepare=tracer.prepare if self.scene else None,
+            query=tracer.distance_query(any_hit) if self.scene else None,
+            any_hit=any_hit,
+            wide=tracer.skips,
         )
-        accelerator = plan.tracer.accelerator(self.scene, cpu(), plan.workers)
-        run(estimate_kernel(slots), len(rows), [lobes, accelerator], cpu(), plan.workers, RAY_WORK * len(rows) * rays)

@@ -12,7 +12,7 @@ from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, REACH, WIDTH, Accelerator
 
 NONFINITE_POSITION, NONFINITE_VALUE = 4, 5
-"""The status of a point that is nowhere, and of one whose integrand is not finite; the others are in `directions.samples`."""
+"""The status of a point that is nowhere, and of one whose integrand is not finite; `directions.samples` has the others."""
 
 _PADDING = wp.constant(wp.float32(PADDING))
 _VISITS = wp.constant(wp.int32(32))  # nodes and leaves that a beam may look into: as long as five rays take

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.estimate.plan import Plan, Quantity
+from warpsample.estimate.plan import Plan, Quantity, reach_of
 from warpsample.estimate.result import Estimate
-from warpsample.estimate.weights import WeightsArgs, above, everywhere, itself
+from warpsample.estimate.weights import DIRECTION, OPEN, above_plane
 from warpsample.host.arguments import check_number
 from warpsample.host.arrays import as_unit
 from warpsample.mesh.surface import SurfacePoints
@@ -79,12 +79,12 @@ def ambient_occlusion(
     plan = Plan.of(
         mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress=progress
     )
-    reach = _reach(max_distance)
+    reach = reach_of(max_distance)
     if falloff is not None:
         falloff = check_number(falloff, "falloff", 0.0, 1000.0)
         if not 0.0 < reach < inf:
             raise ValueError(f"max_distance: got {max_distance}, want a finite one above 0, to which falloff is relative")
-    return plan.estimate(Quantity(everywhere, constant=True, binary=True, reach=reach, falloff=falloff))
+    return plan.estimate(Quantity(OPEN, reach=reach, falloff=falloff))
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,9 +151,9 @@ def sky_view_factor(
     plan = Plan.of(
         mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress=progress
     )
-    reach = _reach(max_distance)
+    reach = reach_of(max_distance)
     axis = as_unit(up, "up")
-    found = plan.estimate(Quantity(above, binary=True, weights=vector_weights(axis), reach=reach))
+    found = plan.estimate(Quantity(above_plane(axis), reach=reach))
     normal = np.asarray(points.normal, np.float64)
     with np.errstate(invalid="ignore"):
         cosine = normal @ axis / np.linalg.norm(normal, axis=1)
@@ -213,15 +213,5 @@ def bent_normals(
     plan = Plan.of(
         mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress=progress
     )
-    reach = _reach(max_distance)
-    return plan.estimate(Quantity(itself, channels=3, reach=reach))
-
-
-def vector_weights(vector: tuple[float, float, float]) -> WeightsArgs:
-    """What `weights.above` takes."""
-    x, y, z = vector
-    return WeightsArgs(x=x, y=y, z=z)
-
-
-def _reach(max_distance: Any) -> float:
-    return inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
+    reach = reach_of(max_distance)
+    return plan.estimate(Quantity(DIRECTION, reach=reach))

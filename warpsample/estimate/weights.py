@@ -1,8 +1,11 @@
 """The built-in integrands: `wp.func`s (direction, Lobe, Weights) -> vec3, what a ray adds that meets nothing."""
 
+from typing import Any
+
+import numpy as np
 import warp as wp
 
-from warpsample.estimate.integrand import Lobe
+from warpsample.estimate.integrand import Integrand, Lobe
 from warpsample.maths.frames import frame_about, to_local
 
 _TURNS = wp.constant(wp.float32(0.15915494309189535))
@@ -64,3 +67,22 @@ def environment(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
     top = wp.lerp(_pixel(weights, column, row), _pixel(weights, column + 1, row), right)
     bottom = wp.lerp(_pixel(weights, column, row + 1), _pixel(weights, column + 1, row + 1), right)
     return wp.lerp(top, bottom, lower)
+
+
+OPEN = Integrand(everywhere, 1, WeightsArgs(), Weights, constant=True, binary=True)
+"""1 in each direction: occlusion."""
+
+DIRECTION = Integrand(itself, 3, WeightsArgs(), Weights)
+"""The direction: bent normals."""
+
+
+def above_plane(up: Any) -> Integrand:
+    """1 above the plane across a vector, 0 below it: the sky."""
+    return Integrand(above, 1, WeightsArgs(x=up[0], y=up[1], z=up[2]), Weights, binary=True)
+
+
+def seen_in(pixels: np.ndarray, up: Any) -> Integrand:
+    """A picture of the radiance all around, (H, W, 3) contiguous float32; the caller keeps it."""
+    height, width = pixels.shape[:2]
+    data = WeightsArgs(x=up[0], y=up[1], z=up[2], pixels=pixels.ctypes.data, width=width, height=height)
+    return Integrand(environment, 3, data, Weights)

@@ -50,6 +50,23 @@ def cpu() -> wp.Device:
     return wp.get_device("cpu")
 
 
+def check_device(device: Any, default: wp.Device) -> wp.Device:
+    """The device that a caller names, as "cuda:0" or a wp.Device; the default for None.
+
+    Raises:
+        TypeError, ValueError: no device of this machine.
+    """
+    if device is None:
+        return default
+    known = ", ".join(str(d) for d in wp.get_devices())
+    if not isinstance(device, str | wp.Device):
+        raise TypeError(f"device: got {told(device)}, want one of {known}")
+    try:
+        return wp.get_device(device)
+    except Exception as error:  # Warp raises several types for a device that does not exist
+        raise ValueError(f"device: got {told(device)}, want one of {known}") from error
+
+
 def address_of(array: Array) -> int:
     """Address of the first element, on the array's device."""
     return array.ptr or 0 if isinstance(array, wp.array) else array.__array_interface__["data"][0]

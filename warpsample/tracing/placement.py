@@ -2,11 +2,10 @@
 
 from math import prod
 
-import numpy as np
 import warp as wp
 
 from warpsample.host.arrays import address_of
-from warpsample.tracing.scene import Scene
+from warpsample.tracing.scene import Scene, coarseness_of
 from warpsample.tracing.triples import Triples
 
 FURTHEST = 6.0
@@ -77,14 +76,8 @@ def placed(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:
         extent_x=scene.extent[0],
         extent_y=scene.extent[1],
         extent_z=scene.extent[2],
-        coarseness=_coarseness(scene, origins.double),
+        coarseness=coarseness_of(scene, origins.double),
     )
-
-
-def _coarseness(scene: Scene, double: bool) -> float:
-    """Two spacings of the user's numbers at the mesh, in the scene's coordinates."""
-    largest = np.max(np.abs(scene.centre)) + np.max(scene.spread) / scene.scale
-    return 2.0 * float(np.spacing((np.float64 if double else np.float32)(largest))) * scene.scale
 
 
 @wp.func
@@ -136,6 +129,13 @@ def reach_along(placement: Placement, n: wp.vec3, o: wp.vec3) -> wp.float32:
     x = wp.abs(n[0]) * wp.max(placement.extent_x, wp.abs(o[0]))
     y = wp.abs(n[1]) * wp.max(placement.extent_y, wp.abs(o[1]))
     return x + y + wp.abs(n[2]) * wp.max(placement.extent_z, wp.abs(o[2]))
+
+
+@wp.func
+def lift_within(extent: wp.vec3, coarseness: wp.float32, n: wp.vec3) -> wp.float32:
+    """The lift of a point with that normal in a scene of that extent."""
+    along = wp.abs(n[0]) * extent[0] + wp.abs(n[1]) * extent[1] + wp.abs(n[2]) * extent[2]
+    return _LIFT * along + coarseness
 
 
 @wp.func

@@ -121,6 +121,12 @@ def scene_of(mesh: Mesh) -> Scene:
     return scene
 
 
+def coarseness_of(scene: Scene, double: bool) -> float:
+    """Two spacings of the user's numbers at the mesh, in the scene's coordinates."""
+    largest = np.max(np.abs(scene.centre)) + np.max(scene.spread) / scene.scale
+    return 2.0 * float(np.spacing((np.float64 if double else np.float32)(largest))) * scene.scale
+
+
 def refit(mesh: Any, vertices: Any, workers: int | None = None) -> Mesh:
     """The mesh with its vertices moved, ready to be traced: several times as fast as building its tree anew.
 

@@ -35,6 +35,22 @@ class Ray:
     along: wp.uint64
 
 
+@wp.struct
+class Prepared:
+    """The same as float32 and numbers of rows, as rays are prepared side by side."""
+
+    inverse: wp.vec3
+    shift: wp.vec3
+    near_x: wp.int32
+    near_y: wp.int32
+    near_z: wp.int32
+    origin: wp.vec3
+    shear: wp.vec3
+    first: wp.int32
+    second: wp.int32
+    along: wp.int32
+
+
 @wp.func
 def _not_still(d: wp.float32) -> wp.float32:
     """d, or a step so small along that axis that it cannot be seen, whose inverse is finite."""
@@ -48,46 +64,71 @@ def _bytes(rows: wp.int32) -> wp.float32:
 
 
 @wp.func
-def prepare_wide(chunk: wp.uint64, length: wp.int32):
-    """Fills the other rows of a chunk's first rays, all at once.
+def prepared(o: wp.vec3, d: wp.vec3) -> Prepared:
+    """A ray from o along the unit vector d.
 
-    A plane at x is met at x * inverse + shift. near: byte offset from an axis' lower row to that of the planes met first.
-    along, first, second: byte offset to the row of the direction's longest axis and to those of the other two, which are
-    sheared along it until the ray is that axis (Woop2013), and the origin's coordinates on these.
+    A plane at x is met at x * inverse + shift. near: rows from an axis' lower row to that of the planes met first. along,
+    first, second: the row of the direction's longest axis and those of the other two, which are sheared along it until the
+    ray is that axis (Woop2013); origin: the origin's coordinates on first, second, along.
     """
+    x = _not_still(d[0])
+    y = _not_still(d[1])
+    z = _not_still(d[2])
+    inverse_x = 1.0 / x
+    inverse_y = 1.0 / y
+    inverse_z = 1.0 / z
+    to_y = wp.abs(y) > wp.abs(x)
+    to_z = wp.abs(z) > greater(wp.abs(x), wp.abs(y))
+    scale = wp.where(to_z, inverse_z, wp.where(to_y, inverse_y, inverse_x))
+    p = Prepared()
+    p.inverse = wp.vec3(inverse_x, inverse_y, inverse_z)
+    p.shift = wp.vec3(-o[0] * inverse_x, -o[1] * inverse_y, -o[2] * inverse_z)
+    p.near_x = wp.where(x < 0.0, 3, 0)
+    p.near_y = wp.where(y < 0.0, 3, 0)
+    p.near_z = wp.where(z < 0.0, 3, 0)
+    p.origin = wp.vec3(
+        wp.where(to_z, o[0], wp.where(to_y, o[2], o[1])),
+        wp.where(to_z, o[1], wp.where(to_y, o[0], o[2])),
+        wp.where(to_z, o[2], wp.where(to_y, o[1], o[0])),
+    )
+    p.shear = wp.vec3(
+        -wp.where(to_z, x, wp.where(to_y, z, y)) * scale,
+        -wp.where(to_z, y, wp.where(to_y, x, z)) * scale,
+        wp.where(to_z, z, wp.where(to_y, y, x)),
+    )
+    p.first = wp.where(to_z, 0, wp.where(to_y, 2, 1))
+    p.second = wp.where(to_z, 1, wp.where(to_y, 0, 2))
+    p.along = wp.where(to_z, 2, wp.where(to_y, 1, 0))
+    return p
+
+
+@wp.func
+def prepare_wide(chunk: wp.uint64, length: wp.int32):
+    """Fills the other rows of a chunk's first rays, all at once."""
     rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
     while k < length:
-        x = _not_still(rays[DIRECTION + k])
-        y = _not_still(rays[DIRECTION + CHUNK + k])
-        z = _not_still(rays[DIRECTION + 2 * CHUNK + k])
-        inverse_x = 1.0 / x
-        inverse_y = 1.0 / y
-        inverse_z = 1.0 / z
-        ox = rays[ORIGIN + k]
-        oy = rays[ORIGIN + CHUNK + k]
-        oz = rays[ORIGIN + 2 * CHUNK + k]
-        rays[_INVERSE + k] = inverse_x
-        rays[_INVERSE + CHUNK + k] = inverse_y
-        rays[_INVERSE + 2 * CHUNK + k] = inverse_z
-        rays[_SHIFT + k] = -ox * inverse_x
-        rays[_SHIFT + CHUNK + k] = -oy * inverse_y
-        rays[_SHIFT + 2 * CHUNK + k] = -oz * inverse_z
-        rays[_NEAR + k] = _bytes(wp.where(x < 0.0, 3, 0))
-        rays[_NEAR + CHUNK + k] = _bytes(wp.where(y < 0.0, 3, 0))
-        rays[_NEAR + 2 * CHUNK + k] = _bytes(wp.where(z < 0.0, 3, 0))
-        to_y = wp.abs(y) > wp.abs(x)
-        to_z = wp.abs(z) > greater(wp.abs(x), wp.abs(y))
-        scale = wp.where(to_z, inverse_z, wp.where(to_y, inverse_y, inverse_x))
-        rays[_ORIGIN + k] = wp.where(to_z, ox, wp.where(to_y, oz, oy))
-        rays[_ORIGIN + CHUNK + k] = wp.where(to_z, oy, wp.where(to_y, ox, oz))
-        rays[_ORIGIN + 2 * CHUNK + k] = wp.where(to_z, oz, wp.where(to_y, oy, ox))
-        rays[_SHEAR + k] = -wp.where(to_z, x, wp.where(to_y, z, y)) * scale
-        rays[_SHEAR + CHUNK + k] = -wp.where(to_z, y, wp.where(to_y, x, z)) * scale
-        rays[_SHEAR + 2 * CHUNK + k] = wp.where(to_z, z, wp.where(to_y, y, x))
-        rays[_AXES + k] = _bytes(wp.where(to_z, 0, wp.where(to_y, 2, 1)))
-        rays[_AXES + CHUNK + k] = _bytes(wp.where(to_z, 1, wp.where(to_y, 0, 2)))
-        rays[_AXES + 2 * CHUNK + k] = _bytes(wp.where(to_z, 2, wp.where(to_y, 1, 0)))
+        o = wp.vec3(rays[ORIGIN + k], rays[ORIGIN + CHUNK + k], rays[ORIGIN + 2 * CHUNK + k])
+        d = wp.vec3(rays[DIRECTION + k], rays[DIRECTION + CHUNK + k], rays[DIRECTION + 2 * CHUNK + k])
+        p = prepared(o, d)
+        rays[_INVERSE + k] = p.inverse[0]
+        rays[_INVERSE + CHUNK + k] = p.inverse[1]
+        rays[_INVERSE + 2 * CHUNK + k] = p.inverse[2]
+        rays[_SHIFT + k] = p.shift[0]
+        rays[_SHIFT + CHUNK + k] = p.shift[1]
+        rays[_SHIFT + 2 * CHUNK + k] = p.shift[2]
+        rays[_NEAR + k] = _bytes(p.near_x)
+        rays[_NEAR + CHUNK + k] = _bytes(p.near_y)
+        rays[_NEAR + 2 * CHUNK + k] = _bytes(p.near_z)
+        rays[_ORIGIN + k] = p.origin[0]
+        rays[_ORIGIN + CHUNK + k] = p.origin[1]
+        rays[_ORIGIN + 2 * CHUNK + k] = p.origin[2]
+        rays[_SHEAR + k] = p.shear[0]
+        rays[_SHEAR + CHUNK + k] = p.shear[1]
+        rays[_SHEAR + 2 * CHUNK + k] = p.shear[2]
+        rays[_AXES + k] = _bytes(p.first)
+        rays[_AXES + CHUNK + k] = _bytes(p.second)
+        rays[_AXES + 2 * CHUNK + k] = _bytes(p.along)
         k += 1
 
 
@@ -119,4 +160,35 @@ def ray_in(column: wp.uint64) -> Ray:
     ray.first = _offset(rows[_AXES])
     ray.second = _offset(rows[_AXES + CHUNK])
     ray.along = _offset(rows[_AXES + 2 * CHUNK])
+    return ray
+
+
+@wp.func
+def _rows(rows: wp.int32) -> wp.uint64:
+    return wp.uint64(rows * _ROW_BYTES)
+
+
+@wp.func
+def ray_of(o: wp.vec3, d: wp.vec3) -> Ray:
+    """One ray, without a chunk: the same numbers."""
+    p = prepared(o, d)
+    ray = Ray()
+    ray.inverse_x = p.inverse[0]
+    ray.inverse_y = p.inverse[1]
+    ray.inverse_z = p.inverse[2]
+    ray.shift_x = p.shift[0]
+    ray.shift_y = p.shift[1]
+    ray.shift_z = p.shift[2]
+    ray.near_x = _rows(p.near_x)
+    ray.near_y = _rows(p.near_y)
+    ray.near_z = _rows(p.near_z)
+    ray.origin_first = p.origin[0]
+    ray.origin_second = p.origin[1]
+    ray.origin_along = p.origin[2]
+    ray.shear_first = p.shear[0]
+    ray.shear_second = p.shear[1]
+    ray.share_along = p.shear[2]
+    ray.first = _rows(p.first)
+    ray.second = _rows(p.second)
+    ray.along = _rows(p.along)
     return ray

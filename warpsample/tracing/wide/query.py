@@ -145,11 +145,11 @@ def _begin_at_several(accelerator: Accelerator, ray: Ray, reach: wp.float32, fli
 
 
 @once
-def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
-    """A query (Accelerator, ray, reach, scratch) -> (distance or inf, face or -1, nodes, leaves visited).
+def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
+    """A query (Accelerator, Ray, column, reach, scratch) -> (distance or inf, face or -1, nodes, leaves visited).
 
-    In the tree's coordinates; origins are within 6 of 0 on each axis, reaches above 0. `ray` is the address of a column
-    of a prepared chunk's rows, `scratch` that of SCRATCH words.
+    In the tree's coordinates; origins are within 6 of 0 on each axis, reaches above 0. `column` is the address of a column
+    with the ray's direction, `scratch` that of SCRATCH words.
 
     Args:
         any_hit: stops at the first triangle found, not the nearest. Of several children the farthest is visited first: near
@@ -161,8 +161,7 @@ def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
     look_into, answer = (_any_in, _any_answer) if any_hit else (_nearest_in, _nearest_answer)
 
     @wp.func
-    def wide_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
-        ray = ray_in(column)
+    def walk(accelerator: Accelerator, ray: Ray, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
         hit = wp.int32(-1)
         hit_leaf = wp.uint64(0)
         visited = wp.int32(1)
@@ -201,5 +200,17 @@ def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
                 child = lowest_bit(mask)
         nearest, face = answer(hit_leaf, hit, ray, column, reach)
         return nearest, face, visited, visited_leaves
+
+    return walk
+
+
+@once
+def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
+    """A query (Accelerator, column, reach, scratch): `wide_walk` by the ray in a column of a prepared chunk's rows."""
+    walk = wide_walk(any_hit, several)
+
+    @wp.func
+    def wide_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
+        return walk(accelerator, ray_in(column), column, reach, scratch)
 
     return wide_query

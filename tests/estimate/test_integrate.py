@@ -1,0 +1,219 @@
+"""`integrate`: means of functions over lobes, with and without a mesh, by closed forms and by the built-in quantities."""
+
+from math import pi
+
+import numpy as np
+import pytest
+import warp as wp
+from meshes import soup
+
+import warpsample as ws
+from warpsample import funcs
+
+
+@wp.struct
+class Sky:
+    zenith: float
+    horizon: float
+
+
+@wp.struct
+class Albedo:
+    by_id: wp.array[wp.float32]
+
+
+@wp.func
+def radiance(w: wp.vec3, lobe: funcs.Lobe, sky: Sky) -> float:
+    return sky.horizon + (sky.zenith - sky.horizon) * w[2]
+
+
+@wp.func
+def one(w: wp.vec3) -> float:
+    return 1.0
+
+
+@wp.func
+def up(w: wp.vec3) -> float:
+    return wp.where(w[2] > 0.0, 1.0, 0.0)
+
+
+@wp.func
+def direction(w: wp.vec3) -> wp.vec3:
+    return w
+
+
+@wp.func
+def cosine(w: wp.vec3, lobe: funcs.Lobe) -> float:
+    return wp.dot(w, lobe.normal)
+
+
+@wp.func
+def who(w: wp.vec3, lobe: funcs.Lobe, albedo: Albedo) -> wp.vec3:
+    return wp.vec3(albedo.by_id[lobe.row], float(lobe.row), float(lobe.point & wp.uint64(0xFFFF)))
+
+
+@wp.func
+def not_a_number(w: wp.vec3) -> float:
+    return wp.sqrt(-1.0 - w[2] * w[2])
+
+
+@wp.func
+def broken_at(w: wp.vec3, lobe: funcs.Lobe) -> float:
+    return wp.where(lobe.row == 3, wp.sqrt(-1.0 - w[2] * w[2]), 1.0)
+
+
+UP = np.array([[0.0, 0.0, 1.0], [0.0, 3.0, 0.0], [0.6, 0.0, -0.8], [-0.1, 0.2, 0.3]])
+LOBES = [case for name in ws.distributions.names() for case in ws.distributions.get(name).cases()[:2] if case.width == 3]
+# One whose cells are parts of cones, one whose cells are not, one that goes below the horizon, one that redraws.
+FEW = [ws.GGX(0.5), ws.CosineHemisphere("concentric"), ws.UniformSphere(), ws.CosineHemisphere("offset")]
+
+
+def test_a_sky_of_the_users():
+    """Over the cosine lobe the mean of z is 2/3 of the normal's z."""
+    sky = Sky()
+    sky.zenith, sky.horizon = 3.0, 1.0
+    found = ws.integrate(UP, radiance, 4096, data=sky)
+    unit = UP / np.linalg.norm(UP, axis=1, keepdims=True)
+    assert np.abs(found.value - (1.0 + 2.0 * 2.0 / 3.0 * unit[:, 2])).max() <= 6.0 * found.standard_error.max()
+    assert found.standard_error.max() < 1e-3
+    assert (found.rays == 4096).all()
+
+
+@pytest.mark.parametrize("distribution", FEW, ids=repr)
+def test_the_mean_of_each_lobe_is_that_of_its_directions(distribution):
+    found = ws.integrate(UP, cosine, 4096, distribution=distribution)
+    d = ws.sample_directions(UP, 1 << 16, distribution, "sobol")
+    unit = (UP / np.linalg.norm(UP, axis=1, keepdims=True))[:, None]
+    exact = (d.vectors.astype(np.float64) * unit).sum(axis=2).mean(axis=1)
+    assert np.abs(found.value - exact).max() <= 6.0 * found.standard_error.max() + 1e-4  # the second of 65,536 points
+    assert found.standard_error.max() < 1e-3
+
+
+def test_the_error_bar_is_that_of_many_runs():
+    """The mean of the squared standard errors is the variance of the values, within what 4,000 runs tell: 5 %, twice."""
+    found = ws.integrate(np.tile(UP[2:3], (4000, 1)), up, 64, distribution="uniform_hemisphere")
+    variance = found.value.astype(np.float64).var(ddof=1)
+    assert abs(np.square(found.standard_error.astype(np.float64)).mean() / variance - 1.0) <= 0.1
+
+
+def test_built_in_quantities_are_integrals(bunny, points):
+    """An integrand that is not known to be 1 takes the general way; the rays are the same, and so is the value."""
+    occlusion = ws.ambient_occlusion(bunny, points, 300, seed=3)
+    assert np.allclose(ws.integrate(points, one, 300, mesh=bunny, seed=3).value, occlusion.value, rtol=0.0, atol=1e-6)
+    bent = ws.bent_normals(bunny, points, 300, seed=3)
+    assert np.array_equal(ws.integrate(points, direction, 300, mesh=bunny, seed=3).value, bent.value)
+    light = ws.irradiance(bunny, points, up, 300, seed=3)
+    assert np.allclose(pi * ws.integrate(points, up, 300, mesh=bunny, seed=3).value, light.value, rtol=1e-6, atol=0.0)
+
+
+@pytest.mark.parametrize("distribution", FEW, ids=repr)
+def test_skipping_changes_no_bit_of_any_lobe(distribution):
+    """Seen from among triangles, and from outside, so that cells are found empty."""
+    mesh = soup()
+    points = ws.sample_surface(mesh, 150, seed=5)
+    outside = ws.SurfacePoints(points.position * 3.0, -points.position.astype(np.float32))
+    skipped = 0
+    for where in (points, outside):
+        for count in (16, 300, 600):
+            found, plain = (
+                ws.integrate(where, direction, count, distribution=distribution, mesh=mesh, skip=skip)
+                for skip in (True, False)
+            )
+            assert np.array_equal(found.value, plain.value)
+            assert np.array_equal(found.standard_error, plain.standard_error)
+            skipped += plain.rays.sum() - found.rays.sum()
+    assert skipped >= 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("distribution", LOBES, ids=repr)
+def test_each_lobe_is_integrated_and_skipped_right(distribution):
+    test_the_mean_of_each_lobe_is_that_of_its_directions(distribution)
+    test_skipping_changes_no_bit_of_any_lobe(distribution)
+
+
+def test_cells_of_cones_are_skipped():
+    """A lobe whose cells are parts of cones casts few rays under a small roof; one whose cells are not casts all."""
+    roof = ws.as_mesh(([(-1, -1, 2.0), (1, -1, 2.0), (0, 1, 2.0)], [(0, 2, 1)]))
+    ground = ws.SurfacePoints(np.zeros((8, 3)), np.tile(np.float32([0, 0, 1]), (8, 1)))
+    for distribution in (ws.GGX(0.5), ws.CosineHemisphere("inversion")):
+        assert ws.integrate(ground, one, 600, distribution=distribution, mesh=roof).rays.sum() < 0.75 * 8 * 576
+    assert ws.integrate(ground, one, 600, distribution=ws.CosineHemisphere("concentric"), mesh=roof).rays.sum() == 8 * 576
+
+
+def test_data_may_hold_arrays_by_row_and_by_id():
+    data = Albedo()
+    data.by_id = wp.array(np.arange(4, dtype=np.float32) + 0.5, dtype=wp.float32, device="cpu")
+    found = ws.integrate(UP, who, 64, data=data, first_point=2**40 + 7)
+    assert np.allclose(found.value, np.column_stack([np.arange(4) + 0.5, np.arange(4), np.arange(4) + 7]), rtol=1e-6)
+
+
+def test_bits_depend_on_ids_alone(bunny, points, monkeypatch):
+    whole = ws.integrate(points, direction, 40, distribution=ws.GGX(0.3), mesh=bunny)
+    free = ws.integrate(points, direction, 40, distribution=ws.GGX(0.3))
+    monkeypatch.setattr("warpsample.host.engine.LEAST_WORK", 1)
+    some = ws.SurfacePoints(points.position[200:], points.normal[200:], points.face[200:])
+    active = np.arange(400) % 2 == 0
+    for known, mesh in ((whole, bunny), (free, None)):
+        part = ws.integrate(some, direction, 40, distribution=ws.GGX(0.3), mesh=mesh, first_point=200, active=active, workers=3)
+        assert np.array_equal(part.value, np.where(active[:, None], known.value[200:], 0.0))
+        assert part.counts() == {ws.PointStatus.OK: 200, ws.PointStatus.INACTIVE: 200}
+
+
+def test_a_point_without_a_number_is_counted():
+    found = ws.integrate(np.vstack([UP, [[0.0, 0.0, 0.0]]]), broken_at, 32)
+    assert found.status.tolist() == [0, 0, 0, ws.PointStatus.NONFINITE_VALUE, ws.PointStatus.ZERO_NORMAL]
+    assert found.value.tolist() == [1.0, 1.0, 1.0, 0.0, 0.0]
+    assert found.standard_error.tolist() == [0.0] * 5
+
+
+@wp.func
+def untyped(w) -> float:
+    return 1.0
+
+
+@wp.func
+def of_another_struct(w: wp.vec3, lobe: funcs.Lobe, data: Albedo) -> float:
+    return data.by_id[0]
+
+
+@wp.func
+def of_a_number(w: wp.vec3, lobe: float) -> float:
+    return lobe
+
+
+@wp.func
+def gives_a_matrix(w: wp.vec3) -> wp.mat33:
+    return wp.identity(3, float)
+
+
+@wp.func
+def says_nothing(w: wp.vec3, lobe: funcs.Lobe):
+    return wp.dot(w, lobe.normal)
+
+
+@pytest.mark.parametrize(
+    ("function", "data", "error", "message"),
+    [
+        (untyped, None, TypeError, "^integrand: got a function whose w has no type, want a wp.func"),
+        (of_another_struct, Sky(), TypeError, r"^integrand: got a function of \(w: vec3, lobe: Lobe, data: Albedo\), want"),
+        (of_another_struct, None, TypeError, r"^integrand: got a function of .* with this data, of \(vec3, Lobe\)$"),
+        (of_a_number, None, TypeError, r"^integrand: got a function of \(w: vec3, lobe: float"),
+        (gives_a_matrix, None, TypeError, "^integrand: got a function that gives mat"),
+        (says_nothing, None, TypeError, "^integrand: got a function that does not say what it returns"),
+        (one, Sky(), TypeError, "^data: got Sky for a function that takes none"),
+        (one, 3.0, TypeError, "^data: got 3.0, want an instance of a wp.struct, or None"),
+        (len, None, TypeError, "^integrand: got .*, want a wp.func"),
+        (not_a_number, None, ValueError, "^integrand: got NaN or infinity at each of the first 4 points, want finite"),
+    ],
+)
+def test_a_wrong_function_is_named(function, data, error, message):
+    with pytest.raises(error, match=message):
+        ws.integrate(UP, function, 64, data=data)
+
+
+def test_points_and_distance_belong_to_a_mesh():
+    with pytest.raises(ValueError, match="^max_distance: got 3.0 without a mesh"):
+        ws.integrate(UP, one, 64, max_distance=3.0)
+    with pytest.raises(TypeError, match="^points: got a NumPy array, want SurfacePoints"):
+        ws.integrate(UP, one, 64, mesh=soup())

@@ -1,0 +1,201 @@
+"""Rays in a kernel of one's own: a struct that stands for a mesh, and the functions that ask it."""
+
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample.host.arrays import check_device, cpu
+from warpsample.host.engine import check_workers
+from warpsample.maths.numerics import scaled_to_unit
+from warpsample.mesh.mesh import as_mesh
+from warpsample.tracing.placement import far_off, lift_within, way_to_scene
+from warpsample.tracing.scene import coarseness_of, scene_of
+from warpsample.tracing.wide.layout import CHUNK, DIRECTION, PREPARED, SCRATCH, Accelerator
+from warpsample.tracing.wide.prepare import ray_of
+from warpsample.tracing.wide.query import wide_walk
+
+_ZERO = wp.constant(wp.float64(0.0))
+_ONE = wp.constant(wp.float64(1.0))
+_walk_to_any = wide_walk(True)
+_walk_to_nearest = wide_walk(False)
+
+
+@wp.struct
+class Tree:
+    """A mesh, ready for rays: what `warpsample.tree` makes, and a kernel takes as an argument.
+
+    nodes and leaves are the 16-wide tree, on the CPU; mesh is the id of a wp.Mesh, elsewhere. A point x of the user's is
+    (x - centre) * scale inside, where the mesh is within 1 of 0 on each axis, and its extent.
+    """
+
+    nodes: wp.array[wp.float32]
+    leaves: wp.array[wp.float32]
+    mesh: wp.uint64
+    centre: wp.vec3d
+    scale: wp.float64
+    extent: wp.vec3
+    coarseness: wp.float32
+
+
+@wp.struct
+class Local:
+    """A ray in the tree's coordinates: its origin, unit direction, reach, and how far it came before its origin."""
+
+    o: wp.vec3
+    d: wp.vec3
+    reach: wp.float32
+    ahead: wp.float32
+
+
+@wp.func
+def _in_double(v: Any) -> wp.vec3d:
+    """A vec3 or vec3d as a vec3d."""
+    return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
+
+
+@wp.func
+def _local(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32) -> Local:
+    """A ray of the user's; a reach of NaN if it is none, below 0 if it passes the mesh by."""
+    unit = scaled_to_unit(direction)
+    o = (origin - tree.centre) * tree.scale
+    ray = Local()
+    ray.d = wp.vec3(unit[0], unit[1], unit[2])
+    reach = wp.float64(max_distance) * tree.scale
+    ahead = _ZERO
+    if far_off(o):
+        w = _in_double(direction)
+        w = (_ONE / wp.sqrt(wp.dot(w, w))) * w
+        ahead = way_to_scene(o, w)
+        o = wp.where(ahead < _ZERO, o - o, o + ahead * w)
+    ray.o = wp.vec3(o)
+    ray.reach = wp.where(ahead < _ZERO, -1.0, wp.float32(reach - ahead))
+    ray.ahead = wp.float32(ahead)
+    if not (wp.abs(unit[3]) < 0.1 and wp.dot(ray.o - ray.o, ray.o - ray.o) == 0.0):
+        ray.reach = wp.float32(wp.NAN)
+    return ray
+
+
+@wp.func
+def _accelerator(tree: Tree) -> Accelerator:
+    accelerator = Accelerator()
+    accelerator.nodes = tree.nodes.ptr
+    accelerator.leaves = tree.leaves.ptr
+    accelerator.start = tree.nodes.ptr
+    accelerator.starts = 1
+    return accelerator
+
+
+@wp.func
+def _column(d: wp.vec3, rows: wp.array[wp.float32]):
+    """Writes a direction as a column of rows."""
+    rows[DIRECTION] = d[0]
+    rows[DIRECTION + CHUNK] = d[1]
+    rows[DIRECTION + 2 * CHUNK] = d[2]
+
+
+@wp.func
+def any_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32) -> bool:
+    """Whether a ray meets the mesh before max_distance.
+
+    Args:
+        tree: of `warpsample.tree`.
+        origin: vec3 or vec3d, in the mesh's coordinates; on the surface, see `offset_origin`.
+        direction: of any length.
+        max_distance: in units of the coordinates; wp.INF for no limit.
+    """
+    hit = wp.bool(False)
+    ray = _local(tree, _in_double(origin), direction, max_distance)
+    if ray.reach > 0.0:
+        if tree.mesh != wp.uint64(0):
+            hit = wp.mesh_query_ray_anyhit(tree.mesh, ray.o, ray.d, ray.reach)
+        else:
+            rows = wp.zeros(shape=(PREPARED,), dtype=wp.float32)
+            words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
+            _column(ray.d, rows)
+            accelerator = _accelerator(tree)
+            near, _face, _nodes, _leaves = _walk_to_any(accelerator, ray_of(ray.o, ray.d), rows.ptr, ray.reach, words.ptr)
+            hit = near < wp.INF
+    return hit
+
+
+@wp.func
+def nearest_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32):
+    """(distance, face) of the nearest face before max_distance; (inf, -1) if there is none, (NaN, -1) for an invalid ray.
+
+    Args:
+        tree: of `warpsample.tree`.
+        origin: vec3 or vec3d, in the mesh's coordinates; on the surface, see `offset_origin`.
+        direction: of any length.
+        max_distance: in units of the coordinates; wp.INF for no limit.
+    """
+    distance = wp.float32(wp.INF)
+    face = wp.int32(-1)
+    ray = _local(tree, _in_double(origin), direction, max_distance)
+    if ray.reach > 0.0:
+        near = wp.float32(wp.INF)
+        if tree.mesh != wp.uint64(0):
+            query = wp.mesh_query_ray(tree.mesh, ray.o, ray.d, ray.reach)
+            if query.result and query.t < ray.reach:
+                near = query.t
+                face = query.face
+        else:
+            rows = wp.zeros(shape=(PREPARED,), dtype=wp.float32)
+            words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
+            _column(ray.d, rows)
+            accelerator = _accelerator(tree)
+            near, face, _nodes, _leaves = _walk_to_nearest(accelerator, ray_of(ray.o, ray.d), rows.ptr, ray.reach, words.ptr)
+        distance = wp.float32((wp.float64(near) + wp.float64(ray.ahead)) * (_ONE / tree.scale))
+    elif not (ray.reach <= 0.0):
+        distance = wp.float32(wp.NAN)
+    return distance, face
+
+
+@wp.func
+def offset_origin(tree: Tree, position: Any, normal: wp.vec3) -> wp.vec3d:
+    """A point of the surface, moved off it along its unit normal by as much as keeps its rays from their own face.
+
+    That is two millionths of the mesh's extent along the normal. Turn the normal for rays into the mesh.
+    """
+    away = lift_within(tree.extent, tree.coarseness, normal)
+    return _in_double(position) + (wp.float64(away) / tree.scale) * _in_double(normal)
+
+
+def tree(mesh: Any, device: Any = None, workers: int | None = None) -> Any:
+    """A mesh as an argument of a kernel of your own, for `funcs.any_hit` and `funcs.nearest_hit`.
+
+    It keeps alive what it needs: the mesh may go. On the CPU rays walk the 16-wide tree of `trace`, and get its answers bit
+    for bit; elsewhere they are traced by wp.Mesh.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes; the tree that a Mesh has is used.
+        device: where the kernel runs, the CPU by default.
+        workers: threads that build the tree, all cores by default.
+
+    Returns:
+        a `funcs.Tree`.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it.
+
+    Example:
+        >>> tree = ws.tree(ws.load_mesh("courtyard"))
+        >>> print(type(tree.scale).__name__, tree.nodes.device)
+        float64 cpu
+    """
+    scene, where, workers = scene_of(as_mesh(mesh)), check_device(device, cpu()), check_workers(workers)
+    made = Tree()
+    made.centre, made.scale = wp.vec3d(*scene.centre), scene.scale
+    made.extent, made.coarseness = wp.vec3(*scene.extent), coarseness_of(scene, True)
+    if where.is_cpu:
+        built = scene.tree(workers)
+        made.nodes, made.leaves = (_on_cpu(array) for array in (built.nodes, built.leaves))
+    else:
+        made.mesh = scene.builtin(where).mesh
+        made.extent = wp.vec3(1.0, 1.0, 1.0)
+    object.__setattr__(made, "_scene", scene)  # which owns the memory
+    return made
+
+
+def _on_cpu(array: np.ndarray) -> wp.array:
+    return wp.array(array.ravel(), dtype=wp.float32, device="cpu", copy=False)
