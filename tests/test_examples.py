@@ -9,6 +9,7 @@ from types import ModuleType
 import numpy as np
 import pytest
 import pyvista as pv
+import warp as wp
 
 import warpsample as ws
 from warpsample.distributions.record import Distribution
@@ -62,7 +63,7 @@ EXAMPLES = documented()
 
 def failures(name, text):
     """What a doctest says of an example; "" if each line prints what it says."""
-    test = doctest.DocTestParser().get_doctest(text, {"ws": ws, "np": np}, name, None, None)
+    test = doctest.DocTestParser().get_doctest(text, {"ws": ws, "np": np, "wp": wp}, name, None, None)
     said = []
     doctest.DocTestRunner(verbose=False).run(test, out=said.append)
     return "".join(said)

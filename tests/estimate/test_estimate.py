@@ -12,7 +12,7 @@ import warpsample as ws
 from warpsample.estimate.cells import cells_of
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.slots import Slots
-from warpsample.estimate.weights import everywhere
+from warpsample.estimate.weights import Weights, everywhere
 from warpsample.tracing.builtin import builtin_any_query, prepare_builtin
 
 RAYS = 65_536
@@ -186,9 +186,9 @@ def test_bad_arguments_are_named(bunny, points, change, message):
 # Portable; that its loops are vectorised is in tracing/test_query_kernels.py, whose compiler it shares
 
 
-def test_the_kernel_compiles_for_cuda(tmp_path):
-    query = (prepare_builtin, builtin_any_query, True, False)
-    about = ws.CosineHemisphere("polar").about()
-    kernel = estimate_kernel(Slots(ws.sequences.get("fibonacci"), about, everywhere, True, True, 1, *query))
+@pytest.mark.parametrize("query", [(prepare_builtin, builtin_any_query), (None, None)], ids=["with a mesh", "without"])
+def test_the_kernel_compiles_for_cuda(query, tmp_path):
+    rays = (ws.sequences.get("fibonacci"), ws.CosineHemisphere("polar").about(), None, 0.0, True)
+    kernel = estimate_kernel(Slots(*rays, everywhere, Weights, True, True, 1, *query, True, False))
     (ptx,) = wp.compile_aot_module(kernel.module, device=None, arch=86, use_ptx=True, module_dir=tmp_path)
     assert ".visible .entry" in ptx.read_text()

@@ -107,7 +107,7 @@ def _not_annotated(d: wp.vec3):
         (np.ma.masked_less(np.ones((4, 4)), 2.0), "radiance: got a masked array, want an array of numbers"),
         ([[1.0, 2.0], [3.0]], "radiance: got .* which NumPy makes no array of"),
         (_yes, "radiance: got a function that gives bool"),
-        (_not_annotated, "radiance: got a function that cannot be called with a direction .* annotated"),
+        (_not_annotated, "radiance: got a function that does not say what it returns and cannot be called .* annotated"),
         ("text", "radiance: got 'text'"),
         (None, "radiance: got None, want an array of numbers, a path or a wp.func"),
     ],

@@ -101,7 +101,7 @@ def faults(name, argument):
     function, own = CALLS[name], kind_of(name, argument)
     takes = parameters(function)
     needed = {key: kind_of(name, key).good for key, p in takes.items() if p.default is p.empty}
-    needed |= NEEDS.get(argument, {})
+    needed |= NEEDS.get(f"{name}.{argument}") or NEEDS.get(argument, {})
     optional = takes[argument].default is None and f"{name}.{argument}" not in NO_DEFAULT
     valid = own.valid | {"good"} | ({"None"} if optional else set())
     tried = {**values(own.good), "good": own.good, **{f"wrong {i}": value for i, value in enumerate(own.wrong)}}

@@ -10,6 +10,7 @@ import numpy as np
 import warp as wp
 
 import warpsample as ws
+from warpsample.funcs import Lobe
 
 VERTICES = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 1.0]])
 FACES = np.array([[0, 1, 2], [0, 2, 3]])
@@ -17,6 +18,26 @@ MESH = ws.Mesh(VERTICES, FACES)
 POINTS = ws.vertex_points(MESH)
 UNIT = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.6, 0.0, 0.8], [0.0, 0.6, 0.8]], np.float32)
 COUNT = 16
+
+
+@wp.struct
+class Sky:
+    zenith: float
+
+
+@wp.func
+def radiance(w: wp.vec3, lobe: Lobe, sky: Sky) -> float:
+    return sky.zenith * w[2]
+
+
+@wp.func
+def without_data(w: wp.vec3, lobe: Lobe) -> float:
+    return w[2]
+
+
+@wp.func
+def without_a_type(w) -> float:
+    return 1.0
 
 
 @dataclass(frozen=True)
@@ -60,6 +81,9 @@ KINDS = {
     "faces": kind(FACES, wrong=(FACES.astype(float), FACES - 1, FACES + 2)),
     "path": kind(Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd", wrong=("a\0b", "long" * 1000)),
     "points": kind(POINTS, wrong=(MESH, UNIT)),
+    "integrate.points": kind(UNIT, wrong=(FACES,)),
+    "integrand": kind(without_data, said=("data",), wrong=(without_a_type, radiance, radiance.func, Sky)),
+    "data": kind(Sky(), wrong=(Sky, Lobe())),
     "sample_square.points": kind(4, WHOLE),
     "accessor.sample_directions.points": kind(4, WHOLE),
     "count": kind(COUNT, WHOLE, wrong=(0, np.float64(2.0), np.ma.masked_array(2))),
@@ -116,8 +140,13 @@ KINDS = {
     "distributions.get.name": kind("ggx", said=("distribution",)),
     "value": kind("ggx(alpha=0.5)", said=("distribution",)),
 }
-NEEDS = {"falloff": {"max_distance": 2.0}}  # to be of use
-NO_DEFAULT = {"UniformCone.cos_angle", "UniformCone.one_minus_cos"}  # one of the two must be given
+NEEDS = {  # to be of use
+    "falloff": {"max_distance": 2.0},
+    "data": {"integrand": radiance},
+    "integrate.mesh": {"points": POINTS},
+    "integrate.max_distance": {"points": POINTS, "mesh": MESH},
+}
+NO_DEFAULT = {"UniformCone.cos_angle", "UniformCone.one_minus_cos", "integrate.data"}  # one of the two must be given
 
 
 def kind_of(name, argument):

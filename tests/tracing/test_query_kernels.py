@@ -20,15 +20,17 @@ wp.config.cpu_compiler_flags += " -Rpass=loop-vectorize -Rpass-missed=loop-vecto
 import warpsample as ws
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.slots import Slots
-from warpsample.estimate.weights import everywhere
+from warpsample.estimate.weights import Weights, above, everywhere
 from warpsample.tracing.wide.prepare import prepare_wide
 from warpsample.tracing.rays import ray_kernel
 from warpsample.tracing.wide.query import wide_query
-estimate = (ws.sequences.get("fibonacci"), ws.CosineHemisphere("polar").about(), everywhere, True, True, 1)
+several = wide_query(True, several=True)
+rays = (ws.sequences.get("fibonacci"), ws.CosineHemisphere("polar").about(), None, 0.0, True)
 for kernel in (
     ray_kernel(prepare_wide, wide_query(False)),
     ray_kernel(prepare_wide, wide_query(True)),
-    estimate_kernel(Slots(*estimate, prepare_wide, wide_query(True, several=True), True, True)),
+    estimate_kernel(Slots(*rays, everywhere, Weights, True, True, 1, prepare_wide, several, True, True)),
+    estimate_kernel(Slots(*rays, above, Weights, False, False, 1, None, None, True, True)),
 ):
     print("@@", file=sys.stderr, flush=True)
     wp.load_module(kernel.module, device="cpu")
@@ -41,14 +43,15 @@ def test_the_hot_loops_are_vectorised(tmp_path, child_environment):
 
     The loops of rays are over the boxes of a node, the triangles of a leaf, and the rays of a chunk (two). Those of an
     estimate are: boxes, triangles and preparation; start, variates and directions of a cell's rays; children and triangles
-    above the horizon; a beam's planes, boxes and triangles.
+    above the horizon; a beam's planes, boxes and triangles. Those of an integral without a mesh are: variates, directions
+    and the integrand.
     """
     script = tmp_path / "remarks.py"
     script.write_text(_REMARKS)
     environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / "cache")}
     done = subprocess.run([sys.executable, script], env=environment, capture_output=True, text=True, check=True)
     _, *compiled = done.stderr.split("@@")
-    for remarks, loops in zip(compiled, (4, 4, 11), strict=True):
+    for remarks, loops in zip(compiled, (4, 4, 11, 3), strict=True):
         hot = re.findall(
             r"\.cpp:(\d+):\d+: remark: vectorized loop \(vectorization width: (\d+).*\n.*goto end_while_", remarks
         )

@@ -71,7 +71,10 @@ def integrand_of(function: Any, data: Any = None, argument: str = "integrand") -
     if not given or given != known[: len(given)]:
         shown = ", ".join(f"{name}: {_name(kind)}" for name, kind in function.input_types.items())
         most = ", ".join(_name(kind) for kind in known)
-        raise TypeError(f"{argument}: got a function of ({shown}), want {WANTED}; with this data, of ({most})")
+        if given[:2] == known[:2] and len(given) == 3:
+            got = "None" if data is None else _name(struct)
+            raise TypeError(f"data: got {got}, want {_name(given[2])}, which {argument} takes")
+        raise TypeError(f"{argument}: got a function of ({shown}), want {WANTED}; here of ({most})")
     if data is not None and len(given) < len(known):
         raise TypeError(f"data: got {_name(struct)} for a function that takes none, want a function that does, or None")
     colour = _returns_colour(function, argument)

@@ -10,6 +10,7 @@ from warpsample.distributions.record import Distribution
 from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.plan import Plan, Quantity, reach_of
 from warpsample.estimate.result import Estimate, PointStatus
+from warpsample.host.arguments import told
 from warpsample.mesh.surface import SurfacePoints
 
 _FEW_POINTS, _FEW_RAYS = 64, 64
@@ -72,9 +73,9 @@ def integrate(
         >>> @wp.func
         ... def height(w: wp.vec3) -> float:
         ...     return w[2]
-        >>> up = ws.integrate(np.eye(3), height, 1024)
-        >>> print(up.value.round(2))
-        [0.   0.   0.67]
+        >>> up = ws.integrate([[0.0, 0.0, 1.0]], height, 1024)
+        >>> print(f"{up.value[0]:.2f}")
+        0.67
     """
     plan = Plan.of(
         mesh,
@@ -90,10 +91,11 @@ def integrate(
         workers,
         progress=progress,
         distribution=distribution,
+        meshless=mesh is None,
     )
-    if mesh is None and max_distance is not None:
-        raise ValueError(f"max_distance: got {max_distance} without a mesh, want one with a mesh")
     quantity = Quantity(integrand_of(integrand, data), reach=reach_of(max_distance))
+    if mesh is None and max_distance is not None:
+        raise ValueError(f"max_distance: got {told(max_distance)} without a mesh, want it with one")
     _try(plan, quantity)
     return plan.estimate(quantity)
 

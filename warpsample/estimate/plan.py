@@ -82,6 +82,7 @@ class Plan:
         workers: int | None = None,
         progress: bool = False,
         distribution: Any = POLAR_COSINE,
+        meshless: bool = False,
     ) -> "Plan":
         """The plan of a call's arguments.
 
@@ -89,14 +90,17 @@ class Plan:
             TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
             MemoryError: more than is free.
         """
-        if mesh is None and not isinstance(points, SurfacePoints):
-            normals = as_directions(Triples.of(points, "points", "(P, 3)").owner)
+        if meshless and not isinstance(points, SurfacePoints):
+            given = Triples.of(points, "points", "(P, 3)")
+            if len(given.shape) != 1:
+                raise ValueError(f"points: got shape {(*given.shape, 3)}, want (P, 3)")
+            normals = as_directions(given.owner)
             points = SurfacePoints(np.zeros(normals.shape, np.float32), normals)
         if not isinstance(points, SurfacePoints):
             raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints, as sample_surface gives them")
         check_memory(_BYTES_PER_POINT * len(points), f"the numbers of {len(points):,} points", "take them in parts")
         return cls(
-            None if mesh is None else as_mesh(mesh),
+            None if meshless else as_mesh(mesh),
             points,
             check_integer(count, "count", 2, _MOST_RAYS),
             as_spatial(distribution),

@@ -180,8 +180,8 @@ def tree(mesh: Any, device: Any = None, workers: int | None = None) -> Any:
 
     Example:
         >>> tree = ws.tree(ws.load_mesh("courtyard"))
-        >>> print(type(tree.scale).__name__, tree.nodes.device)
-        float64 cpu
+        >>> print(tree.nodes.device, tree.extent[2] > 0.0)
+        cpu True
     """
     scene, where, workers = scene_of(as_mesh(mesh)), check_device(device, cpu()), check_workers(workers)
     made = Tree()
