@@ -53,10 +53,13 @@ class Cells:
 
 
 @once
-def cells_of(count: int, lobe: Distribution = POLAR_COSINE) -> Cells:
-    """The cells for at most `count` rays a point, at least 2; without beams if the lobe's cells are no parts of cones."""
-    _, bands, sectors = next(grid for grid in _GRIDS[::-1] if count >= grid[0])
-    edges = _edges(lobe, bands)
+def cells_of(count: int, lobe: Distribution = POLAR_COSINE, traced: bool = True) -> Cells:
+    """The cells for at most `count` rays a point, at least 2; few if none is traced, as more would only cost time.
+
+    Without beams if the lobe's cells are no parts of cones.
+    """
+    _, bands, sectors = next(grid for grid in (_GRIDS if traced else _GRIDS[:2])[::-1] if count >= grid[0])
+    edges = _edges(lobe, bands) if traced else None
     spans = [] if edges is None else [(edges[0], edges[-1]), *pairwise(edges)]
     beams = [
         [_beam(s / sectors, (s + 1) / sectors, *span) for span in spans]

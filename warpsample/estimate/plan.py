@@ -126,8 +126,11 @@ class Plan:
             return runner.result(self.seed, np.full(len(self.points), self.count))
         trial = runner.result(self.seed ^ _TRIAL, np.full(len(self.points), min(_TRIAL_RAYS, self.count)))
         needed = self._needed(trial, self.tolerance)
-        main = runner.result(self.seed, needed)
-        saved = np.maximum(cells_of(self.count).rays - rays_of(needed), 0)[main.status == 0].sum() - trial.rays.sum()
+        main, traced = runner.result(self.seed, needed), self.mesh is not None
+        saved = (
+            np.maximum(cells_of(self.count, traced=traced).rays - rays_of(needed, traced), 0)[main.status == 0].sum()
+            - trial.rays.sum()
+        )
         return replace(main, rays=main.rays + trial.rays, skipped=replace(main.skipped, unneeded_rays=max(0, int(saved))))
 
     def _needed(self, trial: Estimate, tolerance: float) -> np.ndarray:

@@ -14,8 +14,11 @@ from warpsample.tracing.wide.query import any_of, nearest_of
 SQUARE_FLOATS = 2 * CHUNK
 """Of the variates of a chunk."""
 
-_STREAM_STEP = wp.constant(wp.uint32(0x9E3779B9))
-_LAST_UNIFORM = wp.constant(wp.float32(1.0 - 2.0**-24))
+STREAM_STEP = wp.constant(wp.uint32(0x9E3779B9))
+"""Between the streams of a point's cells and replicates, in the high word of the seed."""
+
+LAST_UNIFORM = wp.constant(wp.float32(1.0 - 2.0**-24))
+"""For variates that are rounded up to the next cell."""
 
 
 @once
@@ -43,42 +46,13 @@ def spread_of(slots: Slots) -> wp.Function:
         while k < length:
             i = first + k
             second = wp.where(i >= each, 1, 0)
-            word = high ^ ((stream + wp.uint32(second)) * _STREAM_STEP)
+            word = high ^ ((stream + wp.uint32(second)) * STREAM_STEP)
             seed = (wp.uint64(word) << wp.uint64(32)) | wp.uint64(low)
             p = sample(seed, id, wp.uint32(i - second * each), wp.uint32(each))
             x = (p[0] + band) * band_size
             y = (p[1] + wp.float32(sector)) * sector_size
-            u[k] = wp.where(x < _LAST_UNIFORM, x, _LAST_UNIFORM)  # where the sum is rounded up to the next cell
-            u[CHUNK + k] = wp.where(y < _LAST_UNIFORM, y, _LAST_UNIFORM)
-            k += 1
-        directions(lobes, spot, length)
-
-    return spread
-
-
-@once
-def spread_of_replicate(slots: Slots) -> wp.Function:
-    """A function that writes the directions of a chunk of rays of one replicate: the same, with one stream in the loop."""
-    sample, directions = slots.sequence.sample, directions_of(slots)
-
-    @wp.func
-    def spread(lobes: Lobes, spot: Spot, cell: wp.int32, replicate: wp.int32, first: wp.int32, length: wp.int32):
-        u = wp.array(ptr=spot.square, shape=(SQUARE_FLOATS,), dtype=wp.float32)
-        word = high_word(lobes.seed) ^ (wp.uint32(2 * cell + replicate) * _STREAM_STEP)
-        seed = (wp.uint64(word) << wp.uint64(32)) | wp.uint64(low_word(lobes.seed))
-        sector = cell / lobes.bands
-        band = wp.float32(cell - sector * lobes.bands)
-        band_size = 1.0 / wp.float32(lobes.bands)
-        sector_size = 1.0 / wp.float32(lobes.sectors)
-        id = spot.lobe.point
-        each = lobes.each
-        k = wp.int32(0)
-        while k < length:
-            p = sample(seed, id, wp.uint32(first + k), wp.uint32(each))
-            x = (p[0] + band) * band_size
-            y = (p[1] + wp.float32(sector)) * sector_size
-            u[k] = wp.where(x < _LAST_UNIFORM, x, _LAST_UNIFORM)
-            u[CHUNK + k] = wp.where(y < _LAST_UNIFORM, y, _LAST_UNIFORM)
+            u[k] = wp.where(x < LAST_UNIFORM, x, LAST_UNIFORM)  # where the sum is rounded up to the next cell
+            u[CHUNK + k] = wp.where(y < LAST_UNIFORM, y, LAST_UNIFORM)
             k += 1
         directions(lobes, spot, length)
 

@@ -25,10 +25,10 @@ if TYPE_CHECKING:
 _MOST_REACH = 2.0**60  # of the scene's size: what is in it is at no distance at all from there on
 
 
-def rays_of(counts: np.ndarray) -> np.ndarray:
+def rays_of(counts: np.ndarray, traced: bool) -> np.ndarray:
     """How many rays `cells_of` makes of each count."""
     known, where = np.unique(counts, return_inverse=True)
-    return np.array([cells_of(int(count)).rays for count in known])[where]
+    return np.array([cells_of(int(count), traced=traced).rays for count in known])[where]
 
 
 class Runner:
@@ -49,11 +49,11 @@ class Runner:
         value, error, spread, degrees = (np.zeros(shape, np.float32) for _ in range(4))
         cast, empty, status = (np.zeros(points, kind) for kind in (np.int32, np.int32, np.uint8))
         for count in np.unique(counts):
-            lobes = self._lobes(cells_of(int(count), self.plan.distribution), seed)
+            lobes = self._lobes(cells_of(int(count), self.plan.distribution, self.scene is not None), seed)
             lobes.value, lobes.error, lobes.spread, lobes.degrees = (a.ctypes.data for a in (value, error, spread, degrees))
             lobes.cast, lobes.empty, lobes.status = (a.ctypes.data for a in (cast, empty, status))
             self._run(lobes, counts == count)
-        total = np.where(status == 0, rays_of(counts), 0) if points else counts
+        total = np.where(status == 0, rays_of(counts, self.scene is not None), 0) if points else counts
         skipped = Skipped(
             points=int(np.count_nonzero(status)),
             open_points=int(np.count_nonzero((empty == total) & (total > 0))),
