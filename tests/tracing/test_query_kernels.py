@@ -43,15 +43,15 @@ def test_the_hot_loops_are_vectorised(tmp_path, child_environment):
 
     The loops of rays are over the boxes of a node, the triangles of a leaf, and the rays of a chunk (two). Those of an
     estimate are: boxes, triangles and preparation; start, variates and directions of a cell's rays; children and triangles
-    above the horizon; a beam's planes, boxes and triangles. Those of an integral without a mesh are: variates, directions
-    and the integrand.
+    above the horizon; a beam's planes, boxes and triangles. Those of an integral without a mesh are: variates; directions
+    with the integrand.
     """
     script = tmp_path / "remarks.py"
     script.write_text(_REMARKS)
     environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / "cache")}
     done = subprocess.run([sys.executable, script], env=environment, capture_output=True, text=True, check=True)
     _, *compiled = done.stderr.split("@@")
-    for remarks, loops in zip(compiled, (4, 4, 11, 3), strict=True):
+    for remarks, loops in zip(compiled, (4, 4, 11, 2), strict=True):
         hot = re.findall(
             r"\.cpp:(\d+):\d+: remark: vectorized loop \(vectorization width: (\d+).*\n.*goto end_while_", remarks
         )
