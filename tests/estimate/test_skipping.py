@@ -34,7 +34,7 @@ def test_a_wrong_beam_would_be_seen(bunny, points, monkeypatch):
     cells = cells_of(500)
     turned = type(cells)(cells.bands, cells.sectors, cells.each, np.roll(cells.beams, 1, axis=0))
     right = ws.ambient_occlusion(bunny, points, 500)
-    monkeypatch.setattr("warpsample.estimate.runner.cells_of", lambda *_: turned)
+    monkeypatch.setattr("warpsample.estimate.runner.cells_of", lambda *_, **__: turned)
     assert not same(ws.ambient_occlusion(bunny, points, 500), right)
 
 
