@@ -8,7 +8,8 @@ import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.host.arguments import check_choice
-from warpsample.maths.numerics import GRID, clamp_uniform, sincos_eighth, sincos_turns, turns_of
+from warpsample.maths.angles import turns_of
+from warpsample.maths.numerics import GRID, clamp_uniform, root, sincos_eighth, sincos_turns
 
 Method = Literal["polar", "concentric"]
 
@@ -20,7 +21,7 @@ _RIM = wp.constant(wp.float32(1.0 + 5e-7))  # points within rounding of the edge
 @wp.func
 def square_to_uniform_disk(u: wp.vec2) -> wp.vec2:
     """Radius sqrt(u[0]), azimuth 2 pi u[1]. Cranberry2020, Nori2025; Chizhov2019, section 3.2."""
-    r = wp.sqrt(u[0])
+    r = root(u[0])
     cs = sincos_turns(u[1])
     return wp.vec2(r * cs[0], r * cs[1])
 
@@ -58,7 +59,7 @@ def uniform_disk_to_square_concentric(p: wp.vec2) -> wp.vec2:
     """The inverse: the radius is the longer coordinate, the angle in the octant the ratio of the two."""
     ax = wp.abs(p[0])
     ay = wp.abs(p[1])
-    longer = wp.sqrt(ax * ax + ay * ay)
+    longer = root(ax * ax + ay * ay)
     shorter = 8.0 * longer * turns_of(wp.max(ax, ay), wp.min(ax, ay))
     a = wp.copysign(wp.where(ax > ay, longer, shorter), p[0])
     b = wp.copysign(wp.where(ax > ay, shorter, longer), p[1])
