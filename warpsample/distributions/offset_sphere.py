@@ -31,7 +31,8 @@ def square_to_offset_sphere_pdf(w: wp.vec3, rho: wp.float32) -> wp.float32:
     """Per steradian, by the one or two points t w of the sphere about the normal: the sum of t^2 / (4 pi rho sqrt(D)).
 
     D = rho^2 - sin^2 theta and t = cos theta -+ sqrt(D). Below rho = 1 the density is infinite at the edge sin theta = rho:
-    D is clamped within 5e-7 on either side of it, so that the mass stays 1 and no sampled direction has density 0.
+    D is clamped within 5e-7 on either side of it, so that the mass stays 1 and no sampled direction has density 0. There the
+    gradient is that of the clamped density.
     """
     radius = wp.float64(rho)
     square = radius * radius

@@ -36,7 +36,8 @@ def uniform_disk_to_square(p: wp.vec2) -> wp.vec2:
 def square_to_concentric_disk(u: wp.vec2) -> wp.vec3:
     """(x, y, radius) by Shirley1997: squares become rings, so neighbours stay neighbours.
 
-    The grid is shifted exactly to the middles of its cells, so that the radius stays below 1.
+    The grid is shifted exactly to the middles of its cells, so that the radius stays below 1. Not differentiable by u on the
+    diagonals, where its gradient is that of one side.
     """
     a = (2.0 * u[0] - 1.0) + _HALF_CELL
     b = (2.0 * u[1] - 1.0) + _HALF_CELL
@@ -56,9 +57,13 @@ def square_to_uniform_disk_concentric(u: wp.vec2) -> wp.vec2:
 
 @wp.func
 def uniform_disk_to_square_concentric(p: wp.vec2) -> wp.vec2:
-    """The inverse: the radius is the longer coordinate, the angle in the octant the ratio of the two."""
-    ax = wp.abs(p[0])
-    ay = wp.abs(p[1])
+    """The inverse: the radius is the longer coordinate, the angle in the octant the ratio of the two.
+
+    Not differentiable on the diagonals, where its gradient is finite, and at the centre, where it is 0.
+    """
+    # Unlike that of wp.abs, the gradient of this knows -0.0, so it undoes that of the copysign below.
+    ax = wp.copysign(p[0], 1.0)
+    ay = wp.copysign(p[1], 1.0)
     longer = root(ax * ax + ay * ay)
     shorter = 8.0 * longer * turns_of(wp.max(ax, ay), wp.min(ax, ay))
     a = wp.copysign(wp.where(ax > ay, longer, shorter), p[0])

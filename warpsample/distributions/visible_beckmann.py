@@ -20,7 +20,10 @@ _TINY = wp.constant(wp.float64(1e-12))
 
 @wp.func
 def slope_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4d:
-    """(cos v / (alpha sin v), the slope at which normals face away; alpha sin v; cosine and sine of the azimuth)."""
+    """(cos v / (alpha sin v), the slope at which normals face away; alpha sin v; cosine and sine of the azimuth).
+
+    A view along +z has no azimuth; by the view's x and y the gradient there is 0.
+    """
     x = wp.float64(view[0])
     y = wp.float64(view[1])
     across = root_double(x * x + y * y)

@@ -16,7 +16,10 @@ _TINY = wp.constant(wp.float32(1e-30))
 
 @wp.func
 def stretched_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4:
-    """(sine, cosine of the angle to +z; cosine, sine of the azimuth) of the view, the surface stretched to a sphere."""
+    """(sine, cosine of the angle to +z; cosine, sine of the azimuth) of the view, the surface stretched to a sphere.
+
+    A view along +z has no azimuth; by the view's x and y the gradient there is 0.
+    """
     across = root(fma(view[0], view[0], view[1] * view[1]))
     inverse = 1.0 / wp.sqrt(fma(alpha * across, alpha * across, view[2] * view[2]))
     per_across = 1.0 / wp.max(across, _TINY)
@@ -31,7 +34,7 @@ def stretched_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4:
 
 @wp.func
 def blurred_facing(m: wp.vec3, view: wp.vec3) -> wp.float32:
-    """v.m, at least the rounding error of its three terms; 0 where it is below minus that."""
+    """v.m, at least the rounding error of its three terms; 0 where it is below minus that. So is its gradient."""
     x = wp.float64(m[0]) * wp.float64(view[0])
     y = wp.float64(m[1]) * wp.float64(view[1])
     z = wp.float64(m[2]) * wp.float64(view[2])

@@ -77,7 +77,7 @@ def uniform_from_double(x: wp.float64) -> wp.float32:
 
 @wp.func
 def clamp_uniform(u: wp.float32) -> wp.float32:
-    """The nearest value in [0, 1 - 2^-24], for inverses that rounding would take to -0.0 or 1."""
+    """The nearest value in [0, 1 - 2^-24], for inverses that rounding would take to -0.0 or 1. At both its gradient is 0."""
     return wp.min(wp.max(u, 0.0), _LARGEST_UNIFORM)
 
 
