@@ -234,3 +234,8 @@ def test_a_narrow_cone_keeps_the_digits_of_one_minus_cos():
 
 def test_views_are_kept_as_unit_vectors():
     assert ws.VisibleGGX(0.5, (0.0, 3.0, 4.0)) == ws.VisibleGGX(0.5, np.array([0.0, 0.6, 0.8]))
+
+
+def test_a_view_whose_square_underflows_is_one_from_above():
+    u = ws.sample_square("sobol", 1, 64)[0]
+    assert np.array_equal(ws.VisibleGGX(0.5, (0.0, 1e-25, 1.0)).sample(u), ws.VisibleGGX(0.5).sample(u))

@@ -5,9 +5,10 @@ import pytest
 import warp as wp
 
 from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphere
+from warpsample.maths.angles import turns_of
 from warpsample.maths.exponentials import exp_double, log1p, log1p_double
 from warpsample.maths.frames import frame_about, to_local, to_world
-from warpsample.maths.numerics import GRID, normalize, reverse_bits, sincos_turns, turns_of, weyl
+from warpsample.maths.numerics import GRID, normalize, reverse_bits, sincos_turns, weyl
 
 GOLDEN = 0x9E3779B97F4A7C15
 

@@ -6,8 +6,9 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
+from warpsample.maths.angles import tan_squared, turns_of
 from warpsample.maths.exponentials import exp_double, log1p
-from warpsample.maths.numerics import ONE, clamp_uniform, sincos_turns, tan_squared, turns_of
+from warpsample.maths.numerics import ONE, clamp_uniform, root, sincos_turns
 
 _INV_PI = wp.constant(wp.float64(0.3183098861837907))
 
@@ -17,7 +18,7 @@ def square_to_beckmann(u: wp.vec2, alpha: wp.float32) -> wp.vec3:
     """tan^2 theta = -alpha^2 log(1 - u[0]), azimuth 2 pi u[1]; sine and cosine from the tangent stay precise."""
     t = -(alpha * alpha) * log1p(-u[0])
     inverse = 1.0 / (1.0 + t)
-    r = wp.sqrt(t * inverse)
+    r = root(t * inverse)
     cs = sincos_turns(u[1])
     return wp.vec3(r * cs[0], r * cs[1], wp.sqrt(inverse))
 

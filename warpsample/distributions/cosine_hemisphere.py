@@ -11,8 +11,9 @@ from warpsample.distributions.record import Distribution, Maps
 from warpsample.distributions.uniform_disk import square_to_concentric_disk, uniform_disk_to_square_concentric
 from warpsample.distributions.uniform_sphere import square_to_uniform_sphere
 from warpsample.host.arguments import check_choice
+from warpsample.maths.angles import turns_of
 from warpsample.maths.frames import frame_about, to_world
-from warpsample.maths.numerics import GRID, clamp_uniform, fma, sincos_turns, turns_of
+from warpsample.maths.numerics import GRID, clamp_uniform, fma, root, sincos_turns
 from warpsample.sequences.hashing import pcg4d
 
 Method = Literal["polar", "concentric", "inversion", "offset"]
@@ -31,7 +32,7 @@ def square_to_cosine_hemisphere(u: wp.vec2) -> wp.vec3:
 
     cos theta is sqrt(1 - u[0]), exact to an ulp and never 0 on the grid; sqrt(1 - x^2 - y^2) is 73 % wrong at the horizon.
     """
-    r = wp.sqrt(u[0])
+    r = root(u[0])
     cs = sincos_turns(u[1])
     return wp.vec3(r * cs[0], r * cs[1], wp.sqrt(1.0 - u[0]))
 
@@ -69,7 +70,7 @@ def square_to_cosine_hemisphere_inversion(u: wp.vec2) -> wp.vec3:
     With cos 2 theta = 1 - 2 u[0], exact on the grid, cos(acos(.)/2) is a root, which is more precise than acos.
     """
     cos_double = 1.0 - 2.0 * u[0]
-    r = wp.sqrt(0.5 * (1.0 - cos_double))
+    r = root(0.5 * (1.0 - cos_double))
     cs = sincos_turns(u[1])
     return wp.vec3(r * cs[0], r * cs[1], wp.sqrt(0.5 * (1.0 + cos_double)))
 

@@ -6,7 +6,8 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.maths.numerics import clamp_uniform, fma, sincos_turns, turns_of
+from warpsample.maths.angles import turns_of
+from warpsample.maths.numerics import clamp_uniform, fma, root, sincos_turns
 
 _INV_PI = wp.constant(wp.float32(0.3183098861837907))
 
@@ -17,7 +18,7 @@ def square_to_ggx(u: wp.vec2, alpha: wp.float32) -> wp.vec3:
     above = 1.0 - u[0]
     across = alpha * alpha * u[0]
     inverse = 1.0 / (above + across)
-    r = wp.sqrt(across * inverse)
+    r = root(across * inverse)
     cs = sincos_turns(u[1])
     return wp.vec3(r * cs[0], r * cs[1], wp.sqrt(above * inverse))
 

@@ -6,7 +6,8 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.maths.numerics import clamp_uniform, sincos_turns, turns_of
+from warpsample.maths.angles import turns_of
+from warpsample.maths.numerics import clamp_uniform, root, sincos_turns
 
 _TWO_OVER_PI = wp.constant(wp.float32(0.6366197723675814))
 
@@ -14,10 +15,10 @@ _TWO_OVER_PI = wp.constant(wp.float32(0.6366197723675814))
 @wp.func
 def square_to_offset_ball(u: wp.vec2) -> wp.vec3:
     """cos theta = (1 - u[0])^(1/4); sin theta = sqrt(u / (1 + sqrt(1 - u))), where sqrt(1 - cos^2) cancels."""
-    root = wp.sqrt(1.0 - u[0])
-    r = wp.sqrt(u[0] / (1.0 + root))
+    above = wp.sqrt(1.0 - u[0])
+    r = root(u[0] / (1.0 + above))
     cs = sincos_turns(u[1])
-    return wp.vec3(r * cs[0], r * cs[1], wp.sqrt(root))
+    return wp.vec3(r * cs[0], r * cs[1], wp.sqrt(above))
 
 
 @wp.func

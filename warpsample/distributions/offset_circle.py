@@ -6,7 +6,8 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.maths.numerics import clamp_uniform, sincos_turns, turns_of
+from warpsample.maths.angles import turns_of
+from warpsample.maths.numerics import clamp_uniform, sincos_turns
 
 _INV_PI = wp.constant(wp.float32(0.3183098861837907))
 

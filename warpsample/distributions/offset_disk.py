@@ -6,7 +6,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.maths.numerics import sincos_turns
+from warpsample.maths.numerics import root, sincos_turns
 
 _TWO_OVER_PI = wp.constant(wp.float32(0.6366197723675814))
 
@@ -20,7 +20,7 @@ def square_to_offset_disk(u: wp.vec2) -> wp.vec2:
     cos^2 theta = 1 - x^2 = (1 - u[0]) + u[0] sin^2(2 pi u[1]).
     """
     cs = sincos_turns(u[1])
-    return wp.vec2(wp.sqrt(u[0]) * cs[0], wp.sqrt((1.0 - u[0]) + u[0] * (cs[1] * cs[1])))
+    return wp.vec2(root(u[0]) * cs[0], wp.sqrt((1.0 - u[0]) + u[0] * (cs[1] * cs[1])))
 
 
 @wp.func

@@ -6,7 +6,8 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.maths.numerics import HALF, ONE, ZERO, clamp_uniform, fma, polish, sin_squared, sincos_turns, turns_of
+from warpsample.maths.angles import sin_squared, turns_of
+from warpsample.maths.numerics import HALF, ONE, ZERO, clamp_uniform, fma, polish, root, root_double, sincos_turns
 
 _BLUR = wp.constant(wp.float64(2.0**-21))
 _INV_FOUR_PI = wp.constant(wp.float64(0.07957747154594767))
@@ -18,7 +19,7 @@ def square_to_offset_sphere(u: wp.vec2, rho: wp.float32) -> wp.vec3:
 
     Its z, 1 + rho (1 - 2 u), is computed as (1 - rho) + 2 rho (1 - u), which is exact where the sum is short.
     """
-    r = 2.0 * rho * wp.sqrt(u[0] * (1.0 - u[0]))
+    r = 2.0 * rho * root(u[0] * (1.0 - u[0]))
     cs = sincos_turns(u[1])
     z = fma(2.0 * rho, 1.0 - u[0], 1.0 - rho)
     inverse = 1.0 / wp.sqrt(fma(r, r, z * z))
@@ -30,7 +31,8 @@ def square_to_offset_sphere_pdf(w: wp.vec3, rho: wp.float32) -> wp.float32:
     """Per steradian, by the one or two points t w of the sphere about the normal: the sum of t^2 / (4 pi rho sqrt(D)).
 
     D = rho^2 - sin^2 theta and t = cos theta -+ sqrt(D). Below rho = 1 the density is infinite at the edge sin theta = rho:
-    D is clamped within 5e-7 on either side of it, so that the mass stays 1 and no sampled direction has density 0.
+    D is clamped within 5e-7 on either side of it, so that the mass stays 1 and no sampled direction has density 0. There the
+    gradient is that of the clamped density.
     """
     radius = wp.float64(rho)
     square = radius * radius
@@ -61,10 +63,10 @@ def offset_sphere_to_square(w: wp.vec3, rho: wp.float32) -> wp.vec2:
     y = wp.float64(w[1])
     z = wp.float64(w[2])
     cos_theta = z / wp.sqrt(x * x + y * y + z * z)
-    distance = cos_theta + wp.sqrt(wp.max(radius * radius - sine_squared, ZERO))
+    distance = cos_theta + root_double(wp.max(radius * radius - sine_squared, ZERO))
     s = (distance * cos_theta - ONE) / radius
     across = distance * distance * sine_squared / (radius * radius)
-    u = wp.where(s > ZERO, HALF * across / (ONE + s), HALF * (ONE - s))
+    u = wp.where(s > ZERO, HALF * across / (ONE + wp.max(s, ZERO)), HALF * (ONE - s))
     return wp.vec2(clamp_uniform(wp.float32(u)), turns_of(w[0], w[1]))
 
 

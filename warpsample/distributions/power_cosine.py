@@ -6,8 +6,9 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
+from warpsample.maths.angles import tan_squared, turns_of
 from warpsample.maths.exponentials import exp_double, log1p_double
-from warpsample.maths.numerics import HALF, ONE, clamp_uniform, sincos_turns, tan_squared, turns_of
+from warpsample.maths.numerics import HALF, ONE, clamp_uniform, root_double, sincos_turns
 
 _INV_TWO_PI = wp.constant(wp.float64(0.15915494309189535))
 
@@ -19,7 +20,7 @@ def square_to_power_cosine(u: wp.vec2, exponent: wp.float32) -> wp.vec3:
     1 - e^s is precise, as narrow lobes need. Exponent 1 is the cosine lobe, 0 the uniform hemisphere.
     """
     power = exp_double(log1p_double(-wp.float64(u[0])) / (wp.float64(exponent) + ONE))
-    r = wp.float32(wp.sqrt(-power[0] * (ONE + power[1])))
+    r = wp.float32(root_double(-power[0] * (ONE + power[1])))
     cs = sincos_turns(u[1])
     return wp.vec3(r * cs[0], r * cs[1], wp.float32(power[1]))
 

@@ -7,7 +7,8 @@ import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.host.arguments import check_number
-from warpsample.maths.numerics import TWO, clamp_uniform, sincos_turns, turns_of, versine
+from warpsample.maths.angles import turns_of, versine
+from warpsample.maths.numerics import TWO, clamp_uniform, root, sincos_turns
 
 _INV_TWO_PI = wp.constant(wp.float32(0.15915494309189535))
 _RIM = wp.constant(wp.float64(5e-7))  # directions within rounding of the edge are in the cone
@@ -22,7 +23,7 @@ def square_to_uniform_cone(u: wp.vec2, one_minus_cos: wp.float32) -> wp.vec3:
     """
     h = u[0] * one_minus_cos
     rest = (2.0 - one_minus_cos) + (1.0 - u[0]) * one_minus_cos
-    r = wp.sqrt(h * rest)
+    r = root(h * rest)
     cs = sincos_turns(u[1])
     return wp.vec3(r * cs[0], r * cs[1], wp.where(h < 1.0, 1.0 - h, rest - 1.0))
 

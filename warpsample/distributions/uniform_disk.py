@@ -8,7 +8,8 @@ import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.host.arguments import check_choice
-from warpsample.maths.numerics import GRID, clamp_uniform, sincos_eighth, sincos_turns, turns_of
+from warpsample.maths.angles import turns_of
+from warpsample.maths.numerics import GRID, clamp_uniform, root, sincos_eighth, sincos_turns
 
 Method = Literal["polar", "concentric"]
 
@@ -20,7 +21,7 @@ _RIM = wp.constant(wp.float32(1.0 + 5e-7))  # points within rounding of the edge
 @wp.func
 def square_to_uniform_disk(u: wp.vec2) -> wp.vec2:
     """Radius sqrt(u[0]), azimuth 2 pi u[1]. Cranberry2020, Nori2025; Chizhov2019, section 3.2."""
-    r = wp.sqrt(u[0])
+    r = root(u[0])
     cs = sincos_turns(u[1])
     return wp.vec2(r * cs[0], r * cs[1])
 
@@ -35,7 +36,8 @@ def uniform_disk_to_square(p: wp.vec2) -> wp.vec2:
 def square_to_concentric_disk(u: wp.vec2) -> wp.vec3:
     """(x, y, radius) by Shirley1997: squares become rings, so neighbours stay neighbours.
 
-    The grid is shifted exactly to the middles of its cells, so that the radius stays below 1.
+    The grid is shifted exactly to the middles of its cells, so that the radius stays below 1. Not differentiable by u on the
+    diagonals, where its gradient is that of one side.
     """
     a = (2.0 * u[0] - 1.0) + _HALF_CELL
     b = (2.0 * u[1] - 1.0) + _HALF_CELL
@@ -55,10 +57,14 @@ def square_to_uniform_disk_concentric(u: wp.vec2) -> wp.vec2:
 
 @wp.func
 def uniform_disk_to_square_concentric(p: wp.vec2) -> wp.vec2:
-    """The inverse: the radius is the longer coordinate, the angle in the octant the ratio of the two."""
-    ax = wp.abs(p[0])
-    ay = wp.abs(p[1])
-    longer = wp.sqrt(ax * ax + ay * ay)
+    """The inverse: the radius is the longer coordinate, the angle in the octant the ratio of the two.
+
+    Not differentiable on the diagonals, where its gradient is finite, and at the centre, where it is 0.
+    """
+    # Unlike that of wp.abs, the gradient of this knows -0.0, so it undoes that of the copysign below.
+    ax = wp.copysign(p[0], 1.0)
+    ay = wp.copysign(p[1], 1.0)
+    longer = root(ax * ax + ay * ay)
     shorter = 8.0 * longer * turns_of(wp.max(ax, ay), wp.min(ax, ay))
     a = wp.copysign(wp.where(ax > ay, longer, shorter), p[0])
     b = wp.copysign(wp.where(ax > ay, shorter, longer), p[1])

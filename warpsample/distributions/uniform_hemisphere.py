@@ -6,7 +6,8 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.maths.numerics import clamp_uniform, sincos_turns, turns_of
+from warpsample.maths.angles import turns_of
+from warpsample.maths.numerics import clamp_uniform, root, sincos_turns
 
 _PDF = wp.constant(wp.float32(0.15915494309189535))  # 1 / (2 pi)
 
@@ -14,7 +15,7 @@ _PDF = wp.constant(wp.float32(0.15915494309189535))  # 1 / (2 pi)
 @wp.func
 def square_to_uniform_hemisphere(u: wp.vec2) -> wp.vec3:
     """z = 1 - u[0], azimuth 2 pi u[1]; sin theta as sqrt(u (2 - u)), where sqrt(1 - z^2) loses 4e-5 near the pole."""
-    r = wp.sqrt(u[0] * (2.0 - u[0]))
+    r = root(u[0] * (2.0 - u[0]))
     cs = sincos_turns(u[1])
     return wp.vec3(r * cs[0], r * cs[1], 1.0 - u[0])
 
@@ -28,7 +29,7 @@ def square_to_uniform_hemisphere_pdf(w: wp.vec3) -> wp.float32:
 @wp.func
 def uniform_hemisphere_to_square(w: wp.vec3) -> wp.vec2:
     """1 - z, from sin^2 theta, which does not cancel near the pole."""
-    return wp.vec2(clamp_uniform((w[0] * w[0] + w[1] * w[1]) / (1.0 + w[2])), turns_of(w[0], w[1]))
+    return wp.vec2(clamp_uniform((w[0] * w[0] + w[1] * w[1]) / wp.max(1.0 + w[2], 1.0e-30)), turns_of(w[0], w[1]))
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,8 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.maths.numerics import clamp_uniform, sincos_turns, turns_of
+from warpsample.maths.angles import turns_of
+from warpsample.maths.numerics import clamp_uniform, root, sincos_turns
 
 _PDF = wp.constant(wp.float32(0.07957747154594767))  # 1 / (4 pi)
 
@@ -14,7 +15,7 @@ _PDF = wp.constant(wp.float32(0.07957747154594767))  # 1 / (4 pi)
 @wp.func
 def square_to_uniform_sphere(u: wp.vec2) -> wp.vec3:
     """z = 1 - 2 u[0], azimuth 2 pi u[1]; sin theta as 2 sqrt(u (1 - u)), where sqrt(1 - z^2) loses 4e-5 near the poles."""
-    r = 2.0 * wp.sqrt(u[0] * (1.0 - u[0]))
+    r = 2.0 * root(u[0] * (1.0 - u[0]))
     cs = sincos_turns(u[1])
     return wp.vec3(r * cs[0], r * cs[1], 1.0 - 2.0 * u[0])
 

@@ -7,7 +7,7 @@ import warp as wp
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.distributions.visible_ggx import blurred_facing
 from warpsample.host.arrays import as_view
-from warpsample.maths.numerics import GRID, HALF, ONE, TWO, ZERO, clamp_uniform
+from warpsample.maths.numerics import GRID, HALF, ONE, TWO, ZERO, clamp_uniform, root_double
 
 _INV_PI = wp.constant(wp.float64(0.3183098861837907))
 _HALF_ROOT_PI = wp.constant(wp.float64(0.8862269254527580))
@@ -20,10 +20,13 @@ _TINY = wp.constant(wp.float64(1e-12))
 
 @wp.func
 def slope_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4d:
-    """(cos v / (alpha sin v), the slope at which normals face away; alpha sin v; cosine and sine of the azimuth)."""
+    """(cos v / (alpha sin v), the slope at which normals face away; alpha sin v; cosine and sine of the azimuth).
+
+    A view along +z has no azimuth; by the view's x and y the gradient there is 0.
+    """
     x = wp.float64(view[0])
     y = wp.float64(view[1])
-    across = wp.sqrt(x * x + y * y)
+    across = root_double(x * x + y * y)
     if across < _TINY:
         return wp.vec4d(wp.float64(view[2]) / (wp.float64(alpha) * _TINY), wp.float64(alpha) * _TINY, ONE, ZERO)
     return wp.vec4d(wp.float64(view[2]) / (wp.float64(alpha) * across), wp.float64(alpha) * across, x / across, y / across)
@@ -58,6 +61,16 @@ def slope_along_view(rest: wp.float64, a: wp.float64) -> wp.float64:
     return x
 
 
+@wp.func_grad(slope_along_view)
+def _adj_slope_along_view(rest: wp.float64, a: wp.float64, adj_ret: wp.float64):
+    # Of share above x = rest * share above the lowest slope, which does not depend on Newton's way there.
+    x = slope_along_view(rest, a)
+    low = -wp.min(a, _STEEPEST)
+    per_share = adj_ret * TWO * _HALF_ROOT_PI * wp.exp(x * x) / wp.max(a + x, _TINY)
+    wp.adjoint[rest] -= per_share * visible_share_above(low, a)
+    wp.adjoint[a] += per_share * HALF * (wp.erfc(x) - rest * wp.erfc(low))
+
+
 @wp.func
 def gaussian_slope(v: wp.float32) -> wp.float64:
     """The slope below which lies the share v (at its cell's middle) of e^(-s^2) / sqrt(pi), by Newton's method."""
@@ -70,6 +83,12 @@ def gaussian_slope(v: wp.float32) -> wp.float64:
         if wp.abs(step) < _CLOSE:
             break
     return wp.where(below < HALF, -y, y)
+
+
+@wp.func_grad(gaussian_slope)
+def _adj_gaussian_slope(v: wp.float32, adj_ret: wp.float64):
+    y = gaussian_slope(v)
+    wp.adjoint[v] += wp.float32(adj_ret * TWO * _HALF_ROOT_PI * wp.exp(y * y))
 
 
 @wp.func

@@ -6,7 +6,8 @@ import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.host.arrays import as_view
-from warpsample.maths.numerics import ZERO, clamp_uniform, fma, polish, sincos_turns, turns_of
+from warpsample.maths.angles import turns_of
+from warpsample.maths.numerics import ZERO, clamp_uniform, fma, polish, root, sincos_turns
 
 _INV_PI = wp.constant(wp.float32(0.3183098861837907))
 _BLUR = wp.constant(wp.float64(2.0**-21))
@@ -15,8 +16,11 @@ _TINY = wp.constant(wp.float32(1e-30))
 
 @wp.func
 def stretched_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4:
-    """(sine, cosine of the angle to +z; cosine, sine of the azimuth) of the view, the surface stretched to a sphere."""
-    across = wp.sqrt(fma(view[0], view[0], view[1] * view[1]))
+    """(sine, cosine of the angle to +z; cosine, sine of the azimuth) of the view, the surface stretched to a sphere.
+
+    A view along +z has no azimuth; by the view's x and y the gradient there is 0.
+    """
+    across = root(fma(view[0], view[0], view[1] * view[1]))
     inverse = 1.0 / wp.sqrt(fma(alpha * across, alpha * across, view[2] * view[2]))
     per_across = 1.0 / wp.max(across, _TINY)
     turned = across > 0.0
@@ -24,13 +28,13 @@ def stretched_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4:
         alpha * across * inverse,
         view[2] * inverse,
         wp.where(turned, view[0] * per_across, 1.0),
-        view[1] * per_across,
+        wp.where(turned, view[1] * per_across, 0.0),
     )
 
 
 @wp.func
 def blurred_facing(m: wp.vec3, view: wp.vec3) -> wp.float32:
-    """v.m, at least the rounding error of its three terms; 0 where it is below minus that."""
+    """v.m, at least the rounding error of its three terms; 0 where it is below minus that. So is its gradient."""
     x = wp.float64(m[0]) * wp.float64(view[0])
     y = wp.float64(m[1]) * wp.float64(view[1])
     z = wp.float64(m[2]) * wp.float64(view[2])
@@ -51,7 +55,7 @@ def square_to_visible_ggx(u: wp.vec2, alpha: wp.float32, view: wp.vec3) -> wp.ve
     sin_v = v[0]
     rise = (1.0 - u[0]) * (1.0 + v[1])
     fall = u[0] * (1.0 + v[1])
-    sin_c = wp.sqrt(fall * (rise + sin_v * sin_v / (1.0 + v[1])))
+    sin_c = root(fall * (rise + sin_v * sin_v / (1.0 + v[1])))
     half = sincos_turns(0.5 * u[1])
     cos_phi = fma(half[0], half[0], -half[1] * half[1])
     more = rise * (2.0 * v[1] - rise) / wp.max(sin_c + sin_v, _TINY)

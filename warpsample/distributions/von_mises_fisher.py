@@ -6,8 +6,9 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
+from warpsample.maths.angles import turns_of, versine
 from warpsample.maths.exponentials import exp_double, log1p_double
-from warpsample.maths.numerics import ONE, TWO, clamp_uniform, sincos_turns, turns_of, versine
+from warpsample.maths.numerics import ONE, TWO, clamp_uniform, root_double, sincos_turns
 
 _INV_TWO_PI = wp.constant(wp.float64(0.15915494309189535))
 # Above this kappa no variate of the grid reaches the lower hemisphere, and e^(2 kappa) could overflow.
@@ -26,7 +27,7 @@ def square_to_von_mises_fisher(u: wp.vec2, kappa: wp.float32) -> wp.vec3:
     rise = (ONE - x) * exp_double(TWO * wp.min(k, _NO_BACK))[0]
     fall = x * exp_double(-TWO * k)[0]
     near = wp.abs(log1p_double(wp.where(upper, fall, rise))) / k
-    r = wp.float32(wp.sqrt(near * (TWO - near)))
+    r = wp.float32(root_double(near * (TWO - near)))
     z = wp.float32(ONE - near)
     cs = sincos_turns(u[1])
     return wp.vec3(r * cs[0], r * cs[1], wp.where(upper, z, -z))

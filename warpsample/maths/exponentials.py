@@ -39,6 +39,12 @@ def log1p(x: wp.float32) -> wp.float32:
     return k * 0.69313812 - ((half_square - (s * (half_square + r) + (k * 9.0580006e-06 + c))) - f)
 
 
+@wp.func_grad(log1p)
+def _adj_log1p(x: wp.float32, adj_ret: wp.float32):
+    # The mantissa is read from the bits, which have no gradient.
+    wp.adjoint[x] += adj_ret / (1.0 + x)
+
+
 @wp.func
 def log1p_double(x: wp.float64) -> wp.float64:
     """log(1 + x) for 1 + x in [1e-37, 1e38]. Worst relative error 2e-15 above, 1e-13 below the smallest normal float32.
@@ -57,6 +63,11 @@ def log1p_double(x: wp.float64) -> wp.float64:
     return wp.float64(k) * _LN_2 + TWO * s * series
 
 
+@wp.func_grad(log1p_double)
+def _adj_log1p_double(x: wp.float64, adj_ret: wp.float64):
+    wp.adjoint[x] += adj_ret / (ONE + x)
+
+
 @wp.func
 def exp_double(x: wp.float64) -> wp.vec2d:
     """(e^x - 1, e^x) for x <= 175; below -170 it is that of -170, which is 0 in float32. Worst relative error 2e-14.
@@ -73,3 +84,9 @@ def exp_double(x: wp.float64) -> wp.vec2d:
     rest = wp.int32(k) - half
     scale = wp.float64(wp.cast((127 + half) << 23, wp.float32)) * wp.float64(wp.cast((127 + rest) << 23, wp.float32))
     return wp.vec2d(scale * r * series + (scale - ONE), scale * r * series + scale)
+
+
+@wp.func_grad(exp_double)
+def _adj_exp_double(x: wp.float64, adj_ret: wp.vec2d):
+    if x > _LEAST_EXPONENT:
+        wp.adjoint[x] += exp_double(x)[1] * (adj_ret[0] + adj_ret[1])

@@ -10,7 +10,7 @@ def frame_about(n: wp.vec3) -> wp.mat33:
     """Columns (tangent, bitangent, n) for a unit normal n; right-handed, orthonormal to 1.6e-7 for every direction.
 
     Duff2017, listing 3: the sign of n.z, -0.0 included, keeps the divisor at least 1 in magnitude, where Frisvad2012 loses
-    0.3 near -z.
+    0.3 near -z. Where n.z changes sign the frame jumps; the gradient there is that of the sign's side.
     """
     sign = wp.copysign(1.0, n[2])
     a = -1.0 / (sign + n[2])

@@ -14,8 +14,6 @@ _GRID_STEP = wp.constant(wp.float32(1.0 / GRID))
 _GRID_SIZE = wp.constant(wp.float64(GRID))
 _LAST_CELL = wp.constant(wp.int32(GRID - 1))
 _LARGEST_UNIFORM = wp.constant(wp.float32(1.0 - 1.0 / GRID))
-_TINY = wp.constant(wp.float64(1e-90))
-_LARGEST_TAN_SQUARED = wp.constant(wp.float64(1e37))
 _EXPONENT_MASK = wp.constant(wp.int32(0x7F800000))
 _INVERSE_ROOT_SEED = wp.constant(wp.int32(0x5F375A86 - 0x00400000))
 _EXPONENT_OF_2_127 = wp.constant(wp.int32(0x7F000000))
@@ -79,7 +77,7 @@ def uniform_from_double(x: wp.float64) -> wp.float32:
 
 @wp.func
 def clamp_uniform(u: wp.float32) -> wp.float32:
-    """The nearest value in [0, 1 - 2^-24], for inverses that rounding would take to -0.0 or 1."""
+    """The nearest value in [0, 1 - 2^-24], for inverses that rounding would take to -0.0 or 1. At both its gradient is 0."""
     return wp.min(wp.max(u, 0.0), _LARGEST_UNIFORM)
 
 
@@ -98,6 +96,30 @@ def weyl(index: wp.uint32, step: wp.uint64) -> wp.uint32:
     """The fractional part of index * step / 2^64, its top 32 bits: an irrational rotation exact to 2^-32 for any index."""
     carry = high_word(wp.uint64(index) * wp.uint64(low_word(step)))
     return index * high_word(step) + carry
+
+
+@wp.func
+def root(x: wp.float32) -> wp.float32:
+    """sqrt(x), with gradient 0 at 0, where that of `wp.sqrt` is infinite and makes NaN of a product with 0."""
+    return wp.sqrt(x)
+
+
+@wp.func_grad(root)
+def _adj_root(x: wp.float32, adj_ret: wp.float32):
+    if x > 0.0:
+        wp.adjoint[x] += 0.5 * adj_ret / wp.sqrt(x)
+
+
+@wp.func
+def root_double(x: wp.float64) -> wp.float64:
+    """As `root`, in float64."""
+    return wp.sqrt(x)
+
+
+@wp.func_grad(root_double)
+def _adj_root_double(x: wp.float64, adj_ret: wp.float64):
+    if x > ZERO:
+        wp.adjoint[x] += HALF * adj_ret / wp.sqrt(x)
 
 
 @wp.func
@@ -125,52 +147,6 @@ def sincos_turns(u: wp.float32) -> wp.vec2:
     c = wp.where(nearer, cs[1], cs[0])
     s = wp.where(nearer, cs[0], cs[1])
     return wp.vec2(wp.copysign(c, x), wp.copysign(s, half))
-
-
-@wp.func
-def turns_of(x: wp.float32, y: wp.float32) -> wp.float32:
-    """The azimuth of (x, y) in turns, in [0, 1); 0 for the origin. Worst absolute error 6e-8.
-
-    atan2 without branches: reduced to an octant, then to [0, tan(pi/8)], where the polynomial is that of Cephes' atanf.
-    """
-    ax = wp.abs(x)
-    ay = wp.abs(y)
-    longer = wp.max(wp.max(ax, ay), 1.0e-38)
-    r = wp.min(ax, ay) / longer
-    outer = r > 0.41421357
-    r = wp.where(outer, (r - 1.0) / (r + 1.0), r)
-    t = r * r
-    a = r * (0.15915494 + t * (-0.053051636 + t * (0.031805573 + t * (-0.022112465 + t * 0.012850129))))
-    a = wp.where(outer, 0.125 + a, a)
-    a = wp.where(ay > ax, 0.25 - a, a)
-    a = wp.where(x < 0.0, 0.5 - a, a)
-    a = wp.where(y < 0.0, 1.0 - a, a)
-    return wp.where(a >= 1.0, 0.0, a)
-
-
-@wp.func
-def sin_squared(w: wp.vec3) -> wp.float64:
-    """sin^2 of the angle between w and +z, for w of any length. Float64 keeps the precision of w."""
-    x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
-    across = x * x + y * y
-    return across / (across + z * z)
-
-
-@wp.func
-def tan_squared(w: wp.vec3) -> wp.float64:
-    """tan^2 of the angle between w and +z, at most 1e37. 1 / z^2 - 1 would lose precision near the pole."""
-    x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
-    return wp.min((x * x + y * y) / wp.max(z * z, _TINY), _LARGEST_TAN_SQUARED)
-
-
-@wp.func
-def versine(w: wp.vec3) -> wp.float64:
-    """1 - cos of the angle between w and +z, precise near both poles."""
-    x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
-    across = x * x + y * y
-    length = wp.sqrt(across + z * z)
-    near = across / (length * (length + wp.abs(z)))
-    return wp.where(z > ZERO, near, TWO - near)
 
 
 @wp.func

@@ -1,0 +1,250 @@
+"""The wp.funcs of the kernel API under wp.Tape: their gradients are those of the float64 twins, finite everywhere."""
+
+import numpy as np
+import pytest
+import warp as wp
+from jacobians import CASES, LAST, all_cases, by_tape, framed, kernels, like, of_case, parameters, places, slope
+
+import warpsample as ws
+from warpsample import funcs
+from warpsample.proof import twins
+from warpsample.proof.twins import microfacets, shapes
+
+U = places()
+WITH_PARAMETER = [case for case in CASES if case.parameters]
+WITH_VIEW = [case for case in CASES if not case.symmetric]
+INVERTIBLE = [case for case in CASES if case.maps.invert is not None]
+PLUS_Z = (0.0, 0.0, 1.0)
+TOO_NARROW = (ws.OffsetSphere(1e-15), ws.UniformCone(one_minus_cos=1e-24))
+"""The derivatives of these densities do not fit into float32."""
+
+
+@pytest.fixture(autouse=True)
+def _twins_of_any_parameter(monkeypatch):
+    """The twins round their parameters to float32, as kernels take them; a difference is of the formula itself."""
+    for module in (shapes, microfacets):
+        monkeypatch.setattr(module, "parameter", lambda d, name: float(getattr(d, name)))
+    monkeypatch.setattr(microfacets, "_view", lambda d: d.view)
+
+
+def norm(a, axis=-1):
+    return np.sqrt((a * a).sum(axis=axis))
+
+
+def sizes(case):
+    """The change of the scalar, and of the view, that changes a distribution by as much as itself.
+
+    Exponents and concentrations below 1 change as little as 1 does. A view does by its angle to +z and to the horizon.
+    """
+    scalar, view = parameters(case)
+    across = np.hypot(*view[:2])
+    of_scalar = max(scalar, 1.0) if case.name in ("power_cosine", "von_mises_fisher") else scalar
+    return of_scalar, min(across or 1.0, np.hypot(view[2], scalar * across))
+
+
+def by_scalar(case, f, fineness):
+    """The derivative of f(case) by the case's scalar."""
+    scalar, _ = parameters(case)
+    return slope(lambda h: f(like(case, scalar=scalar + h)), fineness * sizes(case)[0])
+
+
+def by_view(case, f, fineness):
+    """(..., 3): the derivative of f(case) by the components of the view."""
+    _, view = parameters(case)
+    step = fineness * sizes(case)[1]
+    return np.stack([slope(lambda h, axis=axis: f(like(case, view=view + h * axis)), step) for axis in np.eye(3)], axis=-1)
+
+
+def fineness(case):
+    """The relative step for a twin's directions. With a view they are a bisection, right to 2e-10, or a sum that cancels."""
+    return 1e-2 if case in WITH_VIEW else 1e-5
+
+
+def by_square(case, u):
+    """(N, width, 2): how a twin's directions follow u, inside of the square."""
+    room = np.minimum(u, 1.0 - u)
+    step = 1e-2 if case.name == "visible_beckmann" else 1e-3
+    columns = [
+        slope(lambda h, k=k: twins.directions(case, u + h * room * np.eye(2)[k]), step) / room[:, k : k + 1] for k in (0, 1)
+    ]
+    return np.stack(columns, axis=-1)
+
+
+def inside(case):
+    """Variates of the open square that are off the seams, where an inverse is differentiable, by what it says of itself."""
+    u = U[(U.min(axis=1) > 0.0) & (U.max(axis=1) < LAST)]
+    if getattr(case, "method", "") == "concentric":
+        return u[np.abs(np.abs(u[:, 0] - 0.5) - np.abs(u[:, 1] - 0.5)) > 1e-3]
+    if case in WITH_VIEW:  # elsewhere the rounding of w alone changes their gradients by 1e-4
+        u = u[(u.min(axis=1) > 5e-4) & (u.max(axis=1) < 1.0 - 5e-4)]
+    return u[~case.seam(u)] if case.name == "visible_ggx" else u
+
+
+def off_edges(case, w):
+    """Whether a density is differentiable at w: not where its edge is clamped, or the view's horizon blurred."""
+    scalar, view = parameters(case)
+    if case.name == "offset_sphere":
+        return min(scalar, 1.0) ** 2 - norm(w[:, :2]) ** 2 > 1e-2 * min(scalar, 1.0) ** 2
+    return w @ view > 1e-3 * scalar + 2e-6 if case in WITH_VIEW else np.ones(len(w), bool)
+
+
+def tangents(w):
+    """(N, 2 or 1, width): orthonormal and across the directions w."""
+    if w.shape[1] == 2:
+        return np.stack([-w[:, 1], w[:, 0]], axis=1)[:, None]
+    return twins.frames(w / norm(w)[:, None])[:, :, :2].swapaxes(1, 2)
+
+
+def moved(w, by):
+    """Unit vectors in the directions w + by."""
+    return (w + by) / norm(w + by)[:, None]
+
+
+def test_every_smooth_function_is_tried():
+    smooth = {name for name in funcs.__all__ if "square" in name}
+    assert smooth == {func.key for func in kernels()}
+
+
+@pytest.mark.parametrize("case", WITH_PARAMETER, ids=repr)
+def test_maps_follow_their_parameters(case):
+    """At each place the error is relative to the derivative there and, where that is small, to its median."""
+    _, found, by_v = of_case(case, case.maps.sample, U, case.width)
+    u = np.maximum(U, (1e-12, 0.0))  # at 0 the twin of visible GGX normals takes the root of its rounding error
+    pairs = [(found, by_scalar(case, lambda d: twins.directions(d, u), fineness(case))[..., None])]
+    if case in WITH_VIEW and case.view != PLUS_Z:  # there the azimuth jumps
+        pairs.append((by_v, by_view(case, lambda d: twins.directions(d, u), fineness(case))))
+    for a, b in pairs:
+        size = norm(b, (1, 2))
+        error = norm(a - b, (1, 2)) / (size + np.median(size))
+        # As narrow as 1e-3, visible GGX normals leave float32 no more digits near the cap's pole.
+        assert error.max() <= (3e-4 if case.name == "visible_ggx" else 1e-5)
+
+
+@pytest.mark.parametrize("case", CASES, ids=repr)
+def test_densities_follow_the_direction_and_the_parameters(case):
+    """Along the sphere: off it a density is whatever its formula says.
+
+    The error is relative to the derivative and the density, this over the change of a parameter that changes it by itself.
+    """
+    w = twins.directions(like(case), U).astype(np.float32).astype(np.float64)
+    w = w[off_edges(case, w)]
+    by_w, by_p, by_v = (jacobian[:, 0] for jacobian in of_case(case, case.maps.pdf, w, 1))
+    value = twins.density(like(case), w)
+    scalar, _ = parameters(case)
+    errors = []
+    if case.width == 3 or case.measure == "per radian":
+        width = sizes(case)[0] ** -0.5 if case.name in ("power_cosine", "von_mises_fisher") else scalar or 1.0
+        room = w[:, -1] if case.support == "hemisphere" else 1.0  # to the horizon
+        step = np.minimum(1e-5 * min(width, 1.0), 1e-2 * room) * np.ones(len(w))
+        for t in tangents(w).swapaxes(0, 1):
+            exact = slope(lambda h, t=t: twins.density(like(case), moved(w, h[:, None] * t)), step)
+            errors.append(np.abs(np.einsum("ni,ni->n", by_w, t) - exact) / (np.abs(exact) + value))
+    if case.parameters:
+        # At rho = 1 the second derivative jumps.
+        exact = by_scalar(case, lambda d: twins.density(d, w), 1e-9 if case == ws.OffsetSphere(1.0) else 1e-5)
+        errors.append(np.abs(by_p[:, 0] - exact) / (np.abs(exact) + value / sizes(case)[0]))
+    if case in WITH_VIEW:
+        exact = by_view(case, lambda d: twins.density(d, w), 1e-5)
+        errors.append(norm(by_v - exact) / (norm(exact) + value / sizes(case)[1]))
+    assert max((e.max() for e in errors), default=0.0) <= 1e-5
+
+
+@pytest.mark.parametrize("case", INVERTIBLE, ids=repr)
+def test_inverses_follow_the_direction_and_the_parameters(case):
+    """By the implicit function theorem on the map's twin: map(inverse(w, p), p) = w."""
+    u = inside(case)
+    w = twins.directions(like(case), u)
+    by_w, by_p, by_v = of_case(case, case.maps.invert, w, 2)
+    by_u = by_square(like(case), u)[..., : case.variates]
+    back = np.linalg.pinv(by_u)
+    count = case.variates
+    if case.measure != "per unit area":
+        by_w = by_w - (by_w @ w[:, :, None]) * w[:, None, :]
+    errors = [norm(by_w[:, :count] - back) / norm(back)]
+    if case.parameters:
+        exact = -(back @ by_scalar(case, lambda d: twins.directions(d, u), fineness(case))[..., None])
+        errors.append(np.abs(by_p - exact)[..., 0] / (np.abs(exact)[..., 0] + 1.0 / sizes(case)[0]))
+    if case in WITH_VIEW and case.view != PLUS_Z:
+        exact = -(back @ by_view(case, lambda d: twins.directions(d, u), fineness(case)))
+        errors.append(norm(by_v - exact, (1, 2)) / (norm(exact, (1, 2)) + 1.0 / sizes(case)[1]))
+    assert max(e.max() for e in errors) <= 1e-4
+
+
+@pytest.mark.parametrize("case", CASES, ids=repr)
+def test_maps_follow_the_square(case):
+    u = inside(case)
+    found = of_case(case, case.maps.sample, u, case.width)[0]
+    exact = by_square(like(case), u)
+    size = norm(exact, 1)
+    error = norm(found - exact, 1) / (size + np.median(size, axis=0) + 1e-30)
+    assert error.max() <= 1e-4
+
+
+NORMALS = np.array(
+    [
+        *np.eye(3),
+        *-np.eye(3),
+        *((0.6, 0.8, 0.0), (0.6, 0.8, -0.0), (1e-4, 0.0, -1.0), (0.0, -1e-4, -1.0), (1e-20, 1e-30, -1.0), (1.0, 0.0, -1e-7)),
+        *np.random.default_rng(6).normal(size=(100, 3)),
+    ]
+)
+
+
+def test_frames_follow_the_normal_and_the_direction():
+    """Where z changes sign the frame jumps: there the gradient is that of the sign's side, so z is moved away from 0."""
+    n = (NORMALS / norm(NORMALS)[:, None]).astype(np.float32).astype(np.float64)
+    w = np.random.default_rng(7).normal(size=n.shape).astype(np.float32).astype(np.float64)
+    away = np.copysign(1.0, n[:, 2])[:, None]
+    frames = twins.frames(n)
+    for found, columns, transposed in zip(by_tape(framed, (n, w), (n, n)), ("nij", "nji"), (False, True), strict=True):
+
+        def turned(m, columns=columns):
+            return np.einsum(f"{columns},nj->ni", twins.frames(m), w)
+
+        steps = [turned(n + k * 1e-3 * away * axis) for axis in np.eye(3) for k in range(5)]
+        one_sided = np.array(steps).reshape(3, 5, *n.shape) * np.array([-25.0, 48.0, -36.0, 16.0, -3.0])[:, None, None]
+        exact = np.moveaxis(one_sided.sum(axis=1) / 12e-3, 0, -1) * away[:, None]
+        by_n, by_w = found
+        assert np.abs(by_n - exact).max() <= 1e-5
+        assert np.abs(by_w - (frames.swapaxes(1, 2) if transposed else frames)).max() <= 2e-7
+
+
+@pytest.mark.parametrize("case", all_cases(), ids=repr)
+def test_no_gradient_is_nan_or_infinite(case):
+    """Also at the bounds of the parameters, outside of the support, and where nothing can be differentiated."""
+    up = np.eye(case.width)[-1]
+    tiny = 10.0 ** -np.arange(1.0, 45.0, 4.0)[:, None] * np.eye(case.width)[0]
+    w = np.random.default_rng(8).normal(size=(100, case.width))
+    w = np.concatenate(
+        [moved(w, 0.0 * w), *(sign * (x + y) for sign in (1.0, -1.0) for x, y in ((tiny, up), (np.eye(case.width), 0.0)))]
+    )
+    w = np.concatenate([w, -0.0 * w[:1] + up, twins.directions(like(case), U)])
+    for func, x, width in ((case.maps.sample, U, case.width), (case.maps.pdf, w, 1), (case.maps.invert, w, 2)):
+        for jacobian in of_case(case, func, x, width) if func is not None else ():
+            assert not np.isnan(jacobian).any()
+            if case not in TOO_NARROW:
+                assert np.isfinite(jacobian).all()
+
+
+def test_what_has_no_derivative_has_gradient_0():
+    """The azimuth at the pole, the first and last cells of an inverse, the azimuth of a view from above."""
+    pole = np.array([[0.0, 0.0, 1.0], [-0.0, 0.0, 1.0]])
+    for case in (ws.UniformSphere(), ws.GGX(0.3), ws.VonMisesFisher(8.0), ws.CosineHemisphere("concentric")):
+        assert not of_case(case, case.maps.invert, pole, 2)[0][:, 1].any()
+    for method in ("polar", "concentric"):  # a zero of either sign is the same place
+        zeros = np.array([[0.5, 0.0], [0.5, -0.0], [0.0, 0.5], [-0.0, 0.5]])
+        found = of_case(ws.UniformDisk(method), ws.UniformDisk(method).maps.invert, zeros, 2)[0]
+        assert np.array_equal(found[::2], found[1::2])
+    edge = np.array([[1.0, 0.0, 0.0]])
+    assert not of_case(ws.GGX(0.3), ws.GGX(0.3).maps.invert, edge, 2)[0][:, 0].any()
+    for case in (ws.VisibleGGX(0.3), ws.VisibleBeckmann(0.3)):
+        assert not of_case(case, case.maps.sample, U, 3)[2][..., :2].any()
+        assert of_case(case, case.maps.pdf, moved(U @ np.eye(2, 3), pole[:1]), 1)[2][..., :2].any()  # its density has one
+
+
+@pytest.mark.slow
+def test_gradients_compile_for_cuda(tmp_path, monkeypatch):
+    kernels()
+    monkeypatch.setitem(framed.module.options, "optimization_level", None)  # CUDA's own
+    (ptx,) = wp.compile_aot_module(framed.module, device=None, arch=86, use_ptx=True, module_dir=tmp_path)
+    assert ptx.read_text().count("_backward") >= len(kernels())

@@ -1,0 +1,66 @@
+"""The angles of a direction: its azimuth, and functions of its angle to +z."""
+
+import warp as wp
+
+from warpsample.maths.numerics import TWO, ZERO
+
+_TURNS_PER_RADIAN = wp.constant(wp.float64(0.15915494309189535))
+_POLE = wp.constant(wp.float32(1e-30))  # nearer to it the azimuth's gradient does not fit into float32
+_TINY = wp.constant(wp.float64(1e-90))
+_LARGEST_TAN_SQUARED = wp.constant(wp.float64(1e37))
+
+
+@wp.func
+def turns_of(x: wp.float32, y: wp.float32) -> wp.float32:
+    """The azimuth of (x, y) in turns, in [0, 1); 0 for the origin, where its gradient is 0 too. Worst absolute error 6e-8.
+
+    atan2 without branches: reduced to an octant, then to [0, tan(pi/8)], where the polynomial is that of Cephes' atanf.
+    """
+    ax = wp.abs(x)
+    ay = wp.abs(y)
+    longer = wp.max(wp.max(ax, ay), 1.0e-38)
+    r = wp.min(ax, ay) / longer
+    outer = r > 0.41421357
+    r = wp.where(outer, (r - 1.0) / (r + 1.0), r)
+    t = r * r
+    a = r * (0.15915494 + t * (-0.053051636 + t * (0.031805573 + t * (-0.022112465 + t * 0.012850129))))
+    a = wp.where(outer, 0.125 + a, a)
+    a = wp.where(ay > ax, 0.25 - a, a)
+    a = wp.where(x < 0.0, 0.5 - a, a)
+    a = wp.where(y < 0.0, 1.0 - a, a)
+    return wp.where(a >= 1.0, 0.0, a)
+
+
+@wp.func_grad(turns_of)
+def _adj_turns_of(x: wp.float32, y: wp.float32, adj_ret: wp.float32):
+    # Of the azimuth itself: the octants' polynomial has a worse derivative, and none on their borders.
+    dx, dy = wp.float64(x), wp.float64(y)
+    turn = _TURNS_PER_RADIAN * wp.float64(adj_ret) / (dx * dx + dy * dy)
+    if wp.max(wp.abs(x), wp.abs(y)) > _POLE:
+        wp.adjoint[x] -= wp.float32(dy * turn)
+        wp.adjoint[y] += wp.float32(dx * turn)
+
+
+@wp.func
+def sin_squared(w: wp.vec3) -> wp.float64:
+    """sin^2 of the angle between w and +z, for w of any length. Float64 keeps the precision of w."""
+    x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
+    across = x * x + y * y
+    return across / (across + z * z)
+
+
+@wp.func
+def tan_squared(w: wp.vec3) -> wp.float64:
+    """tan^2 of the angle between w and +z, at most 1e37. 1 / z^2 - 1 would lose precision near the pole."""
+    x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
+    return wp.min((x * x + y * y) / wp.max(z * z, _TINY), _LARGEST_TAN_SQUARED)
+
+
+@wp.func
+def versine(w: wp.vec3) -> wp.float64:
+    """1 - cos of the angle between w and +z, precise near both poles."""
+    x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
+    across = x * x + y * y
+    length = wp.sqrt(across + z * z)
+    near = across / (length * (length + wp.abs(z)))
+    return wp.where(z > ZERO, near, TWO - near)
