@@ -129,7 +129,9 @@ def sample_directions(
 
     Args:
         normals: (P, 3) float32 or float64, of any length above 0; or SurfacePoints. NumPy in, NumPy out; wp.array in,
-            wp.array out on its device. A zero or non-finite normal gives zero vectors, pdf 0 and a status.
+            wp.array out on its device. Arrays of other libraries (PyTorch, JAX, CuPy) are taken without a copy: as NumPy's
+            in the CPU's memory, as a wp.array on a CUDA device. A zero or non-finite normal gives zero vectors, pdf 0 and
+            a status.
         count: directions per point, n, 1 to 2^31 - 1.
         distribution: an instance, or a name for one with its defaults.
         sequence: a name of `warpsample.sequences.names()`.
@@ -137,7 +139,8 @@ def sample_directions(
         first_point: the global id of row 0.
         pdf: whether to return the density of each direction.
         active: (P,) bool; rows that are False give zero vectors and cost next to nothing.
-        out: a float32 array of shape (P, n, 3) to write into, of the same kind as the normals.
+        out: a float32 array of shape (P, n, 3) to write into, of the same kind as the normals; another library's is written
+            in place too, and `vectors` is a NumPy array or wp.array of its memory.
         device: where to compute, by default where the normals are; NumPy arrays go to a CUDA device in parts and back.
         workers: threads on the CPU, all cores by default.
         progress: whether to show a bar, on a terminal or in a notebook; changes no bit.

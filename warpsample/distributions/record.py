@@ -10,7 +10,7 @@ import warp as wp
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
 from warpsample.distributions.parameters import Parameters, about_frame, packed, with_parameters
 from warpsample.host.arguments import check_number
-from warpsample.host.arrays import Array, as_real, as_square, as_vectors, new_vectors
+from warpsample.host.arrays import Array, as_real, as_square, as_vectors, from_cuda, new_vectors
 from warpsample.host.engine import check_workers, run
 
 _VECTORS = {2: wp.vec2, 3: wp.vec3}
@@ -157,7 +157,7 @@ class Distribution:
 
         Returns:
             (..., 3) float32, unit length, local frame with +z the normal; planar ones (..., 2), with +y the normal.
-            NumPy for NumPy, wp.array for wp.array.
+            NumPy for NumPy and what else is in the CPU's memory, wp.array for wp.array and what else is on a CUDA device.
 
         Raises:
             TypeError, ValueError: u is not floating-point, its last axis is not 2, or a value is outside [0, 1).
@@ -167,6 +167,7 @@ class Distribution:
             >>> print(w.shape, f"{w[..., 2].mean():.2f}")  # the mean cosine is 2/3
             (1, 256, 3) 0.67
         """
+        u = from_cuda(u, "u")
         u = u if isinstance(u, wp.array) else as_square(u, "u")
         return self._map(self.maps.sample, u, 2, self.width, "u")
 
