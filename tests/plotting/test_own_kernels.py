@@ -110,8 +110,8 @@ def test_both_ways_agree_in_the_shadow_and_one_is_far_better(direct, plausible):
 
 @pytest.mark.parametrize("to_lamp", [False, True])
 def test_the_errors_are_those_of_repeated_estimates(direct, to_lamp):
-    found = direct.estimate(unshadowed(), np.tile([0.3, 0.2, 0.0], (4000, 1)), to_lamp, 64, 3).astype(np.float64)
-    assert found[:, 0].std() == pytest.approx(np.sqrt((found[:, 1] ** 2).mean()), rel=0.1)  # about 1.5 % by chance
+    found = direct.estimate(unshadowed(), np.tile([0.3, 0.2, 0.0], (40_000, 1)), to_lamp, 4, 3).astype(np.float64)
+    assert found[:, 0].std() == pytest.approx(np.sqrt((found[:, 1] ** 2).mean()), rel=0.05)  # 0.87 if biased
 
 
 def test_light_is_shown_as_screens_do():

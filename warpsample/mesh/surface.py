@@ -21,7 +21,9 @@ BYTES_PER_POINT = 24 + 12 + 4
 
 @dataclass(frozen=True, eq=False)
 class SurfacePoints:
-    """Points with normals, one per row. Arrays of other libraries become NumPy's: without a copy in the CPU's memory.
+    """Points with normals, one per row.
+
+    Arrays of other libraries (PyTorch, JAX, CuPy) become NumPy's: without a copy where they are in the CPU's memory.
 
     Attributes:
         position: (P, 3) float64 or float32, in the user's coordinates; other real numbers become float64, here as below.
