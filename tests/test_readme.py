@@ -99,6 +99,8 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "python viz/offset_family.py --screenshot offset_family.png",
         "python viz/sequences.py --screenshot sequences.png",
         "python viz/occlusion.py --screenshot occlusion.png",
+        "python viz/glossy_reflection.py --screenshot glossy_reflection.png",  # these: test_own_kernels.py
+        "python viz/direct_light.py --screenshot direct_light.png",
     ]
 
 

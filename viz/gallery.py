@@ -79,6 +79,20 @@ SHOTS = (
         "viz/occlusion.py --screenshot FILE",
     ),
     Shot(
+        "glossy_reflection",
+        "A kernel of one's own: glossy reflections",
+        "An environment map filtered for surfaces of growing roughness, as renderers do before they look it up; below, a "
+        "ball that reflects it.",
+        "viz/glossy_reflection.py --screenshot FILE",
+    ),
+    Shot(
+        "direct_light",
+        "A kernel of one's own: the light of a lamp",
+        "The same number of rays, by the cosine lobe at the left and to the lamp alone at the right: where rays are sent "
+        "matters more than how many there are.",
+        "viz/direct_light.py --screenshot FILE",
+    ),
+    Shot(
         "bench_error",
         "Which sequence",
         "Root mean square error against run time.",

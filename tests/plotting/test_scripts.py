@@ -17,7 +17,7 @@ from warpsample.plotting.overlay_sheet import overlay
 from warpsample.plotting.sequence_sheet import Convergence, sequence_sheet
 from warpsample.proof.defects import Wrong
 
-PNG_SCRIPTS = ("shirley_overlay", "offset_family", "sequences")
+PNG_SCRIPTS = ("shirley_overlay", "offset_family", "sequences", "glossy_reflection", "direct_light")
 
 
 def picture(path):

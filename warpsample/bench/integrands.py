@@ -19,8 +19,9 @@ from warpsample.directions.means import direction_means
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
 from warpsample.distributions.parameters import with_parameters
-from warpsample.host.arrays import as_vectors, cpu, new_vectors
+from warpsample.host.arrays import cpu
 from warpsample.host.engine import check_workers, run
+from warpsample.host.vectors import as_vectors, new_vectors
 
 
 @dataclass(frozen=True)

@@ -18,9 +18,10 @@ from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_scale, check_seed, told
-from warpsample.host.arrays import Array, Vectors, as_vectors, check_active, check_device, check_out, cpu, new_vectors
+from warpsample.host.arrays import Array, check_active, check_device, cpu
 from warpsample.host.engine import check_memory, check_workers, run
 from warpsample.host.progress import bar
+from warpsample.host.vectors import Vectors, as_vectors, check_out, new_vectors
 from warpsample.mesh.polydata import cloud
 from warpsample.mesh.surface import SurfacePoints
 
@@ -129,7 +130,9 @@ def sample_directions(
 
     Args:
         normals: (P, 3) float32 or float64, of any length above 0; or SurfacePoints. NumPy in, NumPy out; wp.array in,
-            wp.array out on its device. A zero or non-finite normal gives zero vectors, pdf 0 and a status.
+            wp.array out on its device. Arrays of other libraries (PyTorch, JAX, CuPy) are taken without a copy: as NumPy's
+            in the CPU's memory, as a wp.array on a CUDA device. A zero or non-finite normal gives zero vectors, pdf 0 and
+            a status.
         count: directions per point, n, 1 to 2^31 - 1.
         distribution: an instance, or a name for one with its defaults.
         sequence: a name of `warpsample.sequences.names()`.
@@ -137,7 +140,8 @@ def sample_directions(
         first_point: the global id of row 0.
         pdf: whether to return the density of each direction.
         active: (P,) bool; rows that are False give zero vectors and cost next to nothing.
-        out: a float32 array of shape (P, n, 3) to write into, of the same kind as the normals.
+        out: a float32 array of shape (P, n, 3) to write into, of the same kind as the normals; another library's is written
+            in place too, and `vectors` is a NumPy array or wp.array of its memory.
         device: where to compute, by default where the normals are; NumPy arrays go to a CUDA device in parts and back.
         workers: threads on the CPU, all cores by default.
         progress: whether to show a bar, on a terminal or in a notebook; changes no bit.

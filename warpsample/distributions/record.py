@@ -10,8 +10,9 @@ import warp as wp
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
 from warpsample.distributions.parameters import Parameters, about_frame, packed, with_parameters
 from warpsample.host.arguments import check_number
-from warpsample.host.arrays import Array, as_real, as_square, as_vectors, new_vectors
+from warpsample.host.arrays import Array, as_real, as_square, from_cuda
 from warpsample.host.engine import check_workers, run
+from warpsample.host.vectors import as_vectors, new_vectors
 
 _VECTORS = {2: wp.vec2, 3: wp.vec3}
 
@@ -42,21 +43,18 @@ class Distribution:
     """A density of directions about a normal. Subclasses are frozen dataclasses of its parameters.
 
     Attributes:
-        name: what users call it by.
-        density: formula of the pdf, for tables.
+        name, density: what users call it by; the formula of the pdf, for tables.
         measure: what the pdf is per: "per steradian", "per unit area" or "per radian".
         support: where the pdf is above 0, in words.
         parameters: names of the fields that travel to the kernels, where they are float32: a scalar, then a vector.
         bounds: least and greatest value of the scalar.
         shown: what of the scalar is worth looking at, from above 0; for sliders, which span it by its logarithm.
-        width: components of w: 3, or 2 for what lies in a plane.
-        variates: coordinates of u that the map uses.
-        symmetric: whether the density depends on the angle to +z alone.
+        width, variates: components of w, 3, or 2 for what lies in a plane; coordinates of u that the map uses.
+        symmetric, polar: whether the density depends on the angle to +z alone, u[0] being its cdf, u[1] the azimuth in turns.
         source: where the formulas come from.
         worst_unit_length: abs(abs(w) - 1) of `sample` over the whole grid of u.
         worst_angle: radians between `sample` and its float64 twin; for points of a disk, their distance.
-        worst_pdf: relative error of `pdf` at exact directions.
-        worst_round_trip: of u, away from `seam`.
+        worst_pdf, worst_round_trip: relative error of `pdf` at exact directions; error of u, away from `seam`.
         limits: where an error is worse than those, or the density is not the formula, and why; for tables.
     """
 
@@ -70,6 +68,7 @@ class Distribution:
     width: ClassVar[int] = 3
     variates: ClassVar[int] = 2
     symmetric: ClassVar[bool] = True
+    polar: ClassVar[bool] = True
     source: ClassVar[str]
     worst_unit_length: ClassVar[float] = 2e-7
     worst_angle: ClassVar[float] = 3e-7
@@ -134,11 +133,6 @@ class Distribution:
         """`cdf` of float64 angles that can be."""
         raise NotImplementedError(f"{self!r}: its density does not depend on the angle alone")
 
-    @property
-    def polar(self) -> bool:
-        """Whether `sample` makes u[0] the cdf of the angle to +z, and u[1] the azimuth in turns."""
-        return self.symmetric and self.width == 3
-
     def seam(self, u: np.ndarray) -> np.ndarray:
         """Which u `invert` cannot give back to float32 accuracy: by default those of the pole, which has no azimuth.
 
@@ -162,7 +156,7 @@ class Distribution:
 
         Returns:
             (..., 3) float32, unit length, local frame with +z the normal; planar ones (..., 2), with +y the normal.
-            NumPy for NumPy, wp.array for wp.array.
+            NumPy for NumPy and what else is in the CPU's memory, wp.array for wp.array and what else is on a CUDA device.
 
         Raises:
             TypeError, ValueError: u is not floating-point, its last axis is not 2, or a value is outside [0, 1).
@@ -172,6 +166,7 @@ class Distribution:
             >>> print(w.shape, f"{w[..., 2].mean():.2f}")  # the mean cosine is 2/3
             (1, 256, 3) 0.67
         """
+        u = from_cuda(u, "u")
         u = u if isinstance(u, wp.array) else as_square(u, "u")
         return self._map(self.maps.sample, u, 2, self.width, "u")
 

@@ -76,7 +76,7 @@ def _edges(lobe: Distribution, bands: int) -> np.ndarray | None:
     shares = np.arange(bands + 1) / bands
     if lobe == POLAR_COSINE:
         return shares
-    if not lobe.polar or lobe.largest_angle > pi / 2.0:
+    if not (lobe.symmetric and lobe.polar) or lobe.largest_angle > pi / 2.0:
         return None
     low, high = np.zeros(bands + 1), np.full(bands + 1, lobe.largest_angle)
     for _ in range(_HALVINGS):

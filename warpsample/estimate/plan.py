@@ -14,9 +14,10 @@ from warpsample.estimate.integrand import Integrand
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.runner import Runner, rays_of
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_number, check_seed
-from warpsample.host.arrays import as_directions, check_active, cpu, kind_told
+from warpsample.host.arrays import check_active, cpu, kind_told
 from warpsample.host.engine import check_memory, check_workers
 from warpsample.host.progress import bar
+from warpsample.host.vectors import as_directions
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.record import Sequence

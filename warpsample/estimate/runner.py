@@ -9,8 +9,9 @@ from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.result import Estimate, Skipped
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.spot import LobesArgs
-from warpsample.host.arrays import as_directions, cpu
+from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
+from warpsample.host.vectors import as_directions
 from warpsample.tracing.order import order_of
 from warpsample.tracing.placement import PlacementArgs, placed
 from warpsample.tracing.rays import RAY_WORK

@@ -1,8 +1,10 @@
-"""The arrays of users, NumPy and Warp: checked once, and from then on known by their address."""
+"""The arrays of users, NumPy's, Warp's and other libraries': checked once, and from then on known by their address.
 
-from dataclasses import dataclass
-from functools import cached_property
-from math import frexp, hypot, inf, ldexp, prod
+What another library holds is taken by its protocols, without a copy: in the CPU's memory it becomes a NumPy array
+(`__array_interface__`, `__array__`, `__dlpack__`), on a CUDA device a wp.array (`__dlpack__`, `__cuda_array_interface__`).
+"""
+
+from math import frexp, hypot, inf, ldexp
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -13,35 +15,10 @@ from warpsample.host.kernel_cache import start
 
 Array: TypeAlias = np.ndarray | wp.array
 
-_SHORTEST, _LONGEST = 1e-30, 1e30  # of a vector in float64 whose components keep their digits in float32
-_DIMENSIONS = {wp.vec2: 2, wp.vec3: 3}
+NUMPY_KNOWS = ("__array__", "__array_interface__", "__array_struct__")
+"""Protocols by which NumPy takes the arrays of others."""
 
-
-@dataclass(frozen=True)
-class Vectors:
-    """An array of float32 vectors, C-contiguous.
-
-    Attributes:
-        owner: the array; holding it keeps the address valid.
-        shape: without the vectors' own axis.
-        width: components of a vector.
-        device: where it lies.
-    """
-
-    owner: Array
-    shape: tuple[int, ...]
-    width: int
-    device: wp.Device
-
-    @cached_property
-    def address(self) -> int:
-        """Address of the first component."""
-        return address_of(self.owner)
-
-    @cached_property
-    def count(self) -> int:
-        """How many vectors."""
-        return prod(self.shape)
+_DLPACK_CUDA = 2  # what `__dlpack_device__` calls a CUDA device's memory
 
 
 def cpu() -> wp.Device:
@@ -79,18 +56,59 @@ def kind_told(value: Any) -> str:
     return "a NumPy array" if isinstance(value, np.ndarray) else f"a value of type {type(value).__name__}"
 
 
+def from_cuda(value: Any, argument: str) -> Any:
+    """Another library's array on a CUDA device as a wp.array of the same memory; everything else as it is.
+
+    Raises:
+        TypeError: it is on a device that Warp does not have, needs a gradient, or holds what no wp.array does.
+    """
+    if isinstance(value, np.ndarray | wp.array):
+        return value
+    try:
+        if not _on_cuda(value):
+            return value
+        start()
+        if hasattr(value, "__dlpack__"):  # knows the number of its device, and waits for what still writes to it
+            return wp.from_dlpack(value)
+        return wp.array(data=value, device=wp.get_cuda_device(), copy=False)
+    except Exception as error:  # whatever the value's own code raises, and Warp
+        known = ", ".join(map(str, wp.get_devices()))
+        raise TypeError(
+            f"{argument}: got {kind_told(value)} on a CUDA device, which Warp makes no array of ({_reason(error)}), "
+            f"want an array without gradients on one of {known}"
+        ) from error
+
+
+def _on_cuda(value: Any) -> bool:
+    try:
+        return value.__dlpack_device__()[0] == _DLPACK_CUDA
+    except Exception:  # it has no such method, or is where DLPack has no number for
+        return getattr(value, "__cuda_array_interface__", None) is not None
+
+
 def as_ndarray(value: Any, argument: str, wants: str = "an array") -> np.ndarray:
-    """`value` as NumPy has it, without a copy where it is an array.
+    """`value` as NumPy has it, without a copy where it is an array in the CPU's memory.
 
     Raises:
         TypeError: an array with a mask, which nothing here heeds; or what NumPy makes no array of, such as ragged lists.
     """
     if _has_mask(value):
         raise TypeError(f"{argument}: got a masked array, want {wants} without a mask, as numpy.ma.filled gives")
+    value = from_cuda(value, argument)
+    if isinstance(value, wp.array):
+        return value.numpy()
     try:
-        return np.asarray(value)
+        # By __array__ where there is one: of PyTorch's exports it alone heeds the sign that conj().imag leaves to be taken.
+        only_dlpack = hasattr(type(value), "__dlpack__") and not any(hasattr(value, name) for name in NUMPY_KNOWS)
+        return np.from_dlpack(value) if only_dlpack else np.asarray(value)
     except Exception as error:  # whatever the value's own code raises
-        raise TypeError(f"{argument}: got {told(value)}, which NumPy makes no array of ({error}), want {wants}") from error
+        raise TypeError(
+            f"{argument}: got {told(value)}, which NumPy makes no array of ({_reason(error)}), want {wants}"
+        ) from error
+
+
+def _reason(error: Exception) -> str:
+    return " ".join(str(error).split())
 
 
 def _has_mask(value: Any) -> bool:
@@ -122,7 +140,7 @@ def check_active(active: Any, points: int) -> np.ndarray | None:
     if active is None:
         return None
     wants = f"an array of bool of shape {(points,)}, one for each point"
-    mask = active.numpy() if isinstance(active, wp.array) else as_ndarray(active, "active", wants)
+    mask = as_ndarray(active, "active", wants)
     if mask.dtype not in (np.bool_, np.uint8):
         raise TypeError(f"active: got {f'dtype {mask.dtype}' if mask.ndim else told(active)}, want {wants}")
     if mask.shape != (points,):
@@ -174,90 +192,3 @@ def as_view(value: Any, argument: str) -> tuple[float, float, float]:
     if view[2] < 0.0:
         raise ValueError(f"{argument}: got {told(value)}, want {wants}")
     return view
-
-
-def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") -> Vectors:
-    """`value` as float32 vectors; without a copy where it is C-contiguous float32 already.
-
-    Raises:
-        TypeError: `value` is not an array of real floating-point numbers.
-        ValueError: its last axis is not `width` long.
-    """
-    if isinstance(value, wp.array):
-        return _warp_vectors(value, width, argument)
-    array = as_ndarray(value, argument)
-    if array.dtype not in (np.float32, np.float64):
-        raise TypeError(f"{argument}: got dtype {array.dtype}, want float32 (or float64, which is rounded to float32)")
-    if array.ndim == 0 or array.shape[-1] != width:
-        raise ValueError(f"{argument}: got shape {array.shape}, want {shape.format(width)}")
-    owner = as_directions(array) if argument == "normals" else _rounded(array)
-    return Vectors(owner, owner.shape[:-1], width, cpu())
-
-
-def _rounded(array: np.ndarray) -> np.ndarray:
-    """The array as C-contiguous float32, copied only if it is not that already."""
-    with np.errstate(over="ignore"):
-        return np.ascontiguousarray(array, np.float32)
-
-
-def as_directions(array: np.ndarray) -> np.ndarray:
-    """(..., 3) vectors of any length as float32 ones: scaled by a power of two where their length has no float32."""
-    if array.dtype != np.float32:
-        largest = np.abs(array).max(axis=-1, initial=0.0)
-        outside = np.isfinite(largest) & (largest > 0.0) & ~((largest > _SHORTEST) & (largest < _LONGEST))
-        if outside.any():
-            array = array.copy()
-            array[outside] = np.ldexp(array[outside], -np.frexp(largest[outside])[1][:, None])
-    return _rounded(array)
-
-
-def _warp_vectors(array: wp.array, width: int, argument: str) -> Vectors:
-    of_vectors = _DIMENSIONS.get(array.dtype) == width
-    of_floats = array.dtype is wp.float32 and array.ndim > 0 and array.shape[-1] == width
-    if not (of_vectors or of_floats):
-        raise TypeError(
-            f"{argument}: got a wp.array of {array.dtype.__name__} with shape {array.shape}, "
-            f"want vec{width} or float32 with a last axis of {width}"
-        )
-    if not array.is_contiguous:
-        raise ValueError(
-            f"{argument}: got a wp.array that is not contiguous, want a contiguous one (see wp.array.contiguous)"
-        )
-    return Vectors(array, array.shape if of_vectors else array.shape[:-1], width, array.device)
-
-
-def new_vectors(like: Vectors, shape: tuple[int, ...], width: int) -> Vectors:
-    """Uninitialised vectors of the same kind and place: NumPy by NumPy, Warp by Warp. Width 1 has no axis of its own."""
-    if isinstance(like.owner, wp.array):
-        kind = {1: wp.float32, 2: wp.vec2, 3: wp.vec3}[width]
-        return Vectors(wp.empty(shape, dtype=kind, device=like.device), shape, width, like.device)
-    return Vectors(np.empty(shape if width == 1 else (*shape, width), np.float32), shape, width, like.device)
-
-
-def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
-    """The caller's own output array, if it can be written as it is: (*shape, 3) float32, C-contiguous, same kind and place.
-
-    Raises:
-        TypeError: another kind of array than the input, or not float32.
-        ValueError: another shape or device, not contiguous, read-only, or over the normals.
-    """
-    want = f"a C-contiguous, writeable float32 array of shape {(*shape, 3)}"
-    if isinstance(out, wp.array) and isinstance(like.owner, wp.array):
-        vectors = _warp_vectors(out, 3, "out")
-        if vectors.device != like.device:
-            raise ValueError(f"out: got an array on {vectors.device}, want one on {like.device}, where the normals are")
-    elif isinstance(out, np.ndarray) and isinstance(like.owner, np.ndarray):
-        as_ndarray(out, "out", want)
-        if out.dtype != np.float32:
-            raise TypeError(f"out: got dtype {out.dtype}, want {want}")
-        if not (out.flags.c_contiguous and out.flags.writeable):
-            flaw = "read-only" if out.flags.c_contiguous else "not C-contiguous"
-            raise ValueError(f"out: got an array that is {flaw}, want {want}")
-        vectors = Vectors(out, out.shape[:-1], out.shape[-1] if out.ndim else 0, like.device)
-    else:
-        raise TypeError(f"out: got {kind_told(out)}, want {kind_told(like.owner)}, as the normals are")
-    if (*vectors.shape, vectors.width) != (*shape, 3):
-        raise ValueError(f"out: got shape {(*vectors.shape, vectors.width)}, want {want}")
-    if vectors.address < like.address + 12 * like.count and like.address < vectors.address + 12 * vectors.count:
-        raise ValueError("out: got an array that overlaps the normals, want one apart from them")
-    return vectors

@@ -23,6 +23,8 @@ BYTES_PER_POINT = 24 + 12 + 4
 class SurfacePoints:
     """Points with normals, one per row.
 
+    Arrays of other libraries (PyTorch, JAX, CuPy) become NumPy's: without a copy where they are in the CPU's memory.
+
     Attributes:
         position: (P, 3) float64 or float32, in the user's coordinates; other real numbers become float64, here as below.
         normal: (P, 3) float32 or float64; need not be of unit length. A zero normal (degenerate face) is skipped and

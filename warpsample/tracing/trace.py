@@ -69,7 +69,8 @@ def trace(
             and at an edge or a corner towards the middle of their face, off the others (see `ambient_occlusion`). Others
             are taken as they are; a face at distance 0 is not met, but rounding may bring it in front. From farther than
             some 10^9 times the mesh's size, float64 does not tell where a ray goes: it meets nothing.
-        directions: (P, 3), one for each origin, or (P, n, 3), n for each; of any length.
+        directions: (P, 3), one for each origin, or (P, n, 3), n for each; of any length. Arrays of other libraries count as
+            NumPy's in the CPU's memory and as wp.arrays on a CUDA device.
         max_distance: meets only what is nearer, in units of the coordinates; in any case than float32 has distances, 3e38.
         any_hit: whether some face is enough: up to twice as fast.
         tracer: "wide", "warp" (wp.Mesh) or "auto": wide on the CPU.

@@ -1,4 +1,4 @@
-"""Points or directions as a caller gives them: float32 or float64, NumPy or Warp."""
+"""Points or directions as a caller gives them: float32 or float64, in the CPU's memory or on a CUDA device."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.host.arrays import Array, as_ndarray, cpu
+from warpsample.host.arrays import Array, as_ndarray, cpu, from_cuda
 
 _DOUBLE = {np.float32: False, np.float64: True, wp.vec3: False, wp.vec3d: True, wp.float32: False, wp.float64: True}
 
@@ -27,9 +27,10 @@ class Triples:
         Raises:
             TypeError, ValueError: not triples of floating-point numbers; names the argument.
         """
+        value = from_cuda(value, argument)
         if isinstance(value, wp.array):
             vectors = value.dtype in (wp.vec3, wp.vec3d)
-            if value.dtype not in _DOUBLE or not (vectors or value.shape[-1] == 3):
+            if value.dtype not in _DOUBLE or not (vectors or (value.ndim and value.shape[-1] == 3)):
                 raise TypeError(
                     f"{argument}: got a wp.array of {value.dtype.__name__} with shape {value.shape}, "
                     "want vec3, vec3d, or float32 or float64 with a last axis of 3"

@@ -1,0 +1,306 @@
+"""Arrays of other libraries are taken wherever NumPy's are, by their protocols, and give the same bits.
+
+PyTorch is one of them where it is installed; two small classes stand for all that have one protocol alone.
+"""
+
+import re
+
+import numpy as np
+import pytest
+import warp as wp
+
+import warpsample as ws
+from warpsample.host.arrays import as_ndarray, from_cuda
+from warpsample.host.vectors import as_vectors
+from warpsample.tracing.triples import Triples
+
+COUNT = 16
+NORMALS = np.random.default_rng(1).normal(size=(40, 3)).astype(np.float32)
+VERTICES = np.array([[-9.0, -9.0, 0.0], [9.0, -9.0, 0.0], [0.0, 9.0, 1.0]])
+FACES = np.array([[0, 1, 2]])
+POSITIONS = np.random.default_rng(2).uniform(-1.0, 1.0, (40, 3)) - [0.0, 0.0, 3.0]
+ACTIVE = NORMALS[:, 0] > 0.0
+READ_ONLY_BY_DLPACK = np.lib.NumpyVersion(np.__version__) >= "2.1.0"  # before, an array is never or always read-only
+
+
+class Interface:
+    """An array that has __array_interface__ and nothing else."""
+
+    def __init__(self, array):
+        self.__array_interface__ = array.__array_interface__
+        self.owner = array
+
+
+class Dlpack:
+    """An array that has the two methods of DLPack and nothing else."""
+
+    def __init__(self, array):
+        self.owner = array
+
+    def __dlpack__(self, **options):
+        return self.owner.__dlpack__(**options)
+
+    def __dlpack_device__(self):
+        return self.owner.__dlpack_device__()
+
+
+class Copies:
+    """An array that gives itself to NumPy as a copy, as those of some libraries do."""
+
+    def __init__(self, array):
+        self.owner = array
+
+    def __array__(self, dtype=None, copy=None):
+        return self.owner.copy()
+
+
+def torch_of(array):
+    return pytest.importorskip("torch").from_numpy(array)
+
+
+def skip_if_read_only(foreign):
+    if foreign is Dlpack and not READ_ONLY_BY_DLPACK:
+        pytest.skip("what comes by DLPack is read-only")
+
+
+FOREIGN = pytest.mark.parametrize("foreign", [Interface, Dlpack, torch_of])
+
+
+def surface_points(of):
+    return ws.SurfacePoints(of(POSITIONS), of(NORMALS), of(np.full(40, -1)), of(np.full((40, 3), 1.0 / 3.0)))
+
+
+def directions(of):
+    found = ws.sample_directions(of(NORMALS), COUNT, active=of(ACTIVE), pdf=True)
+    return found.vectors, found.pdf, found.status
+
+
+def hits(of):
+    found = ws.trace((of(VERTICES), of(FACES)), of(POSITIONS), of(NORMALS))
+    assert 5 < np.count_nonzero(found.face == 0) < 35
+    return found.distance, found.face
+
+
+def occlusion(of):
+    found = ws.ambient_occlusion(ws.Mesh(of(VERTICES), of(FACES)), surface_points(of), COUNT, active=of(ACTIVE))
+    assert (found.value[ACTIVE] < 1.0).any()
+    return found.value, found.standard_error, found.rays, found.status
+
+
+def light(of):
+    picture, up = np.linspace(0.0, 1.0, 96).reshape(4, 8, 3), np.array([0.6, 0.0, 0.8])
+    return (ws.irradiance((VERTICES, FACES), surface_points(np.asarray), of(picture), COUNT, of(up)).value,)
+
+
+def maps(of):
+    lobe, u = ws.GGX(0.3), np.random.default_rng(3).uniform(size=(50, 2)).astype(np.float32)
+    w = lobe.sample(of(u))
+    return w, lobe.pdf(of(w)), lobe.invert(of(w)), lobe.cdf(of(u[:, 0]))
+
+
+@FOREIGN
+@pytest.mark.parametrize("call", [directions, hits, occlusion, light, maps])
+def test_what_others_hold_gives_the_bits_and_the_kind_that_numpys_gives(call, foreign):
+    for found, expected in zip(call(foreign), call(lambda array: array), strict=True):
+        assert type(found) is np.ndarray
+        assert (found.dtype, found.shape, found.tobytes()) == (expected.dtype, expected.shape, expected.tobytes())
+
+
+@FOREIGN
+def test_nothing_is_copied(foreign):
+    made = foreign(NORMALS)
+    assert as_vectors(made, 3, "normals").address == NORMALS.ctypes.data
+    assert np.shares_memory(Triples.of(made, "origins").owner, NORMALS)
+    points = surface_points(foreign)
+    assert np.shares_memory(points.position, POSITIONS)
+    assert np.shares_memory(points.normal, NORMALS)
+
+
+@FOREIGN
+def test_what_is_not_contiguous_or_read_only_is_read(foreign):
+    array = np.asfortranarray(NORMALS)
+    found = ws.sample_directions(foreign(array), COUNT)
+    assert found.vectors.tobytes() == ws.sample_directions(NORMALS, COUNT).vectors.tobytes()
+    if foreign is torch_of or (foreign is Dlpack and not READ_ONLY_BY_DLPACK):
+        return  # they export nothing that is read-only
+    array = NORMALS.copy()
+    array.setflags(write=False)
+    assert ws.sample_directions(foreign(array), COUNT).vectors.tobytes() == found.vectors.tobytes()
+
+
+@FOREIGN
+def test_out_is_written_in_place(foreign):
+    memory = np.full((40, COUNT, 3), 7.0, np.float32)
+    if foreign is Dlpack and not READ_ONLY_BY_DLPACK:
+        with pytest.raises(ValueError, match=r"^out: got an array that is read-only, want a C-contiguous, writeable"):
+            ws.sample_directions(NORMALS, COUNT, out=foreign(memory))
+        return
+    found = ws.sample_directions(foreign(NORMALS), COUNT, out=foreign(memory))
+    assert type(found.vectors) is np.ndarray
+    assert found.vectors.ctypes.data == memory.ctypes.data
+    assert memory.tobytes() == ws.sample_directions(NORMALS, COUNT).vectors.tobytes()
+
+
+@FOREIGN
+@pytest.mark.parametrize(
+    ("make", "kind", "message"),
+    [
+        (lambda: np.zeros((40, COUNT, 3)), TypeError, "got dtype float64, want a C-contiguous, writeable float32"),
+        (lambda: np.zeros((COUNT, 40, 3), np.float32).swapaxes(0, 1), ValueError, "got an array that is not C-contiguous"),
+        (lambda: np.zeros((40, 3), np.float32), ValueError, r"got shape \(40, 3\), want"),
+    ],
+)
+def test_a_wrong_out_is_named(foreign, make, kind, message):
+    skip_if_read_only(foreign)
+    with pytest.raises(kind, match=f"^out: {message}"):
+        ws.sample_directions(NORMALS, COUNT, out=foreign(make()))
+
+
+@FOREIGN
+def test_out_may_not_be_the_normals(foreign):
+    skip_if_read_only(foreign)
+    memory = NORMALS.copy()
+    with pytest.raises(ValueError, match=r"^out: got an array that overlaps the normals"):
+        ws.sample_directions(foreign(memory), 1, out=foreign(memory.reshape(40, 1, 3)))
+
+
+def test_an_out_that_gives_copies_would_stay_as_it_is_and_is_refused():
+    with pytest.raises(TypeError, match=r"^out: got a value of type Copies, want a NumPy array, as the normals are"):
+        ws.sample_directions(NORMALS, COUNT, out=Copies(np.zeros((40, COUNT, 3), np.float32)))
+    as_normals = ws.sample_directions(Copies(NORMALS), COUNT)
+    assert as_normals.vectors.tobytes() == ws.sample_directions(NORMALS, COUNT).vectors.tobytes()
+
+
+@pytest.mark.parametrize(
+    ("make", "reason"),
+    [
+        (lambda tensor: tensor.clone().requires_grad_(), r"Tensor that requires grad.*detach"),
+        (lambda tensor: tensor.bfloat16(), "BFloat16"),
+        (lambda tensor: tensor.to_sparse(), "to_dense"),
+        (lambda tensor: tensor.to("meta"), "meta"),
+        (lambda tensor: (1j * tensor).conj().imag, "resolve_neg"),
+    ],
+)
+def test_a_tensor_that_numpy_makes_nothing_of_is_named(make, reason):
+    wrong = make(torch_of(NORMALS))
+    calls = {
+        "normals": lambda: ws.sample_directions(wrong, COUNT),
+        "origins": lambda: ws.trace((VERTICES, FACES), wrong, NORMALS),
+        "position": lambda: ws.SurfacePoints(wrong, NORMALS),
+        "u": lambda: ws.GGX(0.3).sample(wrong),
+        "vertices": lambda: ws.Mesh(wrong, FACES),
+        "out": lambda: ws.sample_directions(NORMALS, COUNT, out=wrong),
+    }
+    for argument, call in calls.items():
+        with pytest.raises(TypeError) as raised:
+            call()
+        said = rf"{argument}: got .*, which NumPy makes no array of \(.*{reason}.*\), want .*"
+        assert re.fullmatch(said, str(raised.value))
+
+
+def test_half_precision_is_as_numpys_is():
+    with pytest.raises(TypeError, match=r"^normals: got dtype float16, want float32 \(or float64"):
+        ws.sample_directions(torch_of(NORMALS).half(), COUNT)
+
+
+class Elsewhere(Dlpack):
+    """An array on a device that neither NumPy nor Warp has: Apple's Metal, as DLPack numbers it."""
+
+    def __dlpack__(self, **options):
+        raise BufferError("it is on a GPU")
+
+    def __dlpack_device__(self):
+        return 8, 0
+
+
+class CudaInterface:
+    """An array that says that a CUDA device holds it, as Numba's do."""
+
+    def __init__(self, array):
+        self.__cuda_array_interface__ = {**array.__array_interface__, "version": 3}
+
+    def __len__(self):
+        return self.__cuda_array_interface__["shape"][0]
+
+
+class CudaDlpack(Dlpack):
+    """An array that says so by DLPack."""
+
+    def __dlpack_device__(self):
+        return 2, 0
+
+
+class CudaDlpackAndCopies(CudaDlpack, Copies):
+    """As JAX's, which NumPy would copy to the host."""
+
+
+def test_an_unknown_device_is_named():
+    with pytest.raises(
+        TypeError, match=r"^normals: got .*Elsewhere.*, which NumPy makes no array of \(it is on a GPU\), want an array$"
+    ):
+        ws.sample_directions(Elsewhere(NORMALS), COUNT)
+
+
+@pytest.mark.skipif(wp.is_cuda_available(), reason="there is a CUDA device")
+@pytest.mark.parametrize("foreign", [CudaInterface, CudaDlpack, CudaDlpackAndCopies])
+@pytest.mark.parametrize(
+    ("argument", "call"),
+    [
+        ("normals", lambda x: ws.sample_directions(x, COUNT)),
+        ("active", lambda x: ws.sample_directions(NORMALS, COUNT, active=x)),
+        ("out", lambda x: ws.sample_directions(NORMALS, COUNT, out=x)),
+        ("origins", lambda x: ws.trace((VERTICES, FACES), x, x)),
+        ("directions", lambda x: ws.trace((VERTICES, FACES), NORMALS, x)),
+        ("position", lambda x: ws.SurfacePoints(x, NORMALS)),
+        ("vertices", lambda x: ws.as_mesh((x, FACES))),
+        ("radiance", lambda x: ws.irradiance((VERTICES, FACES), surface_points(np.asarray), x)),
+        ("u", lambda x: ws.GGX(0.3).sample(x)),
+        ("w", lambda x: ws.GGX(0.3).pdf(x)),
+    ],
+)
+def test_cuda_arrays_go_to_warp_and_not_to_numpy(argument, call, foreign):
+    """Without a device it refuses them; NumPy, which could read them here, is not asked."""
+    message = rf"^{argument}: got a value of type {foreign.__name__} on a CUDA device, which Warp makes no array of \(.+\), "
+    with pytest.raises(TypeError, match=message + "want an array without gradients on one of cpu$"):
+        call(foreign(NORMALS))
+
+
+def test_warp_takes_the_address_that_a_cuda_array_tells(monkeypatch):
+    """The branch that a GPU would take, with Warp's arrays and devices in its place."""
+    given, asked = CudaInterface(NORMALS), []
+    made = wp.zeros(40, dtype=wp.vec3, device="cpu")
+
+    class Recorder(wp.array):
+        def __new__(cls, **arguments):
+            asked.append(arguments)
+            return made
+
+    with monkeypatch.context() as patched:
+        patched.setattr(wp, "get_cuda_device", lambda: "cuda:0")
+        patched.setattr(wp, "array", Recorder)
+        assert from_cuda(given, "normals") is made
+    assert asked == [{"data": given, "device": "cuda:0", "copy": False}]
+    monkeypatch.setattr(wp, "from_dlpack", lambda value: wp.array(value.owner, device="cpu"))
+    found = ws.sample_directions(CudaDlpackAndCopies(NORMALS), COUNT)
+    assert isinstance(found.vectors, wp.array)  # what comes back for it
+    assert found.vectors.numpy().tobytes() == ws.sample_directions(NORMALS, COUNT).vectors.tobytes()
+    points = ws.SurfacePoints(CudaDlpack(POSITIONS), CudaDlpack(NORMALS))  # copied to the host, where points are
+    assert type(points.position) is np.ndarray
+    assert (points.position == POSITIONS).all()
+
+
+@pytest.mark.skipif(not wp.is_cuda_available(), reason="no CUDA device")
+@pytest.mark.parametrize("kind", [CudaInterface, CudaDlpack])
+def test_a_cuda_array_is_taken_without_a_copy(kind):
+    class Other(kind):
+        """A wp.array in disguise."""
+
+        def __init__(self, array):
+            self.owner = array
+            if kind is CudaInterface:
+                self.__cuda_array_interface__ = array.__cuda_array_interface__
+
+    there = wp.array(NORMALS, dtype=wp.float32, device="cuda")
+    assert as_vectors(Other(there), 3, "normals").address == there.ptr
+    assert (as_ndarray(Other(there), "position") == NORMALS).all()
+    assert (ws.GGX(0.3).pdf(Other(there)).numpy() == ws.GGX(0.3).pdf(there).numpy()).all()

@@ -1,0 +1,99 @@
+"""A kernel of one's own: a lamp's light on a floor, by directions of the cosine lobe and by directions to the lamp."""
+
+from typing import Annotated
+
+import numpy as np
+import typer
+import warp as wp
+
+import warpsample as ws
+from warpsample import funcs
+from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
+from warpsample.host.arguments import check_integer, check_seed
+from warpsample.host.kernel_cache import start
+from warpsample.plotting import rendering
+from warpsample.plotting.light_sheet import light_sheet
+from warpsample.viewer.start import bunny
+
+LAMP, RADIUS = wp.constant(wp.vec3(-1.2, 0.7, 1.8)), wp.constant(0.25)  # a ball of radiance 1, in heights of the bunny
+SIDE = 192  # points of the floor's side
+
+
+@wp.kernel(enable_backward=False)
+def lamp_light(
+    points: wp.array[wp.vec3], mesh: wp.uint64, to_lamp: bool, count: int, seed: wp.uint64, out: wp.array[wp.vec2]
+):
+    """The mean of cosine / density over rays that meet the lamp and no mesh, with its standard error; the normal is +z."""
+    p = wp.tid()
+    away = LAMP - points[p]
+    distance = wp.length(away)
+    frame = funcs.frame_about(away / distance)
+    sin_squared = RADIUS * RADIUS / (distance * distance)  # of half the angle at which the lamp is seen
+    one_minus_cos = sin_squared / (1.0 + wp.sqrt(1.0 - sin_squared))
+    mean, squares = wp.float32(0.0), wp.float32(0.0)
+    for j in range(count):
+        u = funcs.independent(seed, wp.uint64(p), wp.uint32(j), wp.uint32(count))
+        w = funcs.square_to_cosine_hemisphere(u)
+        density = funcs.square_to_cosine_hemisphere_pdf(w)
+        lit = wp.length_sq(wp.cross(w, away)) < RADIUS * RADIUS and wp.dot(w, away) > 0.0
+        if to_lamp:
+            local = funcs.square_to_uniform_cone(u, one_minus_cos)
+            w = funcs.to_world(frame, local)
+            density = funcs.square_to_uniform_cone_pdf(local, one_minus_cos)
+            lit = True
+        value = wp.float32(0.0)
+        if lit and not wp.mesh_query_ray_anyhit(mesh, points[p], w, distance):
+            value = w[2] / density
+        change = value - mean
+        mean += change / float(j + 1)
+        squares += change * (value - mean)
+    out[p] = wp.vec2(mean, wp.sqrt(squares / (float(count) * float(count - 1))))
+
+
+def estimate(mesh: wp.Mesh, points: np.ndarray, to_lamp: bool, count: int, seed: int) -> np.ndarray:
+    """(P, 2): the irradiance at (P, 3) points of the floor, and its standard error."""
+    inputs = [wp.array(points, dtype=wp.vec3, device="cpu"), mesh.id, to_lamp, count, wp.uint64(seed)]
+    out = wp.empty(len(points), dtype=wp.vec2, device="cpu")
+    wp.launch(lamp_light, dim=len(points), inputs=inputs, outputs=[out], device="cpu")
+    return out.numpy()
+
+
+def scene(side: int) -> tuple[wp.Mesh, np.ndarray]:
+    """The bunny, of height 1, on a floor at z = 0; and (side^2, 3) points of the floor, row by row from +y to -y."""
+    mesh = ws.load_mesh(bunny())
+    vertices = mesh.vertices[:, [0, 2, 1]] * [1.0, -1.0, 1.0]  # its y points up
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    vertices = (vertices - [*(low + high)[:2] / 2.0, low[2]]) / (high[2] - low[2])
+    x, y = np.meshgrid(np.linspace(-1.2, 1.8, side), np.linspace(1.2, -1.8, side))
+    made = wp.Mesh(wp.array(vertices, dtype=wp.vec3, device="cpu"), wp.array(mesh.faces.ravel(), dtype=int, device="cpu"))
+    return made, np.stack([x.ravel(), y.ravel(), np.zeros(x.size)], axis=1)
+
+
+@fail_plainly()
+def main(
+    samples: Annotated[int, typer.Option(help="Rays of each point and way.")] = 256,
+    seed: Annotated[int, typer.Option(help="Seed of the rays.")] = 0,
+    screenshot: FigureFile = None,
+    size: Size = (1600, 680),
+) -> None:
+    """Show a lamp's light on a floor, with the bunny's shadow: by the cosine lobe, and by as many directions to the lamp."""
+    rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES)
+    rendering.check_size(size, (600, 300))
+    check_integer(samples, "--samples", 2, 100_000)
+    check_seed(seed)
+    rendering.check_rendering()
+    start()
+    wp.config.log_level = wp.LOG_WARNING  # without a line for each kernel
+    (mesh, points), found = scene(SIDE), {}
+    for name, to_lamp in (("the cosine lobe", False), ("a cone to the lamp", True)):
+        light, error = estimate(mesh, points, to_lamp, samples, seed).astype(np.float64).T
+        rms = np.sqrt(np.mean(np.square(error)))
+        found[f"{name}: RMS standard error {rms:.2g}"] = [light.reshape(SIDE, SIDE) / 0.06]
+    what = f"{samples:,} rays of each point; seed {seed}"
+    figure = light_sheet(found, (1.0,), f"a lamp's light on the floor under the bunny; {what}")
+    rendering.size_figure(figure, size)
+    show_or_save(figure, screenshot, f"{what}; {'; '.join(found)}")
+
+
+if __name__ == "__main__":
+    typer.run(main)
