@@ -133,7 +133,7 @@ def test_densities_follow_the_direction_and_the_parameters(case):
     scalar, _ = parameters(case)
     errors = []
     if case.width == 3 or case.measure == "per radian":
-        width = sizes(case)[0] ** -0.5 if case.name in ("power_cosine", "von_mises_fisher") else scalar or 1.0
+        width = 1.0 / np.sqrt(sizes(case)[0]) if case.name in ("power_cosine", "von_mises_fisher") else scalar or 1.0
         room = w[:, -1] if case.support == "hemisphere" else 1.0  # to the horizon
         step = np.minimum(1e-5 * min(width, 1.0), 1e-2 * room) * np.ones(len(w))
         for t in tangents(w).swapaxes(0, 1):

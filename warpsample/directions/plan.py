@@ -12,8 +12,9 @@ from warpsample.directions.samples import SamplesArgs
 from warpsample.directions.variates import CHUNK
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.distributions.record import Distribution
-from warpsample.host.arrays import Array, address_of
+from warpsample.host.arrays import Array
 from warpsample.host.engine import run
+from warpsample.host.neighbours import address_of
 from warpsample.host.vectors import Vectors, as_vectors, new_vectors
 from warpsample.sequences.record import Sequence
 

@@ -10,8 +10,9 @@ import warp as wp
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
 from warpsample.distributions.parameters import Parameters, about_frame, packed, with_parameters
 from warpsample.host.arguments import check_number
-from warpsample.host.arrays import Array, as_real, as_square, from_cuda
+from warpsample.host.arrays import Array, as_real, as_square
 from warpsample.host.engine import check_workers, run
+from warpsample.host.neighbours import from_cuda
 from warpsample.host.vectors import as_vectors, new_vectors
 
 _VECTORS = {2: wp.vec2, 3: wp.vec3}
@@ -50,7 +51,7 @@ class Distribution:
         bounds: least and greatest value of the scalar.
         shown: what of the scalar is worth looking at, from above 0; for sliders, which span it by its logarithm.
         width, variates: components of w, 3, or 2 for what lies in a plane; coordinates of u that the map uses.
-        symmetric, polar: whether the density depends on the angle to +z alone, u[0] being its cdf, u[1] the azimuth in turns.
+        symmetric, polar: whether the density is one of the angle to +z alone; u[0] its cdf, and u[1] the azimuth in turns.
         source: where the formulas come from.
         worst_unit_length: abs(abs(w) - 1) of `sample` over the whole grid of u.
         worst_angle: radians between `sample` and its float64 twin; for points of a disk, their distance.

@@ -14,8 +14,9 @@ from warpsample.estimate.integrand import Integrand
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.runner import Runner, rays_of
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_number, check_seed
-from warpsample.host.arrays import check_active, cpu, kind_told
+from warpsample.host.arrays import check_active, cpu
 from warpsample.host.engine import check_memory, check_workers
+from warpsample.host.neighbours import kind_told
 from warpsample.host.progress import bar
 from warpsample.host.vectors import as_directions
 from warpsample.mesh.mesh import Mesh, as_mesh

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.host.arrays import NUMPY_KNOWS, Array, address_of, as_ndarray, cpu, from_cuda, kind_told
+from warpsample.host.arrays import Array, cpu
+from warpsample.host.neighbours import address_of, as_ndarray, from_cuda, kind_told, own_memory
 
 _SHORTEST, _LONGEST = 1e-30, 1e30  # of a vector in float64 whose components keep their digits in float32
 _DIMENSIONS = {wp.vec2: 2, wp.vec3: 3}
@@ -92,15 +93,6 @@ def _warp_vectors(array: wp.array, width: int, argument: str) -> Vectors:
     return Vectors(array, array.shape if of_vectors else array.shape[:-1], width, array.device)
 
 
-def _writeable(out: Any, want: str) -> Any:
-    """Another library's array as NumPy's of the same memory; everything else as it is."""
-    foreign = not isinstance(out, np.ndarray | wp.array)
-    if not foreign or not any(hasattr(out, name) for name in (*NUMPY_KNOWS, "__dlpack__")):
-        return out
-    view, again = as_ndarray(out, "out", want), as_ndarray(out, "out", want)
-    return view if address_of(view) == address_of(again) else out  # a copy is another each time
-
-
 def new_vectors(like: Vectors, shape: tuple[int, ...], width: int) -> Vectors:
     """Uninitialised vectors of the same kind and place: NumPy by NumPy, Warp by Warp. Width 1 has no axis of its own."""
     if isinstance(like.owner, wp.array):
@@ -117,7 +109,7 @@ def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
         ValueError: another shape or device, not contiguous, read-only, or over the normals.
     """
     want = f"a C-contiguous, writeable float32 array of shape {(*shape, 3)}"
-    out = _writeable(from_cuda(out, "out"), want)
+    out = own_memory(from_cuda(out, "out"), want)
     if isinstance(out, wp.array) and isinstance(like.owner, wp.array):
         vectors = _warp_vectors(out, 3, "out")
         if vectors.device != like.device:

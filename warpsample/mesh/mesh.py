@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from warpsample.host.arrays import as_ndarray, as_real, kind_told
+from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property, read_only
+from warpsample.host.neighbours import as_ndarray, kind_told
 from warpsample.mesh.polydata import surface
 from warpsample.mesh.polygons import triangles
 from warpsample.mesh.report import MeshReport, report_of

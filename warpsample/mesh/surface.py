@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_seed, told
-from warpsample.host.arrays import as_ndarray, as_real, cpu
+from warpsample.host.arrays import as_real, cpu
 from warpsample.host.engine import check_memory, check_workers, run
+from warpsample.host.neighbours import as_ndarray
 from warpsample.mesh.mesh import as_mesh
 from warpsample.mesh.placing import place_points
 from warpsample.mesh.polydata import cloud

@@ -28,7 +28,7 @@ def light_sheet(columns: dict[str, list[np.ndarray]], heights: tuple[float, ...]
     for axes_below, (title, pictures) in zip(grid.T, columns.items(), strict=True):
         axes_below[0].set_title(title, fontsize=17, color=INK)
         for axes, light in zip(axes_below, pictures, strict=True):
-            shown = np.where(np.isnan(light), 1.0, np.clip(light, 0.0, 1.0).astype(np.float64) ** (1.0 / _GAMMA))
+            shown = np.where(np.isnan(light), 1.0, np.float_power(np.clip(light, 0.0, 1.0), 1.0 / _GAMMA))
             axes.imshow(shown, cmap="gray", vmin=0.0, vmax=1.0, interpolation="nearest")
             axes.axis("off")
     figure.supxlabel(caption, fontsize=14, color=INK)

@@ -4,7 +4,7 @@ from math import prod
 
 import warp as wp
 
-from warpsample.host.arrays import address_of
+from warpsample.host.neighbours import address_of
 from warpsample.tracing.scene import Scene, coarseness_of
 from warpsample.tracing.triples import Triples
 

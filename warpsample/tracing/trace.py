@@ -9,8 +9,9 @@ import numpy as np
 import warp as wp
 
 from warpsample.host.arguments import check_flag, check_number
-from warpsample.host.arrays import Array, address_of, kind_told
+from warpsample.host.arrays import Array
 from warpsample.host.engine import check_memory, check_workers
+from warpsample.host.neighbours import address_of, kind_told
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import as_mesh
 from warpsample.mesh.surface import SurfacePoints
