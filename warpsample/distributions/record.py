@@ -10,8 +10,9 @@ import warp as wp
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
 from warpsample.distributions.parameters import Parameters, about_frame, packed, with_parameters
 from warpsample.host.arguments import check_number
-from warpsample.host.arrays import Array, as_real, as_square, as_vectors, from_cuda, new_vectors
+from warpsample.host.arrays import Array, as_real, as_square, as_vectors, new_vectors
 from warpsample.host.engine import check_workers, run
+from warpsample.host.neighbours import from_cuda
 
 _VECTORS = {2: wp.vec2, 3: wp.vec3}
 

@@ -1,8 +1,4 @@
-"""The arrays of users, NumPy's, Warp's and other libraries': checked once, and from then on known by their address.
-
-What another library holds is taken by its protocols, without a copy: in the CPU's memory it becomes a NumPy array
-(`__array_interface__`, `__array__`, `__dlpack__`), on a CUDA device a wp.array (`__dlpack__`, `__cuda_array_interface__`).
-"""
+"""The arrays of users: checked once, and from then on known by their address."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,13 +10,12 @@ import warp as wp
 
 from warpsample.host.arguments import told
 from warpsample.host.kernel_cache import start
+from warpsample.host.neighbours import address_of, as_ndarray, from_cuda, kind_told, own_memory
 
 Array: TypeAlias = np.ndarray | wp.array
 
 _SHORTEST, _LONGEST = 1e-30, 1e30  # of a vector in float64 whose components keep their digits in float32
 _DIMENSIONS = {wp.vec2: 2, wp.vec3: 3}
-_NUMPY_KNOWS = ("__array__", "__array_interface__", "__array_struct__")
-_DLPACK_CUDA = 2  # what `__dlpack_device__` calls a CUDA device's memory
 
 
 @dataclass(frozen=True)
@@ -54,77 +49,6 @@ def cpu() -> wp.Device:
     """The CPU as a device; the first call of a process starts Warp."""
     start()
     return wp.get_device("cpu")
-
-
-def address_of(array: Array) -> int:
-    """Address of the first element, on the array's device."""
-    return array.ptr or 0 if isinstance(array, wp.array) else array.__array_interface__["data"][0]
-
-
-def kind_told(value: Any) -> str:
-    """What kind of thing `value` is, as a message shows it."""
-    if isinstance(value, wp.array):
-        return "a wp.array"
-    return "a NumPy array" if isinstance(value, np.ndarray) else f"a value of type {type(value).__name__}"
-
-
-def from_cuda(value: Any, argument: str) -> Any:
-    """Another library's array on a CUDA device as a wp.array of the same memory; everything else as it is.
-
-    Raises:
-        TypeError: it is on a device that Warp does not have, needs a gradient, or holds what no wp.array does.
-    """
-    if isinstance(value, np.ndarray | wp.array):
-        return value
-    try:
-        if not _on_cuda(value):
-            return value
-        start()
-        if hasattr(value, "__dlpack__"):  # knows the number of its device, and waits for what still writes to it
-            return wp.from_dlpack(value)
-        return wp.array(data=value, device=wp.get_cuda_device(), copy=False)
-    except Exception as error:  # whatever the value's own code raises, and Warp
-        known = ", ".join(map(str, wp.get_devices()))
-        raise TypeError(
-            f"{argument}: got {kind_told(value)} on a CUDA device, which Warp makes no array of ({_reason(error)}), "
-            f"want an array without gradients on one of {known}"
-        ) from error
-
-
-def _on_cuda(value: Any) -> bool:
-    try:
-        return value.__dlpack_device__()[0] == _DLPACK_CUDA
-    except Exception:  # it has no such method, or is where DLPack has no number for
-        return getattr(value, "__cuda_array_interface__", None) is not None
-
-
-def as_ndarray(value: Any, argument: str, wants: str = "an array") -> np.ndarray:
-    """`value` as NumPy has it, without a copy where it is an array in the CPU's memory.
-
-    Raises:
-        TypeError: an array with a mask, which nothing here heeds; or what NumPy makes no array of, such as ragged lists.
-    """
-    if _has_mask(value):
-        raise TypeError(f"{argument}: got a masked array, want {wants} without a mask, as numpy.ma.filled gives")
-    value = from_cuda(value, argument)
-    if isinstance(value, wp.array):
-        return value.numpy()
-    try:
-        # By __array__ where there is one: of PyTorch's exports it alone heeds the sign that conj().imag leaves to be taken.
-        only_dlpack = hasattr(type(value), "__dlpack__") and not any(hasattr(value, name) for name in _NUMPY_KNOWS)
-        return np.from_dlpack(value) if only_dlpack else np.asarray(value)
-    except Exception as error:  # whatever the value's own code raises
-        raise TypeError(
-            f"{argument}: got {told(value)}, which NumPy makes no array of ({_reason(error)}), want {wants}"
-        ) from error
-
-
-def _reason(error: Exception) -> str:
-    return " ".join(str(error).split())
-
-
-def _has_mask(value: Any) -> bool:
-    return isinstance(value, np.ma.MaskedArray) or (isinstance(value, list | tuple) and any(map(_has_mask, value)))
 
 
 def as_real(value: Any, argument: str, wants: str = "real numbers") -> np.ndarray:
@@ -257,15 +181,6 @@ def _warp_vectors(array: wp.array, width: int, argument: str) -> Vectors:
     return Vectors(array, array.shape if of_vectors else array.shape[:-1], width, array.device)
 
 
-def _writeable(out: Any, want: str) -> Any:
-    """Another library's array as NumPy's of the same memory; everything else as it is."""
-    foreign = not isinstance(out, np.ndarray | wp.array)
-    if not foreign or not any(hasattr(out, name) for name in (*_NUMPY_KNOWS, "__dlpack__")):
-        return out
-    view, again = as_ndarray(out, "out", want), as_ndarray(out, "out", want)
-    return view if address_of(view) == address_of(again) else out  # a copy is another each time
-
-
 def new_vectors(like: Vectors, shape: tuple[int, ...], width: int) -> Vectors:
     """Uninitialised vectors of the same kind and place: NumPy by NumPy, Warp by Warp. Width 1 has no axis of its own."""
     if isinstance(like.owner, wp.array):
@@ -282,7 +197,7 @@ def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
         ValueError: another shape or device, not contiguous, read-only, or over the normals.
     """
     want = f"a C-contiguous, writeable float32 array of shape {(*shape, 3)}"
-    out = _writeable(from_cuda(out, "out"), want)
+    out = own_memory(from_cuda(out, "out"), want)
     if isinstance(out, wp.array) and isinstance(like.owner, wp.array):
         vectors = _warp_vectors(out, 3, "out")
         if vectors.device != like.device:

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.host.arrays import Array, as_ndarray, cpu, from_cuda
+from warpsample.host.arrays import Array, cpu
+from warpsample.host.neighbours import as_ndarray, from_cuda
 
 _DOUBLE = {np.float32: False, np.float64: True, wp.vec3: False, wp.vec3d: True, wp.float32: False, wp.float64: True}
 
