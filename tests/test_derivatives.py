@@ -10,6 +10,7 @@ from warpsample import funcs
 from warpsample.proof import twins
 from warpsample.proof.twins import microfacets, shapes
 
+pytestmark = pytest.mark.slow  # the backward passes of all functions are compiled, for each worker
 U = places()
 WITH_PARAMETER = [case for case in CASES if case.parameters]
 WITH_VIEW = [case for case in CASES if not case.symmetric]

@@ -95,7 +95,8 @@ def test_all_are_run_and_written(measured, monkeypatch, capsys, tmp_path):
     assert {path.name for path in (tmp_path / "viz").glob("*.png")} == shown
 
 
-def test_an_end_before_the_last_result_leaves_results_and_readme_as_they_were(measured, monkeypatch, tmp_path):
+def test_an_end_before_the_last_result_leaves_results_and_readme_as_they_were(measured, monkeypatch, tmp_path, repository):
+    monkeypatch.setattr(readme, "PICTURES", repository / "viz")
     monkeypatch.setattr(readme, "RESULTS", tmp_path)
 
     def stopped(*_):
@@ -108,7 +109,10 @@ def test_an_end_before_the_last_result_leaves_results_and_readme_as_they_were(me
 
 
 @pytest.mark.parametrize("name", ["README", "RESULTS"])
-def test_a_checkout_that_cannot_be_written_is_refused_before_any_work(measured, monkeypatch, capsys, tmp_path, name):
+def test_a_checkout_that_cannot_be_written_is_refused_before_any_work(
+    measured, monkeypatch, capsys, tmp_path, repository, name
+):
+    monkeypatch.setattr(readme, "PICTURES", repository / "viz")
     place = {"README": tmp_path / "no" / "README.md", "RESULTS": tmp_path / "file"}[name]
     (tmp_path / "file").touch()
     monkeypatch.setattr(readme, name, place)

@@ -11,6 +11,8 @@ import warpsample as ws
 from warpsample import funcs
 from warpsample.proof.rays import rays_inside
 
+wp.set_module_options({"enable_backward": False})
+
 
 @wp.kernel
 def ask(

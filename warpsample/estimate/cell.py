@@ -69,8 +69,7 @@ def share_of(slots: Slots) -> wp.Function:
 def cell_sum(slots: Slots) -> wp.Function:
     """A function that sums a cell."""
     spread, share_left = spread_of(slots), share_of(slots)
-    weigh, prepare, counts, channels = slots.weigh, slots.prepare, slots.counts, slots.channels
-    struct = slots.struct
+    weigh, struct, prepare, counts, channels = slots.weigh, slots.struct, slots.prepare, slots.counts, slots.channels
 
     @wp.func
     def sum_cell(
