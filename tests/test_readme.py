@@ -127,6 +127,7 @@ def test_mesh_commands_run(repository, tmp_path, call, can_render, monkeypatch):
     assert {path.name for path in tmp_path.iterdir()} == {"directions.npz", "sky.ply", "clouds.html"}
 
 
+@pytest.mark.slow
 def test_the_table_of_distributions_is_that_of_the_registry(repository):
     lines = (repository / "warpsample/distributions/README.md").read_text().splitlines()
     figure = r"(\d\.\de-\d\d|–)"

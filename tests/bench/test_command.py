@@ -30,6 +30,7 @@ def measured(found, monkeypatch):
     return asked
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "options", "pictures"),
     [

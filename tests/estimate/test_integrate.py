@@ -107,6 +107,7 @@ def test_built_in_quantities_are_integrals(bunny, points):
     assert np.allclose(pi * ws.integrate(points, up, 300, mesh=bunny, seed=3).value, light.value, rtol=1e-6, atol=0.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("distribution", FEW[:1], ids=repr)
 def test_skipping_changes_no_bit_of_any_lobe(distribution):
     """Seen from among triangles, and from outside, so that cells are found empty."""

@@ -56,6 +56,7 @@ def _estimates(mesh, where, **options):
     yield irradiance(mesh, where, 40, **options)
 
 
+@pytest.mark.slow
 def test_skipping_and_threads_change_no_interval(bunny, points):
     away = points.position + 0.01 * points.normal
     where = ws.SurfacePoints(np.concatenate([points.position, away]), np.concatenate([points.normal, points.normal]))

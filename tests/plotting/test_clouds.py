@@ -58,7 +58,14 @@ def test_right_directions_agree_and_wrong_ones_do_not(name, plausible):
     assert theta.verdict().startswith("does NOT agree")
 
 
-@pytest.mark.parametrize("sequence", ws.sequences.names())
+@pytest.mark.parametrize(
+    "sequence",
+    [
+        "independent",
+        "sobol",
+        *(pytest.param(n, marks=pytest.mark.slow) for n in ("fibonacci", "philox", "r2", "stratified")),
+    ],
+)
 def test_every_sequence_tells_right_from_wrong(sequence, points):
     """By chi-square where points are independent; where they are evenly spread, without a p-value that says nothing."""
     few = ws.SurfacePoints(points.position[:100], points.normal[:100])

@@ -11,6 +11,8 @@ from scipy.stats import norm
 import warpsample as ws
 from warpsample.plotting.light_sheet import light_sheet
 
+pytestmark = pytest.mark.slow  # two scripts, whose kernels are compiled for them
+
 BELOW = np.array([[0.0, 0.0, -9.0], [1e-3, 0.0, -9.0], [0.0, 1e-3, -9.0]])  # a face that nothing meets
 FLOOR = np.stack([*np.meshgrid(np.linspace(-1.5, 1.5, 20), np.linspace(-1.5, 1.5, 20)), np.zeros((20, 20))], -1).reshape(
     -1, 3

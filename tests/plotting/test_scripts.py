@@ -160,6 +160,7 @@ def test_a_wrong_sampler_is_another_picture(can_render, script, tmp_path, monkey
     assert set(tmp_path.iterdir()) == set(files)
 
 
+@pytest.mark.slow
 def test_occlusion_is_drawn_as_estimated(script, bunny):
     found = ws.ambient_occlusion(bunny, ws.vertex_points(bunny), 32)
     panels = script("occlusion").panels_of(found, 32)

@@ -205,6 +205,7 @@ def test_a_cloud_cut_by_the_budget_is_thinner_and_whole(can_render, bunny, monke
     made.plotter.close()
 
 
+@pytest.mark.slow
 def test_ten_million_directions_are_a_bounded_picture(can_render, monkeypatch):
     """Of a mesh on a map of cities: drawn about its middle, where float32 keeps the clouds' shape."""
     box = trimesh.creation.box()
