@@ -179,9 +179,10 @@ def test_the_digest_of_the_example_tells_it_from_files(tmp_path):
 
 
 CLOSED = {"stdout": ">&-", "stderr": "2>&-", "all": "<&- >&- 2>&-"}
+APART = [pytest.param(name, marks=pytest.mark.slow) for name in ("stdout", "stderr")]
 
 
-@pytest.mark.parametrize("streams", CLOSED)
+@pytest.mark.parametrize("streams", [*APART, "all"])
 def test_what_is_closed_is_nowhere(streams, child_environment, tmp_path):
     """Standard streams are closed, as a service's are; the output file does not get what is printed."""
     command = f"{sys.executable} -m warpsample"
@@ -196,7 +197,9 @@ def test_what_is_closed_is_nowhere(streams, child_environment, tmp_path):
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="a device of Linux")
-@pytest.mark.parametrize("arguments", ["--version", "--help", "info courtyard"])
+@pytest.mark.parametrize(
+    "arguments", ["--version", *(pytest.param(a, marks=pytest.mark.slow) for a in ("--help", "info courtyard"))]
+)
 def test_a_full_disk_under_stdout_is_one_sentence(arguments, child_environment):
     variables = {name: value for name, value in child_environment.items() if name != "PYTHONUNBUFFERED"}
     command = f"{sys.executable} -m warpsample {arguments} > /dev/full"

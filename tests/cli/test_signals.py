@@ -62,9 +62,7 @@ def writing(cube, tmp_path):
     assert {path.name for path in tmp_path.iterdir()} == {"cube.ply", "d.npz"}
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(s, marks=pytest.mark.slow) if s in ("SIGHUP", "SIGQUIT") else s for s in SIGNALS]
-)
+@pytest.mark.parametrize("name", mostly_slow("SIGTERM"))
 def test_on_a_terminal_the_half_file_goes_and_the_cursor_comes_back(name, writing, child_environment):
     arguments, half = writing
     master, slave = pty.openpty()

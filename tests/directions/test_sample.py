@@ -11,8 +11,8 @@ import warpsample as ws
 # The ways through the kernels: a map in a frame, one without a frame and with a rim drawn anew, one with parameters.
 CASES = [ws.CosineHemisphere("polar"), ws.CosineHemisphere("offset"), ws.VisibleGGX(0.3, (0.6, -0.64, 0.48))]
 EACH = pytest.mark.parametrize("distribution", CASES, ids=repr)
-# One sample; short rows in flat blocks; full vectors; rows with a remainder; more than one part of a row.
-COUNTS = [1, 3, 16, 23, 64, 100]
+# One sample; short rows in flat blocks; rows with a remainder; more than one part of a row. Slow: full vectors.
+COUNTS = [1, 3, 23, 100, *(pytest.param(n, marks=pytest.mark.slow) for n in (16, 64))]
 
 
 @EACH

@@ -61,7 +61,8 @@ def test_importing_and_using_the_package_prints_nothing(alone, child_environment
     assert alone("use", WARP_CACHE_PATH=child_environment.get("WARP_CACHE_PATH", "")) == ("", "")
 
 
-@pytest.mark.parametrize("level", [wp.LOG_DEBUG, pytest.param(wp.LOG_INFO, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("level", [wp.LOG_DEBUG, wp.LOG_INFO])
 def test_the_users_own_log_level_is_kept(level, alone, child_environment):
     out, _ = alone("respectful", level, WARP_CACHE_PATH=child_environment.get("WARP_CACHE_PATH", ""))
     before, after = out.split("now mine\n")

@@ -25,7 +25,7 @@ def alone(child_environment):
 
 @pytest.mark.parametrize(
     "task",
-    ["first_use", "faces_changed", *(pytest.param(name, marks=pytest.mark.slow) for name in ("new_meshes", "refits"))],
+    ["first_use", *(pytest.param(name, marks=pytest.mark.slow) for name in ("faces_changed", "new_meshes", "refits"))],
 )
 def test_threads_answer_as_one(alone, task):
     alone(task)

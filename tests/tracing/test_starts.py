@@ -31,7 +31,7 @@ def on_all_edges(mesh):
     return position, mesh.face_normals[face], face
 
 
-@pytest.mark.parametrize("turn", [0, 3])
+@pytest.mark.parametrize("turn", [pytest.param(0, marks=pytest.mark.slow), 3])
 @pytest.mark.parametrize("name", ROOMS)
 def test_no_point_of_a_closed_room_sees_out_of_it(name, turn):
     """The room is stored with shared corners or as an .stl, oriented inwards, or outwards and seen from behind."""
