@@ -3,8 +3,10 @@
 - `__init__.py`: the public names; `funcs.py`: the public `wp.func`s and structs of the kernel API; neither defines any
 - `cli`: the `warpsample` command
 - `viewer`: the window and the PyVista accessor
+- `cluster`: the calls over Dask, and into Zarr stores
 - `bench`: run time against error, and other tools side by side
 - `output`: files of directions and of numbers
+- `radiation`: sun, sky patches, weather, view factors
 - `plotting`: arrays to PyVista actors and matplotlib figures, imported lazily; computes nothing else
 - `estimate`: numbers per point (ambient occlusion, sky view, bent normals, irradiance); what is skipped
 - `proof`: the laws that judge a sampler, for the tests and `warpsample verify`
@@ -40,8 +42,10 @@ ROOMS = [
     "proof",
     "estimate",
     "plotting",
+    "radiation",
     "output",
     "bench",
+    "cluster",
     "viewer",
     "cli",
     "__main__",

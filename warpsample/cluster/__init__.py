@@ -1,0 +1,1 @@
+"""The calls of the package over Dask, lazily, and into Zarr stores that resume."""

@@ -1,0 +1,1 @@
+"""What radiation people call: sun, sky patches, weather, view factors."""
