@@ -132,12 +132,15 @@ def bake_command(
     tolerance: Annotated[
         float | None, typer.Option(help="Standard error at which a point has rays enough.", show_default=False)
     ] = None,
+    device: Annotated[
+        str | None, typer.Option(help="Where to compute, as cuda:0; by default the CPU.", show_default=False)
+    ] = None,
     workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
 ) -> None:
     """Estimate a number at each vertex, face or point of a mesh, with its standard error, into a file."""
     from warpsample.output.bake import Run, bake  # noqa: PLC0415
 
-    options = {"sequence": sequence, "seed": seed, "tolerance": tolerance, "workers": workers}
+    options = {"sequence": sequence, "seed": seed, "tolerance": tolerance, "device": device, "workers": workers}
     for name, value, quantities in (("max_distance", max_distance, ("ao", "sky")), ("falloff", falloff, ("ao",))):
         if value is not None and quantity not in quantities:
             raise ValueError(

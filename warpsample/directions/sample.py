@@ -18,7 +18,8 @@ from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_scale, check_seed, told
-from warpsample.host.arrays import Array, check_active, check_device, cpu
+from warpsample.host.arrays import Array, check_active, cpu
+from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_memory, check_workers, run
 from warpsample.host.progress import bar
 from warpsample.host.vectors import Vectors, as_vectors, check_out, new_vectors
@@ -173,7 +174,7 @@ def sample_directions(
     )
     progress, first_point = check_flag(progress, "progress"), check_first_point(first_point, given.count)
     mask = _active_beside(given, active)
-    target = _device_beside(given, device)
+    memory = Memory.of(device, given.owner, "normals")
     shape = (given.count, count)
     vectors = None if out is None else check_out(out, given, shape)
     size = prod(shape) * ((12 if out is None else 0) + (4 if plan.pdf else 0)) + given.count
@@ -182,10 +183,7 @@ def sample_directions(
     vectors = vectors or new_vectors(given, shape, 3)
     densities = new_vectors(given, shape, 1) if plan.pdf else None
     with bar(progress, "sampling directions"):
-        if target == given.device:
-            status = plan.fill(given, vectors, densities, mask, first_point)
-        else:
-            status = plan.fill_there(target, given.owner, vectors.owner, densities and densities.owner, mask, first_point)
+        status = plan.fill(memory, given, vectors, densities, mask, first_point)
     return Directions(vectors.owner, densities and densities.owner, status)
 
 
@@ -229,10 +227,3 @@ def _active_beside(normals: Vectors, active: Any) -> Array | None:
     if mask is None or isinstance(normals.owner, np.ndarray):
         return mask
     return wp.array(mask, dtype=wp.uint8, device=normals.device)
-
-
-def _device_beside(normals: Vectors, device: Any) -> wp.Device:
-    target = check_device(device, normals.device)
-    if isinstance(normals.owner, wp.array) and target != normals.device:
-        raise ValueError(f"device: got {target}, want {normals.device}, where the normals are")
-    return target

@@ -1,13 +1,19 @@
 """The function that an estimate integrates: the user's `wp.func`, checked, in the one form that the kernels call."""
 
+from collections.abc import Iterator
+from ctypes import Structure
 from dataclasses import dataclass
 from inspect import signature
 from typing import Any
 
+import numpy as np
 import warp as wp
 
 from warpsample.host.arguments import told
+from warpsample.host.arrays import cpu
+from warpsample.host.device_memory import Loan, at_home
 from warpsample.host.locks import once
+from warpsample.host.neighbours import kind_told
 
 WANTED = "a wp.func (w: wp.vec3[, lobe: funcs.Lobe[, data: the struct of `data`]]) -> float or wp.vec3, annotated"
 
@@ -38,8 +44,9 @@ class Integrand:
     Attributes:
         function: (direction, Lobe, Data) -> vec3 of a ray that meets nothing.
         channels: how many components of the vec3 count, 1 or 3.
-        data: the third argument, as ctypes take it.
+        data: the third argument: an instance of `struct`, or its ctypes.
         struct: its type.
+        arrays: (name, array) of the fields of the data that are addresses of NumPy's arrays.
         constant: whether the function is (1, 0, 0) everywhere.
         binary: whether it is (1, 0, 0) or 0.
     """
@@ -50,16 +57,26 @@ class Integrand:
     struct: Any
     constant: bool = False
     binary: bool = False
+    arrays: tuple[tuple[str, np.ndarray], ...] = ()
+
+    def data_for(self, loan: Loan) -> Any:
+        """The third argument as a kernel takes it, its arrays where that runs while the loan lasts."""
+        if not isinstance(self.data, Structure):
+            return _moved(self.data, loan).__ctype__()
+        data = type(self.data).from_buffer_copy(self.data)
+        for name, array in self.arrays:
+            setattr(data, name, loan.put(array))
+        return data
 
 
-def integrand_of(function: Any, data: Any = None, argument: str = "integrand") -> Integrand:
-    """A user's function and data.
+def integrand_of(function: Any, data: Any = None, argument: str = "integrand", device: wp.Device | None = None) -> Integrand:
+    """A user's function and data, for a device; the CPU by default.
 
     Raises:
         TypeError: not a function that can be integrated; names the argument.
-        ValueError: an array in the data is not on the CPU.
+        ValueError: an array in the data is neither on the CPU nor on the device.
     """
-    struct = _struct_of(data)
+    struct = _struct_of(data, device or cpu())
     if not isinstance(function, wp.Function) or function.func is None:
         raise TypeError(f"{argument}: got {told(function)}, want {WANTED}")
     names = list(signature(function.func).parameters)
@@ -78,22 +95,47 @@ def integrand_of(function: Any, data: Any = None, argument: str = "integrand") -
     if data is not None and len(given) < len(known):
         raise TypeError(f"data: got {_name(struct)} for a function that takes none, want a function that does, or None")
     colour = _returns_colour(function, argument)
-    fields = (NoData() if data is None else data).__ctype__()
-    return Integrand(_in_one_form(function, struct, len(given), colour), 3 if colour else 1, fields, struct)
+    data = NoData() if data is None else data
+    return Integrand(_in_one_form(function, struct, len(given), colour), 3 if colour else 1, data, struct)
 
 
-def _struct_of(data: Any) -> Any:
+def _struct_of(data: Any, device: wp.Device) -> Any:
     """The wp.struct of an instance; NoData for None."""
     if data is None:
         return NoData
     struct = getattr(data, "_cls", None)  # what a kernel's argument is annotated with
     if struct is None or not hasattr(data, "__ctype__"):
         raise TypeError(f"data: got {told(data)}, want an instance of a wp.struct, or None")
-    for name in struct.vars:
-        value = getattr(data, name)
-        if isinstance(value, wp.array) and value.device and not value.device.is_cpu:
-            raise ValueError(f"data: got an array {name} on {value.device}, want it on cpu")
+    for name, array in _arrays_in(data):
+        if array.device and not (array.device.is_cpu or array.device == device):
+            wants = "cpu" if device.is_cpu else f"cpu or {device}"
+            raise ValueError(f"data: got an array {name} on {array.device}, want it on {wants}")
+        if not isinstance(array, wp.array) and not at_home(device):
+            raise TypeError(f"data: got {kind_told(array)} as {name}, want a wp.array for {device}")
     return struct
+
+
+def _arrays_in(data: Any, within: str = "") -> Iterator[tuple[str, Any]]:
+    """(name, array) of all arrays in a struct and the structs in it."""
+    for name in data._cls.vars:
+        value = getattr(data, name)
+        if hasattr(value, "_cls"):
+            yield from _arrays_in(value, f"{within}{name}.")
+        elif hasattr(value, "device"):
+            yield within + name, value
+
+
+def _moved(data: Any, loan: Loan) -> Any:
+    """An instance of the same struct whose arrays are where kernels read them; in place the same one."""
+    if loan.memory.in_place:
+        return data
+    made = data._cls()
+    for name in data._cls.vars:
+        value = getattr(data, name)
+        if hasattr(value, "_cls"):
+            value = _moved(value, loan)
+        setattr(made, name, loan.clone(value) if isinstance(value, wp.array) else value)
+    return made
 
 
 def _returns_colour(function: wp.Function, argument: str) -> bool:

@@ -31,6 +31,7 @@ def integrate(
     tolerance: float | None = None,
     skip: bool = True,
     tracer: str = "auto",
+    device: Any = None,
     workers: int | None = None,
     progress: bool = False,
 ) -> Estimate:
@@ -45,7 +46,7 @@ def integrate(
             last arguments may be left out. `w` is a unit direction in world coordinates; `lobe` has the unit normal, the
             row in this call and the global id of the point.
         count: directions of each point, 2 to 2^24; rounded down as for `ambient_occlusion`.
-        data: an instance of a wp.struct, which may hold arrays on the CPU.
+        data: an instance of a wp.struct, which may hold arrays on the CPU or the device; ids of meshes are the device's.
         distribution: of the directions, an instance or a name for one with its defaults.
         mesh: if given, a direction counts 0 where a ray along it meets the mesh; rays where the function is 0 are not cast.
         max_distance: hits at or beyond this distance are ignored, in units of the coordinates; by default there is no limit.
@@ -57,7 +58,8 @@ def integrate(
             point takes `count` directions.
         skip: whether to look for rays that meet nothing and leave them out; changes no bit.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
-        workers: threads, all cores by default.
+        device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
+        workers: threads on the CPU, all cores by default.
         progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
     Returns:
@@ -89,11 +91,12 @@ def integrate(
         skip,
         tracer,
         workers,
-        progress=progress,
+        progress,
         distribution=distribution,
         meshless=mesh is None,
+        device=device,
     )
-    quantity = Quantity(integrand_of(integrand, data), reach=reach_of(max_distance))
+    quantity = Quantity(integrand_of(integrand, data, device=plan.memory.device), reach=reach_of(max_distance))
     if mesh is None and max_distance is not None:
         raise ValueError(f"max_distance: got {told(max_distance)} without a mesh, want it with one")
     _try(plan, quantity)

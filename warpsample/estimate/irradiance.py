@@ -32,6 +32,7 @@ def irradiance(
     tolerance: float | None = None,
     skip: bool = True,
     tracer: str = "auto",
+    device: Any = None,
     workers: int | None = None,
     progress: bool = False,
 ) -> Estimate:
@@ -54,7 +55,8 @@ def irradiance(
             each point takes `count` rays.
         skip: whether to look for rays that meet nothing and leave them out; changes no bit.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
-        workers: threads, all cores by default.
+        device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
+        workers: threads on the CPU, all cores by default.
         progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
     Returns:
@@ -72,11 +74,11 @@ def irradiance(
         (100,) True
     """
     plan = Plan.of(
-        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress=progress
+        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress, device=device
     )
     axis = as_unit(up, "up")
     if isinstance(radiance, wp.Function):
-        return plan.estimate(Quantity(integrand_of(radiance, argument="radiance"), unit=pi))
+        return plan.estimate(Quantity(integrand_of(radiance, argument="radiance", device=plan.memory.device), unit=pi))
     picture = _picture(radiance)
     colour = picture.ndim == 3
     pixels = np.ascontiguousarray(np.broadcast_to(picture if colour else picture[..., None], (*picture.shape[:2], 3)))

@@ -89,7 +89,7 @@ def estimate_kernel(slots: Slots) -> wp.Kernel:
         spot = Spot()
         spot.n = wp.vec3(unit[0], unit[1], unit[2])
         spot.lobe.normal = spot.n
-        spot.lobe.row = wp.int32(point)
+        spot.lobe.row = lobes.first_row + wp.int32(point)
         spot.lobe.point = lobes.first_point + wp.uint64(point)
         spot.chunk = floats.ptr
         spot.square = square.ptr

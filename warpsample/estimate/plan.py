@@ -14,7 +14,8 @@ from warpsample.estimate.integrand import Integrand
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.runner import Runner, rays_of
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_number, check_seed
-from warpsample.host.arrays import check_active, cpu
+from warpsample.host.arrays import check_active
+from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_memory, check_workers
 from warpsample.host.neighbours import kind_told
 from warpsample.host.progress import bar
@@ -67,6 +68,7 @@ class Plan:
     tracer: Tracer
     workers: int
     progress: bool
+    memory: Memory
 
     @classmethod
     def of(
@@ -85,6 +87,7 @@ class Plan:
         progress: bool = False,
         distribution: Any = POLAR_COSINE,
         meshless: bool = False,
+        device: Any = None,
     ) -> "Plan":
         """The plan of a call's arguments.
 
@@ -100,6 +103,7 @@ class Plan:
             points = SurfacePoints(np.zeros(normals.shape, np.float32), normals)
         if not isinstance(points, SurfacePoints):
             raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints, as sample_surface gives them")
+        memory = Memory.of(device)
         check_memory(_BYTES_PER_POINT * len(points), f"the numbers of {len(points):,} points", "take them in parts")
         return cls(
             None if meshless else as_mesh(mesh),
@@ -112,18 +116,19 @@ class Plan:
             check_active(active, len(points)),
             None if tolerance is None else check_number(tolerance, "tolerance", 1e-12, 1e12),
             check_flag(skip, "skip"),
-            tracer_of(tracer, cpu()),
+            tracer_of(tracer, memory.device),
             check_workers(workers),
             check_flag(progress, "progress"),
+            memory,
         )
 
     def estimate(self, quantity: Quantity) -> Estimate:
         """Runs the plan for a quantity."""
-        with bar(self.progress, "casting rays" if self.mesh else "sampling directions"):
-            return self._estimate(quantity)
+        what = "casting rays" if self.mesh else "sampling directions"
+        with bar(self.progress, what), self.memory.loan() as loan:
+            return self._estimate(Runner(self, quantity, loan))
 
-    def _estimate(self, quantity: Quantity) -> Estimate:
-        runner = Runner(self, quantity)
+    def _estimate(self, runner: Runner) -> Estimate:
         if self.tolerance is None or len(self.points) == 0:
             return runner.result(self.seed, np.full(len(self.points), self.count))
         trial = runner.result(self.seed ^ _TRIAL, np.full(len(self.points), min(_TRIAL_RAYS, self.count)))

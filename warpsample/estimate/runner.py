@@ -9,7 +9,7 @@ from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.result import Estimate, Skipped
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.spot import LobesArgs
-from warpsample.host.arrays import cpu
+from warpsample.host.device_memory import Loan
 from warpsample.host.engine import run
 from warpsample.host.vectors import as_directions
 from warpsample.tracing.order import order_of
@@ -23,6 +23,7 @@ from warpsample.tracing.wide.layout import AcceleratorArgs
 if TYPE_CHECKING:
     from warpsample.estimate.plan import Plan, Quantity
 
+_BYTES_OF_POINT = 128  # on a device: position, two normals, mask, order, and at most three of each number
 _MOST_REACH = 2.0**60  # of the scene's size: what is in it is at no distance at all from there on
 
 
@@ -35,13 +36,14 @@ def rays_of(counts: np.ndarray, traced: bool) -> np.ndarray:
 class Runner:
     """The arrays of a plan and a quantity, ready to be run with any numbers of rays."""
 
-    def __init__(self, plan: "Plan", quantity: "Quantity") -> None:
-        """Places the points and finds where their rays start."""
+    def __init__(self, plan: "Plan", quantity: "Quantity", loan: Loan) -> None:
+        """Places the points and finds where their rays start; the loan lasts as long as the runner."""
         self.plan, self.quantity = plan, quantity
         self.scene = scene_of(plan.mesh) if plan.mesh else None
         self.position = Triples.of(plan.points.position, "points.position")
         self.normal = as_directions(Triples.of(plan.points.normal, "points.normal").owner)
         self.placement = self._placement() if len(plan.points) else None
+        self.data = quantity.integrand.data_for(loan)
 
     def result(self, seed: int, counts: np.ndarray) -> Estimate:
         """The estimate by counts[i] rays from the i-th point."""
@@ -49,11 +51,16 @@ class Runner:
         shape = (points,) if channels == 1 else (points, channels)
         value, error, spread, degrees = (np.zeros(shape, np.float32) for _ in range(4))
         cast, empty, status = (np.zeros(points, kind) for kind in (np.int32, np.int32, np.uint8))
-        for count in np.unique(counts):
-            lobes = self._lobes(cells_of(int(count), self.plan.distribution, self.scene is not None), seed)
-            lobes.value, lobes.error, lobes.spread, lobes.degrees = (a.ctypes.data for a in (value, error, spread, degrees))
-            lobes.cast, lobes.empty, lobes.status = (a.ctypes.data for a in (cast, empty, status))
-            self._run(lobes, counts == count)
+        for rows in self.plan.memory.parts(points, _BYTES_OF_POINT):
+            with self.plan.memory.loan() as loan:
+                part = self._part(loan, rows)
+                part.value, part.error, part.spread, part.degrees, part.cast, part.empty, part.status = (
+                    loan.room(array, rows) for array in (value, error, spread, degrees, cast, empty, status)
+                )
+                for count in np.unique(counts[rows]):
+                    cells = cells_of(int(count), self.plan.distribution, self.scene is not None)
+                    self._cut(loan, part, cells, seed)
+                    self._run(loan, part, counts[rows] == count)
         total = np.where(status == 0, rays_of(counts, self.scene is not None), 0) if points else counts
         skipped = Skipped(
             points=int(np.count_nonzero(status)),
@@ -76,35 +83,41 @@ class Runner:
         self.starts = set_starts(self.scene, placement, face, self.normal, plan.tracer, plan.workers)
         return placement
 
-    def _lobes(self, cells: Cells, seed: int) -> LobesArgs:
-        """The lobes of all points, without where their numbers go."""
-        plan, quantity = self.plan, self.quantity
-        return LobesArgs(
+    def _part(self, loan: Loan, rows: slice) -> LobesArgs:
+        """The lobes of some points, without their rays and where their numbers go."""
+        plan = self.plan
+        part = LobesArgs(
             placement=self.placement,
-            seed=seed,
-            first_point=plan.first_point,
-            normals=self.normal.ctypes.data,
-            active=0 if plan.active is None else plan.active.ctypes.data,
-            each=cells.each,
-            bands=cells.bands,
-            sectors=cells.sectors,
-            beams=cells.beams.ctypes.data if cells.beams.size and plan.skip else 0,
+            first_point=plan.first_point + rows.start,
+            first_row=rows.start,
+            normals=loan.put(self.normal, rows),
+            active=loan.put(plan.active, rows),
             skip=plan.skip,
-            falloff=quantity.falloff or 0.0,
-            edge=plan.sequence.edge_variance(cells.each),
+            falloff=self.quantity.falloff or 0.0,
             parameters=plan.distribution.kernel_parameters().__ctype__(),
         )
+        part.placement.points = rows.stop - rows.start
+        if self.scene:
+            part.placement.origins = loan.put(self.position.rows, rows)
+            part.placement.normals = loan.put(self.side, rows)
+        return part
 
-    def _run(self, lobes: LobesArgs, chosen: np.ndarray) -> None:
+    def _cut(self, loan: Loan, lobes: LobesArgs, cells: Cells, seed: int) -> None:
+        """Gives lobes their cells and the seed of their rays."""
+        lobes.seed, lobes.each, lobes.bands, lobes.sectors = seed, cells.each, cells.bands, cells.sectors
+        lobes.beams = loan.put(cells.beams) if cells.beams.size and self.plan.skip and self.plan.tracer.skips else 0
+        lobes.edge = self.plan.sequence.edge_variance(cells.each)
+
+    def _run(self, loan: Loan, lobes: LobesArgs, chosen: np.ndarray) -> None:
         """Sums the lobes of the chosen points."""
-        plan, rays = self.plan, 2 * lobes.each * lobes.bands * lobes.sectors
-        order = order_of(self.scene, lobes.placement, rays, plan.workers) if self.scene else None
+        plan, memory, rays = self.plan, self.plan.memory, 2 * lobes.each * lobes.bands * lobes.sectors
+        order = order_of(self.scene, lobes.placement, rays, plan.workers) if self.scene and memory.in_place else None
         rows = np.flatnonzero(chosen) if order is None else order[chosen[order]]
-        lobes.placement.order = rows.ctypes.data
-        accelerator = plan.tracer.accelerator(self.scene, cpu(), plan.workers) if self.scene else AcceleratorArgs()
-        inputs = [lobes, accelerator, self.quantity.integrand.data]
+        lobes.placement.order = loan.put(rows)
+        accelerator = plan.tracer.accelerator(self.scene, memory.device, plan.workers) if self.scene else AcceleratorArgs()
         work = (RAY_WORK if self.scene else 1) * len(rows) * rays
-        run(estimate_kernel(self._slots()), len(rows), inputs, cpu(), plan.workers, work)
+        kernel = estimate_kernel(self._slots())
+        run(kernel, len(rows), [lobes, accelerator, self.data], memory.device, plan.workers, work)
 
     def _slots(self) -> Slots:
         plan, integrand, any_hit = self.plan, self.quantity.integrand, self.quantity.falloff is None

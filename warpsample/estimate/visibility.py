@@ -27,6 +27,7 @@ def ambient_occlusion(
     tolerance: float | None = None,
     skip: bool = True,
     tracer: str = "auto",
+    device: Any = None,
     workers: int | None = None,
     progress: bool = False,
 ) -> Estimate:
@@ -57,7 +58,8 @@ def ambient_occlusion(
         skip: whether to look for what cannot be met: parts of the mesh below a point's horizon, and, from 32 rays on, empty
             cells of its lobe. Changes no bit; off, it takes two to three times as long.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
-        workers: threads, all cores by default.
+        device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
+        workers: threads on the CPU, all cores by default.
         progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
     Returns:
@@ -77,7 +79,7 @@ def ambient_occlusion(
         (100,) 0.7
     """
     plan = Plan.of(
-        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress=progress
+        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress, device=device
     )
     reach = reach_of(max_distance)
     if falloff is not None:
@@ -111,6 +113,7 @@ def sky_view_factor(
     tolerance: float | None = None,
     skip: bool = True,
     tracer: str = "auto",
+    device: Any = None,
     workers: int | None = None,
     progress: bool = False,
 ) -> SkyView:
@@ -131,7 +134,8 @@ def sky_view_factor(
         tolerance: the standard error to reach, as the root mean square over the points; by default each takes `count` rays.
         skip: whether to look for rays that meet nothing and leave them out; changes no bit.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
-        workers: threads, all cores by default.
+        device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
+        workers: threads on the CPU, all cores by default.
         progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
     Returns:
@@ -149,7 +153,7 @@ def sky_view_factor(
         (2080,) 1.00 0.50
     """
     plan = Plan.of(
-        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress=progress
+        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress, device=device
     )
     reach = reach_of(max_distance)
     axis = as_unit(up, "up")
@@ -173,6 +177,7 @@ def bent_normals(
     tolerance: float | None = None,
     skip: bool = True,
     tracer: str = "auto",
+    device: Any = None,
     workers: int | None = None,
     progress: bool = False,
 ) -> Estimate:
@@ -193,7 +198,8 @@ def bent_normals(
             point takes `count` rays.
         skip: whether to look for rays that meet nothing and leave them out; changes no bit.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
-        workers: threads, all cores by default.
+        device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
+        workers: threads on the CPU, all cores by default.
         progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
     Returns:
@@ -211,7 +217,7 @@ def bent_normals(
         (100, 3) 0.7
     """
     plan = Plan.of(
-        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress=progress
+        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress, device=device
     )
     reach = reach_of(max_distance)
     return plan.estimate(Quantity(DIRECTION, reach=reach))

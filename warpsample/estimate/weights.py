@@ -82,7 +82,7 @@ def above_plane(up: Any) -> Integrand:
 
 
 def seen_in(pixels: np.ndarray, up: Any) -> Integrand:
-    """A picture of the radiance all around, (H, W, 3) contiguous float32; the caller keeps it."""
+    """A picture of the radiance all around, (H, W, 3) contiguous float32."""
     height, width = pixels.shape[:2]
-    data = WeightsArgs(x=up[0], y=up[1], z=up[2], pixels=pixels.ctypes.data, width=width, height=height)
-    return Integrand(environment, 3, data, Weights)
+    data = WeightsArgs(x=up[0], y=up[1], z=up[2], width=width, height=height)
+    return Integrand(environment, 3, data, Weights, arrays=(("pixels", pixels),))

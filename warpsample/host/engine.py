@@ -27,6 +27,8 @@ MOST_WORK = 1 << 25
 MOST_TASKS = (1 << 31) - 1
 """Tasks of a batch: wp.tid() is an int32."""
 
+_FULL = 1 << 18  # tasks that keep a CUDA device busy; fewer leave part of it idle
+
 
 _ALWAYS_FREE = 1 << 24  # bytes; asking the system for the rest takes 100 us
 
@@ -76,7 +78,7 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
     workers = workers if device.is_cpu and work >= LEAST_WORK else 1
     each = min(max(work // (workers * _BATCH_WORK), _FEW_BATCHES), _MANY_BATCHES)
     shares = workers * each if workers > 1 else 1
-    batch = min(-(-tasks // shares), max(1, MOST_WORK * tasks // work), MOST_TASKS)
+    batch = min(-(-tasks // shares), max(1 if device.is_cpu else _FULL, MOST_WORK * tasks // work), MOST_TASKS)
     commands = [_take(kernel, inputs, device) for _ in range(workers)]
     try:
         _share(commands, batch, tasks, begin(tasks, work))

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_seed, told
-from warpsample.host.arrays import as_real, cpu
+from warpsample.host.arrays import as_real
+from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_memory, check_workers, run
 from warpsample.host.neighbours import as_ndarray
 from warpsample.mesh.mesh import as_mesh
@@ -91,6 +92,7 @@ def sample_surface(
     seed: int = 0,
     first_point: int = 0,
     barycentric: bool = False,
+    device: Any = None,
     workers: int | None = None,
 ) -> SurfacePoints:
     """Points uniform by area: a face by its share of the area, then a uniform point of that triangle.
@@ -104,7 +106,8 @@ def sample_surface(
         seed: of 64 bits.
         first_point: the global id of row 0.
         barycentric: whether to keep the weights of the corners.
-        workers: threads, all cores by default.
+        device: where to compute, the CPU by default; on a CUDA device in parts, which come back as NumPy's arrays.
+        workers: threads on the CPU, all cores by default.
 
     Returns:
         position float64, normal float32 (of the face), face; barycentric if asked for.
@@ -124,6 +127,7 @@ def sample_surface(
     mesh, barycentric = as_mesh(mesh), check_flag(barycentric, "barycentric")
     count = check_integer(count, "count", 1, 2**31 - 1)
     seed, first_point, workers = check_seed(seed), check_first_point(first_point, count), check_workers(workers)
+    memory = Memory.of(device)
     if not mesh.face_areas.any():
         raise ValueError("mesh: got a mesh whose faces have no area, want at least one that has")
     size = count * (BYTES_PER_POINT + (24 if barycentric else 0))
@@ -135,9 +139,14 @@ def sample_surface(
     )
     cumulative = np.cumsum(mesh.face_areas)
     last = int(np.flatnonzero(mesh.face_areas)[-1])
-    addresses = [a.ctypes.data for a in (mesh.vertices, mesh.faces, cumulative, position, face)]
-    inputs = [seed, first_point, count, len(mesh.vertices), last, *addresses, weights.ctypes.data if barycentric else 0]
-    run(place_points(), count, inputs, cpu(), workers, 8 * count)
+    with memory.loan() as whole:
+        surface = [len(mesh.vertices), last, *map(whole.put, (mesh.vertices, mesh.faces, cumulative))]
+        for rows in memory.parts(count, size // count):
+            points = rows.stop - rows.start
+            with memory.loan() as loan:
+                found = [loan.room(position, rows), loan.room(face, rows), loan.room(weights, rows) if barycentric else 0]
+                inputs = [seed, first_point + rows.start, points, *surface, *found]
+                run(place_points(), points, inputs, memory.device, workers, 8 * points)
     return SurfacePoints(position, mesh.face_normals[face], face, weights if barycentric else None)
 
 

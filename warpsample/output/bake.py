@@ -10,6 +10,7 @@ from warpsample.estimate.irradiance import irradiance
 from warpsample.estimate.picture import read_picture
 from warpsample.estimate.result import Estimate, PointStatus, Skipped
 from warpsample.estimate.visibility import ambient_occlusion, sky_view_factor
+from warpsample.host.device_memory import Memory
 from warpsample.host.files import check_output, complete_or_absent
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.mesh import Mesh
@@ -22,6 +23,8 @@ SUFFIXES = tuple(WRITERS)
 
 RAYS_PER_PART = 1 << 22
 """Rays, half a second, after which the progress moves and an interrupt says how far it came."""
+
+_FULL = 1 << 20  # points of a part on a CUDA device: with fewer it is idle for most of the time
 
 
 def bake(run: Run) -> str:
@@ -53,6 +56,7 @@ def bake(run: Run) -> str:
 def _check(run: Run) -> None:
     if run.output.suffix not in SUFFIXES:
         raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
+    Memory.of(run.options.get("device"))
     check_output(run.output, "--output", run.mesh, run.environment)
     check_places(run.points, run.at)
     if run.points is not None and run.output.suffix in (".ply", ".glb"):
@@ -89,7 +93,7 @@ def _parts(points: SurfacePoints, run: Run, estimate: Callable[[SurfacePoints, i
 
     console = Console(stderr=True)
     told = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(), TextColumn("{task.fields[told]}"))
-    step = max(1, RAYS_PER_PART // run.samples)
+    step = max(1 if Memory.of(run.options.get("device")).in_place else _FULL, RAYS_PER_PART // run.samples)
     cast, start, done = 0, perf_counter(), 0
     with Progress(*told, console=console, disable=not console.is_terminal, transient=True) as progress:
         task = progress.add_task(QUANTITIES[run.quantity], total=len(points), told="")

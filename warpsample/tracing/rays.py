@@ -2,6 +2,7 @@
 
 import warp as wp
 
+from warpsample.host.device_memory import at_home
 from warpsample.host.engine import run
 from warpsample.host.locks import once
 from warpsample.maths.numerics import scaled_to_unit
@@ -187,7 +188,7 @@ def trace_rays(scene: Scene, rays: RaysArgs, tracer: Tracer, any_hit: bool, devi
         workers: threads.
     """
     kernel = ray_kernel(tracer.prepare, tracer.face_query(any_hit))
-    order = order_of(scene, rays.placement, rays.count, workers) if device.is_cpu else None
+    order = order_of(scene, rays.placement, rays.count, workers) if at_home(device) else None
     rays.placement.order = 0 if order is None else order.ctypes.data
     launch_rays(kernel, tracer.accelerator(scene, device, workers), rays, device, workers)
 
@@ -195,5 +196,5 @@ def trace_rays(scene: Scene, rays: RaysArgs, tracer: Tracer, any_hit: bool, devi
 def launch_rays(kernel: wp.Kernel, accelerator: AcceleratorArgs, rays: RaysArgs, device: wp.Device, workers: int) -> None:
     """Runs rays through a kernel of `ray_kernel`."""
     total = rays.placement.points * rays.count
-    rays.each = CHUNK if device.is_cpu else 1  # on CUDA neighbouring threads then trace neighbouring rays
+    rays.each = CHUNK if at_home(device) else 1  # on CUDA neighbouring threads then trace neighbouring rays
     run(kernel, -(-total // rays.each), [rays, accelerator], device, workers, RAY_WORK * total)

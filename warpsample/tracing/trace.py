@@ -1,5 +1,6 @@
 """The call `trace`: it checks, chooses the tracer, and gives back the kind of arrays it was given."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf, prod
@@ -10,6 +11,7 @@ import warp as wp
 
 from warpsample.host.arguments import check_flag, check_number
 from warpsample.host.arrays import Array
+from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_memory, check_workers
 from warpsample.host.neighbours import address_of, kind_told
 from warpsample.host.progress import bar
@@ -22,6 +24,7 @@ from warpsample.tracing.starts import faces_and_normals, set_starts
 from warpsample.tracing.tracers import tracer_of
 from warpsample.tracing.triples import Triples
 
+_BYTES_OF_POINT, _BYTES_OF_RAY = 24 + 12, 24 + 4 + 4  # on a device: origin, face's normal; direction, distance, face
 _MOST_DISTANCE = float(np.finfo(np.float32).max)  # what is farther is not met: its distance would not be finite
 
 
@@ -54,6 +57,7 @@ def trace(
     max_distance: float | None = None,
     any_hit: bool = False,
     tracer: str = "auto",
+    device: Any = None,
     workers: int | None = None,
     progress: bool = False,
 ) -> Hits:
@@ -75,6 +79,7 @@ def trace(
         max_distance: meets only what is nearer, in units of the coordinates; in any case than float32 has distances, 3e38.
         any_hit: whether some face is enough: up to twice as fast.
         tracer: "wide", "warp" (wp.Mesh) or "auto": wide on the CPU.
+        device: where to trace, by default where the rays are; NumPy's go to a CUDA device in parts, and hits come back.
         workers: threads on the CPU, all cores by default.
         progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
@@ -99,7 +104,8 @@ def trace(
     way = Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
     _check_pair(start, way)
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
-    chosen = tracer_of(tracer, way.device)
+    memory = Memory.of(device, way.owner, "directions")
+    chosen = tracer_of(tracer, memory.device)
     face, normals = faces_and_normals(mesh, origins) if on_faces else (None, None)
     rays = prod(way.shape)
     if way.device.is_cpu:
@@ -113,8 +119,31 @@ def trace(
         if normals is not None:
             placement.normals = normals.ctypes.data
             starts = set_starts(scene, placement, face, None, chosen, workers)  # noqa: F841  (kept while it is read)
-        trace_rays(scene, rays_of(placement, way, hits), chosen, any_hit, way.device, workers)
+        asked = rays_of(placement, way, hits)
+        for points, block in _parts(memory, placement.points, asked.count):
+            with memory.loan() as loan:
+                part = RaysArgs.from_buffer_copy(asked)
+                part.placement.points = points.stop - points.start
+                part.count = (block.stop - block.start) // part.placement.points
+                part.placement.origins = loan.put(start.rows, points)
+                part.placement.normals = loan.put(normals, points)
+                part.directions = loan.put(way.rows, block)
+                part.distance = loan.room(hits.distance.reshape(-1), block)
+                part.face = loan.room(hits.face.reshape(-1), block)
+                trace_rays(scene, part, chosen, any_hit, memory.device, workers)
     return hits
+
+
+def _parts(memory: Memory, points: int, count: int) -> Iterator[tuple[slice, slice]]:
+    """(points, their rays) that fit into memory: points with all their rays, or some of the rays of one."""
+    size = _BYTES_OF_POINT + _BYTES_OF_RAY * count
+    if memory.fits(size):
+        for rows in memory.parts(points, size):
+            yield rows, slice(rows.start * count, rows.stop * count)
+        return
+    for point in range(points):
+        for rays in memory.parts(count, _BYTES_OF_RAY, _BYTES_OF_POINT):
+            yield slice(point, point + 1), slice(point * count + rays.start, point * count + rays.stop)
 
 
 def rays_of(placement: PlacementArgs, directions: Triples, hits: Hits) -> RaysArgs:

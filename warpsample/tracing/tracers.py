@@ -8,6 +8,7 @@ from typing import Any
 import warp as wp
 
 from warpsample.host.arguments import check_choice
+from warpsample.host.device_memory import at_home
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
 from warpsample.tracing.scene import Scene
 from warpsample.tracing.wide.layout import AcceleratorArgs
@@ -66,8 +67,8 @@ def tracer_of(name: Any, device: wp.Device) -> Tracer:
         TypeError, ValueError: not a tracer, or not one for that device.
     """
     check_choice(name, "tracer", ("auto", *TRACERS))
-    if name == "wide" and not device.is_cpu:
+    if name == "wide" and not at_home(device):
         raise ValueError(f"tracer: got 'wide' for rays on {device}, want 'warp' or 'auto': the wide tree is for the CPU")
     if name == "auto":
-        return WIDE if device.is_cpu else BUILTIN
+        return WIDE if at_home(device) else BUILTIN
     return TRACERS[name]
