@@ -162,6 +162,39 @@ def test_warp_arrays_are_used_where_they_are(bunny, normals):
     assert np.array_equal(here[1].vectors.numpy(), there[1].vectors.numpy())
 
 
+# On a GPU, where there is one; its roundings are others, so a ray may pass an edge on the other side
+
+
+@pytest.mark.skipif(not wp.is_cuda_available(), reason="no CUDA device")
+@pytest.mark.parametrize("name", ESTIMATES)
+def test_estimates_on_cuda_agree_with_the_cpu(name, bunny, some):
+    call = ESTIMATES[name]
+    here, there = call(bunny, some, tracer="warp"), call(bunny, some, device="cuda")
+    assert np.array_equal(here.status, there.status)
+    largest = np.abs(here.value).max()
+    assert np.abs(here.value - there.value).max() <= 4 / 64 * largest
+    assert (
+        np.abs(here.value.mean(axis=0, dtype=np.float64) - there.value.mean(axis=0, dtype=np.float64)).max()
+        <= 1e-3 * largest
+    )
+
+
+@pytest.mark.skipif(not wp.is_cuda_available(), reason="no CUDA device")
+def test_rays_on_cuda_agree_with_the_cpu(bunny, some):
+    ways = np.random.default_rng(2).normal(size=(300, 5, 3))
+    here, there = (ws.trace(bunny, some, ways, tracer="warp", device=device) for device in ("cpu", "cuda"))
+    same = here.face == there.face
+    assert np.count_nonzero(~same) <= 2
+    assert np.allclose(here.distance[same], there.distance[same], rtol=1e-5, atol=1e-6, equal_nan=True)
+
+
+@pytest.mark.skipif(not wp.is_cuda_available(), reason="no CUDA device")
+def test_points_of_a_surface_on_cuda_agree_with_the_cpu(bunny):
+    here, there = (ws.sample_surface(bunny, 2000, device=device) for device in ("cpu", "cuda"))
+    assert np.array_equal(here.face, there.face)
+    assert np.allclose(here.position, there.position, rtol=1e-12, atol=1e-14)
+
+
 # Failures
 
 
@@ -185,6 +218,17 @@ def test_a_full_device_is_an_error_and_gives_all_back(name, bunny, some):
             CALLS[name](bunny, some)
         del caught
         assert (full.asked, full.live) == (fails_at, 0)
+
+
+def test_an_interrupt_of_rays_gives_all_back(bunny, some, monkeypatch):
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("warpsample.tracing.rays.run", interrupted)
+    with second_device() as allocator, pytest.raises(KeyboardInterrupt) as caught:
+        CALLS["rays"](bunny, some)
+    del caught
+    assert (allocator.live, allocator.asked > 0) == (0, True)
 
 
 def test_an_interrupt_between_parts_fetches_nothing_more_and_gives_all_back(normals, monkeypatch):

@@ -2,6 +2,8 @@
 
 import threading
 import time
+from collections import defaultdict
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -51,6 +53,19 @@ def test_no_chunk_is_larger_than_its_limit(limit, work, monkeypatch):
     monkeypatch.setattr(engine, "begin", lambda *_: batches.append)
     count(np.zeros(10_000, np.int32), 1, work)
     assert batches == [1000] * 10
+
+
+def test_a_cuda_device_gets_tasks_enough_at_a_time(monkeypatch):
+    """A million points by 256 rays; and by so many that a launch of all of them would not end."""
+    device, commands = SimpleNamespace(is_cpu=False, alias="cuda:0"), []
+    monkeypatch.setattr(engine, "_idle", defaultdict(list))
+    monkeypatch.setattr(engine, "_take", lambda *_: commands.append(0))
+    for rays, least, most in ((256, 1 << 18, 1 << 22), (1 << 24, 1, 1 << 5)):
+        monkeypatch.setattr(
+            engine, "_share", lambda _, batch, *__, found=(least, most): commands.append(found[0] <= batch <= found[1])
+        )
+        engine.run(_count, 10**6, [], device, 8, 64 * rays * 10**6)
+    assert commands == [0, True, 0, True]  # one command each: launches queue up
 
 
 def test_an_interrupt_stops_the_threads_before_the_call_returns(after_each_chunk):

@@ -98,7 +98,7 @@ class Runner:
         )
         part.placement.points = rows.stop - rows.start
         if self.scene:
-            part.placement.origins = loan.put(self.position.rows, rows)
+            part.placement.origins = loan.put(self.position.owner, rows)
             part.placement.normals = loan.put(self.side, rows)
         return part
 

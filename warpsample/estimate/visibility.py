@@ -34,7 +34,8 @@ def ambient_occlusion(
     """The share of cosine-weighted rays that get away: 1 where a point is open, 0 where it is closed in.
 
     The bits depend on (mesh, point, first_point + row, seed, count, sequence) alone: not on threads, on which points are
-    together or active, nor on `skip`. Memory is that of the points. On the CPU; the first call ever compiles for about 8 s.
+    together or active, nor on `skip`; a CUDA device has other roundings. Memory is that of the points. The first call ever
+    compiles for about 8 s.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes; pass a Mesh to keep its tree from call to call.

@@ -27,7 +27,7 @@ MOST_WORK = 1 << 25
 MOST_TASKS = (1 << 31) - 1
 """Tasks of a batch: wp.tid() is an int32."""
 
-_FULL = 1 << 18  # tasks that keep a CUDA device busy; fewer leave part of it idle
+_MOST_ON_DEVICE = 1 << 34  # directions of a batch on a CUDA device, which is idle in part with fewer than 10^5 tasks
 
 
 _ALWAYS_FREE = 1 << 24  # bytes; asking the system for the rest takes 100 us
@@ -78,7 +78,8 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
     workers = workers if device.is_cpu and work >= LEAST_WORK else 1
     each = min(max(work // (workers * _BATCH_WORK), _FEW_BATCHES), _MANY_BATCHES)
     shares = workers * each if workers > 1 else 1
-    batch = min(-(-tasks // shares), max(1 if device.is_cpu else _FULL, MOST_WORK * tasks // work), MOST_TASKS)
+    most = MOST_WORK if device.is_cpu else _MOST_ON_DEVICE
+    batch = min(-(-tasks // shares), max(1, most * tasks // work), MOST_TASKS)
     commands = [_take(kernel, inputs, device) for _ in range(workers)]
     try:
         _share(commands, batch, tasks, begin(tasks, work))

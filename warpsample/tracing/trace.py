@@ -120,26 +120,33 @@ def trace(
             placement.normals = normals.ctypes.data
             starts = set_starts(scene, placement, face, None, chosen, workers)  # noqa: F841  (kept while it is read)
         asked = rays_of(placement, way, hits)
-        for points, block in _parts(memory, placement.points, asked.count):
-            with memory.loan() as loan:
-                part = RaysArgs.from_buffer_copy(asked)
-                part.placement.points = points.stop - points.start
-                part.count = (block.stop - block.start) // part.placement.points
-                part.placement.origins = loan.put(start.rows, points)
-                part.placement.normals = loan.put(normals, points)
-                part.directions = loan.put(way.rows, block)
-                part.distance = loan.room(hits.distance.reshape(-1), block)
-                part.face = loan.room(hits.face.reshape(-1), block)
-                trace_rays(scene, part, chosen, any_hit, memory.device, workers)
+        for part in [asked] if memory.in_place else _parts(memory, asked, start, normals, way, hits):
+            trace_rays(scene, part, chosen, any_hit, memory.device, workers)
     return hits
 
 
-def _parts(memory: Memory, points: int, count: int) -> Iterator[tuple[slice, slice]]:
+def _parts(
+    memory: Memory, asked: RaysArgs, start: Triples, normals: np.ndarray | None, way: Triples, hits: Hits
+) -> Iterator[RaysArgs]:
+    """The rays of NumPy's arrays in parts, each on the device until the next is asked for."""
+    for points, rays in _blocks(memory, asked.placement.points, asked.count):
+        with memory.loan() as loan:
+            part = RaysArgs.from_buffer_copy(asked)
+            part.placement.points = points.stop - points.start
+            part.count = (rays.stop - rays.start) // part.placement.points
+            part.placement.origins = loan.put(start.owner.reshape(-1, 3), points)
+            part.placement.normals = loan.put(normals, points)
+            part.directions = loan.put(way.owner.reshape(-1, 3), rays)
+            part.distance = loan.room(hits.distance.reshape(-1), rays)
+            part.face = loan.room(hits.face.reshape(-1), rays)
+            yield part
+
+
+def _blocks(memory: Memory, points: int, count: int) -> Iterator[tuple[slice, slice]]:
     """(points, their rays) that fit into memory: points with all their rays, or some of the rays of one."""
     size = _BYTES_OF_POINT + _BYTES_OF_RAY * count
     if memory.fits(size):
-        for rows in memory.parts(points, size):
-            yield rows, slice(rows.start * count, rows.stop * count)
+        yield from ((rows, slice(rows.start * count, rows.stop * count)) for rows in memory.parts(points, size))
         return
     for point in range(points):
         for rays in memory.parts(count, _BYTES_OF_RAY, _BYTES_OF_POINT):

@@ -46,11 +46,6 @@ class Triples:
             raise ValueError(f"{argument}: got shape {array.shape}, want {shape}")
         return cls(np.ascontiguousarray(array), array.shape[:-1], _DOUBLE[array.dtype.type], cpu())
 
-    @property
-    def rows(self) -> Array:
-        """NumPy's array as (N, 3); one of Warp, which is never taken apart, as it is."""
-        return self.owner if isinstance(self.owner, wp.array) else self.owner.reshape(-1, 3)
-
     def empty(self, dtype: Any) -> Array:
         """Uninitialised numbers, one for each vector, of the same kind and in the same place."""
         if isinstance(self.owner, wp.array):
