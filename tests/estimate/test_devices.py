@@ -152,6 +152,17 @@ def test_directions_on_a_device_have_the_same_bits(count, normals):
         assert np.array_equal(getattr(here, name), getattr(there, name)), name
 
 
+def test_a_device_has_a_task_for_each_sample_or_ray(bunny, some, monkeypatch):
+    """As CUDA wants it, whose neighbouring threads then read and write side by side."""
+    tasks = []
+    for module in ("warpsample.tracing.rays", "warpsample.directions.plan"):
+        monkeypatch.setattr(f"{module}.run", lambda _, count, *__: tasks.append(count))
+    with second_device(budget=1 << 28):
+        ws.trace(bunny, some, np.ones((300, 5, 3)))
+        ws.sample_directions(some, 7)
+    assert tasks == [300 * 5, 300 * 7]
+
+
 def test_warp_arrays_are_used_where_they_are(bunny, normals):
     origins, ways = (wp.array(a, dtype=wp.vec3, device="cpu") for a in (normals + np.float32(9.0), normals))
     here = ws.trace(bunny, origins, ways, tracer="warp"), ws.sample_directions(ways, 3)
