@@ -58,13 +58,15 @@ class Plan:
     def _run(self, whole: SamplesArgs, device: wp.Device, first_point: int, points: int) -> None:
         """Runs the kernel on arrays of the device that have a row for each point."""
         for start, end in same_high_word(first_point, points):
-            args = SamplesArgs.from_buffer_copy(whole)
+            args = whole
+            if start:
+                args = SamplesArgs.from_buffer_copy(whole)
+                args.normals += 12 * start
+                args.vectors += 12 * start * self.count
+                args.pdf += 4 * start * self.count if whole.pdf else 0
+                args.status += start
+                args.active += start if whole.active else 0
             args.first_point, args.points = first_point + start, end - start
-            args.normals += 12 * start
-            args.vectors += 12 * start * self.count
-            args.pdf += 4 * start * self.count if whole.pdf else 0
-            args.status += start
-            args.active += start if whole.active else 0
             kernel, tasks, args.segment, args.rows = self.kernel(device, args.points, masked=whole.active != 0)
             run(kernel, tasks, [args], device, self.workers, args.points * self.count)
 

@@ -46,7 +46,7 @@ def integrate(
             last arguments may be left out. `w` is a unit direction in world coordinates; `lobe` has the unit normal, the
             row in this call and the global id of the point.
         count: directions of each point, 2 to 2^24; rounded down as for `ambient_occlusion`.
-        data: an instance of a wp.struct, which may hold arrays on the CPU or the device; ids of meshes are the device's.
+        data: an instance of a wp.struct, which may hold arrays on the CPU or the device; a wp.Mesh's id only of one there.
         distribution: of the directions, an instance or a name for one with its defaults.
         mesh: if given, a direction counts 0 where a ray along it meets the mesh; rays where the function is 0 are not cast.
         max_distance: hits at or beyond this distance are ignored, in units of the coordinates; by default there is no limit.

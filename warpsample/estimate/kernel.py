@@ -12,7 +12,7 @@ from warpsample.estimate.spot import NONFINITE_POSITION, NONFINITE_VALUE, Lobes,
 from warpsample.host.locks import once
 from warpsample.maths.numerics import scaled_to_unit
 from warpsample.tracing.placement import lift, local_origin, point_of, reach_along
-from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, SCRATCH, START_FLOATS, Accelerator
+from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, PREPARED, SCRATCH, START_FLOATS, Accelerator
 
 _NONFINITE_POSITION = wp.constant(wp.int32(NONFINITE_POSITION))
 _NONFINITE_VALUE = wp.constant(wp.int32(NONFINITE_VALUE))
@@ -73,8 +73,8 @@ def estimate_kernel(slots: Slots) -> wp.Kernel:
     """A kernel with a task for each point, in the order of the placement."""
     traced, struct, keep, place = slots.query is not None, slots.struct, _keep(slots.channels), _placer(slots)
     sum_lobe = (counted_lobe if slots.counts else weighed_lobe)(slots) if traced else free_lobe(slots)
-    sizes = (SCRATCH, CHUNK_FLOATS, BEAM_FLOATS, START_FLOATS) if traced else (1, 1, 1, 1)
-    words_size, chunk_floats, beam_size, room_size = sizes
+    words_size, beam_size, room_size = (SCRATCH, BEAM_FLOATS, START_FLOATS) if slots.wide else (1, 1, 1)
+    chunk_floats = (CHUNK_FLOATS if slots.wide else PREPARED) if traced else 1
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def estimate(lobes: Lobes, accelerator: Accelerator, data: struct, first_task: wp.int64):

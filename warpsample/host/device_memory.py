@@ -1,6 +1,6 @@
 """Where arrays lie while kernels run: where they are, or NumPy's on a device, to which they go in parts and come back."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 from math import prod
 from typing import Any
@@ -69,9 +69,11 @@ class Memory:
         """Whether so many bytes are within the budget."""
         return self.in_place or size <= BUDGET
 
-    def parts(self, rows: int, size: int, besides: int = 0) -> Iterator[slice]:
+    def parts(self, rows: int, size: int, besides: int = 0) -> Iterable[slice]:
         """Rows of `size` bytes, by as many as fit into the budget with `besides` bytes; in place all of them at once."""
-        step = max(1, rows if self.in_place else (BUDGET - besides) // size)
+        if self.in_place:
+            return (slice(0, rows),) if rows else ()
+        step = max(1, (BUDGET - besides) // size)
         return (slice(start, min(start + step, rows)) for start in range(0, rows, step))
 
     def loan(self) -> "Loan":

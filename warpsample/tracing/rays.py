@@ -100,11 +100,11 @@ def _read(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.ui
 
 
 @wp.func
-def _normalize(chunk: wp.uint64):
+def _normalize(chunk: wp.uint64, length: wp.int64):
     """Unit directions; NaN as the reach of an invalid ray."""
     rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
-    while k < CHUNK:
+    while k < wp.int32(length):
         unit = scaled_to_unit(wp.vec3(rays[DIRECTION + k], rays[DIRECTION + CHUNK + k], rays[DIRECTION + 2 * CHUNK + k]))
         rays[DIRECTION + k] = unit[0]
         rays[DIRECTION + CHUNK + k] = unit[1]
@@ -117,18 +117,19 @@ def _normalize(chunk: wp.uint64):
 
 
 @once
-def ray_kernel(prepare: wp.Function, query: wp.Function) -> wp.Kernel:
+def ray_kernel(prepare: wp.Function, query: wp.Function, size: int = CHUNK_FLOATS) -> wp.Kernel:
     """A kernel over tasks of consecutive rays, in the placement's order.
 
     Args:
         prepare: (chunk, rays): adds what the query needs.
         query: (Accelerator, ray, reach, scratch) -> (distance, face, nodes, leaves) of one.
+        size: floats of a chunk, with what is added.
     """
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def each_ray(rays: Rays, accelerator: Accelerator, first_task: wp.int64):
         words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
-        floats = wp.zeros(shape=(CHUNK_FLOATS,), dtype=wp.float32)
+        floats = wp.zeros(shape=(size,), dtype=wp.float32)
         first = (first_task + wp.int64(wp.tid())) * rays.each
         length = wp.int32(wp.min(rays.each, rays.placement.points * rays.count - first))
         row = first / rays.count
@@ -144,7 +145,7 @@ def ray_kernel(prepare: wp.Function, query: wp.Function) -> wp.Kernel:
             if j == rays.count:
                 j = wp.int64(0)
                 row += wp.int64(1)
-        _normalize(floats.ptr)
+        _normalize(floats.ptr, rays.each)
         prepare(floats.ptr, CHUNK)
         row = first / rays.count
         j = first - row * rays.count
@@ -187,7 +188,7 @@ def trace_rays(scene: Scene, rays: RaysArgs, tracer: Tracer, any_hit: bool, devi
         device: where the addresses are.
         workers: threads.
     """
-    kernel = ray_kernel(tracer.prepare, tracer.face_query(any_hit))
+    kernel = ray_kernel(tracer.prepare, tracer.face_query(any_hit), tracer.floats)
     order = order_of(scene, rays.placement, rays.count, workers) if at_home(device) else None
     rays.placement.order = 0 if order is None else order.ctypes.data
     launch_rays(kernel, tracer.accelerator(scene, device, workers), rays, device, workers)

@@ -11,7 +11,7 @@ from warpsample.host.arguments import check_choice
 from warpsample.host.device_memory import at_home
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
 from warpsample.tracing.scene import Scene
-from warpsample.tracing.wide.layout import AcceleratorArgs
+from warpsample.tracing.wide.layout import CHUNK_FLOATS, PREPARED, AcceleratorArgs
 from warpsample.tracing.wide.prepare import prepare_wide
 from warpsample.tracing.wide.query import wide_query
 
@@ -25,12 +25,14 @@ class Tracer:
         prepare: (chunk, rays): adds to the first rays of a chunk what a query needs.
         face_query: any_hit -> (Accelerator, ray, reach, scratch) -> (distance, face, nodes, leaves) of one ray.
         distance_query: the same, from several nodes; with any_hit it tells only whether something is met.
+        floats: of a chunk of rays with what is added to them.
         accelerator: (scene, device, workers) -> what the queries search, built at the first call.
         skips: whether its tree can be searched for what the rays of a point need not look at, and starts can be found in it.
     """
 
     name: str
     prepare: wp.Function
+    floats: int
     face_query: Callable[[bool], wp.Function]
     distance_query: Callable[[bool], wp.Function]
     accelerator: Callable[[Scene, wp.Device, int], AcceleratorArgs]
@@ -40,6 +42,7 @@ class Tracer:
 WIDE = Tracer(
     "wide",
     prepare_wide,
+    CHUNK_FLOATS,
     wide_query,
     partial(wide_query, several=True),
     lambda scene, _device, workers: scene.tree(workers).accelerator(),
@@ -50,6 +53,7 @@ WIDE = Tracer(
 BUILTIN = Tracer(
     "warp",
     prepare_builtin,
+    PREPARED,
     lambda _any_hit: builtin_query,  # the built-in any-hit query tells no face
     lambda any_hit: builtin_any_query if any_hit else builtin_query,
     lambda scene, device, _workers: scene.builtin(device),
