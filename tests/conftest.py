@@ -52,6 +52,14 @@ def points(bunny) -> ws.SurfacePoints:
     return ws.sample_surface(bunny, 600, seed=1)
 
 
+@pytest.fixture(scope="session")
+def some(points) -> ws.SurfacePoints:
+    """300 points, one of them nowhere and one without a normal."""
+    position, normal = points.position[:300].copy(), points.normal[:300].copy()
+    position[7], normal[250] = np.nan, 0.0
+    return ws.SurfacePoints(position, normal, points.face[:300])
+
+
 @pytest.fixture
 def normals() -> np.ndarray:
     """1,000 random directions of random length."""
