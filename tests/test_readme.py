@@ -85,6 +85,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample verify --power",
         "warpsample bench directions",  # these: tests/bench/test_command.py, on what was measured before
         "warpsample bench error",
+        "warpsample bench kernels",
         "warpsample bench peers",
         "warpsample bench rays",
         "warpsample bench scaling",

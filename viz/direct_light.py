@@ -1,6 +1,6 @@
 """A kernel of one's own: a lamp's light on a floor, by directions of the cosine lobe and by directions to the lamp."""
 
-from typing import Annotated
+from typing import Annotated, Any
 
 import numpy as np
 import typer
@@ -21,7 +21,7 @@ SIDE = 192  # points of the floor's side
 
 @wp.kernel(enable_backward=False)
 def lamp_light(
-    points: wp.array[wp.vec3], mesh: wp.uint64, to_lamp: bool, count: int, seed: wp.uint64, out: wp.array[wp.vec2]
+    points: wp.array[wp.vec3], tree: funcs.Tree, to_lamp: bool, count: int, seed: wp.uint64, out: wp.array[wp.vec2]
 ):
     """The mean of cosine / density over rays that meet the lamp and no mesh, with its standard error; the normal is +z."""
     p = wp.tid()
@@ -42,7 +42,7 @@ def lamp_light(
             density = funcs.square_to_uniform_cone_pdf(local, one_minus_cos)
             lit = True
         value = wp.float32(0.0)
-        if lit and not wp.mesh_query_ray_anyhit(mesh, points[p], w, distance):
+        if lit and not funcs.any_hit(tree, points[p], w, distance):
             value = w[2] / density
         change = value - mean
         mean += change / float(j + 1)
@@ -50,23 +50,22 @@ def lamp_light(
     out[p] = wp.vec2(mean, wp.sqrt(squares / (float(count) * float(count - 1))))
 
 
-def estimate(mesh: wp.Mesh, points: np.ndarray, to_lamp: bool, count: int, seed: int) -> np.ndarray:
+def estimate(tree: Any, points: np.ndarray, to_lamp: bool, count: int, seed: int) -> np.ndarray:
     """(P, 2): the irradiance at (P, 3) points of the floor, and its standard error."""
-    inputs = [wp.array(points, dtype=wp.vec3, device="cpu"), mesh.id, to_lamp, count, wp.uint64(seed)]
+    inputs = [wp.array(points, dtype=wp.vec3, device="cpu"), tree, to_lamp, count, wp.uint64(seed)]
     out = wp.empty(len(points), dtype=wp.vec2, device="cpu")
     wp.launch(lamp_light, dim=len(points), inputs=inputs, outputs=[out], device="cpu")
     return out.numpy()
 
 
-def scene(side: int) -> tuple[wp.Mesh, np.ndarray]:
-    """The bunny, of height 1, on a floor at z = 0; and (side^2, 3) points of the floor, row by row from +y to -y."""
+def scene(side: int) -> tuple[Any, np.ndarray]:
+    """The tree of the bunny, of height 1, on a floor at z = 0; and (side^2, 3) points of the floor, row by row from +y."""
     mesh = ws.load_mesh(bunny())
     vertices = mesh.vertices[:, [0, 2, 1]] * [1.0, -1.0, 1.0]  # its y points up
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     vertices = (vertices - [*(low + high)[:2] / 2.0, low[2]]) / (high[2] - low[2])
     x, y = np.meshgrid(np.linspace(-1.2, 1.8, side), np.linspace(1.2, -1.8, side))
-    made = wp.Mesh(wp.array(vertices, dtype=wp.vec3, device="cpu"), wp.array(mesh.faces.ravel(), dtype=int, device="cpu"))
-    return made, np.stack([x.ravel(), y.ravel(), np.zeros(x.size)], axis=1)
+    return ws.tree((vertices, mesh.faces)), np.stack([x.ravel(), y.ravel(), np.zeros(x.size)], axis=1)
 
 
 @fail_plainly()
@@ -84,9 +83,9 @@ def main(
     rendering.check_rendering()
     start()
     wp.config.log_level = wp.LOG_WARNING  # without a line for each kernel
-    (mesh, points), found = scene(SIDE), {}
+    (tree, points), found = scene(SIDE), {}
     for name, to_lamp in (("the cosine lobe", False), ("a cone to the lamp", True)):
-        light, error = estimate(mesh, points, to_lamp, samples, seed).astype(np.float64).T
+        light, error = estimate(tree, points, to_lamp, samples, seed).astype(np.float64).T
         rms = np.sqrt(np.mean(np.square(error)))
         found[f"{name}: RMS standard error {rms:.2g}"] = [light.reshape(SIDE, SIDE) / 0.06]
     what = f"{samples:,} rays of each point; seed {seed}"

@@ -36,6 +36,7 @@ def measured(found, monkeypatch):
     [
         ("directions", {"points": 64}, ["maps", "sequences"]),
         ("error", {"rmse": 0.01, "largest": 64}, ["error"]),
+        ("kernels", {"points": 64}, ["kernels"]),
         ("peers", {"points": 64}, ["peers_directions", "peers_surface"]),
         ("rays", {"scene": "bunny", "rays": 64}, ["rays"]),
         ("scaling", {"largest": 1000}, ["scaling"]),

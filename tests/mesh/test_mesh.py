@@ -145,7 +145,9 @@ def test_bad_arrays_are_named(vertices, faces, error, message):
 
 
 def test_other_things_are_no_mesh():
-    with pytest.raises(TypeError, match="^mesh: got a value of type str, want a warpsample.Mesh, a tuple"):
+    with pytest.raises(TypeError, match="^mesh: got a value of type int, want a warpsample.Mesh, a tuple"):
+        ws.as_mesh(3)
+    with pytest.raises(TypeError, match="^mesh: got 'bunny.ply', want a mesh; warpsample.load_mesh reads files"):
         ws.as_mesh("bunny.ply")
     with pytest.raises(ValueError, match=r"^faces: got shape \(0, 3\)"):
         ws.as_mesh(meshio.Mesh(CUBE.vertices, [("line", [[0, 1]])]))

@@ -5,7 +5,6 @@ from math import pi
 import matplotlib.image
 import numpy as np
 import pytest
-import warp as wp
 from scipy.stats import norm
 
 import warpsample as ws
@@ -88,7 +87,7 @@ def test_the_ball_reflects_as_a_mirror(glossy):
 
 
 def unshadowed():
-    return wp.Mesh(wp.array(BELOW, dtype=wp.vec3, device="cpu"), wp.array([0, 1, 2], dtype=int, device="cpu"))
+    return ws.tree((BELOW, [[0, 1, 2]]))
 
 
 @pytest.mark.parametrize("to_lamp", [False, True])
@@ -102,8 +101,8 @@ def test_the_lamp_without_a_shadow_has_a_closed_form(direct, plausible, to_lamp)
 
 
 def test_both_ways_agree_in_the_shadow_and_one_is_far_better(direct, plausible):
-    mesh, points = direct.scene(24)
-    lobe, cone = (direct.estimate(mesh, points, to_lamp, 512, 2).astype(np.float64) for to_lamp in (False, True))
+    tree, points = direct.scene(24)
+    lobe, cone = (direct.estimate(tree, points, to_lamp, 512, 2).astype(np.float64) for to_lamp in (False, True))
     assert 20 < np.count_nonzero(cone[:, 0] == 0.0) < 200  # of 576 points: what the bunny stands on or hides from the lamp
     deviation = (lobe[:, 0] - cone[:, 0]).sum() / np.sqrt((lobe[:, 1] ** 2 + cone[:, 1] ** 2).sum())
     plausible(2.0 * norm.sf(abs(deviation)))

@@ -99,20 +99,28 @@ def integrate(
     quantity = Quantity(integrand_of(integrand, data, device=plan.memory.device), reach=reach_of(max_distance))
     if mesh is None and max_distance is not None:
         raise ValueError(f"max_distance: got {told(max_distance)} without a mesh, want it with one")
-    _try(plan, quantity)
-    return plan.estimate(quantity)
+    first = _first_of(plan)
+    found = first.estimate(quantity)
+    _check_finite(found)
+    return found if first is plan else plan.estimate(quantity)
 
 
-def _try(plan: Plan, quantity: Quantity) -> None:
-    """Runs the first points with few rays.
-
-    Raises:
-        ValueError: the function is finite at none of them.
-    """
+def _first_of(plan: Plan) -> Plan:
+    """The first points with few rays; of a call with no more points than that, the plan itself."""
+    if len(plan.points) <= _FEW_POINTS:
+        return plan
     few = slice(_FEW_POINTS)
     points = SurfacePoints(plan.points.position[few], plan.points.normal[few], plan.points.face[few])
     active = None if plan.active is None else plan.active[few]
-    found = replace(plan, points=points, active=active, count=min(plan.count, _FEW_RAYS), tolerance=None).estimate(quantity)
+    return replace(plan, points=points, active=active, count=min(plan.count, _FEW_RAYS), tolerance=None)
+
+
+def _check_finite(found: Estimate) -> None:
+    """Refuses a function that is finite at no point.
+
+    Raises:
+        ValueError: it is NaN or infinite at all points that have a normal.
+    """
     broken = np.count_nonzero(found.status == PointStatus.NONFINITE_VALUE)
     if broken and broken == np.count_nonzero(np.isin(found.status, (PointStatus.OK, PointStatus.NONFINITE_VALUE))):
         raise ValueError(f"integrand: got NaN or infinity at each of the first {broken} points, want finite numbers")

@@ -1,10 +1,12 @@
 """A validated triangle mesh, made from the meshes of other libraries, and a report of its flaws."""
 
 from dataclasses import dataclass
+from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property, read_only
 from warpsample.host.neighbours import as_ndarray, kind_told
@@ -165,6 +167,8 @@ def mesh_of(value: Any, argument: str, wants: str) -> Mesh:
         return Mesh(made.points, made.regular_faces)
     if hasattr(value, "points") and hasattr(value, "cells"):
         return Mesh(value.points, _faces_of_cells(value, argument))
+    if isinstance(value, str | PurePath):
+        raise TypeError(f"{argument}: got {told(value)}, want a mesh; warpsample.load_mesh reads files")
     raise TypeError(
         f"{argument}: got {kind_told(value)}, want {wants}, a tuple (vertices, faces), "
         "a pyvista.PolyData, a trimesh.Trimesh or a meshio.Mesh"

@@ -114,8 +114,8 @@ def any_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float3
             words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
             _column(ray.d, rows)
             accelerator = _accelerator(tree)
-            near, _face, _nodes, _leaves = _walk_to_any(accelerator, ray_of(ray.o, ray.d), rows.ptr, ray.reach, words.ptr)
-            hit = near < wp.INF
+            _near, face, _nodes, _leaves = _walk_to_any(accelerator, ray_of(ray.o, ray.d), rows.ptr, ray.reach, words.ptr)
+            hit = face >= 0  # so that nobody computes how far away it is
     return hit
 
 
