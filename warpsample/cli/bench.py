@@ -17,6 +17,11 @@ from warpsample.host.files import check_output, check_output_folder
 
 app = typer.Typer(no_args_is_help=True, help="Run time, measured on this machine.")
 
+Write = Annotated[
+    bool,
+    typer.Option("--write", help="Keep the results in the checkout, and write the README and its pictures from them."),
+]
+
 
 def _measure(benchmark: Benchmark, settings: Any) -> Result:
     """Measures and prints."""
@@ -33,12 +38,15 @@ def _run_and_save(
         Path | None, typer.Option(help="A file for machine, settings and every repeat.", show_default=False)
     ] = None,
     plot: Annotated[Path | None, typer.Option(help="A folder for pictures; made if need be.", show_default=False)] = None,
+    write: Write = False,
 ) -> None:
     if json is not None:
         check_output(json, "--json")
     if plot is not None:
         check_output_folder(plot, "--plot")
         pictures.check_drawing("--plot")
+    if write:
+        _check_write()
     result = _measure(benchmark, settings)
     if json is not None:
         save_everything(json, benchmark, result)
@@ -47,17 +55,30 @@ def _run_and_save(
             files = pictures.save(benchmark.figures(result.found, str(result.machine)), plot)
         for file in files:
             print(f"{file}", file=sys.stderr)  # noqa: T201
+    if write:
+        _write([(benchmark, result)])
     raise SystemExit(benchmark.wrong(result.found))
 
 
+def _check_write() -> None:
+    readme.check_checkout("--write")
+    pictures.check_drawing("--write")
+
+
+def _write(results: list[tuple[Benchmark, Result]]) -> None:
+    """Keeps results and makes the README's measured part: after all are measured, so that an interrupt leaves both as is."""
+    for file in [*(keep(*found, readme.RESULTS) for found in results), *readme.write()]:
+        print(f"{file}", file=sys.stderr)  # noqa: T201
+
+
 def _command(name: str, benchmark: Benchmark) -> Callable[..., None]:
-    """With the benchmark's settings as options, and the two of all."""
+    """With the benchmark's settings as options, and the three of all."""
     own = inspect.signature(benchmark.settings).parameters
     shared = list(inspect.signature(_run_and_save).parameters.values())[2:]
 
-    def command(json: Path | None, plot: Path | None, **settings: Any) -> None:
+    def command(json: Path | None, plot: Path | None, write: bool, **settings: Any) -> None:
         known = benchmarks()[name]
-        _run_and_save(known, known.settings(**settings), json, plot)
+        _run_and_save(known, known.settings(**settings), json, plot, write)
 
     options = [*own.values(), *shared]
     command.__doc__ = benchmark.summary
@@ -72,18 +93,11 @@ for _name, _benchmark in benchmarks().items():
 
 @app.command("all")
 @fail_plainly()
-def bench_all(
-    write: Annotated[
-        bool,
-        typer.Option("--write", help="Keep the results in the checkout, and write the README and its pictures from them."),
-    ] = False,
-) -> None:
+def bench_all(write: Write = False) -> None:
     """Everything by its defaults, one benchmark after the other."""
     if write:
-        readme.check_checkout("--write")
-        pictures.check_drawing("--write")
+        _check_write()
     results = [(benchmark, _measure(benchmark, benchmark.settings())) for benchmark in benchmarks().values()]
-    if write:  # after all are measured, so that what is interrupted leaves README and results that agree
-        for file in [*(keep(*found, readme.RESULTS) for found in results), *readme.write()]:
-            print(f"{file}", file=sys.stderr)  # noqa: T201
+    if write:
+        _write(results)
     raise SystemExit(any(benchmark.wrong(result.found) for benchmark, result in results))
