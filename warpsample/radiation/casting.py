@@ -55,7 +55,7 @@ class Casting:
         rays, normals = self._rays(scene), self.mesh.face_normals
         rays.normals = normals.ctypes.data
         collector = Collector(len(self.mesh.faces), self.replicates)
-        if self.skip:
+        if self.skip and len(rows):
             opens = np.zeros(len(rows), np.uint8)
             rays.rows = rows.ctypes.data
             run(open_kernel(), len(rows), [rays, tree, opens.ctypes.data], cpu(), self.workers, RAY_WORK * len(rows))

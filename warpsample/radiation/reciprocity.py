@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 _CLOSED = 1e-8  # of a row's area, where 1e-7 is promised
-_MOST_STEPS = 2000
+_MOST_STEPS = 500
 _YIELDING = 0.3  # by which power of a row's factor what it loses gives way: what meets nothing is known better than a pair
 
 

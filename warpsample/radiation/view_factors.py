@@ -192,7 +192,7 @@ def view_factors(
         >>> v = ws.view_factors(mesh, 256, up=(0, 0, 1))
         >>> closure = v.matrix.sum(axis=1) + v.outside + v.behind
         >>> print(v.matrix.shape, closure.min(), closure.max(), f"{v.sky.mean():.2f}")
-        (2080, 2080) 1.0 1.0 0.57
+        (2080, 2080) 1.0 1.0 0.62
     """
     mesh = as_mesh(mesh)
     faces = len(mesh.faces)
