@@ -116,7 +116,7 @@ class Casting:
         codes = np.empty((len(rows), self.replicates, self.each), np.int32)
         rays = FaceRaysArgs.from_buffer_copy(of_all)
         rays.rows, rays.codes = rows.ctypes.data, codes.ctypes.data
-        run(face_kernel(), self.replicates * len(rows), [rays, tree], cpu(), 1, RAY_WORK * codes.size)
+        run(face_kernel(), len(rows), [rays, tree], cpu(), 1, RAY_WORK * codes.size)
         if codes.min() <= BACK:
             backs = np.flatnonzero(codes <= BACK)
             run(coincident_kernel(), len(backs), [rays, tree, backs.ctypes.data], cpu(), 1, RAY_WORK * len(backs))

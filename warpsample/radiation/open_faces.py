@@ -2,10 +2,10 @@
 
 import warp as wp
 
-from warpsample.estimate.skipping.frontier import HORIZON_MARGIN, triangles_above, visible
+from warpsample.estimate.skipping.frontier import triangles_above, visible
 from warpsample.host.locks import once
 from warpsample.maths.numerics import lowest_bit
-from warpsample.radiation.face_rays import FaceRays, face_at
+from warpsample.radiation.face_rays import FaceRays, face_at, horizon_margin, lowest_start
 from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, SCRATCH, WIDTH, Accelerator
 from warpsample.tracing.wide.query import put_aside
@@ -58,13 +58,8 @@ def open_kernel() -> wp.Kernel:
         row = first_task + wp.int64(wp.tid())
         face = wp.array(ptr=rays.rows + wp.uint64(row) * wp.uint64(4), shape=(1,), dtype=wp.int32)[0]
         f = face_at(rays, face)
-        n = f.n
-        # What is as low as this below the lowest start is below the horizon of each.
-        reach = wp.abs(n[0]) * rays.extent_x + wp.abs(n[1]) * rays.extent_y + wp.abs(n[2]) * rays.extent_z
-        along = wp.vec3d(wp.float64(n[0]), wp.float64(n[1]), wp.float64(n[2]))
-        lowest = wp.dot(along, f.a) + wp.min(wp.min(wp.dot(along, f.b), wp.dot(along, f.c)), wp.float64(0.0)) + f.lift
-        limit = wp.float32(lowest) - HORIZON_MARGIN * reach
+        limit = wp.float32(lowest_start(f)) - horizon_margin(rays, f.n)
         answer = wp.array(ptr=opens + wp.uint64(row), shape=(1,), dtype=wp.uint8)
-        answer[0] = wp.uint8(wp.where(_stands_above(tree, n, limit, words.ptr), 0, 1))
+        answer[0] = wp.uint8(wp.where(_stands_above(tree, f.n, limit, words.ptr), 0, 1))
 
     return find_open

@@ -23,34 +23,37 @@ def reciprocal_shares(shares: Shares, surfaces: Surfaces) -> Shares:
         UserWarning: no scaling closes all rows.
     """
     areas = surfaces.areas
-    pairs = _pooled(shares, areas, surfaces.densities)
+    pairs, variance = _pooled(shares, areas, surfaces.densities)
     lost = areas * (shares.others["outside"][0] + shares.others["behind"][0])
-    factors = _factors(pairs.real, areas, lost)
-    row = np.repeat(np.arange(len(areas)), np.diff(pairs.indptr))
+    factors = _factors(pairs, areas, lost)
+    row = _rows(pairs.indptr)
     scale = factors[row] * factors[pairs.indices]
     less, area = factors**_YIELDING, areas[row]
-    others = {name: (less * value, np.square(less) * variance) for name, (value, variance) in shares.others.items()}
-    value, variance = pairs.data.real * scale / area, pairs.data.imag * np.square(scale / area)
-    return Shares(pairs.indptr, pairs.indices, value, variance, others)
+    others = {name: (less * value, np.square(less) * error) for name, (value, error) in shares.others.items()}
+    return Shares(pairs.indptr, pairs.indices, pairs.data * scale / area, variance * np.square(scale / area), others)
 
 
-def _pooled(shares: Shares, areas: np.ndarray, densities: np.ndarray) -> "csr_array":
-    """A_i F_ij of each pair, weighted by rays per area, as the real parts of a CSR matrix, its variance as the imaginary.
+def _rows(indptr: np.ndarray) -> np.ndarray:
+    """(E,) int32, the row of each entry."""
+    return np.repeat(np.arange(len(indptr) - 1, dtype=np.int32), np.diff(indptr))
 
-    As two matrices they could lose different entries: SciPy drops zeros when it adds.
-    """
+
+def _pooled(shares: Shares, areas: np.ndarray, densities: np.ndarray) -> tuple["csr_array", np.ndarray]:
+    """A_i F_ij of each pair, from both its sides weighted by rays per area; and its variance."""
     from scipy.sparse import csr_array  # noqa: PLC0415
 
-    row = np.repeat(np.arange(len(areas)), np.diff(shares.indptr))
-    hits = (areas * densities)[row]
-    data = hits * shares.value + 1j * (np.square(hits) * shares.variance)
-    one_way = csr_array((data, shares.indices, shares.indptr), shape=(len(areas), len(areas)))
-    pairs = (one_way + one_way.T.tocsr()).tocsr()
-    pairs.sort_indices()
-    row = np.repeat(np.arange(len(areas)), np.diff(pairs.indptr))
-    both = densities[row] + densities[pairs.indices]
-    pairs.data = pairs.data.real / both + 1j * (pairs.data.imag / np.square(both))
-    return pairs
+    size = (len(areas), len(areas))
+    hits = (areas * densities)[_rows(shares.indptr)]
+    # As two matrices they could lose different entries: SciPy drops zeros when it adds.
+    data = np.empty(len(hits), np.complex128)
+    data.real, data.imag = hits * shares.value, np.square(hits) * shares.variance
+    del hits
+    there = csr_array((data, shares.indices, shares.indptr.astype(np.int32 if len(data) < 2**31 else np.int64)), shape=size)
+    sums = there + there.T.tocsr()
+    del there, data
+    sums.sort_indices()
+    both = densities[_rows(sums.indptr)] + densities[sums.indices]
+    return csr_array((sums.data.real / both, sums.indices, sums.indptr), shape=size), sums.data.imag / np.square(both)
 
 
 def _factors(pairs: "csr_array", areas: np.ndarray, lost: np.ndarray) -> np.ndarray:
