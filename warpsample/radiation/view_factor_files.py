@@ -23,7 +23,7 @@ _VECTORS = ("outside", "outside_error", "behind", "behind_error", "areas", "rays
 _OPTIONAL = ("sky", "sky_error", "ground", "ground_error")
 
 
-def check_factors_file(path: Any, argument: str) -> Path:
+def check_factors_file(path: Any, argument: str, *inputs: Path | None) -> Path:
     """`path`, if view factors can be written there: before anything is computed.
 
     Raises:
@@ -35,7 +35,7 @@ def check_factors_file(path: Any, argument: str) -> Path:
     if path.suffix not in (".npz", ".vf") and not path.name.startswith(_SPARSE):
         raise ValueError(f"{argument}: got {str(path)!r}, want {WANTS}")
     for file in _files(path):
-        check_output(file, argument)
+        check_output(file, argument, *inputs)
     return path
 
 
