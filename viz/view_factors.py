@@ -25,16 +25,17 @@ def panels_of(found: ws.ViewFactors, face: int) -> list[Panel]:
 
 
 def _above(values: np.ndarray) -> float:
-    """A round number above 99 in 100 of those that are not 0, so that a few do not darken the rest."""
+    """A round number above 9 in 10 of those that are not 0, so that a few do not darken the rest."""
     some = values[values > 0.0]
-    return rendering.round_ticks(float(np.quantile(some, 0.99)) if some.size else 1.0, 5)[-1]
+    return rendering.round_ticks(float(np.quantile(some, 0.9)) if some.size else 1.0, 5)[-1]
 
 
 @fail_plainly()
 def main(
     mesh: Annotated[Path, typer.Argument(help="Mesh file; or courtyard, an example.")] = Path("courtyard"),
     face: Annotated[
-        int | None, typer.Option(help="Number of the face; by default the one that sees most of others.", show_default=False)
+        int | None,
+        typer.Option(help="Number of the face; by default the one that sees the most others.", show_default=False),
     ] = None,
     count: Annotated[int, typer.Option(help="Rays of each face.")] = 4096,
     seed: Annotated[int, typer.Option(help="Seed of the rays.")] = 0,
@@ -52,7 +53,7 @@ def main(
     if face is not None:
         check_integer(face, "face", 0, len(surface.faces) - 1)
     found = ws.view_factors(surface, count, seed=seed, up=np.eye(3)["xyz".index(up)])
-    face = int(np.argmin(found.outside)) if face is None else face
+    face = int(np.argmax(np.diff(found.matrix.indptr))) if face is None else face
     place = ", ".join(f"{x:g}" for x in surface.vertices[surface.faces[face]].mean(axis=0).round(3))
     what = f"face {face:,} at ({place}); {count:,} rays of each of {len(surface.faces):,} faces; seed {seed}"
     corners = surface.vertices[surface.faces].reshape(-1, 3)

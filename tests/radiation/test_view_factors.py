@@ -160,7 +160,7 @@ def test_duplicates_share_what_meets_them_and_needles_count():
     mesh, groups = scene(GROUND, LID, LID, needle)
     v, single = ws.view_factors(mesh, 1024, groups=groups), factors([GROUND, LID], 1024)
     assert v.matrix[0, 1] + v.matrix[0, 2] == pytest.approx(single.matrix[0, 1], abs=0.01)
-    assert v.matrix[3].sum() + v.outside[3] + v.behind[3] == 1.0
+    assert v.matrix[[3]].sum() + v.outside[3] + v.behind[3] == 1.0
     assert v.rays[3] == 1024
 
 

@@ -101,7 +101,7 @@ def test_groups_are_sums_of_faces():
 
 def test_pooled_factors_are_reciprocal_and_close():
     v = ws.view_factors(COURTYARD, 256, reciprocal=True, up=Z)
-    exchange = sparse.diags_array(v.areas) @ v.matrix
+    exchange = v.matrix.multiply(v.areas[:, None]).tocsr()
     assert np.abs(exchange - exchange.T).max() <= 1e-12 * exchange.max()
     lost = v.outside + v.behind
     assert np.abs(v.matrix.sum(axis=1) + lost - 1.0).max() < 1e-7

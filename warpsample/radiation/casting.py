@@ -73,10 +73,13 @@ class Casting:
     def _blocks(
         self, rays: FaceRaysArgs, tree: AcceleratorArgs, rows: np.ndarray, surfaces: np.ndarray | None
     ) -> Iterator[Block]:
-        """Blocks of rows, in order; each is cast and counted by one thread, so that none waits for the others."""
+        """Blocks of rows, in order; each is cast and counted by one thread, so that none waits for the others.
+
+        A single thread, too, is not the caller's: there a block would show a bar of its own in place of that of all.
+        """
         size = max(1, min(_BLOCK, _BLOCK_RAYS // self.rays, -(-len(rows) // (4 * self.workers))))
         parts = [rows[first : first + size] for first in range(0, len(rows), size)]
-        if self.workers == 1 or len(parts) < 2:
+        if len(parts) < 2:
             yield from (self._block(rays, tree, part, surfaces) for part in parts)
             return
         pool = ThreadPoolExecutor(self.workers, thread_name_prefix="warpsample")
