@@ -64,6 +64,23 @@ def test_nothing_leaks_from_a_closed_mesh(name):
     assert (np.round(v.matrix.sum(axis=1) * 256) + np.round((v.outside + v.behind) * 256) == 256).all()
 
 
+def test_nothing_leaks_from_an_acute_edge_where_faces_are_small():
+    """A closed wedge of 20 degrees in a scene so large that rays start a tenth of its height above its faces."""
+    tip, high = np.array([0.0, 0.0, 0.0]), np.array([0.2, 0.0, 0.2 * np.tan(np.radians(20.0))])
+    end, depth = np.array([0.2, 0.0, 0.0]), 0.2 * Y
+    wedge = [
+        rectangle(tip, end, depth),
+        rectangle(tip, depth, high),
+        rectangle(end, high - end, depth),
+        [tip, high, end],
+        [end + depth, high + depth, tip + depth],
+    ]
+    far = [(4000.0, 0.0, 4000.0), (4000.0, 1.0, 4000.0), (4000.0, 0.0, 4001.0)]
+    mesh, groups = scene(*wedge, far)
+    v = ws.view_factors(mesh, 4096, groups=groups)
+    assert v.outside[:5].tolist() == v.behind[:5].tolist() == [0.0] * 5
+
+
 def test_a_convex_body_in_another():
     mesh, number = scene(*box(2.0), *box(1.0, (0.1, -0.2, 0.3), inwards=False))
     v = ws.view_factors(mesh, 4096, groups=number // 6)
