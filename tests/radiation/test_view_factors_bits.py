@@ -9,7 +9,7 @@ from view_factor_cases import GROUND, LID, TETRAHEDRON, X, Y, Z, box, rectangle,
 import warpsample as ws
 from warpsample.radiation import casting
 from warpsample.radiation.reciprocity import reciprocal_shares
-from warpsample.radiation.shares import Shares
+from warpsample.radiation.row_shares import Shares
 from warpsample.radiation.surfaces import surfaces_of
 
 COURTYARD = ws.load_mesh("courtyard")

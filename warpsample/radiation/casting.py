@@ -12,7 +12,8 @@ from warpsample.host.engine import run
 from warpsample.host.progress import begin
 from warpsample.mesh.mesh import Mesh
 from warpsample.radiation.coincident import coincident_kernel
-from warpsample.radiation.face_rays import BACK, FaceRaysArgs, face_kernel, step_of
+from warpsample.radiation.face_kernel import face_kernel
+from warpsample.radiation.face_rays import BACK, FaceRaysArgs, step_of
 from warpsample.radiation.hits_to_matrix import Block, Collector, Counts, block_of
 from warpsample.radiation.open_faces import open_kernel
 from warpsample.tracing.rays import RAY_WORK

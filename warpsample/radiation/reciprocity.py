@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from warpsample.radiation.shares import Shares
+from warpsample.radiation.row_shares import Shares
 from warpsample.radiation.surfaces import Surfaces
 
 if TYPE_CHECKING:

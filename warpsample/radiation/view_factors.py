@@ -15,7 +15,7 @@ from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.radiation.casting import Casting
 from warpsample.radiation.radiosity import radiosity_of
 from warpsample.radiation.reciprocity import reciprocal_shares
-from warpsample.radiation.shares import Shares, shares_of
+from warpsample.radiation.row_shares import Shares, shares_of
 from warpsample.radiation.surfaces import Surfaces, check_groups, surfaces_of
 from warpsample.radiation.view_factor_files import check_factors_file, load, save
 
