@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from warpsample.mesh.mesh import Mesh, as_mesh
     from warpsample.mesh.report import MeshReport
     from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+    from warpsample.radiation.view_factors import ViewFactors, view_factors
     from warpsample.tracing.scene import refit
     from warpsample.tracing.trace import Hits, trace
     from warpsample.tracing.tree import tree
@@ -58,6 +59,7 @@ __all__ = [
     "UniformDisk",
     "UniformHemisphere",
     "UniformSphere",
+    "ViewFactors",
     "VisibleBeckmann",
     "VisibleGGX",
     "VonMisesFisher",
@@ -78,6 +80,7 @@ __all__ = [
     "trace",
     "tree",
     "vertex_points",
+    "view_factors",
 ]
 
 # Distributions are not listed: they are found by their records.
@@ -92,6 +95,7 @@ _HOMES = {
     "mesh.files": ("load_mesh",),
     "mesh.report": ("MeshReport",),
     "mesh.surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
+    "radiation.view_factors": ("ViewFactors", "view_factors"),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
     "tracing.tree": ("tree",),

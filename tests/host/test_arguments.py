@@ -12,6 +12,7 @@ import pytest
 import pyvista as pv
 import warp as wp
 from argument_examples import COUNT, FACES, MESH, NEEDS, NO_DEFAULT, POINTS, UNIT, VERTICES, kind_of, values
+from scipy.sparse import csr_array
 
 import warpsample as ws
 from warpsample.distributions.record import Distribution
@@ -25,15 +26,20 @@ RESULTS = (
     ws.MeshReport,
     ws.Skipped,
     ws.SkyView,
+    ws.ViewFactors,
 )  # which users read and do not make
 FOR_PROOFS = ("seam",)  # takes what `sample` has taken
 PLANE = pv.PolyData.from_regular_faces(VERTICES, FACES)
+HALVES = csr_array(np.full((2, 2), 0.5))
 EXAMPLES = {
     ws.Directions: ws.Directions(np.zeros((4, COUNT, 3), np.float32), None, np.zeros(4, np.uint8)),
     ws.Estimate: ws.Estimate(*np.zeros((4, 4), np.float32), np.zeros(4, int), np.zeros(4, np.uint8), ws.Skipped()),
     ws.GGX: ws.GGX(0.5),
     ws.Mesh: MESH,
     ws.SurfacePoints: POINTS,
+    ws.ViewFactors: ws.ViewFactors(
+        HALVES, HALVES, *np.zeros((5, 2)), np.full(2, COUNT), np.zeros(2, np.uint8), ws.Skipped()
+    ),
 }
 VIA = {  # whose arguments **options are
     type(PLANE.warpsample).sample_directions: ws.sample_directions,

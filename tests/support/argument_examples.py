@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import inf, nan
 from pathlib import Path
+from tempfile import mkdtemp
 from typing import Any
 
 import numpy as np
@@ -139,6 +140,15 @@ KINDS = {
     "sequences.get.name": kind("sobol", said=("sequence",)),
     "distributions.get.name": kind("ggx", said=("distribution",)),
     "value": kind("ggx(alpha=0.5)", said=("distribution",)),
+    "view_factors.count": kind(COUNT, wrong=(0, 3, 2**24 + 1)),
+    "replicates": kind(2, WHOLE, wrong=(0, 65)),
+    "groups": kind(np.array([1, 0]), wrong=([-1, 0], [2**31 - 1, 0], [0.0, 1.0])),
+    "reciprocal": kind(False, *FLAG),
+    "first_face": kind(3, WHOLE, wrong=(2**62,)),
+    "view_factors.active": kind(np.array([True, False]), "bool"),
+    "emission": kind(np.ones(2), "float32(0.5)", WHOLE, "-1", "1.5", "no axis"),
+    "reflectance": kind(np.array([0.5, 0.1]), "float32(0.5)", "no axis", wrong=([0.5, 1.5], [0.5, nan])),
+    "ViewFactors.save.path": kind(Path(mkdtemp()) / "factors.npz"),
 }
 NEEDS = {  # to be of use
     "falloff": {"max_distance": 2.0},

@@ -154,6 +154,35 @@ def bake_command(
     print(summary)  # noqa: T201
 
 
+@app.command("view-factors")
+@fail_plainly()
+def view_factors_command(
+    mesh: MeshFile,
+    output: Annotated[
+        Path,
+        typer.Option("--output", "-o", help="The file to write: .npz .vf, or vfsparse.inp and more.", show_default=False),
+    ],
+    count: Annotated[int, typer.Option(help="Rays of each face.")] = 4096,
+    groups: Annotated[
+        Path | None,
+        typer.Option(help="Text or .npy: a whole number for each face, the surface it is part of.", show_default=False),
+    ] = None,
+    reciprocal: Annotated[bool, typer.Option("--reciprocal", help="Pool both directions of each pair, and close.")] = False,
+    up: Annotated[
+        tuple[float, float, float] | None,
+        typer.Option(help="The sky's axis, to part sky from ground.", show_default=False),
+    ] = None,
+    seed: Annotated[int, typer.Option(help="Seed of the rays.")] = 0,
+    workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
+) -> None:
+    """Estimate the view factors between all faces of a mesh, what is in the way included, into a sparse matrix."""
+    from warpsample.radiation.view_factor_run import run_view_factors  # noqa: PLC0415
+
+    options = {"count": count, "reciprocal": reciprocal, "up": up, "seed": seed, "workers": workers}
+    with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 5 s"):
+        print(run_view_factors(mesh, output, groups, options))  # noqa: T201
+
+
 @app.command()
 @fail_plainly()
 def view(

@@ -1,0 +1,104 @@
+"""`warpsample view-factors` and the picture of a row."""
+
+import re
+
+import numpy as np
+import pytest
+from scipy import sparse
+from view_factor_cases import box, scene
+
+import warpsample as ws
+from warpsample.radiation import casting
+
+
+@pytest.fixture
+def cube_inwards(tmp_path):
+    mesh, groups = scene(*box())
+    path = tmp_path / "cube.off"
+    lines = ["OFF", f"{len(mesh.vertices)} {len(mesh.faces)} 0"]
+    lines += [" ".join(map(str, row)) for row in mesh.vertices.tolist()]
+    lines += [" ".join(map(str, [3, *row])) for row in mesh.faces.tolist()]
+    path.write_text("\n".join(lines) + "\n")
+    np.savetxt(tmp_path / "groups.txt", groups, fmt="%d")
+    np.save(tmp_path / "groups.npy", groups)
+    return path
+
+
+def test_the_file_holds_what_the_call_gives(call, cube_inwards, tmp_path):
+    output = tmp_path / "factors.npz"
+    status, out, err = call("view-factors", cube_inwards, "-o", output, "--count", 256, "--seed", 3, "--up", 0, 0, 1)
+    assert (status, err) == (0, "")
+    right = ws.view_factors(ws.load_mesh(cube_inwards), 256, seed=3, up=(0, 0, 1))
+    assert (sparse.load_npz(output) != right.matrix).nnz == 0
+    assert re.fullmatch(
+        rf".*factors.npz: {right.matrix.nnz} view factors between 12 surfaces by 3,072 rays, closure to 0, "
+        r"reciprocity to 0\.\d+, behind 0\n",
+        out,
+    )
+
+
+@pytest.mark.parametrize("groups", ["groups.txt", "groups.npy"])
+def test_groups_and_reciprocity(call, cube_inwards, tmp_path, groups):
+    output = tmp_path / "vfsparse.inp.1"
+    options = ["--groups", tmp_path / groups, "--reciprocal", "--count", 256]
+    status, out, err = call("view-factors", cube_inwards, "-o", output, *options)
+    assert (status, err) == (0, "")
+    assert re.search(r"30 view factors between 6 surfaces .* closure to \de-(09|10|11), reciprocity to (0|\d.*e-1\d),", out)
+    assert len(output.read_text().splitlines()) == 30
+    assert len((tmp_path / "svf.inp.1").read_text().splitlines()) == 7
+
+
+@pytest.mark.parametrize("stop", [KeyboardInterrupt, MemoryError("no room")])
+def test_an_interrupted_run_leaves_the_old_file(call, cube_inwards, tmp_path, monkeypatch, stop):
+    output = tmp_path / "factors.npz"
+    output.write_text("old")
+    before = set(tmp_path.iterdir())
+    monkeypatch.setattr(casting.Casting, "_block", lambda *_: (_ for _ in ()).throw(stop))
+    status, _, err = call("view-factors", cube_inwards, "-o", output)
+    assert status != 0
+    assert len(err.splitlines()) == 1
+    assert output.read_text() == "old"
+    assert set(tmp_path.iterdir()) == before
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (("-o", "a.txt"), "error: --output: got .*want a name that ends"),
+        (("-o", "factors.npz", "--count", 3), "error: --count: got 3, want"),
+        (("-o", "factors.npz", "--groups", "cube.off"), "error: --groups: got .*cannot be read"),
+        (("-o", "factors.npz", "--groups", "none.txt"), "error: --groups: got .*missing"),
+        (("-o", "factors.npz", "--up", 0, 0, 0), "error: --up: got"),
+    ],
+)
+def test_one_sentence_says_what_is_wrong(call, cube_inwards, tmp_path, monkeypatch, options, said):
+    monkeypatch.chdir(tmp_path)
+    status, out, err = call("view-factors", cube_inwards, *options)
+    assert (status, out) == (2, "")
+    assert re.match(said, err)
+    assert len(err.splitlines()) == 1
+    assert not (tmp_path / "factors.npz").exists()
+
+
+def test_the_picture_shows_the_row(script):
+    mesh, _ = scene(*box())
+    found = ws.view_factors(mesh, 256, up=(0, 0, 1))
+    row, error, sky = script("view_factors").panels_of(found, 3)
+    assert np.array_equal(row.value[::3], found.matrix.toarray()[3])
+    assert np.array_equal(error.value[2::3], found.standard_error.toarray()[3])
+    assert np.array_equal(sky.value[1::3], found.sky)
+    assert row.high >= np.quantile(row.value[row.value > 0.0], 0.9)
+
+
+@pytest.mark.slow
+def test_the_picture_is_drawn(can_render, script, tmp_path, capsys):
+    file = tmp_path / "row.png"
+    script("view_factors").main(count=64, screenshot=file, size=(900, 340))
+    assert "face " in capsys.readouterr().out
+    assert file.stat().st_size > 10_000
+
+
+def test_the_picture_says_what_is_wrong(can_render, script, tmp_path, capsys):
+    with pytest.raises(SystemExit):
+        script("view_factors").main(face=2080, screenshot=tmp_path / "row.png")
+    assert re.match("error: --face: got 2080, want a whole number from 0 to 2079", capsys.readouterr().err)

@@ -1,0 +1,94 @@
+"""Are the error bars of view factors honest: squared error over squared bar, over many seeds."""
+
+import numpy as np
+import pytest
+import trimesh
+from view_factor_cases import GROUND, LID, X, Y, Z, box, rectangle, scene
+
+import warpsample as ws
+
+SCENE, POLYGON = scene(
+    GROUND,
+    LID,
+    rectangle((0.25, 0.25, 0.5), 0.5 * X, 0.5 * Y),
+    rectangle((0, 0, 0), Y, 0.3 * Z),
+    *box(0.2, (0.8, 0.8, 0.2), False),
+)
+
+
+def runs(seeds, **options):
+    return [ws.view_factors(SCENE, 256, seed=seed, up=Z, **options) for seed in range(seeds)]
+
+
+def ratios(values, bars, right):
+    """Mean squared error over mean squared bar of each number that occurs."""
+    errors = np.mean(np.square(np.array(values) - right), axis=0)
+    squares = np.mean(np.square(bars), axis=0)
+    return errors[squares > 0.0] / squares[squares > 0.0], errors[squares == 0.0]
+
+
+def all_ratios(options, seeds):
+    """Of all entries and of what meets no front."""
+    right = ws.view_factors(SCENE, 2**18, seed=10**6, up=Z, **options)
+    found = runs(seeds, **options)
+    yield (
+        "matrix",
+        *ratios([v.matrix.toarray() for v in found], [v.standard_error.toarray() for v in found], right.matrix.toarray()),
+    )
+    for name in ("outside", "behind", "sky", "ground"):
+        values, bars = ([getattr(v, name + end) for v in found] for end in ("", "_error"))
+        yield name, *ratios(values, bars, getattr(right, name))
+
+
+def check_all(options, seeds, tightest):
+    for name, ratio, unseen in all_ratios(options, seeds):
+        assert ratio.mean() <= 1.25, name
+        assert ratio.mean() >= tightest, name
+        assert ratio.max() < 4.0, name
+        assert unseen.max(initial=0.0) < 1e-6, name
+
+
+KINDS = {
+    "raw": ({}, 0.3),
+    "one replicate": ({"replicates": 1}, 0.1),
+    "groups": ({"groups": POLYGON}, 0.3),
+    "reciprocal": ({"reciprocal": True}, 0.2),
+    "reciprocal groups": ({"groups": POLYGON, "reciprocal": True}, 0.2),
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_errors_are_as_large_as_said(kind):
+    options, tightest = KINDS[kind]
+    check_all(options, 40, tightest)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", KINDS)
+def test_errors_are_as_large_as_said_over_200_seeds(kind):
+    options, tightest = KINDS[kind]
+    check_all(options, 200, tightest)
+
+
+def test_where_hits_are_few_the_bar_is_not_too_wide():
+    """A small face far away: a few hits of 256 rays."""
+    mesh, groups = scene(GROUND, rectangle((0, 0, 1), 0.1 * Y, 0.1 * X))
+    right = ws.view_factors(mesh, 2**18, seed=10**6, groups=groups)
+    found = [ws.view_factors(mesh, 256, seed=seed, groups=groups) for seed in range(200)]
+    values, bars = ([m.toarray()[0, 1] for m in ms] for ms in ([v.matrix for v in found], [v.standard_error for v in found]))
+    assert right.matrix[0, 1] * 512 < 4.0
+    ratio = np.mean(np.square(np.array(values) - right.matrix[0, 1])) / np.mean(np.square(bars))
+    assert 0.4 <= ratio <= 1.25
+
+
+def test_pooling_is_more_precise_than_one_side():
+    """In a box of 192 faces, against 2^15 rays of each."""
+    mesh = trimesh.creation.box().subdivide().subdivide()
+    mesh = ws.Mesh(mesh.vertices, mesh.faces[:, ::-1])
+    right = ws.view_factors(mesh, 2**15, seed=10**6, reciprocal=True).matrix.toarray()
+
+    def rmse(**options):
+        found = [ws.view_factors(mesh, 1024, seed=seed, **options).matrix.toarray() for seed in range(3)]
+        return np.sqrt(np.mean([np.square(one - right) for one in found]))
+
+    assert rmse(reciprocal=True) < 0.8 * rmse()

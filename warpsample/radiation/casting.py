@@ -1,0 +1,127 @@
+"""Casts the rays of faces, block by block on worker threads, and counts what they meet."""
+
+from collections import deque
+from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+
+from warpsample.host.arrays import cpu
+from warpsample.host.engine import run
+from warpsample.host.progress import begin
+from warpsample.mesh.mesh import Mesh
+from warpsample.radiation.coincident import coincident_kernel
+from warpsample.radiation.face_kernel import face_kernel
+from warpsample.radiation.face_rays import BACK, FaceRaysArgs, step_of
+from warpsample.radiation.hits_to_matrix import Block, Collector, Counts, block_of
+from warpsample.radiation.open_faces import open_kernel
+from warpsample.tracing.rays import RAY_WORK
+from warpsample.tracing.scene import Scene, coarseness_of, scene_of
+from warpsample.tracing.tracers import WIDE
+from warpsample.tracing.wide.layout import AcceleratorArgs
+
+_BLOCK = 256  # faces whose rays are kept at a time, as long as they are fewer than
+_BLOCK_RAYS = 1 << 22
+
+
+@dataclass(frozen=True)
+class Casting:
+    """The checked arguments by which rays are cast."""
+
+    mesh: Mesh
+    each: int
+    replicates: int
+    seed: int
+    up: tuple[float, float, float] | None
+    first_face: int
+    skip: bool
+    workers: int
+
+    @property
+    def rays(self) -> int:
+        """Of each face."""
+        return self.each * self.replicates
+
+    def upward(self) -> np.ndarray | None:
+        """(F,) float64, the share of each face's hemisphere that is above the horizon; None without one."""
+        if self.up is None:
+            return None
+        return np.clip(0.5 + 0.5 * (self.mesh.face_normals.astype(np.float64) @ self.up), 0.0, 1.0)
+
+    def counts(self, rows: np.ndarray, surfaces: np.ndarray | None) -> tuple[Counts, np.ndarray]:
+        """What the rays of some faces meet, and which of all faces cast any."""
+        scene = scene_of(self.mesh)
+        tree = WIDE.accelerator(scene, cpu(), self.workers)
+        rays, normals = self._rays(scene), self.mesh.face_normals
+        rays.normals = normals.ctypes.data
+        collector = Collector(len(self.mesh.faces), self.replicates)
+        if self.skip and len(rows):
+            opens = np.zeros(len(rows), np.uint8)
+            rays.rows = rows.ctypes.data
+            run(open_kernel(), len(rows), [rays, tree, opens.ctypes.data], cpu(), self.workers, RAY_WORK * len(rows))
+            collector.all_open(rows[opens == 1], self.each)
+            rows = rows[opens == 0]
+        done = begin(len(rows), RAY_WORK * self.rays * len(rows))
+        for block in self._blocks(rays, tree, rows, surfaces):
+            collector.take(block)
+            if done:
+                done(len(block.rows))
+        cast = np.zeros(len(self.mesh.faces), np.bool_)
+        cast[rows] = True
+        return collector.counts(), cast
+
+    def _blocks(
+        self, rays: FaceRaysArgs, tree: AcceleratorArgs, rows: np.ndarray, surfaces: np.ndarray | None
+    ) -> Iterator[Block]:
+        """Blocks of rows, in order; each is cast and counted by one thread, so that none waits for the others.
+
+        A single thread, too, is not the caller's: there a block would show a bar of its own in place of that of all.
+        """
+        size = max(1, min(_BLOCK, _BLOCK_RAYS // self.rays, -(-len(rows) // (4 * self.workers))))
+        parts = [rows[first : first + size] for first in range(0, len(rows), size)]
+        if len(parts) < 2:
+            yield from (self._block(rays, tree, part, surfaces) for part in parts)
+            return
+        pool = ThreadPoolExecutor(self.workers, thread_name_prefix="warpsample")
+        try:
+            waiting: deque[Future[Block]] = deque()
+            for part in parts:
+                waiting.append(pool.submit(self._block, rays, tree, part, surfaces))
+                if len(waiting) > 2 * self.workers:
+                    yield waiting.popleft().result()
+            while waiting:
+                yield waiting.popleft().result()
+        finally:
+            pool.shutdown(cancel_futures=True)
+
+    def _rays(self, scene: Scene) -> FaceRaysArgs:
+        """The rays of a scene; it holds addresses of the scene's arrays, which live as long as the mesh."""
+        x, y, z = self.up or (0.0, 0.0, 0.0)
+        return FaceRaysArgs(
+            vertices=scene.vertices.ctypes.data,
+            triangles=scene.faces.ctypes.data,
+            seed=self.seed,
+            first_face=self.first_face,
+            replicates=self.replicates,
+            each=self.each,
+            step=step_of(self.each),
+            extent_x=scene.extent[0],
+            extent_y=scene.extent[1],
+            extent_z=scene.extent[2],
+            coarseness=coarseness_of(scene, True),
+            up_x=x,
+            up_y=y,
+            up_z=z,
+        )
+
+    def _block(self, of_all: FaceRaysArgs, tree: AcceleratorArgs, rows: np.ndarray, surfaces: np.ndarray | None) -> Block:
+        """Casts the rays of some faces, and counts what they meet."""
+        codes = np.empty((len(rows), self.replicates, self.each), np.int32)
+        rays = FaceRaysArgs.from_buffer_copy(of_all)
+        rays.rows, rays.codes = rows.ctypes.data, codes.ctypes.data
+        run(face_kernel(), len(rows), [rays, tree], cpu(), 1, RAY_WORK * codes.size)
+        if codes.min() <= BACK:
+            backs = np.flatnonzero(codes <= BACK)
+            run(coincident_kernel(), len(backs), [rays, tree, backs.ctypes.data], cpu(), 1, RAY_WORK * len(backs))
+        return block_of(rows, codes, surfaces)

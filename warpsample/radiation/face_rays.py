@@ -1,0 +1,156 @@
+"""Rays of faces: where they start and go, place and direction from one lattice, and what is kept of each."""
+
+from fractions import Fraction
+
+import warp as wp
+
+from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphere
+from warpsample.estimate.skipping.frontier import HORIZON_MARGIN
+from warpsample.maths.frames import to_world
+from warpsample.maths.numerics import uniform_from_bits, weyl
+from warpsample.tracing.facets import in_double, vector_at
+from warpsample.tracing.placement import lift_within
+
+SKY, GROUND, BACK = -1, -2, -3
+"""What is kept of a ray that meets nothing, above or below the horizon; a face met from behind is BACK - its number, one met
+from the front its number."""
+
+# 2^64 / g, / g^2, / g^3 for the root g of g^4 = g + 1, rounded to odd: the steps along a face and in azimuth.
+_STEP_A = wp.constant(wp.uint64(0xD1B54A32D192ED03))
+_STEP_B = wp.constant(wp.uint64(0xABC98388FB8FAC03))
+_STEP_TURN = wp.constant(wp.uint64(0x8CB92BA72F3D8DD7))
+_BIT = wp.constant(wp.uint32(1))
+_CELL = wp.constant(wp.float64(2.0**-31))
+_ZERO = wp.constant(wp.float64(0.0))
+_HALF = wp.constant(wp.float64(0.5))
+_ONE = wp.constant(wp.float64(1.0))
+_INWARDS = wp.constant(wp.float64(4.0))
+_ROUNDINGS = wp.constant(wp.float64(2.0**-22))
+
+
+@wp.struct
+class FaceRays:
+    """Scalars and addresses of the rays of some faces of a scene.
+
+    rows: (B,) int32, the faces. codes: (B, replicates, each) int32, what their rays met, see SKY.
+    vertices, triangles: (V, 3) float32 and (F, 3) int32 of the scene; normals: (F, 3) float32, unit.
+    step: 2^64 / each, along which sin^2 theta goes. first_face: the global number of face 0.
+    extent, coarseness: of the scene, by which points are moved off their face. up: the sky's axis.
+    """
+
+    rows: wp.uint64
+    codes: wp.uint64
+    vertices: wp.uint64
+    triangles: wp.uint64
+    normals: wp.uint64
+    seed: wp.uint64
+    first_face: wp.uint64
+    replicates: wp.int32
+    each: wp.int32
+    step: wp.uint64
+    extent_x: wp.float32
+    extent_y: wp.float32
+    extent_z: wp.float32
+    coarseness: wp.float32
+    up_x: wp.float32
+    up_y: wp.float32
+    up_z: wp.float32
+
+
+FaceRaysArgs = type(FaceRays().__ctype__())
+
+
+def step_of(each: int) -> int:
+    """2^64 / each, rounded."""
+    return round(Fraction(1 << 64, each)) if each > 1 else 0
+
+
+@wp.struct
+class Face:
+    """A face as its rays see it: a corner, two sides from there, its normal, and how far points are moved off it.
+
+    inner_a, inner_b, inner_c: least weights of the corners.
+    """
+
+    a: wp.vec3d
+    b: wp.vec3d
+    c: wp.vec3d
+    n: wp.vec3
+    lift: wp.float64
+    inner_a: wp.float64
+    inner_b: wp.float64
+    inner_c: wp.float64
+
+
+@wp.func
+def face_at(rays: FaceRays, face: wp.int32) -> Face:
+    """A face, with the least weights of its corners that keep points as far from its sides as rays from there need.
+
+    What is nearer to a side than four lifts and eight roundings could be behind the face that meets it there, and see out of
+    a closed room, if the two are at an angle of 14 degrees or more. It is moved inwards to there: a share of the square of
+    that over the face's size, so nothing is lost. Not further than half of the face.
+    """
+    corners = wp.array(ptr=rays.triangles + wp.uint64(face) * wp.uint64(12), shape=(1,), dtype=wp.vec3i)[0]
+    f = Face()
+    f.a = in_double(vector_at(rays.vertices, wp.int64(corners[0])))
+    f.b = in_double(vector_at(rays.vertices, wp.int64(corners[1]))) - f.a
+    f.c = in_double(vector_at(rays.vertices, wp.int64(corners[2]))) - f.a
+    f.n = vector_at(rays.normals, wp.int64(face))
+    extent = wp.vec3(rays.extent_x, rays.extent_y, rays.extent_z)
+    f.lift = wp.float64(lift_within(extent, rays.coarseness, f.n))
+    inwards = _INWARDS * f.lift + _ROUNDINGS * wp.float64(extent[0] + extent[1] + extent[2])
+    area = wp.length(wp.cross(f.b, f.c))
+    share = inwards / wp.max(area, wp.float64(1e-300))
+    f.inner_a = share * wp.length(f.c - f.b)
+    f.inner_b = share * wp.length(f.c)
+    f.inner_c = share * wp.length(f.b)
+    too_much = wp.max(_ONE, (f.inner_a + f.inner_b + f.inner_c) / _HALF)
+    f.inner_a = f.inner_a / too_much
+    f.inner_b = f.inner_b / too_much
+    f.inner_c = f.inner_c / too_much
+    return f
+
+
+@wp.func
+def _uniform(bits: wp.uint32) -> wp.float64:
+    """In (0, 1), by 31 bits: a signed integer becomes a float in one instruction."""
+    return (wp.float64(wp.int32(bits >> _BIT)) + _HALF) * _CELL
+
+
+@wp.func
+def direction_of(frame: wp.mat33, key: wp.vec4ui, step: wp.uint64, i: wp.uint32) -> wp.vec3:
+    """The direction of a replicate's i-th ray."""
+    radius = weyl(i, step) + wp.uint32(step >> wp.uint64(33)) + key[0]
+    turn = weyl(i, _STEP_TURN) + key[1]
+    return to_world(frame, square_to_cosine_hemisphere(wp.vec2(uniform_from_bits(radius), uniform_from_bits(turn))))
+
+
+@wp.func
+def start_of(f: Face, key: wp.vec4ui, i: wp.uint32) -> wp.vec3:
+    """Where a replicate's i-th ray starts: a uniform point of the face (Turk1990, method 2), moved off it."""
+    root = wp.sqrt(_uniform(weyl(i, _STEP_A) + key[2]))
+    split = _uniform(weyl(i, _STEP_B) + key[3])
+    b = wp.max(root * (_ONE - split) - f.inner_b, _ZERO)
+    c = wp.max(root * split - f.inner_c, _ZERO)
+    room = _ONE - (f.inner_a + f.inner_b + f.inner_c)
+    less = wp.min(_ONE, room / wp.max(b + c, _CELL))
+    b = f.inner_b + less * b
+    c = f.inner_c + less * c
+    return wp.vec3(
+        wp.float32(f.a[0] + b * f.b[0] + c * f.c[0] + f.lift * wp.float64(f.n[0])),
+        wp.float32(f.a[1] + b * f.b[1] + c * f.c[1] + f.lift * wp.float64(f.n[1])),
+        wp.float32(f.a[2] + b * f.b[2] + c * f.c[2] + f.lift * wp.float64(f.n[2])),
+    )
+
+
+@wp.func
+def lowest_start(f: Face) -> wp.float64:
+    """How far along the normal the rays of a face start, at least."""
+    along = in_double(f.n)
+    return wp.dot(along, f.a) + wp.min(wp.min(wp.dot(along, f.b), wp.dot(along, f.c)), _ZERO) + f.lift
+
+
+@wp.func
+def horizon_margin(rays: FaceRays, n: wp.vec3) -> wp.float32:
+    """What is as far below a start is below its horizon for sure."""
+    return HORIZON_MARGIN * (wp.abs(n[0]) * rays.extent_x + wp.abs(n[1]) * rays.extent_y + wp.abs(n[2]) * rays.extent_z)

@@ -1,0 +1,116 @@
+"""Numbers of faces, one for each ray, become counts: sorted row by row, and only what occurs is kept."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from warpsample.host.engine import check_memory
+from warpsample.radiation.face_rays import BACK, GROUND, SKY
+
+SPECIAL = 3
+"""Kinds of rays that meet no front: to the sky, to the ground, and those that meet a back."""
+
+_BYTES = 48  # of an entry: what is kept, and what is made of it at the end
+
+
+@dataclass(frozen=True, eq=False)
+class Counts:
+    """How many rays of each row met each column, replicate by replicate.
+
+    Attributes:
+        indptr: (rows + 1,) int64, as in a CSR matrix.
+        indices: (E,) int32, columns, ascending in each row.
+        hits: (E, replicates) int32.
+        special: (rows, SPECIAL, replicates) int32.
+    """
+
+    indptr: np.ndarray
+    indices: np.ndarray
+    hits: np.ndarray
+    special: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Block:
+    """The same of some rows: (B,) their numbers, ascending; (B,) how many columns each has; columns, hits and special."""
+
+    rows: np.ndarray
+    sizes: np.ndarray
+    columns: np.ndarray
+    hits: np.ndarray
+    special: np.ndarray
+
+
+def block_of(rows: np.ndarray, codes: np.ndarray, groups: np.ndarray | None) -> Block:
+    """Counts what the rays of some rows met.
+
+    Args:
+        rows: (B,) int32.
+        codes: (B, replicates, each) int32, see `face_rays.SKY`; changed.
+        groups: (F,) int32, the column that each face counts for; None: its own.
+    """
+    if groups is not None:
+        met = codes >= 0
+        codes[met] = groups[codes[met]]
+    np.maximum(codes, BACK, out=codes)
+    row, column, hits = _counted(codes)
+    special = np.zeros((len(rows), SPECIAL, codes.shape[1]), np.int32)
+    for kind, code in enumerate((SKY, GROUND, BACK)):
+        of_kind = np.flatnonzero(column == code)
+        special[row[of_kind], kind] = hits[of_kind]
+    front = np.flatnonzero(column >= 0)
+    return Block(rows, np.bincount(row[front], minlength=len(rows)), column[front], hits[front], special)
+
+
+class Collector:
+    """Takes blocks, in the order of their rows, and puts them together."""
+
+    def __init__(self, rows: int, replicates: int) -> None:
+        """Begins with no ray."""
+        self._sizes = np.zeros(rows + 1, np.int64)
+        self._special = np.zeros((rows, SPECIAL, replicates), np.int32)
+        self._blocks = [(np.empty(0, np.int32), np.empty((0, replicates), np.int32))]
+        self._entries = 0
+
+    def all_open(self, rows: np.ndarray, each: int) -> None:
+        """Rows all of whose rays meet nothing; which of them go to the sky is told later."""
+        self._special[rows, 0] = each
+
+    def take(self, block: Block) -> None:
+        """Adds a block.
+
+        Raises:
+            MemoryError: it and those before take more than is free.
+        """
+        self._sizes[block.rows + 1] = block.sizes
+        self._special[block.rows] = block.special
+        self._blocks.append((block.columns, block.hits))
+        self._entries += len(block.columns)
+        check_memory(_BYTES * self._entries, f"{self._entries:,} view factors and more", "take fewer rays, or groups")
+
+    def counts(self) -> Counts:
+        """All rows."""
+        columns, hits = (np.concatenate(parts) for parts in zip(*self._blocks, strict=True))
+        self._blocks.clear()
+        return Counts(np.cumsum(self._sizes), columns, hits, self._special)
+
+
+def _counted(codes: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(row, code, hits of each replicate) of each code that occurs in a row of (B, replicates, each), in order."""
+    rows, replicates, each = codes.shape
+    wide = np.int32 if (int(codes.max()) + 1) * replicates < 2**31 else np.int64
+    keys = codes * wide(replicates)  # one sort tells codes apart and replicates within them
+    keys += np.arange(replicates, dtype=wide)[:, None]
+    keys = keys.reshape(rows, replicates * each)
+    keys.sort(axis=1)
+    new = np.ones(keys.shape, np.bool_)
+    np.not_equal(keys[:, 1:], keys[:, :-1], out=new[:, 1:])
+    at = np.flatnonzero(new)
+    key, length = keys.ravel()[at], np.diff(at, append=keys.size)
+    code, row = key // wide(replicates), at // (replicates * each)
+    first = np.ones(len(at), np.bool_)
+    first[1:] = (code[1:] != code[:-1]) | (row[1:] != row[:-1])
+    hits = np.zeros((np.count_nonzero(first), replicates), np.int32)
+    hits[np.cumsum(first) - 1, key - code * wide(replicates)] = length
+    entry = np.flatnonzero(first)
+    return row[entry], code[entry].astype(np.int32, copy=False), hits

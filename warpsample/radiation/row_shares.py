@@ -1,0 +1,109 @@
+"""From counts of rays to shares of a row with their variances: of faces, and of groups of faces."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from warpsample.radiation.hits_to_matrix import Counts
+from warpsample.radiation.surfaces import Surfaces
+
+_SLICE = 1 << 18  # entries at a time: the squares of all of them would take more memory than the result
+
+
+@dataclass(frozen=True, eq=False)
+class Shares:
+    """Shares of rows of a matrix, as CSR has them, and of what meets no front.
+
+    Attributes:
+        indptr: (N + 1,) int64.
+        indices: (E,) int32.
+        value: (E,) float64.
+        variance: (E,) float64, of the value.
+        others: name -> ((N,) value, (N,) variance): outside, behind, and sky and ground where there is an up.
+    """
+
+    indptr: np.ndarray
+    indices: np.ndarray
+    value: np.ndarray
+    variance: np.ndarray
+    others: dict[str, tuple[np.ndarray, np.ndarray]]
+
+
+def shares_of(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> Shares:
+    """The shares of each surface.
+
+    Args:
+        counts: of all faces.
+        rays: of each face.
+        upward: (F,) float64, the share of each face's hemisphere above the horizon; None: not asked for.
+        surfaces: rows and columns.
+    """
+    if surfaces.groups is not None:
+        return _group_shares(counts, rays, upward, surfaces)
+    others = {}
+    for name, hits, exact in _kinds(counts, rays, upward):
+        share, error = _of_hits(hits, rays)
+        others[name] = (np.where(np.isnan(exact), share, exact), np.where(np.isnan(exact), error, 0.0))
+    return Shares(counts.indptr, counts.indices, *_of_hits(counts.hits, rays), others)
+
+
+def _group_shares(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> Shares:
+    """Those of groups, with the variance that the sums of a group's replicates have."""
+    groups, weights, size = surfaces.groups, surfaces.weights, len(surfaces.areas)
+    face = np.repeat(np.arange(len(weights)), np.diff(counts.indptr))
+    keys, entry = np.unique(groups[face].astype(np.int64) * size + counts.indices, return_inverse=True)
+    value, variance = _folded(counts.hits / rays, rays, weights[face], entry.ravel(), len(keys))
+    others = {}
+    for name, hits, exact in _kinds(counts, rays, upward):
+        known = ~np.isnan(exact)
+        parts = np.where(known[:, None], exact[:, None] / hits.shape[1], hits / rays)
+        others[name] = _folded(parts, rays, weights, groups, size, known)
+    indptr = np.searchsorted(keys, np.arange(size + 1, dtype=np.int64) * size)
+    return Shares(indptr, (keys % size).astype(np.int32), value, variance, others)
+
+
+def _kinds(counts: Counts, rays: int, upward: np.ndarray | None) -> Iterator[tuple[str, np.ndarray, np.ndarray]]:
+    """(name, (F, replicates) hits, (F,) the share where it is known exactly, else NaN) of what meets no front.
+
+    Where all rays meet nothing, the horizon alone parts the sky from the ground.
+    """
+    sky, ground, back = np.moveaxis(counts.special, 1, 0)
+    nowhere = np.full(len(sky), np.nan)
+    yield "outside", sky + ground, nowhere
+    yield "behind", back, nowhere
+    if upward is not None:
+        open_ = (sky + ground).sum(axis=1) == rays
+        yield "sky", sky, np.where(open_, upward, np.nan)
+        yield "ground", ground, np.where(open_, 1.0 - upward, np.nan)
+
+
+def _of_hits(hits: np.ndarray, rays: int) -> tuple[np.ndarray, np.ndarray]:
+    """Shares and variances of (E, replicates) hits among so many rays.
+
+    ((R - 1) s^2 + F (1 - F) / n) / R, with the replicates' variance of the mean s^2: that alone is 0 where all agree.
+    """
+    replicates = hits.shape[1]
+    value, variance = np.empty(len(hits)), np.empty(len(hits))
+    for first in range(0, len(hits), _SLICE):
+        some = hits[first : first + _SLICE].astype(np.int64)
+        total = some.sum(axis=1)
+        share = value[first : first + _SLICE] = total / rays
+        spread = (replicates * np.square(some).sum(axis=1) - np.square(total)) / (float(rays) * rays)
+        variance[first : first + _SLICE] = (spread + share * (1.0 - share) / rays) / replicates
+    return value, variance
+
+
+def _folded(
+    parts: np.ndarray, rays: int, weights: np.ndarray, into: np.ndarray, size: int, known: np.ndarray | None = None
+) -> tuple[np.ndarray, np.ndarray]:
+    """The same of weighted sums of shares (E, replicates), which add up to a face's; those that are known have no error."""
+    share = parts.sum(axis=1)
+    single = np.square(weights) * share * (1.0 - share) / rays
+    if known is not None:
+        single = np.where(known, 0.0, single)
+    # One after the other in the order of the faces: no block or thread changes a bit.
+    sums = np.stack([np.bincount(into, weights * part, size) for part in parts.T], axis=1)
+    value = sums.sum(axis=1)
+    spread = np.maximum(sums.shape[1] * np.square(sums).sum(axis=1) - np.square(value), 0.0)
+    return value, (spread + np.bincount(into, single, size)) / sums.shape[1]

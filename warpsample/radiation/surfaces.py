@@ -1,0 +1,78 @@
+"""What a row of the matrix stands for: a face, or a group of faces."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from warpsample.host.engine import check_memory
+from warpsample.host.neighbours import as_ndarray
+
+_LARGEST = 2**31 - 2  # number of a group: a column is an int32, and so is how many there are
+_BYTES = 200  # of a row
+
+
+@dataclass(frozen=True, eq=False)
+class Surfaces:
+    """N faces or groups of F faces.
+
+    Attributes:
+        groups: (F,) int32, the group of each face; None: faces stand for themselves.
+        areas: (N,) float64, square units.
+        weights: (F,) float64, of a face in its group: its share of the area that has rays.
+        densities: (N,) float64, rays per area for one ray of each face: as many as those of equal weight would be; or 0.
+    """
+
+    groups: np.ndarray | None
+    areas: np.ndarray
+    weights: np.ndarray
+    densities: np.ndarray
+
+    def summed(self, values: np.ndarray) -> np.ndarray:
+        """(N,) sums of (F,) whole numbers."""
+        if self.groups is None:
+            return values
+        return np.bincount(self.groups, values, len(self.areas)).astype(values.dtype)
+
+
+def surfaces_of(areas: np.ndarray, cast: np.ndarray, groups: np.ndarray | None) -> Surfaces:
+    """The surfaces of faces.
+
+    Args:
+        areas: (F,) of the faces.
+        cast: (F,) bool, which have rays.
+        groups: (F,) int32 or None.
+    """
+    active = np.where(cast, areas, 0.0)
+    if groups is None:
+        return Surfaces(None, areas, cast.astype(np.float64), _quotients(np.ones(len(areas)), active))
+    size = int(groups.max()) + 1
+    sums, squares = np.bincount(groups, active, size), np.bincount(groups, np.square(active), size)
+    return Surfaces(groups, np.bincount(groups, areas, size), _quotients(active, sums[groups]), _quotients(sums, squares))
+
+
+def _quotients(above: np.ndarray, below: np.ndarray) -> np.ndarray:
+    """above / below, 0 where that is 0."""
+    return np.divide(above, below, out=np.zeros_like(above), where=below > 0.0)
+
+
+def check_groups(groups: Any, faces: int) -> np.ndarray | None:
+    """(F,) int32, a copy; None if there are none.
+
+    Raises:
+        TypeError, ValueError: not a whole number from 0 on for each face.
+        MemoryError: a number so large that the rows up to it take more than is free.
+    """
+    if groups is None:
+        return None
+    wants = f"({faces},) whole numbers from 0 to {_LARGEST}, one for each face"
+    array = as_ndarray(groups, "groups", wants)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"groups: got dtype {array.dtype}, want {wants}")
+    if array.shape != (faces,):
+        raise ValueError(f"groups: got shape {array.shape}, want {wants}")
+    if array.min() < 0 or array.max() > _LARGEST:
+        raise ValueError(f"groups: got numbers from {array.min()} to {array.max()}, want {wants}")
+    rows = int(array.max()) + 1
+    check_memory(_BYTES * rows, f"groups: the rows of {rows:,} groups", "number them from 0 on without gaps")
+    return array.astype(np.int32)

@@ -1,0 +1,62 @@
+"""View factors from a mesh file into a file, for the command line."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from warpsample.host.arguments import check_file, naming_file
+from warpsample.mesh.files import load_mesh
+from warpsample.radiation.view_factor_files import check_factors_file, save
+from warpsample.radiation.view_factors import ViewFactors, view_factors
+
+
+def run_view_factors(mesh: Path, output: Path, groups: Path | None, options: dict[str, Any]) -> str:
+    """Computes and writes; the file appears when it is complete.
+
+    Args:
+        mesh: the mesh file.
+        output: .npz, .vf, or vfsparse.inp and what follows.
+        groups: a text or an .npy of one whole number for each face; None for no groups.
+        options: others of `view_factors`.
+
+    Returns:
+        a sentence about what was written.
+
+    Raises:
+        TypeError, ValueError, OSError: an argument or a file that cannot be used; before anything is written.
+    """
+    check_factors_file(output, "--output", mesh, groups)
+    numbers = None if groups is None else _numbers(groups)
+    found = view_factors(load_mesh(mesh), groups=numbers, progress=True, **options)
+    save(found, output)
+    return f"{output}: {summary(found)}"
+
+
+def _numbers(path: Path) -> np.ndarray:
+    wants = "a text or an .npy of one whole number for each face"
+    file = check_file(path, "--groups", wants)
+    with naming_file("--groups", file, wants):
+        if file.suffix == ".npy":
+            return np.load(file, allow_pickle=False)
+        return np.loadtxt(file, dtype=np.int64, ndmin=1)
+
+
+def summary(found: ViewFactors) -> str:
+    """How many factors there are, by how many rays, and how well rows close and pairs agree."""
+    there = found.areas > 0.0
+    closure = np.abs(found.matrix.sum(axis=1) + found.outside + found.behind - 1.0)[there]
+    exchange = found.matrix * found.areas[:, None]
+    apart = np.abs(exchange - exchange.T).sum() / max(exchange.sum(), np.finfo(float).tiny)
+    skipped = found.skipped
+    parts = [
+        f"{found.matrix.nnz:,} view factors between {len(found.areas):,} surfaces by {found.rays.sum():,} rays",
+        f"closure to {closure.max(initial=0.0):.1g}",
+        f"reciprocity to {apart:.2g}",
+        f"behind {found.areas @ found.behind / max(found.areas.sum(), np.finfo(float).tiny):.2g}",
+    ]
+    if skipped.open_points:
+        parts.append(f"{skipped.open_points:,} open faces cast none")
+    if skipped.points:
+        parts.append(f"{skipped.points:,} faces without area")
+    return ", ".join(parts)

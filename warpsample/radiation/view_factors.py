@@ -1,0 +1,253 @@
+"""View factors between the faces of a mesh, what is in the way included: a sparse matrix that closes, with error bars."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from warpsample.estimate.result import PointStatus, Skipped
+from warpsample.host.arguments import check_flag, check_integer, check_seed
+from warpsample.host.arrays import as_unit, check_active
+from warpsample.host.engine import check_workers
+from warpsample.host.progress import bar
+from warpsample.mesh.mesh import Mesh, as_mesh
+from warpsample.radiation.casting import Casting
+from warpsample.radiation.radiosity import radiosity_of
+from warpsample.radiation.reciprocity import reciprocal_shares
+from warpsample.radiation.row_shares import Shares, shares_of
+from warpsample.radiation.surfaces import Surfaces, check_groups, surfaces_of
+from warpsample.radiation.view_factor_files import check_factors_file, load, save
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
+_MOST_RAYS = 2**24  # of a face: a replicate is one task
+_MOST_REPLICATES = 64
+
+
+@dataclass(frozen=True, eq=False)
+class ViewFactors:
+    """View factors between N surfaces: the faces of a mesh, or groups of them.
+
+    Raw, each row of the matrix adds up to 1 with `outside` and `behind`: its rays are counted, none is lost. Where the
+    number of rays is a power of two the sums of these float64 are exact, too.
+
+    Attributes:
+        matrix: (N, N) scipy.sparse.csr_array of float64: the share of what leaves the front of surface i that first meets
+            the front of surface j.
+        standard_error: of the same pattern; of each entry. Entries of a row are not independent: their sum is known better.
+        outside: (N,) float64, what meets nothing.
+        outside_error: (N,) float64, its standard error.
+        behind: (N,) float64, what meets the back of a face, or a face without area.
+        behind_error: (N,) float64.
+        areas: (N,) float64, of the surfaces, in square units of the coordinates.
+        rays: (N,) int64, rays cast; 0 where it is known that they meet nothing.
+        status: (F,) uint8, a `PointStatus` of each face: OK, INACTIVE, or ZERO_NORMAL where it has no area.
+        skipped: faces that are not OK as `points`, faces that nothing stands above as `open_points`, their rays.
+        sky: (N,) float64, the part of `outside` that is above the horizon; None without `up`.
+        sky_error: (N,) float64 or None.
+        ground: (N,) float64, the other part, or None.
+        ground_error: (N,) float64 or None.
+    """
+
+    matrix: "csr_array"
+    standard_error: "csr_array"
+    outside: np.ndarray
+    outside_error: np.ndarray
+    behind: np.ndarray
+    behind_error: np.ndarray
+    areas: np.ndarray
+    rays: np.ndarray
+    status: np.ndarray
+    skipped: Skipped
+    sky: np.ndarray | None = None
+    sky_error: np.ndarray | None = None
+    ground: np.ndarray | None = None
+    ground_error: np.ndarray | None = None
+
+    def radiosity(self, emission: Any, reflectance: Any) -> np.ndarray:
+        """What leaves each surface, emitted or reflected: J = E + rho F J.
+
+        Solved by following the radiation from surface to surface, to 12 digits. What goes outside or meets a back is lost;
+        what comes from there is part of `emission`, as reflectance * outside * sky.
+
+        Args:
+            emission: (N,) or (N, k), for k wavelengths or times; or one number. In any unit of power per area.
+            reflectance: (N,) or one number, 0 to 1, diffuse.
+
+        Returns:
+            of the shape of the emission, float64, in its unit.
+
+        Raises:
+            TypeError, ValueError: no finite numbers, another shape, or a reflectance by which nothing is ever absorbed.
+
+        Example:
+            >>> mesh = ws.load_mesh("courtyard")
+            >>> v = ws.view_factors(mesh, 256)
+            >>> J = v.radiosity(emission=0.3 * v.outside, reflectance=0.3)  # under a uniform sky
+            >>> print(J.shape, (J >= 0.3 * v.outside).all())
+            (2080,) True
+        """
+        return radiosity_of(self.matrix, emission, reflectance)
+
+    def save(self, path: str | Path) -> None:
+        """Writes a file, complete or not at all; what it replaces stays until then.
+
+        Args:
+            path: .npz: all fields; scipy.sparse.load_npz reads the matrix from it, `load` all. A name that begins with
+                "vfsparse.inp": uDALES' list "i j F" from 1 on, what is below 5e-7 left out, and beside it its "svf.inp", the
+                rest of each row. .vf: View3D's text, all N^2 numbers, with emittances of 1.
+
+        Raises:
+            TypeError, ValueError: another name, or no file that can be written.
+            OSError: it could not be written.
+
+        Example:
+            >>> v = ws.view_factors(ws.load_mesh("courtyard"), 64)
+            >>> folder = __import__("tempfile").mkdtemp()
+            >>> v.save(f"{folder}/factors.npz")
+            >>> print((ws.ViewFactors.load(f"{folder}/factors.npz").matrix != v.matrix).nnz)
+            0
+        """
+        save(self, check_factors_file(path, "path"))
+
+    @staticmethod
+    def load(path: str | Path) -> "ViewFactors":
+        """Reads an .npz file of `save`.
+
+        Args:
+            path: the file.
+
+        Returns:
+            what was saved.
+
+        Raises:
+            TypeError, ValueError, OSError: no such file; nothing in it is executed.
+
+        Example:
+            >>> v = ws.view_factors(ws.load_mesh("courtyard"), 64, up=(0, 0, 1))
+            >>> file = __import__("tempfile").mkdtemp() + "/factors.npz"
+            >>> v.save(file)
+            >>> print(np.array_equal(ws.ViewFactors.load(file).sky, v.sky))
+            True
+        """
+        return ViewFactors(**load(path, "path"))
+
+
+def view_factors(
+    mesh: Any,
+    count: int = 4096,
+    groups: Any = None,
+    reciprocal: bool = False,
+    replicates: int = 4,
+    seed: int = 0,
+    up: Any = None,
+    first_face: int = 0,
+    active: Any = None,
+    skip: bool = True,
+    workers: int | None = None,
+    progress: bool = False,
+) -> ViewFactors:
+    """The share of the diffuse radiation of each face's front that first meets each other's front, by rays.
+
+    Places and directions of a face's rays come from one lattice in four dimensions: 4,096 are as good as 10,000 to 15,000
+    independent ones. The bits of a row depend on (mesh, seed, first_face + face, count, replicates) alone: not on threads,
+    nor on which other faces are active, nor on `skip`. Memory is that of the entries, some 50 bytes each. On the CPU.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes. The front of a face is the side from which its corners run
+            counter-clockwise. Where two faces lie in one place back to back, rays meet the one that is turned to them; of
+            two that are turned the same way, one. Rays start two millionths of the mesh's extent in front of their face, at
+            its edges four times that inside: a gap between faces at less than 14 degrees may leak as much.
+        count: rays of each face, from `replicates` to 2^24; rounded down to a multiple of it.
+        groups: (F,) whole numbers from 0 on, the surface that each face is part of: rows and columns are then surfaces, up
+            to the largest number, a row the mean of those of its faces, by area. Errors are those of the sums.
+        reciprocal: whether to pool both directions of each pair and scale the sums, so that areas[i] matrix[i, j] equals
+            areas[j] matrix[j, i] and all rows close to 1e-7. More precise, too.
+        replicates: independent parts of each face's rays, by whose differences errors are told, 1 to 64; with more of them
+            the errors are told better, and are larger.
+        seed: of 64 bits.
+        up: (3,), of any length, parts `outside` into `sky` and `ground`.
+        first_face: the global id of face 0.
+        active: (F,) bool; other faces are met, but their own rows stay empty. Not with `reciprocal`.
+        skip: whether to look for faces that nothing stands above, whose rays need not be cast; changes no bit but of `rays`
+            and `skipped`.
+        workers: threads, all cores by default.
+        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+
+    Returns:
+        the matrix, its errors, what meets nothing, and what was done.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free.
+
+    Warns:
+        UserWarning: parts of the mesh are so far apart that its coordinates are too coarse for most of its faces; or, with
+            reciprocal, there are so few rays that no scaling closes all rows.
+
+    Example:
+        >>> mesh = ws.load_mesh("courtyard")
+        >>> v = ws.view_factors(mesh, 256, up=(0, 0, 1))
+        >>> closure = v.matrix.sum(axis=1) + v.outside + v.behind
+        >>> print(v.matrix.shape, closure.min(), closure.max(), f"{v.sky.mean():.2f}")
+        (2080, 2080) 1.0 1.0 0.62
+    """
+    mesh = as_mesh(mesh)
+    faces = len(mesh.faces)
+    replicates = check_integer(replicates, "replicates", 1, _MOST_REPLICATES)
+    wants = f"a whole number from {replicates}, the number of replicates, to {_MOST_RAYS}"
+    each = check_integer(count, "count", replicates, _MOST_RAYS, wants) // replicates
+    groups = check_groups(groups, faces)
+    reciprocal, skip = check_flag(reciprocal, "reciprocal"), check_flag(skip, "skip")
+    progress, workers = check_flag(progress, "progress"), check_workers(workers)
+    casting = Casting(
+        mesh,
+        each,
+        replicates,
+        check_seed(seed),
+        None if up is None else as_unit(up, "up"),
+        check_integer(first_face, "first_face", 0, 2**64 // replicates - faces),
+        skip,
+        workers,
+    )
+    status = _status(mesh, check_active(active, faces))
+    if active is not None and reciprocal:
+        raise ValueError("active: got a mask with reciprocal=True, want None: that takes the rays of both faces of a pair")
+    with bar(progress, "casting rays"):
+        counts, cast = casting.counts(np.flatnonzero(status == PointStatus.OK).astype(np.int32), groups)
+    surfaces = surfaces_of(mesh.face_areas, status == PointStatus.OK, groups)
+    shares = shares_of(counts, casting.rays, casting.upward(), surfaces)
+    if reciprocal:
+        shares = reciprocal_shares(shares, surfaces)
+    return _result(shares, surfaces, status, casting.rays * cast.astype(np.int64), casting.rays)
+
+
+def _status(mesh: Mesh, active: np.ndarray | None) -> np.ndarray:
+    """(F,) uint8, of each face."""
+    status = np.where(mesh.face_areas > 0.0, PointStatus.OK, PointStatus.ZERO_NORMAL).astype(np.uint8)
+    if active is not None:
+        status[active == 0] = PointStatus.INACTIVE
+    return status
+
+
+def _result(shares: Shares, surfaces: Surfaces, status: np.ndarray, cast: np.ndarray, rays: int) -> ViewFactors:
+    """The result of what was counted; `cast`: (F,) rays cast of the `rays` of each face."""
+    from scipy.sparse import csr_array  # noqa: PLC0415
+
+    size, open_faces = len(surfaces.areas), int(np.count_nonzero((status == PointStatus.OK) & (cast == 0)))
+    kind = np.int32 if len(shares.indices) < 2**31 else np.int64
+    pattern = shares.indices.astype(kind, copy=False), shares.indptr.astype(kind)
+    others = {}
+    for name, (value, variance) in shares.others.items():
+        others |= {name: value, f"{name}_error": np.sqrt(variance)}
+    return ViewFactors(
+        matrix=csr_array((shares.value, *pattern), shape=(size, size)),
+        standard_error=csr_array((np.sqrt(shares.variance), *pattern), shape=(size, size)),
+        areas=surfaces.areas,
+        rays=surfaces.summed(cast),
+        status=status,
+        skipped=Skipped(int(np.count_nonzero(status)), open_faces, open_faces * rays),
+        **others,
+    )
