@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from warpsample.mesh.mesh import Mesh, as_mesh
     from warpsample.mesh.report import MeshReport
     from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+    from warpsample.radiation.patches import SkyPatches, sky_patches
+    from warpsample.radiation.sky_matrix import SkyMatrix, SkySkipped, sky_matrix
     from warpsample.tracing.scene import refit
     from warpsample.tracing.trace import Hits, trace
     from warpsample.tracing.tree import tree
@@ -51,6 +53,9 @@ __all__ = [
     "PointStatus",
     "PowerCosine",
     "Skipped",
+    "SkyMatrix",
+    "SkyPatches",
+    "SkySkipped",
     "SkyView",
     "Status",
     "SurfacePoints",
@@ -74,6 +79,8 @@ __all__ = [
     "sample_square",
     "sample_surface",
     "sequences",
+    "sky_matrix",
+    "sky_patches",
     "sky_view_factor",
     "trace",
     "tree",
@@ -92,6 +99,8 @@ _HOMES = {
     "mesh.files": ("load_mesh",),
     "mesh.report": ("MeshReport",),
     "mesh.surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
+    "radiation.patches": ("SkyPatches", "sky_patches"),
+    "radiation.sky_matrix": ("SkyMatrix", "SkySkipped", "sky_matrix"),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
     "tracing.tree": ("tree",),
