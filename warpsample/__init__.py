@@ -31,7 +31,8 @@ if TYPE_CHECKING:
     from warpsample.mesh.report import MeshReport
     from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
     from warpsample.radiation.patches import SkyPatches, sky_patches
-    from warpsample.radiation.sky_matrix import SkyMatrix, SkySkipped, sky_matrix
+    from warpsample.radiation.sky_matrix import sky_matrix
+    from warpsample.radiation.sky_result import SkyMatrix, SkySkipped
     from warpsample.tracing.scene import refit
     from warpsample.tracing.trace import Hits, trace
     from warpsample.tracing.tree import tree
@@ -100,7 +101,8 @@ _HOMES = {
     "mesh.report": ("MeshReport",),
     "mesh.surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
     "radiation.patches": ("SkyPatches", "sky_patches"),
-    "radiation.sky_matrix": ("SkyMatrix", "SkySkipped", "sky_matrix"),
+    "radiation.sky_matrix": ("sky_matrix",),
+    "radiation.sky_result": ("SkyMatrix", "SkySkipped"),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
     "tracing.tree": ("tree",),

@@ -6,8 +6,9 @@ from warpsample.directions.variates import LANES
 from warpsample.estimate.rays import STREAM_STEP
 from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE
 from warpsample.estimate.spot import Spot, bring_near
-from warpsample.maths.numerics import greater, high_word, lesser, low_word, sincos_turns
-from warpsample.radiation.shares import COLUMNS, FAINT, Patch, azimuth_near, highest, reaches
+from warpsample.maths.numerics import greater, high_word, lesser, low_word
+from warpsample.radiation.shares import COLUMNS, FAINT, Patch, highest
+from warpsample.radiation.spreading import LEAST, Slope, column_at, cube_root, slope_of, turned_by, weight_of
 from warpsample.sequences.fibonacci import fibonacci
 from warpsample.tracing.placement import Placement, far_off
 from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, REACH, Accelerator
@@ -18,19 +19,10 @@ WEIGHTS = 2 * CHUNK
 """Floats for the weights of a chunk's rays; a chunk more than there are, as all loops run over whole vectors."""
 
 _FAINT = wp.constant(wp.float32(FAINT))
-_LEAST = wp.constant(wp.float32(1e-20))
 _LEAST_CUBE = wp.constant(wp.float32(1e-12))
-_ALIKE = wp.constant(wp.float32(0.05))
-_BENT = wp.constant(wp.float32(0.2))
-_THIRD = wp.constant(wp.float32(1.0 / 3.0))
-_ROOT_SEED = wp.constant(wp.int32(709921077))
 _COLUMN_BYTES = wp.constant(wp.uint64(8 * COLUMNS))
 _ZERO = wp.constant(wp.float64(0.0))
-_HALF = wp.constant(wp.float64(0.5))
 _TWO = wp.constant(wp.float64(2.0))
-_PI = wp.constant(wp.float64(3.141592653589793))
-_TURN = wp.constant(wp.float64(0.15915494309189535))
-_UPRIGHT = wp.constant(wp.float64(1e-12))
 _query = wide_query(True, several=True)
 
 
@@ -74,111 +66,6 @@ SkyRowsArgs = type(SkyRows().__ctype__())
 
 
 @wp.func
-def _azimuths(n: wp.vec3d, patch: Patch):
-    """(first, width), in turns, of the azimuths at which some of a patch is above the horizon.
-
-    Of all of the patch's, if those are two intervals, with a hill of the horizon between.
-    """
-    first = patch.first
-    last = patch.last
-    level = wp.sqrt(n[0] * n[0] + n[1] * n[1])
-    if level > _UPRIGHT:
-        half = reaches(wp.where(n[2] < _ZERO, n[2] * patch.tan_low, n[2] * patch.tan_high), level)
-        middle = azimuth_near(n, _HALF * (first + last))
-        if last - first > _PI:  # the cap, which has all
-            first = middle - half
-            last = middle + half
-        elif middle + half - _TWO * _PI <= first and middle - half + _TWO * _PI >= last:
-            first = wp.max(first, middle - half)
-            last = wp.max(first, wp.min(last, middle + half))
-    return wp.float32(first * _TURN - wp.floor(first * _TURN)), wp.float32((last - first) * _TURN)
-
-
-@wp.struct
-class Slope:
-    """What a patch is spread by: its normal in the frame, the drops of its upper and lower edge, how its width is filled.
-
-    A direction's drop is how much lower than the zenith it is: near that the height itself would have lost it.
-    first, width: of the azimuths, in turns. start, end: the roots of how much the columns at the two weigh, of 1.
-    """
-
-    nx: wp.float32
-    ny: wp.float32
-    nz: wp.float32
-    top: wp.float32
-    bottom: wp.float32
-    first: wp.float32
-    width: wp.float32
-    start: wp.float32
-    end: wp.float32
-
-
-@wp.func
-def _turned(slope: Slope, share: wp.float32) -> wp.vec2:
-    """(cosine, sine) of the azimuth at a share of the width."""
-    turn = slope.first + slope.width * share
-    return sincos_turns(wp.where(turn < 1.0, turn, turn - 1.0))
-
-
-@wp.func
-def _cosine_at(level: wp.float32, nz: wp.float32, drop: wp.float32) -> wp.float32:
-    """The cosine to the normal at a drop; 0 below the horizon."""
-    return greater(level * wp.sqrt(drop * (2.0 - drop)) + nz * (1.0 - drop), 0.0)
-
-
-@wp.func
-def _column(slope: Slope, cs: wp.vec2) -> wp.vec4:
-    """(upper drop, how much lower the other is, the cosines at both) of what is above the horizon of a column."""
-    level = slope.nx * cs[1] + slope.ny * cs[0]
-    # What lies above the horizon is above it in height for a normal that points up, else below.
-    downwards = slope.nz < 0.0
-    horizon = 1.0 + wp.where(downwards, -level, level) / wp.sqrt(level * level + slope.nz * slope.nz + _LEAST)
-    upper = wp.where(downwards, greater(horizon, slope.top), slope.top)
-    extent = greater(wp.where(downwards, slope.bottom, lesser(horizon, slope.bottom)) - upper, 0.0)
-    return wp.vec4(upper, extent, _cosine_at(level, slope.nz, upper), _cosine_at(level, slope.nz, upper + extent))
-
-
-@wp.func
-def _weight(column: wp.vec4) -> wp.float32:
-    """About the integral of the cosine over a column."""
-    return column[1] * (column[2] + column[3])
-
-
-@wp.func
-def _slope_of(n: wp.vec3d, patch: Patch, row: wp.array[wp.float64]) -> Slope:
-    """How a patch is spread; its columns weigh about as the square of what is linear between its sides."""
-    slope = Slope()
-    slope.nx = wp.float32(n[0])
-    slope.ny = wp.float32(n[1])
-    slope.nz = wp.float32(n[2])
-    slope.top = wp.float32(row[18])
-    slope.bottom = wp.float32(row[19])
-    first, width = _azimuths(n, patch)
-    slope.first = first
-    slope.width = width
-    start = wp.sqrt(_weight(_column(slope, _turned(slope, 0.0))))
-    end = wp.sqrt(_weight(_column(slope, _turned(slope, 1.0))))
-    middle = wp.sqrt(_weight(_column(slope, _turned(slope, 0.5))))
-    most = wp.max(start, end)
-    # All columns alike where they are, or where there is a hill or a valley between.
-    alike = wp.abs(end - start) <= _ALIKE * most
-    slope.start = 1.0
-    slope.end = 1.0
-    if not alike and wp.abs(middle - 0.5 * (start + end)) <= _BENT * most:
-        slope.start = start / most
-        slope.end = end / most
-    return slope
-
-
-@wp.func
-def _cube_root(x: wp.float32) -> wp.float32:
-    """Of a number from 1e-12 to 2, to 2e-7: from the bits, then two of Halley's steps."""
-    y = wp.cast(wp.int32(wp.float32(wp.cast(x, wp.int32)) * _THIRD) + _ROOT_SEED, wp.float32)
-    y = y * (y * y * y + 2.0 * x) / (2.0 * y * y * y + x)
-    return y * (y * y * y + 2.0 * x) / (2.0 * y * y * y + x)
-
-
-@wp.func
 def _spread(sky: SkyRows, spot: Spot, slope: Slope, k: wp.int32, each: wp.int32, at: wp.int32, length: wp.int32):
     """Writes directions of a patch's rays, both replicates one after the other, from the at-th on, and their weights.
 
@@ -207,15 +94,15 @@ def _spread(sky: SkyRows, spot: Spot, slope: Slope, k: wp.int32, each: wp.int32,
         word = high ^ ((stream + wp.uint32(second)) * STREAM_STEP)
         seed = (wp.uint64(word) << wp.uint64(32)) | wp.uint64(low)
         u = fibonacci(seed, id, wp.uint32(j - second * each), wp.uint32(each))
-        height = _cube_root(cubes + more * u[0] + _LEAST_CUBE)
+        height = cube_root(cubes + more * u[0] + _LEAST_CUBE)
         share = wp.where(even, u[0], lesser(greater((height - slope.start) * inverse, 0.0), 1.0))
         root = slope.start + steeper * share
-        cs = _turned(slope, share)
-        column = _column(slope, cs)
+        cs = turned_by(slope, share)
+        column = column_at(slope, cs)
         a = column[2]
         b = column[3]
         slant = wp.sqrt(a * a + u[1] * (b * b - a * a)) + a
-        down = lesser(u[1] * (a + b) / (slant + _LEAST), 1.0)
+        down = lesser(u[1] * (a + b) / (slant + LEAST), 1.0)
         drop = column[0] + column[1] * down
         along = wp.sqrt(drop * (2.0 - drop))
         x = along * cs[1]
@@ -228,8 +115,8 @@ def _spread(sky: SkyRows, spot: Spot, slope: Slope, k: wp.int32, each: wp.int32,
         rays[DIRECTION + CHUNK + i] = dy
         rays[DIRECTION + 2 * CHUNK + i] = dz
         cosine = n[0] * dx + n[1] * dy + n[2] * dz
-        density = (a + down * (b - a)) * root * root + _LEAST
-        weights[i] = wp.where(cosine >= _FAINT, cosine * _weight(column) / density, 0.0)
+        density = (a + down * (b - a)) * root * root + LEAST
+        weights[i] = wp.where(cosine >= _FAINT, cosine * weight_of(column) / density, 0.0)
         i += 1
 
 
@@ -283,7 +170,7 @@ def sum_rays(
     all_first = _ZERO
     cast = wp.int32(0)
     row = wp.array(ptr=sky.table + wp.uint64(k) * _COLUMN_BYTES, shape=(COLUMNS,), dtype=wp.float64)
-    slope = _slope_of(n, patch, row)
+    slope = slope_of(n, patch, row)
     for at in range(0, 2 * each, CHUNK):
         length = wp.min(CHUNK, 2 * each - at)
         padded = (length + LANES - 1) / LANES * LANES
