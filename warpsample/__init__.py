@@ -30,6 +30,9 @@ if TYPE_CHECKING:
     from warpsample.mesh.mesh import Mesh, as_mesh
     from warpsample.mesh.report import MeshReport
     from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+    from warpsample.radiation.patches import SkyPatches, sky_patches
+    from warpsample.radiation.sky_matrix import sky_matrix
+    from warpsample.radiation.sky_result import SkyMatrix, SkySkipped
     from warpsample.radiation.view_factors import ViewFactors, view_factors
     from warpsample.tracing.scene import refit
     from warpsample.tracing.trace import Hits, trace
@@ -52,6 +55,9 @@ __all__ = [
     "PointStatus",
     "PowerCosine",
     "Skipped",
+    "SkyMatrix",
+    "SkyPatches",
+    "SkySkipped",
     "SkyView",
     "Status",
     "SurfacePoints",
@@ -76,6 +82,8 @@ __all__ = [
     "sample_square",
     "sample_surface",
     "sequences",
+    "sky_matrix",
+    "sky_patches",
     "sky_view_factor",
     "trace",
     "tree",
@@ -96,6 +104,9 @@ _HOMES = {
     "mesh.report": ("MeshReport",),
     "mesh.surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
     "radiation.view_factors": ("ViewFactors", "view_factors"),
+    "radiation.patches": ("SkyPatches", "sky_patches"),
+    "radiation.sky_matrix": ("sky_matrix",),
+    "radiation.sky_result": ("SkyMatrix", "SkySkipped"),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
     "tracing.tree": ("tree",),

@@ -25,6 +25,9 @@ RESULTS = (
     ws.Interval,
     ws.MeshReport,
     ws.Skipped,
+    ws.SkyMatrix,
+    ws.SkyPatches,
+    ws.SkySkipped,
     ws.SkyView,
     ws.ViewFactors,
 )  # which users read and do not make
@@ -36,6 +39,7 @@ EXAMPLES = {
     ws.Estimate: ws.Estimate(*np.zeros((4, 4), np.float32), np.zeros(4, int), np.zeros(4, np.uint8), ws.Skipped()),
     ws.GGX: ws.GGX(0.5),
     ws.Mesh: MESH,
+    ws.SkyMatrix: ws.sky_matrix(MESH, POINTS, 2),
     ws.SurfacePoints: POINTS,
     ws.ViewFactors: ws.ViewFactors(
         HALVES, HALVES, *np.zeros((5, 2)), np.full(2, COUNT), np.zeros(2, np.uint8), ws.Skipped()

@@ -8,7 +8,6 @@ import numpy as np
 import typer
 import warp as wp
 
-from warpsample import funcs
 from warpsample.bench.pictures import OURS, THEIRS
 from warpsample.bench.record import SEED, Benchmark, Repeats, Track
 from warpsample.bench.report import SPREAD, Table, spread
@@ -16,11 +15,14 @@ from warpsample.bench.result import Result
 from warpsample.bench.scenes import bunny, city
 from warpsample.bench.timing import Spread, interleave, stopwatch
 from warpsample.directions.sample import sample_directions
+from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphere
 from warpsample.estimate.integrate import integrate
 from warpsample.estimate.visibility import ambient_occlusion
+from warpsample.maths.frames import frame_about, to_world
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import sample_surface
-from warpsample.tracing.tree import tree
+from warpsample.sequences.fibonacci import fibonacci
+from warpsample.tracing.tree import Tree, any_hit, offset_origin, tree
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -79,15 +81,15 @@ def gradient(w: wp.vec3) -> float:
 
 
 @wp.kernel(module="unique", enable_backward=False)
-def occlusion(tree: funcs.Tree, position: wp.array[wp.vec3d], normal: wp.array[wp.vec3], count: int, out: wp.array[float]):
+def occlusion(tree: Tree, position: wp.array[wp.vec3d], normal: wp.array[wp.vec3], count: int, out: wp.array[float]):
     """The kernel that the README of `tracing` shows."""
     p = wp.tid()
-    frame = funcs.frame_about(normal[p])
-    origin = funcs.offset_origin(tree, position[p], normal[p])
+    frame = frame_about(normal[p])
+    origin = offset_origin(tree, position[p], normal[p])
     for j in range(count):
-        u = funcs.fibonacci(wp.uint64(0), wp.uint64(p), wp.uint32(j), wp.uint32(count))
-        w = funcs.to_world(frame, funcs.square_to_cosine_hemisphere(u))
-        if not funcs.any_hit(tree, origin, w, wp.INF):
+        u = fibonacci(wp.uint64(0), wp.uint64(p), wp.uint32(j), wp.uint32(count))
+        w = to_world(frame, square_to_cosine_hemisphere(u))
+        if not any_hit(tree, origin, w, wp.INF):
             out[p] += 1.0 / float(count)
 
 

@@ -1,0 +1,203 @@
+"""The rays of one patch: spread over the part of it above the point's horizon, traced, and summed by their cosines."""
+
+import warp as wp
+
+from warpsample.directions.variates import LANES
+from warpsample.estimate.rays import STREAM_STEP
+from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE
+from warpsample.estimate.spot import Spot, bring_near
+from warpsample.maths.numerics import greater, high_word, lesser, low_word
+from warpsample.radiation.shares import COLUMNS, FAINT, Patch, highest
+from warpsample.radiation.spreading import LEAST, Slope, column_at, cube_root, slope_of, turned_by, weight_of
+from warpsample.sequences.fibonacci import fibonacci
+from warpsample.tracing.placement import Placement, far_off
+from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, REACH, Accelerator
+from warpsample.tracing.wide.prepare import prepare_wide, ray_in
+from warpsample.tracing.wide.query import any_of, wide_query
+
+WEIGHTS = 2 * CHUNK
+"""Floats for the weights of a chunk's rays; a chunk more than there are, as all loops run over whole vectors."""
+
+_FAINT = wp.constant(wp.float32(FAINT))
+_LEAST_CUBE = wp.constant(wp.float32(1e-12))
+_COLUMN_BYTES = wp.constant(wp.uint64(8 * COLUMNS))
+_ZERO = wp.constant(wp.float64(0.0))
+_TWO = wp.constant(wp.float64(2.0))
+_query = wide_query(True, several=True)
+
+
+@wp.struct
+class SkyRows:
+    """Scalars and addresses of the rows of a sky matrix, a point each.
+
+    placement: of the points. normals, active: (P, 3) float32, (P,) uint8 or 0.
+    count: rays of a point at most. patches: their number, with the addresses of `shares.table_of`, of `beams.beams_of` each,
+    and of the (3, 3) float64 of their frame. groups: likewise, with where they begin, (groups + 1,) int32, and a beam of
+    each. skip: whether what is known of a patch replaces its rays.
+    by_task: whether the i-th task writes the i-th row, else that of its point. value, error: (rows, patches) float32.
+    cast, open, closed, below, status: (P,), int32 but for the uint8 of the status: rays, patches of each kind, why not.
+    """
+
+    placement: Placement
+    seed: wp.uint64
+    first_point: wp.uint64
+    normals: wp.uint64
+    active: wp.uint64
+    count: wp.int32
+    patches: wp.int32
+    table: wp.uint64
+    beams: wp.uint64
+    frame: wp.uint64
+    groups: wp.int32
+    begins: wp.uint64
+    group_beams: wp.uint64
+    skip: wp.int32
+    by_task: wp.int32
+    value: wp.uint64
+    error: wp.uint64
+    cast: wp.uint64
+    open: wp.uint64
+    closed: wp.uint64
+    below: wp.uint64
+    status: wp.uint64
+
+
+SkyRowsArgs = type(SkyRows().__ctype__())
+
+
+@wp.func
+def _spread(sky: SkyRows, spot: Spot, slope: Slope, k: wp.int32, each: wp.int32, at: wp.int32, length: wp.int32):
+    """Writes directions of a patch's rays, both replicates one after the other, from the at-th on, and their weights.
+
+    They are about as dense as the cosine: linear in the height along a column, and columns by their weights.
+    """
+    rays = wp.array(ptr=spot.chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    weights = wp.array(ptr=spot.square, shape=(WEIGHTS,), dtype=wp.float32)
+    frame = wp.array(ptr=sky.frame, shape=(9,), dtype=wp.float64)
+    east = wp.vec3(wp.float32(frame[0]), wp.float32(frame[1]), wp.float32(frame[2]))
+    north = wp.vec3(wp.float32(frame[3]), wp.float32(frame[4]), wp.float32(frame[5]))
+    up = wp.vec3(wp.float32(frame[6]), wp.float32(frame[7]), wp.float32(frame[8]))
+    n = spot.n
+    cubes = slope.start * slope.start * slope.start
+    more = slope.end * slope.end * slope.end - cubes
+    steeper = slope.end - slope.start
+    even = steeper == 0.0
+    inverse = 1.0 / wp.where(even, 1.0, steeper)
+    low = low_word(sky.seed)
+    high = high_word(sky.seed)
+    stream = wp.uint32(2 * k)
+    id = spot.lobe.point
+    i = wp.int32(0)
+    while i < length:
+        j = at + i
+        second = wp.where(j >= each, 1, 0)
+        word = high ^ ((stream + wp.uint32(second)) * STREAM_STEP)
+        seed = (wp.uint64(word) << wp.uint64(32)) | wp.uint64(low)
+        u = fibonacci(seed, id, wp.uint32(j - second * each), wp.uint32(each))
+        height = cube_root(cubes + more * u[0] + _LEAST_CUBE)
+        share = wp.where(even, u[0], lesser(greater((height - slope.start) * inverse, 0.0), 1.0))
+        root = slope.start + steeper * share
+        cs = turned_by(slope, share)
+        column = column_at(slope, cs)
+        a = column[2]
+        b = column[3]
+        slant = wp.sqrt(a * a + u[1] * (b * b - a * a)) + a
+        down = lesser(u[1] * (a + b) / (slant + LEAST), 1.0)
+        drop = column[0] + column[1] * down
+        along = wp.sqrt(drop * (2.0 - drop))
+        x = along * cs[1]
+        y = along * cs[0]
+        z = 1.0 - drop
+        dx = x * east[0] + y * north[0] + z * up[0]
+        dy = x * east[1] + y * north[1] + z * up[1]
+        dz = x * east[2] + y * north[2] + z * up[2]
+        rays[DIRECTION + i] = dx
+        rays[DIRECTION + CHUNK + i] = dy
+        rays[DIRECTION + 2 * CHUNK + i] = dz
+        cosine = n[0] * dx + n[1] * dy + n[2] * dz
+        density = (a + down * (b - a)) * root * root + LEAST
+        weights[i] = wp.where(cosine >= _FAINT, cosine * weight_of(column) / density, 0.0)
+        i += 1
+
+
+@wp.func
+def _to_highest(sky: SkyRows, spot: Spot, n: wp.vec3d, patch: Patch):
+    """Prepares one ray, to where a patch is highest above the point's horizon."""
+    frame = wp.array(ptr=sky.frame, shape=(3,), dtype=wp.vec3d)
+    rays = wp.array(ptr=spot.chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    w = highest(n, patch)
+    d = w[0] * frame[0] + w[1] * frame[1] + w[2] * frame[2]
+    for axis in range(3):
+        rays[DIRECTION + axis * CHUNK] = wp.float32(d[axis])
+    if far_off(spot.place):
+        bring_near(spot, spot.chunk)
+    prepare_wide(spot.chunk, LANES)
+
+
+@wp.func
+def _blocked(accelerator: Accelerator, spot: Spot, near: wp.int32, column: wp.uint64) -> wp.bool:
+    """Whether a prepared ray meets something."""
+    reach = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)[REACH]
+    blocked = wp.bool(False)
+    if reach > 0.0:
+        if near != 0:
+            edge = wp.array(ptr=spot.room + NEAR_EDGE, shape=(1,), dtype=wp.float32)[0]
+            blocked = any_of(spot.room + NEAR, near, ray_in(column), column, reach, edge) >= 0
+        if not blocked and accelerator.starts > 0:
+            met, _face, _nodes, _leaves = _query(accelerator, column, reach, spot.scratch)
+            blocked = met < wp.INF
+    return blocked
+
+
+@wp.func
+def sum_rays(
+    sky: SkyRows,
+    accelerator: Accelerator,
+    spot: Spot,
+    near: wp.int32,
+    n: wp.vec3d,
+    k: wp.int32,
+    patch: Patch,
+    each: wp.int32,
+):
+    """(share of the k-th patch that is seen, its standard error as a share, rays cast), by `each` rays of two replicates.
+
+    A share of the rays' weights: where none is blocked, it is 1 in every bit.
+    """
+    free = _ZERO
+    free_first = _ZERO
+    all = _ZERO
+    all_first = _ZERO
+    cast = wp.int32(0)
+    row = wp.array(ptr=sky.table + wp.uint64(k) * _COLUMN_BYTES, shape=(COLUMNS,), dtype=wp.float64)
+    slope = slope_of(n, patch, row)
+    for at in range(0, 2 * each, CHUNK):
+        length = wp.min(CHUNK, 2 * each - at)
+        padded = (length + LANES - 1) / LANES * LANES
+        _spread(sky, spot, slope, k, each, at, padded)
+        if far_off(spot.place):
+            for i in range(length):
+                bring_near(spot, spot.chunk + wp.uint64(4 * i))
+        prepare_wide(spot.chunk, padded)
+        weights = wp.array(ptr=spot.square, shape=(WEIGHTS,), dtype=wp.float32)
+        for i in range(length):
+            weight = wp.float64(weights[i])
+            if weight > _ZERO:
+                cast += 1
+                seen = wp.where(_blocked(accelerator, spot, near, spot.chunk + wp.uint64(4 * i)), _ZERO, weight)
+                in_first = at + i < each
+                free += seen
+                all += weight
+                free_first += wp.where(in_first, seen, _ZERO)
+                all_first += wp.where(in_first, weight, _ZERO)
+    error = _ZERO
+    if all == _ZERO:
+        # Few rays that are all but parallel to the horizon: one where the patch is highest above it.
+        cast = 1
+        _to_highest(sky, spot, n, patch)
+        share = wp.where(_blocked(accelerator, spot, near, spot.chunk), _ZERO, wp.float64(1.0))
+    else:
+        share = free / all
+        # The replicates' deviations from the share add up to 0: one is half of their difference.
+        error = wp.abs(free_first - share * all_first) * _TWO / all
+    return share, error, cast

@@ -1,0 +1,204 @@
+"""The sky as points see it: of each patch, the share of their lobe that it lights."""
+
+from math import prod
+from typing import Any
+
+import numpy as np
+
+from warpsample.estimate.plan import Plan, Quantity
+from warpsample.estimate.result import PointStatus
+from warpsample.estimate.runner import Runner
+from warpsample.estimate.weights import OPEN
+from warpsample.host.arrays import as_real, cpu
+from warpsample.host.engine import check_memory, run
+from warpsample.host.progress import bar
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.radiation.beams import beams_of, groups_of
+from warpsample.radiation.folding import fold_rows
+from warpsample.radiation.patch_rays import SkyRowsArgs
+from warpsample.radiation.patches import SkyPatches, sky_patches
+from warpsample.radiation.shares import table_of
+from warpsample.radiation.sky_kernel import sky_kernel
+from warpsample.radiation.sky_result import SkyMatrix, SkySkipped
+from warpsample.tracing.order import order_of
+from warpsample.tracing.rays import RAY_WORK
+
+_BLOCK_BYTES = 1 << 25  # of the rows that stand at a time where they are folded
+_BYTES_OF_NUMBER = 8  # a value and its error
+
+
+def sky_matrix(
+    mesh: Any,
+    points: SurfacePoints,
+    count: int = 1024,
+    patches: str = "tregenza",
+    up: Any = (0.0, 0.0, 1.0),
+    north: Any = (0.0, 1.0, 0.0),
+    fold: Any = None,
+    seed: int = 0,
+    first_point: int = 0,
+    active: Any = None,
+    skip: bool = True,
+    workers: int | None = None,
+    progress: bool = False,
+) -> SkyMatrix:
+    """The share of its lobe that each patch of the sky lights at each point: daylight coefficients of the direct view.
+
+    A patch that nothing is in has its exact share, and costs no ray; one that a single triangle fills, 0, and none. Rays go
+    into the others alone: of `count`, as many as the patch's share of the open sky, but at least 2; where less than a
+    quarter of the lobe is sky, `count` is that much less. How many does not depend on what is found of other patches, so
+    that turning all does not change them. They are spread as the cosine is, and share out the patch's exact share.
+
+    The bits depend on (mesh, point, first_point + row, seed, count, patches, up, north) alone: not on threads, on which
+    points are together or active, nor on `skip`. On the CPU; the first call ever compiles for about 8 s.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes.
+        points: P of them; as for `ambient_occlusion`.
+        count: rays of each point, 2 to 2^24: as many as are cast if no patch is known, but for the 2 that each has at least.
+        patches: "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305); numbered as `sky_patches` does.
+        up: (3,), towards the zenith, of any length.
+        north: (3,), of any length; what of it is along up is left out.
+        fold: (K,) or (K, T), skies: the result is the matrix times these, summed in float64, and never stands whole.
+        seed: of 64 bits.
+        first_point: the global id of row 0.
+        active: (P,) bool; other points get 0 and a status.
+        skip: whether what is known of a patch replaces its rays; changes no bit.
+        workers: threads, all cores by default.
+        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+
+    Returns:
+        value (P, K), or (P,) or (P, T), its standard error, the patches, and for each point the rays cast and a status.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free.
+
+    Example:
+        >>> mesh = ws.load_mesh("courtyard")
+        >>> points = ws.sample_surface(mesh, 100)
+        >>> seen = ws.sky_matrix(mesh, points, 256)
+        >>> view = ws.sky_view_factor(mesh, points, 256)
+        >>> print(seen.value.shape, f"{seen.value.sum(axis=1).mean() - view.value.mean():.2f}")
+        (100, 145) 0.00
+    """
+    checked = (count, "fibonacci", seed, first_point, active, None, skip, "wide", workers)
+    plan = Plan.of(mesh, points, *checked, progress=progress)
+    sky = sky_patches(patches, up, north)
+    weights = None if fold is None else _skies(fold, len(sky))
+    columns = len(sky) if weights is None else weights.shape[1]
+    check_memory(
+        _BYTES_OF_NUMBER * len(plan.points) * columns,
+        f"{len(plan.points):,} rows of {columns:,} numbers and their errors",
+        "take the points in parts" if fold is not None else "take the points in parts, or pass fold",
+    )
+    with bar(plan.progress, "casting rays", len(plan.points)):
+        rows = _Rows(plan, sky)
+        out = rows.whole() if weights is None else rows.folded(weights)
+    if fold is not None and np.ndim(fold) == 1:
+        out = [array[:, 0] for array in out]
+    return SkyMatrix(*out, rows.cast, rows.status, rows.skipped(), sky)
+
+
+def _skies(fold: Any, patches: int) -> np.ndarray:
+    """`fold` as a contiguous (K, T) of float64.
+
+    Raises:
+        TypeError, ValueError: no finite numbers, or of another shape.
+    """
+    wants = f"finite numbers of shape ({patches},) or ({patches}, T), one for each patch"
+    array = as_real(fold, "fold", wants)
+    if array.ndim not in (1, 2) or array.shape[0] != patches or array.size == 0:
+        raise ValueError(f"fold: got shape {array.shape}, want {wants}")
+    if not np.isfinite(array).all():
+        raise ValueError(f"fold: got NaN or infinity, want {wants}")
+    return np.array(array.reshape(patches, -1), np.float64, order="C")
+
+
+class _Rows:
+    """The points of a plan under a sky, and the arrays that their rows are written to."""
+
+    def __init__(self, plan: Plan, sky: SkyPatches) -> None:
+        """Places the points."""
+        self.plan, self.sky, points = plan, sky, len(plan.points)
+        self.cast, self.open, self.closed, self.below = (np.zeros(points, np.int32) for _ in range(4))
+        self.status = np.zeros(points, np.uint8)
+        self.runner = Runner(plan, Quantity(OPEN))
+        self.table, self.frame, self.begins = table_of(sky), np.ascontiguousarray(sky.frame), groups_of(sky)
+        self.beams = beams_of(sky, np.arange(len(sky) + 1))
+        self.group_beams = beams_of(sky, self.begins)
+
+    def whole(self) -> list[np.ndarray]:
+        """The matrix and its errors."""
+        out = [np.zeros((len(self.status), len(self.sky)), np.float32) for _ in range(2)]
+        self._run(*out, self._order(), False)
+        return out
+
+    def folded(self, weights: np.ndarray) -> list[np.ndarray]:
+        """The matrix times (K, T), and the errors of that; a block of points at a time."""
+        out = [np.zeros((len(self.status), weights.shape[1]), np.float32) for _ in range(2)]
+        order = self._order()
+        order = np.arange(len(self.status)) if order is None else order
+        block = max(1, _BLOCK_BYTES // (_BYTES_OF_NUMBER * len(self.sky)))
+        rows = [np.empty((min(block, len(order)), len(self.sky)), np.float32) for _ in range(2)]
+        for first in range(0, len(order), block):
+            chosen = order[first : first + block]
+            self._run(*rows, chosen, True)
+            good = self.status[chosen] == PointStatus.OK
+            for array in rows:
+                array[: len(chosen)][~good] = 0.0
+            fold_rows(*rows, chosen, weights, out, self.plan.workers)
+        return out
+
+    def skipped(self) -> SkySkipped:
+        """What was not done."""
+        return SkySkipped(
+            points=int(np.count_nonzero(self.status)),
+            open_points=int(np.count_nonzero((self.cast == 0) & (self.status == PointStatus.OK) & (self.open > 0))),
+            open_patches=int(self.open.sum(dtype=np.int64)),
+            closed_patches=int(self.closed.sum(dtype=np.int64)),
+            patches_below=int(self.below.sum(dtype=np.int64)),
+        )
+
+    def _order(self) -> np.ndarray | None:
+        if not len(self.status):
+            return None
+        return order_of(self.runner.scene, self.runner.placement, self.plan.count, self.plan.workers)
+
+    def _run(self, value: np.ndarray, error: np.ndarray, order: np.ndarray | None, by_task: bool) -> None:
+        """Writes the rows of points."""
+        plan, points = self.plan, len(self.status) if order is None else len(order)
+        if not points:
+            return
+        placement = self.runner.placement
+        placement.order = 0 if order is None else order.ctypes.data
+        arrays = {
+            "normals": self.runner.normal,
+            "table": self.table,
+            "beams": self.beams,
+            "frame": self.frame,
+            "begins": self.begins,
+            "group_beams": self.group_beams,
+            "value": value,
+            "error": error,
+            "cast": self.cast,
+            "open": self.open,
+            "closed": self.closed,
+            "below": self.below,
+            "status": self.status,
+        }
+        rows = SkyRowsArgs(
+            placement=placement,
+            seed=plan.seed,
+            first_point=plan.first_point,
+            active=0 if plan.active is None else plan.active.ctypes.data,
+            count=plan.count,
+            patches=len(self.sky),
+            groups=len(self.begins) - 1,
+            skip=plan.skip,
+            by_task=by_task,
+            **{name: array.ctypes.data for name, array in arrays.items()},
+        )
+        accelerator = plan.tracer.accelerator(self.runner.scene, cpu(), plan.workers)
+        work = prod((RAY_WORK, points, plan.count + len(self.sky)))
+        run(sky_kernel(), points, [rows, accelerator], cpu(), plan.workers, work)

@@ -1,0 +1,125 @@
+"""How rays are spread over a patch: about as the cosine is, from column to column and along each, above the horizon."""
+
+import warp as wp
+
+from warpsample.maths.numerics import greater, lesser, sincos_turns
+from warpsample.radiation.shares import Patch, azimuth_near, reaches
+
+LEAST = wp.constant(wp.float32(1e-20))
+"""What keeps a quotient of two numbers that are 0 from being none."""
+
+_ALIKE = wp.constant(wp.float32(0.05))
+_BENT = wp.constant(wp.float32(0.2))
+_THIRD = wp.constant(wp.float32(1.0 / 3.0))
+_ROOT_SEED = wp.constant(wp.int32(709921077))
+_ZERO = wp.constant(wp.float64(0.0))
+_HALF = wp.constant(wp.float64(0.5))
+_TWO = wp.constant(wp.float64(2.0))
+_PI = wp.constant(wp.float64(3.141592653589793))
+_TURN = wp.constant(wp.float64(0.15915494309189535))
+_UPRIGHT = wp.constant(wp.float64(1e-12))
+
+
+@wp.func
+def _azimuths(n: wp.vec3d, patch: Patch):
+    """(first, width), in turns, of the azimuths at which some of a patch is above the horizon.
+
+    Of all of the patch's, if those are two intervals, with a hill of the horizon between.
+    """
+    first = patch.first
+    last = patch.last
+    level = wp.sqrt(n[0] * n[0] + n[1] * n[1])
+    if level > _UPRIGHT:
+        half = reaches(wp.where(n[2] < _ZERO, n[2] * patch.tan_low, n[2] * patch.tan_high), level)
+        middle = azimuth_near(n, _HALF * (first + last))
+        if last - first > _PI:  # the cap, which has all
+            first = middle - half
+            last = middle + half
+        elif middle + half - _TWO * _PI <= first and middle - half + _TWO * _PI >= last:
+            first = wp.max(first, middle - half)
+            last = wp.max(first, wp.min(last, middle + half))
+    return wp.float32(first * _TURN - wp.floor(first * _TURN)), wp.float32((last - first) * _TURN)
+
+
+@wp.struct
+class Slope:
+    """What a patch is spread by: its normal in the frame, the drops of its upper and lower edge, how its width is filled.
+
+    A direction's drop is how much lower than the zenith it is: near that the height itself would have lost it.
+    first, width: of the azimuths, in turns. start, end: the roots of how much the columns at the two weigh, of 1.
+    """
+
+    nx: wp.float32
+    ny: wp.float32
+    nz: wp.float32
+    top: wp.float32
+    bottom: wp.float32
+    first: wp.float32
+    width: wp.float32
+    start: wp.float32
+    end: wp.float32
+
+
+@wp.func
+def turned_by(slope: Slope, share: wp.float32) -> wp.vec2:
+    """(cosine, sine) of the azimuth at a share of the width."""
+    turn = slope.first + slope.width * share
+    return sincos_turns(wp.where(turn < 1.0, turn, turn - 1.0))
+
+
+@wp.func
+def _cosine_at(level: wp.float32, nz: wp.float32, drop: wp.float32) -> wp.float32:
+    """The cosine to the normal at a drop; 0 below the horizon."""
+    return greater(level * wp.sqrt(drop * (2.0 - drop)) + nz * (1.0 - drop), 0.0)
+
+
+@wp.func
+def column_at(slope: Slope, cs: wp.vec2) -> wp.vec4:
+    """(upper drop, how much lower the other is, the cosines at both) of what is above the horizon of a column."""
+    level = slope.nx * cs[1] + slope.ny * cs[0]
+    # What lies above the horizon is above it in height for a normal that points up, else below.
+    downwards = slope.nz < 0.0
+    horizon = 1.0 + wp.where(downwards, -level, level) / wp.sqrt(level * level + slope.nz * slope.nz + LEAST)
+    upper = wp.where(downwards, greater(horizon, slope.top), slope.top)
+    extent = greater(wp.where(downwards, slope.bottom, lesser(horizon, slope.bottom)) - upper, 0.0)
+    return wp.vec4(upper, extent, _cosine_at(level, slope.nz, upper), _cosine_at(level, slope.nz, upper + extent))
+
+
+@wp.func
+def weight_of(column: wp.vec4) -> wp.float32:
+    """About the integral of the cosine over a column."""
+    return column[1] * (column[2] + column[3])
+
+
+@wp.func
+def slope_of(n: wp.vec3d, patch: Patch, row: wp.array[wp.float64]) -> Slope:
+    """How a patch is spread; its columns weigh about as the square of what is linear between its sides."""
+    slope = Slope()
+    slope.nx = wp.float32(n[0])
+    slope.ny = wp.float32(n[1])
+    slope.nz = wp.float32(n[2])
+    slope.top = wp.float32(row[18])
+    slope.bottom = wp.float32(row[19])
+    first, width = _azimuths(n, patch)
+    slope.first = first
+    slope.width = width
+    start = wp.sqrt(weight_of(column_at(slope, turned_by(slope, 0.0))))
+    end = wp.sqrt(weight_of(column_at(slope, turned_by(slope, 1.0))))
+    middle = wp.sqrt(weight_of(column_at(slope, turned_by(slope, 0.5))))
+    most = wp.max(start, end)
+    # All columns alike where they are, or where there is a hill or a valley between.
+    alike = wp.abs(end - start) <= _ALIKE * most
+    slope.start = 1.0
+    slope.end = 1.0
+    if not alike and wp.abs(middle - 0.5 * (start + end)) <= _BENT * most:
+        slope.start = start / most
+        slope.end = end / most
+    return slope
+
+
+@wp.func
+def cube_root(x: wp.float32) -> wp.float32:
+    """Of a number from 1e-12 to 2, to 2e-7: from the bits, then two of Halley's steps."""
+    y = wp.cast(wp.int32(wp.float32(wp.cast(x, wp.int32)) * _THIRD) + _ROOT_SEED, wp.float32)
+    y = y * (y * y * y + 2.0 * x) / (2.0 * y * y * y + x)
+    return y * (y * y * y + 2.0 * x) / (2.0 * y * y * y + x)
