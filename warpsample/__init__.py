@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from warpsample.mesh.mesh import Mesh, as_mesh
     from warpsample.mesh.report import MeshReport
     from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+    from warpsample.radiation.direct_sun import direct_sun
     from warpsample.tracing.scene import refit
     from warpsample.tracing.trace import Hits, trace
     from warpsample.tracing.tree import tree
@@ -64,6 +65,7 @@ __all__ = [
     "ambient_occlusion",
     "as_mesh",
     "bent_normals",
+    "direct_sun",
     "distributions",
     "face_centers",
     "integrate",
@@ -92,6 +94,7 @@ _HOMES = {
     "mesh.files": ("load_mesh",),
     "mesh.report": ("MeshReport",),
     "mesh.surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
+    "radiation.direct_sun": ("direct_sun",),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
     "tracing.tree": ("tree",),
