@@ -169,7 +169,7 @@ def test_suns_at_the_edge_of_what_blocks_them():
     rng = np.random.default_rng(6)
     for _ in range(6):
         corners = np.array([0.0, 0.0, 40.0]) + rng.uniform(-20, 20, (3, 3))
-        mesh, place = plane_and((corners, [[0, 1, 2]])), np.append(rng.uniform(-9, 9, 2), 0.0)
+        mesh, place = plane_and((corners, [[0, 1, 2]])), np.append(rng.uniform(-9, 9, 2), 5.0)
         suns = (corners[0] + rng.uniform(0.0, 1.0, (600, 1)) * (corners[1] - corners[0]) - place).astype(np.float32)
         right, _ = traced(mesh, at(place), suns)
         assert np.array_equal(ws.direct_sun(mesh, at(place), suns), right)
