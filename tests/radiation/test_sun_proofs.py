@@ -149,6 +149,9 @@ def test_a_triangle_that_covers_a_beam_is_met_by_all_of_it(seed):
     beside = 10.0 ** rng.uniform(-9.0, 0.0, (N, WIDTH, 1, 1)) * rng.choice([-1.0, 1.0, 1.0], (N, WIDTH, 1, 1))
     size = 2.0 * np.maximum(np.sqrt(2.0) * np.tan(radius)[:, None, None, None] + beside, 1e-9)
     distance = 10.0 ** rng.uniform(-5.0, 0.5, (N, WIDTH, 1, 1)) * rng.choice([-1.0, 1.0, 1.0, 1.0], (N, WIDTH, 1, 1))
+    # And every fourth about the point: its plane next to nothing before or behind it.
+    size[:, ::4] = 10.0 ** rng.uniform(0.0, 8.0, size[:, ::4].shape)
+    distance[:, ::4] = np.copysign(np.minimum(1.0, np.abs(distance)), distance)[:, ::4] / size[:, ::4]
     tilt = 1.0 + 0.5 * rng.uniform(-1.0, 1.0, (N, WIDTH, 3, 1))
     way = d[:, None, None] + size * (np.cos(turn) * x[:, :, None] + np.sin(turn) * y[:, :, None])
     triangles = (origins[:, None, None] + distance * tilt * way).astype(np.float32)
