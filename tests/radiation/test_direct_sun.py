@@ -12,6 +12,7 @@ from warpsample.bench import scenes
 from warpsample.host.arguments import check_seed
 from warpsample.radiation.direct_sun import SunCall
 
+ERROR = 0.037  # of a disc's share, where an edge cuts it
 GRAZING = 1e-6  # cosines whose sign float32 does not tell
 
 MESHES = {
@@ -228,8 +229,8 @@ def test_half_of_a_disc_behind_an_edge():
     sun = unit([[40.0, 0.0, 10.0]])
     shares = ws.direct_sun(mesh, at(place), sun, disc=0.533)
     assert shares.dtype == np.float32
-    assert abs(shares.mean(dtype=np.float64) - 0.5) < 4.0 * 0.022 / np.sqrt(600)
-    assert np.sqrt(np.mean((shares.astype(np.float64) - 0.5) ** 2)) < 0.04
+    assert abs(shares.mean(dtype=np.float64) - 0.5) < 4.0 * ERROR / np.sqrt(600)
+    assert np.sqrt(np.mean((shares.astype(np.float64) - 0.5) ** 2)) < 1.3 * ERROR
     assert not np.array_equal(shares, ws.direct_sun(mesh, at(place), sun, disc=0.533, seed=1))
 
 
@@ -242,8 +243,8 @@ def test_a_disc_cut_anywhere():
     x = np.clip(-h, -1.0, 1.0)
     area = (np.arccos(x) - x * np.sqrt(1.0 - x * x)) / np.pi  # of a flat disc: the cap's differs by the square of its radius
     error = shares - area
-    assert np.abs(error.mean(axis=0)).max() < 4.0 * 0.022 / np.sqrt(400) + radius**2 / 4.0
-    assert np.sqrt(np.mean(np.square(error[:, np.abs(h) < 1.0]))) < 0.03
+    assert np.abs(error.mean(axis=0)).max() < 4.0 * ERROR / np.sqrt(400) + radius**2 / 4.0
+    assert np.sqrt(np.mean(np.square(error[:, np.abs(h) < 1.0]))) < 1.3 * ERROR
     assert (shares[:, h > 1.01] == 1.0).all()
     assert (shares[:, h < -1.01] == 0.0).all()
 
@@ -256,7 +257,7 @@ def test_what_of_a_disc_is_below_the_horizon_is_dark():
     assert (shares[:, 0] == 0.0).all()
     x = -np.degrees(angle[1:4]) / 0.2665
     area = (np.arccos(x) - x * np.sqrt(1.0 - x * x)) / np.pi
-    assert np.abs(shares[:, 1:4].mean(axis=0) - area).max() < 4.0 * 0.022 / np.sqrt(300)
+    assert np.abs(shares[:, 1:4].mean(axis=0) - area).max() < 4.0 * ERROR / np.sqrt(300)
     assert (shares[:, 4:] == 1.0).all()
 
 

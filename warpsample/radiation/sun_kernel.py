@@ -102,12 +102,14 @@ def _disc_share() -> wp.Function:
         """The share of a disc that is above the horizon and not blocked; none is if it is LIT."""
         dark = wp.int32(0)
         aim_at_disc(suns, view, column, sun)
-        for k in range(DISC_RAYS):
+        k = wp.int32(0)
+        while k < DISC_RAYS:
             cosine = cosine_to(view.n, way_of(view, k))
             if cosine <= _ZERO:
                 dark += 1
             elif state != LIT or cosine < LEAST_COSINE:
                 dark += wp.where(blocked(suns, whole, seen, view, k, cosine), 1, 0)
+            k += 1
         return wp.float32(DISC_RAYS - dark) / wp.float32(DISC_RAYS)
 
     return share_of

@@ -36,8 +36,8 @@ from warpsample.tracing.wide.layout import (
 from warpsample.tracing.wide.prepare import prepare_wide, ray_in
 from warpsample.tracing.wide.query import any_of, wide_walk
 
-DISC_RAYS = 32
-"""Of a disc that is neither proven lit nor dark."""
+DISC_RAYS = WIDTH
+"""Of a disc that is neither proven lit nor dark: its share has an error of 0.037 (RMS) where a straight edge cuts it."""
 
 LEAST_COSINE = wp.constant(wp.float64(2.0**-12))
 """Of a ray to which what is below the horizon does not matter: the same as of the rays of an estimate."""
@@ -124,12 +124,14 @@ def aim_at_disc(suns: Suns, view: View, column: wp.int32, sun: wp.vec3):
     stream = high_word(suns.seed) ^ (wp.uint32(column) * STREAM_STEP)
     seed = (wp.uint64(stream) << wp.uint64(32)) | wp.uint64(low_word(suns.seed))
     id = suns.first_point + wp.uint64(view.point)
-    for k in range(DISC_RAYS):
+    k = wp.int32(0)
+    while k < DISC_RAYS:
         u = fibonacci(seed, id, wp.uint32(k), wp.uint32(DISC_RAYS))
         d = to_world(frame, square_to_uniform_cone(u, suns.one_minus_cos))
         _aim(view, k, d)
         if far_off(view.place):
             _bring_near(suns, view, k, unit_in_double(wp.vec3d(wp.float64(d[0]), wp.float64(d[1]), wp.float64(d[2])), 0))
+        k += 1
     prepare_wide(view.chunk, DISC_RAYS)
 
 
