@@ -1,8 +1,29 @@
-"""Suns of a year, and what `trace` says of them."""
+"""Suns of a year, what `trace` says of them, and meshes and points for them."""
 
 import numpy as np
+from meshes import CLOSED, soup
 
 import warpsample as ws
+from warpsample.bench import scenes
+from warpsample.radiation.direct_sun import SunCall
+
+GRAZING = 1e-6  # cosines whose sign float32 does not tell
+
+MESHES = {
+    "bunny": lambda: None,
+    "city": lambda: scenes.city(12),
+    "hostile": lambda: soup(300),
+    "torus": lambda: CLOSED["torus"][0],
+    "courtyard": lambda: ws.load_mesh("courtyard"),
+}
+
+
+def mesh_of(name, bunny):
+    return bunny if name == "bunny" else MESHES[name]()
+
+
+def call_of(mesh, points, suns, disc=0.0, skip=True):
+    return SunCall(mesh, points, suns, None, disc, 0, 0, None, skip, 1, False)
 
 
 def year(every=1, latitude=52.0):
@@ -37,3 +58,26 @@ def traced(mesh, points, suns):
     ways = np.ascontiguousarray(np.broadcast_to(suns, (len(points), *suns.shape)))
     cosine = unit(points.normal) @ unit(suns).T
     return (ws.trace(mesh, points, ways, any_hit=True).face < 0) & (cosine > 0.0), cosine
+
+
+def plane_and(*others):
+    """A square of 200 about 0, z up, and other (vertices, faces)."""
+    parts = [(np.array([[-100, -100, 0], [100, -100, 0], [100, 100, 0], [-100, 100, 0.0]]), [[0, 1, 2], [0, 2, 3]]), *others]
+    first = np.cumsum([0, *(len(v) for v, _ in parts)])
+    return ws.as_mesh(
+        (
+            np.concatenate([v for v, _ in parts]),
+            np.concatenate([np.array(f) + i for (_, f), i in zip(parts, first, strict=False)]),
+        )
+    )
+
+
+def upright(low, high, x=0.0):
+    """A rectangle at x, from low to high in (y, z)."""
+    (a, b), (c, d) = low, high
+    return np.array([[x, a, b], [x, c, b], [x, c, d], [x, a, d]], float), [[0, 1, 2], [0, 2, 3]]
+
+
+def at(position, normal=(0.0, 0.0, 1.0)):
+    position = np.atleast_2d(np.asarray(position, float))
+    return ws.SurfacePoints(position, np.broadcast_to(np.asarray(normal, float), position.shape).copy())
