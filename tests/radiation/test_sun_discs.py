@@ -18,6 +18,9 @@ def test_half_of_a_disc_behind_an_edge():
     assert abs(shares.mean(dtype=np.float64) - 0.5) < 4.0 * ERROR / np.sqrt(600)
     assert np.sqrt(np.mean((shares.astype(np.float64) - 0.5) ** 2)) < 1.3 * ERROR
     assert not np.array_equal(shares, ws.direct_sun(mesh, at(place), sun, disc=0.533, seed=1))
+    twice = ws.direct_sun(mesh, at(place), np.concatenate([sun, sun]), disc=0.533).astype(np.float64)
+    assert np.array_equal(twice[:, :1], shares)
+    assert abs(np.corrcoef(twice.T)[0, 1]) < 0.2  # each sun has rays of its own
 
 
 def test_a_disc_cut_anywhere():
@@ -35,11 +38,14 @@ def test_a_disc_cut_anywhere():
     assert (shares[:, h < -1.01] == 0.0).all()
 
 
-def test_what_of_a_disc_is_below_the_horizon_is_dark():
-    mesh = plane_and()
+@pytest.mark.parametrize("height", [0.0, 5.0])
+def test_what_of_a_disc_is_below_the_horizon_is_dark(height):
+    """On the ground, which blocks it, and above all there is."""
+    mesh = plane_and() if height == 0.0 else ws.as_mesh(upright((-1.0, 0.0), (1.0, 1.0)))
+    place = np.tile([0.0, 0.0, height], (300, 1))
     angle = np.radians([-0.1, 1e-3, 0.1, 0.26, 0.27, 10.0])
     suns = np.column_stack([np.cos(angle), np.zeros(6), np.sin(angle)])
-    shares = ws.direct_sun(mesh, at(np.zeros((300, 3))), suns, disc=0.533).astype(np.float64)
+    shares = ws.direct_sun(mesh, at(place), suns, disc=0.533).astype(np.float64)
     assert (shares[:, 0] == 0.0).all()
     x = -np.degrees(angle[1:4]) / 0.2665
     area = (np.arccos(x) - x * np.sqrt(1.0 - x * x)) / np.pi
