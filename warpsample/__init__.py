@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from warpsample.mesh.mesh import Mesh, as_mesh
     from warpsample.mesh.report import MeshReport
     from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+    from warpsample.radiation.direct_sun import direct_sun
     from warpsample.radiation.patches import SkyPatches, sky_patches
     from warpsample.radiation.sky_matrix import sky_matrix
     from warpsample.radiation.sky_result import SkyMatrix, SkySkipped
@@ -72,6 +73,7 @@ __all__ = [
     "ambient_occlusion",
     "as_mesh",
     "bent_normals",
+    "direct_sun",
     "distributions",
     "face_centers",
     "integrate",
@@ -107,6 +109,7 @@ _HOMES = {
     "radiation.patches": ("SkyPatches", "sky_patches"),
     "radiation.sky_matrix": ("sky_matrix",),
     "radiation.sky_result": ("SkyMatrix", "SkySkipped"),
+    "radiation.direct_sun": ("direct_sun",),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
     "tracing.tree": ("tree",),
