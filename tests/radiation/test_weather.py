@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from weather_files import ATHENS, COLUMNS, header, rows, sun_altitude, write_epw
 
-from warpsample.radiation.weather import YEAR, hours_of, read_weather
+from warpsample.radiation.epw import YEAR
+from warpsample.radiation.weather import hours_of, read_weather
 
 pytest.importorskip("pvlib")
 
@@ -60,6 +61,19 @@ def test_years_of_months_may_differ_and_letters_be_of_any_encoding(tmp_path, ath
 def test_what_follows_the_diffuse_radiation_does_not_count(tmp_path, athens, width):
     path = write_epw(tmp_path / "wide.epw", change=lambda table: [(row + 5 * ["x"])[:width] for row in table])
     assert np.array_equal(read_weather(path).diffuse_horizontal, read_weather(athens).diffuse_horizontal)
+
+
+def test_athens_is_an_example_of_a_cloudless_year(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    weather = read_weather("athens")
+    noon = weather.sun_altitude.reshape(365, 24).max(axis=1)
+    assert np.degrees([noon.min(), noon.max()]) == pytest.approx([28.6, 75.5], abs=0.5)
+    assert 900.0 < weather.direct_normal.max() < 1100.0
+    assert 0.05 < weather.diffuse_horizontal.sum() / weather.direct_normal.sum() < 0.2
+    assert not weather.direct_normal[weather.sun_altitude < 0.0].any()
+    (tmp_path / "athens").write_text("mine")
+    with pytest.raises(ValueError, match="^weather: got 'athens', which cannot be read"):
+        read_weather("athens")
 
 
 def cell(line, column, text):

@@ -3,25 +3,19 @@
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from datetime import timedelta, timezone
 from io import StringIO
+from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from warpsample.host.arguments import check_file, naming_file, told
+from warpsample.radiation.epw import YEAR, checked_text, radiation
 
-_HEADER = 8  # lines, the first LOCATION, the last DATA PERIODS
-_FIELDS = 16  # of a row, up to the diffuse radiation; pvlib names 35, and some files have fewer
-_PVLIB_FIELDS = 35
-_STRONGEST = 1500.0  # W/m²: outside the atmosphere it is 1,412, and what is missing is told as 9999
 _NIGHT = -10.0  # degrees: in an hour whose middle is as deep, the sun is down all the time
-_LIMITS = {"latitude": 90, "longitude": 180, "time zone": 14, "altitude": 9000}  # degrees, hours, metres
-_DAYS = (31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
 _PERIOD = re.compile(r"(\d\d)-(\d\d)(?:T(\d\d))?")
-
-YEAR = [(month, day, hour) for month in range(1, 13) for day in range(1, _DAYS[month - 1] + 1) for hour in range(1, 25)]
-"""(month, day, hour 1 to 24) of the 8,760 rows of a file."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,12 +51,11 @@ class Weather:
 
 
 def read_weather(weather: Any, period: Sequence[str] | None = None) -> Weather:
-    """Reads an EPW file by pvlib, which takes nearly anything: what it would read wrongly is refused.
-
-    Latin letters in any encoding are read, and what follows the diffuse radiation in a row is ignored.
+    """The weather of a year, or of a period of it.
 
     Args:
-        weather: the path of a file of 8,760 hours.
+        weather: the path of an EPW file of 8,760 hours; latin letters in any encoding are read, and what follows the
+            diffuse radiation in a row is ignored. "athens", where no file is called that, is an example: a cloudless year.
         period: as of `hours_of`; by default the year.
 
     Raises:
@@ -70,18 +63,40 @@ def read_weather(weather: Any, period: Sequence[str] | None = None) -> Weather:
         ModuleNotFoundError: pvlib is missing; says how to install it.
     """
     chosen = hours_of(period)
-    pvlib = _pvlib()
+    if isinstance(weather, str | PathLike) and fspath(weather) == "athens" and not Path(weather).exists():
+        return _athens(_pvlib()).chosen(chosen)
     path = check_file(weather, "weather", "an EPW weather file")
+    pvlib = _pvlib()
     with naming_file("weather", path, "an EPW weather file"):
-        table, place = pvlib.iotools.read_epw(StringIO(_checked_text(path)))
-        middle = table.index + np.timedelta64(30, "m")
-        latitude, longitude, zone, altitude = (place[name] for name in ("latitude", "longitude", "TZ", "altitude"))
-        sun = pvlib.solarposition.get_solarposition(middle, latitude, longitude, altitude)
-        direct, diffuse = _radiation(table, "dni", "direct normal"), _radiation(table, "dhi", "diffuse horizontal")
+        table, place = pvlib.iotools.read_epw(StringIO(checked_text(path)))
+        where = tuple(place[name] for name in ("latitude", "longitude", "TZ", "altitude"))
+        sun = _sun(pvlib, table.index, where)
+        direct, diffuse = radiation(table, "dni", "direct normal"), radiation(table, "dhi", "diffuse horizontal")
         _check_nights(direct, sun["elevation"].to_numpy())
-    hours = table.index.tz_localize(None).to_numpy().astype("datetime64[m]")
+    return _weather(where, sun, direct, diffuse).chosen(chosen)
+
+
+def _athens(pvlib: Any) -> Weather:
+    """A cloudless year in Athens, by the clear sky of Ineichen2008."""
+    import pandas  # noqa: PLC0415, ICN001
+
+    where = (37.98, 23.73, 2.0, 107.0)
+    hours = pandas.date_range("2021-01-01", periods=len(YEAR), freq="h", tz=timezone(timedelta(hours=where[2])))
+    sun = _sun(pvlib, hours, where)
+    sky = pvlib.clearsky.simplified_solis(sun["apparent_elevation"])
+    return _weather(where, sun, sky["dni"].to_numpy(np.float64), sky["dhi"].to_numpy(np.float64))
+
+
+def _sun(pvlib: Any, hours: Any, where: tuple[float, ...]) -> Any:
+    """pvlib's table of where the sun stands at the middle of hours."""
+    latitude, longitude, _, altitude = where
+    return pvlib.solarposition.get_solarposition(hours + np.timedelta64(30, "m"), latitude, longitude, altitude)
+
+
+def _weather(where: tuple[float, ...], sun: Any, direct: np.ndarray, diffuse: np.ndarray) -> Weather:
+    hours = (sun.index.tz_localize(None) - np.timedelta64(30, "m")).to_numpy().astype("datetime64[m]")
     angles = (np.radians(sun[name].to_numpy(np.float64)) for name in ("apparent_elevation", "azimuth"))
-    return Weather(latitude, longitude, zone, altitude, hours, direct, diffuse, *angles).chosen(chosen)
+    return Weather(*where, hours, direct, diffuse, *angles)
 
 
 def hours_of(period: Any) -> np.ndarray:
@@ -130,64 +145,6 @@ def _pvlib() -> Any:
     except ModuleNotFoundError:
         raise ModuleNotFoundError("weather needs pvlib: pip install 'warpsample[radiation]'") from None
     return pvlib
-
-
-def _checked_text(path: Path) -> str:
-    """The file's text with 35 fields in each row: pvlib shifts the columns of longer ones, and guesses wrong types.
-
-    Raises:
-        ValueError: other lines than those of 8,760 hours.
-    """
-    lines = path.read_bytes().decode("utf-8-sig", errors="replace").splitlines()
-    for number, name in ((1, "LOCATION"), (_HEADER, "DATA PERIODS")):
-        if len(lines) < number or not lines[number - 1].upper().startswith(f"{name},"):
-            raise ValueError(f"line {number} does not begin with {name}")
-    _check_place(lines[0])
-    header, rows = lines[:_HEADER], [line.split(",") for line in lines[_HEADER:] if line.strip()]
-    for number, row in enumerate(rows, _HEADER + 1):
-        if len(row) < _FIELDS:
-            raise ValueError(f"line {number} has {len(row)} fields, want at least {_FIELDS}, up to the diffuse radiation")
-    if len(rows) != len(YEAR):
-        leap = ", with 29 February" if len(rows) == len(YEAR) + 24 else ""
-        raise ValueError(f"it has {len(rows):,} hours{leap}, want the {len(YEAR):,} of a year without 29 February")
-    for number, (row, right) in enumerate(zip(rows, YEAR, strict=True), _HEADER + 1):
-        if tuple(map(str.strip, row[1:4])) not in (tuple(map(str, right)), tuple(f"{part:02}" for part in right)):
-            date = "month {}, day {}, hour {}"
-            raise ValueError(f"line {number} is of {date.format(*row[1:4])}, want {date.format(*right)}")
-    return "\n".join(header + [",".join(row[:_FIELDS]) + "," * (_PVLIB_FIELDS - _FIELDS) for row in rows])
-
-
-def _check_place(line: str) -> None:
-    """Refuses a first line without the numbers of a place.
-
-    Raises:
-        ValueError: says what is wrong.
-    """
-    fields = line.split(",")
-    if len(fields) < 10:
-        raise ValueError(
-            f"line 1 has {len(fields)} fields, want 10, the last the latitude, longitude, time zone and altitude"
-        )
-    for value, (name, limit) in zip(map(float, fields[6:10]), _LIMITS.items(), strict=True):
-        if not -limit <= value <= limit:
-            raise ValueError(f"line 1 has the {name} {value:g}, want one from -{limit} to {limit}")
-
-
-def _radiation(table: Any, column: str, name: str) -> np.ndarray:
-    """(8760,) W/m².
-
-    Raises:
-        ValueError: numbers that are missing or cannot be.
-    """
-    values = table[column].to_numpy(np.float64)
-    bad = np.flatnonzero(~((values >= 0.0) & (values <= _STRONGEST)))
-    if len(bad):
-        row = bad[0]
-        raise ValueError(
-            f"{name} radiation is missing or out of range in {len(bad):,} of the hours, first {values[row]:g} in line "
-            f"{_HEADER + 1 + row}, want 0 to {_STRONGEST:g} W/m²"
-        )
-    return values
 
 
 def _check_nights(direct: np.ndarray, altitude: np.ndarray) -> None:
