@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from warpsample.mesh.mesh import Mesh, as_mesh
     from warpsample.mesh.report import MeshReport
     from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+    from warpsample.radiation.irradiation import Irradiation, irradiation
     from warpsample.tracing.scene import refit
     from warpsample.tracing.trace import Hits, trace
     from warpsample.tracing.tree import tree
@@ -42,6 +43,7 @@ __all__ = [
     "Estimate",
     "Hits",
     "Interval",
+    "Irradiation",
     "Mesh",
     "MeshReport",
     "OffsetBall",
@@ -68,6 +70,7 @@ __all__ = [
     "face_centers",
     "integrate",
     "irradiance",
+    "irradiation",
     "load_mesh",
     "refit",
     "sample_directions",
@@ -92,6 +95,7 @@ _HOMES = {
     "mesh.files": ("load_mesh",),
     "mesh.report": ("MeshReport",),
     "mesh.surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
+    "radiation.irradiation": ("Irradiation", "irradiation"),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
     "tracing.tree": ("tree",),
