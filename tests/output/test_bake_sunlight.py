@@ -43,7 +43,7 @@ def test_irradiation_of_faces(call, athens, yard, tmp_path, monkeypatch):
         assert np.array_equal(found[name], getattr(right, name)), name
     first, second, third, fourth, *_ = out.splitlines()
     assert first == f"{output}: irradiation of 2,080 faces"
-    assert second.startswith(f"  mean {right.value.mean():.4f} kWh/m²; standard error ")
+    assert second.startswith(f"  mean {right.value.mean():.4f} kWh/m2; standard error ")
     assert third.startswith(f"  {right.rays.sum():,} rays cast in ")
     skipped = right.skipped
     assert fourth == f"  sky patches without rays: {skipped.open_patches:,} open, {skipped.closed_patches:,} closed"

@@ -30,7 +30,7 @@ QUANTITIES = {
 }
 SUFFIXES = tuple(WRITERS)
 
-_UNITS = {"irradiation": " kWh/m²", "sun-hours": " h", "sky-matrix": " a patch"}
+_UNITS = {"irradiation": " kWh/m2", "sun-hours": " h", "sky-matrix": " a patch"}
 _INPUTS = {  # (the quantities that need a file, what it is)
     "environment": (("irradiance",), "a picture of the light, .hdr or .npy"),
     "weather": (("irradiation", "sun-hours"), "an EPW weather file"),

@@ -69,6 +69,6 @@ def radiation(table: Any, column: str, name: str) -> np.ndarray:
         row = bad[0]
         raise ValueError(
             f"{name} radiation is missing or out of range in {len(bad):,} of the hours, first {values[row]:g} in line "
-            f"{_HEADER + 1 + row}, want 0 to {_STRONGEST:g} W/m²"
+            f"{_HEADER + 1 + row}, want 0 to {_STRONGEST:g} W/m2"
         )
     return values
