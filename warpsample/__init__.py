@@ -31,6 +31,8 @@ if TYPE_CHECKING:
     from warpsample.mesh.report import MeshReport
     from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
     from warpsample.radiation.irradiation import Irradiation, irradiation
+    from warpsample.radiation.patches import SkyPatches, sky_patches
+    from warpsample.radiation.sky_matrix import SkyMatrix, SkySkipped, sky_matrix
     from warpsample.tracing.scene import refit
     from warpsample.tracing.trace import Hits, trace
     from warpsample.tracing.tree import tree
@@ -53,6 +55,9 @@ __all__ = [
     "PointStatus",
     "PowerCosine",
     "Skipped",
+    "SkyMatrix",
+    "SkyPatches",
+    "SkySkipped",
     "SkyView",
     "Status",
     "SurfacePoints",
@@ -77,6 +82,8 @@ __all__ = [
     "sample_square",
     "sample_surface",
     "sequences",
+    "sky_matrix",
+    "sky_patches",
     "sky_view_factor",
     "trace",
     "tree",
@@ -96,6 +103,8 @@ _HOMES = {
     "mesh.report": ("MeshReport",),
     "mesh.surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
     "radiation.irradiation": ("Irradiation", "irradiation"),
+    "radiation.patches": ("SkyPatches", "sky_patches"),
+    "radiation.sky_matrix": ("SkyMatrix", "SkySkipped", "sky_matrix"),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
     "tracing.tree": ("tree",),

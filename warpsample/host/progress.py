@@ -8,12 +8,12 @@ from typing import Any
 LEAST_WORK = 1 << 25
 """Directions, or the like: 0.1 s. What takes less does not show how far it is."""
 
-_shown: ContextVar[tuple[Any, Any] | None] = ContextVar("shown", default=None)
+_shown: ContextVar[tuple[Any, Any, bool] | None] = ContextVar("shown", default=None)
 
 
 @contextmanager
-def bar(progress: bool, what: str) -> Iterator[None]:
-    """Shows a bar for the work within, if `progress` is True."""
+def bar(progress: bool, what: str, total: int | None = None) -> Iterator[None]:
+    """Shows a bar for the work within, if `progress` is True: from 0 for each run, or for all runs of `total` tasks together."""
     if not progress:
         yield
         return
@@ -24,7 +24,7 @@ def bar(progress: bool, what: str) -> Iterator[None]:
     columns = TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn()
     disable = not (console.is_terminal or console.is_jupyter)
     with Progress(*columns, console=console, disable=disable, transient=True) as display:
-        token = _shown.set((display, display.add_task(what, total=None)))
+        token = _shown.set((display, display.add_task(what, total=total), total is not None))
         try:
             yield
         finally:
@@ -36,6 +36,7 @@ def begin(tasks: int, work: int) -> Callable[[int], None] | None:
     shown = _shown.get()
     if shown is None or work < LEAST_WORK:
         return None
-    display, task = shown
-    display.reset(task, total=tasks)
+    display, task, together = shown
+    if not together:
+        display.reset(task, total=tasks)
     return lambda done: display.advance(task, done)

@@ -1,0 +1,196 @@
+"""The beams about sky patches: what is in one that a ray may meet, and whether one triangle fills it.
+
+They are those of the estimates (`estimate.skipping.beams`), but they point to the sky and not about the normal.
+"""
+
+import numpy as np
+import warp as wp
+
+from warpsample.estimate.skipping.beams import boxes_in, triangles_in
+from warpsample.estimate.skipping.frontier import NEAR
+from warpsample.estimate.spot import Spot
+from warpsample.maths.numerics import lowest_bit
+from warpsample.radiation.patches import SkyPatches
+from warpsample.tracing.wide.boxes import PADDING
+from warpsample.tracing.wide.corners import corner, size_of
+from warpsample.tracing.wide.layout import BEAM_FLOATS, CORNERS, LEAF_BYTES, NODE_BYTES, PLANES, WIDTH, Accelerator
+from warpsample.tracing.wide.query import put_aside
+
+OPEN, CLOSED, UNKNOWN = 1, 2, 3
+"""What is known of a patch: nothing is in it; one triangle fills it; neither."""
+
+_OPEN = wp.constant(wp.int32(OPEN))
+_CLOSED = wp.constant(wp.int32(CLOSED))
+_UNKNOWN = wp.constant(wp.int32(UNKNOWN))
+_VISITS = wp.constant(wp.int32(32))  # nodes and leaves that a beam may look into
+_VISITS_MORE = wp.constant(wp.int32(4))  # once something is found, for what fills the beam
+_NODE = wp.constant(wp.uint64(NODE_BYTES))
+_LEAF = wp.constant(wp.uint64(LEAF_BYTES))
+_PLACES = wp.constant(wp.uint64(6 * 4 * WIDTH))
+_WAITING = wp.constant(wp.uint64(4 * 4))
+_BEAM = wp.constant(wp.uint64(12 * WIDTH))
+_BEAM_LOCAL = 3 * WIDTH
+_PADDING = wp.constant(wp.float32(PADDING))
+_INSIDE = wp.constant(wp.float32(2.0**-17))
+"""Of an angle, by which a beam must be within a triangle: directions are rounded by less than 2^-20."""
+
+_NOWHERE = wp.constant(wp.uint64(0))
+
+
+def beams_of(patches: SkyPatches) -> np.ndarray:
+    """(K, 3, 16) float32, the vectors of the patches' beams, as `estimate.cells.Cells.beams`: planes and corners.
+
+    The planes are the horizon's, which the point's own takes the place of; two at the azimuths; one through the upper
+    corners, and one that touches the lower edge in its middle. About the cap there is a square pyramid.
+    """
+    (low, high), (first, last) = np.radians(patches.altitudes).T, np.radians(patches.azimuths).T
+    middle, half = 0.5 * (first + last), np.cos(0.5 * (last - first))
+    vectors = np.zeros((len(patches), WIDTH, 3))
+    vectors[:, 0, 2] = 1.0
+    vectors[:, 1] = np.stack([np.cos(first), -np.sin(first), 0.0 * first], axis=1)
+    vectors[:, 2] = np.stack([-np.cos(last), np.sin(last), 0.0 * last], axis=1)
+    vectors[:, 3] = _towards(middle, np.sin(high), -np.cos(high) * half)
+    vectors[:, 4] = _towards(middle, -np.sin(low), np.cos(low))
+    for i, azimuth in enumerate((first, last)):
+        vectors[:, PLANES + 2 * i] = _towards(azimuth, np.cos(high), np.sin(high))
+        vectors[:, PLANES + 2 * i + 1] = _towards(azimuth, np.cos(low), np.sin(low) * half)
+    quarters = 0.5 * np.pi * np.arange(4)
+    vectors[-1, 1:PLANES] = _towards(quarters, -np.sin(low[-1]), np.cos(low[-1]))
+    vectors[-1, PLANES : PLANES + CORNERS] = _towards(quarters + 0.25 * np.pi, np.sqrt(2.0) * np.cos(low[-1]), np.sin(low[-1]))
+    return np.ascontiguousarray(np.swapaxes(vectors @ patches.frame, 1, 2), np.float32)
+
+
+def _towards(azimuth: np.ndarray, along: np.ndarray, up: np.ndarray) -> np.ndarray:
+    """(K, 3) unit vectors with those shares along an azimuth and upwards."""
+    vectors = np.stack(np.broadcast_arrays(along * np.sin(azimuth), along * np.cos(azimuth), up), axis=1)
+    return vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
+
+
+@wp.func
+def aim_at(beams: wp.uint64, k: wp.int32, spot: Spot):
+    """Starts the k-th beam from a point; its first plane is the point's horizon."""
+    vectors = wp.array(ptr=beams + wp.uint64(k) * _BEAM, shape=(_BEAM_LOCAL,), dtype=wp.float32)
+    aim = wp.array(ptr=spot.beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
+    n = spot.n
+    o = spot.o
+    i = wp.int32(0)
+    while i < WIDTH:
+        x = vectors[i]
+        y = vectors[WIDTH + i]
+        z = vectors[2 * WIDTH + i]
+        aim[i] = x
+        aim[WIDTH + i] = y
+        aim[2 * WIDTH + i] = z
+        aim[3 * WIDTH + i] = x * o[0] + y * o[1] + z * o[2]
+        i += 1
+    # The horizon, exactly; boxes are padded, what is in them is not.
+    aim[3 * WIDTH] = wp.dot(n, o) - spot.low + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
+    for axis in range(3):
+        aim[axis * WIDTH] = n[axis]
+        aim[4 * WIDTH + axis] = o[axis]
+    aim[4 * WIDTH + 3] = spot.low
+
+
+@wp.func
+def _within(d: wp.vec3, ab: wp.vec3, bc: wp.vec3, ca: wp.vec3, edge: wp.vec3) -> wp.int32:
+    """1 where a direction is on the inner side of the planes through the origin and a triangle's edges."""
+    inside = wp.where(wp.dot(d, ab) >= edge[0], 1, 0) & wp.where(wp.dot(d, bc) >= edge[1], 1, 0)
+    return inside & wp.where(wp.dot(d, ca) >= edge[2], 1, 0)
+
+
+@wp.func
+def triangles_about(leaf: wp.uint64, beam: wp.uint64) -> wp.int32:
+    """Mask of the triangles that fill a beam: all rays between its corners meet them, and so do those just beside."""
+    aim = wp.array(ptr=beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
+    o = wp.vec3(aim[4 * WIDTH], aim[4 * WIDTH + 1], aim[4 * WIDTH + 2])
+    p = wp.vec3(aim[PLANES], aim[WIDTH + PLANES], aim[2 * WIDTH + PLANES])
+    q = wp.vec3(aim[PLANES + 1], aim[WIDTH + PLANES + 1], aim[2 * WIDTH + PLANES + 1])
+    r = wp.vec3(aim[PLANES + 2], aim[WIDTH + PLANES + 2], aim[2 * WIDTH + PLANES + 2])
+    s = wp.vec3(aim[PLANES + 3], aim[WIDTH + PLANES + 3], aim[2 * WIDTH + PLANES + 3])
+    mask = wp.int32(0)
+    k = wp.int32(0)
+    while k < WIDTH:
+        a = corner(leaf, 0, k, o)
+        b = corner(leaf, 3, k, o)
+        c = corner(leaf, 6, k, o)
+        # Towards the origin or away from it: then the triangle is in front of it where all three are above 0.
+        ab = wp.cross(a, b)
+        volume = wp.dot(ab, c)
+        sign = wp.copysign(1.0, volume)
+        ab = sign * ab
+        bc = sign * wp.cross(b, c)
+        ca = sign * wp.cross(c, a)
+        far_a = size_of(a)
+        far_b = size_of(b)
+        far_c = size_of(c)
+        edge = _INSIDE * wp.vec3(far_a * far_b, far_b * far_c, far_c * far_a)
+        inside = _within(p, ab, bc, ca, edge) & _within(q, ab, bc, ca, edge)
+        inside = inside & _within(r, ab, bc, ca, edge) & _within(s, ab, bc, ca, edge)
+        apart = wp.where(wp.abs(volume) > _INSIDE * far_a * far_b * far_c, 1, 0)
+        mask = mask | ((inside & apart) << k)
+        k += 1
+    return mask
+
+
+@wp.func
+def look(accelerator: Accelerator, spot: Spot, near: wp.int32, filled: wp.uint64):
+    """(what is known of the beam that is aimed, the leaf with the triangle that fills it or else `filled`).
+
+    Args:
+        accelerator: the tree as the point's rays see it.
+        spot: the point, its beam aimed.
+        near: mask of the triangles around the point.
+        filled: address of a leaf that filled another beam, and is looked at first; or 0.
+    """
+    known = wp.int32(_OPEN)
+    top = spot.scratch
+    node = accelerator.start
+    mask = wp.int32(0)
+    leaf = _NOWHERE
+    met = wp.int32(0)
+    visits = wp.int32(_VISITS)
+    if near != 0:
+        leaf = spot.room + NEAR
+        met = triangles_in(leaf, spot.beam) & near
+    if accelerator.starts > 0:
+        for other in range(1, accelerator.starts):
+            top = put_aside(top, accelerator.start + wp.uint64(other) * _NODE, -1, 0.0)
+        mask = -1  # not found yet
+    searching = wp.int32(1)
+    while searching != 0:
+        if met != 0:
+            if known == _OPEN:
+                known = _UNKNOWN
+                visits = wp.min(visits, _VISITS_MORE)
+                if filled != _NOWHERE and leaf != filled and triangles_about(filled, spot.beam) != 0:
+                    known = _CLOSED
+            if known != _CLOSED and (triangles_about(leaf, spot.beam) & met) != 0:
+                known = _CLOSED
+                filled = leaf
+            met = 0
+        if known == _CLOSED or visits <= 0:
+            searching = 0
+        elif mask == -1:
+            mask = boxes_in(node, spot.beam)
+        elif mask != 0:
+            child = lowest_bit(mask)
+            mask = mask & (mask - 1)
+            place = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)[child]
+            visits -= 1
+            if place < 0:
+                leaf = accelerator.leaves + wp.uint64(~place) * _LEAF
+                met = triangles_in(leaf, spot.beam)
+            else:
+                if mask != 0:
+                    top = put_aside(top, node, mask, 0.0)
+                node = accelerator.nodes + wp.uint64(place) * _NODE
+                mask = -1
+        elif top != spot.scratch:
+            top -= _WAITING
+            node = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)[0]
+            mask = wp.array(ptr=top, shape=(4,), dtype=wp.int32)[2]
+        else:
+            searching = 0
+    if visits <= 0 and known == _OPEN:
+        known = _UNKNOWN
+    return known, filled

@@ -1,0 +1,116 @@
+"""Rows of a sky matrix times a sky, in float64: sums over the patches in one order, whichever points are together.
+
+A library's product of matrices is as fast, but its last bits depend on the number of rows.
+"""
+
+import numpy as np
+import warp as wp
+
+from warpsample.host.arrays import cpu
+from warpsample.host.engine import run
+from warpsample.host.locks import once
+
+_ROWS = 8  # a task: each number of the sky is loaded once for them
+_COLUMNS = 64  # at a time
+_ROWS_IN_KERNEL = wp.constant(wp.int32(_ROWS))
+_SUMS = 2 * _ROWS * _COLUMNS
+_ZERO = wp.constant(wp.float64(0.0))
+
+
+@wp.struct
+class Fold:
+    """Scalars and addresses: (rows, patches) float32 of values and errors, the points (rows,) int64 that they are of,
+    weights (patches, columns) float64, and (P, columns) float32 of the sums and their errors."""
+
+    rows: wp.int64
+    patches: wp.int32
+    columns: wp.int32
+    value: wp.uint64
+    error: wp.uint64
+    points: wp.uint64
+    weights: wp.uint64
+    sums: wp.uint64
+    errors: wp.uint64
+
+
+FoldArgs = type(Fold().__ctype__())
+
+
+def fold_rows(
+    value: np.ndarray, error: np.ndarray, points: np.ndarray, weights: np.ndarray, out: list[np.ndarray], workers: int
+) -> None:
+    """Writes what rows of a matrix sum to, and the standard error of that, the patches' being independent.
+
+    Args:
+        value, error: (B, K) float32.
+        points: (B,) int64, the rows of the results.
+        weights: (K, T) float64, contiguous.
+        out: sums and errors, (P, T) float32 each.
+        workers: threads.
+    """
+    fold = FoldArgs(rows=len(points), patches=weights.shape[0], columns=weights.shape[1])
+    fold.value, fold.error, fold.points, fold.weights = (a.ctypes.data for a in (value, error, points, weights))
+    fold.sums, fold.errors = (array.ctypes.data for array in out)
+    run(_fold_kernel(), -(-len(points) // _ROWS), [fold], cpu(), workers, len(points) * weights.size // _ROWS + 1)
+
+
+@wp.func
+def _add(weights: wp.uint64, length: wp.int32, factor: wp.float64, sums: wp.uint64):
+    """Adds factor * weight to each sum."""
+    w = wp.array(ptr=weights, shape=(_COLUMNS,), dtype=wp.float64)
+    total = wp.array(ptr=sums, shape=(_COLUMNS,), dtype=wp.float64)
+    i = wp.int32(0)
+    while i < length:
+        total[i] = total[i] + factor * w[i]
+        i += 1
+
+
+@wp.func
+def _add_squares(weights: wp.uint64, length: wp.int32, factor: wp.float64, sums: wp.uint64):
+    """Adds (factor * weight)^2 to each sum."""
+    w = wp.array(ptr=weights, shape=(_COLUMNS,), dtype=wp.float64)
+    total = wp.array(ptr=sums, shape=(_COLUMNS,), dtype=wp.float64)
+    i = wp.int32(0)
+    while i < length:
+        x = factor * w[i]
+        total[i] = total[i] + x * x
+        i += 1
+
+
+@once
+def _fold_kernel() -> wp.Kernel:
+    """A kernel with a task for each _ROWS rows."""
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def fold_sky(fold: Fold, first_task: wp.int64):
+        sums = wp.zeros(shape=(_SUMS,), dtype=wp.float64)
+        begin = (first_task + wp.int64(wp.tid())) * wp.int64(_ROWS_IN_KERNEL)
+        rows = wp.int32(wp.min(wp.int64(_ROWS_IN_KERNEL), fold.rows - begin))
+        at = wp.uint64(begin) * wp.uint64(fold.patches) * wp.uint64(4)
+        value = wp.array(ptr=fold.value + at, shape=(rows * fold.patches,), dtype=wp.float32)
+        error = wp.array(ptr=fold.error + at, shape=(rows * fold.patches,), dtype=wp.float32)
+        points = wp.array(ptr=fold.points + wp.uint64(begin) * wp.uint64(8), shape=(rows,), dtype=wp.int64)
+        for first in range(0, fold.columns, _COLUMNS):
+            length = wp.min(_COLUMNS, fold.columns - first)
+            for i in range(_SUMS):
+                sums[i] = _ZERO
+            for k in range(fold.patches):
+                place = wp.uint64(k) * wp.uint64(fold.columns) + wp.uint64(first)
+                weights = fold.weights + place * wp.uint64(8)
+                for row in range(rows):
+                    x = wp.float64(value[row * fold.patches + k])
+                    e = wp.float64(error[row * fold.patches + k])
+                    there = sums.ptr + wp.uint64(row) * wp.uint64(16 * _COLUMNS)
+                    if x != _ZERO:
+                        _add(weights, length, x, there)
+                    if e != _ZERO:
+                        _add_squares(weights, length, e, there + wp.uint64(8 * _COLUMNS))
+            for row in range(rows):
+                place = (wp.uint64(points[row]) * wp.uint64(fold.columns) + wp.uint64(first)) * wp.uint64(4)
+                total = wp.array(ptr=fold.sums + place, shape=(length,), dtype=wp.float32)
+                deviation = wp.array(ptr=fold.errors + place, shape=(length,), dtype=wp.float32)
+                for i in range(length):
+                    total[i] = wp.float32(sums[2 * row * _COLUMNS + i])
+                    deviation[i] = wp.float32(wp.sqrt(sums[(2 * row + 1) * _COLUMNS + i]))
+
+    return fold_sky

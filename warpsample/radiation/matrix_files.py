@@ -1,0 +1,57 @@
+"""Radiance's matrix files: a few lines of text, an empty one, and the numbers as float32, row by row."""
+
+from typing import BinaryIO
+
+import numpy as np
+
+from warpsample.host.arguments import told
+
+_BLOCK = 1 << 22  # numbers that are written at a time
+_COLOURS = 3
+_LONGEST = 1 << 16  # bytes of a header
+_WANTS = "a matrix of Radiance's with NROWS, NCOLS, NCOMP, FORMAT=float and an empty line before its numbers"
+
+
+def write_matrix(stream: BinaryIO, matrix: np.ndarray, factor: float = 1.0, ground: bool = True) -> None:
+    """Writes factor * matrix, grey in three colours, as `dctimestep` and `rmtxop` read it.
+
+    Args:
+        stream: opened for bytes.
+        matrix: (P, K).
+        factor: what each number is multiplied by.
+        ground: whether a column of zeros, the ground's, comes first.
+    """
+    rows, columns = matrix.shape
+    total = columns + ground
+    stream.write(
+        f"#?RADIANCE\nNROWS={rows}\nNCOLS={total}\nNCOMP={_COLOURS}\nBigEndian=0\nFORMAT=float\n\n".encode("ascii")
+    )
+    block = max(1, _BLOCK // (_COLOURS * total))
+    for first in range(0, rows, block):
+        part = matrix[first : first + block]
+        colours = np.zeros((len(part), total, _COLOURS), "<f4")
+        colours[:, int(ground) :] = (factor * part.astype(np.float64))[:, :, None]
+        stream.write(colours.tobytes())
+
+
+def read_matrix(content: bytes, argument: str = "matrix") -> np.ndarray:
+    """(NROWS, NCOLS, NCOMP) float32, the numbers of a matrix of Radiance's.
+
+    Args:
+        content: of the file, or what a tool of Radiance's writes with its option for float32.
+        argument: its name in the message.
+
+    Raises:
+        ValueError: no such matrix, or one with fewer or more numbers than its header says.
+    """
+    head, empty, body = content[:_LONGEST].partition(b"\n\n")
+    fields = dict(line.split("=", 1) for line in head.decode("latin-1").splitlines() if "=" in line)
+    fields = {key.strip(): text.strip() for key, text in fields.items()}
+    shape = tuple(int(fields[key]) if fields.get(key, "").isdecimal() else 0 for key in ("NROWS", "NCOLS", "NCOMP"))
+    if not empty or fields.get("FORMAT") != "float" or min(shape) < 1:
+        raise ValueError(f"{argument}: got {told(head)}, want {_WANTS}")
+    numbers = len(content) - len(head) - len(empty)
+    if numbers != 4 * shape[0] * shape[1] * shape[2]:
+        raise ValueError(f"{argument}: got {numbers:,} bytes of numbers, want 4 x {' x '.join(map(str, shape))}")
+    kind = ">f4" if fields.get("BigEndian") == "1" else "<f4"
+    return np.frombuffer(content, kind, offset=len(head) + len(empty)).astype(np.float32).reshape(shape)

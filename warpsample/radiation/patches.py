@@ -1,0 +1,105 @@
+"""The patches of the sky that Radiance and its followers count: Tregenza's 145, and Reinhart's finer ones.
+
+A row of patches lies between two altitudes; a patch of it is centred on an azimuth, clockwise from north, so that the first
+of each row straddles north. The last patch is a cap about the zenith.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from warpsample.host.arguments import check_choice, told
+from warpsample.host.arrays import as_unit
+from warpsample.host.locks import read_only
+
+MULTIPLES = {"tregenza": 1, "reinhart2": 2, "reinhart4": 4}
+"""Radiance's MF of each set of patches: into how many rows, and columns, a patch of Tregenza's is cut."""
+
+_COLUMNS = (30, 30, 24, 24, 18, 12, 6)  # of Tregenza's rows, from the horizon on
+_PARALLEL = 1e-9  # the sine of the angle between up and north, below which north is none
+
+
+@dataclass(frozen=True, eq=False)
+class SkyPatches:
+    """The patches of a sky, row by row from the horizon to the zenith; in each row clockwise as seen from above.
+
+    The k-th is Radiance's sky patch k + 1, the row k + 1 of its matrices; their row 0, the ground, is not among them.
+
+    Attributes:
+        name: "tregenza", "reinhart2" or "reinhart4".
+        up: towards the zenith, unit.
+        north: unit, and perpendicular to up.
+        directions: (K, 3) float64, unit, towards the centres, in the coordinates of up and north.
+        solid_angles: (K,) float64, in steradians; together 2 pi.
+        rows: (K,) int64, the row that each is in, from 0 at the horizon.
+        altitudes: (K, 2) float64, of the lower and the upper edge, in degrees.
+        azimuths: (K, 2) float64, of the two sides, in degrees clockwise from north; the first patch of a row begins below 0.
+    """
+
+    name: str
+    up: tuple[float, float, float]
+    north: tuple[float, float, float]
+    directions: np.ndarray
+    solid_angles: np.ndarray
+    rows: np.ndarray
+    altitudes: np.ndarray
+    azimuths: np.ndarray
+
+    def __len__(self) -> int:
+        """How many."""
+        return len(self.solid_angles)
+
+    @property
+    def frame(self) -> np.ndarray:
+        """(3, 3) float64: rows that point east, north and up."""
+        return np.array([np.cross(self.north, self.up), self.north, self.up])
+
+
+def sky_patches(name: str = "tregenza", up: Any = (0.0, 0.0, 1.0), north: Any = (0.0, 1.0, 0.0)) -> SkyPatches:
+    """The patches of a sky.
+
+    Args:
+        name: "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305); rows of different ones do not nest.
+        up: (3,), towards the zenith, of any length.
+        north: (3,), of any length; what of it is along up is left out. East is north x up, +x by default.
+
+    Returns:
+        their directions, solid angles, rows and edges.
+
+    Raises:
+        TypeError, ValueError: an unknown name, no directions, or a north along up; names it.
+
+    Example:
+        >>> patches = ws.sky_patches("tregenza")
+        >>> print(len(patches), patches.directions[[0, 144]].round(3).tolist(), f"{patches.solid_angles.sum():.4f}")
+        145 [[0.0, 0.995, 0.105], [0.0, 0.0, 1.0]] 6.2832
+    """
+    multiple = MULTIPLES[check_choice(name, "patches", tuple(MULTIPLES))]
+    zenith = np.array(as_unit(up, "up"))
+    towards = np.array(as_unit(north, "north"))
+    towards -= (towards @ zenith) * zenith
+    length = np.linalg.norm(towards)
+    if length < _PARALLEL:
+        raise ValueError(f"north: got {told(north)}, which is along up, want a direction apart from up {told(up)}")
+    rows, low, high, first, last = _edges(multiple)
+    middle, across = np.radians(0.5 * (low + high)), np.radians(0.5 * (first + last))
+    middle[-1] = 0.5 * np.pi
+    local = np.stack([np.cos(middle) * np.sin(across), np.cos(middle) * np.cos(across), np.sin(middle)], axis=1)
+    local[-1] = (0.0, 0.0, 1.0)
+    towards /= length
+    frame = np.array([np.cross(towards, zenith), towards, zenith])
+    solid = np.radians(last - first) * (np.sin(np.radians(high)) - np.sin(np.radians(low)))
+    solid[-1] = 4.0 * np.pi * np.square(np.sin(0.5 * np.radians(90.0 - low[-1])))
+    arrays = local @ frame, solid, rows, np.stack([low, high], axis=1), np.stack([first, last], axis=1)
+    return SkyPatches(name, tuple(zenith.tolist()), tuple(towards.tolist()), *(read_only(array) for array in arrays))
+
+
+def _edges(multiple: int) -> tuple[np.ndarray, ...]:
+    """(row, lower and upper altitude, first and last azimuth) of each patch, in degrees."""
+    columns = np.array([*(np.repeat(_COLUMNS, multiple) * multiple), 1])
+    step = 90.0 / (len(columns) - 0.5)
+    rows = np.repeat(np.arange(len(columns)), columns)
+    width = 360.0 / columns[rows]
+    centre = width * (np.arange(len(rows)) - np.repeat(np.cumsum(columns) - columns, columns))
+    return rows, rows * step, np.minimum((rows + 1) * step, 90.0), centre - 0.5 * width, centre + 0.5 * width

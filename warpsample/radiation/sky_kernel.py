@@ -1,0 +1,156 @@
+"""One row of a sky matrix a task: its patches are looked into, and those of which nothing is known get the rays."""
+
+import warp as wp
+
+from warpsample.directions.samples import normal_status, weigh_by_mask
+from warpsample.estimate.skipping.frontier import HORIZON_MARGIN, frontier
+from warpsample.estimate.spot import NONFINITE_POSITION, Spot, start
+from warpsample.host.locks import once
+from warpsample.maths.numerics import scaled_to_unit
+from warpsample.radiation.beams import CLOSED, OPEN, UNKNOWN, aim_at, look
+from warpsample.radiation.patch_rays import WEIGHTS, SkyRows, sum_rays
+from warpsample.radiation.shares import open_share, patch_at
+from warpsample.tracing.facets import in_double
+from warpsample.tracing.placement import far_off, local_origin, point_of, reach_along
+from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, SCRATCH, START_FLOATS, Accelerator
+
+CONCENTRATION = 4.0
+"""How many times as densely patches may be sampled as `count` rays would sample the lobe, where few need any."""
+
+_CONCENTRATION = wp.constant(wp.float64(CONCENTRATION))
+_NONFINITE_POSITION = wp.constant(wp.int32(NONFINITE_POSITION))
+_OPEN = wp.constant(wp.int32(OPEN))
+_CLOSED = wp.constant(wp.int32(CLOSED))
+_UNKNOWN = wp.constant(wp.int32(UNKNOWN))
+_ZERO = wp.constant(wp.float64(0.0))
+_HALF = wp.constant(wp.float64(0.5))
+
+
+@wp.func
+def _in_frame(sky: SkyRows, n: wp.vec3) -> wp.vec3d:
+    """A normal in the frame of the patches: east, north, up; unit in float64."""
+    frame = wp.array(ptr=sky.frame, shape=(3,), dtype=wp.vec3d)
+    v = in_double(n)
+    return wp.normalize(wp.vec3d(wp.dot(frame[0], v), wp.dot(frame[1], v), wp.dot(frame[2], v)))
+
+
+@wp.func
+def _look_into(sky: SkyRows, accelerator: Accelerator, spot: Spot, n: wp.vec3d, near: wp.int32, search: wp.bool, row: wp.int64):
+    """The sum of the open shares of the patches of which nothing is known; writes all shares, and what is known as errors."""
+    at = wp.uint64(row) * wp.uint64(sky.patches) * wp.uint64(4)
+    value = wp.array(ptr=sky.value + at, shape=(sky.patches,), dtype=wp.float32)
+    error = wp.array(ptr=sky.error + at, shape=(sky.patches,), dtype=wp.float32)
+    unknown = _ZERO
+    filled = wp.uint64(0)
+    for k in range(sky.patches):
+        share = open_share(n, patch_at(sky.table, k))
+        known = wp.int32(0)
+        if share > _ZERO:
+            known = _UNKNOWN
+            if accelerator.starts == 0 and near == 0:
+                known = _OPEN
+            elif search:
+                aim_at(sky.beams, k, spot)
+                known, filled = look(accelerator, spot, near, filled)
+            unknown += wp.where(known == _UNKNOWN, share, _ZERO)
+        value[k] = wp.float32(share)
+        error[k] = wp.float32(known)
+    return unknown
+
+
+@wp.func
+def _fill_row(sky: SkyRows, accelerator: Accelerator, spot: Spot, row: wp.int64):
+    """Writes a point's row; (rays cast, patches open, closed, below the horizon)."""
+    starts = wp.int32(-1)
+    near = wp.int32(0)
+    if not far_off(spot.place):
+        starts, around = frontier(accelerator, spot.o, spot.n, spot.low, spot.reach, spot.room, spot.scratch)
+        near = (1 << around) - 1
+    seen = accelerator
+    if starts >= 0:
+        seen.start = spot.room
+        seen.starts = starts
+    else:
+        near = 0
+    n = _in_frame(sky, spot.n)
+    unknown = _look_into(sky, seen, spot, n, near, starts >= 0, row)
+    if sky.skip == 0:
+        seen = accelerator
+        near = 0
+    budget = wp.float64(sky.count)
+    density = _HALF * wp.min(_CONCENTRATION * budget, budget / wp.max(unknown, wp.float64(1e-6)))
+    at = wp.uint64(row) * wp.uint64(sky.patches) * wp.uint64(4)
+    value = wp.array(ptr=sky.value + at, shape=(sky.patches,), dtype=wp.float32)
+    error = wp.array(ptr=sky.error + at, shape=(sky.patches,), dtype=wp.float32)
+    cast = wp.int32(0)
+    open = wp.int32(0)
+    closed = wp.int32(0)
+    below = wp.int32(0)
+    for k in range(sky.patches):
+        known = wp.int32(error[k])
+        share = wp.float64(value[k])
+        part = wp.where(known == _CLOSED, _ZERO, wp.float64(1.0))
+        deviation = _ZERO
+        if known == 0:
+            below += 1
+        elif known == _UNKNOWN or sky.skip == 0:
+            each = wp.max(1, wp.int32(density * share))
+            part, deviation, rays = sum_rays(sky, seen, spot, near, n, k, patch_at(sky.table, k), each)
+            cast += rays
+        elif known == _OPEN:
+            open += 1
+        else:
+            closed += 1
+        value[k] = wp.float32(part * share)
+        error[k] = wp.float32(deviation * share)
+    return cast, open, closed, below
+
+
+@once
+def sky_kernel() -> wp.Kernel:
+    """A kernel with a task for each point, in the order of the placement."""
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def fill_rows(sky: SkyRows, accelerator: Accelerator, first_task: wp.int64):
+        words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
+        floats = wp.zeros(shape=(CHUNK_FLOATS,), dtype=wp.float32)
+        weights = wp.zeros(shape=(WEIGHTS,), dtype=wp.float32)
+        beam = wp.zeros(shape=(BEAM_FLOATS,), dtype=wp.float32)
+        room = wp.zeros(shape=(START_FLOATS,), dtype=wp.float32)
+        task = first_task + wp.int64(wp.tid())
+        point = point_of(sky.placement, task)
+        normal = wp.array(ptr=sky.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+        unit = scaled_to_unit(normal)
+        spot = Spot()
+        spot.n = wp.vec3(unit[0], unit[1], unit[2])
+        spot.lobe.point = sky.first_point + wp.uint64(point)
+        spot.chunk = floats.ptr
+        spot.square = weights.ptr
+        spot.room = room.ptr
+        spot.beam = beam.ptr
+        spot.scratch = words.ptr
+        spot.place = local_origin(sky.placement, point)
+        spot.o = wp.array(ptr=sky.placement.starts + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+        spot.low = HORIZON_MARGIN * reach_along(sky.placement, spot.n, spot.o)
+        spot.reach = wp.float32(sky.placement.reach)
+        start(spot.chunk, spot.o, spot.reach)
+        weight = wp.float32(1.0)
+        if sky.active != wp.uint64(0):
+            weight = weigh_by_mask(wp.array(ptr=sky.active + wp.uint64(point), shape=(1,), dtype=wp.uint8), 0)
+        status = normal_status(normal, weight)
+        if status == 0 and wp.dot(spot.place - spot.place, spot.place - spot.place) != _ZERO:
+            status = _NONFINITE_POSITION
+        cast = wp.int32(0)
+        open = wp.int32(0)
+        closed = wp.int32(0)
+        below = wp.int32(0)
+        if status == 0:
+            cast, open, closed, below = _fill_row(sky, accelerator, spot, wp.where(sky.by_task != 0, task, point))
+        at = wp.uint64(point) * wp.uint64(4)
+        wp.array(ptr=sky.cast + at, shape=(1,), dtype=wp.int32)[0] = cast
+        wp.array(ptr=sky.open + at, shape=(1,), dtype=wp.int32)[0] = open
+        wp.array(ptr=sky.closed + at, shape=(1,), dtype=wp.int32)[0] = closed
+        wp.array(ptr=sky.below + at, shape=(1,), dtype=wp.int32)[0] = below
+        wp.array(ptr=sky.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)[0] = wp.uint8(status)
+
+    return fill_rows

@@ -1,0 +1,300 @@
+"""The sky as points see it: of each patch, the share of their lobe that it lights."""
+
+import zipfile
+from dataclasses import dataclass
+from math import pi, prod
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from warpsample.estimate.plan import Plan, Quantity
+from warpsample.estimate.result import PointStatus
+from warpsample.estimate.runner import Runner
+from warpsample.estimate.weights import OPEN
+from warpsample.host.arguments import told
+from warpsample.host.arrays import as_real, cpu
+from warpsample.host.engine import check_memory, run
+from warpsample.host.files import check_output, complete_or_absent, write_array
+from warpsample.host.progress import bar
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.radiation.beams import beams_of
+from warpsample.radiation.folding import fold_rows
+from warpsample.radiation.matrix_files import write_matrix
+from warpsample.radiation.patch_rays import SkyRowsArgs
+from warpsample.radiation.patches import SkyPatches, sky_patches
+from warpsample.radiation.shares import table_of
+from warpsample.radiation.sky_kernel import sky_kernel
+from warpsample.tracing.order import order_of
+from warpsample.tracing.rays import RAY_WORK
+
+_BLOCK_BYTES = 1 << 25  # of the rows that stand at a time where they are folded
+_BYTES_OF_NUMBER = 8  # a value and its error
+_FORMATS = (".npz", ".mtx")
+
+
+@dataclass(frozen=True)
+class SkySkipped:
+    """How much work a sky matrix was spared, without a change to the result.
+
+    Attributes:
+        points: without numbers: inactive, without a normal, nowhere.
+        open_points: that no ray was cast from.
+        open_patches: of all points together, above the horizon and met by nothing: their share is known.
+        closed_patches: filled by one triangle: 0.
+        patches_below: of the point's own horizon: 0.
+    """
+
+    points: int = 0
+    open_points: int = 0
+    open_patches: int = 0
+    closed_patches: int = 0
+    patches_below: int = 0
+
+
+@dataclass(frozen=True, eq=False)
+class SkyMatrix:
+    """The share of its lobe that each of K patches lights at each of P points; or sums over the patches.
+
+    Attributes:
+        value: (P, K) float32, the integral of visibility times max(0, n.w) over the patch, over pi: pi times this times the
+            patch's radiance is its irradiance, and the sum over the patches the sky view factor. With `fold` (P,) or (P, T).
+            0 where the status is not 0.
+        standard_error: of the same shape, from two independent randomisations of each patch's rays; 0 where all agree. It is
+            right on average, not at each patch.
+        rays: (P,) int32, rays cast.
+        status: (P,) uint8, a `PointStatus`.
+        skipped: what was not done.
+        patches: the sky.
+    """
+
+    value: np.ndarray
+    standard_error: np.ndarray
+    rays: np.ndarray
+    status: np.ndarray
+    skipped: SkySkipped
+    patches: SkyPatches
+
+    def counts(self) -> dict[PointStatus, int]:
+        """How many points have each status; those that occur.
+
+        Returns:
+            {status: number of points, at least 1}.
+
+        Example:
+            >>> mesh = ws.load_mesh("courtyard")
+            >>> seen = ws.sky_matrix(mesh, ws.sample_surface(mesh, 100), 64)
+            >>> print({status.name: number for status, number in seen.counts().items()})
+            {'OK': 100}
+        """
+        return {PointStatus(code): int(n) for code, n in enumerate(np.bincount(self.status)) if n}
+
+    def save(self, path: Any) -> None:
+        """Writes a file, complete or not at all.
+
+        Args:
+            path: .npz, the arrays by name with the patches' directions and solid_angles; or .mtx, a matrix of Radiance's
+                that `dctimestep` and `rmtxop` read: a row for each point, the ground's column of zeros first, then pi
+                times the values, as of `rcontrib`.
+
+        Raises:
+            TypeError, ValueError: no such path, or a folded matrix as .mtx.
+            OSError: it cannot be written.
+
+        Example:
+            >>> import tempfile
+            >>> mesh = ws.load_mesh("courtyard")
+            >>> with tempfile.TemporaryDirectory() as folder:
+            ...     ws.sky_matrix(mesh, ws.sample_surface(mesh, 9), 64).save(f"{folder}/sky.mtx")
+            ...     print(open(f"{folder}/sky.mtx", "rb").read()[:29])
+            b'#?RADIANCE\\nNROWS=9\\nNCOLS=146'
+        """
+        wants = f"the path of a file of {' or '.join(_FORMATS)}"
+        if not isinstance(path, str | Path):
+            raise TypeError(f"path: got {told(path)}, want {wants}")
+        target = Path(path)
+        if target.suffix not in _FORMATS:
+            raise ValueError(f"path: got {told(str(path))}, want {wants}")
+        if target.suffix == ".mtx" and self.value.shape != (len(self.value), len(self.patches)):
+            raise ValueError(f"path: got {told(str(path))} for sums of shape {self.value.shape}, want .npz, or no fold")
+        check_output(target, "path")
+        with complete_or_absent(target) as stream:
+            if target.suffix == ".mtx":
+                write_matrix(stream, self.value, pi)
+                return
+            arrays = {name: getattr(self, name) for name in ("value", "standard_error", "rays", "status")}
+            arrays |= {name: getattr(self.patches, name) for name in ("directions", "solid_angles")}
+            with zipfile.ZipFile(stream, "w", allowZip64=True) as archive:
+                for name, array in arrays.items():
+                    write_array(archive, name, array)
+
+
+def sky_matrix(
+    mesh: Any,
+    points: SurfacePoints,
+    count: int = 1024,
+    patches: str = "tregenza",
+    up: Any = (0.0, 0.0, 1.0),
+    north: Any = (0.0, 1.0, 0.0),
+    fold: Any = None,
+    seed: int = 0,
+    first_point: int = 0,
+    active: Any = None,
+    skip: bool = True,
+    workers: int | None = None,
+    progress: bool = False,
+) -> SkyMatrix:
+    """The share of its lobe that each patch of the sky lights at each point: daylight coefficients of the direct view.
+
+    A patch that nothing is in has its exact share, and costs no ray; one that a single triangle fills, 0, and none. Rays go
+    into the others. They number as many as `count` times the patch's open share, which is how many of `count` rays of the
+    lobe would go there; and where few patches need any, up to 4 times as many, so long as that makes no more than `count` in
+    all. But at least 2 a patch. Their weights are cosines, relative to the exact share of the patch.
+
+    The bits depend on (mesh, point, first_point + row, seed, count, patches, up, north) alone: not on threads, on which
+    points are together or active, nor on `skip`. On the CPU; the first call ever compiles for about 8 s.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes.
+        points: P of them; as for `ambient_occlusion`.
+        count: rays of each point, 2 to 2^24: the most that are cast, but for 2 a patch.
+        patches: "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305); numbered as `sky_patches` does.
+        up: (3,), towards the zenith, of any length.
+        north: (3,), of any length; what of it is along up is left out.
+        fold: (K,) or (K, T), skies: the result is the matrix times these, summed in float64, and never stands whole.
+        seed: of 64 bits.
+        first_point: the global id of row 0.
+        active: (P,) bool; other points get 0 and a status.
+        skip: whether what is known of a patch replaces its rays; changes no bit.
+        workers: threads, all cores by default.
+        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+
+    Returns:
+        value (P, K), or (P,) or (P, T), its standard error, the patches, and for each point the rays cast and a status.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free.
+
+    Example:
+        >>> mesh = ws.load_mesh("courtyard")
+        >>> points = ws.sample_surface(mesh, 100)
+        >>> seen = ws.sky_matrix(mesh, points, 256)
+        >>> view = ws.sky_view_factor(mesh, points, 256)
+        >>> print(seen.value.shape, f"{seen.value.sum(axis=1).mean() - view.value.mean():.2f}")
+        (100, 145) 0.00
+    """
+    plan = Plan.of(mesh, points, count, "fibonacci", seed, first_point, active, None, skip, "wide", workers, progress=progress)
+    sky = sky_patches(patches, up, north)
+    weights = None if fold is None else _skies(fold, len(sky))
+    columns = len(sky) if weights is None else weights.shape[1]
+    check_memory(
+        _BYTES_OF_NUMBER * len(plan.points) * columns,
+        f"{len(plan.points):,} rows of {columns:,} numbers and their errors",
+        "take the points in parts" if fold is not None else "take the points in parts, or pass fold",
+    )
+    with bar(plan.progress, "casting rays", len(plan.points)):
+        rows = _Rows(plan, sky)
+        out = rows.whole() if weights is None else rows.folded(weights)
+    if fold is not None and np.ndim(fold) == 1:
+        out = [array[:, 0] for array in out]
+    return SkyMatrix(*out, rows.cast, rows.status, rows.skipped(), sky)
+
+
+def _skies(fold: Any, patches: int) -> np.ndarray:
+    """`fold` as a contiguous (K, T) of float64.
+
+    Raises:
+        TypeError, ValueError: no finite numbers, or of another shape.
+    """
+    wants = f"finite numbers of shape ({patches},) or ({patches}, T), one for each patch"
+    array = as_real(fold, "fold", wants)
+    if array.ndim not in (1, 2) or array.shape[0] != patches or array.size == 0:
+        raise ValueError(f"fold: got shape {array.shape}, want {wants}")
+    if not np.isfinite(array).all():
+        raise ValueError(f"fold: got NaN or infinity, want {wants}")
+    return np.array(array.reshape(patches, -1), np.float64, order="C")
+
+
+class _Rows:
+    """The points of a plan under a sky, and the arrays that their rows are written to."""
+
+    def __init__(self, plan: Plan, sky: SkyPatches) -> None:
+        """Places the points."""
+        self.plan, self.sky, points = plan, sky, len(plan.points)
+        self.cast, self.open, self.closed, self.below = (np.zeros(points, np.int32) for _ in range(4))
+        self.status = np.zeros(points, np.uint8)
+        self.runner = Runner(plan, Quantity(OPEN))
+        self.table, self.beams, self.frame = table_of(sky), beams_of(sky), np.ascontiguousarray(sky.frame)
+
+    def whole(self) -> list[np.ndarray]:
+        """The matrix and its errors."""
+        out = [np.zeros((len(self.status), len(self.sky)), np.float32) for _ in range(2)]
+        self._run(*out, self._order(), False)
+        return out
+
+    def folded(self, weights: np.ndarray) -> list[np.ndarray]:
+        """The matrix times (K, T), and the errors of that; a block of points at a time."""
+        out = [np.zeros((len(self.status), weights.shape[1]), np.float32) for _ in range(2)]
+        order = self._order()
+        order = np.arange(len(self.status)) if order is None else order
+        block = max(1, _BLOCK_BYTES // (_BYTES_OF_NUMBER * len(self.sky)))
+        rows = [np.empty((min(block, len(order)), len(self.sky)), np.float32) for _ in range(2)]
+        for first in range(0, len(order), block):
+            chosen = order[first : first + block]
+            self._run(*rows, chosen, True)
+            good = self.status[chosen] == PointStatus.OK
+            for array in rows:
+                array[: len(chosen)][~good] = 0.0
+            fold_rows(*rows, chosen, weights, out, self.plan.workers)
+        return out
+
+    def skipped(self) -> SkySkipped:
+        """What was not done."""
+        return SkySkipped(
+            points=int(np.count_nonzero(self.status)),
+            open_points=int(np.count_nonzero((self.cast == 0) & (self.status == PointStatus.OK) & (self.open > 0))),
+            open_patches=int(self.open.sum(dtype=np.int64)),
+            closed_patches=int(self.closed.sum(dtype=np.int64)),
+            patches_below=int(self.below.sum(dtype=np.int64)),
+        )
+
+    def _order(self) -> np.ndarray | None:
+        if not len(self.status):
+            return None
+        return order_of(self.runner.scene, self.runner.placement, self.plan.count, self.plan.workers)
+
+    def _run(self, value: np.ndarray, error: np.ndarray, order: np.ndarray | None, by_task: bool) -> None:
+        """Writes the rows of points."""
+        plan, points = self.plan, len(self.status) if order is None else len(order)
+        if not points:
+            return
+        placement = self.runner.placement
+        placement.order = 0 if order is None else order.ctypes.data
+        arrays = {
+            "normals": self.runner.normal,
+            "table": self.table,
+            "beams": self.beams,
+            "frame": self.frame,
+            "value": value,
+            "error": error,
+            "cast": self.cast,
+            "open": self.open,
+            "closed": self.closed,
+            "below": self.below,
+            "status": self.status,
+        }
+        rows = SkyRowsArgs(
+            placement=placement,
+            seed=plan.seed,
+            first_point=plan.first_point,
+            active=0 if plan.active is None else plan.active.ctypes.data,
+            count=plan.count,
+            patches=len(self.sky),
+            skip=plan.skip,
+            by_task=by_task,
+            **{name: array.ctypes.data for name, array in arrays.items()},
+        )
+        accelerator = plan.tracer.accelerator(self.runner.scene, cpu(), plan.workers)
+        work = prod((RAY_WORK, points, plan.count + len(self.sky)))
+        run(sky_kernel(), points, [rows, accelerator], cpu(), plan.workers, work)
