@@ -112,7 +112,7 @@ def irradiation(
         >>> mesh = ws.load_mesh("courtyard")
         >>> june = ws.irradiation(mesh, ws.face_centers(mesh), "athens", period=("06-01", "06-30"), patches="tregenza")
         >>> print(june.value.shape, f"{june.value.max():.0f} kWh/m2")
-        (2080,) 235 kWh/m2
+        (2080,) 270 kWh/m2
     """
     plan = Plan.of(mesh, points, count, "fibonacci", seed, first_point, active, None, skip, "auto", workers, progress)
     series = check_flag(series, "series")
