@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from warpsample.mesh.mesh import Mesh, as_mesh
     from warpsample.mesh.report import MeshReport
     from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+    from warpsample.radiation.direct_sun import direct_sun
     from warpsample.radiation.irradiation import Irradiation, irradiation
     from warpsample.radiation.patches import SkyPatches, sky_patches
     from warpsample.radiation.sky_matrix import SkyMatrix, SkySkipped, sky_matrix
@@ -71,6 +72,7 @@ __all__ = [
     "ambient_occlusion",
     "as_mesh",
     "bent_normals",
+    "direct_sun",
     "distributions",
     "face_centers",
     "integrate",
@@ -102,6 +104,7 @@ _HOMES = {
     "mesh.files": ("load_mesh",),
     "mesh.report": ("MeshReport",),
     "mesh.surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
+    "radiation.direct_sun": ("direct_sun",),
     "radiation.irradiation": ("Irradiation", "irradiation"),
     "radiation.patches": ("SkyPatches", "sky_patches"),
     "radiation.sky_matrix": ("SkyMatrix", "SkySkipped", "sky_matrix"),

@@ -121,6 +121,10 @@ KINDS = {
     "normals": kind(UNIT, wrong=(FACES, MESH)),
     "origins": kind(UNIT, said=("directions",), wrong=(FACES, MESH)),
     "directions": kind(-UNIT, wrong=(FACES, MESH, POINTS)),
+    "direct_sun.directions": kind(-UNIT, wrong=(0.0 * UNIT, UNIT + inf, UNIT[:0])),
+    "weights": kind(np.ones(4), "of Warp", wrong=(np.full(4, nan), np.ones(3), np.ones((4, 0)))),
+    "disc": kind(0.533, *POSITIVE, wrong=(-0.5, 46.0)),
+    "cosine": kind(False, *FLAG),
     "position": kind(VERTICES),
     "normal": kind(UNIT),
     "face": kind(
@@ -143,6 +147,7 @@ KINDS = {
 NEEDS = {  # to be of use
     "falloff": {"max_distance": 2.0},
     "data": {"integrand": radiance},
+    "cosine": {"weights": np.ones(4)},
     "integrate.mesh": {"points": POINTS},
     "integrate.max_distance": {"points": POINTS, "mesh": MESH},
 }

@@ -1,0 +1,242 @@
+"""The call `direct_sun`: which suns each point sees, or what they add up to."""
+
+from dataclasses import dataclass
+from math import radians, sin
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample.host.arguments import check_first_point, check_flag, check_number, check_seed
+from warpsample.host.arrays import as_real, check_active, cpu
+from warpsample.host.engine import check_memory, check_workers, run
+from warpsample.host.locks import once
+from warpsample.host.neighbours import kind_told
+from warpsample.host.progress import bar
+from warpsample.host.vectors import as_directions
+from warpsample.maths.numerics import scaled_to_unit
+from warpsample.mesh.mesh import Mesh, as_mesh
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.radiation.sun_kernel import sun_kernel
+from warpsample.radiation.sun_view import SunsArgs
+from warpsample.radiation.suns import SunTree
+from warpsample.tracing.order import order_of
+from warpsample.tracing.placement import PlacementArgs, placed, unit_in_double, vector_in_double
+from warpsample.tracing.rays import RAY_WORK
+from warpsample.tracing.scene import Scene, scene_of
+from warpsample.tracing.starts import faces_and_normals, set_starts
+from warpsample.tracing.tracers import WIDE
+from warpsample.tracing.triples import Triples
+
+_MOST_DISTANCE = float(np.finfo(np.float32).max)  # as `trace` has it
+_MOST_DISC = 45.0  # degrees: its beam is still a narrow one
+_MOST_SUNS = 2**24
+_BYTES_PER_POINT = 64
+
+
+@dataclass(frozen=True)
+class SunCall:
+    """The checked arguments of `direct_sun`."""
+
+    mesh: Mesh
+    points: SurfacePoints
+    directions: np.ndarray
+    weights: np.ndarray | None
+    disc: float
+    seed: int
+    first_point: int
+    active: np.ndarray | None
+    skip: bool
+    workers: int
+    cosine: bool
+
+    def answer(self, tally: np.ndarray | None = None) -> np.ndarray:
+        """What `direct_sun` gives; and in (P, 3) int32 how many suns were found how, see `Suns`."""
+        points, suns = len(self.points), len(self.directions)
+        columns = suns if self.weights is None else self.weights[0].size
+        kind: Any = np.float64 if self.weights is not None else np.float32 if self.disc else np.uint8
+        needed = points * (columns * np.dtype(kind).itemsize + _BYTES_PER_POINT)
+        what = "suns" if self.weights is None else "sums"
+        check_memory(needed, f"{columns:,} {what} of {points:,} points", "take the points in parts")
+        answer = np.zeros((points, columns), kind)
+        if points:
+            self._run(answer, tally)
+        if self.weights is not None:
+            return answer.reshape(points, *self.weights.shape[1:])
+        return answer if self.disc else answer.view(np.bool_)
+
+    def _run(self, answer: np.ndarray, tally: np.ndarray | None) -> None:
+        """Fills the answer."""
+        scene = scene_of(self.mesh)
+        position = Triples.of(self.points.position, "points.position")
+        normal = as_directions(Triples.of(self.points.normal, "points.normal").owner)
+        placement, kept = self._placement(scene, position)
+        tree = SunTree.of(_unit(self.directions), self.disc)
+        args = self._args(tree, placement)
+        args.vertices, args.faces = scene.vertices.ctypes.data, scene.faces.ctypes.data
+        args.normals, args.answer = normal.ctypes.data, answer.ctypes.data
+        args.tally = 0 if tally is None else tally.ctypes.data
+        points, work = len(answer), RAY_WORK * answer.shape[0] * len(self.directions) // 4
+        kernel = sun_kernel(self.disc > 0.0)
+        run(kernel, points, [args, WIDE.accelerator(scene, cpu(), self.workers)], cpu(), self.workers, work)
+        del kept
+
+    def _placement(self, scene: Scene, position: Triples) -> tuple[PlacementArgs, list[Any]]:
+        """The points, as `trace` places them, in an order that suits the tree; and what it has addresses of."""
+        placement = placed(scene, position, _MOST_DISTANCE)
+        face, side = faces_and_normals(self.mesh, self.points, "points")
+        placement.normals = side.ctypes.data
+        starts = set_starts(scene, placement, face, None, WIDE, self.workers)
+        order = order_of(scene, placement, len(self.directions), self.workers)
+        placement.order = 0 if order is None else order.ctypes.data
+        return placement, [side, starts, order]
+
+    def _args(self, tree: SunTree, placement: PlacementArgs) -> SunsArgs:
+        """What the kernel needs of the suns and the call."""
+        radius = radians(0.5 * self.disc)
+        return SunsArgs(
+            placement=placement,
+            seed=self.seed,
+            first_point=self.first_point,
+            active=0 if self.active is None else self.active.ctypes.data,
+            skip=self.skip,
+            count=len(self.directions),
+            nodes=len(tree.spans),
+            directions=self.directions.ctypes.data,
+            double_directions=self.directions.dtype == np.float64,
+            groups=tree.groups.ctypes.data,
+            columns=tree.columns.ctypes.data,
+            spans=tree.spans.ctypes.data,
+            beams=tree.beams.ctypes.data,
+            disc_beams=tree.disc_beams.ctypes.data,
+            sine=sin(radius),
+            one_minus_cos=2.0 * sin(0.5 * radius) ** 2,
+            weights=0 if self.weights is None else self.weights.ctypes.data,
+            channels=0 if self.weights is None else self.weights[0].size,
+            cosine=self.cosine,
+        )
+
+
+def direct_sun(
+    mesh: Any,
+    points: SurfacePoints,
+    directions: Any,
+    weights: Any = None,
+    disc: float = 0.0,
+    seed: int = 0,
+    first_point: int = 0,
+    active: Any = None,
+    skip: bool = True,
+    workers: int | None = None,
+    progress: bool = False,
+    cosine: bool = False,
+) -> np.ndarray:
+    """Which sun positions each point sees, or, with weights, what these add up to: sun hours, direct irradiation.
+
+    A point sees a sun in front of it, n.s > 0, if the ray towards it meets nothing: the same rays from the same starts as
+    those of `trace` from SurfacePoints. Most pairs need no ray: a sun behind, a group of up to 16 neighbours whose beam
+    meets nothing or is covered by one triangle, a triangle that blocked another sun.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes; pass a Mesh to keep its tree from call to call.
+        points: P of them, as for `ambient_occlusion`.
+        directions: (T, 3) towards the sun, at least one, of any length above 0.
+        weights: (T,) or (T, M) finite numbers, as 1 for hours or W/m2 of direct normal irradiance, to be summed over the
+            suns in float64, times the lit share. The array (P, T) is then never made.
+        disc: the sun's angular diameter in degrees, 0 to 45; it is 0.533. A disc that is neither proven lit nor proven dark
+            takes 32 rays, evenly spread over its solid angle: an error of about 0.02 (RMS) where an edge passes through it.
+            What of it is below the point's horizon is dark; a sun whose centre is has 0.
+        seed: of 64 bits, of the discs' rays.
+        first_point: the global id of row 0, for these.
+        active: (P,) bool; other points get 0.
+        skip: whether to leave out rays whose answer is known; changes no bit.
+        workers: threads, all cores by default.
+        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+        cosine: whether the weights are also multiplied by n.s: the irradiance on the surface, not across the ray.
+
+    Returns:
+        (P, T), bool, or with a disc float32, the share of it that is seen; with weights (P,) or (P, M) float64. Points
+        without a normal or a place have 0.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free.
+
+    Example:
+        >>> mesh = ws.load_mesh("courtyard")
+        >>> yard = ws.SurfacePoints(position=[[36.0, 36.0, 0.0]], normal=[[0.0, 0.0, 1.0]])
+        >>> print(ws.direct_sun(mesh, yard, np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.1], [0.0, 0.0, -1.0]])))
+        [[ True False False]]
+    """
+    mesh = as_mesh(mesh)
+    if not isinstance(points, SurfacePoints):
+        raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints, as sample_surface gives them")
+    towards = _check_directions(directions)
+    weights = None if weights is None else _check_weights(weights, len(towards))
+    cosine = check_flag(cosine, "cosine")
+    if cosine and weights is None:
+        raise ValueError("cosine: got True without weights, want weights, which it multiplies")
+    call = SunCall(
+        mesh,
+        points,
+        towards,
+        weights,
+        check_number(disc, "disc", 0.0, _MOST_DISC),
+        check_seed(seed),
+        check_first_point(first_point, len(points)),
+        check_active(active, len(points)),
+        check_flag(skip, "skip"),
+        check_workers(workers),
+        cosine,
+    )
+    with bar(check_flag(progress, "progress"), "looking at suns"):
+        return call.answer()
+
+
+def _check_directions(value: Any) -> np.ndarray:
+    """(T, 3) float32 or float64, contiguous, none of them zero."""
+    array = as_real(value, "directions")
+    if array.ndim != 2 or array.shape[1] != 3 or not 1 <= len(array) <= _MOST_SUNS:
+        raise ValueError(f"directions: got shape {array.shape}, want (T, 3), T from 1 to {_MOST_SUNS}")
+    largest = np.abs(array).max(axis=1)
+    wrong = np.flatnonzero(~((largest > 0.0) & np.isfinite(largest)))
+    if len(wrong):
+        row = wrong[0]
+        raise ValueError(f"directions: got {array[row].tolist()} in row {row}, want finite numbers, not all 0")
+    return np.ascontiguousarray(array)
+
+
+def _check_weights(value: Any, suns: int) -> np.ndarray:
+    """(T,) or (T, M) float64, contiguous."""
+    array = as_real(value, "weights")
+    if array.ndim not in (1, 2) or len(array) != suns or array.size == 0:
+        raise ValueError(f"weights: got shape {array.shape}, want ({suns},) or ({suns}, M), a row for each direction")
+    if not np.isfinite(array).all():
+        raise ValueError("weights: got one that is not finite, want finite numbers")
+    return np.ascontiguousarray(array, np.float64)
+
+
+def _unit(directions: np.ndarray) -> np.ndarray:
+    """(T, 3) float32 unit vectors, with the bits that `trace` makes of these directions."""
+    unit = np.empty(directions.shape, np.float32)
+    inputs = [directions.ctypes.data, directions.dtype == np.float64, unit.ctypes.data]
+    run(_unit_kernel(), len(unit), inputs, cpu(), 1, len(unit))
+    return unit
+
+
+@once
+def _unit_kernel() -> wp.Kernel:
+    """A kernel with a task for each direction."""
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def to_unit(directions: wp.uint64, doubles: wp.int32, unit: wp.uint64, first_task: wp.int64):
+        i = first_task + wp.int64(wp.tid())
+        d = wp.vec3(0.0)
+        if doubles != 0:
+            d = wp.vec3(unit_in_double(vector_in_double(directions, 1, i), 1))
+        else:
+            d = wp.array(ptr=directions + wp.uint64(i) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+        u = scaled_to_unit(d)
+        wp.array(ptr=unit + wp.uint64(i) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0] = wp.vec3(u[0], u[1], u[2])
+
+    return to_unit

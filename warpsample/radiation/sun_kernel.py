@@ -1,0 +1,211 @@
+"""The suns that a point sees, in one kernel: groups are proven lit or dark, the rest is traced; no ray is stored."""
+
+import warp as wp
+
+from warpsample.directions.samples import normal_status, weigh_by_mask
+from warpsample.estimate.skipping.frontier import HORIZON_MARGIN
+from warpsample.host.locks import once
+from warpsample.maths.numerics import scaled_to_unit
+from warpsample.radiation.sun_proofs import DARK, LIT, MET, darkened, open_around, proven
+from warpsample.radiation.sun_rays import (
+    DISC_RAYS,
+    GROUP_BYTES,
+    LEAST_COSINE,
+    aim_at_disc,
+    aim_at_group,
+    blocked_by,
+    column_of,
+    start_all,
+    sun_of,
+    way_of,
+)
+from warpsample.radiation.sun_view import CAST, KNOWN_FLOATS, PROVEN, WORDS, Suns, View, add, cosine_to, word
+from warpsample.tracing.placement import local_origin, point_of, reach_along
+from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, SCRATCH, START_FLOATS, WIDTH, Accelerator
+
+_TALLIES = 3
+_WHOLE = wp.constant(wp.float64(2.0**-18))  # so far above the horizon no rounded ray of a disc is below it
+_ZERO = wp.constant(wp.float64(0.0))
+_ONE = wp.constant(wp.float64(1.0))
+
+
+@wp.func
+def _add_weights(suns: Suns, view: View, column: wp.int32, factor: wp.float64):
+    """Adds a sun's weights, times a factor, to the point's sums."""
+    row = wp.uint64(8 * suns.channels)
+    total = wp.array(ptr=suns.answer + wp.uint64(view.point) * row, shape=(suns.channels,), dtype=wp.float64)
+    weights = wp.array(ptr=suns.weights + wp.uint64(column) * row, shape=(suns.channels,), dtype=wp.float64)
+    m = wp.int32(0)
+    while m < suns.channels:
+        total[m] = total[m] + weights[m] * factor
+        m += 1
+
+
+@once
+def _keeper(disc: bool) -> wp.Function:
+    """A function that stores or adds a sun that is lit, or a share of it."""
+
+    @wp.func
+    def keep(suns: Suns, view: View, column: wp.int32, share: wp.float32, cosine: wp.float64):
+        at = wp.uint64(view.point) * wp.uint64(suns.count) + wp.uint64(column)
+        if suns.weights != wp.uint64(0):
+            _add_weights(suns, view, column, wp.float64(share) * wp.where(suns.cosine != 0, cosine, _ONE))
+        elif wp.static(disc):
+            wp.array(ptr=suns.answer + at * wp.uint64(4), shape=(1,), dtype=wp.float32)[0] = share
+        else:
+            wp.array(ptr=suns.answer + at, shape=(1,), dtype=wp.uint8)[0] = wp.uint8(1)
+
+    return keep
+
+
+@once
+def _points() -> wp.Function:
+    """A function that looks at the suns of a group, each a point."""
+    keep, blocked = _keeper(False), blocked_by()
+
+    @wp.func
+    def look(
+        suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, beam: wp.uint64, state: wp.int32
+    ):
+        aimed = wp.int32(0)
+        for k in range(WIDTH):
+            cosine = cosine_to(view.n, sun_of(suns, group, k))
+            if cosine > _ZERO and state != DARK:
+                column = column_of(suns, group, k)
+                if state == LIT and cosine >= LEAST_COSINE:
+                    add(view, PROVEN, 1)
+                    keep(suns, view, column, 1.0, cosine)
+                else:
+                    if aimed == 0:
+                        aim_at_group(suns, view, group)
+                        aimed = 1
+                    cast = word(view, CAST)
+                    if not blocked(suns, whole, seen, view, k, cosine):
+                        keep(suns, view, column, 1.0, cosine)
+                    elif beam != wp.uint64(0) and cast != word(view, CAST):  # by a triangle that was not known
+                        state = wp.where(darkened(view, beam), DARK, state)
+
+    return look
+
+
+@once
+def _disc_share() -> wp.Function:
+    """A function that samples a sun's disc."""
+    blocked = blocked_by()
+
+    @wp.func
+    def share_of(
+        suns: Suns, whole: Accelerator, seen: Accelerator, view: View, column: wp.int32, sun: wp.vec3, state: wp.int32
+    ) -> wp.float32:
+        """The share of a disc that is above the horizon and not blocked; none is if it is LIT."""
+        dark = wp.int32(0)
+        aim_at_disc(suns, view, column, sun)
+        for k in range(DISC_RAYS):
+            cosine = cosine_to(view.n, way_of(view, k))
+            if cosine <= _ZERO:
+                dark += 1
+            elif state != LIT or cosine < LEAST_COSINE:
+                dark += wp.where(blocked(suns, whole, seen, view, k, cosine), 1, 0)
+        return wp.float32(DISC_RAYS - dark) / wp.float32(DISC_RAYS)
+
+    return share_of
+
+
+@once
+def _discs() -> wp.Function:
+    """A function that looks at the suns of a group, each a disc."""
+    keep, share_of = _keeper(True), _disc_share()
+
+    @wp.func
+    def look(
+        suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, beam: wp.uint64, state: wp.int32
+    ):
+        for k in range(WIDTH):
+            sun = sun_of(suns, group, k)
+            cosine = cosine_to(view.n, sun)
+            if cosine > _ZERO:
+                column = column_of(suns, group, k)
+                own = state
+                if state == MET and view.skips and beam != wp.uint64(0):
+                    own = proven(seen, view, suns.disc_beams + wp.uint64(group * WIDTH + k) * GROUP_BYTES)
+                if own == LIT and cosine > suns.sine + _WHOLE:
+                    add(view, PROVEN, 1)
+                    keep(suns, view, column, 1.0, cosine)
+                elif own != DARK:
+                    keep(suns, view, column, share_of(suns, whole, seen, view, column, sun, own), cosine)
+
+    return look
+
+
+@once
+def _looker(disc: bool) -> wp.Function:
+    """A function that looks at all suns."""
+    look = _discs() if disc else _points()
+
+    @wp.func
+    def look_all(suns: Suns, accelerator: Accelerator, view: View):
+        """Walks the tree of suns, without what is below a node that is proven lit or dark."""
+        view, seen = open_around(suns, accelerator, view)
+        node = wp.int32(0)
+        while node < suns.nodes:
+            span = wp.array(ptr=suns.spans + wp.uint64(node) * wp.uint64(16), shape=(4,), dtype=wp.int32)
+            state = wp.int32(MET)
+            beam = wp.uint64(0)
+            if view.skips and span[3] != 0:
+                beam = suns.beams + wp.uint64(node) * GROUP_BYTES
+                state = proven(seen, view, beam)
+            if state == LIT or (state == MET and span[1] == span[0] + 1):
+                for group in range(span[0], span[1]):
+                    look(suns, accelerator, seen, view, group, beam, state)
+            node = wp.where(state == MET, node + 1, span[2])
+
+    return look_all
+
+
+@once
+def sun_kernel(disc: bool) -> wp.Kernel:
+    """A kernel with a task for each point, in the order of the placement.
+
+    Args:
+        disc: whether suns are discs.
+    """
+    look_all = _looker(disc)
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def each_point(suns: Suns, accelerator: Accelerator, first_task: wp.int64):
+        scratch = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
+        floats = wp.zeros(shape=(CHUNK_FLOATS,), dtype=wp.float32)
+        beam = wp.zeros(shape=(BEAM_FLOATS,), dtype=wp.float32)
+        room = wp.zeros(shape=(START_FLOATS,), dtype=wp.float32)
+        known = wp.zeros(shape=(KNOWN_FLOATS,), dtype=wp.float32)
+        words = wp.zeros(shape=(WORDS,), dtype=wp.int32)
+        view = View()
+        view.chunk = floats.ptr
+        view.room = room.ptr
+        view.beam = beam.ptr
+        view.scratch = scratch.ptr
+        view.known = known.ptr
+        view.words = words.ptr
+        view.point = point_of(suns.placement, first_task + wp.int64(wp.tid()))
+        row = wp.uint64(view.point) * wp.uint64(12)
+        normal = wp.array(ptr=suns.normals + row, shape=(1,), dtype=wp.vec3)[0]
+        unit = scaled_to_unit(normal)
+        view.n = wp.vec3(unit[0], unit[1], unit[2])
+        view.place = local_origin(suns.placement, view.point)
+        side = wp.array(ptr=suns.placement.normals + row, shape=(1,), dtype=wp.vec3)[0]
+        starts = wp.array(ptr=suns.placement.starts + row + row, shape=(2,), dtype=wp.vec3)
+        view.o = starts[wp.where(wp.dot(side, view.n) < 0.0, 1, 0)]
+        view.low = HORIZON_MARGIN * reach_along(suns.placement, view.n, view.o)
+        view.reach = wp.float32(suns.placement.reach)
+        weight = wp.float32(1.0)
+        if suns.active != wp.uint64(0):
+            weight = weigh_by_mask(wp.array(ptr=suns.active + wp.uint64(view.point), shape=(1,), dtype=wp.uint8), 0)
+        if normal_status(normal, weight) == 0 and wp.dot(view.place - view.place, view.place - view.place) == _ZERO:
+            start_all(view)
+            look_all(suns, accelerator, view)
+        if suns.tally != wp.uint64(0):
+            tally = wp.array(ptr=suns.tally + row, shape=(_TALLIES,), dtype=wp.int32)
+            for i in range(_TALLIES):
+                tally[i] = words[PROVEN + i]
+
+    return each_point

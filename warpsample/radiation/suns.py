@@ -1,0 +1,131 @@
+"""Sun positions in groups of neighbours, each with a beam about it: what is proven of a beam is true of all its suns.
+
+The groups are the leaves of a complete binary tree, in which the suns of a node are halved across their widest axis. A beam
+is a pyramid from the point: four planes about the suns, or about their discs.
+"""
+
+from dataclasses import dataclass
+from math import radians
+
+import numpy as np
+
+from warpsample.tracing.wide.layout import CORNERS, PLANES, WIDTH
+
+GROUP = WIDTH
+"""Suns of a group, at most: as many as are looked at at once."""
+
+_WIDEST = 0.6  # radians from its axis: a beam that is wider meets something anyway
+_NO_AXIS = 0.5  # of the suns along their mean: beams end long before
+
+
+@dataclass(frozen=True, eq=False)
+class SunTree:
+    """Unit directions towards suns, T of them, in G groups.
+
+    Attributes:
+        groups: (G, 3, 16) float32, x, y, z of directions; 0 where a group has fewer suns.
+        columns: (G, 16) int32, their rows in the caller's array.
+        spans: (N, 4) int32 of the nodes, each before its children: first group, the one after the last, the node after all
+            that are below this one, and whether its beam is of use.
+        beams: (N, 3, 16) float32, x, y, z of inward normals of planes, from the second on, and directions of the corners.
+        disc_beams: (G, 16, 3, 16) float32, likewise of each sun's disc; empty without discs.
+    """
+
+    groups: np.ndarray
+    columns: np.ndarray
+    spans: np.ndarray
+    beams: np.ndarray
+    disc_beams: np.ndarray
+
+    @classmethod
+    def of(cls, directions: np.ndarray, disc: float) -> "SunTree":
+        """The tree of (T, 3) float32 unit vectors, at least one, with discs of that diameter in degrees."""
+        count, radius = len(directions), radians(0.5 * disc)
+        levels = max(0, int(np.ceil(np.log2(count / GROUP))))
+        bounds = [(np.arange(2**level + 1) * count) >> level for level in range(levels + 1)]
+        order = np.arange(count)
+        for level in range(levels):
+            order = order[_sorted(directions[order], bounds[level])]
+        suns, leaves = directions[order].astype(np.float64), bounds[levels]
+        of, lane = _members(leaves)
+        groups = np.zeros((2**levels, 3, WIDTH), np.float32)
+        groups[of, :, lane] = suns
+        columns = np.zeros((2**levels, WIDTH), np.int32)
+        columns[of, lane] = order
+        nodes = 2 ** (levels + 1) - 1
+        spans, beams = np.zeros((nodes, 4), np.int32), np.zeros((nodes, 3, WIDTH), np.float32)
+        for level, at in enumerate(_places(levels)):
+            beams[at], of_use = _beams(suns, bounds[level], radius)
+            first = np.arange(2**level) << (levels - level)
+            below = 2 ** (levels - level + 1) - 1
+            spans[at] = np.stack([first, first + 2 ** (levels - level), at + below, of_use], axis=1)
+        disc_beams = np.zeros((2**levels if disc else 0, WIDTH, 3, WIDTH), np.float32)
+        if disc:
+            disc_beams[of, lane] = _beams(suns, np.arange(count + 1), radius)[0]
+        return cls(groups, columns, spans, beams, disc_beams)
+
+
+def _members(bounds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The part that each row is in, and its place there."""
+    of = np.repeat(np.arange(len(bounds) - 1), np.diff(bounds))
+    return of, np.arange(bounds[-1]) - bounds[of]
+
+
+def _sorted(directions: np.ndarray, bounds: np.ndarray) -> np.ndarray:
+    """The order in which each part is sorted along the axis on which it is widest."""
+    low, high = (f.reduceat(directions, bounds[:-1]) for f in (np.minimum, np.maximum))
+    of, _ = _members(bounds)
+    along = directions[np.arange(len(of)), np.argmax(high - low, axis=1)[of]]
+    return np.lexsort((along, of))
+
+
+def _places(levels: int) -> list[np.ndarray]:
+    """Of each level, where its nodes are if each is before its children."""
+    places = [np.zeros(1, np.int64)]
+    for level in range(levels):
+        below = 2 ** (levels - level) - 1
+        places.append((places[-1][:, None] + np.array([1, 1 + below])).ravel())
+    return places
+
+
+def _beams(suns: np.ndarray, bounds: np.ndarray, radius: float) -> tuple[np.ndarray, np.ndarray]:
+    """(N, 3, 16) beams about the discs of each part of the suns, and whether they are of use."""
+    first, (of, _) = bounds[:-1], _members(bounds)
+    total = np.add.reduceat(suns, first)
+    length = np.linalg.norm(total, axis=1, keepdims=True)
+    axis = np.where(length > _NO_AXIS, total, suns[first]) / np.where(length > _NO_AXIS, length, 1.0)
+    forward = np.maximum((suns * axis[of]).sum(axis=1), 1e-3)
+    of_use = np.minimum.reduceat(forward, first) > _NO_AXIS
+    across, aside = _sides(suns, axis, forward, first, of)
+    normals, tangents = [], []
+    for side in (across, aside):
+        along = (suns * side[of]).sum(axis=1)
+        angle, length = np.arctan2(along, forward), np.hypot(along, forward)
+        half = np.arcsin(np.minimum(1.0, np.sin(radius) / length))  # in which the disc is seen in that plane
+        low, high = np.minimum.reduceat(angle - half, first), np.maximum.reduceat(angle + half, first)
+        of_use &= np.maximum(-low, high) < _WIDEST
+        low, high = np.clip([low, high], -_WIDEST, _WIDEST)[..., None]
+        normals += [np.cos(low) * side - np.sin(low) * axis, np.sin(high) * axis - np.cos(high) * side]
+        tangents.append((np.tan(low) * side, np.tan(high) * side))
+    corners = [axis + x + y for x in tangents[0] for y in tangents[1]]
+    vectors = np.zeros((len(first), 3, WIDTH), np.float32)
+    vectors[..., 1:PLANES] = np.stack(normals, axis=2)
+    lengths = np.linalg.norm(corners, axis=2, keepdims=True)
+    vectors[..., PLANES : PLANES + CORNERS] = np.moveaxis(corners / lengths, 0, 2)
+    return vectors, of_use
+
+
+def _sides(
+    suns: np.ndarray, axis: np.ndarray, forward: np.ndarray, first: np.ndarray, of: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Two unit vectors across each axis, along and across which its suns lie."""
+    least = np.eye(3)[np.abs(axis).argmin(axis=1)]
+    x = np.cross(axis, least) / np.maximum(np.linalg.norm(np.cross(axis, least), axis=1, keepdims=True), 1e-3)
+    y = np.cross(axis, x)
+    u, v = ((suns * side[of]).sum(axis=1) / forward for side in (x, y))
+    moments = [np.add.reduceat(p, first) for p in (u, v, u * u, v * v, u * v)]
+    size = np.diff(np.append(first, len(suns)))
+    u, v, uu, vv, uv = (moment / size for moment in moments)
+    turn = 0.5 * np.arctan2(2.0 * (uv - u * v), (uu - u * u) - (vv - v * v))[:, None]
+    across = np.cos(turn) * x + np.sin(turn) * y
+    return across, np.cross(axis, across)
