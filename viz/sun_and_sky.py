@@ -1,7 +1,7 @@
 """What sun and sky bring to a city: its faces by the year and by the hour, and the sky above its most closed-in ground."""
 
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import numpy as np
 import typer
@@ -45,7 +45,7 @@ def main(
     hour: Annotated[int, typer.Option(help="The hour that is shown first, 0 to 23.")] = 9,
     samples: Annotated[int, typer.Option(help="Rays of each face.")] = 256,
     seed: Annotated[int, typer.Option(help="Seed of the rays.")] = 0,
-    up: Annotated[str, typer.Option(help="The mesh's axis that points up: x, y or z.")] = "z",
+    up: Annotated[Literal["x", "y", "z"], typer.Option(help="The mesh's axis that points up.")] = "z",
     screenshot: Annotated[
         Path | None, typer.Option(help="No window, but a file: .png, or .html to turn in a browser.")
     ] = None,
