@@ -6,6 +6,7 @@ from functools import partial
 import matplotlib.image
 import numpy as np
 import pytest
+import pyvista as pv
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 from significance import ALPHA
@@ -14,6 +15,7 @@ import warpsample as ws
 from warpsample.plotting import rendering
 from warpsample.plotting.family_sheet import family_sheet
 from warpsample.plotting.overlay_sheet import overlay
+from warpsample.plotting.scenes import Panel
 from warpsample.plotting.sequence_sheet import Convergence, sequence_sheet
 from warpsample.plotting.sky_scene import on_map, patches_on_map
 from warpsample.proof.defects import Wrong
@@ -186,9 +188,7 @@ def test_the_sky_is_mapped_with_north_up_and_every_patch_once():
     assert np.abs(middle - on_map(np.degrees(sine), np.degrees(np.arctan2(*patches.directions[:-1, :2].T)))).max() < 0.02
 
 
-def test_the_sky_is_shown_of_the_ground_that_sees_least_of_it(script, can_render):
-    from warpsample.plotting.scenes import Panel
-
+def test_the_sky_is_shown_of_the_ground_that_sees_least_of_it_and_the_slider_turns_the_hour(script, can_render, monkeypatch):
     module = script("sun_and_sky")
     mesh = ws.load_mesh("courtyard")
     points = ws.face_centers(mesh)
@@ -200,17 +200,20 @@ def test_the_sky_is_shown_of_the_ground_that_sees_least_of_it(script, can_render
     sky = module.sky_map(matrix, row, "athens", "06-21")
     assert [len(path) for path in sky.paths.values()] == [9, 13, 15]
     assert sky.sun.shape == (24, 2)
-    hours = np.arange(24.0)[:, None] * np.ones(len(points))
-    drawn = module.sun_and_sky(
-        (mesh.vertices, mesh.faces), Panel(hours[5], "year", "gray", 25.0), hours, 9, sky, points.position[row],
-        ("below", lambda now: f"hour {now}"), "z", True, (900, 340),
-    )  # fmt: skip
+    hours, turn = np.arange(24.0)[:, None] * np.ones(len(points)), []
+    monkeypatch.setattr(pv.Plotter, "add_slider_widget", lambda _, show, *_rest, **_more: turn.append(show))
+    unseen = pv.Plotter
+    monkeypatch.setattr(pv, "Plotter", lambda **given: unseen(**given | {"off_screen": True}))
+    left, captions = Panel(hours[5], "year", "gray", 25.0), ("below", lambda now: f"hour {now}")
+    given = (mesh.vertices, mesh.faces), left, hours, 9, sky, points.position[row], captions, "z"
+    drawn = module.sun_and_sky(*given, off_screen=False, size=(900, 340))
     year, hour, shown = (next(iter(drawn.renderers[i].actors.values())).mapper.dataset for i in range(3))
-    assert set(year["year"]) == {5.0}
-    assert set(hour["W/m2"]) == {9.0}
+    assert (set(year["year"]), set(hour["W/m2"])) == ({5.0}, {9.0})
     assert np.array_equal(shown.active_scalars, np.repeat(matrix.value[row], 8))
-    picture = drawn.screenshot(return_img=True)
-    assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 100
+    before = drawn.screenshot(return_img=True)
+    turn[0](14.8)
+    assert (set(year["year"]), set(hour["W/m2"])) == ({5.0}, {15.0})
+    assert differing(before / 255.0, drawn.screenshot(return_img=True) / 255.0) > 0.01
 
 
 @pytest.mark.parametrize("name", [*PNG_SCRIPTS, "occlusion", "sun_and_sky"])

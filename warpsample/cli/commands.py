@@ -193,6 +193,30 @@ def bake_command(
 
 @app.command()
 @fail_plainly()
+def shading(
+    mesh: MeshFile,
+    groups: Annotated[
+        Path,
+        typer.Argument(help="Text with a line for each triangle: its surface's name in EnergyPlus.", show_default=False),
+    ],
+    output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: .csv.", show_default=False)],
+    weather: Annotated[Path, typer.Option(help="The place and its hours, .epw, or athens, an example.", show_default=False)],
+    samples: Annotated[int, typer.Option(help="Points of each surface, uniform by area.")] = 1024,
+    up: Annotated[tuple[float, float, float], typer.Option(help="The sky's axis.")] = (0.0, 0.0, 1.0),
+    north: Annotated[tuple[float, float, float], typer.Option(help="Where north is.")] = (0.0, 1.0, 0.0),
+    seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
+    workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
+) -> None:
+    """Write the sunlit share of surfaces in each hour of a year, as EnergyPlus reads it: Schedule:File:Shading."""
+    from warpsample.output.shading import Shading, write_shading  # noqa: PLC0415
+
+    with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
+        summary = write_shading(Shading(mesh, groups, output, weather, samples, up, north, seed), workers)
+    print(f"{output}: {summary}")  # noqa: T201
+
+
+@app.command()
+@fail_plainly()
 def view(
     mesh: Annotated[Path | None, typer.Argument(help=f"{MESH_HELP}; by default the bunny in warp-lang.")] = None,
     points: Annotated[int, typer.Option(help="How many surface points, uniform by area.", min=1)] = 100,

@@ -115,8 +115,8 @@ def sun_and_sky(
 
     show(hour)
     if not off_screen:
-        slider = {"fmt": "%.0f h", "pointa": (0.15, 0.12), "pointb": (0.85, 0.12), "color": INK}
-        plotter.add_slider_widget(show, (0, len(hours) - 1), hour, **slider)
+        slider = {"fmt": "%.0f h", "pointa": (0.15, 0.17), "pointb": (0.85, 0.17), "color": INK}
+        plotter.add_slider_widget(show, (0, len(hours) - 1), value=hour, **slider)
     plotter.link_views([0, 1])
     plotter.enable_anti_aliasing("ssaa", all_renderers=True)
     return plotter
