@@ -23,7 +23,6 @@ _OPEN = wp.constant(wp.int32(OPEN))
 _CLOSED = wp.constant(wp.int32(CLOSED))
 _UNKNOWN = wp.constant(wp.int32(UNKNOWN))
 _VISITS = wp.constant(wp.int32(32))  # nodes and leaves that a beam may look into
-_VISITS_MORE = wp.constant(wp.int32(4))  # once something is found, for what fills the beam
 _NODE = wp.constant(wp.uint64(NODE_BYTES))
 _LEAF = wp.constant(wp.uint64(LEAF_BYTES))
 _PLACES = wp.constant(wp.uint64(6 * 4 * WIDTH))
@@ -34,18 +33,33 @@ _PADDING = wp.constant(wp.float32(PADDING))
 _INSIDE = wp.constant(wp.float32(2.0**-17))
 """Of an angle, by which a beam must be within a triangle: directions are rounded by less than 2^-20."""
 
+_SECTORS = {"tregenza": 6, "reinhart2": 12, "reinhart4": 12}
+"""Of each row: of a number of patches that it divides."""
+
 _NOWHERE = wp.constant(wp.uint64(0))
 
 
-def beams_of(patches: SkyPatches) -> np.ndarray:
-    """(K, 3, 16) float32, the vectors of the patches' beams, as `estimate.cells.Cells.beams`: planes and corners.
+def groups_of(patches: SkyPatches) -> np.ndarray:
+    """(G + 1,) int32, where groups of neighbours in a row begin: all in a sector, so that one beam holds each group."""
+    sectors = np.floor((patches.azimuths.mean(axis=1) + 1e-6) * _SECTORS[patches.name] / 360.0)
+    changes = (np.diff(patches.rows) != 0) | (np.diff(sectors) != 0)
+    return np.array([0, *(np.flatnonzero(changes) + 1), len(patches)], np.int32)
+
+
+def beams_of(patches: SkyPatches, starts: np.ndarray) -> np.ndarray:
+    """(G, 3, 16) float32, the vectors of the beams about groups of patches, as `estimate.cells.Cells.beams`: planes, corners.
 
     The planes are the horizon's, which the point's own takes the place of; two at the azimuths; one through the upper
-    corners, and one that touches the lower edge in its middle. About the cap there is a square pyramid.
+    corners, and one that touches the lower edge in its middle. About the cap, the last, there is a square pyramid.
+
+    Args:
+        patches: of the sky.
+        starts: (G + 1,), where groups of neighbours in a row begin, and their end.
     """
-    (low, high), (first, last) = np.radians(patches.altitudes).T, np.radians(patches.azimuths).T
+    low, high = np.radians(patches.altitudes[starts[:-1]]).T
+    first, last = np.radians(patches.azimuths[starts[:-1], 0]), np.radians(patches.azimuths[starts[1:] - 1, 1])
     middle, half = 0.5 * (first + last), np.cos(0.5 * (last - first))
-    vectors = np.zeros((len(patches), WIDTH, 3))
+    vectors = np.zeros((len(low), WIDTH, 3))
     vectors[:, 0, 2] = 1.0
     vectors[:, 1] = np.stack([np.cos(first), -np.sin(first), 0.0 * first], axis=1)
     vectors[:, 2] = np.stack([-np.cos(last), np.sin(last), 0.0 * last], axis=1)
@@ -142,7 +156,7 @@ def look(accelerator: Accelerator, spot: Spot, near: wp.int32, filled: wp.uint64
         near: mask of the triangles around the point.
         filled: address of a leaf that filled another beam, and is looked at first; or 0.
     """
-    known = wp.int32(_OPEN)
+    known = wp.int32(0)
     top = spot.scratch
     node = accelerator.start
     mask = wp.int32(0)
@@ -156,20 +170,16 @@ def look(accelerator: Accelerator, spot: Spot, near: wp.int32, filled: wp.uint64
         for other in range(1, accelerator.starts):
             top = put_aside(top, accelerator.start + wp.uint64(other) * _NODE, -1, 0.0)
         mask = -1  # not found yet
-    searching = wp.int32(1)
-    while searching != 0:
+    while known == 0:
         if met != 0:
-            if known == _OPEN:
-                known = _UNKNOWN
-                visits = wp.min(visits, _VISITS_MORE)
-                if filled != _NOWHERE and leaf != filled and triangles_about(filled, spot.beam) != 0:
-                    known = _CLOSED
-            if known != _CLOSED and (triangles_about(leaf, spot.beam) & met) != 0:
-                known = _CLOSED
+            known = _UNKNOWN
+            if (triangles_about(leaf, spot.beam) & met) != 0:
                 filled = leaf
-            met = 0
-        if known == _CLOSED or visits <= 0:
-            searching = 0
+                known = _CLOSED
+            elif filled != _NOWHERE and leaf != filled and triangles_about(filled, spot.beam) != 0:
+                known = _CLOSED
+        elif visits == 0:
+            known = _UNKNOWN
         elif mask == -1:
             mask = boxes_in(node, spot.beam)
         elif mask != 0:
@@ -190,7 +200,5 @@ def look(accelerator: Accelerator, spot: Spot, near: wp.int32, filled: wp.uint64
             node = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)[0]
             mask = wp.array(ptr=top, shape=(4,), dtype=wp.int32)[2]
         else:
-            searching = 0
-    if visits <= 0 and known == _OPEN:
-        known = _UNKNOWN
+            known = _OPEN
     return known, filled

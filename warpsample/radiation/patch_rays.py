@@ -6,7 +6,7 @@ from warpsample.directions.variates import LANES
 from warpsample.estimate.rays import STREAM_STEP
 from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE
 from warpsample.estimate.spot import Spot, bring_near
-from warpsample.maths.numerics import high_word, lesser, low_word, sincos_turns
+from warpsample.maths.numerics import greater, high_word, lesser, low_word, sincos_turns
 from warpsample.radiation.shares import COLUMNS, FAINT, Patch, azimuth_near, highest, reaches
 from warpsample.sequences.fibonacci import fibonacci
 from warpsample.tracing.placement import Placement, far_off
@@ -19,6 +19,11 @@ WEIGHTS = 2 * CHUNK
 
 _FAINT = wp.constant(wp.float32(FAINT))
 _LEAST = wp.constant(wp.float32(1e-20))
+_LEAST_CUBE = wp.constant(wp.float32(1e-12))
+_ALIKE = wp.constant(wp.float32(0.05))
+_BENT = wp.constant(wp.float32(0.2))
+_THIRD = wp.constant(wp.float32(1.0 / 3.0))
+_ROOT_SEED = wp.constant(wp.int32(709921077))
 _COLUMN_BYTES = wp.constant(wp.uint64(8 * COLUMNS))
 _ZERO = wp.constant(wp.float64(0.0))
 _HALF = wp.constant(wp.float64(0.5))
@@ -34,8 +39,9 @@ class SkyRows:
     """Scalars and addresses of the rows of a sky matrix, a point each.
 
     placement: of the points. normals, active: (P, 3) float32, (P,) uint8 or 0.
-    count: rays of a point at most; its patches: their number, `shares.table_of`, `beams.beams_of`, and the (3, 3) float64
-    of their frame. skip: whether what is known of a patch replaces its rays.
+    count: rays of a point at most. patches: their number, with the addresses of `shares.table_of`, of `beams.beams_of` each,
+    and of the (3, 3) float64 of their frame. groups: likewise, with where they begin, (groups + 1,) int32, and a beam of
+    each. skip: whether what is known of a patch replaces its rays.
     by_task: whether the i-th task writes the i-th row, else that of its point. value, error: (rows, patches) float32.
     cast, open, closed, below, status: (P,), int32 but for the uint8 of the status: rays, patches of each kind, why not.
     """
@@ -50,6 +56,9 @@ class SkyRows:
     table: wp.uint64
     beams: wp.uint64
     frame: wp.uint64
+    groups: wp.int32
+    begins: wp.uint64
+    group_beams: wp.uint64
     skip: wp.int32
     by_task: wp.int32
     value: wp.uint64
@@ -85,30 +94,108 @@ def _azimuths(n: wp.vec3d, patch: Patch):
     return wp.float32(first * _TURN - wp.floor(first * _TURN)), wp.float32((last - first) * _TURN)
 
 
+@wp.struct
+class Slope:
+    """What a patch is spread by: its normal in the frame, the drops of its upper and lower edge, how its width is filled.
+
+    A direction's drop is how much lower than the zenith it is: near that the height itself would have lost it.
+    first, width: of the azimuths, in turns. start, end: the roots of how much the columns at the two weigh, of 1.
+    """
+
+    nx: wp.float32
+    ny: wp.float32
+    nz: wp.float32
+    top: wp.float32
+    bottom: wp.float32
+    first: wp.float32
+    width: wp.float32
+    start: wp.float32
+    end: wp.float32
+
+
 @wp.func
-def _spread(sky: SkyRows, spot: Spot, n: wp.vec3d, k: wp.int32, patch: Patch, each: wp.int32, at: wp.int32, length: wp.int32):
-    """Writes directions of a patch's rays, both replicates one after the other, from the at-th on, and their weights."""
+def _turned(slope: Slope, share: wp.float32) -> wp.vec2:
+    """(cosine, sine) of the azimuth at a share of the width."""
+    turn = slope.first + slope.width * share
+    return sincos_turns(wp.where(turn < 1.0, turn, turn - 1.0))
+
+
+@wp.func
+def _cosine_at(level: wp.float32, nz: wp.float32, drop: wp.float32) -> wp.float32:
+    """The cosine to the normal at a drop; 0 below the horizon."""
+    return greater(level * wp.sqrt(drop * (2.0 - drop)) + nz * (1.0 - drop), 0.0)
+
+
+@wp.func
+def _column(slope: Slope, cs: wp.vec2) -> wp.vec4:
+    """(upper drop, how much lower the other is, cosine there, cosine at the other) of what is above the horizon of a column."""
+    level = slope.nx * cs[1] + slope.ny * cs[0]
+    # What lies above the horizon is above it in height for a normal that points up, else below.
+    downwards = slope.nz < 0.0
+    horizon = 1.0 + wp.where(downwards, -level, level) / wp.sqrt(level * level + slope.nz * slope.nz + _LEAST)
+    upper = wp.where(downwards, greater(horizon, slope.top), slope.top)
+    extent = greater(wp.where(downwards, slope.bottom, lesser(horizon, slope.bottom)) - upper, 0.0)
+    return wp.vec4(upper, extent, _cosine_at(level, slope.nz, upper), _cosine_at(level, slope.nz, upper + extent))
+
+
+@wp.func
+def _weight(column: wp.vec4) -> wp.float32:
+    """About the integral of the cosine over a column."""
+    return column[1] * (column[2] + column[3])
+
+
+@wp.func
+def _slope_of(n: wp.vec3d, patch: Patch, row: wp.array[wp.float64]) -> Slope:
+    """How a patch is spread; its columns weigh about as the square of what is linear between its sides."""
+    slope = Slope()
+    slope.nx = wp.float32(n[0])
+    slope.ny = wp.float32(n[1])
+    slope.nz = wp.float32(n[2])
+    slope.top = wp.float32(row[18])
+    slope.bottom = wp.float32(row[19])
+    first, width = _azimuths(n, patch)
+    slope.first = first
+    slope.width = width
+    start = wp.sqrt(_weight(_column(slope, _turned(slope, 0.0))))
+    end = wp.sqrt(_weight(_column(slope, _turned(slope, 1.0))))
+    middle = wp.sqrt(_weight(_column(slope, _turned(slope, 0.5))))
+    most = wp.max(start, end)
+    # All columns alike where they are, or where there is a hill or a valley between.
+    alike = wp.abs(end - start) <= _ALIKE * most
+    slope.start = 1.0
+    slope.end = 1.0
+    if not alike and wp.abs(middle - 0.5 * (start + end)) <= _BENT * most:
+        slope.start = start / most
+        slope.end = end / most
+    return slope
+
+
+@wp.func
+def _cube_root(x: wp.float32) -> wp.float32:
+    """Of a number from 1e-12 to 2, to 2e-7: from the bits, then two of Halley's steps."""
+    y = wp.cast(wp.int32(wp.float32(wp.cast(x, wp.int32)) * _THIRD) + _ROOT_SEED, wp.float32)
+    y = y * (y * y * y + 2.0 * x) / (2.0 * y * y * y + x)
+    return y * (y * y * y + 2.0 * x) / (2.0 * y * y * y + x)
+
+
+@wp.func
+def _spread(sky: SkyRows, spot: Spot, slope: Slope, k: wp.int32, each: wp.int32, at: wp.int32, length: wp.int32):
+    """Writes directions of a patch's rays, both replicates one after the other, from the at-th on, and their weights.
+
+    They are about as dense as the cosine: linear in the height along a column, and columns by their weights.
+    """
     rays = wp.array(ptr=spot.chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     weights = wp.array(ptr=spot.square, shape=(WEIGHTS,), dtype=wp.float32)
-    row = wp.array(ptr=sky.table + wp.uint64(k) * _COLUMN_BYTES, shape=(COLUMNS,), dtype=wp.float64)
     frame = wp.array(ptr=sky.frame, shape=(9,), dtype=wp.float64)
-    east_x = wp.float32(frame[0])
-    east_y = wp.float32(frame[1])
-    east_z = wp.float32(frame[2])
-    north_x = wp.float32(frame[3])
-    north_y = wp.float32(frame[4])
-    north_z = wp.float32(frame[5])
-    up_x = wp.float32(frame[6])
-    up_y = wp.float32(frame[7])
-    up_z = wp.float32(frame[8])
-    # How much lower than the zenith directions are: where that is little, the height itself would have lost it.
-    top = wp.float32(row[18])
-    bottom = wp.float32(row[19])
-    nx = wp.float32(n[0])
-    ny = wp.float32(n[1])
-    nz = wp.float32(n[2])
-    normal = spot.n
-    first, width = _azimuths(n, patch)
+    east = wp.vec3(wp.float32(frame[0]), wp.float32(frame[1]), wp.float32(frame[2]))
+    north = wp.vec3(wp.float32(frame[3]), wp.float32(frame[4]), wp.float32(frame[5]))
+    up = wp.vec3(wp.float32(frame[6]), wp.float32(frame[7]), wp.float32(frame[8]))
+    n = spot.n
+    cubes = slope.start * slope.start * slope.start
+    more = slope.end * slope.end * slope.end - cubes
+    steeper = slope.end - slope.start
+    even = steeper == 0.0
+    inverse = 1.0 / wp.where(even, 1.0, steeper)
     low = low_word(sky.seed)
     high = high_word(sky.seed)
     stream = wp.uint32(2 * k)
@@ -120,28 +207,29 @@ def _spread(sky: SkyRows, spot: Spot, n: wp.vec3d, k: wp.int32, patch: Patch, ea
         word = high ^ ((stream + wp.uint32(second)) * STREAM_STEP)
         seed = (wp.uint64(word) << wp.uint64(32)) | wp.uint64(low)
         u = fibonacci(seed, id, wp.uint32(j - second * each), wp.uint32(each))
-        turn = first + width * u[0]
-        turn = wp.where(turn < 1.0, turn, turn - 1.0)
-        cs = sincos_turns(turn)
-        level = nx * cs[1] + ny * cs[0]
-        # The horizon's height at this azimuth: what is above it lies above for a normal that points up, else below.
-        horizon = 1.0 + wp.where(nz < 0.0, -level, level) / wp.sqrt(level * level + nz * nz + _LEAST)
-        nearest = wp.where(nz < 0.0, wp.where(horizon > top, horizon, top), top)
-        farthest = wp.where(nz < 0.0, bottom, lesser(horizon, bottom))
-        extent = farthest - nearest
-        drop = nearest + extent * u[1]
+        height = _cube_root(cubes + more * u[0] + _LEAST_CUBE)
+        share = wp.where(even, u[0], lesser(greater((height - slope.start) * inverse, 0.0), 1.0))
+        root = slope.start + steeper * share
+        cs = _turned(slope, share)
+        column = _column(slope, cs)
+        a = column[2]
+        b = column[3]
+        slant = wp.sqrt(a * a + u[1] * (b * b - a * a)) + a
+        down = lesser(u[1] * (a + b) / (slant + _LEAST), 1.0)
+        drop = column[0] + column[1] * down
         along = wp.sqrt(drop * (2.0 - drop))
         x = along * cs[1]
         y = along * cs[0]
         z = 1.0 - drop
-        dx = x * east_x + y * north_x + z * up_x
-        dy = x * east_y + y * north_y + z * up_y
-        dz = x * east_z + y * north_z + z * up_z
+        dx = x * east[0] + y * north[0] + z * up[0]
+        dy = x * east[1] + y * north[1] + z * up[1]
+        dz = x * east[2] + y * north[2] + z * up[2]
         rays[DIRECTION + i] = dx
         rays[DIRECTION + CHUNK + i] = dy
         rays[DIRECTION + 2 * CHUNK + i] = dz
-        cosine = normal[0] * dx + normal[1] * dy + normal[2] * dz
-        weights[i] = wp.where(cosine >= _FAINT, 1.0, 0.0) * wp.where(extent > 0.0, 1.0, 0.0) * cosine * extent
+        cosine = n[0] * dx + n[1] * dy + n[2] * dz
+        density = (a + down * (b - a)) * root * root + _LEAST
+        weights[i] = wp.where(cosine >= _FAINT, cosine * _weight(column) / density, 0.0)
         i += 1
 
 
@@ -187,10 +275,11 @@ def sum_rays(
     all = _ZERO
     all_first = _ZERO
     cast = wp.int32(0)
+    slope = _slope_of(n, patch, wp.array(ptr=sky.table + wp.uint64(k) * _COLUMN_BYTES, shape=(COLUMNS,), dtype=wp.float64))
     for at in range(0, 2 * each, CHUNK):
         length = wp.min(CHUNK, 2 * each - at)
         padded = (length + LANES - 1) / LANES * LANES
-        _spread(sky, spot, n, k, patch, each, at, padded)
+        _spread(sky, spot, slope, k, each, at, padded)
         if far_off(spot.place):
             for i in range(length):
                 bring_near(spot, spot.chunk + wp.uint64(4 * i))

@@ -15,7 +15,9 @@ from warpsample.tracing.placement import far_off, local_origin, point_of, reach_
 from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, SCRATCH, START_FLOATS, Accelerator
 
 CONCENTRATION = 4.0
-"""How many times as densely patches may be sampled as `count` rays would sample the lobe, where few need any."""
+"""How many times as densely patches may be sampled as `count` rays would sample the lobe, where little of that is sky.
+
+What is found of other patches must not matter: the same rays are cast wherever the tree's boxes are."""
 
 _CONCENTRATION = wp.constant(wp.float64(CONCENTRATION))
 _NONFINITE_POSITION = wp.constant(wp.int32(NONFINITE_POSITION))
@@ -23,6 +25,7 @@ _OPEN = wp.constant(wp.int32(OPEN))
 _CLOSED = wp.constant(wp.int32(CLOSED))
 _UNKNOWN = wp.constant(wp.int32(UNKNOWN))
 _ZERO = wp.constant(wp.float64(0.0))
+_ONE = wp.constant(wp.float64(1.0))
 _HALF = wp.constant(wp.float64(0.5))
 
 
@@ -36,26 +39,30 @@ def _in_frame(sky: SkyRows, n: wp.vec3) -> wp.vec3d:
 
 @wp.func
 def _look_into(sky: SkyRows, accelerator: Accelerator, spot: Spot, n: wp.vec3d, near: wp.int32, search: wp.bool, row: wp.int64):
-    """The sum of the open shares of the patches of which nothing is known; writes all shares, and what is known as errors."""
+    """Writes the open shares of all patches, and what is known of each in place of its error."""
     at = wp.uint64(row) * wp.uint64(sky.patches) * wp.uint64(4)
     value = wp.array(ptr=sky.value + at, shape=(sky.patches,), dtype=wp.float32)
     error = wp.array(ptr=sky.error + at, shape=(sky.patches,), dtype=wp.float32)
-    unknown = _ZERO
+    begins = wp.array(ptr=sky.begins, shape=(sky.groups + 1,), dtype=wp.int32)
     filled = wp.uint64(0)
-    for k in range(sky.patches):
-        share = open_share(n, patch_at(sky.table, k))
-        known = wp.int32(0)
-        if share > _ZERO:
-            known = _UNKNOWN
-            if accelerator.starts == 0 and near == 0:
-                known = _OPEN
-            elif search:
-                aim_at(sky.beams, k, spot)
-                known, filled = look(accelerator, spot, near, filled)
-            unknown += wp.where(known == _UNKNOWN, share, _ZERO)
-        value[k] = wp.float32(share)
-        error[k] = wp.float32(known)
-    return unknown
+    of_all = wp.where(accelerator.starts == 0 and near == 0, _OPEN, _UNKNOWN)
+    for group in range(sky.groups):
+        most = wp.float32(0.0)
+        for k in range(begins[group], begins[group + 1]):
+            value[k] = wp.float32(open_share(n, patch_at(sky.table, k)))
+            most = wp.max(most, value[k])
+        of_group = of_all
+        if search and most > 0.0 and of_all == _UNKNOWN and begins[group + 1] - begins[group] > 1:
+            aim_at(sky.group_beams, group, spot)
+            of_group, filled = look(accelerator, spot, near, filled)
+        for k in range(begins[group], begins[group + 1]):
+            known = wp.int32(0)
+            if value[k] > 0.0:
+                known = of_group
+                if search and known == _UNKNOWN:
+                    aim_at(sky.beams, k, spot)
+                    known, filled = look(accelerator, spot, near, filled)
+            error[k] = wp.float32(known)
 
 
 @wp.func
@@ -73,12 +80,12 @@ def _fill_row(sky: SkyRows, accelerator: Accelerator, spot: Spot, row: wp.int64)
     else:
         near = 0
     n = _in_frame(sky, spot.n)
-    unknown = _look_into(sky, seen, spot, n, near, starts >= 0, row)
+    _look_into(sky, seen, spot, n, near, starts >= 0, row)
     if sky.skip == 0:
         seen = accelerator
         near = 0
-    budget = wp.float64(sky.count)
-    density = _HALF * wp.min(_CONCENTRATION * budget, budget / wp.max(unknown, wp.float64(1e-6)))
+    of_sky = _HALF + _HALF * n[2]
+    density = _HALF * wp.float64(sky.count) / wp.max(of_sky, _ONE / _CONCENTRATION)
     at = wp.uint64(row) * wp.uint64(sky.patches) * wp.uint64(4)
     value = wp.array(ptr=sky.value + at, shape=(sky.patches,), dtype=wp.float32)
     error = wp.array(ptr=sky.error + at, shape=(sky.patches,), dtype=wp.float32)
@@ -89,7 +96,7 @@ def _fill_row(sky: SkyRows, accelerator: Accelerator, spot: Spot, row: wp.int64)
     for k in range(sky.patches):
         known = wp.int32(error[k])
         share = wp.float64(value[k])
-        part = wp.where(known == _CLOSED, _ZERO, wp.float64(1.0))
+        part = wp.where(known == _CLOSED, _ZERO, _ONE)
         deviation = _ZERO
         if known == 0:
             below += 1

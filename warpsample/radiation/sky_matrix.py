@@ -18,7 +18,7 @@ from warpsample.host.engine import check_memory, run
 from warpsample.host.files import check_output, complete_or_absent, write_array
 from warpsample.host.progress import bar
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.radiation.beams import beams_of
+from warpsample.radiation.beams import beams_of, groups_of
 from warpsample.radiation.folding import fold_rows
 from warpsample.radiation.matrix_files import write_matrix
 from warpsample.radiation.patch_rays import SkyRowsArgs
@@ -114,9 +114,9 @@ class SkyMatrix:
             raise TypeError(f"path: got {told(path)}, want {wants}")
         target = Path(path)
         if target.suffix not in _FORMATS:
-            raise ValueError(f"path: got {told(str(path))}, want {wants}")
+            raise ValueError(f"path: got {str(path)!r}, want {wants}")
         if target.suffix == ".mtx" and self.value.shape != (len(self.value), len(self.patches)):
-            raise ValueError(f"path: got {told(str(path))} for sums of shape {self.value.shape}, want .npz, or no fold")
+            raise ValueError(f"path: got {str(path)!r} for sums of shape {self.value.shape}, want .npz, or no fold")
         check_output(target, "path")
         with complete_or_absent(target) as stream:
             if target.suffix == ".mtx":
@@ -147,9 +147,9 @@ def sky_matrix(
     """The share of its lobe that each patch of the sky lights at each point: daylight coefficients of the direct view.
 
     A patch that nothing is in has its exact share, and costs no ray; one that a single triangle fills, 0, and none. Rays go
-    into the others. They number as many as `count` times the patch's open share, which is how many of `count` rays of the
-    lobe would go there; and where few patches need any, up to 4 times as many, so long as that makes no more than `count` in
-    all. But at least 2 a patch. Their weights are cosines, relative to the exact share of the patch.
+    into the others alone: of `count`, as many as the patch's share of the open sky, but at least 2; where less than a
+    quarter of the lobe is sky, `count` is that much less. How many does not depend on what is found of other patches, so
+    that turning all does not change them. They are spread as the cosine is, and share out the patch's exact share.
 
     The bits depend on (mesh, point, first_point + row, seed, count, patches, up, north) alone: not on threads, on which
     points are together or active, nor on `skip`. On the CPU; the first call ever compiles for about 8 s.
@@ -157,7 +157,7 @@ def sky_matrix(
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
         points: P of them; as for `ambient_occlusion`.
-        count: rays of each point, 2 to 2^24: the most that are cast, but for 2 a patch.
+        count: rays of each point, 2 to 2^24: as many as are cast if no patch is known, but for the 2 that each has at least.
         patches: "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305); numbered as `sky_patches` does.
         up: (3,), towards the zenith, of any length.
         north: (3,), of any length; what of it is along up is left out.
@@ -225,7 +225,9 @@ class _Rows:
         self.cast, self.open, self.closed, self.below = (np.zeros(points, np.int32) for _ in range(4))
         self.status = np.zeros(points, np.uint8)
         self.runner = Runner(plan, Quantity(OPEN))
-        self.table, self.beams, self.frame = table_of(sky), beams_of(sky), np.ascontiguousarray(sky.frame)
+        self.table, self.frame, self.begins = table_of(sky), np.ascontiguousarray(sky.frame), groups_of(sky)
+        self.beams = beams_of(sky, np.arange(len(sky) + 1))
+        self.group_beams = beams_of(sky, self.begins)
 
     def whole(self) -> list[np.ndarray]:
         """The matrix and its errors."""
@@ -276,6 +278,8 @@ class _Rows:
             "table": self.table,
             "beams": self.beams,
             "frame": self.frame,
+            "begins": self.begins,
+            "group_beams": self.group_beams,
             "value": value,
             "error": error,
             "cast": self.cast,
@@ -291,6 +295,7 @@ class _Rows:
             active=0 if plan.active is None else plan.active.ctypes.data,
             count=plan.count,
             patches=len(self.sky),
+            groups=len(self.begins) - 1,
             skip=plan.skip,
             by_task=by_task,
             **{name: array.ctypes.data for name, array in arrays.items()},
