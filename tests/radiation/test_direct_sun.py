@@ -164,6 +164,28 @@ def test_both_triangles_of_a_wall_and_the_gap_between_two():
         assert 10 < through.sum() < 790
 
 
+def test_suns_at_the_edge_of_what_blocks_them():
+    """Within rounding of an edge, in groups: known triangles are as exact as the rays that found them."""
+    rng = np.random.default_rng(6)
+    for _ in range(6):
+        corners = np.array([0.0, 0.0, 40.0]) + rng.uniform(-20, 20, (3, 3))
+        mesh, place = plane_and((corners, [[0, 1, 2]])), np.append(rng.uniform(-9, 9, 2), 5.0)
+        suns = (corners[0] + rng.uniform(0.0, 1.0, (600, 1)) * (corners[1] - corners[0]) - place).astype(np.float32)
+        right, _ = traced(mesh, at(place), suns)
+        assert np.array_equal(ws.direct_sun(mesh, at(place), suns), right)
+        assert 50 < right.sum() < 550
+
+
+def test_suns_just_above_the_horizon_are_lit():
+    """All of a group, by less than what is left for rounding."""
+    rng = np.random.default_rng(7)
+    angle = rng.uniform(0.0, 1e-3, 64)
+    suns = np.column_stack([np.cos(angle), np.sin(angle), rng.uniform(1e-6, 3.5e-6, 64)])
+    mesh = plane_and()
+    assert ws.direct_sun(mesh, at(np.zeros((3, 3))), suns).all()
+    assert not ws.direct_sun(mesh, at(np.zeros((3, 3))), suns * [1.0, 1.0, -1.0]).any()
+
+
 # Sums
 
 

@@ -68,7 +68,8 @@ def _points() -> wp.Function:
         suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, beam: wp.uint64, state: wp.int32
     ):
         aimed = wp.int32(0)
-        for k in range(WIDTH):
+        k = wp.int32(0)
+        while k < WIDTH:
             cosine = cosine_to(view.n, sun_of(suns, group, k))
             if cosine > _ZERO and state != DARK:
                 column = column_of(suns, group, k)
@@ -84,6 +85,7 @@ def _points() -> wp.Function:
                         keep(suns, view, column, 1.0, cosine)
                     elif beam != wp.uint64(0) and cast != word(view, CAST):  # by a triangle that was not known
                         state = wp.where(darkened(view, beam), DARK, state)
+            k += 1
 
     return look
 
@@ -120,7 +122,8 @@ def _discs() -> wp.Function:
     def look(
         suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, beam: wp.uint64, state: wp.int32
     ):
-        for k in range(WIDTH):
+        k = wp.int32(0)
+        while k < WIDTH:
             sun = sun_of(suns, group, k)
             cosine = cosine_to(view.n, sun)
             if cosine > _ZERO:
@@ -133,6 +136,7 @@ def _discs() -> wp.Function:
                     keep(suns, view, column, 1.0, cosine)
                 elif own != DARK:
                     keep(suns, view, column, share_of(suns, whole, seen, view, column, sun, own), cosine)
+            k += 1
 
     return look
 

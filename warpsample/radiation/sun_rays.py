@@ -107,11 +107,13 @@ def _bring_near(suns: Suns, view: View, k: wp.int32, unit: wp.vec3d):
 @wp.func
 def aim_at_group(suns: Suns, view: View, group: wp.int32):
     """Makes the rays towards the suns of a group."""
-    for k in range(WIDTH):
+    k = wp.int32(0)
+    while k < WIDTH:  # a range of 16 would be unrolled, and take seconds to compile
         _aim(view, k, sun_of(suns, group, k))
         if far_off(view.place):
             given = vector_in_double(suns.directions, suns.double_directions, wp.int64(column_of(suns, group, k)))
             _bring_near(suns, view, k, unit_in_double(given, suns.double_directions))
+        k += 1
     prepare_wide(view.chunk, WIDTH)
 
 
