@@ -14,7 +14,7 @@ from warpsample.proof import defects, report
 from warpsample.proof.evidence import Evidence, Subject
 from warpsample.viewer.accessor import WarpsampleAccessor
 
-ROOMS = ("distributions", "sequences", "tracing", "estimate", "proof", "bench", "output")
+ROOMS = ("distributions", "sequences", "tracing", "estimate", "proof", "bench", "output", "radiation")
 
 
 def documents(repository):
@@ -58,12 +58,13 @@ def test_the_first_page_is_short(repository):
         (3, r"^\(2, 256, 2\)\n$"),
         pytest.param(4, r"^0\.70\n$", marks=pytest.mark.slow),
         pytest.param(5, r"^\(2080,\) 2\.7\n$", marks=pytest.mark.slow),
-        (6, r"^0\.7[45]\d* 6400\n$"),
+        (6, r"^\(2080, 145\) True\n$"),
+        (7, r"^0\.7[45]\d* 6400\n$"),
     ],
 )
 def test_python_blocks_run_and_print_what_they_say(index, expected, repository, tmp_path, child_environment):
     found = blocks(repository, "python")
-    assert len(found) == 7
+    assert len(found) == 8
     script = tmp_path / "example.py"
     script.write_text(found[index])
     done = subprocess.run([sys.executable, script], env=child_environment, capture_output=True, text=True, check=True)

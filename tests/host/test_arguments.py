@@ -25,6 +25,9 @@ RESULTS = (
     ws.Irradiation,
     ws.MeshReport,
     ws.Skipped,
+    ws.SkyMatrix,
+    ws.SkyPatches,
+    ws.SkySkipped,
     ws.SkyView,
 )  # which users read and do not make
 FOR_PROOFS = ("seam",)  # takes what `sample` has taken
@@ -34,6 +37,7 @@ EXAMPLES = {
     ws.Estimate: ws.Estimate(*np.zeros((4, 4), np.float32), np.zeros(4, int), np.zeros(4, np.uint8), ws.Skipped()),
     ws.GGX: ws.GGX(0.5),
     ws.Mesh: MESH,
+    ws.SkyMatrix: ws.sky_matrix(MESH, POINTS, 2),
     ws.SurfacePoints: POINTS,
 }
 VIA = {  # whose arguments **options are

@@ -1,4 +1,4 @@
-"""The patches of the sky: their number, order, size and place, against a program that follows Radiance's text line by line."""
+"""The patches of the sky: their number, order, size and place, against a program of the tests' own."""
 
 import numpy as np
 import pytest

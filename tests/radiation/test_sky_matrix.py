@@ -10,6 +10,7 @@ from sky_cases import shares
 
 import warpsample as ws
 from warpsample.bench import scenes
+from warpsample.radiation.beams import beams_of
 
 TILTS = np.array(
     [[0, 0, 1], [0, 1, 0], [1, 0, 0], [-0.3, 0.5, 0.6], [0.2, -0.9, -0.3], [0.7, 0.1, -0.7], [1, 0.3, 1e-7], [1e-4, 0, 1]]
@@ -92,7 +93,9 @@ def test_rows_sum_to_the_sky_view_factor(bunny, name):
     for patches, count in (("tregenza", 64), ("tregenza", 1024), ("reinhart2", 512)):
         found = ws.sky_matrix(mesh, points, count, patches, up, (1, 1, 0))
         sums = found.value.sum(axis=1, dtype=np.float64)
-        bars = np.square(found.standard_error.astype(np.float64)).sum(axis=1) + np.square(view.standard_error, dtype=np.float64)
+        bars = np.square(found.standard_error.astype(np.float64)).sum(axis=1) + np.square(
+            view.standard_error, dtype=np.float64
+        )
         # No bar is told by few differences: all points together, and each by what is rare among them.
         assert abs((sums - view.value).mean()) <= 4.0 * np.sqrt(bars.sum()) / 400
         assert np.mean(np.square(sums - view.value)) <= 1.5 * bars.mean()
@@ -128,12 +131,10 @@ def test_skipping_threads_parts_and_masks_change_no_bit(bunny, monkeypatch):
 
 
 def test_wrong_beams_would_be_seen(bunny, monkeypatch):
-    from warpsample.radiation import sky_matrix as module  # noqa: PLC0415
-
+    home = "warpsample.radiation.sky_matrix.beams_of"
     points = ws.sample_surface(bunny, 100, seed=3)
     right = ws.sky_matrix(bunny, points, 300)
-    beams = module.beams_of
-    monkeypatch.setattr(module, "beams_of", lambda *a: np.roll(beams(*a), 7, axis=0))
+    monkeypatch.setattr(home, lambda *a: np.roll(beams_of(*a), 7, axis=0))
     assert not same(ws.sky_matrix(bunny, points, 300), right)
 
 
@@ -193,7 +194,9 @@ def test_a_fold_is_the_matrix_times_skies(bunny, monkeypatch):
 
 def test_points_far_off_and_nowhere():
     mesh = scenes.city(4)
-    points = at([(1e6, 0, 0), (60, 60, 1e5), (np.nan, 0, 0), (1e6, 0, 0)], [(0, 0, 1), (0, 0, -1), (0, 0, 1), (np.inf, 0, 0)])
+    points = at(
+        [(1e6, 0, 0), (60, 60, 1e5), (np.nan, 0, 0), (1e6, 0, 0)], [(0, 0, 1), (0, 0, -1), (0, 0, 1), (np.inf, 0, 0)]
+    )
     found = ws.sky_matrix(mesh, points, 64)
     assert found.counts() == {
         ws.PointStatus.OK: 2,

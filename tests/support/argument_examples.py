@@ -1,5 +1,6 @@
 """For the sweep of test_arguments.py: what each argument of each public function accepts, and values that none accepts."""
 
+import tempfile
 from dataclasses import dataclass
 from fractions import Fraction
 from inspect import signature
@@ -109,7 +110,8 @@ KINDS = {
     "patches": kind("tregenza", wrong=("klems",)),
     "sky_patches.name": kind("tregenza", said=("patches",), wrong=("klems",)),
     "north": kind(np.array([0.0, 0.6, 0.8]), wrong=("123", (0, 0, 0), (inf, 0, 1), (0.0, 0.0, 2.0))),
-    "fold": kind(np.ones((145, 2)), wrong=(np.ones(146), np.full(145, nan), np.ones((145, 2, 2)))),
+    "SkyMatrix.save.path": kind(Path(tempfile.mkdtemp(), "sky.npz")),
+    "fold": kind(np.ones((145, 2)), "one less", wrong=(np.ones(146), np.full(145, nan), np.ones((145, 2, 2)))),
     "barycentric": kind(False, *FLAG),
     "pdf": kind(True, *FLAG),
     "any_hit": kind(False, *FLAG),

@@ -10,8 +10,8 @@ def edges(multiple):
     step, found = np.pi / 2 / (7 * multiple + 0.5), []
     for row in range(7 * multiple):
         columns = multiple * ROWS[row // multiple]
-        for c in range(columns):
-            found.append((row * step, (row + 1) * step, *(2 * np.pi * (c + side) / columns for side in (-0.5, 0.5))))
+        width = 2 * np.pi / columns
+        found += [(row * step, (row + 1) * step, (c - 0.5) * width, (c + 0.5) * width) for c in range(columns)]
     return np.array([*found, (7 * multiple * step, np.pi / 2, -np.pi, np.pi)])
 
 

@@ -13,7 +13,7 @@ _shown: ContextVar[tuple[Any, Any, bool] | None] = ContextVar("shown", default=N
 
 @contextmanager
 def bar(progress: bool, what: str, total: int | None = None) -> Iterator[None]:
-    """Shows a bar for the work within, if `progress` is True: from 0 for each run, or for all runs of `total` tasks together."""
+    """Shows a bar for the work within, if `progress` is True: anew for each run, or one of `total` tasks."""
     if not progress:
         yield
         return

@@ -47,7 +47,7 @@ def groups_of(patches: SkyPatches) -> np.ndarray:
 
 
 def beams_of(patches: SkyPatches, starts: np.ndarray) -> np.ndarray:
-    """(G, 3, 16) float32, the vectors of the beams about groups of patches, as `estimate.cells.Cells.beams`: planes, corners.
+    """(G, 3, 16) float32, the vectors of the beams about groups of patches, as in `estimate.cells`: planes and corners.
 
     The planes are the horizon's, which the point's own takes the place of; two at the azimuths; one through the upper
     corners, and one that touches the lower edge in its middle. About the cap, the last, there is a square pyramid.
@@ -70,7 +70,8 @@ def beams_of(patches: SkyPatches, starts: np.ndarray) -> np.ndarray:
         vectors[:, PLANES + 2 * i + 1] = _towards(azimuth, np.cos(low), np.sin(low) * half)
     quarters = 0.5 * np.pi * np.arange(4)
     vectors[-1, 1:PLANES] = _towards(quarters, -np.sin(low[-1]), np.cos(low[-1]))
-    vectors[-1, PLANES : PLANES + CORNERS] = _towards(quarters + 0.25 * np.pi, np.sqrt(2.0) * np.cos(low[-1]), np.sin(low[-1]))
+    aside = np.sqrt(2.0) * np.cos(low[-1])
+    vectors[-1, PLANES : PLANES + CORNERS] = _towards(quarters + 0.25 * np.pi, aside, np.sin(low[-1]))
     return np.ascontiguousarray(np.swapaxes(vectors @ patches.frame, 1, 2), np.float32)
 
 
@@ -147,6 +148,18 @@ def triangles_about(leaf: wp.uint64, beam: wp.uint64) -> wp.int32:
 
 
 @wp.func
+def _what_fills(spot: Spot, leaf: wp.uint64, met: wp.int32, filled: wp.uint64):
+    """What is known of a beam in which triangles of a leaf are; likewise."""
+    known = wp.int32(_UNKNOWN)
+    if (triangles_about(leaf, spot.beam) & met) != 0:
+        known = _CLOSED
+        filled = leaf
+    elif filled != _NOWHERE and triangles_about(filled, spot.beam) != 0:
+        known = _CLOSED
+    return known, filled
+
+
+@wp.func
 def look(accelerator: Accelerator, spot: Spot, near: wp.int32, filled: wp.uint64):
     """(what is known of the beam that is aimed, the leaf with the triangle that fills it or else `filled`).
 
@@ -159,25 +172,18 @@ def look(accelerator: Accelerator, spot: Spot, near: wp.int32, filled: wp.uint64
     known = wp.int32(0)
     top = spot.scratch
     node = accelerator.start
-    mask = wp.int32(0)
+    mask = wp.where(accelerator.starts > 0, -1, 0)  # -1: not found yet
     leaf = _NOWHERE
     met = wp.int32(0)
     visits = wp.int32(_VISITS)
     if near != 0:
         leaf = spot.room + NEAR
         met = triangles_in(leaf, spot.beam) & near
-    if accelerator.starts > 0:
-        for other in range(1, accelerator.starts):
-            top = put_aside(top, accelerator.start + wp.uint64(other) * _NODE, -1, 0.0)
-        mask = -1  # not found yet
+    for other in range(1, accelerator.starts):
+        top = put_aside(top, accelerator.start + wp.uint64(other) * _NODE, -1, 0.0)
     while known == 0:
         if met != 0:
-            known = _UNKNOWN
-            if (triangles_about(leaf, spot.beam) & met) != 0:
-                filled = leaf
-                known = _CLOSED
-            elif filled != _NOWHERE and leaf != filled and triangles_about(filled, spot.beam) != 0:
-                known = _CLOSED
+            known, filled = _what_fills(spot, leaf, met, filled)
         elif visits == 0:
             known = _UNKNOWN
         elif mask == -1:

@@ -19,8 +19,11 @@ _ZERO = wp.constant(wp.float64(0.0))
 
 @wp.struct
 class Fold:
-    """Scalars and addresses: (rows, patches) float32 of values and errors, the points (rows,) int64 that they are of,
-    weights (patches, columns) float64, and (P, columns) float32 of the sums and their errors."""
+    """Scalars and addresses.
+
+    value, error: (rows, patches) float32, of the points (rows,) int64. weights: (patches, columns) float64. sums, errors:
+    (P, columns) float32.
+    """
 
     rows: wp.int64
     patches: wp.int32
@@ -42,7 +45,8 @@ def fold_rows(
     """Writes what rows of a matrix sum to, and the standard error of that, the patches' being independent.
 
     Args:
-        value, error: (B, K) float32.
+        value: (B, K) float32.
+        error: of the same shape.
         points: (B,) int64, the rows of the results.
         weights: (K, T) float64, contiguous.
         out: sums and errors, (P, T) float32 each.

@@ -23,9 +23,7 @@ def write_matrix(stream: BinaryIO, matrix: np.ndarray, factor: float = 1.0, grou
     """
     rows, columns = matrix.shape
     total = columns + ground
-    stream.write(
-        f"#?RADIANCE\nNROWS={rows}\nNCOLS={total}\nNCOMP={_COLOURS}\nBigEndian=0\nFORMAT=float\n\n".encode("ascii")
-    )
+    stream.write(f"#?RADIANCE\nNROWS={rows}\nNCOLS={total}\nNCOMP={_COLOURS}\nBigEndian=0\nFORMAT=float\n\n".encode("ascii"))
     block = max(1, _BLOCK // (_COLOURS * total))
     for first in range(0, rows, block):
         part = matrix[first : first + block]
@@ -44,7 +42,7 @@ def read_matrix(content: bytes, argument: str = "matrix") -> np.ndarray:
     Raises:
         ValueError: no such matrix, or one with fewer or more numbers than its header says.
     """
-    head, empty, body = content[:_LONGEST].partition(b"\n\n")
+    head, empty, _ = content[:_LONGEST].partition(b"\n\n")
     fields = dict(line.split("=", 1) for line in head.decode("latin-1").splitlines() if "=" in line)
     fields = {key.strip(): text.strip() for key, text in fields.items()}
     shape = tuple(int(fields[key]) if fields.get(key, "").isdecimal() else 0 for key in ("NROWS", "NCOLS", "NCOMP"))

@@ -128,7 +128,7 @@ def _cosine_at(level: wp.float32, nz: wp.float32, drop: wp.float32) -> wp.float3
 
 @wp.func
 def _column(slope: Slope, cs: wp.vec2) -> wp.vec4:
-    """(upper drop, how much lower the other is, cosine there, cosine at the other) of what is above the horizon of a column."""
+    """(upper drop, how much lower the other is, the cosines at both) of what is above the horizon of a column."""
     level = slope.nx * cs[1] + slope.ny * cs[0]
     # What lies above the horizon is above it in height for a normal that points up, else below.
     downwards = slope.nz < 0.0
@@ -264,7 +264,14 @@ def _blocked(accelerator: Accelerator, spot: Spot, near: wp.int32, column: wp.ui
 
 @wp.func
 def sum_rays(
-    sky: SkyRows, accelerator: Accelerator, spot: Spot, near: wp.int32, n: wp.vec3d, k: wp.int32, patch: Patch, each: wp.int32
+    sky: SkyRows,
+    accelerator: Accelerator,
+    spot: Spot,
+    near: wp.int32,
+    n: wp.vec3d,
+    k: wp.int32,
+    patch: Patch,
+    each: wp.int32,
 ):
     """(share of the k-th patch that is seen, its standard error as a share, rays cast), by `each` rays of two replicates.
 
@@ -275,7 +282,8 @@ def sum_rays(
     all = _ZERO
     all_first = _ZERO
     cast = wp.int32(0)
-    slope = _slope_of(n, patch, wp.array(ptr=sky.table + wp.uint64(k) * _COLUMN_BYTES, shape=(COLUMNS,), dtype=wp.float64))
+    row = wp.array(ptr=sky.table + wp.uint64(k) * _COLUMN_BYTES, shape=(COLUMNS,), dtype=wp.float64)
+    slope = _slope_of(n, patch, row)
     for at in range(0, 2 * each, CHUNK):
         length = wp.min(CHUNK, 2 * each - at)
         padded = (length + LANES - 1) / LANES * LANES

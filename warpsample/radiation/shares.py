@@ -55,7 +55,7 @@ class Patch:
 
 
 def table_of(patches: SkyPatches) -> np.ndarray:
-    """(K, COLUMNS) float64, the numbers of `Patch`, and from how much below 1 to how much the sine of the altitude reaches."""
+    """(K, COLUMNS) float64: the numbers of `Patch`, and how much lower than the zenith the upper and the lower edge are."""
     (low, high), (first, last) = np.radians(patches.altitudes).T, np.radians(patches.azimuths).T
     table = np.zeros((len(patches), COLUMNS))
     table[:, 0:6] = np.stack([first, last, np.sin(first), np.cos(first), np.sin(last), np.cos(last)], axis=1)
@@ -193,8 +193,6 @@ def open_share(n: wp.vec3d, patch: Patch) -> wp.float64:
         if lowest >= -_FAINT or level < _UPRIGHT:
             share = whole
         elif wp.dot(n, highest(n, patch)) > _FAINT:
-            if n[2] >= _ZERO:
-                share = _cut(n, level, patch)
-            else:  # max(0, c) = c + max(0, -c)
-                share = whole + _cut(-n, level, patch)
+            # max(0, c) = c + max(0, -c)
+            share = _cut(n, level, patch) if n[2] >= _ZERO else whole + _cut(-n, level, patch)
     return wp.max(share, _ZERO) * _INVERSE_PI

@@ -38,7 +38,9 @@ def _in_frame(sky: SkyRows, n: wp.vec3) -> wp.vec3d:
 
 
 @wp.func
-def _look_into(sky: SkyRows, accelerator: Accelerator, spot: Spot, n: wp.vec3d, near: wp.int32, search: wp.bool, row: wp.int64):
+def _look_into(
+    sky: SkyRows, accelerator: Accelerator, spot: Spot, n: wp.vec3d, near: wp.int32, search: wp.bool, row: wp.int64
+):
     """Writes the open shares of all patches, and what is known of each in place of its error."""
     at = wp.uint64(row) * wp.uint64(sky.patches) * wp.uint64(4)
     value = wp.array(ptr=sky.value + at, shape=(sky.patches,), dtype=wp.float32)

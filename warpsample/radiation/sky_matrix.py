@@ -90,7 +90,7 @@ class SkyMatrix:
         return {PointStatus(code): int(n) for code, n in enumerate(np.bincount(self.status)) if n}
 
     def save(self, path: Any) -> None:
-        """Writes a file, complete or not at all.
+        r"""Writes a file, complete or not at all.
 
         Args:
             path: .npz, the arrays by name with the patches' directions and solid_angles; or .mtx, a matrix of Radiance's
@@ -102,12 +102,11 @@ class SkyMatrix:
             OSError: it cannot be written.
 
         Example:
-            >>> import tempfile
-            >>> mesh = ws.load_mesh("courtyard")
-            >>> with tempfile.TemporaryDirectory() as folder:
-            ...     ws.sky_matrix(mesh, ws.sample_surface(mesh, 9), 64).save(f"{folder}/sky.mtx")
-            ...     print(open(f"{folder}/sky.mtx", "rb").read()[:29])
-            b'#?RADIANCE\\nNROWS=9\\nNCOLS=146'
+            >>> import pathlib, tempfile
+            >>> mesh, path = ws.load_mesh("courtyard"), pathlib.Path(tempfile.mkdtemp(), "sky.mtx")
+            >>> ws.sky_matrix(mesh, ws.sample_surface(mesh, 9), 64).save(path)
+            >>> print(path.read_bytes()[:28])
+            b'#?RADIANCE\nNROWS=9\nNCOLS=146'
         """
         wants = f"the path of a file of {' or '.join(_FORMATS)}"
         if not isinstance(path, str | Path):
@@ -184,7 +183,8 @@ def sky_matrix(
         >>> print(seen.value.shape, f"{seen.value.sum(axis=1).mean() - view.value.mean():.2f}")
         (100, 145) 0.00
     """
-    plan = Plan.of(mesh, points, count, "fibonacci", seed, first_point, active, None, skip, "wide", workers, progress=progress)
+    checked = (count, "fibonacci", seed, first_point, active, None, skip, "wide", workers)
+    plan = Plan.of(mesh, points, *checked, progress=progress)
     sky = sky_patches(patches, up, north)
     weights = None if fold is None else _skies(fold, len(sky))
     columns = len(sky) if weights is None else weights.shape[1]
