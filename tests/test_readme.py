@@ -59,15 +59,17 @@ def test_the_first_page_is_short(repository):
         pytest.param(4, r"^0\.70\n$", marks=pytest.mark.slow),
         pytest.param(5, r"^\(2080,\) 2\.7\n$", marks=pytest.mark.slow),
         (6, r"^\(2080, 145\) True\n$"),
-        (7, r"^0\.7[45]\d* 6400\n$"),
+        (7, r"^\(2080,\) 270 kWh/m2\n\(2080, 24\) 2021-06-21T12:00\n$"),
+        (8, r"^0\.7[45]\d* 6400\n$"),
     ],
 )
 def test_python_blocks_run_and_print_what_they_say(index, expected, repository, tmp_path, child_environment):
     found = blocks(repository, "python")
-    assert len(found) == 8
+    assert len(found) == 9
     script = tmp_path / "example.py"
     script.write_text(found[index])
-    done = subprocess.run([sys.executable, script], env=child_environment, capture_output=True, text=True, check=True)
+    given = {"env": child_environment, "cwd": tmp_path, "capture_output": True, "text": True}
+    done = subprocess.run([sys.executable, script], check=True, **given)
     printed = "\n".join(line for line in done.stdout.splitlines() if not re.match(r"Warp |   |Module ", line)) + "\n"
     assert re.match(expected, printed), printed
 
