@@ -110,7 +110,7 @@ def test_the_map_names_every_room_once(repository):
 
 
 def test_heavy_libraries_are_imported_where_they_are_used(repository):
-    heavy = {"pyvista", "matplotlib", "scipy", "trimesh", "pxr", "psutil", "rich"}
+    heavy = {"pyvista", "matplotlib", "scipy", "trimesh", "pxr", "psutil", "rich", "pvlib", "pandas", "pyradiance"}
     for path in sorted((repository / "warpsample").rglob("*.py")):
         for module, at_top in imports(path):
             if (path.stem, module) == ("accessor", "pyvista"):

@@ -59,15 +59,17 @@ def test_the_first_page_is_short(repository):
         pytest.param(4, r"^0\.70\n$", marks=pytest.mark.slow),
         pytest.param(5, r"^\(2080,\) 2\.7\n$", marks=pytest.mark.slow),
         (6, r"^\(2080, 145\) True\n$"),
-        (7, r"^0\.7[45]\d* 6400\n$"),
+        (7, r"^\(2080,\) 270 kWh/m2\n\(2080, 24\) 2021-06-21T12:00\n$"),
+        (8, r"^0\.7[45]\d* 6400\n$"),
     ],
 )
 def test_python_blocks_run_and_print_what_they_say(index, expected, repository, tmp_path, child_environment):
     found = blocks(repository, "python")
-    assert len(found) == 8
+    assert len(found) == 9
     script = tmp_path / "example.py"
     script.write_text(found[index])
-    done = subprocess.run([sys.executable, script], env=child_environment, capture_output=True, text=True, check=True)
+    given = {"env": child_environment, "cwd": tmp_path, "capture_output": True, "text": True}
+    done = subprocess.run([sys.executable, script], check=True, **given)
     printed = "\n".join(line for line in done.stdout.splitlines() if not re.match(r"Warp |   |Module ", line)) + "\n"
     assert re.match(expected, printed), printed
 
@@ -95,12 +97,14 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample info courtyard",
         "warpsample directions courtyard -o directions.npz --points 10000 --samples 64",
         "warpsample bake courtyard -o sky.ply --quantity sky --samples 256",
+        "warpsample bake courtyard -o year.vtp --quantity irradiation --weather athens --at faces",
         "warpsample view courtyard --up z --screenshot clouds.html",
         "python viz/gallery.py",  # test_gallery.py, without the benchmarks
         "python viz/shirley_overlay.py --screenshot shirley_overlay.png",  # these: test_plotting.py
         "python viz/offset_family.py --screenshot offset_family.png",
         "python viz/sequences.py --screenshot sequences.png",
         "python viz/occlusion.py --screenshot occlusion.png",
+        "python viz/sun_and_sky.py --screenshot sun_and_sky.png",
         "python viz/glossy_reflection.py --screenshot glossy_reflection.png",  # these: test_own_kernels.py
         "python viz/direct_light.py --screenshot direct_light.png",
     ]
@@ -123,10 +127,10 @@ def test_mesh_commands_run(repository, tmp_path, call, can_render, monkeypatch):
     """As `warpsample` runs them, but in this process, which has loaded the kernels."""
     monkeypatch.chdir(tmp_path)
     lines = [line for block in blocks(repository, "sh") for line in block.splitlines() if "courtyard" in line]
-    assert [line.split()[1] for line in lines] == ["info", "bake", "info", "directions", "bake", "view"]
+    assert [line.split()[1] for line in lines] == ["info", "bake", "info", "directions", "bake", "bake", "view"]
     for line in lines[2:]:
         assert call(*line.split()[1:])[0] == 0
-    assert {path.name for path in tmp_path.iterdir()} == {"directions.npz", "sky.ply", "clouds.html"}
+    assert {path.name for path in tmp_path.iterdir()} == {"directions.npz", "sky.ply", "year.vtp", "clouds.html"}
 
 
 @pytest.mark.slow

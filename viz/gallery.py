@@ -79,6 +79,13 @@ SHOTS = (
         "viz/occlusion.py --screenshot FILE",
     ),
     Shot(
+        "sun_and_sky",
+        "Sun and sky",
+        "What a cloudless year in Athens brings to a courtyard's faces, what an hour of June does, and the sky above the "
+        "ground that sees least of it, with the sun's paths.",
+        "viz/sun_and_sky.py --screenshot FILE",
+    ),
+    Shot(
         "glossy_reflection",
         "A kernel of one's own: glossy reflections",
         "An environment map filtered for surfaces of growing roughness, as renderers do before they look it up; below, a "

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from warpsample.mesh.report import MeshReport
     from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
     from warpsample.radiation.direct_sun import direct_sun
+    from warpsample.radiation.irradiation import Irradiation, irradiation
     from warpsample.radiation.patches import SkyPatches, sky_patches
     from warpsample.radiation.sky_matrix import sky_matrix
     from warpsample.radiation.sky_result import SkyMatrix, SkySkipped
@@ -47,6 +48,7 @@ __all__ = [
     "Estimate",
     "Hits",
     "Interval",
+    "Irradiation",
     "Mesh",
     "MeshReport",
     "OffsetBall",
@@ -78,6 +80,7 @@ __all__ = [
     "face_centers",
     "integrate",
     "irradiance",
+    "irradiation",
     "load_mesh",
     "refit",
     "sample_directions",
@@ -105,11 +108,12 @@ _HOMES = {
     "mesh.files": ("load_mesh",),
     "mesh.report": ("MeshReport",),
     "mesh.surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
-    "radiation.view_factors": ("ViewFactors", "view_factors"),
+    "radiation.direct_sun": ("direct_sun",),
+    "radiation.irradiation": ("Irradiation", "irradiation"),
     "radiation.patches": ("SkyPatches", "sky_patches"),
     "radiation.sky_matrix": ("sky_matrix",),
     "radiation.sky_result": ("SkyMatrix", "SkySkipped"),
-    "radiation.direct_sun": ("direct_sun",),
+    "radiation.view_factors": ("ViewFactors", "view_factors"),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
     "tracing.tree": ("tree",),

@@ -23,6 +23,7 @@ RESULTS = (
     ws.Estimate,
     ws.Hits,
     ws.Interval,
+    ws.Irradiation,
     ws.MeshReport,
     ws.Skipped,
     ws.SkyMatrix,

@@ -6,6 +6,7 @@ from functools import partial
 import matplotlib.image
 import numpy as np
 import pytest
+import pyvista as pv
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 from significance import ALPHA
@@ -14,7 +15,9 @@ import warpsample as ws
 from warpsample.plotting import rendering
 from warpsample.plotting.family_sheet import family_sheet
 from warpsample.plotting.overlay_sheet import overlay
+from warpsample.plotting.scenes import Panel
 from warpsample.plotting.sequence_sheet import Convergence, sequence_sheet
+from warpsample.plotting.sky_scene import on_map, patches_on_map
 from warpsample.proof.defects import Wrong
 
 PNG_SCRIPTS = ("shirley_overlay", "offset_family", "sequences", "glossy_reflection", "direct_light")
@@ -172,7 +175,48 @@ def test_occlusion_is_drawn_as_estimated(script, bunny):
         assert panel.value is values
 
 
-@pytest.mark.parametrize("name", [*PNG_SCRIPTS, "occlusion"])
+def test_the_sky_is_mapped_with_north_up_and_every_patch_once():
+    places = on_map(np.array([90.0, 0.0, 0.0, 45.0]), np.array([0.0, 0.0, 90.0, 180.0]))
+    assert np.allclose(places, [[0, 0, 0], [0, 1, 0], [1, 0, 0], [0, -0.5, 0]], atol=1e-12)
+    patches = ws.sky_patches("tregenza")
+    corners, quads = patches_on_map(patches.altitudes, patches.azimuths)
+    x, y = np.moveaxis(corners[quads, :2], -1, 0)
+    area = 0.5 * np.abs((x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1)).sum(axis=1))
+    assert area.sum() == pytest.approx(np.pi, rel=0.02)  # chords for arcs
+    middle = corners[quads].mean(axis=1).reshape(145, -1, 3).mean(axis=1)[:-1]
+    sine = np.arcsin(patches.directions[:-1, 2])
+    assert np.abs(middle - on_map(np.degrees(sine), np.degrees(np.arctan2(*patches.directions[:-1, :2].T)))).max() < 0.02
+
+
+def test_the_sky_is_shown_of_the_ground_that_sees_least_of_it_and_the_slider_turns_the_hour(script, can_render, monkeypatch):
+    module = script("sun_and_sky")
+    mesh = ws.load_mesh("courtyard")
+    points = ws.face_centers(mesh)
+    matrix = ws.sky_matrix(mesh, points, 16)
+    row = module.closed_in(points, matrix.value, np.array([0.0, 0.0, 1.0]))
+    shares = matrix.value.sum(axis=1, dtype=np.float64)
+    assert points.normal[row].tolist() == [0.0, 0.0, 1.0]
+    assert shares[row] == shares[points.normal[:, 2] == 1.0].min() < 0.3
+    sky = module.sky_map(matrix, row, "athens", "06-21")
+    assert [len(path) for path in sky.paths.values()] == [9, 13, 15]
+    assert sky.sun.shape == (24, 2)
+    hours, turn = np.arange(24.0)[:, None] * np.ones(len(points)), []
+    monkeypatch.setattr(pv.Plotter, "add_slider_widget", lambda _, show, *_rest, **_more: turn.append(show))
+    unseen = pv.Plotter
+    monkeypatch.setattr(pv, "Plotter", lambda **given: unseen(**given | {"off_screen": True}))
+    left, captions = Panel(hours[5], "year", "gray", 25.0), ("below", lambda now: f"hour {now}")
+    given = (mesh.vertices, mesh.faces), left, hours, 9, sky, points.position[row], captions, "z"
+    drawn = module.sun_and_sky(*given, off_screen=False, size=(900, 340))
+    year, hour, shown = (next(iter(drawn.renderers[i].actors.values())).mapper.dataset for i in range(3))
+    assert (set(year["year"]), set(hour["W/m2"])) == ({5.0}, {9.0})
+    assert np.array_equal(shown.active_scalars, np.repeat(matrix.value[row], 8))
+    before = drawn.screenshot(return_img=True)
+    turn[0](14.8)
+    assert (set(year["year"]), set(hour["W/m2"])) == ({5.0}, {15.0})
+    assert differing(before / 255.0, drawn.screenshot(return_img=True) / 255.0) > 0.01
+
+
+@pytest.mark.parametrize("name", [*PNG_SCRIPTS, "occlusion", "sun_and_sky"])
 def test_scripts_say_what_is_wrong(name, script, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(rendering, "has_screen", lambda: False)
     main = script(name).main

@@ -3,6 +3,7 @@
 import tempfile
 from dataclasses import dataclass
 from fractions import Fraction
+from inspect import signature
 from math import inf, nan
 from pathlib import Path
 from tempfile import mkdtemp
@@ -74,6 +75,7 @@ BAD_MESHES = (
     (None, None),
     [VERTICES, FACES],
 )
+JUNE = ("06-21T09", "06-21T12")
 NO_LIGHT = (np.full((4, 4), nan), np.full((4, 4), -1.0), np.full((4, 4), 1e300), "3.hdr", Path("3.hdr"), ws.trace)
 
 KINDS = {
@@ -132,6 +134,12 @@ KINDS = {
     "weights": kind(np.ones(4), "of Warp", wrong=(np.full(4, nan), np.ones(3), np.ones((4, 0)))),
     "disc": kind(0.533, *POSITIVE, wrong=(-0.5, 46.0)),
     "cosine": kind(False, *FLAG),
+    "weather": kind("athens", wrong=("3.epw", "a\0b", Path(__file__))),
+    "ground_albedo": kind(0.3, *NUMBER, wrong=(-0.1, 1.1)),
+    "period": kind(JUNE, wrong=("06-01", ("06-01",), ("06-31", "07-01"), ("06-01T25", "07-01"), (6, 7))),
+    "irradiation.patches": kind("tregenza", wrong=("klems",)),
+    "irradiation.north": kind(np.array([0.0, 1.0, 0.3]), wrong=("123", (0, 0, 0), (0, 0, 2), (inf, 0, 1))),
+    "series": kind(False, *FLAG),
     "position": kind(VERTICES),
     "normal": kind(UNIT),
     "face": kind(
@@ -166,6 +174,11 @@ NEEDS = {  # to be of use
     "cosine": {"weights": np.ones(4)},
     "integrate.mesh": {"points": POINTS},
     "integrate.max_distance": {"points": POINTS, "mesh": MESH},
+}
+NEEDS |= {  # to be quick
+    f"irradiation.{argument}": {"period": JUNE, "patches": "tregenza"}
+    for argument in signature(ws.irradiation).parameters
+    if argument not in ("period", "patches")
 }
 NO_DEFAULT = {"UniformCone.cos_angle", "UniformCone.one_minus_cos", "integrate.data"}  # one of the two must be given
 

@@ -18,6 +18,17 @@ app.add_typer(bench.app, name="bench")
 _SPATIAL = (name for name in distributions.names() if distributions.get(name).width == 3)
 DISTRIBUTION_HELP = f"A name, or one with parameters as in 'beckmann(alpha=0.1)': {', '.join(_SPATIAL)}."
 MESH_HELP = "Mesh file: .ply .obj .stl .off .glb .gltf .usd; or courtyard, an example"
+_APPLIES = {  # options of bake, to these quantities
+    "max_distance": ("ao", "sky"),
+    "falloff": ("ao",),
+    "sequence": ("ao", "sky", "irradiance"),
+    "tolerance": ("ao", "sky", "irradiance"),
+    "period": ("irradiation", "sun-hours"),
+    "ground_albedo": ("irradiation",),
+    "patches": ("irradiation", "sky-matrix"),
+    "north": ("irradiation", "sun-hours", "sky-matrix"),
+    "device": ("ao", "sky", "irradiance"),
+}
 At = Annotated[
     Literal["vertices", "faces"] | None,
     typer.Option(help="Where, if not at --points: at the vertices, or the faces' centres.", show_default=False),
@@ -108,13 +119,17 @@ def bake_command(
         Path, typer.Option("--output", "-o", help="The file to write: .ply .vtp .glb .npz .csv.", show_default=False)
     ],
     quantity: Annotated[
-        Literal["ao", "sky", "irradiance"], typer.Option(help="Ambient occlusion, sky view or light.")
+        Literal["ao", "sky", "irradiance", "irradiation", "sun-hours", "sky-matrix"],
+        typer.Option(help="Ambient occlusion, sky view, light; or what sun and sky bring by the weather of a year."),
     ] = "ao",
     points: Annotated[
         int | None, typer.Option(help="So many points, uniform by area; else those of --at.", show_default=False)
     ] = None,
     at: At = None,
-    samples: Annotated[int, typer.Option(help="Rays of each point.")] = 256,
+    samples: Annotated[
+        int | None,
+        typer.Option(help="Rays of each point; 256, or 1,024 for irradiation and sky-matrix.", show_default=False),
+    ] = None,
     max_distance: Annotated[
         float | None, typer.Option(help="Hits at or beyond it are ignored; ao and sky only.", show_default=False)
     ] = None,
@@ -126,8 +141,31 @@ def bake_command(
         Path | None,
         typer.Option(help="Light, equirectangular: .hdr or .npy; irradiance only.", show_default=False),
     ] = None,
+    weather: Annotated[
+        Path | None,
+        typer.Option(help="A year, .epw, or athens, an example; irradiation and sun-hours only.", show_default=False),
+    ] = None,
+    period: Annotated[
+        tuple[str, str] | None,
+        typer.Option(help="Of the year, as 06-01 08-31 or 03-21T09 03-21T15; with --weather.", show_default=False),
+    ] = None,
+    ground_albedo: Annotated[
+        float | None, typer.Option(help="Of the ground beyond the mesh, 0.2; irradiation only.", show_default=False)
+    ] = None,
+    patches: Annotated[
+        str | None,
+        typer.Option(
+            help="Of the sky: tregenza (of a sky-matrix), reinhart2 (of irradiation), reinhart4.", show_default=False
+        ),
+    ] = None,
     up: Annotated[tuple[float, float, float], typer.Option(help="The sky's axis.")] = (0.0, 0.0, 1.0),
-    sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "fibonacci",
+    north: Annotated[
+        tuple[float, float, float] | None, typer.Option(help="Where north is; 0 1 0.", show_default=False)
+    ] = None,
+    sequence: Annotated[
+        str | None,
+        typer.Option(help=f"One of: {', '.join(sequences.names())}; by default fibonacci.", show_default=False),
+    ] = None,
     seed: Annotated[int, typer.Option(help="Seed of points and rays.")] = 0,
     tolerance: Annotated[
         float | None, typer.Option(help="Standard error at which a point has rays enough.", show_default=False)
@@ -140,17 +178,20 @@ def bake_command(
     """Estimate a number at each vertex, face or point of a mesh, with its standard error, into a file."""
     from warpsample.output.bake import Run, bake  # noqa: PLC0415
 
-    options = {"sequence": sequence, "seed": seed, "tolerance": tolerance, "device": device, "workers": workers}
-    for name, value, quantities in (("max_distance", max_distance, ("ao", "sky")), ("falloff", falloff, ("ao",))):
-        if value is not None and quantity not in quantities:
+    options = {"seed": seed, "workers": workers}
+    given = {"max_distance": max_distance, "falloff": falloff, "sequence": sequence, "tolerance": tolerance}
+    given |= {"device": device, "period": period, "ground_albedo": ground_albedo, "patches": patches, "north": north}
+    for name, value in given.items():
+        if value is not None and quantity not in _APPLIES[name]:
             raise ValueError(
-                f"--{name.replace('_', '-')}: got {value} for {quantity}; it applies only to {' and '.join(quantities)}"
+                f"--{name.replace('_', '-')}: got {value} for {quantity}; it applies only to {' and '.join(_APPLIES[name])}"
             )
         if value is not None:
             options[name] = value
+    samples = (1024 if quantity in ("irradiation", "sky-matrix") else 256) if samples is None else samples
     at = "vertices" if points is None and at is None else at
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
-        summary = bake(Run(mesh, output, quantity, at, points, samples, environment, up, options))
+        summary = bake(Run(mesh, output, quantity, at, points, samples, environment, up, options, weather))
     print(summary)  # noqa: T201
 
 
@@ -181,6 +222,30 @@ def view_factors_command(
     options = {"count": count, "reciprocal": reciprocal, "up": up, "seed": seed, "workers": workers}
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 5 s"):
         print(run_view_factors(mesh, output, groups, options))  # noqa: T201
+
+
+@app.command()
+@fail_plainly()
+def shading(
+    mesh: MeshFile,
+    groups: Annotated[
+        Path,
+        typer.Argument(help="Text with a line for each triangle: its surface's name in EnergyPlus.", show_default=False),
+    ],
+    output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: .csv.", show_default=False)],
+    weather: Annotated[Path, typer.Option(help="The place and its hours, .epw, or athens, an example.", show_default=False)],
+    samples: Annotated[int, typer.Option(help="Points of each surface, uniform by area.")] = 1024,
+    up: Annotated[tuple[float, float, float], typer.Option(help="The sky's axis.")] = (0.0, 0.0, 1.0),
+    north: Annotated[tuple[float, float, float], typer.Option(help="Where north is.")] = (0.0, 1.0, 0.0),
+    seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
+    workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
+) -> None:
+    """Write the sunlit share of surfaces in each hour of a year, as EnergyPlus reads it: Schedule:File:Shading."""
+    from warpsample.output.shading import Shading, write_shading  # noqa: PLC0415
+
+    with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
+        summary = write_shading(Shading(mesh, groups, output, weather, samples, up, north, seed), workers)
+    print(f"{output}: {summary}")  # noqa: T201
 
 
 @app.command()

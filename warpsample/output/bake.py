@@ -1,25 +1,41 @@
 """Writes numbers at the points of a mesh into a file: `warpsample bake`."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import fields
+from dataclasses import fields, replace
 from time import perf_counter
+from typing import Any
 
 import numpy as np
 
 from warpsample.estimate.irradiance import irradiance
 from warpsample.estimate.picture import read_picture
-from warpsample.estimate.result import Estimate, PointStatus, Skipped
+from warpsample.estimate.result import PointStatus, Skipped
 from warpsample.estimate.visibility import ambient_occlusion, sky_view_factor
 from warpsample.host.device_memory import Memory
 from warpsample.host.files import check_output, complete_or_absent
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.output.baked import WRITERS, Baked, Run, check_glb
+from warpsample.output.baked import MATRIX_WRITERS, SHARED, WRITERS, Baked, Run, check_glb
 from warpsample.output.places import check_places, points_on
+from warpsample.output.sunlight import SUNLIGHT, check_matrix
+from warpsample.radiation.sky_matrix import SkySkipped
 
-QUANTITIES = {"ao": "ambient occlusion", "sky": "sky view factor", "irradiance": "irradiance"}
+QUANTITIES = {
+    "ao": "ambient occlusion",
+    "sky": "sky view factor",
+    "irradiance": "irradiance",
+    "irradiation": "irradiation",
+    "sun-hours": "sun hours",
+    "sky-matrix": "sky matrix",
+}
 SUFFIXES = tuple(WRITERS)
+
+_UNITS = {"irradiation": " kWh/m2", "sun-hours": " h", "sky-matrix": " a patch"}
+_INPUTS = {  # (the quantities that need a file, what it is)
+    "environment": (("irradiance",), "a picture of the light, .hdr or .npy"),
+    "weather": (("irradiation", "sun-hours"), "an EPW weather file"),
+}
 
 RAYS_PER_PART = 1 << 22
 """Rays, half a second, after which the progress moves and an interrupt says how far it came."""
@@ -43,35 +59,43 @@ def bake(run: Run) -> str:
     if run.output.suffix == ".glb":
         check_glb(run, mesh)
     points = points_on(mesh, run.points, run.at, run.options["seed"])
+    if run.quantity == "sky-matrix":
+        check_matrix(run, len(points))
     estimate = _quantity(run, mesh)
     estimate(_slice(points, 0, 1), 0)  # builds the tree and the kernel
     start = perf_counter()
     found = _join(list(_parts(points, run, estimate)))
     seconds = perf_counter() - start
     with complete_or_absent(run.output) as file:
-        WRITERS[run.output.suffix](file, Baked(run, mesh, points, found))
+        writers = MATRIX_WRITERS if run.quantity == "sky-matrix" else WRITERS
+        writers[run.output.suffix](file, Baked(run, mesh, points, found))
     return _summary(run, found, seconds)
 
 
 def _check(run: Run) -> None:
-    if run.output.suffix not in SUFFIXES:
-        raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
+    suffixes = tuple(MATRIX_WRITERS) if run.quantity == "sky-matrix" else SUFFIXES
+    if run.output.suffix not in suffixes:
+        raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(suffixes)}")
     Memory.of(run.options.get("device"))
-    check_output(run.output, "--output", run.mesh, run.environment)
+    check_output(run.output, "--output", run.mesh, run.environment, run.weather)
     check_places(run.points, run.at)
     if run.points is not None and run.output.suffix in (".ply", ".glb"):
         raise ValueError(
             f"--output: got {run.output.name!r} for --points, want .vtp, .npz or .csv; "
             f"a {run.output.suffix} holds the numbers of vertices or faces (--at)"
         )
-    if run.environment is None and run.quantity == "irradiance":
-        raise ValueError("--environment: got None for irradiance, want a picture of the light, .hdr or .npy")
-    if run.environment is not None and run.quantity != "irradiance":
-        raise ValueError(f"--environment: got {run.environment} for {run.quantity}; it applies only to irradiance")
+    for name, (quantities, wants) in _INPUTS.items():
+        value = getattr(run, name)
+        if value is None and run.quantity in quantities:
+            raise ValueError(f"--{name}: got None for {run.quantity}, want {wants}")
+        if value is not None and run.quantity not in quantities:
+            raise ValueError(f"--{name}: got {value} for {run.quantity}; it applies only to {' and '.join(quantities)}")
 
 
-def _quantity(run: Run, mesh: Mesh) -> Callable[[SurfacePoints, int], Estimate]:
+def _quantity(run: Run, mesh: Mesh) -> Callable[[SurfacePoints, int], Any]:
     """A function (points, id of the first) -> their numbers."""
+    if run.quantity in SUNLIGHT:
+        return SUNLIGHT[run.quantity](run, mesh)
     if run.quantity == "ao":
         return lambda points, first: ambient_occlusion(mesh, points, run.samples, first_point=first, **run.options)
     if run.quantity == "sky":
@@ -86,7 +110,7 @@ def _slice(points: SurfacePoints, first: int, count: int) -> SurfacePoints:
     return SurfacePoints(points.position[rows], points.normal[rows], points.face[rows])
 
 
-def _parts(points: SurfacePoints, run: Run, estimate: Callable[[SurfacePoints, int], Estimate]) -> Iterator[Estimate]:
+def _parts(points: SurfacePoints, run: Run, estimate: Callable[[SurfacePoints, int], Any]) -> Iterator[Any]:
     """Estimates part by part, with a progress bar if stderr is a terminal."""
     from rich.console import Console  # noqa: PLC0415
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn  # noqa: PLC0415
@@ -110,33 +134,53 @@ def _parts(points: SurfacePoints, run: Run, estimate: Callable[[SurfacePoints, i
             raise
 
 
-def _join(parts: list[Estimate]) -> Estimate:
-    arrays = {
-        item.name: np.concatenate([getattr(part, item.name) for part in parts])
-        for item in fields(parts[0])
-        if item.name != "skipped"
-    }
-    counts = {item.name: sum(getattr(part.skipped, item.name) for part in parts) for item in fields(Skipped)}
-    return type(parts[0])(**arrays, skipped=Skipped(**counts))
+def _join(parts: list[Any]) -> Any:
+    """One result of several: each array's rows, and the sums of what was skipped; the rest is that of the first."""
+    first = parts[0]
+    joined = {name: np.concatenate([getattr(part, name) for part in parts]) for name in vars(first) if name not in SHARED}
+    if hasattr(first, "skipped"):
+        names = [item.name for item in fields(first.skipped)]
+        joined["skipped"] = replace(
+            first.skipped, **{name: sum(getattr(part.skipped, name) for part in parts) for name in names}
+        )
+    return replace(first, **joined)
 
 
-def _summary(run: Run, found: Estimate, seconds: float) -> str:
+def _summary(run: Run, found: Any, seconds: float) -> str:
     good = found.status == 0
-    cast, skipped = int(found.rays.sum(dtype=np.int64)), found.skipped
+    cast = int(found.rays.sum(dtype=np.int64))
     lines = [f"{run.output}: {QUANTITIES[run.quantity]} of {len(good):,} {run.at or 'points'}"]
     if good.any():
         error = float(np.sqrt(np.mean(np.square(found.standard_error[good]))))
-        lines.append(f"mean {found.value[good].mean():.4f}; standard error {error:.2g}, root mean square over the points")
-    lines.append(f"{cast:,} rays cast in {seconds:.2f} s, {cast / max(seconds, 1e-9) / 1e6:.1f} million a second")
-    told = {
-        "in empty cells": skipped.empty_rays,
-        "without weight": skipped.weightless_rays,
-        "not needed for the tolerance": skipped.unneeded_rays,
-    }
-    lines.append("rays skipped: " + ", ".join(f"{n:,} {why}" for why, n in told.items() if n) if any(told.values()) else "")
-    if skipped.open_points:
-        lines.append(f"{skipped.open_points:,} {'point' if skipped.open_points == 1 else 'points'} needed no rays")
-    bad = {status: n for status, n in found.counts().items() if status != PointStatus.OK}
+        mean = f"mean {found.value[good].mean():.4f}{_UNITS.get(run.quantity, '')}"
+        lines.append(f"{mean}; standard error {error:.2g}, root mean square over the points" if cast else mean)
+    rays = f"{cast:,} rays cast in {seconds:.2f} s, {cast / max(seconds, 1e-9) / 1e6:.1f} million a second"
+    lines += [
+        rays if cast or run.quantity != "sun-hours" else f"took {seconds:.2f} s",
+        *_skips(getattr(found, "skipped", None)),
+    ]
+    bad = {PointStatus(code): int(n) for code, n in enumerate(np.bincount(found.status)) if n and code != PointStatus.OK}
     if bad:
         lines.append("points without a number: " + ", ".join(f"{n:,} {status.name.lower()}" for status, n in bad.items()))
-    return "\n  ".join(line for line in lines if line)
+    return "\n  ".join(lines)
+
+
+def _skips(skipped: Skipped | SkySkipped | None) -> Iterator[str]:
+    """What was not done, in sentences."""
+    if isinstance(skipped, SkySkipped):
+        yield from _told("sky patches without rays: ", {"open": skipped.open_patches, "closed": skipped.closed_patches})
+    if isinstance(skipped, Skipped):
+        told = {
+            "in empty cells": skipped.empty_rays,
+            "without weight": skipped.weightless_rays,
+            "not needed for the tolerance": skipped.unneeded_rays,
+        }
+        yield from _told("rays skipped: ", told)
+    if skipped is not None and skipped.open_points:
+        yield f"{skipped.open_points:,} {'point' if skipped.open_points == 1 else 'points'} needed no rays"
+
+
+def _told(what: str, counts: dict[str, int]) -> Iterator[str]:
+    """The numbers that are not 0, if any."""
+    if any(counts.values()):
+        yield what + ", ".join(f"{n:,} {name}" for name, n in counts.items() if n)

@@ -3,16 +3,20 @@
 import json
 import zipfile
 from dataclasses import dataclass, fields
+from math import pi
 from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
 
-from warpsample.estimate.result import Estimate
 from warpsample.host.files import write_array
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_glb, write_ply, write_vtp
+from warpsample.radiation.matrix_files import write_matrix
+
+SHARED = ("skipped", "hours", "patches")
+"""What a result has beside arrays with a row for each point."""
 
 _KEPT = 0.01  # of its area a face may gain or lose by a .glb's float32
 
@@ -36,6 +40,7 @@ class Run:
         environment: the picture of the light, .hdr or .npy; for irradiance.
         up: the sky's axis.
         options: keywords of `ambient_occlusion` and the others.
+        weather: an EPW file; for irradiation and sun hours.
     """
 
     mesh: Path
@@ -47,6 +52,7 @@ class Run:
     environment: Path | None
     up: tuple[float, float, float]
     options: dict[str, Any]
+    weather: Path | None = None
 
 
 @dataclass(frozen=True)
@@ -56,7 +62,7 @@ class Baked:
     run: Run
     mesh: Mesh
     points: SurfacePoints
-    found: Estimate
+    found: Any
 
 
 def check_glb(run: Run, mesh: Mesh) -> None:
@@ -87,36 +93,36 @@ def _local(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
     return (mesh.vertices - middle).astype(np.float32), middle
 
 
-def _columns(found: Estimate) -> dict[str, np.ndarray]:
+def _columns(found: Any) -> dict[str, np.ndarray]:
     """The columns of each point, by name; three numbers become red, green and blue."""
     columns = {}
-    for name in ("value", "standard_error"):
-        array = getattr(found, name)
-        split = {name: array} if array.ndim == 1 else {f"{name}_{c}": array[:, i] for i, c in enumerate("rgb")}
+    for name in ("value", "standard_error", "direct", "diffuse", "ground", "below_horizon"):
+        array = getattr(found, name, np.zeros((0, 0)))
+        split = (
+            {name: array} if array.ndim == 1 else {f"{name}_{c}": column for c, column in zip("rgb", array.T, strict=False)}
+        )
         columns.update(split)
-    if hasattr(found, "below_horizon"):
-        columns["below_horizon"] = found.below_horizon
     return {**columns, "rays": found.rays, "status": found.status}
 
 
-def _colours(found: Estimate) -> np.ndarray:
+def _colours(found: Any) -> np.ndarray:
     """(P, 4) uint8: black at 0, white at 1, or at the largest value if that is larger."""
     value = found.value if found.value.ndim == 2 else np.repeat(found.value[:, None], 3, axis=1)
     grey = np.clip(value / max(1.0, float(value.max(initial=0.0))), 0.0, 1.0)
     return np.column_stack([np.round(255.0 * grey), np.full(len(grey), 255.0)]).astype(np.uint8)
 
 
-def _write_npz(file: BinaryIO, baked: Baked) -> None:
+def _write_npz(file: BinaryIO, baked: Baked, **more: np.ndarray) -> None:
     points, found = baked.points, baked.found
-    arrays = {"position": points.position, "normal": points.normal, "face": points.face, **_arrays(found)}
+    arrays = {"position": points.position, "normal": points.normal, "face": points.face, **_arrays(found), **more}
     told = {item.name: str(getattr(baked.run, item.name)) for item in fields(baked.run)}
     with zipfile.ZipFile(file, "w", allowZip64=True) as archive:
         for name, array in {**arrays, "run": np.array(json.dumps(told))}.items():
             write_array(archive, name, array)
 
 
-def _arrays(found: Estimate) -> dict[str, np.ndarray]:
-    return {item.name: getattr(found, item.name) for item in fields(found) if item.name != "skipped"}
+def _arrays(found: Any) -> dict[str, np.ndarray]:
+    return {item.name: getattr(found, item.name) for item in fields(found) if item.name not in SHARED}
 
 
 def _write_csv(file: BinaryIO, baked: Baked) -> None:
@@ -163,4 +169,17 @@ def _write_vtp(file: BinaryIO, baked: Baked) -> None:
         write_vtp(file, baked.mesh.vertices, baked.mesh.faces, *data)
 
 
+def _write_matrix_npz(file: BinaryIO, baked: Baked) -> None:
+    sky = baked.found.patches
+    _write_npz(file, baked, directions=sky.directions, solid_angles=sky.solid_angles)
+
+
+def _write_mtx(file: BinaryIO, baked: Baked) -> None:
+    """Radiance's form, as `SkyMatrix.save` has it."""
+    write_matrix(file, baked.found.value, pi)
+
+
 WRITERS = {".ply": _write_ply, ".vtp": _write_vtp, ".glb": _write_glb, ".npz": _write_npz, ".csv": _write_csv}
+
+MATRIX_WRITERS = {".npz": _write_matrix_npz, ".mtx": _write_mtx}
+"""Of the sky matrix, whose rows are too long for columns."""

@@ -123,10 +123,10 @@ def clouds_on_mesh(
 
 @dataclass(frozen=True, eq=False)
 class Panel:
-    """A number at each vertex of a mesh, and how it is coloured.
+    """A number at each vertex or face of a mesh, and how it is coloured.
 
     Attributes:
-        value: (V,).
+        value: (V,) or (F,).
         title: stands above the mesh.
         colours: the name of a colour map.
         high: the number that has the last colour; 0 has the first.
@@ -171,7 +171,7 @@ def meshes_side_by_side(
     plotter.set_background(SKY, all_renderers=True)
     for column, panel in enumerate(panels):
         plotter.subplot(0, column)
-        _draw_panel(plotter, surface(vertices, faces), panel)
+        draw_panel(plotter, surface(vertices, faces), panel, panel.title)
         look_from(plotter, up, _ZOOM)
     plotter.subplot(1, 0)
     plotter.add_text(caption, font_size=_TEXT, color="black", position="lower_edge")
@@ -180,7 +180,8 @@ def meshes_side_by_side(
     return plotter
 
 
-def _draw_panel(plotter: "pyvista.Plotter", mesh: "pyvista.PolyData", panel: Panel) -> None:
+def draw_panel(plotter: "pyvista.Plotter", mesh: "pyvista.PolyData", panel: Panel, title: str) -> None:
+    """Draws a mesh in the colours of a panel into the plotter's current renderer, with a title above it."""
     mesh[panel.title] = panel.value
     plotter.add_mesh(
         mesh,
@@ -191,7 +192,7 @@ def _draw_panel(plotter: "pyvista.Plotter", mesh: "pyvista.PolyData", panel: Pan
         scalar_bar_args={**_BAR, "title": panel.title},
     )
     label_bar(plotter.scalar_bars[panel.title], panel.high)
-    plotter.add_text(panel.title, font_size=_TEXT, color="black", position="upper_edge")
+    plotter.add_text(title, font_size=_TEXT, color="black", position="upper_edge")
 
 
 def figure_in_window(figure: "Figure") -> "pyvista.Plotter":

@@ -1,0 +1,159 @@
+"""`warpsample bake` of irradiation, sun hours and sky matrices: the numbers in the files, and what is refused."""
+
+import numpy as np
+import pytest
+from weather_files import write_epw
+
+import warpsample as ws
+from warpsample.output import bake
+from warpsample.radiation.direct_sun import direct_sun
+from warpsample.radiation.light import sun_directions
+from warpsample.radiation.matrix_files import read_matrix
+from warpsample.radiation.sky_matrix import sky_matrix
+from warpsample.radiation.weather import read_weather
+
+pytest.importorskip("pvlib")
+pytest.importorskip("pyradiance")
+
+
+@pytest.fixture(scope="module")
+def athens(tmp_path_factory):
+    return write_epw(tmp_path_factory.mktemp("weather") / "athens.epw")
+
+
+@pytest.fixture(scope="module")
+def yard():
+    return ws.load_mesh("courtyard")
+
+
+def test_irradiation_of_faces(call, athens, yard, tmp_path, monkeypatch):
+    import pyvista as pv
+
+    monkeypatch.setattr(bake, "RAYS_PER_PART", 64 * 1000)  # several parts
+    output = tmp_path / "year.vtp"
+    given = ["--weather", athens, "--period", "06-21", "06-22", "--ground-albedo", 0.5, "--north", 1, 1, 0]
+    where = ["--at", "faces", "--samples", 64, "--patches", "tregenza", "--seed", 2]
+    status, out, err = call("bake", "courtyard", "-o", output, "--quantity", "irradiation", *given, *where)
+    assert (status, err) == (0, "")
+    right = ws.irradiation(
+        yard, ws.face_centers(yard), athens, 0.5, ("06-21", "06-22"), "tregenza", 64, north=(1, 1, 0), seed=2
+    )
+    found = pv.read(output).cell_data
+    for name in ("value", "standard_error", "direct", "diffuse", "ground", "rays", "status"):
+        assert np.array_equal(found[name], getattr(right, name)), name
+    first, second, third, fourth, *_ = out.splitlines()
+    assert first == f"{output}: irradiation of 2,080 faces"
+    assert second.startswith(f"  mean {right.value.mean():.4f} kWh/m2; standard error ")
+    assert third.startswith(f"  {right.rays.sum():,} rays cast in ")
+    skipped = right.skipped
+    assert fourth == f"  sky patches without rays: {skipped.open_patches:,} open, {skipped.closed_patches:,} closed"
+
+
+def test_irradiation_in_columns_and_by_default_of_the_year(call, yard, tmp_path):
+    output = tmp_path / "year.csv"
+    call("bake", "courtyard", "-o", output, "--quantity", "irradiation", "--weather", "athens", "--points", 9)
+    table = np.genfromtxt(output, delimiter=",", names=True)
+    assert table.dtype.names[3:8] == ("value", "standard_error", "direct", "diffuse", "ground")
+    right = ws.irradiation(yard, ws.sample_surface(yard, 9), "athens")
+    np.testing.assert_allclose(table["value"], right.value, rtol=1e-6)
+
+
+def test_sun_hours_of_points(call, athens, yard, tmp_path):
+    output = tmp_path / "hours.npz"
+    where = ["--weather", athens, "--period", "03-21T06", "03-21T20", "--up", 0, 1, 0, "--north", 0, 0, -1]
+    status, out, _ = call("bake", "courtyard", "-o", output, "--quantity", "sun-hours", "--points", 50, *where)
+    weather = read_weather(athens, ("03-21T06", "03-21T20"))
+    axes = np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])
+    suns = sun_directions(weather.chosen(weather.sun_altitude > 0.0), axes)
+    assert len(suns) == 13  # of the 14 hours
+    points = ws.sample_surface(yard, 50)
+    right = direct_sun(yard, points, suns).sum(axis=1)
+    with np.load(output) as file:
+        assert np.array_equal(file["value"], right)
+        assert not file["standard_error"].any()
+        assert 0.0 < right.mean() < 13.0
+    assert status == 0
+    assert out.splitlines()[:2] == [f"{output}: sun hours of 50 points", f"  mean {right.mean():.4f} h"]
+
+
+def test_sun_hours_of_a_night_are_0(call, tmp_path):
+    output = tmp_path / "night.csv"
+    night = ["--weather", "athens", "--period", "01-01T00", "01-01T03"]
+    assert call("bake", "courtyard", "-o", output, "--quantity", "sun-hours", *night)[0] == 0
+    assert not np.genfromtxt(output, delimiter=",", names=True)["value"].any()
+
+
+def test_points_without_a_normal_have_no_sun_hours(call, athens, tmp_path):
+    path, output = tmp_path / "flawed.off", tmp_path / "out.csv"
+    path.write_text("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 1\n")
+    given = ["--quantity", "sun-hours", "--weather", athens, "--period", "06-21T12", "06-21T13", "--at", "faces"]
+    _, out, _ = call("bake", path, "-o", output, *given)
+    assert out.endswith("points without a number: 1 zero_normal\n")
+    table = np.genfromtxt(output, delimiter=",", names=True)
+    assert (table["value"].tolist(), table["status"].tolist()) == ([1.0, 0.0], [0.0, 2.0])
+
+
+def test_a_sky_matrix_with_its_directions_and_for_radiance(call, yard, tmp_path, monkeypatch):
+    monkeypatch.setattr(bake, "RAYS_PER_PART", 64 * 10)  # several parts
+    given = ["--quantity", "sky-matrix", "--points", 25, "--samples", 64, "--patches", "reinhart2", "--seed", 3]
+    right = sky_matrix(yard, ws.sample_surface(yard, 25, 3), 64, "reinhart2", seed=3)
+    for name in ("sky.npz", "sky.mtx"):
+        status, out, err = call("bake", "courtyard", "-o", tmp_path / name, *given)
+        assert (status, err) == (0, "")
+        assert out.startswith(f"{tmp_path / name}: sky matrix of 25 points\n")
+    with np.load(tmp_path / "sky.npz") as file:
+        for name in ("value", "standard_error", "rays", "status"):
+            assert np.array_equal(file[name], getattr(right, name)), name
+        assert np.array_equal(file["directions"], right.patches.directions)
+        assert np.array_equal(file["solid_angles"], right.patches.solid_angles)
+        assert file["position"].shape == (25, 3)
+    right.save(tmp_path / "saved.mtx")
+    assert (tmp_path / "sky.mtx").read_bytes() == (tmp_path / "saved.mtx").read_bytes()
+    assert read_matrix((tmp_path / "sky.mtx").read_bytes()).shape == (25, 578, 3)
+
+
+def test_a_sky_matrix_that_does_not_fit_is_refused(call, tmp_path, monkeypatch):
+    monkeypatch.setattr("psutil.virtual_memory", lambda: type("Memory", (), {"available": 1 << 20}))
+    status, _, err = call(
+        "bake", "courtyard", "-o", tmp_path / "sky.mtx", "--quantity", "sky-matrix", "--patches", "reinhart4"
+    )
+    assert status == 2
+    assert err.startswith("error: 1,089 rows of 2,305 patches and their errors need")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["-o", "x.ply", "--quantity", "sky-matrix"], "--output: got 'x.ply', want a file that ends in one of .npz .mtx"),
+        (["-o", "x.mtx"], "--output: got 'x.mtx', want a file that ends in one of .ply .vtp .glb .npz .csv"),
+        (["-o", "x.csv", "--quantity", "irradiation"], "--weather: got None for irradiation, want an EPW weather file"),
+        (["-o", "x.csv", "--quantity", "sun-hours"], "--weather: got None for sun-hours, want an EPW weather file"),
+        (["-o", "x.csv", "--weather", "a.epw"], "--weather: got a.epw for ao; it applies only to irradiation and sun-hours"),
+        (["-o", "x.csv", "--quantity", "irradiation", "--weather", "no.epw"], "--weather: got 'no.epw', which is missing"),
+        (
+            ["-o", "x.csv", "--quantity", "irradiation", "--weather", "bad.epw"],
+            "--weather: got 'bad.epw', which cannot be read",
+        ),
+        (["-o", "bad.epw", "--quantity", "sun-hours", "--weather", "bad.epw"], "--output: got 'bad.epw', want"),
+        (["-o", "x.csv", "--period", "06-01", "06-02"], "--period: got ('06-01', '06-02') for ao; it applies only to"),
+        (
+            ["-o", "x.csv", "--quantity", "sun-hours", "--weather", "athens", "--period", "02-29", "03-01"],
+            "--period: got ('02-29', '03-01'), want two days",
+        ),
+        (
+            ["-o", "x.csv", "--quantity", "irradiation", "--weather", "athens", "--ground-albedo", "2"],
+            "--ground-albedo: got 2.0, want a number from 0 to 1",
+        ),
+        (["-o", "x.mtx", "--quantity", "sky-matrix", "--patches", "klems"], "--patches: got 'klems', want one of"),
+        (["-o", "x.mtx", "--quantity", "sky-matrix", "--north", "0", "0", "1"], "--north: got (0.0, 0.0, 1.0), which is"),
+        (["-o", "x.mtx", "--quantity", "sky-matrix", "--sequence", "sobol"], "--sequence: got sobol for sky-matrix; it"),
+    ],
+)
+def test_bad_input_is_one_line(call, cube, tmp_path, monkeypatch, arguments, message):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "bad.epw").write_text("x\n")
+    status, out, err = call("bake", cube, *arguments)
+    assert (status, out) == (2, "")
+    assert err.startswith(f"error: {message}")
+    assert err.count("\n") == 1
+    assert set(tmp_path.iterdir()) == {cube, tmp_path / "bad.epw"}

@@ -1,0 +1,289 @@
+"""`ws.irradiation`: what must come of the numbers of a weather file."""
+
+import sys
+from dataclasses import fields
+
+import numpy as np
+import pytest
+import trimesh
+from weather_files import write_epw
+
+import warpsample as ws
+from warpsample.estimate.plan import Plan
+from warpsample.radiation.irradiation import received
+from warpsample.radiation.light import light_of
+from warpsample.radiation.patches import sky_patches
+from warpsample.radiation.perez import perez_sky
+from warpsample.radiation.weather import read_weather
+
+pytest.importorskip("pvlib")
+pyradiance = pytest.importorskip("pyradiance")
+
+BEHIND = ws.as_mesh((np.array([[-1.0, -1, -1], [1, 0, 0], [0, 1, 0]]), np.array([[0, 1, 2]])))
+"""A triangle at the origin: it is behind points that look away from there."""
+
+PARTS = ("direct", "diffuse", "ground")
+DAY = ("06-21", "06-21")
+TILTS = np.array([[0, 0, 1], [0, -1, 0], [1, 0, 0], [0, 1, 0], [0.6, 0, 0.8], [0, -0.8, -0.6]])
+
+
+@pytest.fixture(scope="module")
+def athens(tmp_path_factory):
+    return write_epw(tmp_path_factory.mktemp("weather") / "athens.epw")
+
+
+@pytest.fixture(scope="module")
+def grey(tmp_path_factory):
+    return write_epw(tmp_path_factory.mktemp("weather") / "grey.epw", "overcast")
+
+
+@pytest.fixture(scope="module")
+def yard():
+    mesh = ws.load_mesh("courtyard")
+    return mesh, ws.sample_surface(mesh, 60, seed=4)
+
+
+def points(normals, distance=5.0):
+    """Points that look away from the origin."""
+    normals = np.float64(normals)
+    return ws.SurfacePoints(distance * np.where(np.isfinite(normals), normals, 0.0), normals)
+
+
+def suns(weather):
+    """(T, 3) towards the sun, x to the east and y to the north; and its radiation, 0 at night."""
+    altitude, azimuth = weather.sun_altitude, weather.sun_azimuth
+    level = np.cos(altitude)
+    made = np.stack([level * np.sin(azimuth), level * np.cos(azimuth), np.sin(altitude)], axis=1)
+    return made, np.where(altitude > 0.0, weather.direct_normal, 0.0)
+
+
+def test_an_open_horizontal_plane_receives_what_the_file_says(athens, grey):
+    for path in (athens, grey):
+        weather = read_weather(path)
+        sun, radiation = suns(weather)
+        found = ws.irradiation(BEHIND, points([(0, 0, 2)]), path)
+        assert found.direct == pytest.approx((radiation * sun[:, 2]).sum() / 1000.0, rel=1e-6)
+        assert found.diffuse == pytest.approx(weather.diffuse_horizontal.sum() / 1000.0, rel=1e-6)
+        assert found.value == pytest.approx(found.direct + found.diffuse, rel=1e-6)
+        assert (found.ground, found.rays, found.standard_error, found.status) == (0, 0, 0, 0)
+
+
+def test_an_open_slope_receives_its_share_of_sun_sky_and_ground(athens):
+    weather = read_weather(athens, DAY)
+    sun, radiation = suns(weather)
+    found = ws.irradiation(BEHIND, points(TILTS), athens, 0.3, DAY, "tregenza")
+    direct = (radiation[:, None] * np.maximum(sun @ TILTS.T, 0.0)).sum(axis=0) / 1000.0
+    np.testing.assert_allclose(found.direct, direct, rtol=2e-6, atol=1e-6)
+    horizontal = (radiation * sun[:, 2] + weather.diffuse_horizontal).sum() / 1000.0
+    np.testing.assert_allclose(found.ground, 0.3 * horizontal * (1.0 - TILTS[:, 2]) / 2.0, rtol=2e-6, atol=1e-6)
+    np.testing.assert_allclose(
+        found.diffuse, shone_on(TILTS, perez_sky(weather, "tregenza").sum(axis=1)) / 1000.0, rtol=2e-4
+    )
+    assert direct[1] > direct[3] > 0.0  # the south; the sun of June's mornings and evenings is in the north
+    assert (found.rays == 0).all()
+
+
+def shone_on(normals, radiance, fine=40):
+    """The irradiance of patches of even radiance, by the midpoints of many parts of each."""
+    sky = sky_patches("tregenza")
+    share = (np.arange(fine) + 0.5) / fine
+    low, high = np.sin(np.radians(sky.altitudes.T))
+    sine = (low[:, None] + (high - low)[:, None] * share)[:, :, None]
+    first, last = np.radians(sky.azimuths.T)
+    azimuth = (first[:, None] + (last - first)[:, None] * share)[:, None, :]
+    level, sine = np.sqrt(1.0 - sine * sine) * np.ones_like(azimuth), sine * np.ones_like(azimuth)
+    ways = np.stack([level * np.sin(azimuth), level * np.cos(azimuth), sine], axis=-1)
+    return np.array([np.maximum(ways @ n, 0.0).mean(axis=(1, 2)) @ (sky.solid_angles * radiance) for n in normals])
+
+
+@pytest.mark.parametrize(
+    ("patches", "sky"),
+    [
+        ("tregenza", "athens"),
+        ("tregenza", "grey"),
+        ("reinhart2", "athens"),
+        pytest.param("reinhart4", "grey", marks=pytest.mark.slow),
+    ],
+)
+def test_the_sky_is_that_of_gendaymtx_but_for_its_scale(patches, sky, request):
+    path = request.getfixturevalue(sky)
+    weather = read_weather(path).chosen(np.arange(4000, 4100))
+    split, scale = {"tregenza": (1, 0.99455), "reinhart2": (2, 0.99854), "reinhart4": (4, 0.99962)}[patches]
+    content = pyradiance.gendaymtx(path, outform="f", mfactor=split, sky_only=True, solar_radiance=True, sky_color=[1, 1, 1])
+    count = len(sky_patches(patches))
+    right = np.frombuffer(content.partition(b"\n\n")[2], "<f4").reshape(count + 1, 8760, 3)[:, 4000:4100, 0].astype(float)
+    found = perez_sky(weather, patches)
+    lit = weather.diffuse_horizontal > 0.0
+    assert 50 < lit.sum() < 80
+    ratio = right[1:, lit] / found[:, lit]
+    np.testing.assert_allclose(ratio, np.broadcast_to(ratio[0], ratio.shape), rtol=1e-6)
+    assert np.abs(ratio[0] - scale).max() < 1e-4
+    assert not found[:, ~lit].any()
+
+
+def test_the_ground_is_that_of_gendaymtx_but_for_the_sun_s_place(athens):
+    light = light_of(athens, DAY, 0.2, "tregenza", (0, 0, 1), (0, 1, 0))
+    content = pyradiance.gendaymtx(athens, outform="f", solar_radiance=True, sky_color=[1, 1, 1])
+    rows = np.frombuffer(content.partition(b"\n\n")[2], "<f4").reshape(146, 8760, 3)
+    noon = 171 * 24 + 12
+    assert light.ground[light.sky_rows == 12] == pytest.approx(np.pi * rows[0, noon, 0], rel=5e-3)
+
+
+def test_the_sun_comes_from_the_east_and_goes_by_the_south(athens):
+    """A wall to each side of a point, in the coordinates of maps and in those of glTF."""
+    for up, north in (((0, 0, 1), (0, 1, 0)), ((0, 1, 0), (0, 0, -1)), ((1, 0, 0), (1, -1, 0))):
+        axes = sky_patches("tregenza", up, north).frame
+        for side, dark, lit in ((0, range(6, 10), range(14, 18)), (np.pi, range(15, 19), range(6, 11))):
+            wall = np.array([[np.cos(side), y, z] for y, z in ((-99, -1), (99, -1), (99, 99), (-99, 99))]) @ axes
+            mesh = ws.as_mesh((wall, np.array([[0, 1, 2], [0, 2, 3]])))
+            found = ws.irradiation(mesh, points(axes[2:], 0.0), athens, 0.0, DAY, "tregenza", 64, up, north, series=True)
+            assert not found.direct[0, dark].any()
+            assert found.direct[0, lit].all()
+    south = ws.irradiation(BEHIND, points([(0, -1, 0), (0, 1, 0)]), athens, 0.0, ("12-21", "12-21"), series=True).direct
+    assert south[0, 8:16].min() > 0.0
+    assert not south[1].any()
+
+
+def test_a_closed_box_is_dark(athens):
+    box = trimesh.creation.box((2.0, 2.0, 2.0))
+    inside = points(TILTS, 0.3)
+    found = ws.irradiation(box, inside, athens, period=DAY, patches="tregenza", count=64)
+    assert not any(getattr(found, name).any() for name in ("value", "standard_error", *PARTS))
+    assert (found.status == 0).all()
+
+
+def test_a_mesh_only_takes_away(yard, athens):
+    mesh, where = yard
+    found = ws.irradiation(mesh, where, athens, period=DAY, patches="tregenza")
+    free = ws.irradiation(BEHIND, points(where.normal), athens, period=DAY, patches="tregenza")
+    for name in PARTS:
+        part, most = getattr(found, name).astype(np.float64), getattr(free, name).astype(np.float64)
+        assert (part >= 0.0).all()
+        assert (part <= most + 3.0 * found.standard_error + 1e-5).all(), name
+        assert 0.0 < part.sum() < 0.95 * most.sum() or name == "ground", name
+    np.testing.assert_allclose(found.value, sum(getattr(found, name).astype(np.float64) for name in PARTS), rtol=1e-6)
+
+
+def test_the_hours_add_up_to_the_sum(yard, athens):
+    mesh, where = yard
+    given = {"weather": athens, "period": ("06-21T03", "06-22T03"), "patches": "tregenza", "count": 64}
+    whole, hourly = ws.irradiation(mesh, where, **given), ws.irradiation(mesh, where, **given, series=True)
+    assert hourly.value.shape == hourly.standard_error.shape == (60, 24)
+    assert hourly.hours[0] == np.datetime64("2021-06-21T03:00")
+    for name in ("value", *PARTS):
+        added = getattr(hourly, name).sum(axis=1, dtype=np.float64) / 1000.0
+        np.testing.assert_allclose(added, getattr(whole, name), rtol=1e-5, atol=1e-6, err_msg=name)
+    assert not hourly.value[:, hourly.hours < np.datetime64("2021-06-21T05:00")].any()
+    assert np.array_equal(hourly.rays, whole.rays)
+    weather = read_weather(athens, given["period"])
+    sun, radiation = suns(weather)
+    assert (hourly.direct <= radiation * np.maximum(where.normal.astype(np.float64) @ sun.T, 0.0) + 1e-3).all()
+
+
+def test_the_error_bars_are_honest(yard, athens):
+    """The mean square of the differences between two runs is twice that of the error bars."""
+    mesh, where = yard
+    light = light_of(athens, ("06-21T12", "06-21T13"), 1.0, "tregenza", (0, 0, 1), (0, 1, 0))
+    runs = [received(Plan.of(mesh, where, 64, seed=seed), light, series=False) for seed in range(24)]
+    values, errors = (np.array([getattr(run, name) for run in runs], np.float64) for name in ("value", "standard_error"))
+    told, seen = np.mean(np.square(errors)), np.mean(values.var(axis=0, ddof=1))
+    assert told > 0.0
+    assert 0.7 < told / seen < 1.4
+
+
+def test_the_ground_beyond_the_mesh_has_rays_of_its_own(athens):
+    """A wall that looks down past a floor of half of its view sees half of the ground; a floor below sees none."""
+    floor = (np.array([[-500.0, 0, -1], [0, 0, -1], [0, 500, -1], [-500, 500, -1]]), np.array([[0, 1, 2], [0, 2, 3]]))
+    where = points([(0, 1, 0), (0, 1, 0), (0, 0, 1)], 0.0)
+    found = ws.irradiation(floor, where, athens, 1.0, DAY, "tregenza", 1024)
+    light = light_of(athens, DAY, 1.0, "tregenza", (0, 0, 1), (0, 1, 0))
+    np.testing.assert_allclose(found.ground[:2], light.ground.sum() / 4000.0, rtol=0.01)
+    assert found.ground[2] == 0.0
+    assert (found.standard_error[:2] > 0.0).all()
+    assert not ws.irradiation(floor, where, athens, 0.0, DAY, "tregenza", 64).ground.any()
+
+
+def test_a_run_can_be_split(yard, athens):
+    mesh, where = yard
+    given = {"weather": athens, "period": DAY, "patches": "tregenza", "count": 64, "seed": 5}
+    whole = ws.irradiation(mesh, where, **given)
+    active = np.arange(60) % 3 == 0
+    some = ws.irradiation(mesh, where, **given, active=active, workers=1)
+    rest = ws.SurfacePoints(where.position[40:], where.normal[40:], where.face[40:])
+    last = ws.irradiation(mesh, rest, **given, first_point=40, skip=False)
+    for name in ("value", "standard_error", *PARTS):
+        assert np.array_equal(getattr(some, name)[active], getattr(whole, name)[active]), name
+        assert np.array_equal(getattr(last, name), getattr(whole, name)[40:]), name
+        assert not getattr(some, name)[~active].any(), name
+    assert (some.status[~active] == ws.PointStatus.INACTIVE).all()
+
+
+def test_points_without_a_normal_receive_nothing(athens):
+    found = ws.irradiation(
+        BEHIND, points([(0, 0, 1), (0, 0, 0), (0, np.nan, 1)]), athens, period=DAY, patches="tregenza", series=True
+    )
+    assert found.status.tolist() == [0, ws.PointStatus.ZERO_NORMAL, ws.PointStatus.NONFINITE_NORMAL]
+    assert found.value[0].any()
+    assert not found.value[1:].any()
+
+
+def test_a_period_without_light_is_dark(athens):
+    for series, shape in ((False, (1,)), (True, (1, 2))):
+        found = ws.irradiation(BEHIND, points([(0, 0, 1)]), athens, period=("12-31T23", "01-01T01"), series=series)
+        assert found.value.shape == shape
+        assert not any(getattr(found, name).any() for name in ("value", "standard_error", *PARTS))
+
+
+def test_a_turn_of_everything_changes_nothing(yard, athens):
+    mesh, where = yard
+    turn = trimesh.transformations.rotation_matrix(2.0, (1.0, 2.0, 3.0))[:3, :3]
+    turned = ws.SurfacePoints(where.position @ turn.T, where.normal.astype(np.float64) @ turn.T, where.face)
+    given = {"weather": athens, "period": DAY, "patches": "tregenza"}
+    right = ws.irradiation(mesh, where, **given)
+    found = ws.irradiation((mesh.vertices @ turn.T, mesh.faces), turned, **given, up=turn[:, 2], north=turn[:, 1])
+    np.testing.assert_allclose(found.direct, right.direct, atol=2e-4 * right.direct.max())
+    error = np.hypot(found.standard_error.astype(np.float64), right.standard_error)
+    assert (np.abs(found.value.astype(np.float64) - right.value) < 6.0 * error + 2e-3).all()
+
+
+def test_every_field_has_a_row_for_each_point(yard, athens):
+    mesh, where = yard
+    found = ws.irradiation(mesh, where, athens, period=DAY, patches="tregenza", count=64)
+    shapes = {item.name: getattr(found, item.name).shape for item in fields(found) if item.name != "skipped"}
+    assert shapes.pop("hours") == (24,)
+    assert set(shapes.values()) == {(60,)}
+    assert found.value.dtype == np.float32
+
+
+WRONG = {
+    "ground_albedo": (1.5, ValueError, "got 1.5, want a number from 0 to 1"),
+    "period": (("06-01", "06-31"), ValueError, "want two days"),
+    "patches": ("klems", ValueError, "got 'klems', want one of tregenza, reinhart2, reinhart4"),
+    "north": ((0, 0, 3), ValueError, "along up"),
+    "up": ((0, 0, 0), ValueError, "got"),
+    "series": ("yes", TypeError, "got 'yes', want True or False"),
+    "count": (0, ValueError, "got 0"),
+    "points": (3, TypeError, "want SurfacePoints"),
+    "weather": ("gone.epw", FileNotFoundError, "got 'gone.epw', which is missing"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_bad_input_is_a_sentence_before_any_work(athens, name, monkeypatch):
+    value, kind, message = WRONG[name]
+    monkeypatch.setattr("warpsample.radiation.light.perez_sky", None)  # what would start the work
+    given = {"mesh": BEHIND, "points": points([(0, 0, 1)]), "weather": athens} | {name: value}
+    with pytest.raises(kind, match=rf"^{name}: .*{message}"):
+        ws.irradiation(**given)
+
+
+def test_too_many_hours_are_told(athens, monkeypatch):
+    monkeypatch.setattr("psutil.virtual_memory", lambda: type("Memory", (), {"available": 1 << 20}))
+    with pytest.raises(MemoryError, match="8,760 hours of 100 points need"):
+        ws.irradiation(BEHIND, points(np.tile([0, 0, 1], (100, 1))), athens, patches="tregenza", series=True)
+
+
+def test_pyradiance_is_asked_for_by_the_extra(athens, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pyradiance", None)
+    with pytest.raises(ModuleNotFoundError, match=r"pip install 'warpsample\[radiation\]'"):
+        ws.irradiation(BEHIND, points([(0, 0, 1)]), athens)

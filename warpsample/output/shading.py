@@ -1,0 +1,114 @@
+"""The sunlit share of groups of faces, hour by hour, for EnergyPlus: `Schedule:File:Shading`."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from warpsample.host.arguments import check_file, check_integer, check_seed, told
+from warpsample.host.engine import check_workers
+from warpsample.host.files import check_output, complete_or_absent
+from warpsample.mesh.files import load_mesh
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints, sample_surface
+from warpsample.radiation.direct_sun import direct_sun
+from warpsample.radiation.epw import YEAR
+from warpsample.radiation.light import sun_directions
+from warpsample.radiation.patches import sky_patches
+from warpsample.radiation.weather import read_weather
+
+_MOST_POINTS = 2**20  # of a group, whose suns stand in memory: four gigabytes
+
+
+@dataclass(frozen=True)
+class Shading:
+    """The arguments of a run.
+
+    Attributes:
+        mesh: the mesh file.
+        groups: a text file with a line for each triangle: the name of the surface that it is of.
+        output: the file to write, .csv.
+        weather: an EPW file, for its place and hours.
+        samples: points of each group, uniform by area.
+        up: the sky's axis.
+        north: where north is.
+        seed: of the points.
+    """
+
+    mesh: Path
+    groups: Path
+    output: Path
+    weather: Path
+    samples: int
+    up: tuple[float, float, float]
+    north: tuple[float, float, float]
+    seed: int
+
+
+def write_shading(run: Shading, workers: int | None = None) -> str:
+    """Writes `run.output`: a row for each hour of the year, stamped with its end, and a column for each surface.
+
+    The share of a surface's area that sees the sun's centre at mid-hour, 0 at night and where the sun is behind. Random
+    points decide: with N of them the standard error is at most 0.5 / sqrt(N).
+
+    Returns:
+        a report in a sentence.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is computed.
+        WriteError: the file cannot be written.
+    """
+    if run.output.suffix != ".csv":
+        raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in .csv")
+    check_output(run.output, "--output", run.mesh, run.groups, run.weather)
+    check_integer(run.samples, "--samples", 1, _MOST_POINTS)
+    check_seed(run.seed)
+    check_workers(workers)
+    axes = sky_patches(up=run.up, north=run.north).frame
+    mesh = load_mesh(run.mesh)
+    names, group = _groups(run.groups, mesh)
+    weather = read_weather(run.weather)
+    rows = np.flatnonzero(weather.sun_altitude > 0.0)
+    suns = sun_directions(weather.chosen(rows), axes)
+    shares = np.zeros((len(YEAR), len(names)))
+    for column in range(len(names)):
+        points = _points_of(mesh, np.flatnonzero(group == column), run.samples, run.seed)
+        shares[rows, column] = direct_sun(mesh, points, suns, workers=workers).mean(axis=0, dtype=np.float64)
+    with complete_or_absent(run.output) as file:
+        file.write(f"Surface Name,{','.join(names)}\n".encode())
+        for (month, day, hour), row in zip(YEAR, shares.tolist(), strict=True):
+            file.write(f"{month:02}/{day:02} {hour:02}:00,{','.join(f'{share:.6f}' for share in row)}\n".encode())
+    error = np.sqrt(np.mean(shares[rows] * (1.0 - shares[rows])) / run.samples)
+    return f"{len(names):,} surfaces, {len(YEAR):,} hours; standard error {error:.2g} while the sun is up, root mean square"
+
+
+def _groups(path: Path, mesh: Mesh) -> tuple[list[str], np.ndarray]:
+    """The names of the groups, in the order of the file, and (F,) which of them each face is of.
+
+    Raises:
+        ValueError, FileNotFoundError: no such file, another number of lines, no name, or one that a .csv cannot hold.
+    """
+    wants = f"{len(mesh.faces):,} lines, each with the name of its triangle's surface"
+    found = check_file(path, "groups", f"a text file of {wants}").read_bytes()
+    try:
+        lines = [line.strip() for line in found.decode("utf-8-sig").splitlines()]
+    except UnicodeDecodeError:
+        raise ValueError(f"groups: got {str(path)!r}, which is not UTF-8, want {wants}") from None
+    if len(lines) != len(mesh.faces):
+        raise ValueError(f"groups: got {str(path)!r} of {len(lines):,} lines, want {wants}")
+    names = list(dict.fromkeys(lines))
+    for name in names:
+        if not name or set(name) & set(',"'):
+            raise ValueError(f"groups: got {str(path)!r} with the name {told(name)}, want names without commas and quotes")
+    number = {name: i for i, name in enumerate(names)}
+    group = np.array([number[line] for line in lines])
+    empty = np.flatnonzero(np.bincount(group, mesh.face_areas, len(names)) <= 0.0)
+    if len(empty):
+        raise ValueError(f"groups: got {str(path)!r} with the name {told(names[empty[0]])} of no area, want some of each")
+    return names, group
+
+
+def _points_of(mesh: Mesh, faces: np.ndarray, count: int, seed: int) -> SurfacePoints:
+    """Points on some faces, uniform by area."""
+    points = sample_surface(Mesh(mesh.vertices, mesh.faces[faces]), count, seed)
+    return SurfacePoints(points.position, points.normal, faces[points.face].astype(np.int32))

@@ -1,0 +1,150 @@
+"""A scene of what sun and sky bring: a mesh in colours, and the sky above a point of it as a map."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from warpsample.mesh.polydata import surface
+from warpsample.plotting.actors import label_bar
+from warpsample.plotting.rendering import INK, LOBE, SKY, round_ticks
+from warpsample.plotting.scenes import Panel, draw_panel, look_from
+
+if TYPE_CHECKING:
+    import pyvista
+
+SUN = "#ffd23f"
+_QUADS = 8  # of each patch: its sides are arcs
+_TEXT = 11
+_TITLE = "Share of each sky patch"
+_BAR = {"title": _TITLE, "fmt": "%.4g", "color": "black", "title_font_size": 1, "label_font_size": 18}
+_BAR |= {"position_x": 0.15, "position_y": 0.01, "height": 0.06, "width": 0.7}
+
+
+@dataclass(frozen=True, eq=False)
+class SkyMap:
+    """The sky of a point.
+
+    Attributes:
+        altitudes: (K, 2) degrees, the lower and the upper edge of each patch.
+        azimuths: (K, 2) degrees, its two sides, clockwise from north.
+        shares: (K,) how much of the point's lobe each patch lights.
+        paths: the sun's path on a day, by the day's name: altitude and azimuth (N, 2) in degrees.
+        sun: (T, 2), where the sun is in each hour that the slider goes through.
+    """
+
+    altitudes: np.ndarray
+    azimuths: np.ndarray
+    shares: np.ndarray
+    paths: dict[str, np.ndarray]
+    sun: np.ndarray
+
+
+def on_map(altitude: np.ndarray, azimuth: np.ndarray) -> np.ndarray:
+    """(..., 3) places on a map of the sky, from degrees: the zenith at the origin, the horizon a circle of radius 1.
+
+    North is up (+y) and east at the right (+x), as on a map of the ground; a photograph of the sky mirrors this.
+    """
+    radius, angle = 1.0 - np.asarray(altitude) / 90.0, np.radians(azimuth)
+    return np.stack([radius * np.sin(angle), radius * np.cos(angle), np.zeros_like(radius + angle)], axis=-1)
+
+
+def patches_on_map(altitudes: np.ndarray, azimuths: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Points (N, 3) and quads (K * 8, 4) of sky patches on a map; eight quads of each patch, one patch after the other."""
+    share = np.linspace(0.0, 1.0, _QUADS + 1)
+    azimuth = azimuths[:, :1] + share * np.diff(azimuths, axis=1)
+    lower, upper = (on_map(altitudes[:, [side]], azimuth) for side in (0, 1))
+    first = np.arange(len(altitudes))[:, None] * 2 * (_QUADS + 1) + np.arange(_QUADS)
+    quads = np.stack([first, first + 1, first + _QUADS + 2, first + _QUADS + 1], axis=-1)
+    return np.stack([lower, upper], axis=1).reshape(-1, 3), quads.reshape(-1, 4)
+
+
+def sun_and_sky(
+    mesh: tuple[np.ndarray, np.ndarray],
+    year: Panel,
+    hours: np.ndarray,
+    hour: int,
+    sky: SkyMap,
+    place: np.ndarray,
+    captions: tuple[str, Callable[[int], str]],
+    up: str,
+    off_screen: bool,
+    size: tuple[int, int],
+) -> "pyvista.Plotter":
+    """A plotter with the mesh by a sum, the mesh in an hour, and the sky of a point; in a window a slider turns the hour.
+
+    Args:
+        mesh: vertices (V, 3) and faces (F, 3).
+        year: the sum at the faces.
+        hours: (T, F), the same in each hour.
+        hour: the first that is shown.
+        sky: of the point.
+        place: (3,), the point.
+        captions: one below all, and a function of the hour for its title.
+        up: "x", "y" or "z", the axis that points up.
+        off_screen: whether no window is opened.
+        size: width and height in pixels.
+    """
+    import pyvista as pv  # noqa: PLC0415
+
+    style = {"off_screen": off_screen, "window_size": size, "border": False}
+    plotter = pv.Plotter(shape=(2, 3), row_weights=(0.91, 0.09), groups=[(1, np.s_[:])], **style)
+    plotter.set_background(SKY, all_renderers=True)
+    high = round_ticks(float(max(hours.max(), 1.0)), 5)[-1]
+    shown = Panel(hours[hour], "W/m2", year.colours, high)
+    made = [surface(*mesh) for _ in range(2)]
+    for column, (drawn, panel) in enumerate(zip(made, (year, shown), strict=True)):
+        plotter.subplot(0, column)
+        draw_panel(plotter, drawn, panel, "" if column else panel.title)
+        plotter.add_mesh(pv.PolyData(place[None]), color=LOBE, point_size=14, render_points_as_spheres=True)
+        look_from(plotter, up, 1.08)
+    plotter.subplot(0, 2)
+    dot = _draw_sky(plotter, sky)
+    plotter.subplot(1, 0)
+    plotter.add_text(captions[0], font_size=_TEXT, color="black", position="lower_edge")
+    plotter.subplot(0, 1)
+
+    def show(value: float) -> None:
+        """Shows another hour."""
+        now = round(value)
+        made[1]["W/m2"] = hours[now]
+        dot.points = on_map(*sky.sun[now].T)[None]
+        plotter.subplot(0, 1)
+        plotter.add_text(captions[1](now), name="hour", font_size=_TEXT, color="black", position="upper_edge")
+
+    show(hour)
+    if not off_screen:
+        slider = {"fmt": "%.0f h", "pointa": (0.15, 0.17), "pointb": (0.85, 0.17), "color": INK}
+        plotter.add_slider_widget(show, (0, len(hours) - 1), value=hour, **slider)
+    plotter.link_views([0, 1])
+    plotter.enable_anti_aliasing("ssaa", all_renderers=True)
+    return plotter
+
+
+def _draw_sky(plotter: "pyvista.Plotter", sky: SkyMap) -> Any:
+    """Draws the map into the current renderer; the dot of the sun."""
+    import pyvista as pv  # noqa: PLC0415
+
+    drawn = pv.PolyData.from_regular_faces(*patches_on_map(sky.altitudes, sky.azimuths))
+    drawn[_TITLE] = np.repeat(sky.shares, _QUADS)
+    high = round_ticks(float(max(sky.shares.max(), 1e-6)), 5)[-1]
+    look = {"cmap": "gray", "clim": (0.0, high), "lighting": False, "scalar_bar_args": _BAR}
+    plotter.add_mesh(drawn, scalars=_TITLE, **look)
+    label_bar(plotter.scalar_bars[_TITLE], high)
+    ends = {}
+    for day, path in sky.paths.items():
+        if len(path) > 1:
+            line = on_map(*path.T)
+            plotter.add_mesh(pv.lines_from_points(line), color=SUN, line_width=3)
+            ends[day] = line[len(line) // 2]
+    ends |= {name: 1.08 * on_map(0.0, azimuth) for name, azimuth in zip("NESW", (0.0, 90.0, 180.0, 270.0), strict=True)}
+    style = {"font_size": 16, "shape": None, "show_points": False, "always_visible": True, "text_color": LOBE}
+    plotter.add_point_labels(np.array(list(ends.values())), list(ends), **style)
+    dot = pv.PolyData(np.zeros((1, 3)))
+    plotter.add_mesh(dot, color=SUN, point_size=22, render_points_as_spheres=True)
+    plotter.add_text(_TITLE, font_size=_TEXT, color="black", position="upper_edge")
+    plotter.view_xy()
+    plotter.enable_parallel_projection()
+    plotter.camera.parallel_scale = 1.35
+    return dot

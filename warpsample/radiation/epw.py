@@ -1,0 +1,74 @@
+"""What an EPW file must be, so that pvlib reads it rightly: it takes nearly anything."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+_HEADER = 8  # lines, the first LOCATION, the last DATA PERIODS
+_FIELDS = 16  # of a row, up to the diffuse radiation; pvlib names 35, and some files have fewer
+_PVLIB_FIELDS = 35
+_STRONGEST = 1500.0  # W/m²: outside the atmosphere it is 1,412, and what is missing is told as 9999
+_LIMITS = {"latitude": 90, "longitude": 180, "time zone": 14, "altitude": 9000}  # degrees, hours, metres
+_DAYS = (31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
+
+YEAR = [(month, day, hour) for month in range(1, 13) for day in range(1, _DAYS[month - 1] + 1) for hour in range(1, 25)]
+"""(month, day, hour 1 to 24) of the 8,760 rows of a file."""
+
+
+def checked_text(path: Path) -> str:
+    """The file's text with 35 fields in each row: pvlib shifts the columns of longer ones, and guesses wrong types.
+
+    Raises:
+        ValueError: other lines than those of 8,760 hours.
+    """
+    lines = path.read_bytes().decode("utf-8-sig", errors="replace").splitlines()
+    for number, name in ((1, "LOCATION"), (_HEADER, "DATA PERIODS")):
+        if len(lines) < number or not lines[number - 1].upper().startswith(f"{name},"):
+            raise ValueError(f"line {number} does not begin with {name}")
+    _check_place(lines[0])
+    header, rows = lines[:_HEADER], [line.split(",") for line in lines[_HEADER:] if line.strip()]
+    for number, row in enumerate(rows, _HEADER + 1):
+        if len(row) < _FIELDS:
+            raise ValueError(f"line {number} has {len(row)} fields, want at least {_FIELDS}, up to the diffuse radiation")
+    if len(rows) != len(YEAR):
+        leap = ", with 29 February" if len(rows) == len(YEAR) + 24 else ""
+        raise ValueError(f"it has {len(rows):,} hours{leap}, want the {len(YEAR):,} of a year without 29 February")
+    for number, (row, right) in enumerate(zip(rows, YEAR, strict=True), _HEADER + 1):
+        if tuple(map(str.strip, row[1:4])) not in (tuple(map(str, right)), tuple(f"{part:02}" for part in right)):
+            date = "month {}, day {}, hour {}"
+            raise ValueError(f"line {number} is of {date.format(*row[1:4])}, want {date.format(*right)}")
+    return "\n".join(header + [",".join(row[:_FIELDS]) + "," * (_PVLIB_FIELDS - _FIELDS) for row in rows])
+
+
+def _check_place(line: str) -> None:
+    """Refuses a first line without the numbers of a place.
+
+    Raises:
+        ValueError: says what is wrong.
+    """
+    fields = line.split(",")
+    if len(fields) < 10:
+        raise ValueError(
+            f"line 1 has {len(fields)} fields, want 10, the last the latitude, longitude, time zone and altitude"
+        )
+    for value, (name, limit) in zip(map(float, fields[6:10]), _LIMITS.items(), strict=True):
+        if not -limit <= value <= limit:
+            raise ValueError(f"line 1 has the {name} {value:g}, want one from -{limit} to {limit}")
+
+
+def radiation(table: Any, column: str, name: str) -> np.ndarray:
+    """(8760,) W/m².
+
+    Raises:
+        ValueError: numbers that are missing or cannot be.
+    """
+    values = table[column].to_numpy(np.float64)
+    bad = np.flatnonzero(~((values >= 0.0) & (values <= _STRONGEST)))
+    if len(bad):
+        row = bad[0]
+        raise ValueError(
+            f"{name} radiation is missing or out of range in {len(bad):,} of the hours, first {values[row]:g} in line "
+            f"{_HEADER + 1 + row}, want 0 to {_STRONGEST:g} W/m2"
+        )
+    return values

@@ -1,0 +1,190 @@
+"""What a year's sun and sky bring to points of a mesh, by the weather of a file."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from warpsample.estimate.plan import Plan
+from warpsample.host.arguments import check_flag
+from warpsample.host.engine import check_memory
+from warpsample.host.vectors import as_directions
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.radiation.direct_sun import direct_sun
+from warpsample.radiation.light import Light, light_of
+from warpsample.radiation.patches import SkyPatches, sky_patches
+from warpsample.radiation.sky_matrix import SkySkipped, sky_matrix
+
+_GROUND = 1 << 62  # of the seed: rays towards the ground have random numbers of their own
+_BYTES = 5 * 4 + 5 * 8  # of each point and hour: five results, and what they are made of in float64
+
+
+@dataclass(frozen=True, eq=False)
+class Irradiation:
+    """What each of P points receives on its surface: in a period (P,), in kWh/m²; or in each of T hours (P, T), in W/m².
+
+    Attributes:
+        value: float32, the sum of the three parts; 0 where the status is not 0.
+        standard_error: of the same shape and unit, of the sky's and the ground's part. The sun's has none: it is exact for
+            the sun's centre at the middle of each hour.
+        direct: of the same shape and unit, from the sun.
+        diffuse: from the sky.
+        ground: from the ground beyond the mesh.
+        hours: (T,) datetime64[m], where each hour of the period begins, in local standard time.
+        rays: (P,) int32, rays cast to the sky and the ground, without those to the sun.
+        status: (P,) uint8, a `PointStatus`.
+        skipped: what was not done for the sky.
+    """
+
+    value: np.ndarray
+    standard_error: np.ndarray
+    direct: np.ndarray
+    diffuse: np.ndarray
+    ground: np.ndarray
+    hours: np.ndarray
+    rays: np.ndarray
+    status: np.ndarray
+    skipped: SkySkipped
+
+
+def irradiation(
+    mesh: Any,
+    points: SurfacePoints,
+    weather: Any,
+    ground_albedo: float = 0.2,
+    period: Sequence[str] | None = None,
+    patches: str = "reinhart2",
+    count: int = 1024,
+    up: Any = (0.0, 0.0, 1.0),
+    north: Any = (0.0, 1.0, 0.0),
+    series: bool = False,
+    seed: int = 0,
+    first_point: int = 0,
+    active: Any = None,
+    skip: bool = True,
+    workers: int | None = None,
+    progress: bool = False,
+) -> Irradiation:
+    """The irradiation of a year, or the irradiance hour by hour, of a mesh in the weather of a file.
+
+    Three parts. The sun: its direct normal radiation from where it stands at the middle of each hour, with refraction, if
+    its centre is above the horizon and nothing is before it. The sky: the patches' shares of the lobe, times the radiance
+    that the model of Perez1993 (Radiance's gendaymtx) has for the hour, scaled so that an open horizontal plane receives
+    the file's diffuse horizontal radiation. The ground: what of the lobe points below the horizon and meets nothing
+    sees a plane that sends back `ground_albedo` of all that sun and sky bring to open ground, evenly.
+
+    What the mesh reflects is left out: its faces are black, those of a ground that is part of it too. So a wall that looks
+    down on such a ground receives nothing from there, and one at the edge of the mesh receives what it sees beyond.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes.
+        points: P of them; as for `ambient_occlusion`.
+        weather: an EPW file of 8,760 hours: its place, its direct normal and its diffuse horizontal radiation are used;
+            "athens", where no file is called that, is an example: a cloudless year.
+        ground_albedo: 0 to 1.
+        period: two texts, the first and the last day, both included, as ("06-01", "08-31"); or with the hour at which it
+            begins or ends in local standard time, ("03-21T09", "03-21T15"). If the first is later, the period goes on over
+            New Year. By default the year.
+        patches: of the sky, "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305).
+        count: rays of each point to the sky, and as many to the ground; as for `sky_matrix`.
+        up: (3,), of any length.
+        north: (3,), of any length, not along `up`; of it the part across `up` counts. East is north x up.
+        series: whether to give each hour of the period.
+        seed: of 64 bits.
+        first_point: the global id of row 0.
+        active: (P,) bool; other points get 0 and a status.
+        skip: whether to leave out rays whose answer is known; changes no bit.
+        workers: threads, all cores by default.
+        progress: whether to show bars, on a terminal or in a notebook; changes no bit.
+
+    Returns:
+        value (P,) in kWh/m² of the period, or with `series` (P, T) in W/m²; its standard error, its three parts, and for
+        each point the rays cast and a status.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: an argument that cannot be used, or a file that is not the weather of a
+            year; names it, what it got and what it wants.
+        ModuleNotFoundError: pvlib or pyradiance is missing; says how to install them.
+        MemoryError: more than is free.
+
+    Example:
+        >>> mesh = ws.load_mesh("courtyard")
+        >>> june = ws.irradiation(mesh, ws.face_centers(mesh), "athens", period=("06-01", "06-30"), patches="tregenza")
+        >>> print(june.value.shape, f"{june.value.max():.0f} kWh/m2")
+        (2080,) 270 kWh/m2
+    """
+    plan = Plan.of(mesh, points, count, "fibonacci", seed, first_point, active, None, skip, "auto", workers, progress)
+    series = check_flag(series, "series")
+    return received(plan, light_of(weather, period, ground_albedo, patches, up, north), series)
+
+
+def received(plan: Plan, light: Light, series: bool) -> Irradiation:
+    """What the points of a plan receive by a light: its sums over the period in kWh/m², or each hour in W/m²."""
+    hours = len(light.hours)
+    if series:
+        size = _BYTES * len(plan.points) * hours
+        check_memory(size, f"{hours:,} hours of {len(plan.points):,} points", "take fewer points, or a shorter period")
+    above, radiance = light.patches, light.radiance if series else _sums(light.radiance)
+    below = sky_patches("tregenza", -np.array(above.up), above.north)
+    sky = _seen(plan, above, radiance, plan.seed)
+    ground = _seen(plan, below, np.ones(len(below)), plan.seed ^ _GROUND)
+    bright = light.ground if series else _sums(light.ground)
+    found = {
+        "direct": (_direct(plan, light, series), light.sun_rows),
+        "diffuse": (np.pi * sky.value, light.sky_rows),
+        "ground": (np.multiply.outer(ground.value, bright), light.sky_rows),
+        "standard_error": (
+            np.hypot(np.pi * sky.standard_error, np.multiply.outer(ground.standard_error, bright)),
+            light.sky_rows,
+        ),
+    }
+    arrays = {name: _each_hour(part, rows, hours) if series else np.float32(part) for name, (part, rows) in found.items()}
+    return Irradiation(
+        value=arrays["direct"] + arrays["diffuse"] + arrays["ground"],
+        **arrays,
+        hours=light.hours,
+        rays=sky.rays + ground.rays,
+        status=sky.status,
+        skipped=sky.skipped,
+    )
+
+
+def _sums(hourly: np.ndarray) -> np.ndarray:
+    """The sum over the hours, the last axis, of W/m² in kWh/m²."""
+    return hourly.sum(axis=-1) / 1000.0
+
+
+def _each_hour(part: np.ndarray, rows: np.ndarray, hours: int) -> np.ndarray:
+    """(P, hours) float32, 0 but in some hours."""
+    made = np.zeros((len(part), hours), np.float32)
+    made[:, rows] = part
+    return made
+
+
+def _keywords(plan: Plan) -> dict[str, Any]:
+    """What all calls have in common."""
+    names = ("first_point", "skip", "workers", "progress")
+    return {name: getattr(plan, name) for name in names} | {
+        "active": None if plan.active is None else plan.active.view(bool)
+    }
+
+
+def _seen(plan: Plan, patches: SkyPatches, fold: np.ndarray, seed: int) -> Any:
+    """What of the lobes sees patches, weighted by `fold`."""
+    name, up, north = patches.name, patches.up, patches.north
+    return sky_matrix(plan.mesh, plan.points, plan.count, name, up, north, fold=fold, seed=seed, **_keywords(plan))
+
+
+def _direct(plan: Plan, light: Light, series: bool) -> np.ndarray:
+    """What the sun brings: (P,) kWh/m², or (P, S) W/m² in the hours in which it shines."""
+    if len(light.sun) == 0:
+        return np.zeros((len(plan.points), 0) if series else len(plan.points))
+    if not series:
+        weights = light.direct / 1000.0
+        return direct_sun(plan.mesh, plan.points, light.sun, weights, cosine=True, seed=plan.seed, **_keywords(plan))
+    lit = direct_sun(plan.mesh, plan.points, light.sun, seed=plan.seed, **_keywords(plan))
+    normal = as_directions(plan.points.normal).astype(np.float64)
+    length = np.linalg.norm(normal, axis=1, keepdims=True)
+    normal = np.divide(normal, length, out=np.zeros_like(normal), where=np.isfinite(length) & (length > 0.0))
+    return np.where(lit, np.maximum(normal @ light.sun.T, 0.0) * light.direct, 0.0)
