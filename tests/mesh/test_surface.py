@@ -118,7 +118,7 @@ def test_bad_own_points_are_named(arguments, message):
         ((CUBE, 2**31), ValueError, "count: got 2147483648"),
         ((CUBE, 1.0), TypeError, "count: got 1.0"),
         ((CUBE, 1, -1), ValueError, "seed: got -1"),
-        (("cube", 1), TypeError, "mesh: got a value of type str"),
+        (("cube", 1), TypeError, "mesh: got .cube., want a mesh"),
         (((np.zeros((3, 3)), [(0, 1, 2)]), 1), ValueError, "mesh: got a mesh whose faces have no area"),
     ],
 )

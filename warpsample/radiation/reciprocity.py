@@ -28,7 +28,7 @@ def reciprocal_shares(shares: Shares, surfaces: Surfaces) -> Shares:
     factors = _factors(pairs, areas, lost)
     row = _rows(pairs.indptr)
     scale = factors[row] * factors[pairs.indices]
-    less, area = factors**_YIELDING, areas[row]
+    less, area = np.float_power(factors, _YIELDING), areas[row]
     others = {name: (less * value, np.square(less) * error) for name, (value, error) in shares.others.items()}
     return Shares(pairs.indptr, pairs.indices, pairs.data * scale / area, variance * np.square(scale / area), others)
 
@@ -64,7 +64,7 @@ def _factors(pairs: "csr_array", areas: np.ndarray, lost: np.ndarray) -> np.ndar
     for _ in range(_MOST_STEPS):
         factors = np.exp(logarithms)
         seen = factors * (pairs @ factors)
-        left = lost * factors**_YIELDING
+        left = lost * np.float_power(factors, _YIELDING)
         gap = areas - seen - left
         worst = np.max(np.abs(gap[there]) / areas[there], initial=0.0)
         if worst <= _CLOSED:

@@ -123,7 +123,7 @@ class _Rows:
         self.plan, self.sky, points = plan, sky, len(plan.points)
         self.cast, self.open, self.closed, self.below = (np.zeros(points, np.int32) for _ in range(4))
         self.status = np.zeros(points, np.uint8)
-        self.runner = Runner(plan, Quantity(OPEN))
+        self.runner = Runner(plan, Quantity(OPEN), plan.memory.loan())
         self.table, self.frame, self.begins = table_of(sky), np.ascontiguousarray(sky.frame), groups_of(sky)
         self.beams = beams_of(sky, np.arange(len(sky) + 1))
         self.group_beams = beams_of(sky, self.begins)
