@@ -1,12 +1,13 @@
 """The calls of the package over Dask, lazily, and into Zarr stores that resume.
 
-`from warpsample import cluster`, then `cluster.ambient_occlusion(mesh, points, 256)`: as in `warpsample`, with the same bits.
+`from warpsample import cluster`, then `cluster.ambient_occlusion(mesh, points, 256)`: as in `warpsample`, and the same bits.
 """
 
 from importlib import import_module
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from warpsample.cluster.baking import bake
     from warpsample.cluster.calls import (
         ambient_occlusion,
         bent_normals,
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
         sky_view_factor,
         trace,
     )
-    from warpsample.cluster.baking import bake
 
 __all__ = [
     "ambient_occlusion",

@@ -26,8 +26,7 @@ def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool
     """Computes a call into a Zarr store, chunk by chunk; what is interrupted goes on where it was.
 
     By the Client that is there, else by Dask's threads or the scheduler that is configured. A chunk is written once, whole,
-    with a checksum, by the worker that has computed it: all workers must reach the path. Nothing larger than what is said of a
-    chunk comes back here.
+    with a checksum, by the worker that has computed it: all workers must reach the path. Little comes back here.
 
     Args:
         path: of a folder that ends in .zarr.

@@ -11,12 +11,13 @@ from warpsample.cluster.job import CHUNK, job_of
 def ambient_occlusion(mesh: Any, points: Any, *arguments: Any, chunk: int = CHUNK, **options: Any) -> xr.Dataset:
     """`warpsample.ambient_occlusion` over Dask: the same arguments, and the same bits when it is computed.
 
-    With a Client the mesh is sent to its workers now, once; each process builds one tree. A task is done by one thread.
+    Each process builds one tree, and each task is done by one thread: Dask runs as many at once as it has threads. With a
+    Client the mesh is sent now, once to each of its workers, and it is the one to compute with.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
-        points: SurfacePoints; or so many, uniform by area, by the call's `seed`; or "faces" or "vertices" of the mesh. All but
-            the first are made by the workers, and never stand in this process.
+        points: SurfacePoints; or so many, uniform by area, by the call's `seed`; or "faces" or "vertices" of the mesh. All
+            but the first are made by the workers, and never stand in this process.
         arguments: as there.
         chunk: points of a task, by which no bit changes.
         options: as there, by name; `workers` are the threads of one task.

@@ -49,7 +49,6 @@ class Call:
 
 def points_in(call: Call, mesh: Mesh, start: int, stop: int) -> SurfacePoints:
     """The points of a chunk, as the functions of `warpsample` make them: rows from start to stop."""
-    mesh = _here(mesh)
     if call.place == "area":
         return sample_surface(mesh, stop - start, call.seed, call.first_point + start, workers=1)
     rows = slice(start, stop)
@@ -65,7 +64,7 @@ def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[A
     One thread computes them, unless the call says otherwise: Dask runs as many tasks at once as a worker has threads.
     """
     arguments = {name: value.value if isinstance(value, Named) else value for name, value in call.options.items()}
-    arguments |= zip(call.shared, map(_here, shared), strict=True)
+    arguments |= zip(call.shared, shared, strict=True)
     arguments |= zip(call.rows, rows, strict=True)
     if call.at:
         arguments[call.at] = points
@@ -76,8 +75,3 @@ def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[A
         arguments["first_point"] = call.first_point + start
     found = FUNCTIONS[call.name](**arguments)
     return {item.name: getattr(found, item.name) for item in fields(found)}
-
-
-def _here(value: Any) -> Any:
-    """What a Client has sent ahead, where another scheduler runs the task."""
-    return value.result() if type(value).__name__ == "Future" else value

@@ -172,11 +172,8 @@ def _arrays(path: Path, _: int) -> dict[str, Any]:
 def whole_chunks(path: Path) -> list[bool]:
     """Which chunks are there in every array, and read as they were written."""
     arrays = dict(zarr.open_group(path, mode="r").arrays())
-    first = next(iter(arrays.values()))
-    return [
-        all(_is_whole(path / name, array, i) for name, array in arrays.items())
-        for i in range(-(-first.shape[0] // first.chunks[0]))
-    ]
+    rows, each = next(iter(arrays.values())).shape[0], next(iter(arrays.values())).chunks[0]
+    return [all(_is_whole(path / name, array, i) for name, array in arrays.items()) for i in range(-(-rows // each))]
 
 
 def _is_whole(folder: Path, array: Any, chunk: int) -> bool:
