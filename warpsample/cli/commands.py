@@ -8,7 +8,7 @@ import typer
 
 import warpsample
 from warpsample import distributions, sequences
-from warpsample.cli import bench, signals
+from warpsample.cli import bench, signals, stores
 from warpsample.cli.terminal import Size, console, fail_plainly, with_progress, working
 from warpsample.mesh.files import load_mesh
 
@@ -105,7 +105,7 @@ def directions_command(
 def bake_command(
     mesh: MeshFile,
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="The file to write: .ply .vtp .glb .npz .csv.", show_default=False)
+        Path, typer.Option("--output", "-o", help="The file to write: .ply .vtp .glb .npz .csv .zarr.", show_default=False)
     ],
     quantity: Annotated[
         Literal["ao", "sky", "irradiance"], typer.Option(help="Ambient occlusion, sky view or light.")
@@ -133,6 +133,10 @@ def bake_command(
         float | None, typer.Option(help="Standard error at which a point has rays enough.", show_default=False)
     ] = None,
     workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
+    chunk: stores.Chunk = None,
+    cluster: stores.Cluster = None,
+    processes: stores.Processes = None,
+    resume: stores.Resume = False,
 ) -> None:
     """Estimate a number at each vertex, face or point of a mesh, with its standard error, into a file."""
     from warpsample.output.bake import Run, bake  # noqa: PLC0415
@@ -147,8 +151,16 @@ def bake_command(
             options[name] = value
     at = "vertices" if points is None and at is None else at
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
-        summary = bake(Run(mesh, output, quantity, at, points, samples, environment, up, options))
+        run = Run(mesh, output, quantity, at, points, samples, environment, up, options)
+        if output.suffix == stores.SUFFIX:
+            summary = stores.bake_into_store(run, chunk, cluster, processes, resume)
+        else:
+            stores.refuse_for_files(output, chunk=chunk, cluster=cluster, processes=processes, resume=resume)
+            summary = bake(run)
     print(summary)  # noqa: T201
+
+
+app.command("export")(fail_plainly()(stores.export_command))
 
 
 @app.command()

@@ -100,8 +100,8 @@ def _run(job: Job, store: Path, chunks: list[int], heard: Callable[[np.void], No
     if client is not None:
         _by_client(client, told, heard)
         return
-    with Callback(posttask=lambda key, result, *_: heard(result[0]) if isinstance(key, tuple) and key[0] == name else None):
-        told.compute()
+    with Callback(posttask=lambda key, result, *_: heard(result[0]) if key[0] == name else None):
+        told.compute(optimize_graph=False)  # which would rename the tasks
 
 
 def _by_client(client: Any, told: Array, heard: Callable[[np.void], None]) -> None:
@@ -117,6 +117,8 @@ def _by_client(client: Any, told: Array, heard: Callable[[np.void], None]) -> No
     futures = futures_of(client.persist(told))
     try:
         for _, result in as_completed(futures, with_results=True):
+            if isinstance(result, BaseException):  # of a scheduler that is gone it comes so
+                raise result
             heard(result[0])
     except (CancelledError, CommClosedError, KilledWorker, TimeoutError) as error:
         reason = str(error).splitlines()[0] if isinstance(error, KilledWorker) else "the scheduler is gone"
