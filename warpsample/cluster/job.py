@@ -80,7 +80,7 @@ def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk
     bound.apply_defaults()
     taken, chunk = dict(bound.arguments), check_integer(chunk, "chunk", 1, 2**31 - 1)
     for unwanted in _OF_THE_CLIENT:
-        if taken.pop(unwanted, None):
+        if not isinstance(value := taken.pop(unwanted, None), bool | None) or value:
             raise ValueError(f"{unwanted}: got a value for a call over Dask, want none: its arrays and bars are Dask's")
     shared = _shared(taken, on)
     at, seed = _AT.get(name, "points"), check_seed(taken.get("seed", 0))

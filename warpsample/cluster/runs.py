@@ -55,12 +55,10 @@ def _check(run: Run, address: str | None, processes: int | None, threads: int | 
         raise ValueError(f"--environment: got {run.environment} for {run.quantity}; it applies only to irradiance")
     if processes is not None:
         check_integer(processes, "--processes", 1, 1024)
-    for name, value in (("--processes", processes), ("--workers", threads)):
-        other = address if name == "--processes" else address or processes
-        if value is not None and other is not None:
-            raise ValueError(
-                f"{name}: got {value} together with {'--cluster' if address else '--processes'} {other}, want one"
-            )
+    where = {"--cluster": address, "--processes": processes, "--workers": threads}
+    given = [f"{name} {value}" for name, value in where.items() if value is not None]
+    if len(given) > 1:
+        raise ValueError(f"{given[0]}: got it together with {given[1]}, want one of the two")
 
 
 class _Watch:

@@ -115,9 +115,7 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
     for name in (*about, *kept):
         old, new = kept.get(name), json.loads(json.dumps(about.get(name)))
         if old != new:
-            raise ValueError(
-                f"{argument}: got {str(path)!r} of {name} {told(old)}, want one of {name} {told(new)}, as this run"
-            )
+            raise ValueError(f"{argument}: got {str(path)!r} of {name} {told(old)}, want one of {name} {told(new)}")
 
 
 def about_of(path: Path) -> dict[str, Any]:
