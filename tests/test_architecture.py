@@ -116,6 +116,8 @@ def test_heavy_libraries_are_imported_where_they_are_used(repository):
             if (path.stem, module) == ("accessor", "pyvista"):
                 continue  # PyVista imports it, and nothing here does
             assert not (at_top and module.split(".")[0] in heavy), f"{path} imports {module} when it is imported"
+            if module.split(".")[0] in {"dask", "distributed", "zarr", "xarray"}:
+                assert path.parent.name == "cluster", f"{path} imports {module}"
 
 
 def test_files_with_kernels_keep_their_annotations(repository):
@@ -130,7 +132,7 @@ def test_nothing_is_called_utils(repository):
 
 def test_import_compiles_nothing_and_touches_no_file(tmp_path, child_environment):
     code = (
-        "import sys, warpsample; heavy = {'pyvista', 'matplotlib', 'scipy', 'trimesh', 'pxr', 'typer'}; "
+        "import sys, warpsample; heavy = {'pyvista', 'matplotlib', 'scipy', 'trimesh', 'pxr', 'typer', 'dask'}; "
         "print(sorted(heavy & set(sys.modules)))"
     )
     environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / "cache"), "PYTHONDONTWRITEBYTECODE": "1"}

@@ -38,6 +38,10 @@ def test_processes_answer_after_their_parent_has_used_threads(alone, method):
     alone("processes", method)
 
 
+def test_a_pool_answers_slices_after_its_parent_has_used_threads(alone):
+    alone("slices")
+
+
 @pytest.mark.slow
 def test_a_fork_waits_for_what_is_being_made(alone):
     alone("fork_while_making")

@@ -1,6 +1,7 @@
 """Work for threads and processes, run as a script by test_threads.py, since it may crash. Exit status 1 means failure."""
 
 import multiprocessing
+import os
 import sys
 import threading
 import time
@@ -84,6 +85,28 @@ def processes(method):
     with multiprocessing.get_context(method).Pool(2) as pool:
         found = pool.map_async(in_child, range(3)).get(timeout=100)
     return all(same(a, b) for a, b in zip(found, right, strict=True))
+
+
+def slices():
+    """A Pool by fork, after threads were used; its processes get the mesh with each slice, and make one tree of it."""
+    mesh = torus()
+    points = ws.face_centers(mesh)
+    right = ws.ambient_occlusion(mesh, points, 64).value
+    parts = np.array_split(np.arange(len(points)), 8)
+    with multiprocessing.get_context("fork").Pool(2) as pool:
+        sent = [(mesh, ws.SurfacePoints(points.position[p], points.normal[p], points.face[p]), int(p[0])) for p in parts]
+        found = pool.starmap_async(occlusion_and_mesh, sent, chunksize=1).get(timeout=100)
+    value, meshes = np.concatenate([part[0] for part in found]), {part[1:] for part in found}
+    return np.array_equal(value, right) and len(meshes) == len({process for process, _ in meshes})
+
+
+def occlusion_and_mesh(mesh, points, first):
+    """The numbers of a slice, the process, and which of its meshes, so which of its trees, they are by."""
+    _kept.append(mesh)
+    return ws.ambient_occlusion(mesh, points, 64, first_point=first).value, os.getpid(), id(mesh)
+
+
+_kept = []
 
 
 def fork_while_making():

@@ -8,8 +8,8 @@ import typer
 
 import warpsample
 from warpsample import distributions, sequences
-from warpsample.cli import bench, signals
-from warpsample.cli.terminal import Size, console, fail_plainly, with_progress, working
+from warpsample.cli import bench, radiation, signals, stores
+from warpsample.cli.terminal import MESH_HELP, MeshFile, Size, console, fail_plainly, with_progress, working
 from warpsample.mesh.files import load_mesh
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
@@ -17,7 +17,6 @@ app.add_typer(bench.app, name="bench")
 
 _SPATIAL = (name for name in distributions.names() if distributions.get(name).width == 3)
 DISTRIBUTION_HELP = f"A name, or one with parameters as in 'beckmann(alpha=0.1)': {', '.join(_SPATIAL)}."
-MESH_HELP = "Mesh file: .ply .obj .stl .off .glb .gltf .usd; or courtyard, an example"
 _APPLIES = {  # options of bake, to these quantities
     "max_distance": ("ao", "sky"),
     "falloff": ("ao",),
@@ -33,7 +32,6 @@ At = Annotated[
     Literal["vertices", "faces"] | None,
     typer.Option(help="Where, if not at --points: at the vertices, or the faces' centres.", show_default=False),
 ]
-MeshFile = Annotated[Path, typer.Argument(help=f"{MESH_HELP}.", show_default=False)]
 
 
 def _say_version(asked: bool) -> None:
@@ -116,7 +114,7 @@ def directions_command(
 def bake_command(
     mesh: MeshFile,
     output: Annotated[
-        Path, typer.Option("--output", "-o", help="The file to write: .ply .vtp .glb .npz .csv.", show_default=False)
+        Path, typer.Option("--output", "-o", help="The file to write: .ply .vtp .glb .npz .csv .zarr.", show_default=False)
     ],
     quantity: Annotated[
         Literal["ao", "sky", "irradiance", "irradiation", "sun-hours", "sky-matrix"],
@@ -174,6 +172,10 @@ def bake_command(
         str | None, typer.Option(help="Where to compute, as cuda:0; by default the CPU.", show_default=False)
     ] = None,
     workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
+    chunk: stores.Chunk = None,
+    cluster: stores.Cluster = None,
+    processes: stores.Processes = None,
+    resume: stores.Resume = False,
 ) -> None:
     """Estimate a number at each vertex, face or point of a mesh, with its standard error, into a file."""
     from warpsample.output.bake import Run, bake  # noqa: PLC0415
@@ -191,61 +193,18 @@ def bake_command(
     samples = (1024 if quantity in ("irradiation", "sky-matrix") else 256) if samples is None else samples
     at = "vertices" if points is None and at is None else at
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
-        summary = bake(Run(mesh, output, quantity, at, points, samples, environment, up, options, weather))
+        run = Run(mesh, output, quantity, at, points, samples, environment, up, options, weather)
+        if output.suffix == stores.SUFFIX:
+            summary = stores.bake_into_store(run, chunk, cluster, processes, resume)
+        else:
+            stores.refuse_for_files(output, chunk=chunk, cluster=cluster, processes=processes, resume=resume)
+            summary = bake(run)
     print(summary)  # noqa: T201
 
 
-@app.command("view-factors")
-@fail_plainly()
-def view_factors_command(
-    mesh: MeshFile,
-    output: Annotated[
-        Path,
-        typer.Option("--output", "-o", help="The file to write: .npz .vf, or vfsparse.inp and more.", show_default=False),
-    ],
-    count: Annotated[int, typer.Option(help="Rays of each face.")] = 4096,
-    groups: Annotated[
-        Path | None,
-        typer.Option(help="Text or .npy: a whole number for each face, the surface it is part of.", show_default=False),
-    ] = None,
-    reciprocal: Annotated[bool, typer.Option("--reciprocal", help="Pool both directions of each pair, and close.")] = False,
-    up: Annotated[
-        tuple[float, float, float] | None,
-        typer.Option(help="The sky's axis, to part sky from ground.", show_default=False),
-    ] = None,
-    seed: Annotated[int, typer.Option(help="Seed of the rays.")] = 0,
-    workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
-) -> None:
-    """Estimate the view factors between all faces of a mesh, what is in the way included, into a sparse matrix."""
-    from warpsample.radiation.view_factor_run import run_view_factors  # noqa: PLC0415
-
-    options = {"count": count, "reciprocal": reciprocal, "up": up, "seed": seed, "workers": workers}
-    with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 5 s"):
-        print(run_view_factors(mesh, output, groups, options))  # noqa: T201
-
-
-@app.command()
-@fail_plainly()
-def shading(
-    mesh: MeshFile,
-    groups: Annotated[
-        Path,
-        typer.Argument(help="Text with a line for each triangle: its surface's name in EnergyPlus.", show_default=False),
-    ],
-    output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: .csv.", show_default=False)],
-    weather: Annotated[Path, typer.Option(help="The place and its hours, .epw, or athens, an example.", show_default=False)],
-    samples: Annotated[int, typer.Option(help="Points of each surface, uniform by area.")] = 1024,
-    up: Annotated[tuple[float, float, float], typer.Option(help="The sky's axis.")] = (0.0, 0.0, 1.0),
-    north: Annotated[tuple[float, float, float], typer.Option(help="Where north is.")] = (0.0, 1.0, 0.0),
-    seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
-    workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
-) -> None:
-    """Write the sunlit share of surfaces in each hour of a year, as EnergyPlus reads it: Schedule:File:Shading."""
-    from warpsample.output.shading import Shading, write_shading  # noqa: PLC0415
-
-    with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
-        summary = write_shading(Shading(mesh, groups, output, weather, samples, up, north, seed), workers)
-    print(f"{output}: {summary}")  # noqa: T201
+app.command("export")(fail_plainly()(stores.export_command))
+app.command("shading")(fail_plainly()(radiation.shading_command))
+app.command("view-factors")(fail_plainly()(radiation.view_factors_command))
 
 
 @app.command()

@@ -17,6 +17,8 @@ import typer
 from warpsample.cli import signals
 from warpsample.host.files import WriteError
 
+MESH_HELP = "Mesh file: .ply .obj .stl .off .glb .gltf .usd; or courtyard, an example"
+MeshFile = Annotated[Path, typer.Argument(help=f"{MESH_HELP}.", show_default=False)]
 FigureFile = Annotated[Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)]
 Size = Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")]
 

@@ -10,6 +10,7 @@ from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property, read_only
 from warpsample.host.neighbours import as_ndarray, kind_told
+from warpsample.mesh.known import arrived, digest_of, remember
 from warpsample.mesh.polydata import surface
 from warpsample.mesh.polygons import triangles
 from warpsample.mesh.report import MeshReport, report_of
@@ -53,9 +54,19 @@ class Mesh:
         object.__setattr__(self, "vertices", vertices)
         object.__setattr__(self, "faces", faces)
 
-    def __reduce__(self) -> tuple[type, tuple[np.ndarray, np.ndarray]]:
-        """Pickled and copied as what it is made of: checked and frozen again, its caches made anew."""
-        return Mesh, (self.vertices, self.faces)
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickled and copied as what it is made of, without its tree; a process that knows that content has it already."""
+        remember(self.digest, self)
+        return arrived, (self.digest, Mesh, self.vertices, self.faces)
+
+    def __dask_tokenize__(self) -> tuple[str, str]:
+        """What Dask names tasks on it by."""
+        return "warpsample.Mesh", self.digest
+
+    @once_property
+    def digest(self) -> str:
+        """SHA-256 of vertices and faces, in hexadecimal digits: the same for meshes of the same content."""
+        return digest_of(self.vertices, self.faces)
 
     def to_polydata(self) -> "PolyData":
         """The triangles as PyVista's PolyData.

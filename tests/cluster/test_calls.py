@@ -1,0 +1,224 @@
+"""The calls over Dask: lazy, checked at once, each chunk computed once, and the bits of one call."""
+
+import pickle
+import subprocess
+import sys
+from functools import wraps
+from importlib import import_module
+
+import numpy as np
+import pytest
+import warp as wp
+import weights_of_tests as functions
+
+import warpsample as ws
+from warpsample import cluster
+
+dask = pytest.importorskip("dask")
+pytest.importorskip("xarray")
+chunks, named = (import_module(f"warpsample.cluster.{name}") for name in ("chunks", "named"))
+
+POINTS, RAYS, SEED = 130, 40, 3
+ACTIVE = np.arange(POINTS) % 3 > 0
+PICTURE = np.random.default_rng(0).random((8, 16, 3))
+
+
+@pytest.fixture(scope="module")
+def mesh():
+    return ws.load_mesh("courtyard")
+
+
+@pytest.fixture(scope="module")
+def points(mesh):
+    return ws.sample_surface(mesh, POINTS, seed=SEED)
+
+
+@pytest.fixture(autouse=True)
+def _in_this_thread():
+    with dask.config.set(scheduler="sync"):
+        yield
+
+
+def assert_same(lazy, right):
+    found = lazy.compute()
+    assert set(found.data_vars) == {name for name, array in vars(right).items() if isinstance(array, np.ndarray)}
+    for name, array in found.data_vars.items():
+        assert array.dtype == getattr(right, name).dtype
+        assert np.array_equal(array.values, getattr(right, name)), name
+    return found
+
+
+@pytest.mark.parametrize("chunk", [1, 60, POINTS, 65_536])
+def test_chunks_change_no_bit(mesh, points, chunk):
+    right = ws.ambient_occlusion(mesh, points, RAYS, seed=SEED)
+    assert_same(cluster.ambient_occlusion(mesh, points, RAYS, seed=SEED, chunk=chunk), right)
+    slow = cluster.ambient_occlusion(mesh, points, RAYS, seed=SEED, chunk=chunk, skip=False).compute()
+    assert np.array_equal(slow.value, right.value)
+    assert np.array_equal(slow.standard_error, right.standard_error)
+
+
+@pytest.mark.parametrize("scheduler", ["sync", "threads"])
+def test_workers_make_the_points(mesh, points, scheduler):
+    with dask.config.set(scheduler=scheduler, num_workers=2):
+        made = assert_same(
+            cluster.ambient_occlusion(mesh, POINTS, RAYS, seed=SEED, chunk=50),
+            ws.ambient_occlusion(mesh, points, RAYS, seed=SEED),
+        )
+    for name in ("position", "normal", "face"):
+        assert np.array_equal(made[name], getattr(points, name))
+        assert made[name].dtype == getattr(points, name).dtype
+
+
+@pytest.mark.parametrize(("place", "make"), [("faces", ws.face_centers), ("vertices", ws.vertex_points)])
+def test_on_faces_and_vertices(mesh, place, make):
+    right = make(mesh)
+    found = assert_same(cluster.sky_view_factor(mesh, place, 2, chunk=700), ws.sky_view_factor(mesh, right, 2))
+    for name in ("position", "normal", "face"):
+        assert np.array_equal(found[name], getattr(right, name))
+
+
+def test_the_first_id_goes_with_points_and_rays(mesh):
+    right = ws.ambient_occlusion(mesh, ws.sample_surface(mesh, 90, SEED, first_point=40), RAYS, seed=SEED, first_point=40)
+    assert_same(cluster.ambient_occlusion(mesh, 90, RAYS, seed=SEED, first_point=40, chunk=33), right)
+
+
+def test_every_estimate(mesh, points):
+    shared = {"seed": SEED, "active": ACTIVE}
+    few = {**shared, "tolerance": 0.05}
+    assert_same(cluster.bent_normals(mesh, points, RAYS, chunk=60, **few), ws.bent_normals(mesh, points, RAYS, **few))
+    for light in (PICTURE, PICTURE[..., 0].tolist(), functions.upward):
+        right = ws.irradiance(mesh, points, light, RAYS, up=(0, 1, 0), **shared)
+        assert_same(cluster.irradiance(mesh, points, light, RAYS, up=(0, 1, 0), chunk=60, **shared), right)
+    right = ws.integrate(points, functions.upward, RAYS, mesh=mesh, **shared)
+    assert_same(cluster.integrate(points, functions.upward, RAYS, mesh=mesh, chunk=60, **shared), right)
+    right = ws.integrate(points.normal, functions.by_point, RAYS, **shared)
+    assert_same(cluster.integrate(points.normal, functions.by_point, RAYS, chunk=60, **shared), right)
+
+
+def test_directions_and_what_they_meet(mesh, points):
+    right = ws.sample_directions(points, 8, ws.GGX(alpha=0.3), seed=SEED, pdf=True, active=ACTIVE)
+    options = {"seed": SEED, "pdf": True, "active": ACTIVE, "chunk": 40}
+    for normals in (points, points.normal, POINTS):
+        lazy = cluster.sample_directions(normals, 8, "ggx(alpha=0.3)", mesh=mesh, **options)
+        assert_same(lazy, right)
+    hits = ws.trace(mesh, points, right.vectors, any_hit=True)
+    assert cluster.trace(mesh, POINTS, right.vectors).distance.dims == ("point", "sample")
+    for way in (lazy.vectors, lazy.vectors.data, right.vectors):
+        found = cluster.trace(mesh, points, way, any_hit=True, chunk=70).compute()
+        assert np.array_equal(found.distance, hits.distance, equal_nan=True)
+        assert np.array_equal(found.face, hits.face)
+    eye = [36.0, 36.0, 9.0]
+    found = cluster.trace(mesh, eye, points.normal, chunk=70).compute()
+    assert np.array_equal(found.distance, ws.trace(mesh, eye, points.normal).distance)
+
+
+def test_nothing_is_computed_before_it_is_asked_for_and_then_once(mesh, monkeypatch):
+    ran = []
+
+    @wraps(ws.ambient_occlusion)
+    def counted(*arguments, first_point, **options):
+        ran.append((first_point, options["workers"]))
+        return ws.ambient_occlusion(*arguments, first_point=first_point, **options)
+
+    lazy = cluster.ambient_occlusion(mesh, POINTS, RAYS, chunk=60)
+    monkeypatch.setitem(chunks.FUNCTIONS, "ambient_occlusion", counted)
+    assert ran == []
+    lazy.compute()
+    assert sorted(ran) == [(0, 1), (60, 1), (120, 1)]
+    ran.clear()
+    lazy.value[:50].compute()
+    assert ran == [(0, 1)]
+    ran.clear()
+    lazy.position.compute()
+    assert ran == []
+    cluster.ambient_occlusion(mesh, 10, RAYS, workers=2).value.compute()
+    assert ran[-1] == (0, 2)
+
+
+def test_a_billion_points_are_few_numbers_here(mesh):
+    lazy = cluster.ambient_occlusion(mesh, 10**9, 256, chunk=1 << 22)
+    assert lazy.sizes["point"] == 10**9
+    assert len(lazy.value.data.__dask_keys__()) == 239
+
+
+def test_attributes_repeat_the_run(mesh):
+    about = cluster.ambient_occlusion(mesh, POINTS, RAYS, seed=SEED, chunk=60).attrs
+    told = {"call": "ambient_occlusion", "mesh": mesh.digest, "points": POINTS, "place": "area", "chunk": 60}
+    told |= {"count": RAYS, "seed": SEED, "sequence": "fibonacci", "max_distance": None, "skip": True}
+    assert told.items() <= about.items()
+    assert {"warpsample", "warp-lang"} <= set(about)
+
+
+def test_names_of_tasks_tell_calls_apart(mesh, points):
+    def called(*arguments, **options):
+        return cluster.ambient_occlusion(mesh, *arguments, **options).value.data.name
+
+    assert called(POINTS, RAYS) == called(POINTS, RAYS)
+    moved = ws.SurfacePoints(points.position + 1e-9, points.normal, points.face)
+    others = [(POINTS, RAYS), (POINTS, 48), (POINTS + 1, RAYS), ("faces", RAYS), (points, RAYS), (moved, RAYS)]
+    assert len({called(*other) for other in others}) == len(others)
+    assert called(POINTS, RAYS) != called(POINTS, RAYS, chunk=60)
+
+
+NO = ws.SurfacePoints(np.zeros((2, 3)), np.zeros((2, 3)))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "options", "message"),
+    [
+        (("corners",), {}, "points: got 'corners', want SurfacePoints, a whole number"),
+        ((None,), {}, "points: got None, want SurfacePoints"),
+        ((0,), {}, "points: got 0, want a whole number of at least 1"),
+        ((True,), {}, "points: got True, want SurfacePoints"),
+        ((9,), {"chunk": 0}, "chunk: got 0, want a whole number from 1"),
+        ((9,), {"count": 1}, "count: got 1, want a whole number from 2"),
+        ((9,), {"sequence": "halton"}, "sequence: got 'halton', want one of"),
+        ((9,), {"seed": -1}, "seed: got -1"),
+        ((9,), {"max_distance": -1.0}, "max_distance: got -1.0"),
+        ((9,), {"progress": True}, "progress: got a value for a call over Dask"),
+        ((9,), {"first_point": 2**64 - 8}, "first_point: got"),
+        ((NO,), {"active": np.ones(3, bool)}, r"active: got shape \(3,\), want an array of bool of shape \(2,\)"),
+    ],
+)
+def test_what_cannot_be_used_is_refused_at_once(mesh, arguments, options, message):
+    with pytest.raises((TypeError, ValueError), match=f"^{message}"):
+        cluster.ambient_occlusion(mesh, *arguments, **options)
+
+
+def test_so_are_rows_and_meshes_that_lack(mesh, points):
+    with pytest.raises(ValueError, match="^mesh: got None, want the mesh of normals=9"):
+        cluster.sample_directions(9, 8)
+    with pytest.raises(ValueError, match="^directions: got 3 rows, want 130, one for each point"):
+        cluster.trace(mesh, points, np.ones((3, 3)))
+    with pytest.raises(ValueError, match="^out: got a value"):
+        cluster.sample_directions(points, 8, out=np.empty((POINTS, 8, 3), np.float32))
+    with pytest.raises(AttributeError, match="no attribute 'nothing'"):
+        cluster.nothing  # noqa: B018
+    assert set(cluster.__all__) <= set(dir(cluster))
+
+
+def test_a_function_goes_by_its_name_or_not_at_all():
+    sent = pickle.loads(pickle.dumps(named.Named("integrand", functions.upward)))
+    assert sent.value is functions.upward
+
+    @wp.func
+    def here(w: wp.vec3) -> float:
+        return w[2]
+
+    for value in (here, functions.Data()):
+        with pytest.raises(
+            TypeError, match="^integrand: got .*, which other processes cannot import, want a wp.func at the top"
+        ):
+            pickle.dumps(named.Named("integrand", value))
+
+
+def test_the_room_opens_without_dask_and_says_what_it_needs(child_environment):
+    code = (
+        "import sys; from warpsample import cluster; "
+        "print(sorted({'dask', 'distributed', 'zarr', 'xarray', 'warp'} & set(sys.modules))); "
+        "sys.modules['dask'] = None; cluster.ambient_occlusion"
+    )
+    done = subprocess.run([sys.executable, "-c", code], env=child_environment, capture_output=True, text=True, check=False)
+    assert done.stdout == "[]\n"
+    assert done.stderr.splitlines()[-1].startswith("ModuleNotFoundError: warpsample.cluster needs dask")
+    assert done.stderr.rstrip().endswith("pip install 'warpsample[cluster]'")

@@ -1,0 +1,337 @@
+"""Stores: each chunk whole or absent, what is missing computed and nothing else, and nothing of another run."""
+
+import subprocess
+import sys
+import zipfile
+from importlib import import_module
+
+import numpy as np
+import pytest
+
+import warpsample as ws
+from warpsample import cluster
+
+dask = pytest.importorskip("dask")
+pytest.importorskip("zarr")
+xr = pytest.importorskip("xarray")
+baking, store = (import_module(f"warpsample.cluster.{name}") for name in ("baking", "store"))
+
+POINTS, RAYS, CHUNK = 130, 40, 50
+ARRAYS = ("value", "standard_error", "spread", "degrees_of_freedom", "rays", "status")
+
+
+@pytest.fixture(scope="module")
+def mesh():
+    return ws.load_mesh("courtyard")
+
+
+@pytest.fixture(scope="module")
+def right(mesh):
+    return ws.ambient_occlusion(mesh, ws.sample_surface(mesh, POINTS), RAYS)
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "out.zarr"
+
+
+@pytest.fixture(autouse=True)
+def _in_this_thread():
+    with dask.config.set(scheduler="sync"):
+        yield
+
+
+@pytest.fixture
+def computed(monkeypatch):
+    """The first rows of the chunks that are computed."""
+    ran, bake_chunk = [], baking.bake_chunk
+
+    def counted(call, path, start, *rest):
+        ran.append(start)
+        return bake_chunk(call, path, start, *rest)
+
+    monkeypatch.setattr(baking, "bake_chunk", counted)
+    return ran
+
+
+def bake(path, mesh, *more, **options):
+    return cluster.bake(path, "ambient_occlusion", mesh, *(more or (POINTS, RAYS)), **{"chunk": CHUNK, **options})
+
+
+def assert_whole(path, right):
+    with xr.open_zarr(path) as found:
+        for name in ARRAYS:
+            assert found[name].dtype == getattr(right, name).dtype
+            assert np.array_equal(found[name], getattr(right, name)), name
+    assert all(store.whole_chunks(path))
+    assert list(path.parent.iterdir()) == [path]
+
+
+def test_a_store_holds_numbers_places_and_the_run(path, mesh, right):
+    found = bake(path, mesh)
+    points = ws.sample_surface(mesh, POINTS)
+    for name in ("position", "normal", "face"):
+        assert np.array_equal(found.coords[name], getattr(points, name))
+    assert {
+        "call": "ambient_occlusion",
+        "mesh": mesh.digest,
+        "count": RAYS,
+        "chunk": CHUNK,
+        "seed": 0,
+    }.items() <= found.attrs.items()
+    assert_whole(path, right)
+
+
+@pytest.mark.parametrize("chunk", [13, POINTS, 1000])
+def test_chunks_change_no_bit(path, mesh, right, chunk, computed):
+    bake(path, mesh, chunk=chunk)
+    assert sorted(computed) == list(range(0, POINTS, chunk))
+    assert_whole(path, right)
+
+
+def test_every_call_has_a_store(path, tmp_path, mesh):
+    points = ws.sample_surface(mesh, POINTS)
+    way = ws.sample_directions(points, 4).vectors
+    stores = {
+        "directions": cluster.bake(path, "sample_directions", POINTS, 4, mesh=mesh, chunk=CHUNK).vectors,
+        "given": cluster.bake(tmp_path / "g.zarr", "sample_directions", points.normal, 4, chunk=CHUNK).vectors,
+    }
+    for found in stores.values():
+        assert np.array_equal(found, way)
+    hits = cluster.bake(tmp_path / "h.zarr", "trace", mesh, points, stores["directions"], chunk=CHUNK)
+    met = ws.trace(mesh, points, way)
+    assert np.array_equal(hits.distance, met.distance)
+    assert np.array_equal(hits.face, met.face)
+    active = np.arange(POINTS) > 70  # the first chunk is 0 throughout, and is there all the same
+    light = cluster.bake(
+        tmp_path / "l.zarr", "irradiance", mesh, points, np.ones((4, 8, 3)), RAYS, active=active, chunk=CHUNK
+    )
+    assert np.array_equal(light.value, ws.irradiance(mesh, points, np.ones((4, 8, 3)), RAYS, active=active).value)
+    assert all(store.whole_chunks(tmp_path / "l.zarr"))
+
+
+def test_resume_computes_what_is_missing_and_nothing_else(path, mesh, right, computed):
+    bake(path, mesh, resume=True)  # begins
+    assert sorted(computed) == [0, 50, 100]
+    computed.clear()
+    bake(path, mesh, resume=True)
+    assert computed == []
+    (path / "rays/c/1").unlink()
+    bake(path, mesh, resume=True)
+    assert computed == [50]
+    assert_whole(path, right)
+
+
+@pytest.mark.parametrize("array", ["value/c/2", "position/c/2/0", "status/c/2"])
+@pytest.mark.parametrize("size", [0, 3, -1])
+def test_a_chunk_that_is_cut_short_is_found(path, mesh, right, computed, array, size):
+    bake(path, mesh)
+    computed.clear()
+    content = (path / array).read_bytes()
+    (path / array).write_bytes(content[:size])
+    assert store.whole_chunks(path) == [True, True, False]
+    bake(path, mesh, resume=True)
+    assert computed == [100]
+    assert_whole(path, right)
+
+
+def test_so_is_one_with_another_byte(path, mesh, right):
+    bake(path, mesh)
+    content = bytearray((path / "value/c/0").read_bytes())
+    content[len(content) // 2] ^= 1
+    (path / "value/c/0").write_bytes(content)
+    assert store.whole_chunks(path) == [False, True, True]
+    bake(path, mesh, resume=True)
+    assert_whole(path, right)
+
+
+def test_an_interrupt_leaves_a_store_that_resumes(path, mesh, right, monkeypatch):
+    bake_chunk = baking.bake_chunk
+
+    def interrupted(call, path, start, *rest):
+        if start == CHUNK:
+            raise KeyboardInterrupt
+        return bake_chunk(call, path, start, *rest)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(baking, "bake_chunk", interrupted)
+        with pytest.raises(KeyboardInterrupt, match=rf"^interrupted after \d+ of 130 points; {path} can be resumed$"):
+            bake(path, mesh)
+    assert not all(store.whole_chunks(path))
+    bake(path, mesh, resume=True)
+    assert_whole(path, right)
+
+
+def test_a_store_is_not_written_over_or_mixed_with_another_run(path, mesh, right, computed):
+    bake(path, mesh)
+    computed.clear()
+    with pytest.raises(ValueError, match="^path: got .*out.zarr', which is there already"):
+        bake(path, mesh)
+    points = ws.sample_surface(mesh, POINTS)
+    other = ws.Mesh(mesh.vertices + 1.0, mesh.faces)
+    for arguments, options, message in [
+        ((mesh, POINTS, RAYS), {"seed": 1}, "seed 0, want one of seed 1"),
+        ((mesh, POINTS, 48), {}, "count 40, want one of count 48"),
+        ((mesh, 131, RAYS), {}, "points 130, want one of points 131"),
+        ((mesh, points, RAYS), {}, "position None, want one of position '"),
+        ((mesh, "faces", RAYS), {}, "place 'area', want one of place 'faces'"),
+        ((mesh, POINTS, RAYS), {"chunk": 49}, "chunk 50, want one of chunk 49"),
+        ((mesh, POINTS, RAYS), {"max_distance": 3.0}, "max_distance None, want one of max_distance 3.0"),
+        ((other, POINTS, RAYS), {}, f"mesh '{mesh.digest}', want one of mesh '{other.digest}'"),
+    ]:
+        with pytest.raises(ValueError, match=f"^path: got .*out.zarr' of {message}"):
+            bake(path, *arguments, resume=True, **options)
+    with pytest.raises(ValueError, match="^path: got .* of call 'ambient_occlusion', want one of call 'bent_normals'"):
+        cluster.bake(path, "bent_normals", mesh, POINTS, RAYS, chunk=CHUNK, resume=True)
+    assert computed == []
+    assert_whole(path, right)
+
+
+HOLD = """
+import sys, time
+from pathlib import Path
+from warpsample.cluster.store import locked
+with locked(Path(sys.argv[1])):
+    print("held", flush=True)
+    time.sleep(60)
+"""
+
+
+def test_a_second_writer_is_refused_until_the_first_is_gone(path, mesh, right, child_environment):
+    first = subprocess.Popen([sys.executable, "-c", HOLD, path], stdout=subprocess.PIPE, text=True, env=child_environment)
+    assert first.stdout.readline() == "held\n"
+    with pytest.raises(OSError, match="out.zarr cannot be written: another process is writing it$"):
+        bake(path, mesh)
+    assert not path.exists()
+    first.kill()
+    first.communicate()
+    assert [file.name for file in path.parent.iterdir()] == [".out.zarr.lock"]
+    bake(path, mesh)
+    assert_whole(path, right)
+
+
+def test_what_killed_writers_left_goes(path, mesh, right):
+    path.with_name(".out.zarr.part").mkdir()
+    bake(path, mesh)
+    assert_whole(path, right)
+    (path / "value/c/0.0123abcd.partial").write_bytes(b"half")
+    bake(path, mesh, resume=True)
+    assert list(path.rglob("*.partial")) == []
+
+
+LIMITED = """
+import resource, signal
+import warpsample as ws
+from warpsample import cluster
+signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+resource.setrlimit(resource.RLIMIT_FSIZE, (30_000, 30_000))
+cluster.bake({path!r}, "ambient_occlusion", ws.load_mesh("courtyard"), 8000, 2, chunk=4000)
+"""
+
+
+def test_a_store_that_cannot_be_written(path, tmp_path, mesh):
+    for name, message in [
+        ("out.vtp", "want a name that ends in .zarr"),
+        ("no/out.zarr", "whose folder does not exist"),
+        ("file.zarr", "which is there already and is no store"),
+    ]:
+        (tmp_path / "file.zarr").touch()
+        with pytest.raises(ValueError, match=message):
+            bake(tmp_path / name, mesh)
+    with pytest.raises(ValueError, match="^call: got 'occlusion', want one of ambient_occlusion"):
+        cluster.bake(path, "occlusion", mesh, 9)
+    code = LIMITED.format(path=str(path))
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert "WriteError: " in done.stderr.splitlines()[-1]
+    assert done.stderr.splitlines()[-1].endswith("cannot be written: File too large")
+    assert not any(store.whole_chunks(path))
+
+
+# The command line
+
+
+def test_a_store_is_exported_as_bake_would_have_written(call, tmp_path):
+    for at, suffixes in (("faces", ("vtp", "ply", "glb", "csv")), ("vertices", ("vtp", "ply"))):
+        options = ("--at", at, "--samples", 8, "--quantity", "sky", "--seed", 2)
+        made = tmp_path / f"{at}.zarr"
+        assert call("bake", "courtyard", "-o", made, *options, "--chunk", 999)[0] == 0
+        for suffix in suffixes:
+            output, baked = tmp_path / f"a.{suffix}", tmp_path / f"b.{suffix}"
+            status, _, err = call("export", made, "courtyard", "-o", output)
+            assert (status, err) == (0, "")
+            assert call("bake", "courtyard", "-o", baked, *options)[0] == 0
+            assert output.read_bytes() == baked.read_bytes()
+    made = tmp_path / "points.zarr"
+    assert call("bake", "courtyard", "-o", made, "--points", 70, "--samples", 8)[0] == 0
+    assert call("export", made, "courtyard", "-o", tmp_path / "a.npz")[0] == 0
+    assert call("bake", "courtyard", "-o", tmp_path / "b.npz", "--points", 70, "--samples", 8)[0] == 0
+    with zipfile.ZipFile(tmp_path / "a.npz") as one, zipfile.ZipFile(tmp_path / "b.npz") as other:
+        assert one.namelist() == other.namelist()
+        assert all(one.read(name) == other.read(name) for name in one.namelist() if name != "run.npy")
+
+
+def test_the_command_says_what_it_did_and_goes_on(call, path):
+    command = ("bake", "courtyard", "-o", path, "--points", POINTS, "--samples", RAYS, "--chunk", CHUNK)
+    status, out, err = call(*command)
+    assert (status, err) == (0, "")
+    assert out.startswith(f"{path}: ambient occlusion of 130 points\n  standard error 0.0")
+    assert "rays cast in" in out
+    (path / "value/c/1").unlink()
+    status, out, err = call(*command, "--resume")
+    assert (status, err) == (0, "")
+    assert "\n  80 of them were there already\n" in out
+    status, out, err = call(*command, "--seed", 1, "--resume")
+    assert (status, out) == (2, "")
+    assert err == f"error: --output: got '{path}' of seed 0, want one of seed 1\n"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("bake", "courtyard", "-o", "x.vtp", "--chunk", "9"), "--chunk: got 9 for x.vtp; it applies only to .zarr"),
+        (("bake", "courtyard", "-o", "x.vtp", "--resume"), "--resume: got True for x.vtp; it applies only to .zarr"),
+        (("bake", "courtyard", "-o", "x.zarr", "--chunk", "0"), "--chunk: got 0, want a whole number from 1"),
+        (("bake", "courtyard", "-o", "x.zarr", "--processes", "0"), "--processes: got 0, want a whole number from 1"),
+        (("bake", "courtyard", "-o", "x.zarr", "--processes", "2", "--workers", "2"), "--processes 2: got it together with"),
+        (
+            ("bake", "courtyard", "-o", "x.zarr", "--points", "9", "--at", "faces"),
+            "--points: got 9 together with --at faces",
+        ),
+        (("bake", "courtyard", "-o", "x.zarr", "--samples", "1"), "--samples: got 1, want a whole number from 2"),
+        (
+            ("bake", "courtyard", "-o", "x.zarr", "--environment", "a.hdr"),
+            "--environment: got a.hdr for ao; it applies only",
+        ),
+        (("bake", "courtyard", "-o", "x.zarr", "--quantity", "irradiance"), "--environment: got None"),
+        (("bake", "courtyard", "-o", "no/x.zarr"), "--output: got 'no/x.zarr', whose folder does not exist"),
+        (
+            ("bake", "courtyard", "-o", "x.zarr", "--cluster", "nowhere"),
+            "--cluster: got 'nowhere', where no scheduler answers",
+        ),
+        (("export", "x.zarr", "courtyard", "-o", "x.vtp"), "store: got 'x.zarr', which is missing"),
+        (("export", "x.zarr", "courtyard", "-o", "x.txt"), "--output: got 'x.txt', want a file that ends in one of"),
+    ],
+)
+def test_bad_input_is_one_line(call, tmp_path, monkeypatch, arguments, message):
+    monkeypatch.chdir(tmp_path)
+    status, out, err = call(*arguments)
+    assert (status, out) == (2, "")
+    assert err.startswith(f"error: {message}")
+    assert err.count("\n") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_only_a_finished_store_of_that_mesh_is_exported(call, path, cube, tmp_path):
+    assert call("bake", "courtyard", "-o", path, "--points", POINTS, "--samples", 2, "--chunk", CHUNK)[0] == 0
+    for mesh, output, message in [
+        (cube, "x.vtp", f"mesh: got '{cube}', which is not the mesh of"),
+        ("courtyard", "x.ply", "--output: got 'x.ply' for points, want .vtp, .npz or .csv"),
+    ]:
+        status, _, err = call("export", path, mesh, "-o", tmp_path / output)
+        assert (status, err.count("\n")) == (2, 1)
+        assert err.startswith(f"error: {message}")
+    (path / "value/c/1").unlink()
+    status, _, err = call("export", path, "courtyard", "-o", tmp_path / "x.vtp")
+    assert (status, err.count("\n")) == (2, 1)
+    assert "1 of whose 3 chunks are missing" in err
+    assert not (tmp_path / "x.vtp").exists()

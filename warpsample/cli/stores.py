@@ -1,0 +1,57 @@
+"""What the command line says of Zarr stores: options of `bake`, and `export`."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from warpsample.cli.terminal import working
+from warpsample.output.baked import Run
+
+SUFFIX = ".zarr"
+
+Chunk = Annotated[int | None, typer.Option(help="Points of a task and a file of the store; .zarr only.", show_default=False)]
+Cluster = Annotated[str | None, typer.Option(help="Address of a Dask scheduler, tcp://...; .zarr only.", show_default=False)]
+Processes = Annotated[int | None, typer.Option(help="So many processes of a thread each; .zarr only.", show_default=False)]
+Resume = Annotated[bool, typer.Option("--resume", help="Go on with the store, if there is one; .zarr only.")]
+
+
+def bake_into_store(run: Run, chunk: int | None, cluster: str | None, processes: int | None, resume: bool) -> str:
+    """As `cluster.runs.bake_run`; says how to install what it needs."""
+    try:
+        from warpsample.cluster.runs import bake_run  # noqa: PLC0415
+    except ModuleNotFoundError as error:
+        raise _needed(error) from error
+    return bake_run(run, chunk, cluster, processes, resume)
+
+
+def refuse_for_files(output: Path, **options: object) -> None:
+    """Refuses the options of stores for other files.
+
+    Raises:
+        ValueError: names the first that is given.
+    """
+    for name, value in options.items():
+        if value:
+            raise ValueError(f"--{name}: got {value} for {output.name}; it applies only to {SUFFIX}")
+
+
+def export_command(
+    store: Annotated[Path, typer.Argument(help="What `warpsample bake -o out.zarr` wrote.", show_default=False)],
+    mesh: Annotated[Path, typer.Argument(help="The mesh file that it was given.", show_default=False)],
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="The file to write: .ply .vtp .glb .npz .csv.", show_default=False)
+    ],
+) -> None:
+    """Write the numbers of a finished Zarr store on their mesh, into a file as `bake` does."""
+    try:
+        from warpsample.cluster.exporting import export_store  # noqa: PLC0415
+    except ModuleNotFoundError as error:
+        raise _needed(error) from error
+    with working(f"reading {store} and {mesh}, writing {output}"):
+        summary = export_store(store, mesh, output)
+    print(summary)  # noqa: T201
+
+
+def _needed(error: ModuleNotFoundError) -> ModuleNotFoundError:
+    return ModuleNotFoundError(f"a {SUFFIX} needs {error.name}: pip install 'warpsample[cluster]', on Python 3.11 or newer")

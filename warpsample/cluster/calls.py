@@ -1,0 +1,86 @@
+"""The calls of `warpsample`, lazily, over chunks of points."""
+
+from typing import Any
+
+import xarray as xr
+
+from warpsample.cluster.arrays import dataset_of
+from warpsample.cluster.job import CHUNK, job_of
+
+
+def ambient_occlusion(mesh: Any, points: Any, *arguments: Any, chunk: int = CHUNK, **options: Any) -> xr.Dataset:
+    """`warpsample.ambient_occlusion` over Dask: the same arguments, and the same bits when it is computed.
+
+    Each process builds one tree, and each task is done by one thread: Dask runs as many at once as it has threads. With a
+    Client the mesh is sent now, once to each of its workers, and it is the one to compute with.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes.
+        points: SurfacePoints; or so many, uniform by area, by the call's `seed`; or "faces" or "vertices" of the mesh. All
+            but the first are made by the workers, and never stand in this process.
+        arguments: as there.
+        chunk: points of a task, by which no bit changes.
+        options: as there, by name; `workers` are the threads of one task.
+
+    Returns:
+        lazy arrays by the names of an Estimate's; `position`, `normal` and `face` of the points as coordinates; and what
+        repeats the run as attributes.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+    """
+    return dataset_of(job_of("ambient_occlusion", (mesh, points, *arguments), options, chunk))
+
+
+def sky_view_factor(mesh: Any, points: Any, *arguments: Any, chunk: int = CHUNK, **options: Any) -> xr.Dataset:
+    """`warpsample.sky_view_factor` over Dask; points and chunk as for `ambient_occlusion`."""
+    return dataset_of(job_of("sky_view_factor", (mesh, points, *arguments), options, chunk))
+
+
+def bent_normals(mesh: Any, points: Any, *arguments: Any, chunk: int = CHUNK, **options: Any) -> xr.Dataset:
+    """`warpsample.bent_normals` over Dask; points and chunk as for `ambient_occlusion`."""
+    return dataset_of(job_of("bent_normals", (mesh, points, *arguments), options, chunk))
+
+
+def irradiance(mesh: Any, points: Any, radiance: Any, *arguments: Any, chunk: int = CHUNK, **options: Any) -> xr.Dataset:
+    """`warpsample.irradiance` over Dask; points and chunk as for `ambient_occlusion`.
+
+    A picture goes to each worker once, as the mesh does; a file is read here. A wp.func as for `integrate`.
+    """
+    return dataset_of(job_of("irradiance", (mesh, points, radiance, *arguments), options, chunk))
+
+
+def integrate(points: Any, integrand: Any, *arguments: Any, chunk: int = CHUNK, **options: Any) -> xr.Dataset:
+    """`warpsample.integrate` over Dask; points and chunk as for `ambient_occlusion`.
+
+    A wp.func goes to other processes by its name: it must stand at the top of a module that they can import, and take no
+    `data`. Dask's threads run any. `lobe.row` is the row in a chunk, `lobe.point` the id among all points.
+    """
+    return dataset_of(job_of("integrate", (points, integrand, *arguments), options, chunk))
+
+
+def trace(mesh: Any, origins: Any, directions: Any, *arguments: Any, chunk: int = CHUNK, **options: Any) -> xr.Dataset:
+    """`warpsample.trace` over Dask; origins as the points of `ambient_occlusion`, or an array as there.
+
+    Arrays may be Dask's or xarray's, such as the vectors of `sample_directions`.
+    """
+    return dataset_of(job_of("trace", (mesh, origins, directions, *arguments), options, chunk))
+
+
+def sample_directions(
+    normals: Any, count: int, *arguments: Any, mesh: Any = None, chunk: int = CHUNK, **options: Any
+) -> xr.Dataset:
+    """`warpsample.sample_directions` over Dask; normals as the points of `ambient_occlusion`, or an array as there.
+
+    Args:
+        normals: (P, 3), NumPy's or Dask's, or what `points` may be.
+        count: directions per point.
+        arguments: as there.
+        mesh: what points are on that the workers make.
+        chunk: points of a task.
+        options: as there, by name, but `out`.
+
+    Returns:
+        lazy arrays `vectors`, `status` and, if asked for, `pdf`.
+    """
+    return dataset_of(job_of("sample_directions", (normals, count, *arguments), options, chunk, mesh))

@@ -1,0 +1,77 @@
+"""What a worker does: the points of a chunk, and the numbers at them."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+
+from warpsample.cluster.named import Named
+from warpsample.directions.sample import sample_directions
+from warpsample.estimate.integrate import integrate
+from warpsample.estimate.irradiance import irradiance
+from warpsample.estimate.visibility import ambient_occlusion, bent_normals, sky_view_factor
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints, sample_surface
+from warpsample.tracing.trace import trace
+
+FUNCTIONS: dict[str, Callable[..., Any]] = {
+    function.__name__: function
+    for function in (ambient_occlusion, bent_normals, integrate, irradiance, sample_directions, sky_view_factor, trace)
+}
+"""The calls, by name."""
+
+
+@dataclass(frozen=True)
+class Call:
+    """What is alike for all chunks and small: it travels with every task.
+
+    Attributes:
+        name: of FUNCTIONS.
+        options: arguments by name.
+        shared: names of the arguments that are large: a worker has one copy for all tasks.
+        rows: names of the arguments that are arrays with a row for each point.
+        at: the argument that is SurfacePoints; None if there is none.
+        place: where those are: "area" (uniform by it), "faces", "vertices" or "given".
+        seed: of points uniform by area.
+        first_point: the global id of the first point of all.
+    """
+
+    name: str
+    options: dict[str, Any]
+    shared: tuple[str, ...]
+    rows: tuple[str, ...]
+    at: str | None
+    place: str
+    seed: int
+    first_point: int
+
+
+def points_in(call: Call, mesh: Mesh, start: int, stop: int) -> SurfacePoints:
+    """The points of a chunk, as the functions of `warpsample` make them: rows from start to stop."""
+    if call.place == "area":
+        return sample_surface(mesh, stop - start, call.seed, call.first_point + start, workers=1)
+    rows = slice(start, stop)
+    if call.place == "vertices":
+        return SurfacePoints(mesh.vertices[rows].copy(), mesh.vertex_normals[rows].copy())
+    position = mesh.vertices[mesh.faces[rows]].mean(axis=1)
+    return SurfacePoints(position, mesh.face_normals[rows].copy(), np.arange(start, stop, dtype=np.int32))
+
+
+def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[Any], rows: list[Any]) -> dict[str, Any]:
+    """The fields of a chunk's result, by name.
+
+    One thread computes them, unless the call says otherwise: Dask runs as many tasks at once as a worker has threads.
+    """
+    arguments = {name: value.value if isinstance(value, Named) else value for name, value in call.options.items()}
+    arguments |= zip(call.shared, shared, strict=True)
+    arguments |= zip(call.rows, rows, strict=True)
+    if call.at:
+        arguments[call.at] = points
+    if call.name == "sample_directions":
+        arguments.pop("mesh", None)  # is what points are on
+    arguments["workers"] = 1 if arguments.get("workers") is None else arguments["workers"]
+    if "first_point" in arguments:
+        arguments["first_point"] = call.first_point + start
+    found = FUNCTIONS[call.name](**arguments)
+    return {item.name: getattr(found, item.name) for item in fields(found)}

@@ -1,0 +1,207 @@
+"""A call over chunks, checked before anything runs: what each chunk takes, and the shapes of what it gives."""
+
+import inspect
+import json
+from dataclasses import dataclass
+from importlib.metadata import version
+from os import PathLike
+from typing import Any
+
+import numpy as np
+import warp as wp
+from dask.array import Array, from_array
+from dask.base import tokenize
+
+from warpsample.cluster.chunks import FUNCTIONS, Call, numbers
+from warpsample.cluster.named import Named
+from warpsample.estimate.picture import read_picture
+from warpsample.host.arguments import check_first_point, check_integer, check_seed, told
+from warpsample.host.arrays import check_active
+from warpsample.host.neighbours import as_ndarray
+from warpsample.mesh.known import digest_of
+from warpsample.mesh.mesh import Mesh, as_mesh
+from warpsample.mesh.surface import SurfacePoints
+
+CHUNK = 65_536
+"""Points: half a second of one thread's work by 256 rays, beside which a task's overhead is nothing."""
+
+VERSIONS = ("warpsample", "warp-lang")
+"""Packages that the bits depend on."""
+
+_POINTS = "SurfacePoints, a whole number (so many, uniform by area), 'faces' or 'vertices'"
+_AT = {"trace": "origins", "sample_directions": "normals"}
+_OF_THE_CLIENT = ("progress", "out")
+_OF_THE_WORKERS = ("workers",)
+_TRIANGLE = Mesh(np.eye(3), [[0, 1, 2]])
+
+
+@dataclass(frozen=True)
+class Job:
+    """A checked call over chunks.
+
+    Attributes:
+        call: what is alike for all chunks, and small.
+        shared: the arguments that are large, by name.
+        given: Dask arrays by the names of SurfacePoints' fields, cut into the chunks; empty if workers make the points.
+        rows: Dask arrays by the names of arguments, cut into the chunks.
+        chunks: how many rows each has.
+        gives: (type, shape of a row) of the arrays of a result, by name.
+        about: all that repeats the run, as texts and numbers.
+    """
+
+    call: Call
+    shared: dict[str, Any]
+    given: dict[str, Array]
+    rows: dict[str, Array]
+    chunks: tuple[int, ...]
+    gives: dict[str, tuple[np.dtype, tuple[int, ...]]]
+    about: dict[str, Any]
+
+    @property
+    def token(self) -> str:
+        """Names the tasks: the same for the same call."""
+        return str(tokenize(self.call, self.about, [array.name for array in (*self.given.values(), *self.rows.values())]))
+
+
+def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk: Any, on: Any = None) -> Job:
+    """The job of a call.
+
+    Args:
+        name: of FUNCTIONS.
+        arguments: as the function takes them.
+        options: the same by name.
+        chunk: points of a task.
+        on: the mesh that points are on, for functions that take none.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+    """
+    bound = inspect.signature(FUNCTIONS[name]).bind(*arguments, **options)
+    bound.apply_defaults()
+    taken, chunk = dict(bound.arguments), check_integer(chunk, "chunk", 1, 2**31 - 1)
+    for unwanted in _OF_THE_CLIENT:
+        if not isinstance(value := taken.pop(unwanted, None), bool | None) or value:
+            raise ValueError(f"{unwanted}: got a value for a call over Dask, want none: its arrays and bars are Dask's")
+    shared = _shared(taken, on)
+    at, seed = _AT.get(name, "points"), check_seed(taken.get("seed", 0))
+    place, total, given = _place(taken[at], at, shared.get("mesh"))
+    rows = _rows(taken, [*([] if place else [at]), "directions"])
+    if not place and not rows:
+        raise TypeError(f"{at}: got {told(taken[at])}, want {_POINTS}, or an array (P, 3)")
+    total = total if place else len(next(iter(rows.values())))
+    if taken.pop("active", None) is not None:
+        rows["active"] = check_active(bound.arguments["active"], total).view(np.bool_)
+    for argument, array in rows.items():
+        if len(array) != total:
+            raise ValueError(f"{argument}: got {len(array):,} rows, want {total:,}, one for each point")
+    first = check_first_point(taken.get("first_point", 0), max(total, 1))
+    if place:
+        taken.pop(at)
+    call = Call(name, taken, tuple(shared), tuple(rows), at if place else None, place or "", seed, first)
+    chunks = tuple(min(chunk, total - start) for start in range(0, max(total, 1), chunk))
+    about = _about(call, {**shared, **given, **rows}, total, chunk)
+    given, rows = ({key: _cut(array, chunks) for key, array in arrays.items()} for arrays in (given, rows))
+    return Job(call, shared, given, rows, chunks, _gives(call, shared, rows), about)
+
+
+def _shared(taken: dict[str, Any], on: Any) -> dict[str, Any]:
+    """The mesh and the picture of a call, which are taken out; functions of the user's are made to travel."""
+    shared, mesh = {}, taken.pop("mesh", on)
+    if mesh is not None:
+        shared["mesh"] = as_mesh(mesh)
+    radiance = taken.get("radiance")
+    if radiance is not None and not isinstance(radiance, wp.Function):
+        path = isinstance(radiance, str | PathLike)
+        shared["radiance"] = read_picture(radiance) if path else as_ndarray(radiance, "radiance")
+        taken.pop("radiance")
+    for name, value in taken.items():
+        if isinstance(value, wp.Function) or (name == "data" and value is not None):
+            taken[name] = Named(name, value)
+    return shared
+
+
+def _place(points: Any, at: str, mesh: Mesh | None) -> tuple[str | None, int, dict[str, Any]]:
+    """Where SurfacePoints are, how many, and their arrays if they are given; None for what is no SurfacePoints."""
+    if isinstance(points, SurfacePoints):
+        return "given", len(points), {name: getattr(points, name) for name in ("position", "normal", "face")}
+    named = isinstance(points, str)
+    if at == "points" and not named and mesh is not None and not _whole(points):
+        raise TypeError(f"{at}: got {told(points)}, want {_POINTS}")
+    if not named and not _whole(points):
+        return None, 0, {}
+    if named and points not in ("faces", "vertices"):
+        raise ValueError(f"{at}: got {told(points)}, want {_POINTS}")
+    if mesh is None:
+        raise ValueError(f"mesh: got None, want the mesh of {at}={told(points)}")
+    if named:
+        return points, len(getattr(mesh, points)), {}
+    return "area", check_integer(points, at, 1, 2**62), {}
+
+
+def _whole(value: Any) -> bool:
+    return hasattr(value, "__index__") and not isinstance(value, bool | np.ndarray)
+
+
+def _rows(taken: dict[str, Any], names: list[str]) -> dict[str, Any]:
+    """The arrays of a row for each point, which are taken out; but not the one origin of all rays."""
+    rows = {}
+    for name in names:
+        if name in taken:
+            value = getattr(taken[name], "data", None) if hasattr(taken[name], "dims") else taken[name]  # of xarray
+            array = value if isinstance(value, Array) else as_ndarray(value, name, "an array of rows")
+            if array.ndim > 1:
+                taken.pop(name)
+                rows[name] = array
+    return rows
+
+
+def _cut(array: Any, chunks: tuple[int, ...]) -> Array:
+    """An array of NumPy's or Dask's in the chunks of a job."""
+    wanted = (chunks, *((size,) for size in array.shape[1:]))
+    return array.rechunk(wanted) if isinstance(array, Array) else from_array(array, wanted, name=_content(array, chunks))
+
+
+def _content(value: Any, *more: Any) -> str:
+    """What tells the content of a large argument apart from others."""
+    if isinstance(value, Mesh):
+        return value.digest
+    if isinstance(value, Array):
+        return value.name
+    return f"{digest_of(value)}{''.join(f'-{tokenize(item)}' for item in more)}"
+
+
+def _gives(call: Call, shared: dict[str, Any], rows: dict[str, Array]) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
+    """Runs the call at no point, on a mesh of one triangle, which checks all other arguments.
+
+    Directions are asked for at one point, since there are none at none.
+    """
+    points = int(call.name == "sample_directions")
+    few = SurfacePoints(np.zeros((points, 3)), np.tile(np.float32([0.0, 0.0, 1.0]), (points, 1)))
+    parts = [np.ones((points, *array.shape[1:]), array.dtype) for array in rows.values()]
+    found = numbers(call, 0, few, [_TRIANGLE if name == "mesh" else value for name, value in shared.items()], parts)
+    return {name: (array.dtype, array.shape[1:]) for name, array in found.items() if isinstance(array, np.ndarray)}
+
+
+def _about(call: Call, large: dict[str, Any], total: int, chunk: int) -> dict[str, Any]:
+    """All that repeats the run; large arguments by their content."""
+    options = {name: value for name, value in call.options.items() if name not in _OF_THE_WORKERS}
+    return {
+        "call": call.name,
+        **{name: _plain(value) for name, value in options.items()},
+        **{name: _content(value) for name, value in large.items()},
+        "place": call.place,
+        "points": total,
+        "chunk": chunk,
+        **{name: version(name) for name in VERSIONS},
+    }
+
+
+def _plain(value: Any) -> Any:
+    """`value` as JSON has it, or a text."""
+    if isinstance(value, np.ndarray | np.generic | tuple | list):
+        value = np.asarray(value).tolist()
+    try:
+        json.dumps(value)
+    except (TypeError, ValueError):
+        return str(value)
+    return value

@@ -1,0 +1,118 @@
+"""`warpsample bake` into a store: what the command's options mean, its progress, and its report."""
+
+from time import perf_counter
+from types import TracebackType
+from typing import Any
+
+import numpy as np
+
+from warpsample.cluster.baking import DONE, bake_job
+from warpsample.cluster.clients import computing
+from warpsample.cluster.job import CHUNK, job_of
+from warpsample.cluster.store import check_store
+from warpsample.host.arguments import check_integer
+from warpsample.mesh.files import load_mesh
+from warpsample.output.bake import QUANTITIES
+from warpsample.output.baked import Run
+
+CALLS = {"ao": "ambient_occlusion", "sky": "sky_view_factor", "irradiance": "irradiance"}
+"""The call of each quantity."""
+
+
+def bake_run(run: Run, chunk: int | None, address: str | None, processes: int | None, resume: bool) -> str:
+    """Computes a run into the store `run.output`.
+
+    Returns:
+        a report in sentences.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is computed.
+        KeyboardInterrupt: with a sentence that says how far it was.
+        OSError: the store cannot be written, another process is writing it, or the scheduler is gone.
+    """
+    store = check_store(run.output, "--output")
+    threads = run.options.get("workers")
+    _check(run, address, processes, threads)
+    options = {name: value for name, value in run.options.items() if name != "workers"}
+    points = run.points if run.at is None else run.at
+    arguments: list[Any] = [load_mesh(run.mesh), points]
+    if run.quantity == "irradiance":
+        arguments.append(run.environment)
+    if run.quantity != "ao":
+        options["up"] = run.up
+    job = job_of(CALLS[run.quantity], (*arguments, run.samples), options, CHUNK if chunk is None else chunk)
+    with computing(address, processes, threads), _Watch(run, sum(job.chunks)) as watch:
+        bake_job(job, store, resume, "--output", watch.hear)
+    return watch.report()
+
+
+def _check(run: Run, address: str | None, processes: int | None, threads: int | None) -> None:
+    if run.quantity not in CALLS:
+        raise ValueError(f"--quantity: got {run.quantity} for {run.output.name}, want one of {', '.join(CALLS)}")
+    if run.points is not None and run.at is not None:
+        raise ValueError(f"--points: got {run.points} together with --at {run.at}, want one of the two")
+    if run.environment is not None and run.quantity != "irradiance":
+        raise ValueError(f"--environment: got {run.environment} for {run.quantity}; it applies only to irradiance")
+    if run.weather is not None:
+        raise ValueError(f"--weather: got {run.weather} for {run.quantity}; it applies only to what a year's weather brings")
+    if processes is not None:
+        check_integer(processes, "--processes", 1, 1024)
+    where = {"--cluster": address, "--processes": processes, "--workers": threads}
+    given = [f"{name} {value}" for name, value in where.items() if value is not None]
+    if len(given) > 1:
+        raise ValueError(f"{given[0]}: got it together with {given[1]}, want one of the two")
+
+
+class _Watch:
+    """A bar on stderr if that is a terminal, and the sums of what the chunks tell."""
+
+    def __init__(self, run: Run, points: int) -> None:
+        """Of no chunk yet."""
+        from rich.console import Console  # noqa: PLC0415
+        from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn  # noqa: PLC0415
+
+        self.run, self.points, self.start = run, points, perf_counter()
+        self.there: int | None = None
+        self.sums = np.zeros((), DONE)
+        console = Console(stderr=True)
+        told = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(), TextColumn("{task.fields[told]}"))
+        self.bar = Progress(*told, console=console, disable=not console.is_terminal, transient=True)
+        self.task = self.bar.add_task(QUANTITIES[run.quantity], total=points, told="")
+
+    def __enter__(self) -> "_Watch":
+        """Shows the bar."""
+        self.bar.start()
+        return self
+
+    def __exit__(self, kind: type | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        """Takes it away."""
+        self.bar.stop()
+
+    def hear(self, told: np.void) -> None:
+        """Adds a chunk; what is told first are those that were there already."""
+        if self.there is None:
+            self.there, self.start = int(told["points"]), perf_counter()
+        else:
+            for name in DONE.names or ():
+                self.sums[name] += told[name]
+        done = self.there + int(self.sums["points"])
+        self.bar.update(self.task, completed=done, told=f"{self._speed():.1f} million rays/s, {self._error()}")
+
+    def report(self) -> str:
+        """What was done, in lines."""
+        lines = [f"{self.run.output}: {QUANTITIES[self.run.quantity]} of {self.points:,} {self.run.at or 'points'}"]
+        if self.there:
+            lines.append(f"{self.there:,} of them were there already")
+        if self.sums["points"]:
+            lines.append(f"{self._error()}, root mean square over the points")
+            lines.append(f"{self.sums['rays']:,} rays cast in {self._seconds():.2f} s, {self._speed():.1f} million a second")
+        return "\n  ".join(lines)
+
+    def _seconds(self) -> float:
+        return max(perf_counter() - self.start, 1e-9)
+
+    def _speed(self) -> float:
+        return float(self.sums["rays"]) / self._seconds() / 1e6
+
+    def _error(self) -> str:
+        return f"standard error {np.sqrt(self.sums['squared_error'] / max(1, self.sums['points'])):.2g}"

@@ -1,0 +1,184 @@
+"""A Zarr store of one run: its arrays, what repeats it, which of its chunks are whole, and who writes it."""
+
+import json
+import os
+import shutil
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import zarr
+from zarr.codecs import Crc32cCodec, ZstdCodec
+
+from warpsample.cluster.arrays import dimensions, places_of
+from warpsample.cluster.job import Job
+from warpsample.host.arguments import told
+from warpsample.host.files import WriteError
+
+try:
+    import fcntl
+except ModuleNotFoundError:  # Windows
+    fcntl = None  # type: ignore[assignment]
+
+SUFFIX = ".zarr"
+
+_ABSENT = {"f": float("nan"), "i": -2, "u": 255}  # what is read where no chunk is
+_ITS_OWN = ("coordinates",)  # attributes that xarray reads
+
+
+def check_store(path: Any, argument: str) -> Path:
+    """A path that a store may be at, absolute: workers may run elsewhere.
+
+    Raises:
+        ValueError: another suffix, a file, or no folder to make it in.
+    """
+    found = Path(path).absolute()
+    if found.suffix != SUFFIX:
+        raise ValueError(f"{argument}: got {str(path)!r}, want a name that ends in {SUFFIX}")
+    if found.exists() and not (found / "zarr.json").is_file():
+        raise ValueError(f"{argument}: got {str(path)!r}, which is there already and is no store, want a new name")
+    if not found.parent.is_dir():
+        raise ValueError(f"{argument}: got {str(path)!r}, whose folder does not exist")
+    return found
+
+
+@contextmanager
+def locked(path: Path) -> Iterator[None]:
+    """Within, this process alone writes the store. The lock, a file beside it, goes with a process that is killed.
+
+    Raises:
+        WriteError: another process writes it, or it cannot be written at all.
+    """
+    file = path.with_name(f".{path.name}.lock")
+    while True:  # again, if who had it removed it in between
+        try:
+            held = file.open("a")
+        except OSError as error:
+            raise WriteError(f"{path} cannot be written: {error.strerror}") from error
+        if not _lock(held):
+            held.close()
+            raise WriteError(f"{path} cannot be written: another process is writing it")
+        with suppress(FileNotFoundError):
+            if file.stat().st_ino == os.fstat(held.fileno()).st_ino:
+                break
+        held.close()
+    try:
+        yield
+    finally:
+        file.unlink(missing_ok=True)
+        held.close()
+
+
+def _lock(file: Any) -> bool:
+    """Whether no other process has locked the file, which this one does now."""
+    if fcntl is not None:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return False
+        except OSError:  # of file systems without locks
+            pass
+    return True
+
+
+def begin(path: Path, job: Job, resume: bool, argument: str) -> None:
+    """Makes the store of a job without its chunks, or finds the one that it is to go on with.
+
+    Raises:
+        ValueError: there is one, and it is not to be resumed, or is of another run; names what differs.
+        WriteError: it cannot be made.
+    """
+    if not path.exists():
+        try:
+            _make(path, job)
+        except OSError as error:
+            raise WriteError(f"{path} cannot be written: {error.strerror or error}") from error
+    elif not resume:
+        raise ValueError(f"{argument}: got {str(path)!r}, which is there already, want a new name, or to resume it")
+    else:
+        check_same(path, job.about, argument)
+        for part in path.rglob("*.partial"):  # of killed writers
+            part.unlink(missing_ok=True)
+
+
+def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
+    """Refuses a store of another run.
+
+    Raises:
+        ValueError: names what differs.
+    """
+    kept = about_of(path)
+    for name in (*about, *kept):
+        old, new = kept.get(name), json.loads(json.dumps(about.get(name)))
+        if old != new:
+            raise ValueError(f"{argument}: got {str(path)!r} of {name} {told(old)}, want one of {name} {told(new)}")
+
+
+def about_of(path: Path) -> dict[str, Any]:
+    """All that repeats the run of a store."""
+    kept = zarr.open_group(path, mode="r").attrs.asdict()
+    return {name: value for name, value in kept.items() if name not in _ITS_OWN}
+
+
+def _make(path: Path, job: Job) -> None:
+    """The metadata, complete or absent."""
+    places, part = places_of(job), path.with_name(f".{path.name}.part")
+    shutil.rmtree(part, ignore_errors=True)
+    attributes = {**job.about, "coordinates": " ".join(name for name in places if name not in job.gives)}
+    group = zarr.create_group(part, zarr_format=3, attributes=attributes)
+    for name, (dtype, shape) in {**places, **job.gives}.items():
+        group.create_array(
+            name,
+            shape=(sum(job.chunks), *shape),
+            chunks=(max(1, job.chunks[0]), *shape),
+            dtype=dtype,
+            fill_value=_ABSENT[dtype.kind],
+            compressors=[ZstdCodec(level=1), Crc32cCodec()],  # a chunk that is cut short does not read as whole
+            dimension_names=dimensions(name, 1 + len(shape)),
+        )
+    with warnings.catch_warnings():  # that the format's text does not have them yet, though its readers do
+        warnings.simplefilter("ignore")
+        zarr.consolidate_metadata(part)
+    part.rename(path)
+
+
+def put(path: Path, start: int, arrays: dict[str, np.ndarray]) -> None:
+    """Writes a chunk of each array. A file appears when it is complete.
+
+    Raises:
+        WriteError: it cannot be written.
+    """
+    try:
+        kept = _arrays(path, (path / "zarr.json").stat().st_ino)
+        for name, rows in arrays.items():
+            kept[name][start : start + len(rows)] = rows
+    except OSError as error:
+        raise WriteError(f"{path} cannot be written: {error.strerror or error}") from None
+
+
+@lru_cache(maxsize=4)
+def _arrays(path: Path, _: int) -> dict[str, Any]:
+    """The arrays of a store, to be written; anew if it has been replaced."""
+    known = dict(zarr.open_group(path, mode="r+").arrays())
+    return {name: array.with_config({"write_empty_chunks": True}) for name, array in known.items()}
+
+
+def whole_chunks(path: Path) -> list[bool]:
+    """Which chunks are there in every array, and read as they were written."""
+    arrays = dict(zarr.open_group(path, mode="r").arrays())
+    rows, each = next(iter(arrays.values())).shape[0], next(iter(arrays.values())).chunks[0]
+    return [all(_is_whole(path / name, array, i) for name, array in arrays.items()) for i in range(-(-rows // each))]
+
+
+def _is_whole(folder: Path, array: Any, chunk: int) -> bool:
+    if not folder.joinpath("c", str(chunk), *("0" for _ in array.shape[1:])).is_file():
+        return False
+    try:
+        array[chunk * array.chunks[0] : (chunk + 1) * array.chunks[0]]
+    except Exception:  # of the checksum, or of a decompressor
+        return False
+    return True
