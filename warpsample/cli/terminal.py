@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from functools import wraps
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import typer
 
@@ -19,6 +19,10 @@ from warpsample.host.files import WriteError
 
 MESH_HELP = "Mesh file: .ply .obj .stl .off .glb .gltf .usd; or courtyard, an example"
 MeshFile = Annotated[Path, typer.Argument(help=f"{MESH_HELP}.", show_default=False)]
+At = Annotated[
+    Literal["vertices", "faces"] | None,
+    typer.Option(help="Where, if not at --points: at the vertices, or the faces' centres.", show_default=False),
+]
 FigureFile = Annotated[Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)]
 Size = Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")]
 

@@ -12,7 +12,7 @@ from warpsample.host.locks import once_property, read_only
 from warpsample.host.neighbours import as_ndarray, kind_told
 from warpsample.mesh.known import arrived, digest_of, remember
 from warpsample.mesh.polydata import surface
-from warpsample.mesh.polygons import triangles
+from warpsample.mesh.polygons import faces_of_cells
 from warpsample.mesh.report import MeshReport, report_of
 
 if TYPE_CHECKING:
@@ -177,33 +177,13 @@ def mesh_of(value: Any, argument: str, wants: str) -> Mesh:
         made = value if value.is_all_triangles and not value.n_strips else value.triangulate()
         return Mesh(made.points, made.regular_faces)
     if hasattr(value, "points") and hasattr(value, "cells"):
-        return Mesh(value.points, _faces_of_cells(value, argument))
+        return Mesh(value.points, faces_of_cells(value, argument))
     if isinstance(value, str | PurePath):
         raise TypeError(f"{argument}: got {told(value)}, want a mesh; warpsample.load_mesh reads files")
     raise TypeError(
         f"{argument}: got {kind_told(value)}, want {wants}, a tuple (vertices, faces), "
         "a pyvista.PolyData, a trimesh.Trimesh or a meshio.Mesh"
     )
-
-
-def _faces_of_cells(value: Any, argument: str) -> np.ndarray:
-    """The triangles, quadrilaterals and polygons of a meshio.Mesh as triangles; lines and points are ignored.
-
-    Raises:
-        ValueError: cells of other kinds, such as tetrahedra, or invalid polygons.
-    """
-    blocks = [block for block in value.cells if block.type != "vertex" and not block.type.startswith("line")]
-    others = sorted({block.type for block in blocks} - {"triangle", "quad", "polygon"})
-    if others:
-        raise ValueError(f"{argument}: got cells of type {', '.join(others)}, want only triangle, quad and polygon")
-    lengths = [np.array([len(face) for face in block.data], np.int64) for block in blocks if len(block.data)]
-    corners = [np.concatenate([np.asarray(face) for face in block.data]) for block in blocks if len(block.data)]
-    if not corners:
-        return np.empty((0, 3), np.int32)
-    try:
-        return triangles(np.asarray(value.points, np.float64), np.concatenate(lengths), np.concatenate(corners))
-    except ValueError as error:
-        raise ValueError(f"{argument}: got a meshio.Mesh whose cells are not faces: {error}") from None
 
 
 def unit_or_zero(vectors: np.ndarray) -> np.ndarray:

@@ -1,5 +1,7 @@
 """Polygons cut into triangles: as a fan where it lies inside the polygon, else by ear clipping."""
 
+from typing import Any
+
 import numpy as np
 
 
@@ -81,3 +83,23 @@ def _is_ear(corners: np.ndarray, at: int) -> bool:
 def _turn(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
     """Twice the signed area of the triangle abc, positive for a left turn."""
     return (b[..., 0] - a[..., 0]) * (c[..., 1] - a[..., 1]) - (b[..., 1] - a[..., 1]) * (c[..., 0] - a[..., 0])
+
+
+def faces_of_cells(value: Any, argument: str) -> np.ndarray:
+    """The triangles, quadrilaterals and polygons of a meshio.Mesh as triangles; lines and points are ignored.
+
+    Raises:
+        ValueError: cells of other kinds, such as tetrahedra, or invalid polygons.
+    """
+    blocks = [block for block in value.cells if block.type != "vertex" and not block.type.startswith("line")]
+    others = sorted({block.type for block in blocks} - {"triangle", "quad", "polygon"})
+    if others:
+        raise ValueError(f"{argument}: got cells of type {', '.join(others)}, want only triangle, quad and polygon")
+    lengths = [np.array([len(face) for face in block.data], np.int64) for block in blocks if len(block.data)]
+    corners = [np.concatenate([np.asarray(face) for face in block.data]) for block in blocks if len(block.data)]
+    if not corners:
+        return np.empty((0, 3), np.int32)
+    try:
+        return triangles(np.asarray(value.points, np.float64), np.concatenate(lengths), np.concatenate(corners))
+    except ValueError as error:
+        raise ValueError(f"{argument}: got a meshio.Mesh whose cells are not faces: {error}") from None
