@@ -9,7 +9,7 @@ import pytest
 import warp as wp
 
 import warpsample as ws
-from warpsample.cli import commands
+from warpsample.cli import bake, commands
 from warpsample.proof import defects, report
 from warpsample.proof.evidence import Evidence, Subject
 from warpsample.viewer.accessor import WarpsampleAccessor
@@ -114,7 +114,7 @@ def test_options_and_calls_are_those_of_the_commands_and_the_accessor(repository
     output = (repository / "warpsample" / "output" / "README.md").read_text()
     said = re.search(r"^(.*) also\ntake `--at", output, flags=re.MULTILINE)[1].split(". ")[-1]
     parameters = {name.removesuffix("_command"): inspect.signature(call).parameters for name, call in vars(commands).items()
-                  if inspect.isfunction(call) and call.__module__ == commands.__name__}  # fmt: skip
+                  if inspect.isfunction(call) and call.__module__ in (commands.__name__, bake.__name__)}  # fmt: skip
     assert re.findall(r"`(\w+)`", said) == sorted((n for n, given in parameters.items() if "at" in given), reverse=True)
     calls = re.search(
         r"^`mesh.warpsample` has (.*) \(and", (repository / "viz" / "README.md").read_text(), flags=re.MULTILINE

@@ -1,6 +1,7 @@
 """Jobs as Dask's tasks and arrays, and these as an xarray.Dataset."""
 
 import sys
+from collections import deque
 from operator import getitem
 from typing import Any
 from weakref import WeakValueDictionary
@@ -21,7 +22,9 @@ PLACES = {"position": (np.dtype(np.float64), (3,)), "normal": (np.dtype(np.float
 _SAMPLES = {"pdf", "distance", "face", "vectors"}
 """Arrays whose second axis are the samples of a point."""
 
+_KEPT = 4  # of what was sent: a scheduler that hears of the end of one only after it was sent again loses that too
 _sent: WeakValueDictionary[tuple[str, str], Any] = WeakValueDictionary()
+_last_sent: deque[Any] = deque(maxlen=_KEPT)
 
 
 def current_client() -> Any | None:
@@ -39,7 +42,7 @@ def current_client() -> Any | None:
 def shared_by_key(job: Job) -> tuple[dict[str, Any], list[Any]]:
     """Tasks that are the large arguments, and what other tasks call them by.
 
-    With a Client they are sent to each of its workers, once while something uses them; else they are part of the graph.
+    With a Client they are sent to each of its workers, the last few once for all; else they are part of the graph.
     """
     client = current_client()
     if client is None:
@@ -51,6 +54,7 @@ def shared_by_key(job: Job) -> tuple[dict[str, Any], list[Any]]:
         future = _sent.get(key)
         if future is None or future.status != "finished":
             future = _sent[key] = client.scatter(value, broadcast=True, hash=True)
+            _last_sent.append(future)
         called.append(future)
     return {}, called
 
