@@ -98,7 +98,7 @@ def sky_matrix(
         out = rows.whole() if weights is None else rows.folded(weights)
     if fold is not None and np.ndim(fold) == 1:
         out = [array[:, 0] for array in out]
-    return SkyMatrix(*out, rows.cast, rows.status, rows.skipped(), sky)
+    return SkyMatrix(*out, rows.cast, rows.status, rows.skipped(), sky, fold is not None)
 
 
 def _skies(fold: Any, patches: int) -> np.ndarray:
