@@ -121,6 +121,17 @@ def test_the_sky_is_that_of_gendaymtx_but_for_its_scale(patches, sky, request):
     assert not found[:, ~lit].any()
 
 
+@pytest.mark.parametrize(("longitude", "zone"), [(-171.8, 13.0), (-157.4, 14.0), (-176.5, 12.75), (178.0, 12.0)])
+def test_far_east_of_the_date_line_the_sky_is_bright_about_the_sun(tmp_path, longitude, zone):
+    """gendaymtx itself has no zones beyond 12 hours."""
+    path = write_epw(tmp_path / "samoa.epw", latitude=-13.8, longitude=longitude, zone=zone, altitude=2)
+    light = light_of(path, ("02-27", "03-01"), 0.0, "reinhart2", (0, 0, 1), (0, 1, 0))
+    high = light.sun[:, 2] > 0.3
+    brightest = light.patches.directions[light.radiance[:, np.isin(light.sky_rows, light.sun_rows[high])].argmax(axis=0)]
+    assert high.sum() > 20
+    assert (brightest * light.sun[high]).sum(axis=1).min() > np.cos(np.radians(7.0))
+
+
 def test_the_ground_is_that_of_gendaymtx_but_for_the_sun_s_place(athens):
     light = light_of(athens, DAY, 0.2, "tregenza", (0, 0, 1), (0, 1, 0))
     content = pyradiance.gendaymtx(athens, outform="f", solar_radiance=True, sky_color=[1, 1, 1])

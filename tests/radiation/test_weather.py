@@ -63,6 +63,19 @@ def test_what_follows_the_diffuse_radiation_does_not_count(tmp_path, athens, wid
     assert np.array_equal(read_weather(path).diffuse_horizontal, read_weather(athens).diffuse_horizontal)
 
 
+def test_quotation_marks_and_odd_line_ends_in_what_is_not_read_do_not_count(tmp_path, athens):
+    """pandas takes lines between two marks for one text; Python knows more ends of a line than files of weather."""
+
+    def marked(table):
+        return [[*row[:5], '"' if 4000 <= i < 4002 else "\x0c", *row[6:]] for i, row in enumerate(table)]
+
+    path = write_epw(tmp_path / "marked.epw", change=marked)
+    path.write_bytes(path.read_bytes().replace(b"1,none", '1,5" of rain\u2028and more'.encode(), 1))
+    weather, right = read_weather(path), read_weather(athens)
+    for name in ("hours", "direct_normal", "diffuse_horizontal", "sun_altitude"):
+        assert np.array_equal(getattr(weather, name), getattr(right, name))
+
+
 def test_athens_is_an_example_of_a_cloudless_year(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     weather = read_weather("athens")
@@ -115,7 +128,8 @@ FLAWS = {
     "blank": (cell(4000, 15, ""), "diffuse horizontal radiation .* first nan in line 4000"),
     "infinite": (cell(4000, 15, "inf"), "diffuse horizontal radiation .* first inf in line 4000"),
     "words": (cell(4000, 15, "bright"), "could not convert string to float: 'bright'"),
-    "a year of words": (cell(4000, 0, "now"), "time data"),
+    "a year of words": (cell(4000, 0, "now"), "line 4000 is of the year 'now', want one from 1800 to 2199"),
+    "a year of two digits": (cell(4000, 0, "99"), "line 4000 is of the year '99', want one from 1800 to 2199"),
 }
 
 

@@ -15,7 +15,7 @@ from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_glb, write_ply, write_vtp
 from warpsample.radiation.matrix_files import write_matrix
 
-SHARED = ("skipped", "hours", "patches")
+SHARED = ("skipped", "hours", "patches", "folded")
 """What a result has beside arrays with a row for each point."""
 
 _KEPT = 0.01  # of its area a face may gain or lose by a .glb's float32

@@ -1,13 +1,18 @@
 """What an EPW file must be, so that pvlib reads it rightly: it takes nearly anything."""
 
+import re
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from warpsample.host.arguments import told
+
 _HEADER = 8  # lines, the first LOCATION, the last DATA PERIODS
 _FIELDS = 16  # of a row, up to the diffuse radiation; pvlib names 35, and some files have fewer
 _PVLIB_FIELDS = 35
+_DIRECT = 14  # the field of the direct radiation, from 0
+_YEAR = re.compile("(1[89]|2[01])[0-9]{2}")
 _STRONGEST = 1500.0  # W/m²: outside the atmosphere it is 1,412, and what is missing is told as 9999
 _LIMITS = {"latitude": 90, "longitude": 180, "time zone": 14, "altitude": 9000}  # degrees, hours, metres
 _DAYS = (31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
@@ -17,17 +22,19 @@ YEAR = [(month, day, hour) for month in range(1, 13) for day in range(1, _DAYS[m
 
 
 def checked_text(path: Path) -> str:
-    """The file's text with 35 fields in each row: pvlib shifts the columns of longer ones, and guesses wrong types.
+    """The place, and rows of 35 fields with date, hour and radiation alone: pvlib trips over much of what else may be there.
+
+    It shifts the columns of longer rows, guesses wrong types, and takes a quotation mark to begin many lines of text.
 
     Raises:
         ValueError: other lines than those of 8,760 hours.
     """
-    lines = path.read_bytes().decode("utf-8-sig", errors="replace").splitlines()
+    lines = re.split("\r\n|\r|\n", path.read_bytes().decode("utf-8-sig", errors="replace"))
     for number, name in ((1, "LOCATION"), (_HEADER, "DATA PERIODS")):
         if len(lines) < number or not lines[number - 1].upper().startswith(f"{name},"):
             raise ValueError(f"line {number} does not begin with {name}")
     _check_place(lines[0])
-    header, rows = lines[:_HEADER], [line.split(",") for line in lines[_HEADER:] if line.strip()]
+    rows = [line.replace('"', "").split(",") for line in lines[_HEADER:] if line.strip()]
     for number, row in enumerate(rows, _HEADER + 1):
         if len(row) < _FIELDS:
             raise ValueError(f"line {number} has {len(row)} fields, want at least {_FIELDS}, up to the diffuse radiation")
@@ -38,7 +45,11 @@ def checked_text(path: Path) -> str:
         if tuple(map(str.strip, row[1:4])) not in (tuple(map(str, right)), tuple(f"{part:02}" for part in right)):
             date = "month {}, day {}, hour {}"
             raise ValueError(f"line {number} is of {date.format(*row[1:4])}, want {date.format(*right)}")
-    return "\n".join(header + [",".join(row[:_FIELDS]) + "," * (_PVLIB_FIELDS - _FIELDS) for row in rows])
+        if not _YEAR.fullmatch(row[0].strip()):
+            raise ValueError(f"line {number} is of the year {told(row[0])}, want one from 1800 to 2199")
+    between, after = [""] * (_DIRECT - 4), [""] * (_PVLIB_FIELDS - _FIELDS)
+    kept = [",".join([*row[:4], *between, *row[_DIRECT:_FIELDS], *after]) for row in rows]
+    return "\n".join([lines[0], *["-"] * (_HEADER - 1), *kept])
 
 
 def _check_place(line: str) -> None:

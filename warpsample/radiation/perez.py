@@ -63,14 +63,19 @@ def _pyradiance() -> Any:
 
 
 def _wea(weather: Weather) -> bytes:
-    """The hours in Radiance's format, whose places are degrees to the west, each with its middle as its time."""
+    """The hours in Radiance's format, whose places are degrees to the west, each with its middle as its time.
+
+    It has no zones beyond 12 hours: those of Samoa or Kiribati, 13 and 14, are told as the same hours of the day before.
+    """
+    days = round(weather.time_zone / 24.0)
     head = [
         "place warpsample",
         f"latitude {weather.latitude}",
         f"longitude {-weather.longitude}",
-        f"time_zone {-15.0 * weather.time_zone}",
+        f"time_zone {-15.0 * (weather.time_zone - 24.0 * days)}",
         f"site_elevation {weather.altitude}",
         "weather_data_file_units 1",
     ]
-    rows = zip(weather.hours.tolist(), weather.direct_normal.tolist(), weather.diffuse_horizontal.tolist(), strict=True)
+    hours = weather.hours - np.timedelta64(days, "D")
+    rows = zip(hours.tolist(), weather.direct_normal.tolist(), weather.diffuse_horizontal.tolist(), strict=True)
     return "\n".join([*head, *(f"{t.month} {t.day} {t.hour + 0.5} {sun} {sky}" for t, sun, sky in rows), ""]).encode()

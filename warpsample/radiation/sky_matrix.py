@@ -10,6 +10,7 @@ from warpsample.estimate.result import PointStatus
 from warpsample.estimate.runner import Runner
 from warpsample.estimate.weights import OPEN
 from warpsample.host.arrays import as_real, cpu
+from warpsample.host.device_memory import Loan
 from warpsample.host.engine import check_memory, run
 from warpsample.host.progress import bar
 from warpsample.mesh.surface import SurfacePoints
@@ -92,12 +93,12 @@ def sky_matrix(
         f"{len(plan.points):,} rows of {columns:,} numbers and their errors",
         "take the points in parts" if fold is not None else "take the points in parts, or pass fold",
     )
-    with bar(plan.progress, "casting rays", len(plan.points)):
-        rows = _Rows(plan, sky)
+    with bar(plan.progress, "casting rays", len(plan.points)), plan.memory.loan() as loan:
+        rows = _Rows(plan, sky, loan)
         out = rows.whole() if weights is None else rows.folded(weights)
     if fold is not None and np.ndim(fold) == 1:
         out = [array[:, 0] for array in out]
-    return SkyMatrix(*out, rows.cast, rows.status, rows.skipped(), sky)
+    return SkyMatrix(*out, rows.cast, rows.status, rows.skipped(), sky, fold is not None)
 
 
 def _skies(fold: Any, patches: int) -> np.ndarray:
@@ -118,12 +119,12 @@ def _skies(fold: Any, patches: int) -> np.ndarray:
 class _Rows:
     """The points of a plan under a sky, and the arrays that their rows are written to."""
 
-    def __init__(self, plan: Plan, sky: SkyPatches) -> None:
-        """Places the points."""
+    def __init__(self, plan: Plan, sky: SkyPatches, loan: Loan) -> None:
+        """Places the points; the loan is one of the CPU's memory."""
         self.plan, self.sky, points = plan, sky, len(plan.points)
         self.cast, self.open, self.closed, self.below = (np.zeros(points, np.int32) for _ in range(4))
         self.status = np.zeros(points, np.uint8)
-        self.runner = Runner(plan, Quantity(OPEN), plan.memory.loan())
+        self.runner = Runner(plan, Quantity(OPEN), loan)
         self.table, self.frame, self.begins = table_of(sky), np.ascontiguousarray(sky.frame), groups_of(sky)
         self.beams = beams_of(sky, np.arange(len(sky) + 1))
         self.group_beams = beams_of(sky, self.begins)

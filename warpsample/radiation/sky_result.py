@@ -50,6 +50,7 @@ class SkyMatrix:
         status: (P,) uint8, a `PointStatus`.
         skipped: what was not done.
         patches: the sky.
+        folded: whether the values are sums over the patches.
     """
 
     value: np.ndarray
@@ -58,6 +59,7 @@ class SkyMatrix:
     status: np.ndarray
     skipped: SkySkipped
     patches: SkyPatches
+    folded: bool = False
 
     def counts(self) -> dict[PointStatus, int]:
         """How many points have each status; those that occur.
@@ -98,7 +100,7 @@ class SkyMatrix:
         target = Path(path)
         if target.suffix not in _FORMATS:
             raise ValueError(f"path: got {str(path)!r}, want {wants}")
-        if target.suffix == ".mtx" and self.value.shape != (len(self.value), len(self.patches)):
+        if target.suffix == ".mtx" and self.folded:
             raise ValueError(f"path: got {str(path)!r} for sums of shape {self.value.shape}, want .npz, or no fold")
         check_output(target, "path")
         with complete_or_absent(target) as stream:
