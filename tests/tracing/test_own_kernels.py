@@ -1,6 +1,9 @@
 """Rays in kernels of a user's own: the answers of `trace`, bit for bit, wherever rays come from."""
 
 import gc
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -125,3 +128,11 @@ def test_a_wrong_device_is_named(bunny):
         ws.tree(bunny, device="cuda:7")
     with pytest.raises(TypeError, match="^device: got 7, want one of cpu"):
         ws.tree(bunny, device=7)
+
+
+@pytest.mark.slow
+def test_a_tape_takes_the_answers_as_constants(child_environment):
+    """In a child process: a backward pass through the memory of the tree gave NaN, or, in a larger mesh, crashed."""
+    script = Path(__file__).parents[1] / "support" / "tape_of_rays.py"
+    done = subprocess.run([sys.executable, script], env=child_environment, check=False, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
