@@ -3,6 +3,7 @@
 import gc
 import subprocess
 import sys
+import weakref
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,7 @@ from meshes import CLOSED, random_rays, soup
 import warpsample as ws
 from warpsample import funcs
 from warpsample.proof.rays import rays_inside
+from warpsample.tracing.scene import scene_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -90,6 +92,24 @@ def test_the_tree_keeps_its_memory(bunny):
     filler = [np.full(10**6, np.nan, np.float32) for _ in range(8)]
     assert np.array_equal(asked(tree, origins, directions)[0], expected)
     assert len(filler) == 8
+
+
+@wp.struct
+class Holder:
+    tree: funcs.Tree
+
+
+def test_a_struct_that_holds_a_tree_keeps_its_memory(bunny):
+    """That of a device too, which no array of the tree is in: a struct in a struct is a copy."""
+    mesh, holder = ws.Mesh(bunny.vertices, bunny.faces), Holder()
+    scene = weakref.ref(scene_of(mesh))
+    holder.tree = ws.tree(mesh)
+    del mesh
+    gc.collect()
+    assert scene() is not None
+    del holder
+    gc.collect()
+    assert scene() is None
 
 
 @wp.kernel

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from warpsample.estimate.definitions import naming_function
 from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.picture import read_picture
 from warpsample.estimate.plan import Plan, Quantity
@@ -78,7 +79,8 @@ def irradiance(
     )
     axis = as_unit(up, "up")
     if isinstance(radiance, wp.Function):
-        return plan.estimate(Quantity(integrand_of(radiance, argument="radiance", device=plan.memory.device), unit=pi))
+        with naming_function("radiance"):
+            return plan.estimate(Quantity(integrand_of(radiance, argument="radiance", device=plan.memory.device), unit=pi))
     picture = _picture(radiance)
     colour = picture.ndim == 3
     pixels = np.ascontiguousarray(np.broadcast_to(picture if colour else picture[..., None], (*picture.shape[:2], 3)))

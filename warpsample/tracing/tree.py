@@ -224,7 +224,8 @@ def tree(mesh: Any, device: Any = None, workers: int | None = None) -> Any:
     else:
         made.mesh = scene.builtin(where).mesh
         made.extent = wp.vec3(1.0, 1.0, 1.0)
-    object.__setattr__(made, "_scene", scene)  # which owns the memory
+        made.nodes = made.leaves = wp.empty(0, dtype=wp.float32, device=where)
+    made.nodes.scene = scene  # which owns the memory: copies of a struct share its arrays, and nothing else
     return made
 
 
