@@ -156,3 +156,11 @@ def test_a_tape_takes_the_answers_as_constants(child_environment):
     script = Path(__file__).parents[1] / "support" / "tape_of_rays.py"
     done = subprocess.run([sys.executable, script], env=child_environment, check=False, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.skipif(wp.is_cuda_available(), reason="a CUDA device")
+def test_a_missing_device_is_named_by_one_error_alone(bunny, capfd):
+    """Warp would print its driver's to stderr."""
+    with pytest.raises(ValueError, match="^device: got 'cuda', want one of cpu$"):
+        ws.tree(bunny, device="cuda")
+    assert capfd.readouterr().err == ""

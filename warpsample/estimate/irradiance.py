@@ -54,7 +54,8 @@ def irradiance(
         active: (P,) bool; other points get 0 and a status.
         tolerance: the standard error to reach, in the result's unit, as the root mean square over the points; by default
             each point takes `count` rays.
-        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
+        skip: whether to look for rays that meet nothing and leave them out; changes no bit. With a tolerance, points that
+            meet nothing take fewer rays by it.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
         device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
         workers: threads on the CPU, all cores by default.
