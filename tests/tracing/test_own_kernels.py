@@ -1,6 +1,10 @@
 """Rays in kernels of a user's own: the answers of `trace`, bit for bit, wherever rays come from."""
 
 import gc
+import subprocess
+import sys
+import weakref
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,6 +14,7 @@ from meshes import CLOSED, random_rays, soup
 import warpsample as ws
 from warpsample import funcs
 from warpsample.proof.rays import rays_inside
+from warpsample.tracing.scene import scene_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -89,6 +94,24 @@ def test_the_tree_keeps_its_memory(bunny):
     assert len(filler) == 8
 
 
+@wp.struct
+class Holder:
+    tree: funcs.Tree
+
+
+def test_a_struct_that_holds_a_tree_keeps_its_memory(bunny):
+    """That of a device too, which no array of the tree is in: a struct in a struct is a copy."""
+    mesh, holder = ws.Mesh(bunny.vertices, bunny.faces), Holder()
+    scene = weakref.ref(scene_of(mesh))
+    holder.tree = ws.tree(mesh)
+    del mesh
+    gc.collect()
+    assert scene() is not None
+    del holder
+    gc.collect()
+    assert scene() is None
+
+
 @wp.kernel
 def occlusion(
     tree: funcs.Tree,
@@ -125,3 +148,19 @@ def test_a_wrong_device_is_named(bunny):
         ws.tree(bunny, device="cuda:7")
     with pytest.raises(TypeError, match="^device: got 7, want one of cpu"):
         ws.tree(bunny, device=7)
+
+
+@pytest.mark.slow
+def test_a_tape_takes_the_answers_as_constants(child_environment):
+    """In a child process: a backward pass through the memory of the tree gave NaN, or, in a larger mesh, crashed."""
+    script = Path(__file__).parents[1] / "support" / "tape_of_rays.py"
+    done = subprocess.run([sys.executable, script], env=child_environment, check=False, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.skipif(wp.is_cuda_available(), reason="a CUDA device")
+def test_a_missing_device_is_named_by_one_error_alone(bunny, capfd):
+    """Warp would print its driver's to stderr."""
+    with pytest.raises(ValueError, match="^device: got 'cuda', want one of cpu$"):
+        ws.tree(bunny, device="cuda")
+    assert capfd.readouterr().err == ""

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from warpsample.estimate.definitions import NUMBERS, latest, meaning, names_in, returned
 from warpsample.host.arguments import told
 from warpsample.host.arrays import cpu
 from warpsample.host.device_memory import Loan, at_home
@@ -16,9 +17,6 @@ from warpsample.host.locks import once
 from warpsample.host.neighbours import kind_told
 
 WANTED = "a wp.func (w: wp.vec3[, lobe: funcs.Lobe[, data: the struct of `data`]]) -> float or wp.vec3, annotated"
-
-_NUMBERS = (float, int, wp.float16, wp.float32, wp.float64, wp.int8, wp.int16, wp.int32, wp.int64)
-_NUMBERS += (wp.uint8, wp.uint16, wp.uint32, wp.uint64)
 
 
 @wp.struct
@@ -70,15 +68,16 @@ class Integrand:
 
 
 def integrand_of(function: Any, data: Any = None, argument: str = "integrand", device: wp.Device | None = None) -> Integrand:
-    """A user's function and data, for a device; the CPU by default.
+    """A user's function and data, as they are now, for a device; the CPU by default.
 
     Raises:
         TypeError: not a function that can be integrated; names the argument.
         ValueError: an array in the data is neither on the CPU nor on the device.
     """
-    struct = _struct_of(data, device or cpu())
+    data, struct = _own(data, device or cpu())
     if not isinstance(function, wp.Function) or function.func is None:
         raise TypeError(f"{argument}: got {told(function)}, want {WANTED}")
+    function = latest(function)
     names = list(signature(function.func).parameters)
     missing = [name for name in names if name not in function.input_types]
     if missing:
@@ -89,39 +88,57 @@ def integrand_of(function: Any, data: Any = None, argument: str = "integrand", d
         shown = ", ".join(f"{name}: {_name(kind)}" for name, kind in function.input_types.items())
         most = ", ".join(_name(kind) for kind in known)
         if given[:2] == known[:2] and len(given) == 3:
-            got = "None" if data is None else _name(struct)
-            raise TypeError(f"data: got {got}, want {_name(given[2])}, which {argument} takes")
+            got, wants = "None" if data is None else _name(struct), _name(given[2])
+            if got == wants:
+                wants = f"the {wants} that {argument} takes; define the struct, the function and the data again"
+                raise TypeError(f"data: got a {got} of another definition, want {wants}")
+            raise TypeError(f"data: got {got}, want {wants}, which {argument} takes")
         raise TypeError(f"{argument}: got a function of ({shown}), want {WANTED}; here of ({most})")
     if data is not None and len(given) < len(known):
         raise TypeError(f"data: got {_name(struct)} for a function that takes none, want a function that does, or None")
+    if data is not None:
+        _check_arrays_are_set(data, names_in(function))
     colour = _returns_colour(function, argument)
-    data = NoData() if data is None else data
-    return Integrand(_in_one_form(function, struct, len(given), colour), 3 if colour else 1, data, struct)
+    form = _in_one_form(function, struct, len(given), colour, meaning(function))
+    return Integrand(form, 3 if colour else 1, NoData() if data is None else data, struct)
 
 
-def _struct_of(data: Any, device: wp.Device) -> Any:
-    """The wp.struct of an instance; NoData for None."""
+def _own(data: Any, device: wp.Device) -> tuple[Any, Any]:
+    """(a copy of an instance that holds the same arrays, its wp.struct): its fields may be set while the call runs."""
     if data is None:
-        return NoData
+        return None, NoData
     struct = getattr(data, "_cls", None)  # what a kernel's argument is annotated with
     if struct is None or not hasattr(data, "__ctype__"):
         raise TypeError(f"data: got {told(data)}, want an instance of a wp.struct, or None")
-    for name, array in _arrays_in(data):
-        if array.device and not (array.device.is_cpu or array.device == device):
+    own = data._cls()
+    own.assign(data)
+    for name, array in _arrays_in(own):
+        if array is not None and array.device and not (array.device.is_cpu or array.device == device):
             wants = "cpu" if device.is_cpu else f"cpu or {device}"
             raise ValueError(f"data: got an array {name} on {array.device}, want it on {wants}")
-        if not isinstance(array, wp.array) and not at_home(device):
+        if not isinstance(array, wp.array | None) and not at_home(device):
             raise TypeError(f"data: got {kind_told(array)} as {name}, want a wp.array for {device}")
-    return struct
+    return own, struct
+
+
+def _check_arrays_are_set(data: Any, names: set[str]) -> None:
+    """Refuses data without an array that is read: a kernel would read from address 0.
+
+    Raises:
+        ValueError: it is not set.
+    """
+    for name, array in _arrays_in(data):
+        if array is None and name.rpartition(".")[2] in names:
+            raise ValueError(f"data: got {_name(data._cls)} whose array {name} is not set, want one, or one of no elements")
 
 
 def _arrays_in(data: Any, within: str = "") -> Iterator[tuple[str, Any]]:
-    """(name, array) of all arrays in a struct and the structs in it."""
+    """(name, array) of all arrays in a struct and the structs in it; None for one that is not set."""
     for name in data._cls.vars:
         value = getattr(data, name)
         if hasattr(value, "_cls"):
             yield from _arrays_in(value, f"{within}{name}.")
-        elif hasattr(value, "device"):
+        elif value is None or hasattr(value, "device"):
             yield within + name, value
 
 
@@ -140,7 +157,7 @@ def _moved(data: Any, loan: Loan) -> Any:
 
 def _returns_colour(function: wp.Function, argument: str) -> bool:
     """Whether a function gives a vec3, and not a number."""
-    kind = getattr(function.func, "__annotations__", {}).get("return")
+    kind = returned(function)
     if kind is None:
         try:
             kind = type(function(wp.vec3(0.0, 0.0, 1.0)))
@@ -149,7 +166,7 @@ def _returns_colour(function: wp.Function, argument: str) -> bool:
                 f"{argument}: got a function that does not say what it returns and cannot be called with a direction "
                 f"({error}), want {WANTED}"
             ) from error
-    if kind not in (wp.vec3, *_NUMBERS):
+    if kind not in (wp.vec3, *NUMBERS):
         raise TypeError(f"{argument}: got a function that gives {_name(kind)}, want {WANTED}")
     return kind is wp.vec3
 
@@ -170,8 +187,11 @@ def _number_as_vector(x: Any) -> wp.vec3:
 
 
 @once
-def _in_one_form(function: wp.Function, struct: Any, count: int, colour: bool) -> wp.Function:
-    """A function of up to three arguments that gives a number of any type or a vec3, as one of three that gives a vec3."""
+def _in_one_form(function: wp.Function, struct: Any, count: int, colour: bool, meaning: tuple[Any, ...]) -> wp.Function:
+    """A function of up to three arguments that gives a number of any type or a vec3, as one of three that gives a vec3.
+
+    Another meaning makes another one.
+    """
     vector = _as_vector if colour else _number_as_vector
     if count == 1:
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
+from warpsample.estimate.definitions import naming_function
 from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.plan import Plan, Quantity, reach_of
 from warpsample.estimate.result import Estimate, PointStatus
@@ -43,8 +44,8 @@ def integrate(
     Args:
         points: SurfacePoints; without a mesh also normals, (P, 3) of any length.
         integrand: a wp.func (w: wp.vec3, lobe: funcs.Lobe, data: the type of `data`) -> float or wp.vec3, annotated; the
-            last arguments may be left out. `w` is a unit direction in world coordinates; `lobe` has the unit normal, the
-            row in this call and the global id of the point.
+            last arguments may be left out; what it names counts as it is now. `w` is a unit direction in world coordinates,
+            `lobe` has the unit normal, the row in this call and the global id of the point.
         count: directions of each point, 2 to 2^24; rounded down as for `ambient_occlusion`.
         data: an instance of a wp.struct, which may hold arrays on the CPU or the device; a wp.Mesh's id only of one there.
         distribution: of the directions, an instance or a name for one with its defaults.
@@ -56,7 +57,8 @@ def integrate(
         active: (P,) bool; other points get 0 and a status.
         tolerance: the standard error to reach in each component, as the root mean square over the points; by default each
             point takes `count` directions.
-        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
+        skip: whether to look for rays that meet nothing and leave them out; changes no bit. With a tolerance, points that
+            meet nothing take fewer rays by it.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
         device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
         workers: threads on the CPU, all cores by default.
@@ -100,7 +102,8 @@ def integrate(
     if mesh is None and max_distance is not None:
         raise ValueError(f"max_distance: got {told(max_distance)} without a mesh, want it with one")
     first = _first_of(plan)
-    found = first.estimate(quantity)
+    with naming_function("integrand"):
+        found = first.estimate(quantity)
     _check_finite(found)
     return found if first is plan else plan.estimate(quantity)
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from warpsample.estimate.definitions import naming_function
 from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.picture import read_picture
 from warpsample.estimate.plan import Plan, Quantity
@@ -53,7 +54,8 @@ def irradiance(
         active: (P,) bool; other points get 0 and a status.
         tolerance: the standard error to reach, in the result's unit, as the root mean square over the points; by default
             each point takes `count` rays.
-        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
+        skip: whether to look for rays that meet nothing and leave them out; changes no bit. With a tolerance, points that
+            meet nothing take fewer rays by it.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
         device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
         workers: threads on the CPU, all cores by default.
@@ -78,7 +80,8 @@ def irradiance(
     )
     axis = as_unit(up, "up")
     if isinstance(radiance, wp.Function):
-        return plan.estimate(Quantity(integrand_of(radiance, argument="radiance", device=plan.memory.device), unit=pi))
+        with naming_function("radiance"):
+            return plan.estimate(Quantity(integrand_of(radiance, argument="radiance", device=plan.memory.device), unit=pi))
     picture = _picture(radiance)
     colour = picture.ndim == 3
     pixels = np.ascontiguousarray(np.broadcast_to(picture if colour else picture[..., None], (*picture.shape[:2], 3)))

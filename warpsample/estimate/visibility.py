@@ -133,7 +133,8 @@ def sky_view_factor(
         first_point: the global id of row 0.
         active: (P,) bool; other points get 0 and a status.
         tolerance: the standard error to reach, as the root mean square over the points; by default each takes `count` rays.
-        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
+        skip: whether to look for rays that meet nothing and leave them out; changes no bit. With a tolerance, points that
+            meet nothing take fewer rays by it.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
         device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
         workers: threads on the CPU, all cores by default.
@@ -197,7 +198,8 @@ def bent_normals(
         active: (P,) bool; other points get 0 and a status.
         tolerance: the standard error to reach in each component, as the root mean square over the points; by default each
             point takes `count` rays.
-        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
+        skip: whether to look for rays that meet nothing and leave them out; changes no bit. With a tolerance, points that
+            meet nothing take fewer rays by it.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
         device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
         workers: threads on the CPU, all cores by default.

@@ -31,6 +31,8 @@ def check_device(device: Any, default: wp.Device) -> wp.Device:
     if not isinstance(device, str | wp.Device):
         raise TypeError(f"device: got {told(device)}, want one of {known}")
     try:
+        if device == "cuda" and not wp.is_cuda_available():  # get_device would print errors of a driver that is missing
+            raise ValueError("there is none")
         return wp.get_device(device)
     except Exception as error:  # Warp raises several types for a device that does not exist
         raise ValueError(f"device: got {told(device)}, want one of {known}") from error

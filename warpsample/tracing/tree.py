@@ -95,17 +95,9 @@ def _column(d: wp.vec3, rows: wp.array[wp.float32]):
 
 
 @wp.func
-def any_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32) -> bool:
-    """Whether a ray meets the mesh before max_distance.
-
-    Args:
-        tree: of `warpsample.tree`.
-        origin: vec3 or vec3d, in the mesh's coordinates; on the surface, see `offset_origin`.
-        direction: of any length.
-        max_distance: in units of the coordinates; wp.INF for no limit.
-    """
+def _any_hit(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32) -> bool:
     hit = wp.bool(False)
-    ray = _local(tree, _in_double(origin), direction, max_distance)
+    ray = _local(tree, origin, direction, max_distance)
     if ray.reach > 0.0:
         if tree.mesh != wp.uint64(0):
             hit = wp.mesh_query_ray_anyhit(tree.mesh, ray.o, ray.d, ray.reach)
@@ -120,18 +112,10 @@ def any_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float3
 
 
 @wp.func
-def nearest_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32):
-    """(distance, face) of the nearest face before max_distance; (inf, -1) if there is none, (NaN, -1) for an invalid ray.
-
-    Args:
-        tree: of `warpsample.tree`.
-        origin: vec3 or vec3d, in the mesh's coordinates; on the surface, see `offset_origin`.
-        direction: of any length.
-        max_distance: in units of the coordinates; wp.INF for no limit.
-    """
+def _nearest_hit(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32):
     distance = wp.float32(wp.INF)
     face = wp.int32(-1)
-    ray = _local(tree, _in_double(origin), direction, max_distance)
+    ray = _local(tree, origin, direction, max_distance)
     if ray.reach > 0.0:
         near = wp.float32(wp.INF)
         if tree.mesh != wp.uint64(0):
@@ -148,6 +132,53 @@ def nearest_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.fl
         distance = wp.float32((wp.float64(near) + wp.float64(ray.ahead)) * (_ONE / tree.scale))
     elif not (ray.reach <= 0.0):
         distance = wp.float32(wp.NAN)
+    return distance, face
+
+
+# The walks read memory by its address, where no gradients are: the backward pass that Warp makes of them crashes.
+@wp.func_grad(_any_hit)
+def _no_gradient(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32, adj_hit: bool):
+    pass
+
+
+@wp.func_grad(_nearest_hit)
+def _no_gradients(
+    tree: Tree,
+    origin: wp.vec3d,
+    direction: wp.vec3,
+    max_distance: wp.float32,
+    adj_distance: wp.float32,
+    adj_face: wp.int32,
+):
+    pass
+
+
+@wp.func
+def any_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32) -> bool:
+    """Whether a ray meets the mesh before max_distance. Under wp.Tape it is a constant.
+
+    Args:
+        tree: of `warpsample.tree`.
+        origin: vec3 or vec3d, in the mesh's coordinates; on the surface, see `offset_origin`.
+        direction: of any length.
+        max_distance: in units of the coordinates; wp.INF for no limit.
+    """
+    return _any_hit(tree, _in_double(origin), direction, max_distance)
+
+
+@wp.func
+def nearest_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32):
+    """(distance, face) of the nearest face before max_distance; (inf, -1) if there is none, (NaN, -1) for an invalid ray.
+
+    Under wp.Tape both are constants: no gradient goes through them.
+
+    Args:
+        tree: of `warpsample.tree`.
+        origin: vec3 or vec3d, in the mesh's coordinates; on the surface, see `offset_origin`.
+        direction: of any length.
+        max_distance: in units of the coordinates; wp.INF for no limit.
+    """
+    distance, face = _nearest_hit(tree, _in_double(origin), direction, max_distance)
     return distance, face
 
 
@@ -193,7 +224,8 @@ def tree(mesh: Any, device: Any = None, workers: int | None = None) -> Any:
     else:
         made.mesh = scene.builtin(where).mesh
         made.extent = wp.vec3(1.0, 1.0, 1.0)
-    object.__setattr__(made, "_scene", scene)  # which owns the memory
+        made.nodes = made.leaves = wp.empty(0, dtype=wp.float32, device=where)
+    made.nodes.scene = scene  # which owns the memory: copies of a struct share its arrays, and nothing else
     return made
 
 
