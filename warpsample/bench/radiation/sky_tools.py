@@ -1,8 +1,10 @@
 """Sky matrices by each tool: (rays of each point, runs) -> (runs, P, 145), each run with random numbers of its own."""
 
 import os
+import shutil
 import subprocess
 import tempfile
+import weakref
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from itertools import count as count_from
@@ -110,8 +112,9 @@ class _Rcontrib:
         import pyradiance  # noqa: PLC0415
 
         home = Path(pyradiance.__file__).parent
-        self.folder = tempfile.TemporaryDirectory()
-        self.octree, self.program = Path(self.folder.name) / "scene.oct", home / "bin" / "rcontrib"
+        folder = tempfile.mkdtemp()
+        weakref.finalize(self, shutil.rmtree, folder)
+        self.octree, self.program = Path(folder) / "scene.oct", home / "bin" / "rcontrib"
         self.environment = {**os.environ, "RAYPATH": str(home / "lib")}
         scale = 100.0 / size_of(mesh)  # sensors are lifted by 1e-4
         scene = self.octree.with_suffix(".rad")
