@@ -57,6 +57,13 @@ def test_equal_errors_take_as_many_more_rays():
     assert measuring.at_equal_error([1.5], theirs, [0.1], ours).median == pytest.approx((0.5 + 16.0) / 0.1)
 
 
+def test_a_tool_that_disagrees_is_wrong_and_one_that_is_missing_is_not():
+    right = measuring.Found([measuring.Sky("city", 1, OURS, agrees=True)], [measuring.Sun("city", 1, TRACE, 9, "no")], [])
+    assert not RECORD.wrong(right)
+    assert RECORD.wrong(replace(right, sky=[replace(right.sky[0], agrees=False)]))
+    assert RECORD.wrong(replace(right, sun=[replace(right.sun[0], agrees=False)]))
+
+
 def test_years_are_on_a_line():
     assert measuring.Year("city", 2, 400, 200, None, 5.0, 4.0).extrapolated(1000) == pytest.approx(8.0)
     assert measuring.Year("city", 2, 400, 200, "no pvlib").extrapolated() is None
@@ -93,7 +100,6 @@ def test_all_is_measured_and_shown(tmp_path, capsys):
     assert [row.agrees for row in sun] == [True, True, True]
     assert set(SUN_TOOLS) >= {row.tool for row in sun}
     assert not RECORD.wrong(found)
-    assert RECORD.wrong(replace(found, sun=[replace(sun[0], agrees=False)]))
     text = "\n".join(lines_of("radiation", SETTINGS, found, capsys))
     assert "nobody did not run here: KeyError" in text
     assert "Sky matrix, bunny, 1,024 rays a point, 32 points, threads: 1" in text

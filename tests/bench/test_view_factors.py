@@ -88,6 +88,12 @@ def test_equal_errors_take_more_rays_or_fewer_of_ours():
     assert not measuring.judged({**told, "due": None, "relative": 0.4, "independent": False}, ours, [1.0], [1.0])["agrees"]
 
 
+def test_a_tool_that_disagrees_is_wrong_and_one_that_is_missing_is_not():
+    missing, right = (measuring.Factors("city 1", 104, 1, OURS, *rest) for rest in (("no",), ()))
+    assert not RECORD.wrong(measuring.Found([missing, replace(right, agrees=True)]))
+    assert RECORD.wrong(measuring.Found([missing, replace(right, agrees=False)]))
+
+
 @pytest.mark.slow
 def test_all_is_measured_and_shown(tmp_path, capsys):
     rows = measuring.compare("city 1", 1, [*TOOLS, TRACE, "nobody"], 1, 256)
@@ -101,7 +107,6 @@ def test_all_is_measured_and_shown(tmp_path, capsys):
     assert 50.0 < by_tool[OURS].peak_megabytes < 700.0
     found = measuring.Found(rows)
     assert not RECORD.wrong(found)
-    assert RECORD.wrong(measuring.Found([replace(rows[1], agrees=False)]))
     text = "\n".join(lines_of("view-factors", SETTINGS, found, capsys))
     assert "city 1, 104 faces, threads: 1" in text
     assert "nobody did not run here: KeyError" in text

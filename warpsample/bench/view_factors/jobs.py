@@ -1,12 +1,14 @@
 """The jobs of the processes: all view factors of a scene by a tool, or the tracing of as many rays."""
 
 from importlib.metadata import version
+from time import perf_counter
 from typing import Any
 
 import numpy as np
 
 from warpsample.bench.child import Job
 from warpsample.bench.machine import peak_megabytes
+from warpsample.bench.timing import stopwatch
 from warpsample.bench.view_factors.scenes import scene_of
 from warpsample.bench.view_factors.tools import OURS, TOOLS, TRACE, Embree, Ours, Trace
 from warpsample.mesh.mesh import Mesh
@@ -46,7 +48,9 @@ def build_factors(tool: str, scene: str, rays: int, fewer: int, workers: int, re
     faces = judged_faces(mesh)
     if tool == TRACE:
         alone = Trace(mesh, workers, faces, rays)
-        told = {"version": version("warpsample"), "rays": rays, "scale": len(mesh.faces) / len(faces)}
+        alone.run(rays)
+        first = stopwatch(lambda: alone.run(rays))()
+        told = {"version": version("warpsample"), "rays": rays, "scale": len(mesh.faces) / len(faces), "first": first}
         return Job(lambda: alone.run(rays), lambda: told)
     library, make = TOOLS[tool]
     few = make(scene_of("boxes 1"), workers)
@@ -54,6 +58,12 @@ def build_factors(tool: str, scene: str, rays: int, fewer: int, workers: int, re
     used, independent = make(mesh, workers), tool == "embreex"
     count = fewer if independent else rays
     before = peak_megabytes()
+    taken: list[float] = []
+
+    def work() -> None:
+        start = perf_counter()
+        used.run(count)
+        taken.append(perf_counter() - start)
 
     def report() -> dict[str, Any]:
         right = np.load(reference, allow_pickle=False)
@@ -72,9 +82,10 @@ def build_factors(tool: str, scene: str, rays: int, fewer: int, workers: int, re
             "peak_megabytes": peak,
             "above": None if peak is None or before is None else peak - before,
             "scale": 1.0,
+            "first": taken[0],
         }
 
-    return Job(lambda: used.run(count), report, lambda: few.run(16))
+    return Job(work, report, lambda: few.run(16))
 
 
 def _due(used: Any, right: np.ndarray, faces: np.ndarray, rays: int) -> float | None:

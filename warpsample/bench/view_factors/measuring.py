@@ -89,11 +89,13 @@ class Found:
 
 
 def measure(settings: Settings, track: Track) -> Found:
-    """The small scenes by one thread and by all, the large one by all, once."""
+    """The small city by one thread and by all, boxes and the large city by all, the latter once."""
     most = check_workers(None)
     tools = [*TOOLS, TRACE]
-    cases = [(scene, workers, tools, settings.repeats) for scene in SMALL_SCENES for workers in sorted({1, most})]
-    cases.append((f"city {settings.side}", most, [tool for tool in tools if tool != PAIRS], 1))
+    boxes, city = SMALL_SCENES
+    cases = [(boxes, most, tools, settings.repeats)]
+    cases += [(city, workers, tools, settings.repeats) for workers in sorted({1, most})]
+    cases.append((f"city {settings.side}", most, [tool for tool in tools if tool != PAIRS], 0))
     return Found([row for case in track(cases, len(cases)) for row in compare(*case, settings.rays)])
 
 
@@ -104,7 +106,7 @@ def compare(scene: str, workers: int, tools: Sequence[str], repeats: int, rays: 
         scene: as `scene_of` takes it.
         workers: threads.
         tools: names, with ours and the tracing alone.
-        repeats: timed runs.
+        repeats: timed runs; without any the first run of each is the timed one.
         rays: of each face; embreex gets fewer where pyViewFactor does not take part.
     """
     mesh = scene_of(scene)
@@ -115,7 +117,10 @@ def compare(scene: str, workers: int, tools: Sequence[str], repeats: int, rays: 
         fewer = rays if PAIRS in tools else rays // _FEWER
         turns = take_turns(build_factors, tools, repeats, **same, rays=rays, fewer=fewer)
     rows = [Factors(scene, len(mesh.faces), workers, tool, failure) for tool, failure in turns.failures.items()]
-    seconds = {tool: [t * turns.told[tool]["scale"] for t in times] for tool, times in turns.seconds.items()}
+    seconds = {
+        tool: [t * turns.told[tool]["scale"] for t in times or [turns.told[tool]["first"]]]
+        for tool, times in turns.seconds.items()
+    }
     for tool, times in seconds.items():
         told = turns.told[tool]
         factor = told["rays"] / rays  # the tracing alone, of as many

@@ -9,7 +9,7 @@ import numpy as np
 
 from warpsample.bench.tracers import embree_scene
 from warpsample.mesh.mesh import Mesh
-from warpsample.radiation.view_factors import ViewFactors, view_factors
+from warpsample.radiation.view_factors import view_factors
 from warpsample.tracing.trace import trace
 
 _OFF = 1e-5  # of the mesh's size, by which peers move points off their face
@@ -35,7 +35,7 @@ class Ours:
     def __init__(self, mesh: Mesh, workers: int, reciprocal: bool = False) -> None:
         """Of a mesh."""
         self.mesh, self.workers, self.reciprocal, self.seeds = mesh, workers, reciprocal, count_from()
-        self.last: ViewFactors | None = None
+        self.last: Any = None
 
     def run(self, count: int) -> None:
         """Another estimate at each call."""
