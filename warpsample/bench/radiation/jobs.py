@@ -15,6 +15,9 @@ from warpsample.bench.timing import stopwatch
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.irradiation import irradiation
 
+FEW = 16
+"""Points whose year tells what a year costs whatever the points."""
+
 _FEWEST, _FIXED_RUNS, _RUNS, _FEWER = 2, 3, 2, 4
 
 
@@ -85,7 +88,7 @@ def build_sun(tool: str, scene: str, points: int, workers: int, reference: str) 
 
 
 def build_year(tool: str, scene: str, points: int, workers: int) -> Job:
-    """A year of `irradiation` under 2,305 patches: its report has the seconds of the first run, and the process's memory.
+    """A year of `irradiation` under 2,305 patches: its report has seconds, also of few points, and memory.
 
     Args:
         tool: "athens", the weather.
@@ -94,9 +97,10 @@ def build_year(tool: str, scene: str, points: int, workers: int) -> Job:
         workers: threads.
     """
     mesh, at = points_of(scene, points)
-    few = SurfacePoints(at.position[:16], at.normal[:16], at.face[:16])
+    few = SurfacePoints(at.position[:FEW], at.normal[:FEW], at.face[:FEW])
     given: dict[str, Any] = {"weather": tool, "patches": "reinhart4", "workers": workers}
     irradiation(mesh, few, **given)  # loads kernels and libraries
+    fixed = stopwatch(lambda: irradiation(mesh, few, **given))()
     seconds: list[float] = []
 
     def work() -> None:
@@ -104,4 +108,4 @@ def build_year(tool: str, scene: str, points: int, workers: int) -> Job:
         irradiation(mesh, at, **given)
         seconds[:] = [perf_counter() - start]
 
-    return Job(work, lambda: {"seconds": seconds[0], "peak_megabytes": peak_megabytes()})
+    return Job(work, lambda: {"seconds": seconds[0], "few_seconds": fixed, "peak_megabytes": peak_megabytes()})

@@ -9,7 +9,7 @@ from typing import Annotated
 import numpy as np
 import typer
 
-from warpsample.bench.radiation.jobs import build_sky, build_sun, build_year
+from warpsample.bench.radiation.jobs import FEW, build_sky, build_sun, build_year
 from warpsample.bench.radiation.scene import points_of, sky_reference, year_of_suns
 from warpsample.bench.radiation.sky_tools import OURS, SKY_TOOLS, VIEW
 from warpsample.bench.radiation.sun_tools import SUN_TOOLS, TRACE
@@ -118,7 +118,7 @@ class Year:
         scene: its name.
         workers: threads.
         points: on it.
-        fewer: points of a second process.
+        fewer: points of another run in the same process.
         failure: why there is nothing, then the rest is None.
         seconds: of all points.
         fewer_seconds: of the fewer.
@@ -234,11 +234,9 @@ def compare_suns(scene: str, points: int, workers: int, repeats: int, tools: Seq
 
 
 def measure_year(scene: str, points: int, workers: int) -> Year:
-    """Of all the points, and of half of them, one process after the other."""
-    fewer = points // 2
-    runs = [take_turns(build_year, [_WEATHER], 0, scene=scene, points=p, workers=workers) for p in (points, fewer)]
-    if failures := runs[0].failures:
-        return Year(scene, workers, points, fewer, failures[_WEATHER])
-    all_of_them, half = (run.told[_WEATHER] for run in runs)
-    peak = all_of_them["peak_megabytes"]
-    return Year(scene, workers, points, fewer, None, all_of_them["seconds"], half["seconds"], peak)
+    """Of 16 points and then of all, in one process."""
+    run = take_turns(build_year, [_WEATHER], 0, scene=scene, points=points, workers=workers)
+    if run.failures:
+        return Year(scene, workers, points, FEW, run.failures[_WEATHER])
+    told = run.told[_WEATHER]
+    return Year(scene, workers, points, FEW, None, told["seconds"], told["few_seconds"], told["peak_megabytes"])

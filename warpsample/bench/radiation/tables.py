@@ -104,8 +104,8 @@ def _year_in_words(year: Year) -> str:
     memory = "" if year.peak_megabytes is None else f" and {year.peak_megabytes:.0f} MB at most, Python and mesh included"
     return (
         f"A year's irradiation of {year.points:,} points of the scene {year.scene}, by the sun of each hour and 2,305 "
-        f"patches, {year.workers} threads, takes {digits(year.seconds)} s{memory}; by what "
-        f"{year.points - year.fewer:,} of them add, 100,000 points would take {digits(then)} s."
+        f"patches, {year.workers} threads, takes {digits(year.seconds)} s{memory}, "
+        f"{digits(year.fewer_seconds or 0.0)} s of it whatever the points; 100,000 points would take {digits(then)} s."
     )
 
 
