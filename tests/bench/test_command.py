@@ -38,8 +38,10 @@ def measured(found, monkeypatch):
         ("error", {"rmse": 0.01, "largest": 64}, ["error"]),
         ("kernels", {"points": 64}, ["kernels"]),
         ("peers", {"points": 64}, ["peers_directions", "peers_surface"]),
+        ("radiation", {"scene": "city", "points": 64}, ["radiation"]),
         ("rays", {"scene": "bunny", "rays": 64}, ["rays"]),
         ("scaling", {"largest": 1000}, ["scaling"]),
+        ("view-factors", {"side": 2, "rays": 64}, ["view_factors"]),
         ("visibility", {"scene": "city", "points": 64}, ["visibility"]),
     ],
 )

@@ -40,7 +40,7 @@ def drawn(name, found, folder):
 
 def give(monkeypatch, name, **changes):
     """Lets a benchmark have another `measure` (settings, track), or other fields."""
-    module = import_module(f"warpsample.bench.{name}")
+    module = import_module(f"warpsample.bench.{name.replace('-', '_')}")
     monkeypatch.setattr(module, "RECORD", replace(module.RECORD, **changes))
 
 

@@ -57,20 +57,23 @@ class Peer:
 
     def __call__(self, count: int) -> np.ndarray:
         """Part by part."""
+        return np.concatenate(self.parts(count, lambda o, d, n: 1.0 - self.trace(o, d).reshape(n, count).mean(axis=1)))
+
+    def parts(self, count: int, judge: Callable[[np.ndarray, np.ndarray, int], np.ndarray]) -> list[np.ndarray]:
+        """Of each part of the points `judge` (origins, directions, points), those of a point one after the other."""
         seeds = np.random.SeedSequence(next(self.seeds))
         step = max(1, _RAYS_PER_PART // count)
         starts = range(0, len(self.normal), step)
         parts = [(slice(s, s + step), seed) for s, seed in zip(starts, seeds.spawn(len(starts)), strict=True)]
         with ThreadPoolExecutor(self.threads) as pool:
-            return np.concatenate(list(pool.map(lambda part: self._open(count, *part), parts)))
+            return list(pool.map(lambda part: judge(*self._rays(count, *part)), parts))
 
-    def _open(self, count: int, part: slice, seed: np.random.SeedSequence) -> np.ndarray:
+    def _rays(self, count: int, part: slice, seed: np.random.SeedSequence) -> tuple[np.ndarray, np.ndarray, int]:
         n, t, b = self.normal[part], self.tangent[part], self.bitangent[part]
         u, v = np.random.default_rng(seed).random((2, len(n), count, 1), np.float32)
         r, angle = np.sqrt(u), np.float32(2.0 * np.pi) * v
         d = (r * np.cos(angle)) * t[:, None] + (r * np.sin(angle)) * b[:, None] + np.sqrt(1.0 - u) * n[:, None]
-        origins = np.repeat(self.origin[part], count, axis=0)
-        return 1.0 - self.trace(origins, d.reshape(-1, 3)).reshape(len(n), count).mean(axis=1)
+        return np.repeat(self.origin[part], count, axis=0), d.reshape(-1, 3), len(n)
 
 
 def _tangents(n: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -106,7 +109,8 @@ def _open3d(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
     return Peer(trace, points, _size(mesh), 1)
 
 
-def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
+def mitsuba_scene(mesh: Mesh, workers: int) -> tuple[Any, Any, Any]:
+    """(drjit, mitsuba, the mesh as its scene), with so many threads."""
     import drjit as dr  # noqa: PLC0415
     import mitsuba as mi  # noqa: PLC0415
 
@@ -117,7 +121,11 @@ def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
     parameters["vertex_positions"] = mesh.vertices.astype(np.float32).ravel()
     parameters["faces"] = mesh.faces.astype(np.uint32).ravel()
     parameters.update()
-    scene = mi.load_dict({"type": "scene", "mesh": shape})
+    return dr, mi, mi.load_dict({"type": "scene", "mesh": shape})
+
+
+def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
+    dr, mi, scene = mitsuba_scene(mesh, workers)
     origin = mi.Point3f((points.position + _OFF * _size(mesh) * points.normal).astype(np.float32).T)
     normal = mi.Normal3f(np.ascontiguousarray(points.normal.T))
     seeds = count_from()

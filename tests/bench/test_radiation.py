@@ -1,0 +1,107 @@
+"""The benchmark of sky and sun: every tool computes the same numbers, and the table says it all."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from bench_output import drawn, lines_of
+
+import warpsample as ws
+from warpsample.bench.radiation import RECORD, measuring
+from warpsample.bench.radiation.jobs import errors
+from warpsample.bench.radiation.scene import points_of, sky_reference, year_of_suns
+from warpsample.bench.radiation.sky_tools import OURS, SKY_TOOLS, VIEW, patch_of
+from warpsample.bench.radiation.sun_tools import SUN_TOOLS, TRACE
+
+SETTINGS = measuring.Settings(scene=["bunny"], points=32, year_points=64, repeats=1)
+
+
+@pytest.mark.parametrize("turned", [0.0, 0.7])
+def test_directions_are_in_the_patch_that_has_their_altitude_and_azimuth(turned):
+    sky = ws.sky_patches()
+    assert (patch_of(sky.directions.astype(np.float32)) == np.arange(145)).all()
+    rng = np.random.default_rng(1)
+    altitude, azimuth = np.degrees(np.arcsin(rng.random(20_000))), 360.0 * rng.random(20_000) + turned
+    a, b = np.radians(altitude), np.radians(azimuth)
+    found = patch_of(np.float32(np.stack([np.cos(a) * np.sin(b), np.cos(a) * np.cos(b), np.sin(a)], axis=1)))
+    low, high = sky.altitudes[found].T
+    first, last = sky.azimuths[found].T
+    assert ((altitude >= low - 1e-3) & (altitude <= high + 1e-3)).all()
+    assert ((azimuth - first + 1e-3) % 360.0 <= last - first + 2e-3).all()
+
+
+def test_a_year_has_its_suns():
+    """The sun stands due south at 12, its altitude between 90 - 52.37 -+ 23.44 degrees; up half of the time."""
+    suns = year_of_suns().astype(np.float64)
+    assert 4300 <= len(suns) <= 4460
+    assert np.abs(np.linalg.norm(suns, axis=1) - 1.0).max() <= 1e-6
+    highest = np.degrees(np.arcsin(suns[:, 2].max()))
+    assert abs(highest - (90.0 - 52.37 + 23.44)) <= 0.7  # at half past, 7.5 degrees from the south
+    assert abs(suns[:, 0].mean()) <= 1e-3
+    assert suns[np.argmax(suns[:, 2]), 1] < -0.4
+
+
+def test_errors_tell_what_is_apart():
+    rng = np.random.default_rng(2)
+    right = rng.random((50, 145))
+    runs = right + 0.01 * rng.standard_normal((2, 50, 145))
+    mse, variance, apart = errors(runs, right)
+    assert mse == pytest.approx(1e-4, rel=0.05)
+    assert apart / variance == pytest.approx(1.0, abs=0.1)
+    assert errors(runs + 0.02, right)[2] / variance > measuring._MOST_APART
+
+
+def test_equal_errors_take_as_many_more_rays():
+    """Independent rays with four times the error need sixteen times the rays; what is fixed stays."""
+    ours, theirs = {"rmse": 1e-4}, {"rmse": 4e-4, "rate": 0.5, "fixed": 0.5}
+    assert measuring.at_equal_error([1.5], theirs, [0.1], ours).median == pytest.approx((0.5 + 16.0) / 0.1)
+
+
+def test_a_tool_that_disagrees_is_wrong_and_one_that_is_missing_is_not():
+    right = measuring.Found([measuring.Sky("city", 1, OURS, agrees=True)], [measuring.Sun("city", 1, TRACE, 9, "no")], [])
+    assert not RECORD.wrong(right)
+    assert RECORD.wrong(replace(right, sky=[replace(right.sky[0], agrees=False)]))
+    assert RECORD.wrong(replace(right, sun=[replace(right.sun[0], agrees=False)]))
+
+
+def test_years_are_on_a_line():
+    assert measuring.Year("city", 2, 400, 200, None, 5.0, 4.0).extrapolated(1000) == pytest.approx(8.0)
+    assert measuring.Year("city", 2, 400, 200, "no pvlib").extrapolated() is None
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("tool", ["embreex", "Mitsuba", "Radiance rcontrib", OURS])
+def test_tools_see_the_same_sky(tool):
+    mesh, at = points_of("bunny", 64)
+    try:
+        run = SKY_TOOLS[tool][1](mesh, at, 2)
+        runs = run(2048, 3)
+    except (ImportError, RuntimeError) as error:
+        pytest.skip(str(error))
+    right = sky_reference(mesh, at, 2)
+    _, variance, apart = errors(runs, right)
+    assert apart <= measuring._MOST_APART * variance
+    for wrong in (right * np.pi, np.roll(right, 5, axis=1), right[:, ::-1]):
+        assert errors(runs, wrong)[2] > 2.0 * measuring._MOST_APART * variance
+
+
+@pytest.mark.slow
+def test_all_is_measured_and_shown(tmp_path, capsys):
+    sky = measuring.compare_skies("bunny", 32, 1, 1, [OURS, VIEW, "embreex", "nobody"])
+    sun = measuring.compare_suns("bunny", 32, 1, 1, ["warpsample", TRACE, "embreex"])
+    found = measuring.Found(sky, sun, [measuring.measure_year("bunny", 64, 1)])
+    by_tool = {row.tool: row for row in sky}
+    assert "KeyError" in by_tool["nobody"].failure
+    assert by_tool[OURS].times_ours.median == 1.0
+    assert by_tool["embreex"].times_ours.median > 10.0
+    assert by_tool["embreex"].rmse > 3.0 * by_tool[OURS].rmse
+    assert [row.agrees for row in sky if row.rmse] == [True, True]
+    assert {row.tool: row.different for row in sun}["warpsample"] == 0.0
+    assert [row.agrees for row in sun] == [True, True, True]
+    assert set(SUN_TOOLS) >= {row.tool for row in sun}
+    assert not RECORD.wrong(found)
+    text = "\n".join(lines_of("radiation", SETTINGS, found, capsys))
+    assert "nobody did not run here: KeyError" in text
+    assert "Sky matrix, bunny, 1,024 rays a point, 32 points, threads: 1" in text
+    assert "100,000 points would take" in text
+    assert drawn("radiation", found, tmp_path) == ["radiation.png"]
