@@ -22,7 +22,7 @@ PLANNED = 10**9
 class Settings:
     """Of the command."""
 
-    points: Annotated[int, typer.Option(help="Points of the timed call.", min=1000)] = 1_000_000
+    points: Annotated[int, typer.Option(help="Points of the timed call.", min=1000)] = 262_144
     largest: Annotated[int, typer.Option(help="Points against which the client's memory is shown.", min=1000)] = 10_000_000
     repeats: Repeats = 3
 
