@@ -3,8 +3,8 @@
 - `__init__.py`: the public names; `funcs.py`: the public `wp.func`s and structs of the kernel API; neither defines any
 - `cli`: the `warpsample` command
 - `viewer`: the window and the PyVista accessor
-- `cluster`: the calls over Dask, and into Zarr stores
 - `bench`: run time against error, and other tools side by side
+- `cluster`: the calls over Dask, and into Zarr stores
 - `output`: files of directions and of numbers
 - `radiation`: sun, sky patches, weather, view factors
 - `plotting`: arrays to PyVista actors and matplotlib figures, imported lazily; computes nothing else
@@ -44,8 +44,8 @@ ROOMS = [
     "plotting",
     "radiation",
     "output",
-    "bench",
     "cluster",
+    "bench",
     "viewer",
     "cli",
     "__main__",

@@ -86,7 +86,8 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample verify",  # test_verify.py, on fewer cases
         "warpsample verify",
         "warpsample verify --power",
-        "warpsample bench directions",  # these: tests/bench/test_command.py, on what was measured before
+        "warpsample bench cluster",  # these: tests/bench/test_command.py, on what was measured before
+        "warpsample bench directions",
         "warpsample bench error",
         "warpsample bench kernels",
         "warpsample bench peers",

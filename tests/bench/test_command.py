@@ -34,6 +34,7 @@ def measured(found, monkeypatch):
 @pytest.mark.parametrize(
     ("name", "options", "pictures"),
     [
+        ("cluster", {"points": 1000}, ["cluster"]),
         ("directions", {"points": 64}, ["maps", "sequences"]),
         ("error", {"rmse": 0.01, "largest": 64}, ["error"]),
         ("kernels", {"points": 64}, ["kernels"]),

@@ -250,6 +250,20 @@ def test_a_store_that_cannot_be_written(path, tmp_path, mesh):
 # The command line
 
 
+def test_metadata_that_cannot_be_read_is_named(path, mesh):
+    cluster.bake(path, "ambient_occlusion", mesh, POINTS, RAYS, chunk=CHUNK)
+    (path / "zarr.json").write_text("garbage")
+    with pytest.raises(ValueError, match=r"path: got '.*out\.zarr', whose zarr\.json cannot be read"):
+        cluster.bake(path, "ambient_occlusion", mesh, POINTS, RAYS, chunk=CHUNK, resume=True)
+
+
+def test_a_store_that_cannot_be_made_leaves_nothing(path, tmp_path, mesh):
+    path.symlink_to("nowhere.zarr")
+    with pytest.raises(OSError, match="cannot be written"):
+        cluster.bake(path, "ambient_occlusion", mesh, POINTS, RAYS, chunk=CHUNK)
+    assert list(tmp_path.iterdir()) == [path]
+
+
 def test_a_store_is_exported_as_bake_would_have_written(call, tmp_path):
     for at, suffixes in (("faces", ("vtp", "ply", "glb", "csv")), ("vertices", ("vtp", "ply"))):
         options = ("--at", at, "--samples", 8, "--quantity", "sky", "--seed", 2)

@@ -42,7 +42,7 @@ def _client(address: str | None, processes: int | None) -> Iterator[None]:
     from distributed import Client, LocalCluster  # noqa: PLC0415
 
     if address is None:
-        options = {"n_workers": processes, "threads_per_worker": 1, "host": _ITS_OWN, "dashboard_address": None}
+        options = {"n_workers": processes, "threads_per_worker": 1, "host": _ITS_OWN, "dashboard_address": f"{_ITS_OWN}:0"}
         with _left_to_us(signal.SIGINT):
             own = LocalCluster(**options, silence_logs=logging.CRITICAL)
         with own, Client(own):

@@ -54,7 +54,7 @@ def _about(store: Path) -> dict[str, Any]:
     path = check_store(store, "store")
     if not path.exists():
         raise FileNotFoundError(f"store: got {str(store)!r}, which is missing, want what `warpsample bake` wrote")
-    about = about_of(path)
+    about = about_of(path, "store")
     if about.get("call") not in CALLS.values():
         raise ValueError(f"store: got {str(store)!r} of {about.get('call')}, want one of {', '.join(CALLS.values())}")
     whole = whole_chunks(path)

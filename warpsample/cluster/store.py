@@ -96,6 +96,7 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> None:
         try:
             _make(path, job)
         except OSError as error:
+            shutil.rmtree(_part(path), ignore_errors=True)
             raise WriteError(f"{path} cannot be written: {error.strerror or error}") from error
     elif not resume:
         raise ValueError(f"{argument}: got {str(path)!r}, which is there already, want a new name, or to resume it")
@@ -111,22 +112,29 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
     Raises:
         ValueError: names what differs.
     """
-    kept = about_of(path)
+    kept = about_of(path, argument)
     for name in (*about, *kept):
         old, new = kept.get(name), json.loads(json.dumps(about.get(name)))
         if old != new:
             raise ValueError(f"{argument}: got {str(path)!r} of {name} {told(old)}, want one of {name} {told(new)}")
 
 
-def about_of(path: Path) -> dict[str, Any]:
-    """All that repeats the run of a store."""
-    kept = zarr.open_group(path, mode="r").attrs.asdict()
+def about_of(path: Path, argument: str) -> dict[str, Any]:
+    """All that repeats the run of a store.
+
+    Raises:
+        ValueError: its metadata cannot be read.
+    """
+    try:
+        kept = zarr.open_group(path, mode="r").attrs.asdict()
+    except (ValueError, TypeError, KeyError) as error:
+        raise ValueError(f"{argument}: got {str(path)!r}, whose zarr.json cannot be read: {error}") from None
     return {name: value for name, value in kept.items() if name not in _ITS_OWN}
 
 
 def _make(path: Path, job: Job) -> None:
     """The metadata, complete or absent."""
-    places, part = places_of(job), path.with_name(f".{path.name}.part")
+    places, part = places_of(job), _part(path)
     shutil.rmtree(part, ignore_errors=True)
     attributes = {**job.about, "coordinates": " ".join(name for name in places if name not in job.gives)}
     group = zarr.create_group(part, zarr_format=3, attributes=attributes)
@@ -144,6 +152,10 @@ def _make(path: Path, job: Job) -> None:
         warnings.simplefilter("ignore")
         zarr.consolidate_metadata(part)
     part.rename(path)
+
+
+def _part(path: Path) -> Path:
+    return path.with_name(f".{path.name}.part")
 
 
 def put(path: Path, start: int, arrays: dict[str, np.ndarray]) -> None:
