@@ -43,7 +43,7 @@ def test_groups_and_reciprocity(call, cube_inwards, tmp_path, groups):
     options = ["--groups", tmp_path / groups, "--reciprocal", "--count", 256]
     status, out, err = call("view-factors", cube_inwards, "-o", output, *options)
     assert (status, err) == (0, "")
-    assert re.search(r"30 view factors between 6 surfaces .* closure to \de-(09|10|11), reciprocity to (0|\d.*e-1\d),", out)
+    assert re.search(r"30 view factors between 6 surfaces .* closure to \de-(09|1\d), reciprocity to (0|\d.*e-1\d),", out)
     assert len(output.read_text().splitlines()) == 30
     assert len((tmp_path / "svf.inp.1").read_text().splitlines()) == 7
 

@@ -164,8 +164,8 @@ def view_factors(
         count: rays of each face, from `replicates` to 2^24; rounded down to a multiple of it.
         groups: (F,) whole numbers from 0 on, the surface that each face is part of: rows and columns are then surfaces, up
             to the largest number, a row the mean of those of its faces, by area. Errors are those of the sums.
-        reciprocal: whether to pool both directions of each pair and scale the sums, so that areas[i] matrix[i, j] equals
-            areas[j] matrix[j, i] and all rows close to 1e-7. More precise, too.
+        reciprocal: whether to pool both directions of each pair and adjust them, so that areas[i] matrix[i, j] equals
+            areas[j] matrix[j, i] and all rows close to 1e-7. More precise, too; but not where faces lie on one another.
         replicates: independent parts of each face's rays, by whose differences errors are told, 1 to 64; with more of them
             the errors are told better, and are larger.
         seed: of 64 bits.
