@@ -60,12 +60,13 @@ def test_the_first_page_is_short(repository):
         pytest.param(5, r"^\(2080,\) 2\.7\n$", marks=pytest.mark.slow),
         (6, r"^\(2080, 145\) True\n$"),
         (7, r"^\(2080,\) 270 kWh/m2\n\(2080, 24\) 2021-06-21T12:00\n$"),
-        (8, r"^0\.7[45]\d* 6400\n$"),
+        (8, r"^True 1\.0\n3\.8 W/m2, 1\.7 without other faces\n$"),
+        (9, r"^0\.7[45]\d* 6400\n$"),
     ],
 )
 def test_python_blocks_run_and_print_what_they_say(index, expected, repository, tmp_path, child_environment):
     found = blocks(repository, "python")
-    assert len(found) == 9
+    assert len(found) == 10
     script = tmp_path / "example.py"
     script.write_text(found[index])
     given = {"env": child_environment, "cwd": tmp_path, "capture_output": True, "text": True}
@@ -108,6 +109,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "python viz/sequences.py --screenshot sequences.png",
         "python viz/occlusion.py --screenshot occlusion.png",
         "python viz/sun_and_sky.py --screenshot sun_and_sky.png",
+        "python viz/view_factors.py --screenshot view_factors.png",
         "python viz/glossy_reflection.py --screenshot glossy_reflection.png",  # these: test_own_kernels.py
         "python viz/direct_light.py --screenshot direct_light.png",
     ]

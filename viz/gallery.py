@@ -86,6 +86,13 @@ SHOTS = (
         "viz/sun_and_sky.py --screenshot FILE",
     ),
     Shot(
+        "view_factors",
+        "View factors of a face",
+        "What a face of a courtyard's ground, outlined in blue, sees of the others, the standard errors, "
+        "and what each face sees of the sky.",
+        "viz/view_factors.py --screenshot FILE",
+    ),
+    Shot(
         "glossy_reflection",
         "A kernel of one's own: glossy reflections",
         "An environment map filtered for surfaces of growing roughness, as renderers do before they look it up; below, a "

@@ -1,7 +1,7 @@
 """What one face of a mesh sees: its row of the view factors over the mesh, their standard errors, and everyone's sky."""
 
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 import typer
@@ -9,8 +9,11 @@ import typer
 import warpsample as ws
 from warpsample.cli.terminal import Size, fail_plainly, show_or_save
 from warpsample.host.arguments import check_integer
+from warpsample.mesh.polydata import surface
 from warpsample.plotting import rendering
-from warpsample.plotting.scenes import Panel, meshes_side_by_side
+from warpsample.plotting.scenes import Panel, look_from, meshes_side_by_side
+
+MARK, EDGES = "#00c8ff", "#8a8a8a"
 
 
 def panels_of(found: ws.ViewFactors, face: int) -> list[Panel]:
@@ -24,6 +27,27 @@ def panels_of(found: ws.ViewFactors, face: int) -> list[Panel]:
     return [Panel(np.repeat(panel.value, 3), panel.title, panel.colours, panel.high) for panel in panels]
 
 
+def default_face(mesh: ws.Mesh, found: ws.ViewFactors, up: str) -> int:
+    """The face that sees the most others, of those that look up where there are any: the ground between walls."""
+    seen = np.diff(found.matrix.indptr)
+    level = mesh.face_normals.astype(np.float64) @ rendering.AXES[up] > 0.9
+    return int(np.argmax(np.where(level, seen, -1) if level.any() else seen))
+
+
+def outline(plotter: Any, mesh: ws.Mesh, face: int, up: str, panels: int) -> None:
+    """Draws a face's sides and the mesh's edges in all panels, which look down so far that walls do not hide the ground."""
+    import pyvista as pv  # noqa: PLC0415
+
+    edges = surface(mesh.vertices, mesh.faces).extract_feature_edges(30.0)
+    sides = pv.lines_from_points(mesh.vertices[mesh.faces[face]], close=True)
+    for column in range(panels):
+        plotter.subplot(0, column)
+        plotter.add_mesh(edges, color=EDGES, line_width=1)
+        plotter.add_mesh(sides, color=MARK, line_width=4)
+        look_from(plotter, up, 1.0)
+        plotter.camera.elevation = 40.0
+
+
 def _above(values: np.ndarray) -> float:
     """A round number above 9 in 10 of those that are not 0, so that a few do not darken the rest."""
     some = values[values > 0.0]
@@ -35,7 +59,10 @@ def main(
     mesh: Annotated[Path, typer.Argument(help="Mesh file; or courtyard, an example.")] = Path("courtyard"),
     face: Annotated[
         int | None,
-        typer.Option(help="Number of the face; by default the one that sees the most others.", show_default=False),
+        typer.Option(
+            help="Number of the face; by default that which sees most others, of those that look up.",
+            show_default=False,
+        ),
     ] = None,
     count: Annotated[int, typer.Option(help="Rays of each face.")] = 4096,
     seed: Annotated[int, typer.Option(help="Seed of the rays.")] = 0,
@@ -49,16 +76,18 @@ def main(
     rendering.check_output(screenshot, rendering.SCENE_SUFFIXES, mesh)
     rendering.check_size(size, (900, 340))
     rendering.check_rendering()
-    surface = ws.load_mesh(mesh)
+    of = ws.load_mesh(mesh)
     if face is not None:
-        check_integer(face, "face", 0, len(surface.faces) - 1)
-    found = ws.view_factors(surface, count, seed=seed, up=np.eye(3)["xyz".index(up)])
-    face = int(np.argmax(np.diff(found.matrix.indptr))) if face is None else face
-    place = ", ".join(f"{x:g}" for x in surface.vertices[surface.faces[face]].mean(axis=0).round(3))
-    what = f"face {face:,} at ({place}); {count:,} rays of each of {len(surface.faces):,} faces; seed {seed}"
-    corners = surface.vertices[surface.faces].reshape(-1, 3)
+        check_integer(face, "face", 0, len(of.faces) - 1)
+    found = ws.view_factors(of, count, seed=seed, up=np.eye(3)["xyz".index(up)])
+    face = default_face(of, found, up) if face is None else face
+    place = ", ".join(f"{x:g}" for x in of.vertices[of.faces[face]].mean(axis=0).round(3))
+    what = f"face {face:,} at ({place}); {count:,} rays of each of {len(of.faces):,} faces; seed {seed}"
+    corners = of.vertices[of.faces].reshape(-1, 3)
     faces = np.arange(len(corners), dtype=np.int32).reshape(-1, 3)
-    plotter = meshes_side_by_side(corners, faces, panels_of(found, face), what, up, screenshot is not None, size)
+    panels = panels_of(found, face)
+    plotter = meshes_side_by_side(corners, faces, panels, what, up, screenshot is not None, size)
+    outline(plotter, of, face, up, len(panels))
     show_or_save(plotter, screenshot, what)
 
 

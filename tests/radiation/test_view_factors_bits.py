@@ -116,7 +116,7 @@ def test_what_cannot_close_is_told():
     """Two surfaces that see each other alone, of unlike area: nothing is both reciprocal and closed."""
     nothing = (np.zeros(2), np.zeros(2))
     seen = Shares(np.arange(3), np.array([1, 0]), np.ones(2), np.zeros(2), {"outside": nothing, "behind": nothing})
-    with pytest.warns(UserWarning, match="rows close to 0.5 only"):
+    with pytest.warns(UserWarning, match="rows close to 0.3 only"):
         reciprocal_shares(seen, surfaces_of(np.array([1.0, 2.0]), np.ones(2, bool), None))
 
 

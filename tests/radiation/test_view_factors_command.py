@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import pytest
+import pyvista as pv
 from scipy import sparse
 from view_factor_cases import box, scene
 
@@ -43,7 +44,7 @@ def test_groups_and_reciprocity(call, cube_inwards, tmp_path, groups):
     options = ["--groups", tmp_path / groups, "--reciprocal", "--count", 256]
     status, out, err = call("view-factors", cube_inwards, "-o", output, *options)
     assert (status, err) == (0, "")
-    assert re.search(r"30 view factors between 6 surfaces .* closure to \de-(09|10|11), reciprocity to (0|\d.*e-1\d),", out)
+    assert re.search(r"30 view factors between 6 surfaces .* closure to \de-(09|1\d), reciprocity to (0|\d.*e-1\d),", out)
     assert len(output.read_text().splitlines()) == 30
     assert len((tmp_path / "svf.inp.1").read_text().splitlines()) == 7
 
@@ -68,11 +69,16 @@ def test_an_interrupted_run_leaves_the_old_file(call, cube_inwards, tmp_path, mo
         (("-o", "factors.npz", "--count", 3), "error: --count: got 3, want"),
         (("-o", "factors.npz", "--groups", "cube.off"), "error: --groups: got .*cannot be read"),
         (("-o", "factors.npz", "--groups", "none.txt"), "error: --groups: got .*missing"),
+        (("-o", "factors.npz", "--groups", "pickled.npy"), "error: --groups: got .*cannot be read"),
+        (("-o", "factors.npz", "--groups", "archive.npy"), "error: --groups: got .*cannot be read"),
         (("-o", "factors.npz", "--up", 0, 0, 0), "error: --up: got"),
     ],
 )
 def test_one_sentence_says_what_is_wrong(call, cube_inwards, tmp_path, monkeypatch, options, said):
     monkeypatch.chdir(tmp_path)
+    np.save("pickled.npy", np.array([{}] * 12, object))
+    np.savez("archive.npz", np.zeros(12, int))
+    (tmp_path / "archive.npz").rename("archive.npy")  # which numpy.load would leave open
     status, out, err = call("view-factors", cube_inwards, *options)
     assert (status, out) == (2, "")
     assert re.match(said, err)
@@ -88,6 +94,22 @@ def test_the_picture_shows_the_row(script):
     assert np.array_equal(error.value[2::3], found.standard_error.toarray()[3])
     assert np.array_equal(sky.value[1::3], found.sky)
     assert row.high >= np.quantile(row.value[row.value > 0.0], 0.9)
+
+
+def test_the_picture_is_of_ground_between_walls_and_outlines_it(script, can_render):
+    module, mesh = script("view_factors"), ws.load_mesh("courtyard")
+    found = ws.view_factors(mesh, 64, up=(0, 0, 1))
+    face = module.default_face(mesh, found, "z")
+    assert mesh.face_normals[face].tolist() == [0.0, 0.0, 1.0]
+    assert found.outside[face] < 0.6
+    roof = ws.Mesh(mesh.vertices[mesh.faces[0]], [[0, 1, 2]])
+    assert module.default_face(roof, ws.view_factors(roof, 64, up=(1, 0, 0)), "x") == 0
+    plotter = pv.Plotter(shape=(2, 2), off_screen=True)
+    module.outline(plotter, mesh, face, "z", 2)
+    for column in range(2):
+        edges, sides = (actor.mapper.dataset for actor in plotter.renderers[column].actors.values())
+        assert edges.n_cells > 100
+        assert np.array_equal(np.unique(sides.points, axis=0), np.unique(mesh.vertices[mesh.faces[face]], axis=0))
 
 
 @pytest.mark.slow

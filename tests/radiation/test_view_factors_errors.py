@@ -92,3 +92,28 @@ def test_pooling_is_more_precise_than_one_side():
         return np.sqrt(np.mean([np.square(one - right) for one in found]))
 
     assert rmse(reciprocal=True) < 0.8 * rmse()
+
+
+def narrow(kind):
+    """(mesh, longest row) of a closed room all of whose rows are nearly settled by two large faces that see each other."""
+    mesh, _ = scene(*box())
+    if kind == "flat":
+        return ws.Mesh(mesh.vertices * [1.0, 1.0, 0.001], mesh.faces)
+    high = np.array([1.0, 0.0, np.tan(np.radians(0.1))])
+    sides = [rectangle(0 * X, X, Y), rectangle(0 * X, Y, high), rectangle(X, high - X, Y)]
+    return scene(*sides, [0 * X, high, X], [X + Y, high + Y, Y])[0]
+
+
+@pytest.mark.parametrize("kind", ["flat", "wedge"])
+def test_closing_a_narrow_room_spoils_no_factor(kind):
+    """One factor for each row did: ten times as large errors as without, and rows that did not close to 1e-5."""
+    mesh = narrow(kind)
+    right = ws.view_factors(mesh, 2**16, seed=10**6).matrix.toarray()
+
+    def rmse(**options):
+        found = [ws.view_factors(mesh, 1024, seed=seed, **options) for seed in range(10)]
+        for v in found:
+            assert np.abs(v.matrix.sum(axis=1) + v.outside + v.behind - 1.0).max() < 1e-7
+        return np.sqrt(np.mean([np.square(v.matrix.toarray() - right) for v in found]))
+
+    assert rmse(reciprocal=True) < rmse()

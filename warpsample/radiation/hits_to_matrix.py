@@ -10,7 +10,7 @@ from warpsample.radiation.face_rays import BACK, GROUND, SKY
 SPECIAL = 3
 """Kinds of rays that meet no front: to the sky, to the ground, and those that meet a back."""
 
-_BYTES = 48  # of an entry: what is kept, and what is made of it at the end
+_BYTES, _HIT_BYTES = 40, 8  # of an entry, and of each of its replicates, while all are put together
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,11 +66,17 @@ class Collector:
     """Takes blocks, in the order of their rows, and puts them together."""
 
     def __init__(self, rows: int, replicates: int) -> None:
-        """Begins with no ray."""
+        """Begins with no ray.
+
+        Raises:
+            MemoryError: the rows take more than is free.
+        """
         self._sizes = np.zeros(rows + 1, np.int64)
+        check_memory(_HIT_BYTES * SPECIAL * rows * replicates, f"{rows:,} rows", "take fewer replicates")
         self._special = np.zeros((rows, SPECIAL, replicates), np.int32)
         self._blocks = [(np.empty(0, np.int32), np.empty((0, replicates), np.int32))]
         self._entries = 0
+        self._bytes = _BYTES + _HIT_BYTES * replicates
 
     def all_open(self, rows: np.ndarray, each: int) -> None:
         """Rows all of whose rays meet nothing; which of them go to the sky is told later."""
@@ -86,7 +92,8 @@ class Collector:
         self._special[block.rows] = block.special
         self._blocks.append((block.columns, block.hits))
         self._entries += len(block.columns)
-        check_memory(_BYTES * self._entries, f"{self._entries:,} view factors and more", "take fewer rays, or groups")
+        wants = "take fewer rays or replicates, or groups"
+        check_memory(self._bytes * self._entries, f"{self._entries:,} view factors and more", wants)
 
     def counts(self) -> Counts:
         """All rows."""

@@ -1,4 +1,4 @@
-"""Both directions of each pair pooled, and then scaled so that all rows close: A_i F_ij = A_j F_ji."""
+"""Both directions of each pair pooled, and then adjusted so that all rows close: A_i F_ij = A_j F_ji."""
 
 import warnings
 from typing import TYPE_CHECKING
@@ -12,23 +12,26 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 _CLOSED = 1e-8  # of a row's area, where 1e-7 is promised
-_MOST_STEPS = 500
+_MOST_STEPS, _MOST_PRODUCTS = 40, 200
 _YIELDING = 0.3  # by which power of a row's factor what it loses gives way: what meets nothing is known better than a pair
+_DAMPING = 1e-12  # of the diagonal, so that what cannot close divides by nothing that is 0
 
 
 def reciprocal_shares(shares: Shares, surfaces: Surfaces) -> Shares:
     """The shares made reciprocal and closed.
 
+    Of all exchanges that close, those that are nearest to what was counted, as counts of independent rays differ: each pair
+    gives way by as much as its rays left it open. In a flat room the few rays to its low walls settle what these exchange
+    with floor and ceiling; one factor for each row would spoil that by what is unsure between floor and ceiling.
+
     Warns:
-        UserWarning: no scaling closes all rows.
+        UserWarning: no exchange closes all rows.
     """
     areas = surfaces.areas
     pairs, variance = _pooled(shares, areas, surfaces.densities)
     lost = areas * (shares.others["outside"][0] + shares.others["behind"][0])
-    factors = _factors(pairs, areas, lost)
-    row = _rows(pairs.indptr)
-    scale = factors[row] * factors[pairs.indices]
-    less, area = np.float_power(factors, _YIELDING), areas[row]
+    scale, less = _factors(pairs, areas, lost, surfaces.densities)
+    area = areas[_rows(pairs.indptr)]
     others = {name: (less * value, np.square(less) * error) for name, (value, error) in shares.others.items()}
     return Shares(pairs.indptr, pairs.indices, pairs.data * scale / area, variance * np.square(scale / area), others)
 
@@ -56,19 +59,47 @@ def _pooled(shares: Shares, areas: np.ndarray, densities: np.ndarray) -> tuple["
     return csr_array((sums.data.real / both, sums.indices, sums.indptr), shape=size), sums.data.imag / np.square(both)
 
 
-def _factors(pairs: "csr_array", areas: np.ndarray, lost: np.ndarray) -> np.ndarray:
-    """(N,) factors e with e_i (G e)_i + lost_i e_i^0.3 = A_i."""
-    logarithms = np.zeros(len(areas))
-    there = areas > 0.0
-    worst = 0.0
+def _factors(
+    pairs: "csr_array", areas: np.ndarray, lost: np.ndarray, densities: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Factors of the entries and of what rows lose: exp(2 (u_i + u_j) / (q_i + q_j)) and exp(0.3 u_i / q_i).
+
+    The u by which all rows close are the least of a convex function; found by Newton's steps, none of them over a factor e.
+    """
+    from scipy.sparse import csr_array  # noqa: PLC0415
+
+    row, there = _rows(pairs.indptr), areas > 0.0
+    own = np.where(densities > 0.0, densities, 1.0)
+    give = 2.0 / (own[row] + own[pairs.indices])
+    shifts, worst, best = np.zeros(len(areas)), np.inf, (give, own)
     for _ in range(_MOST_STEPS):
-        factors = np.exp(logarithms)
-        seen = factors * (pairs @ factors)
-        left = lost * np.float_power(factors, _YIELDING)
-        gap = areas - seen - left
-        worst = np.max(np.abs(gap[there]) / areas[there], initial=0.0)
-        if worst <= _CLOSED:
-            return factors
-        logarithms[there] += (gap / np.where(there, 2.0 * seen + _YIELDING * left, 1.0))[there]
-    warnings.warn(f"view_factors: rows close to {worst:.1g} only; more rays will help", stacklevel=4)
-    return np.exp(logarithms)
+        scale, less = np.exp(give * (shifts[row] + shifts[pairs.indices])), np.exp(_YIELDING / own * shifts)
+        exchange = csr_array((pairs.data * scale, pairs.indices, pairs.indptr), shape=pairs.shape)
+        gap = np.where(there, areas - exchange.sum(axis=1) - lost * less, 0.0)
+        apart = np.max(np.abs(gap[there]) / areas[there], initial=0.0)
+        if apart < worst:
+            worst, best = apart, (scale, less)
+        if apart <= _CLOSED:
+            return best
+        exchange.data *= give
+        diagonal = exchange.sum(axis=1) + _YIELDING / own * lost * less
+        step = _conjugate(exchange, np.where(diagonal > 0.0, diagonal, 1.0), gap)
+        shifts += step / max(1.0, np.max(np.abs(step) / own))
+    warnings.warn(f"view_factors: rows close to {worst:.1g} only; more rays will help", stacklevel=5)
+    return best
+
+
+def _conjugate(matrix: "csr_array", diagonal: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """x with (matrix + diagonal) x = right, to five digits, by conjugate gradients whose sums depend on no threads."""
+    x, rest = np.zeros(len(right)), right
+    way = right / diagonal
+    size = first = (rest * way).sum()
+    for _ in range(_MOST_PRODUCTS):
+        if size <= 1e-10 * first:
+            break
+        product = matrix @ way + (1.0 + _DAMPING) * diagonal * way
+        length = size / (way * product).sum()
+        x, rest = x + length * way, rest - length * product
+        before, size = size, (rest * rest / diagonal).sum()
+        way = rest / diagonal + size / before * way
+    return x

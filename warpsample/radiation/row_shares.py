@@ -2,13 +2,17 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from warpsample.radiation.hits_to_matrix import Counts
 from warpsample.radiation.surfaces import Surfaces
 
-_SLICE = 1 << 18  # entries at a time: the squares of all of them would take more memory than the result
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
+_SLICE = 1 << 20  # hits at a time: the squares of all of them would take more memory than the result
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,6 +52,18 @@ def shares_of(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Su
     return Shares(counts.indptr, counts.indices, *_of_hits(counts.hits, rays), others)
 
 
+def matrices_of(
+    value: np.ndarray, error: np.ndarray, indices: np.ndarray, indptr: np.ndarray
+) -> tuple["csr_array", "csr_array"]:
+    """Two square matrices, each with a pattern of its own: who drops entries of one in place leaves the other as it is."""
+    from scipy.sparse import csr_array  # noqa: PLC0415
+
+    kind, shape = np.int32 if len(indices) < 2**31 else np.int64, (len(indptr) - 1, len(indptr) - 1)
+    pattern = indices.astype(kind, copy=False), indptr.astype(kind, copy=False)
+    errors = csr_array((error, *(part.copy() for part in pattern)), shape=shape)
+    return csr_array((value, *pattern), shape=shape), errors
+
+
 def _group_shares(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> Shares:
     """Those of groups, with the variance that the sums of a group's replicates have."""
     groups, weights, size = surfaces.groups, surfaces.weights, len(surfaces.areas)
@@ -85,12 +101,13 @@ def _of_hits(hits: np.ndarray, rays: int) -> tuple[np.ndarray, np.ndarray]:
     """
     replicates = hits.shape[1]
     value, variance = np.empty(len(hits)), np.empty(len(hits))
-    for first in range(0, len(hits), _SLICE):
-        some = hits[first : first + _SLICE].astype(np.int64)
+    step = _SLICE // replicates
+    for first in range(0, len(hits), step):
+        some = hits[first : first + step].astype(np.int64)
         total = some.sum(axis=1)
-        share = value[first : first + _SLICE] = total / rays
+        share = value[first : first + step] = total / rays
         spread = (replicates * np.square(some).sum(axis=1) - np.square(total)) / (float(rays) * rays)
-        variance[first : first + _SLICE] = (spread + share * (1.0 - share) / rays) / replicates
+        variance[first : first + step] = (spread + share * (1.0 - share) / rays) / replicates
     return value, variance
 
 

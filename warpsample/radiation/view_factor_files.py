@@ -1,7 +1,8 @@
 """View factors in files: our own .npz, which scipy.sparse.load_npz reads too, and the texts of uDALES and View3D."""
 
 import zipfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack
 from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
@@ -11,6 +12,8 @@ import numpy as np
 from warpsample.estimate.result import Skipped
 from warpsample.host.arguments import check_file, naming_file, told
 from warpsample.host.files import check_output, complete_or_absent, write_array
+from warpsample.radiation.radiosity import check_rows
+from warpsample.radiation.row_shares import matrices_of
 
 if TYPE_CHECKING:
     from warpsample.radiation.view_factors import ViewFactors
@@ -40,15 +43,24 @@ def check_factors_file(path: Any, argument: str, *inputs: Path | None) -> Path:
 
 
 def save(factors: "ViewFactors", path: Path) -> None:
-    """Writes a checked path; each file is complete or absent."""
+    """Writes a checked path; all its files are complete or absent.
+
+    Raises:
+        ValueError: a text has no place for rows that were left out.
+        WriteError: a file cannot be written.
+    """
     writers: tuple[Callable[[ViewFactors, BinaryIO], None], ...] = (_write_npz,)
     if path.suffix == ".vf":
         writers = (_write_view3d,)
     elif path.suffix != ".npz":
         writers = (_write_sparse, _write_sky)
-    for file, write in zip(_files(path), writers, strict=True):
-        with complete_or_absent(file) as stream:
+    if path.suffix != ".npz":
+        check_rows(factors)
+    with ExitStack() as files:
+        streams = [files.enter_context(complete_or_absent(file)) for file in _files(path)]
+        for stream, write in zip(streams, writers, strict=True):
             write(factors, stream)
+            stream.flush()  # so that the disk is known to hold both before either takes its place
 
 
 def load(path: Any, argument: str) -> dict[str, Any]:
@@ -57,28 +69,54 @@ def load(path: Any, argument: str) -> dict[str, Any]:
     Raises:
         TypeError, OSError, ValueError: no such file.
     """
-    from scipy.sparse import csr_array  # noqa: PLC0415
-
     file = check_file(path, argument, "an .npz file of view factors")
-    with naming_file(argument, file, "view factors"), np.load(file, allow_pickle=False) as archive:
-        held = {name: archive[name] for name in archive.files}
-        lacking = {"data", "indices", "indptr", "shape", "standard_error", "skipped", *_VECTORS} - set(held)
-        if lacking:
-            raise ValueError(f"it has no {', '.join(sorted(lacking))}")
-        shape, pattern = tuple(held["shape"].tolist()), (held["indices"], held["indptr"])
-        matrices = {
-            name: csr_array((held[key], *pattern), shape=shape)
-            for name, key in (("matrix", "data"), ("standard_error", "standard_error"))
-        }
-        for matrix in matrices.values():
-            matrix.check_format()
-        skipped = Skipped(*(int(number) for number in held["skipped"]))
+    with naming_file(argument, file, "view factors"), file.open("rb") as stream:
+        archive = np.load(stream, allow_pickle=False)
+        if not isinstance(archive, Mapping):
+            raise ValueError("it is no .npz")
+        held = {name: archive[name] for name in archive}
+        _check_held(held)
+        matrix, standard_error = matrices_of(held["data"], held["standard_error"], held["indices"], held["indptr"])
+        matrix.check_format()
+        if not matrix.has_canonical_format:
+            raise ValueError("its columns do not ascend")
         return {
-            **matrices,
-            **{name: held[name] for name in _VECTORS},
-            **{name: held[name] for name in _OPTIONAL if name in held},
-            "skipped": skipped,
+            "matrix": matrix,
+            "standard_error": standard_error,
+            "skipped": Skipped(*held["skipped"].tolist()),
+            **{name: held[name] for name in (*_VECTORS, *_OPTIONAL) if name in held},
         }
+
+
+def _check_held(held: dict[str, np.ndarray]) -> None:
+    """Refuses what `save` does not write.
+
+    Raises:
+        ValueError: says which array is missing, of another type or shape, or has numbers that no view factors have.
+    """
+    optional = _OPTIONAL if any(name in held for name in _OPTIONAL) else ()
+    lacking = {"data", "standard_error", "indices", "indptr", "shape", "skipped", *_VECTORS, *optional} - set(held)
+    if lacking:
+        raise ValueError(f"it has no {', '.join(sorted(lacking))}")
+    rows, entries = (held["indptr"].size - 1,), (held["indices"].size,)
+    whole = "int32" if entries[0] < 2**31 else "int64"
+    kinds = {
+        **dict.fromkeys((*_VECTORS, *optional), ("float64", rows)),
+        **dict.fromkeys(("data", "standard_error"), ("float64", entries)),
+        "indices": (whole, entries),
+        "indptr": (whole, (rows[0] + 1,)),
+        "rays": ("int64", rows),
+        "status": ("uint8", (held["status"].size,)),
+        "skipped": ("int64", (len(fields(Skipped)),)),
+    }
+    for name, (kind, shape) in kinds.items():
+        array = held[name]
+        if array.dtype != kind or array.shape != shape:
+            raise ValueError(f"{name} is of {array.dtype} and shape {array.shape}, want {kind} and {shape}")
+        if kind == "float64" and not (np.isfinite(array).all() and array.min(initial=0.0) >= 0.0):
+            raise ValueError(f"{name} has numbers that are negative or not finite")
+    if held["shape"].tolist() != 2 * [*rows]:
+        raise ValueError("it is no square matrix")
 
 
 def _files(path: Path) -> tuple[Path, ...]:

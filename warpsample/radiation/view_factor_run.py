@@ -38,7 +38,8 @@ def _numbers(path: Path) -> np.ndarray:
     file = check_file(path, "--groups", wants)
     with naming_file("--groups", file, wants):
         if file.suffix == ".npy":
-            return np.load(file, allow_pickle=False)
+            with file.open("rb") as stream:
+                return np.lib.format.read_array(stream, allow_pickle=False)
         return np.loadtxt(file, dtype=np.int64, ndmin=1)
 
 

@@ -15,7 +15,7 @@ from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.radiation.casting import Casting
 from warpsample.radiation.radiosity import radiosity_of
 from warpsample.radiation.reciprocity import reciprocal_shares
-from warpsample.radiation.row_shares import Shares, shares_of
+from warpsample.radiation.row_shares import Shares, matrices_of, shares_of
 from warpsample.radiation.surfaces import Surfaces, check_groups, surfaces_of
 from warpsample.radiation.view_factor_files import check_factors_file, load, save
 
@@ -80,7 +80,8 @@ class ViewFactors:
             of the shape of the emission, float64, in its unit.
 
         Raises:
-            TypeError, ValueError: no finite numbers, another shape, or a reflectance by which nothing is ever absorbed.
+            TypeError, ValueError: no finite numbers, another shape, rows that `active` left out, or a reflectance by which
+                nothing is ever absorbed.
 
         Example:
             >>> mesh = ws.load_mesh("courtyard")
@@ -89,7 +90,7 @@ class ViewFactors:
             >>> print(J.shape, (J >= 0.3 * v.outside).all())
             (2080,) True
         """
-        return radiosity_of(self.matrix, emission, reflectance)
+        return radiosity_of(self, emission, reflectance)
 
     def save(self, path: str | Path) -> None:
         """Writes a file, complete or not at all; what it replaces stays until then.
@@ -100,7 +101,7 @@ class ViewFactors:
                 rest of each row. .vf: View3D's text, all N^2 numbers, with emittances of 1.
 
         Raises:
-            TypeError, ValueError: another name, or no file that can be written.
+            TypeError, ValueError: another name, no file that can be written, or a text for rows that `active` left out.
             OSError: it could not be written.
 
         Example:
@@ -123,7 +124,7 @@ class ViewFactors:
             what was saved.
 
         Raises:
-            TypeError, ValueError, OSError: no such file; nothing in it is executed.
+            TypeError, ValueError, OSError: no such file, or a damaged one; nothing in it is executed.
 
         Example:
             >>> v = ws.view_factors(ws.load_mesh("courtyard"), 64, up=(0, 0, 1))
@@ -153,7 +154,7 @@ def view_factors(
 
     Places and directions of a face's rays come from one lattice in four dimensions: 4,096 are as good as 10,000 to 15,000
     independent ones. The bits of a row depend on (mesh, seed, first_face + face, count, replicates) alone: not on threads,
-    nor on which other faces are active, nor on `skip`. Memory is that of the entries, some 50 bytes each. On the CPU.
+    nor on which other faces are active, nor on `skip`. Memory: 40 bytes of each entry and 8 of each of its replicates.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes. The front of a face is the side from which its corners run
@@ -163,16 +164,15 @@ def view_factors(
         count: rays of each face, from `replicates` to 2^24; rounded down to a multiple of it.
         groups: (F,) whole numbers from 0 on, the surface that each face is part of: rows and columns are then surfaces, up
             to the largest number, a row the mean of those of its faces, by area. Errors are those of the sums.
-        reciprocal: whether to pool both directions of each pair and scale the sums, so that areas[i] matrix[i, j] equals
-            areas[j] matrix[j, i] and all rows close to 1e-7. More precise, too.
+        reciprocal: whether to pool both directions of each pair and adjust them, so that areas[i] matrix[i, j] equals
+            areas[j] matrix[j, i] and all rows close to 1e-7. More precise, too; but not where faces lie on one another.
         replicates: independent parts of each face's rays, by whose differences errors are told, 1 to 64; with more of them
             the errors are told better, and are larger.
         seed: of 64 bits.
         up: (3,), of any length, parts `outside` into `sky` and `ground`.
         first_face: the global id of face 0.
         active: (F,) bool; other faces are met, but their own rows stay empty. Not with `reciprocal`.
-        skip: whether to look for faces that nothing stands above, whose rays need not be cast; changes no bit but of `rays`
-            and `skipped`.
+        skip: whether to cast no rays of faces that nothing stands above; changes no bit but of `rays` and `skipped`.
         workers: threads, all cores by default.
         progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
@@ -234,17 +234,14 @@ def _status(mesh: Mesh, active: np.ndarray | None) -> np.ndarray:
 
 def _result(shares: Shares, surfaces: Surfaces, status: np.ndarray, cast: np.ndarray, rays: int) -> ViewFactors:
     """The result of what was counted; `cast`: (F,) rays cast of the `rays` of each face."""
-    from scipy.sparse import csr_array  # noqa: PLC0415
-
-    size, open_faces = len(surfaces.areas), int(np.count_nonzero((status == PointStatus.OK) & (cast == 0)))
-    kind = np.int32 if len(shares.indices) < 2**31 else np.int64
-    pattern = shares.indices.astype(kind, copy=False), shares.indptr.astype(kind)
+    open_faces = int(np.count_nonzero((status == PointStatus.OK) & (cast == 0)))
+    matrix, standard_error = matrices_of(shares.value, np.sqrt(shares.variance), shares.indices, shares.indptr)
     others = {}
     for name, (value, variance) in shares.others.items():
         others |= {name: value, f"{name}_error": np.sqrt(variance)}
     return ViewFactors(
-        matrix=csr_array((shares.value, *pattern), shape=(size, size)),
-        standard_error=csr_array((np.sqrt(shares.variance), *pattern), shape=(size, size)),
+        matrix=matrix,
+        standard_error=standard_error,
         areas=surfaces.areas,
         rays=surfaces.summed(cast),
         status=status,
