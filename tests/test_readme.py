@@ -34,7 +34,8 @@ def test_links_lead_to_files(repository):
         assert [link for link in links if "://" not in link and not (path.parent / link).exists()] == []
     first, *others = documents(repository)
     shown = re.findall(r"\]\(([^)]+README.md)\)", first.read_text())
-    assert {repository / link for link in shown} == set(others)
+    apart = repository / "warpsample" / "cluster" / "README.md"  # which tests/cluster runs, of fewer points
+    assert {repository / link for link in shown} == {*others, apart}
 
 
 def test_what_is_said_to_take_warp_arrays_takes_them(repository):

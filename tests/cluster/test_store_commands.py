@@ -1,0 +1,118 @@
+"""Stores at the command line: `bake`, `export`, and what they say."""
+
+import zipfile
+from importlib import import_module
+
+import pytest
+
+import warpsample as ws
+
+dask = pytest.importorskip("dask")
+pytest.importorskip("zarr")
+xr = pytest.importorskip("xarray")
+baking, store = (import_module(f"warpsample.cluster.{name}") for name in ("baking", "store"))
+
+POINTS, RAYS, CHUNK = 130, 40, 50
+
+
+@pytest.fixture(scope="module")
+def mesh():
+    return ws.load_mesh("courtyard")
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "out.zarr"
+
+
+@pytest.fixture(autouse=True)
+def _in_this_thread():
+    with dask.config.set(scheduler="sync"):
+        yield
+
+
+def test_a_store_is_exported_as_bake_would_have_written(call, tmp_path):
+    for at, suffixes in (("faces", ("vtp", "ply", "glb", "csv")), ("vertices", ("vtp", "ply"))):
+        options = ("--at", at, "--samples", 8, "--quantity", "sky", "--seed", 2)
+        made = tmp_path / f"{at}.zarr"
+        assert call("bake", "courtyard", "-o", made, *options, "--chunk", 999)[0] == 0
+        for suffix in suffixes:
+            output, baked = tmp_path / f"a.{suffix}", tmp_path / f"b.{suffix}"
+            status, _, err = call("export", made, "courtyard", "-o", output)
+            assert (status, err) == (0, "")
+            assert call("bake", "courtyard", "-o", baked, *options)[0] == 0
+            assert output.read_bytes() == baked.read_bytes()
+    made = tmp_path / "points.zarr"
+    assert call("bake", "courtyard", "-o", made, "--points", 70, "--samples", 8)[0] == 0
+    assert call("export", made, "courtyard", "-o", tmp_path / "a.npz")[0] == 0
+    assert call("bake", "courtyard", "-o", tmp_path / "b.npz", "--points", 70, "--samples", 8)[0] == 0
+    with zipfile.ZipFile(tmp_path / "a.npz") as one, zipfile.ZipFile(tmp_path / "b.npz") as other:
+        assert one.namelist() == other.namelist()
+        assert all(one.read(name) == other.read(name) for name in one.namelist() if name != "run.npy")
+
+
+def test_the_command_says_what_it_did_and_goes_on(call, path):
+    command = ("bake", "courtyard", "-o", path, "--points", POINTS, "--samples", RAYS, "--chunk", CHUNK)
+    status, out, err = call(*command)
+    assert (status, err) == (0, "")
+    assert out.startswith(f"{path}: ambient occlusion of 130 points\n  standard error 0.0")
+    assert "rays cast in" in out
+    (path / "value/c/1").unlink()
+    status, out, err = call(*command, "--resume")
+    assert (status, err) == (0, "")
+    assert "\n  80 of them were there already\n" in out
+    status, out, err = call(*command, "--seed", 1, "--resume")
+    assert (status, out) == (2, "")
+    assert err == f"error: --output: got '{path}' of seed 0, want one of seed 1\n"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("bake", "courtyard", "-o", "x.vtp", "--chunk", "9"), "--chunk: got 9 for x.vtp; it applies only to .zarr"),
+        (("bake", "courtyard", "-o", "x.vtp", "--resume"), "--resume: got True for x.vtp; it applies only to .zarr"),
+        (("bake", "courtyard", "-o", "x.zarr", "--chunk", "0"), "--chunk: got 0, want a whole number from 1"),
+        (("bake", "courtyard", "-o", "x.zarr", "--processes", "0"), "--processes: got 0, want a whole number from 1"),
+        (("bake", "courtyard", "-o", "x.zarr", "--processes", "2", "--workers", "2"), "--processes 2: got it together with"),
+        (
+            ("bake", "courtyard", "-o", "x.zarr", "--points", "9", "--at", "faces"),
+            "--points: got 9 together with --at faces",
+        ),
+        (("bake", "courtyard", "-o", "x.zarr", "--samples", "1"), "--samples: got 1, want a whole number from 2"),
+        (
+            ("bake", "courtyard", "-o", "x.zarr", "--environment", "a.hdr"),
+            "--environment: got a.hdr for ao; it applies only",
+        ),
+        (("bake", "courtyard", "-o", "x.zarr", "--quantity", "irradiance"), "--environment: got None"),
+        (("bake", "courtyard", "-o", "no/x.zarr"), "--output: got 'no/x.zarr', whose folder does not exist"),
+        (
+            ("bake", "courtyard", "-o", "x.zarr", "--cluster", "nowhere"),
+            "--cluster: got 'nowhere', where no scheduler answers",
+        ),
+        (("export", "x.zarr", "courtyard", "-o", "x.vtp"), "store: got 'x.zarr', which is missing"),
+        (("export", "x.zarr", "courtyard", "-o", "x.txt"), "--output: got 'x.txt', want a file that ends in one of"),
+    ],
+)
+def test_bad_input_is_one_line(call, tmp_path, monkeypatch, arguments, message):
+    monkeypatch.chdir(tmp_path)
+    status, out, err = call(*arguments)
+    assert (status, out) == (2, "")
+    assert err.startswith(f"error: {message}")
+    assert err.count("\n") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_only_a_finished_store_of_that_mesh_is_exported(call, path, cube, tmp_path):
+    assert call("bake", "courtyard", "-o", path, "--points", POINTS, "--samples", 2, "--chunk", CHUNK)[0] == 0
+    for mesh, output, message in [
+        (cube, "x.vtp", f"mesh: got '{cube}', which is not the mesh of"),
+        ("courtyard", "x.ply", "--output: got 'x.ply' for points, want .vtp, .npz or .csv"),
+    ]:
+        status, _, err = call("export", path, mesh, "-o", tmp_path / output)
+        assert (status, err.count("\n")) == (2, 1)
+        assert err.startswith(f"error: {message}")
+    (path / "value/c/1").unlink()
+    status, _, err = call("export", path, "courtyard", "-o", tmp_path / "x.vtp")
+    assert (status, err.count("\n")) == (2, 1)
+    assert "1 of whose 3 chunks are missing" in err
+    assert not (tmp_path / "x.vtp").exists()

@@ -1,0 +1,125 @@
+"""Irradiation of points: splits, turns, points without a normal, every field, and bad input."""
+
+import sys
+from dataclasses import fields
+
+import numpy as np
+import pytest
+import trimesh
+from weather_files import write_epw
+
+import warpsample as ws
+
+pytest.importorskip("pvlib")
+pyradiance = pytest.importorskip("pyradiance")
+
+BEHIND = ws.as_mesh((np.array([[-1.0, -1, -1], [1, 0, 0], [0, 1, 0]]), np.array([[0, 1, 2]])))
+
+
+PARTS = ("direct", "diffuse", "ground")
+
+
+DAY = ("06-21", "06-21")
+
+
+@pytest.fixture(scope="module")
+def athens(tmp_path_factory):
+    return write_epw(tmp_path_factory.mktemp("weather") / "athens.epw")
+
+
+@pytest.fixture(scope="module")
+def yard():
+    mesh = ws.load_mesh("courtyard")
+    return mesh, ws.sample_surface(mesh, 60, seed=4)
+
+
+def points(normals, distance=5.0):
+    """Points that look away from the origin."""
+    normals = np.float64(normals)
+    return ws.SurfacePoints(distance * np.where(np.isfinite(normals), normals, 0.0), normals)
+
+
+def test_a_run_can_be_split(yard, athens):
+    mesh, where = yard
+    given = {"weather": athens, "period": DAY, "patches": "tregenza", "count": 64, "seed": 5}
+    whole = ws.irradiation(mesh, where, **given)
+    active = np.arange(60) % 3 == 0
+    some = ws.irradiation(mesh, where, **given, active=active, workers=1)
+    rest = ws.SurfacePoints(where.position[40:], where.normal[40:], where.face[40:])
+    last = ws.irradiation(mesh, rest, **given, first_point=40, skip=False)
+    for name in ("value", "standard_error", *PARTS):
+        assert np.array_equal(getattr(some, name)[active], getattr(whole, name)[active]), name
+        assert np.array_equal(getattr(last, name), getattr(whole, name)[40:]), name
+        assert not getattr(some, name)[~active].any(), name
+    assert (some.status[~active] == ws.PointStatus.INACTIVE).all()
+
+
+def test_points_without_a_normal_receive_nothing(athens):
+    found = ws.irradiation(
+        BEHIND, points([(0, 0, 1), (0, 0, 0), (0, np.nan, 1)]), athens, period=DAY, patches="tregenza", series=True
+    )
+    assert found.status.tolist() == [0, ws.PointStatus.ZERO_NORMAL, ws.PointStatus.NONFINITE_NORMAL]
+    assert found.value[0].any()
+    assert not found.value[1:].any()
+
+
+def test_a_period_without_light_is_dark(athens):
+    for series, shape in ((False, (1,)), (True, (1, 2))):
+        found = ws.irradiation(BEHIND, points([(0, 0, 1)]), athens, period=("12-31T23", "01-01T01"), series=series)
+        assert found.value.shape == shape
+        assert not any(getattr(found, name).any() for name in ("value", "standard_error", *PARTS))
+
+
+def test_a_turn_of_everything_changes_nothing(yard, athens):
+    mesh, where = yard
+    turn = trimesh.transformations.rotation_matrix(2.0, (1.0, 2.0, 3.0))[:3, :3]
+    turned = ws.SurfacePoints(where.position @ turn.T, where.normal.astype(np.float64) @ turn.T, where.face)
+    given = {"weather": athens, "period": DAY, "patches": "tregenza"}
+    right = ws.irradiation(mesh, where, **given)
+    found = ws.irradiation((mesh.vertices @ turn.T, mesh.faces), turned, **given, up=turn[:, 2], north=turn[:, 1])
+    np.testing.assert_allclose(found.direct, right.direct, atol=2e-4 * right.direct.max())
+    error = np.hypot(found.standard_error.astype(np.float64), right.standard_error)
+    assert (np.abs(found.value.astype(np.float64) - right.value) < 6.0 * error + 2e-3).all()
+
+
+def test_every_field_has_a_row_for_each_point(yard, athens):
+    mesh, where = yard
+    found = ws.irradiation(mesh, where, athens, period=DAY, patches="tregenza", count=64)
+    shapes = {item.name: getattr(found, item.name).shape for item in fields(found) if item.name != "skipped"}
+    assert shapes.pop("hours") == (24,)
+    assert set(shapes.values()) == {(60,)}
+    assert found.value.dtype == np.float32
+
+
+WRONG = {
+    "ground_albedo": (1.5, ValueError, "got 1.5, want a number from 0 to 1"),
+    "period": (("06-01", "06-31"), ValueError, "want two days"),
+    "patches": ("klems", ValueError, "got 'klems', want one of tregenza, reinhart2, reinhart4"),
+    "north": ((0, 0, 3), ValueError, "along up"),
+    "up": ((0, 0, 0), ValueError, "got"),
+    "series": ("yes", TypeError, "got 'yes', want True or False"),
+    "count": (0, ValueError, "got 0"),
+    "points": (3, TypeError, "want SurfacePoints"),
+    "weather": ("gone.epw", FileNotFoundError, "got 'gone.epw', which is missing"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_bad_input_is_a_sentence_before_any_work(athens, name, monkeypatch):
+    value, kind, message = WRONG[name]
+    monkeypatch.setattr("warpsample.radiation.light.perez_sky", None)  # what would start the work
+    given = {"mesh": BEHIND, "points": points([(0, 0, 1)]), "weather": athens} | {name: value}
+    with pytest.raises(kind, match=rf"^{name}: .*{message}"):
+        ws.irradiation(**given)
+
+
+def test_too_many_hours_are_told(athens, monkeypatch):
+    monkeypatch.setattr("psutil.virtual_memory", lambda: type("Memory", (), {"available": 1 << 20}))
+    with pytest.raises(MemoryError, match="8,760 hours of 100 points need"):
+        ws.irradiation(BEHIND, points(np.tile([0, 0, 1], (100, 1))), athens, patches="tregenza", series=True)
+
+
+def test_pyradiance_is_asked_for_by_the_extra(athens, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pyradiance", None)
+    with pytest.raises(ModuleNotFoundError, match=r"pip install 'warpsample\[radiation\]'"):
+        ws.irradiation(BEHIND, points([(0, 0, 1)]), athens)
