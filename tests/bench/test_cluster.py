@@ -42,7 +42,7 @@ def test_all_is_measured_and_shown(capsys, tmp_path):
     settings = record.Settings(points=2000, largest=10_000, repeats=2)
     found = measure(settings, untracked)
     assert [(row.way, len(row.repeats)) for row in found.ways] == [(way, 2) for way in record.WAYS]
-    assert all(row.seconds.median > 0.0 and row.speed.median > 0.0 for row in found.ways)
+    assert all(row.duration.median > 0.0 and row.speed.median > 0.0 for row in found.ways)
     assert [(row.points, row.computed) for row in found.memory] == [(1000, True), (10_000, True), (10**9, False)]
     assert all(row.peak_megabytes > 50.0 for row in found.memory)
     assert [(row.meshes, row.trees) for row in found.sent] == [(1, 1), (1, 1)]

@@ -58,6 +58,7 @@ def test_peers_rays_are_uniform_on_faces_and_cosine_weighted():
     assert np.abs(np.linalg.norm(d, axis=2) - 1.0).max() <= 1e-5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("make", [Embree, PyViewFactor])
 def test_tools_compute_the_same(make):
     """The two small boxes have few enough faces that a ray between centroids says little: these are free of obstacles."""

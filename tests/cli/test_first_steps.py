@@ -29,6 +29,7 @@ def run(child_environment, tmp_path):
     return run
 
 
+@pytest.mark.slow
 def test_the_version_is_said(run):
     assert re.fullmatch(r"\d+\.\d+\.\d+", ws.__version__)
     assert run("--version") == (0, f"warpsample {ws.__version__}\n", "")
@@ -109,6 +110,7 @@ def test_an_error_names_the_option(call, arguments, option, tmp_path, monkeypatc
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_a_reader_that_has_gone_is_no_traceback(child_environment):
     command = f"{sys.executable} -m warpsample info courtyard | true; exit ${{PIPESTATUS[0]}}"
     done = subprocess.run(["bash", "-c", command], env=child_environment, capture_output=True, text=True, check=False)

@@ -196,6 +196,7 @@ with locked(Path(sys.argv[1])):
 """
 
 
+@pytest.mark.slow
 def test_a_second_writer_is_refused_until_the_first_is_gone(path, mesh, right, child_environment):
     first = subprocess.Popen([sys.executable, "-c", HOLD, path], stdout=subprocess.PIPE, text=True, env=child_environment)
     assert first.stdout.readline() == "held\n"
@@ -228,6 +229,7 @@ cluster.bake({path!r}, "ambient_occlusion", ws.load_mesh("courtyard"), 8000, 2, 
 """
 
 
+@pytest.mark.slow
 def test_a_store_that_cannot_be_written(path, tmp_path, mesh):
     for name, message in [
         ("out.vtp", "want a name that ends in .zarr"),

@@ -84,7 +84,7 @@ def covers(plausible):
 
 
 @pytest.mark.parametrize("name", ["bunny", "city", "closed forms"])
-@pytest.mark.parametrize("count", [32, 64, 256, pytest.param(512, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [32, 64, *(pytest.param(n, marks=pytest.mark.slow) for n in (256, 512))])
 def test_intervals_hold_what_they_promise(cases, covers, name, count):
     held = [case.held(count) for case in cases[name]]
     covers(np.concatenate(held))

@@ -14,7 +14,7 @@ RAYS = 65_536
 MESHES = {"city": lambda: scenes.city(12), "hostile": lambda: soup(300), "torus": lambda: CLOSED["torus"][0]}
 
 
-@pytest.mark.parametrize("name", ["bunny", *MESHES])
+@pytest.mark.parametrize("name", [pytest.param("bunny", marks=pytest.mark.slow), *MESHES])
 def test_skipping_changes_no_bit(bunny, name):
     mesh = bunny if name == "bunny" else MESHES[name]()
     size = np.ptp(mesh.vertices, axis=0).max()

@@ -38,6 +38,7 @@ def test_processes_answer_after_their_parent_has_used_threads(alone, method):
     alone("processes", method)
 
 
+@pytest.mark.slow
 def test_a_pool_answers_slices_after_its_parent_has_used_threads(alone):
     alone("slices")
 

@@ -102,6 +102,7 @@ def shone_on(normals, radiance, fine=40):
         pytest.param("reinhart4", "grey", marks=pytest.mark.slow),
     ],
 )
+@pytest.mark.slow
 def test_the_sky_is_that_of_gendaymtx_but_for_its_scale(patches, sky, request):
     path = request.getfixturevalue(sky)
     weather = read_weather(path).chosen(np.arange(4000, 4100))

@@ -52,7 +52,7 @@ def plan(found: Found) -> Plan:
     way, sent = found.ways[-1], found.sent
     return Plan(
         chunks=ceil(PLANNED / CHUNK),
-        chunk_seconds=2 * way.seconds.median * CHUNK / way.points,
+        chunk_seconds=2 * way.duration.median * CHUNK / way.points,
         overhead_seconds=max(1e-6, found.overheads[-1].milliseconds.median / 1e3),
         transfer_seconds=sent[0].transfer_seconds / len(sent) * MACHINES,
         tree_seconds=max(row.tree_seconds / max(1, row.trees) for row in sent),
@@ -77,7 +77,7 @@ def readme(result: Result) -> list[Table | str]:
 
 
 def _tables(found: Found) -> list[Table]:
-    ways = [[row.way, f"{row.points:,}", spread(row.seconds), spread(row.speed)] for row in found.ways]
+    ways = [[row.way, f"{row.points:,}", spread(row.duration), spread(row.speed)] for row in found.ways]
     overheads = [[row.chunk, spread(row.milliseconds)] for row in found.overheads]
     memory = [
         [f"{row.points:,}{'' if row.computed else ', made only'}", f"{row.chunks:,}", _megabytes(row)]

@@ -34,16 +34,16 @@ class Way:
     Attributes:
         way: of `WAYS`.
         points: of the call, by 256 rays each.
-        seconds: of the call.
+        duration: of the call, in seconds.
         speed: how many times as fast as the first way, within each round.
-        repeats: seconds of each.
+        seconds: of each repeat.
     """
 
     way: str
     points: int
-    seconds: Spread
+    duration: Spread
     speed: Spread
-    repeats: list[float] = field(default_factory=list)
+    seconds: list[float] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
