@@ -16,6 +16,8 @@ import pytest
 import warpsample as ws
 from warpsample import cluster
 
+pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+
 distributed = pytest.importorskip("distributed")
 pytest.importorskip("zarr")
 xr = pytest.importorskip("xarray")
@@ -45,12 +47,16 @@ def path(tmp_path):
     return tmp_path / "out.zarr"
 
 
-def meshes():
-    """(how many meshes arrived in this process, how many trees it has, the process)."""
-    from warpsample.mesh import known
-    from warpsample.tracing.scene import _scenes
+def meshes(client):
+    """Of each process: how many meshes arrived there, how many trees it has, and its number."""
 
-    return len(known._arrived), sum(scene._tree is not None for scene in _scenes.values()), os.getpid()
+    def look():  # travels by value: processes need not find this file
+        from warpsample.mesh import known
+        from warpsample.tracing.scene import _scenes
+
+        return len(known._arrived), sum(scene._tree is not None for scene in _scenes.values()), os.getpid()
+
+    return client.run(look).values()
 
 
 def assert_same(found, right):
@@ -64,7 +70,7 @@ def test_two_processes_give_the_bits_of_one_and_get_the_mesh_once(client, mesh, 
         assert_same(cluster.ambient_occlusion(mesh, POINTS, RAYS, chunk=chunk).compute(), right)
     assert_same(cluster.ambient_occlusion(mesh, ws.sample_surface(mesh, POINTS), RAYS, chunk=CHUNK).compute(), right)
     assert_same(cluster.bake(path, "ambient_occlusion", mesh, POINTS, RAYS, chunk=CHUNK), right)
-    found = client.run(meshes).values()
+    found = meshes(client)
     assert [(sent, trees) for sent, trees, _ in found] == [(1, 1), (1, 1)]
 
 

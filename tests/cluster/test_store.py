@@ -10,6 +10,8 @@ import pytest
 import warpsample as ws
 from warpsample import cluster
 
+pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+
 dask = pytest.importorskip("dask")
 pytest.importorskip("zarr")
 xr = pytest.importorskip("xarray")

@@ -7,6 +7,8 @@ import pytest
 
 import warpsample as ws
 
+pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+
 dask = pytest.importorskip("dask")
 pytest.importorskip("zarr")
 xr = pytest.importorskip("xarray")

@@ -10,6 +10,8 @@ import warpsample as ws
 from warpsample.funcs import Lobe
 from warpsample.host import engine
 
+pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+
 
 @pytest.mark.parametrize("name", CALLS)
 def test_a_full_device_is_an_error_and_gives_all_back(name, bunny, some):

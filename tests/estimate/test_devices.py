@@ -167,6 +167,7 @@ def launched(calls, monkeypatch):
     return list(dict.fromkeys(kernels))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("arch", ARCHITECTURES)
 @pytest.mark.parametrize("name", [*CALLS, *(pytest.param(name, marks=SLOW) for name in ESTIMATES if name not in CALLS)])
 def test_each_kernel_that_a_device_runs_compiles_for_cuda(name, arch, bunny, some, tmp_path, monkeypatch):

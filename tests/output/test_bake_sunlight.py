@@ -12,6 +12,8 @@ from warpsample.radiation.matrix_files import read_matrix
 from warpsample.radiation.sky_matrix import sky_matrix
 from warpsample.radiation.weather import read_weather
 
+pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+
 pytest.importorskip("pvlib")
 pytest.importorskip("pyradiance")
 

@@ -8,6 +8,8 @@ from weather_files import write_epw
 from warpsample.radiation.epw import YEAR
 from warpsample.radiation.weather import read_weather
 
+pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+
 pytest.importorskip("pvlib")
 
 # A floor of 2 by 1 whose eastern half is a surface of its own, and a wall of height 1 along its east side, seen from both.

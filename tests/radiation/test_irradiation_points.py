@@ -10,6 +10,8 @@ from weather_files import write_epw
 
 import warpsample as ws
 
+pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+
 pytest.importorskip("pvlib")
 pyradiance = pytest.importorskip("pyradiance")
 

@@ -10,6 +10,8 @@ import warpsample as ws
 from warpsample.bench import scenes
 from warpsample.radiation.direct_sun import SunCall
 
+pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+
 
 @pytest.mark.parametrize("scale", [1e-28, 1e-3, 1e6, 1e34])
 def test_scale_changes_nothing(scale):

@@ -11,6 +11,8 @@ from view_factor_cases import box, scene
 import warpsample as ws
 from warpsample.radiation import casting
 
+pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+
 
 @pytest.fixture
 def cube_inwards(tmp_path):

@@ -7,6 +7,8 @@ from view_factor_cases import GROUND, LID, X, Y, Z, box, rectangle, scene
 
 import warpsample as ws
 
+pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+
 SCENE, POLYGON = scene(
     GROUND,
     LID,

@@ -28,15 +28,16 @@ _last_sent: deque[Any] = deque(maxlen=_KEPT)
 
 
 def current_client() -> Any | None:
-    """The Client that computes in this place, if there is one."""
+    """The Client that computes in this place, if there is one; one that found no scheduler is none."""
     if "distributed" not in sys.modules:
         return None
     from distributed import Client  # noqa: PLC0415
 
     try:
-        return Client.current()
+        client = Client.current()
     except ValueError:
         return None
+    return client if client.status == "running" else None
 
 
 def shared_by_key(job: Job) -> tuple[dict[str, Any], list[Any]]:
