@@ -9,6 +9,7 @@ import warpsample as ws
 from warpsample.bench import kernels
 
 
+@pytest.mark.slow
 def test_ways_to_a_mean_agree(monkeypatch):
     monkeypatch.setattr(kernels, "_TOTAL", 1 << 14)
     fused, directions, summed = (work() for work in kernels.means(256).values())
@@ -18,6 +19,7 @@ def test_ways_to_a_mean_agree(monkeypatch):
     assert np.abs(fused.value - summed).max() <= 6.0 * fused.standard_error.max() + 1e-3
 
 
+@pytest.mark.slow
 def test_ways_to_occlusion_agree(monkeypatch):
     """The user's kernel has a point's own 256 rays, each 0 or 1: its error is at most that of independent ones."""
     monkeypatch.setitem(kernels.SCENES, "bunny", soup)

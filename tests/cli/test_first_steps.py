@@ -198,6 +198,7 @@ def test_what_is_closed_is_nowhere(streams, child_environment, tmp_path):
     assert (tmp_path / "o.ply").read_bytes().startswith(b"ply\n")
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="a device of Linux")
 @pytest.mark.parametrize(
     "arguments", ["--version", *(pytest.param(a, marks=pytest.mark.slow) for a in ("--help", "info courtyard"))]

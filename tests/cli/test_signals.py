@@ -62,6 +62,7 @@ def writing(cube, tmp_path):
     assert {path.name for path in tmp_path.iterdir()} == {"cube.ply", "d.npz"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", mostly_slow("SIGTERM"))
 def test_on_a_terminal_the_half_file_goes_and_the_cursor_comes_back(name, writing, child_environment):
     arguments, half = writing
@@ -132,6 +133,7 @@ def test_in_the_first_second_it_is_one_sentence(name, module, cube, child_enviro
     assert (done.returncode, done.stdout, done.stderr) == (128 + getattr(signal, name), "", sentence(name) + "\n")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["SIGHUP", pytest.param("SIGINT", marks=pytest.mark.slow)])
 def test_what_the_parent_ignores_stays_ignored(name, cube, child_environment):
     """`nohup` and the background jobs of a shell rely on this."""
@@ -193,6 +195,7 @@ def test_while_a_window_is_open_a_signal_ends_it_at_once(name, child_environment
     assert listen(body.format("pass"), child_environment) == (128 + number, "", sentence(name) + "\n")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["SIGTERM", *(pytest.param(other, marks=pytest.mark.slow) for other in ("SIGINT", "SIGHUP"))]
 )

@@ -82,6 +82,7 @@ def test_the_first_id_goes_with_points_and_rays(mesh):
     assert_same(cluster.ambient_occlusion(mesh, 90, RAYS, seed=SEED, first_point=40, chunk=33), right)
 
 
+@pytest.mark.slow
 def test_every_estimate(mesh, points):
     shared = {"seed": SEED, "active": ACTIVE}
     few = {**shared, "tolerance": 0.05}
@@ -212,6 +213,7 @@ def test_a_function_goes_by_its_name_or_not_at_all():
             pickle.dumps(named.Named("integrand", value))
 
 
+@pytest.mark.slow
 def test_the_room_opens_without_dask_and_says_what_it_needs(child_environment):
     code = (
         "import sys; from warpsample import cluster; "

@@ -20,6 +20,7 @@ NUMBERS = ("value", "standard_error", "spread", "degrees_of_freedom", "rays", "s
 EACH = [name if name in ("occlusion", "tolerance", "data") else pytest.param(name, marks=SLOW) for name in ESTIMATES]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", EACH)
 def test_estimates_on_a_device_have_the_same_bits(name, bunny, some):
     """As by the same tree here, where the points are not taken apart: each number of each point, and what was skipped."""
@@ -79,6 +80,7 @@ def test_points_of_a_surface_on_a_device_have_the_same_bits(bunny):
         assert np.array_equal(getattr(here, item.name), getattr(there, item.name)), item.name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [1, 5, 100])
 def test_directions_on_a_device_have_the_same_bits(count, normals):
     """By one sample a task, as CUDA has it; ids pass a multiple of 2^32 within a part."""

@@ -75,7 +75,7 @@ def _for_kernels_alone(d: wp.vec3) -> wp.float64:
 
 @pytest.mark.parametrize(
     "radiance",
-    [_float32, *(pytest.param(other, marks=pytest.mark.slow) for other in (_whole, _for_kernels_alone))],
+    [pytest.param(other, marks=pytest.mark.slow) for other in (_float32, _whole, _for_kernels_alone)],
     ids=lambda f: f.key,
 )
 def test_a_function_may_give_any_number(radiance):

@@ -27,6 +27,7 @@ def alone(tmp_path, child_environment):
     return run
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "tasks", ["damages", pytest.param("folders,unmarked,again,unwritable,together", marks=pytest.mark.slow)]
 )

@@ -31,6 +31,7 @@ def test_threads_answer_as_one(alone, task):
     alone(task)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "method", ["fork", *(pytest.param(name, marks=pytest.mark.slow) for name in ("spawn", "forkserver"))]
 )

@@ -53,7 +53,7 @@ def read(path):
 
 
 @pytest.mark.parametrize(("size", "at"), PLACES)
-@pytest.mark.parametrize("suffix", [".ply", ".glb", ".vtp"])
+@pytest.mark.parametrize("suffix", [".ply", *(pytest.param(s, marks=pytest.mark.slow) for s in (".glb", ".vtp"))])
 @pytest.mark.parametrize("of", [pytest.param("vertices", marks=pytest.mark.slow), "faces"])
 def test_every_face_keeps_its_area(call, placed, tmp_path, suffix, of, size, at):
     mesh, output = ground(size, at), tmp_path / f"out{suffix}"

@@ -52,6 +52,7 @@ def test_tables_a_law_each_and_status_0(call):
     assert max(map(len, out.splitlines())) <= 120
 
 
+@pytest.mark.slow
 def test_a_planted_defect_gives_status_1(call):
     status, out, _ = call("--plant", "ball for sphere")
     assert status == 1

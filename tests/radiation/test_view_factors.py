@@ -193,6 +193,7 @@ def test_open_faces_cast_no_ray_and_their_sky_is_exact():
     assert v.sky_error[0] == 0.0
 
 
+@pytest.mark.slow
 def test_the_sky_of_a_courtyard_is_that_of_its_points():
     v = ws.view_factors(COURTYARD, 1024, up=(0, 0, 1))
     inside = ws.sky_view_factor(COURTYARD, ws.face_centers(COURTYARD), 1024)
