@@ -24,11 +24,6 @@ PICTURE = np.random.default_rng(0).random((8, 16, 3))
 
 
 @pytest.fixture(scope="module")
-def mesh():
-    return ws.load_mesh("courtyard")
-
-
-@pytest.fixture(scope="module")
 def points(mesh):
     return ws.sample_surface(mesh, POINTS, seed=SEED)
 

@@ -6,8 +6,6 @@ import pytest
 
 import warpsample as ws
 
-pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
-
 pytest.importorskip("dask")
 pytest.importorskip("zarr")
 pytest.importorskip("xarray")

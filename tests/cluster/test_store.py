@@ -10,7 +10,7 @@ import pytest
 import warpsample as ws
 from warpsample import cluster
 
-pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
 dask = pytest.importorskip("dask")
 pytest.importorskip("zarr")
@@ -22,18 +22,8 @@ ARRAYS = ("value", "standard_error", "spread", "degrees_of_freedom", "rays", "st
 
 
 @pytest.fixture(scope="module")
-def mesh():
-    return ws.load_mesh("courtyard")
-
-
-@pytest.fixture(scope="module")
 def right(mesh):
     return ws.ambient_occlusion(mesh, ws.sample_surface(mesh, POINTS), RAYS)
-
-
-@pytest.fixture
-def path(tmp_path):
-    return tmp_path / "out.zarr"
 
 
 @pytest.fixture(autouse=True)

@@ -5,26 +5,13 @@ from importlib import import_module
 
 import pytest
 
-import warpsample as ws
-
-pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
 dask = pytest.importorskip("dask")
 pytest.importorskip("zarr")
-xr = pytest.importorskip("xarray")
-baking, store = (import_module(f"warpsample.cluster.{name}") for name in ("baking", "store"))
+current_client = import_module("warpsample.cluster.arrays").current_client
 
 POINTS, RAYS, CHUNK = 130, 40, 50
-
-
-@pytest.fixture(scope="module")
-def mesh():
-    return ws.load_mesh("courtyard")
-
-
-@pytest.fixture
-def path(tmp_path):
-    return tmp_path / "out.zarr"
 
 
 @pytest.fixture(autouse=True)
@@ -102,6 +89,7 @@ def test_bad_input_is_one_line(call, tmp_path, monkeypatch, arguments, message):
     assert err.startswith(f"error: {message}")
     assert err.count("\n") == 1
     assert list(tmp_path.iterdir()) == []
+    assert current_client() is None  # nor does one that found no scheduler stay behind
 
 
 def test_only_a_finished_store_of_that_mesh_is_exported(call, path, cube, tmp_path):

@@ -10,7 +10,7 @@ import warpsample as ws
 from warpsample.funcs import Lobe
 from warpsample.host import engine
 
-pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
 
 @pytest.mark.parametrize("name", CALLS)

@@ -53,11 +53,6 @@ def who(w: wp.vec3, lobe: funcs.Lobe, albedo: Albedo) -> wp.vec3:
 
 
 @wp.func
-def not_a_number(w: wp.vec3) -> float:
-    return wp.sqrt(-1.0 - w[2] * w[2])
-
-
-@wp.func
 def broken_at(w: wp.vec3, lobe: funcs.Lobe) -> float:
     return wp.where(lobe.row == 3, wp.sqrt(-1.0 - w[2] * w[2]), 1.0)
 
@@ -171,21 +166,3 @@ def test_a_point_without_a_number_is_counted():
     assert found.status.tolist() == [0, 0, 0, ws.PointStatus.NONFINITE_VALUE, ws.PointStatus.ZERO_NORMAL]
     assert found.value.tolist() == [1.0, 1.0, 1.0, 0.0, 0.0]
     assert found.standard_error.tolist() == [0.0] * 5
-
-
-HEIGHT = 1.0
-
-
-@wp.func
-def helper(w: wp.vec3) -> float:
-    return 2.0
-
-
-@wp.func
-def helper_again(w: wp.vec3) -> float:
-    return 4.0
-
-
-@wp.func
-def tall(w: wp.vec3) -> float:
-    return HEIGHT + helper(w)

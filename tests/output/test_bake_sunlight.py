@@ -12,7 +12,7 @@ from warpsample.radiation.matrix_files import read_matrix
 from warpsample.radiation.sky_matrix import sky_matrix
 from warpsample.radiation.weather import read_weather
 
-pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
 pytest.importorskip("pvlib")
 pytest.importorskip("pyradiance")

@@ -8,7 +8,7 @@ from weather_files import write_epw
 from warpsample.radiation.epw import YEAR
 from warpsample.radiation.weather import read_weather
 
-pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
 pytest.importorskip("pvlib")
 

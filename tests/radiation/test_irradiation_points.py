@@ -10,7 +10,7 @@ from weather_files import write_epw
 
 import warpsample as ws
 
-pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
 pytest.importorskip("pvlib")
 pyradiance = pytest.importorskip("pyradiance")

@@ -6,7 +6,7 @@ from sun_cases import at, mesh_of, mixed, plane_and, unit, upright, year
 
 import warpsample as ws
 
-pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
 ERROR = 0.037  # of a disc's share, where an edge cuts it
 

@@ -10,7 +10,7 @@ import warpsample as ws
 from warpsample.bench import scenes
 from warpsample.radiation.direct_sun import SunCall
 
-pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
 
 @pytest.mark.parametrize("scale", [1e-28, 1e-3, 1e6, 1e34])

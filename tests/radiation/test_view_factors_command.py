@@ -11,7 +11,7 @@ from view_factor_cases import box, scene
 import warpsample as ws
 from warpsample.radiation import casting
 
-pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
 
 @pytest.fixture

@@ -7,7 +7,7 @@ from view_factor_cases import GROUND, LID, X, Y, Z, box, rectangle, scene
 
 import warpsample as ws
 
-pytestmark = pytest.mark.slow  # a sibling in this room holds the same code by quick tests
+pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
 SCENE, POLYGON = scene(
     GROUND,

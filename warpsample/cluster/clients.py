@@ -13,6 +13,7 @@ from warpsample.host.engine import check_workers
 
 _PATIENCE = 10.0  # seconds for a scheduler to answer
 _ITS_OWN = "127.0.0.1"
+_KEEP_COPIES = {"distributed.scheduler.active-memory-manager.start": False}  # else an idle worker's mesh goes after 2 s
 
 
 @contextmanager
@@ -43,7 +44,7 @@ def _client(address: str | None, processes: int | None) -> Iterator[None]:
 
     if address is None:
         options = {"n_workers": processes, "threads_per_worker": 1, "host": _ITS_OWN, "dashboard_address": f"{_ITS_OWN}:0"}
-        with _left_to_us(signal.SIGINT):
+        with _left_to_us(signal.SIGINT), dask.config.set(_KEEP_COPIES):
             own = LocalCluster(**options, silence_logs=logging.CRITICAL)
         with own, Client(own):
             yield

@@ -104,6 +104,28 @@ def aim(local: wp.uint64, n: wp.vec3, o: wp.vec3, low: wp.float32, beam: wp.uint
 
 
 @wp.func
+def start_beam(vectors: wp.uint64, n: wp.vec3, o: wp.vec3, low: wp.float32, beam: wp.uint64):
+    """Starts a beam of world directions from o; its first plane is the horizon of n, as in `aim`."""
+    given = wp.array(ptr=vectors, shape=(_BEAM_LOCAL,), dtype=wp.float32)
+    aim = wp.array(ptr=beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
+    k = wp.int32(0)
+    while k < WIDTH:
+        x = given[k]
+        y = given[WIDTH + k]
+        z = given[2 * WIDTH + k]
+        aim[k] = x
+        aim[WIDTH + k] = y
+        aim[2 * WIDTH + k] = z
+        aim[3 * WIDTH + k] = x * o[0] + y * o[1] + z * o[2]
+        k += 1
+    aim[3 * WIDTH] = wp.dot(n, o) - low + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
+    for axis in range(3):
+        aim[axis * WIDTH] = n[axis]
+        aim[4 * WIDTH + axis] = o[axis]
+    aim[4 * WIDTH + 3] = low
+
+
+@wp.func
 def start(chunk: wp.uint64, o: wp.vec3, reach: wp.float32):
     """Lets all rays of a chunk start from o."""
     rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)

@@ -8,10 +8,9 @@ import warp as wp
 
 from warpsample.estimate.skipping.beams import boxes_in, triangles_in
 from warpsample.estimate.skipping.frontier import NEAR
-from warpsample.estimate.spot import Spot
+from warpsample.estimate.spot import Spot, start_beam
 from warpsample.maths.numerics import lowest_bit
 from warpsample.radiation.patches import SkyPatches
-from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.corners import corner, size_of
 from warpsample.tracing.wide.layout import BEAM_FLOATS, CORNERS, LEAF_BYTES, NODE_BYTES, PLANES, WIDTH, Accelerator
 from warpsample.tracing.wide.query import put_aside
@@ -28,8 +27,6 @@ _LEAF = wp.constant(wp.uint64(LEAF_BYTES))
 _PLACES = wp.constant(wp.uint64(6 * 4 * WIDTH))
 _WAITING = wp.constant(wp.uint64(4 * 4))
 _BEAM = wp.constant(wp.uint64(12 * WIDTH))
-_BEAM_LOCAL = 3 * WIDTH
-_PADDING = wp.constant(wp.float32(PADDING))
 _INSIDE = wp.constant(wp.float32(2.0**-17))
 """Of an angle, by which a beam must be within a triangle: directions are rounded by less than 2^-20."""
 
@@ -84,26 +81,7 @@ def _towards(azimuth: np.ndarray, along: np.ndarray, up: np.ndarray) -> np.ndarr
 @wp.func
 def aim_at(beams: wp.uint64, k: wp.int32, spot: Spot):
     """Starts the k-th beam from a point; its first plane is the point's horizon."""
-    vectors = wp.array(ptr=beams + wp.uint64(k) * _BEAM, shape=(_BEAM_LOCAL,), dtype=wp.float32)
-    aim = wp.array(ptr=spot.beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
-    n = spot.n
-    o = spot.o
-    i = wp.int32(0)
-    while i < WIDTH:
-        x = vectors[i]
-        y = vectors[WIDTH + i]
-        z = vectors[2 * WIDTH + i]
-        aim[i] = x
-        aim[WIDTH + i] = y
-        aim[2 * WIDTH + i] = z
-        aim[3 * WIDTH + i] = x * o[0] + y * o[1] + z * o[2]
-        i += 1
-    # The horizon, exactly; boxes are padded, what is in them is not.
-    aim[3 * WIDTH] = wp.dot(n, o) - spot.low + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
-    for axis in range(3):
-        aim[axis * WIDTH] = n[axis]
-        aim[4 * WIDTH + axis] = o[axis]
-    aim[4 * WIDTH + 3] = spot.low
+    start_beam(beams + wp.uint64(k) * _BEAM, spot.n, spot.o, spot.low, spot.beam)
 
 
 @wp.func

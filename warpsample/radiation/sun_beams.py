@@ -3,11 +3,9 @@
 import warp as wp
 
 from warpsample.maths.numerics import greater, lesser
-from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.corners import corner, size_of
-from warpsample.tracing.wide.layout import BEAM_FLOATS, CORNERS, PLANES, WIDTH
+from warpsample.tracing.wide.layout import CORNERS, PLANES, WIDTH
 
-_PADDING = wp.constant(wp.float32(PADDING))
 _BEAM_LOCAL = 3 * WIDTH
 _MARGIN = wp.constant(wp.float32(2.0**-19))
 """Of what is compared, for both: a direction is rounded by at most 2^-20.4, a corner by 2^-24 of its distance, and products
@@ -73,25 +71,3 @@ def covering(leaf: wp.uint64, beam: wp.uint64, o: wp.vec3) -> wp.int32:
         mask = mask | ((inside & wp.where(sign * volume > flat, 1, 0)) << k)
         k += 1
     return mask
-
-
-@wp.func
-def start_beam(vectors: wp.uint64, n: wp.vec3, o: wp.vec3, low: wp.float32, beam: wp.uint64):
-    """Starts a beam of `SunTree` from o, with the horizon of n as its first plane; see `spot.aim`."""
-    given = wp.array(ptr=vectors, shape=(_BEAM_LOCAL,), dtype=wp.float32)
-    aim = wp.array(ptr=beam, shape=(BEAM_FLOATS,), dtype=wp.float32)
-    k = wp.int32(0)
-    while k < WIDTH:
-        x = given[k]
-        y = given[WIDTH + k]
-        z = given[2 * WIDTH + k]
-        aim[k] = x
-        aim[WIDTH + k] = y
-        aim[2 * WIDTH + k] = z
-        aim[3 * WIDTH + k] = x * o[0] + y * o[1] + z * o[2]
-        k += 1
-    aim[3 * WIDTH] = wp.dot(n, o) - low + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
-    for axis in range(3):
-        aim[axis * WIDTH] = n[axis]
-        aim[4 * WIDTH + axis] = o[axis]
-    aim[4 * WIDTH + 3] = low

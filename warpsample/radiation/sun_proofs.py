@@ -4,7 +4,8 @@ import warp as wp
 
 from warpsample.estimate.skipping.beams import meets, triangles_in
 from warpsample.estimate.skipping.frontier import NEAR, frontier
-from warpsample.radiation.sun_beams import covering, highest, start_beam
+from warpsample.estimate.spot import start_beam
+from warpsample.radiation.sun_beams import covering, highest
 from warpsample.radiation.sun_view import Suns, View, known_triangles
 from warpsample.tracing.placement import far_off
 from warpsample.tracing.wide.layout import Accelerator

@@ -1,0 +1,16 @@
+"""Fixtures that the tests of clusters share."""
+
+import pytest
+
+import warpsample as ws
+
+
+@pytest.fixture(scope="session")
+def mesh() -> ws.Mesh:
+    return ws.load_mesh("courtyard")
+
+
+@pytest.fixture
+def path(tmp_path):
+    """Of a store that is not there yet."""
+    return tmp_path / "out.zarr"
