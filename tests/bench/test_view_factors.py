@@ -20,6 +20,7 @@ def outward(mesh):
     return np.cross(b - a, c - a)
 
 
+@pytest.mark.slow
 def test_a_city_has_faces_of_one_size_and_no_other_gap_than_its_border():
     mesh = blocks(2)
     assert np.ptp(mesh.face_areas) <= 1e-9

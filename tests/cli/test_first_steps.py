@@ -181,10 +181,10 @@ def test_the_digest_of_the_example_tells_it_from_files(tmp_path):
 
 
 CLOSED = {"stdout": ">&-", "stderr": "2>&-", "all": "<&- >&- 2>&-"}
-APART = [pytest.param(name, marks=pytest.mark.slow) for name in ("stdout", "stderr")]
 
 
-@pytest.mark.parametrize("streams", [*APART, "all"])
+@pytest.mark.slow
+@pytest.mark.parametrize("streams", CLOSED)
 def test_what_is_closed_is_nowhere(streams, child_environment, tmp_path):
     """Standard streams are closed, as a service's are; the output file does not get what is printed."""
     command = f"{sys.executable} -m warpsample"

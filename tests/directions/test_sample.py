@@ -8,14 +8,15 @@ import warp as wp
 
 import warpsample as ws
 
+SLOW = pytest.mark.slow
 # The ways through the kernels: a map in a frame, one without a frame and with a rim drawn anew, one with parameters.
 CASES = [ws.CosineHemisphere("polar"), ws.CosineHemisphere("offset"), ws.VisibleGGX(0.3, (0.6, -0.64, 0.48))]
 EACH = pytest.mark.parametrize("distribution", CASES, ids=repr)
-# One sample; short rows in flat blocks; rows with a remainder; more than one part of a row. Slow: full vectors.
-COUNTS = [1, 3, 23, 100, *(pytest.param(n, marks=pytest.mark.slow) for n in (16, 64))]
+# Short rows in flat blocks; rows with a remainder. Slow: one sample; full vectors; more than one part of a row.
+COUNTS = [3, 23, *(pytest.param(n, marks=SLOW) for n in (1, 16, 64, 100))]
 
 
-@EACH
+@pytest.mark.parametrize("distribution", [CASES[0], *(pytest.param(case, marks=SLOW) for case in CASES[1:])], ids=repr)
 @pytest.mark.parametrize("count", COUNTS)
 def test_same_bits_in_chunks_threads_offsets_and_with_half_inactive(distribution, count, monkeypatch):
     """Global ids pass a multiple of 2^32 in the middle of the call, and at the start of one of its parts."""
@@ -46,11 +47,7 @@ def test_same_bits_in_chunks_threads_offsets_and_with_half_inactive(distribution
 
 @pytest.mark.parametrize(
     "sequence",
-    [
-        "sobol",
-        "fibonacci",
-        *(pytest.param(n, marks=pytest.mark.slow) for n in ("independent", "philox", "r2", "stratified")),
-    ],
+    ["sobol", *(pytest.param(n, marks=SLOW) for n in ("fibonacci", "independent", "philox", "r2", "stratified"))],
 )
 def test_directions_about_z_are_the_map_of_the_sequence_bit_for_bit(sequence):
     """This holds for each of the three loops: one sample per point, flat blocks, and rows."""

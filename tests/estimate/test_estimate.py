@@ -51,7 +51,9 @@ def _sides(d: wp.vec3):
 # Error bars
 
 
-@pytest.mark.parametrize(("sequence", "count"), [("fibonacci", 64), ("fibonacci", 512), ("independent", 64)])
+@pytest.mark.parametrize(
+    ("sequence", "count"), [("fibonacci", 64), ("fibonacci", 512), pytest.param("independent", 64, marks=pytest.mark.slow)]
+)
 def test_the_standard_error_is_what_it_says(bunny, points, sequence, count):
     """Its mean square equals that of the error, over 32 runs of 600 points."""
     runs = [ws.ambient_occlusion(bunny, points, count, sequence=sequence, seed=2, first_point=600 * k) for k in range(32)]
@@ -119,6 +121,7 @@ def test_any_mesh_gives_finite_numbers_and_a_report():
     assert degenerate.counts()[ws.PointStatus.ZERO_NORMAL] == degenerate.skipped.points == 10
 
 
+@pytest.mark.slow
 def test_a_million_faces():
     side = 708
     x, y = np.meshgrid(np.linspace(0, 1, side), np.linspace(0, 1, side))
@@ -186,6 +189,7 @@ def test_bad_arguments_are_named(bunny, points, change, message):
 # Portable; that its loops are vectorised is in tracing/test_query_kernels.py, whose compiler it shares
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("query", [(prepare_builtin, builtin_any_query), (None, None)], ids=["with a mesh", "without"])
 def test_the_kernel_compiles_for_cuda(query, tmp_path):
     rays = (ws.sequences.get("fibonacci"), ws.CosineHemisphere("polar").about(), None, 0.0, True)

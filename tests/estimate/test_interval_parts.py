@@ -68,6 +68,7 @@ def test_skipping_and_threads_change_no_interval(bunny, points):
             assert found.spread.shape == found.degrees_of_freedom.shape == found.value.shape
 
 
+@pytest.mark.slow
 def test_every_number_is_finite(bunny, points):
     for found in _estimates(bunny, points):
         lower, upper = found.interval(0.9999)

@@ -40,7 +40,9 @@ EXAMPLES = {
     ws.Estimate: ws.Estimate(*np.zeros((4, 4), np.float32), np.zeros(4, int), np.zeros(4, np.uint8), ws.Skipped()),
     ws.GGX: ws.GGX(0.5),
     ws.Mesh: MESH,
-    ws.SkyMatrix: ws.sky_matrix(MESH, POINTS, 2),
+    ws.SkyMatrix: ws.SkyMatrix(
+        *np.zeros((2, 4, 145), np.float32), *np.zeros((2, 4), np.uint8), ws.SkySkipped(), ws.sky_patches()
+    ),
     ws.SurfacePoints: POINTS,
     ws.ViewFactors: ws.ViewFactors(
         HALVES, HALVES, *np.zeros((5, 2)), np.full(2, COUNT), np.zeros(2, np.uint8), ws.Skipped()
@@ -91,6 +93,7 @@ def parameters(function):
 
 CALLS = dict(targets())
 CASES = [(name, argument) for name, function in CALLS.items() for argument in parameters(function)]
+COMPILED = ("direct_sun-disc", "integrate-max_distance", "integrate-mesh")  # for these alone: seconds
 
 
 def fault_of(call, value, valid, said):
@@ -124,7 +127,13 @@ def faults(name, argument):
     return {label: fault for label, fault in found.items() if fault}
 
 
-@pytest.mark.parametrize(("name", "argument"), CASES, ids=[f"{name}-{argument}" for name, argument in CASES])
+def slow_where_compiled(cases):
+    for case in cases:
+        name = "-".join(case)
+        yield pytest.param(*case, id=name, marks=[pytest.mark.slow] if name in COMPILED else [])
+
+
+@pytest.mark.parametrize(("name", "argument"), list(slow_where_compiled(CASES)))
 def test_a_wrong_argument_is_named(name, argument):
     assert faults(name, argument) == {}
 

@@ -62,8 +62,7 @@ def test_right_directions_agree_and_wrong_ones_do_not(name, plausible):
     "sequence",
     [
         "independent",
-        "sobol",
-        *(pytest.param(n, marks=pytest.mark.slow) for n in ("fibonacci", "philox", "r2", "stratified")),
+        *(pytest.param(n, marks=pytest.mark.slow) for n in ("fibonacci", "philox", "r2", "sobol", "stratified")),
     ],
 )
 def test_every_sequence_tells_right_from_wrong(sequence, points):

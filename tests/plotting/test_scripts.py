@@ -83,6 +83,7 @@ def sheet_of_the_sequences(script):
     return sequence_sheet(square, lobe, [curve, curve], "the caption")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sheet", [sheet_of_the_family, sheet_of_the_sequences])
 def test_captions_are_as_large_as_the_labels_and_legends_hide_no_data(script, sheet):
     figure = sheet(script)

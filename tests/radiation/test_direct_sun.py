@@ -143,7 +143,7 @@ def test_suns_just_above_the_horizon_are_lit():
 # Sums
 
 
-@pytest.mark.parametrize("disc", [0.0, 0.533])
+@pytest.mark.parametrize("disc", [0.0, pytest.param(0.533, marks=pytest.mark.slow)])
 def test_sums_are_those_of_the_array(bunny, points, disc):
     suns, rng = year(20), np.random.default_rng(1)
     some = ws.SurfacePoints(points.position[:80], points.normal[:80], points.face[:80])
@@ -176,7 +176,7 @@ def test_irradiation_is_at_most_what_comes_in():
 # Parts
 
 
-@pytest.mark.parametrize("disc", [0.0, 0.533])
+@pytest.mark.parametrize("disc", [0.0, pytest.param(0.533, marks=pytest.mark.slow)])
 def test_parts_threads_masks_and_order_change_no_bit(bunny, monkeypatch, disc):
     points, suns = ws.sample_surface(bunny, 4200, seed=1), year(40)
     weights = np.random.default_rng(0).uniform(size=(len(suns), 2))

@@ -10,7 +10,11 @@ from warpsample.radiation import hits_to_matrix
 pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
 CUBE, SIDES = scene(*box())
-ROOM = ws.view_factors(CUBE, 256)
+
+
+@pytest.fixture(scope="module")
+def room():
+    return ws.view_factors(CUBE, 256)
 
 
 def solved(v, emission, reflectance):
@@ -19,32 +23,32 @@ def solved(v, emission, reflectance):
 
 
 @pytest.mark.parametrize("reflectance", [0.99, 0.999, 0.9999, 0.99999])
-def test_little_is_absorbed_in_an_integrating_sphere(reflectance):
+def test_little_is_absorbed_in_an_integrating_sphere(room, reflectance):
     emission = np.arange(12.0)
-    right = solved(ROOM, emission, np.full(12, reflectance))
-    assert ROOM.radiosity(emission, reflectance) == pytest.approx(right, rel=1e-11)
+    right = solved(room, emission, np.full(12, reflectance))
+    assert room.radiosity(emission, reflectance) == pytest.approx(right, rel=1e-11)
 
 
-def test_one_wall_absorbs_all_that_the_others_give_back():
+def test_one_wall_absorbs_all_that_the_others_give_back(room):
     reflectance = np.where(np.arange(12) == 3, 0.999, 1.0)
     emission = np.arange(12.0)
-    assert ROOM.radiosity(emission, reflectance) == pytest.approx(solved(ROOM, emission, reflectance), rel=1e-10)
+    assert room.radiosity(emission, reflectance) == pytest.approx(solved(room, emission, reflectance), rel=1e-10)
 
 
-def test_each_column_has_its_digits():
+def test_each_column_has_its_digits(room):
     emission = np.stack([np.ones(12), np.where(np.arange(12) == 0, 1e-15, 0.0), np.full(12, 1e-310)], axis=1)
-    both = ROOM.radiosity(emission, 0.9)
+    both = room.radiosity(emission, 0.9)
     for column in range(2):
-        assert both[:, column] == pytest.approx(solved(ROOM, emission[:, column], np.full(12, 0.9)), rel=1e-11, abs=0.0)
+        assert both[:, column] == pytest.approx(solved(room, emission[:, column], np.full(12, 0.9)), rel=1e-11, abs=0.0)
     assert both[:, 2] == pytest.approx(np.full(12, 1e-309), rel=1e-9, abs=0.0)
 
 
-def test_what_has_no_solution_is_refused():
+def test_what_has_no_solution_is_refused(room):
     with pytest.raises(ValueError, match="reflectance: got up to 1, by which 1 of the radiation comes back"):
-        ROOM.radiosity(np.arange(12.0), 1.0)
+        room.radiosity(np.arange(12.0), 1.0)
     with pytest.raises(ValueError, match=r"emission: got 1e\+308, which adds up to more than"):
-        ROOM.radiosity(1e308, 0.9)
-    assert ROOM.radiosity(0.0, 1.0).tolist() == [0.0] * 12
+        room.radiosity(1e308, 0.9)
+    assert room.radiosity(0.0, 1.0).tolist() == [0.0] * 12
 
 
 def test_rows_that_were_left_out_are_not_taken_for_black_or_open(tmp_path):
@@ -119,7 +123,7 @@ def test_a_damaged_archive_is_refused(tmp_path):
         ws.ViewFactors.load(tmp_path / "bad.npy")
 
 
-def test_a_list_without_its_sky_is_not_left(tmp_path, monkeypatch):
+def test_a_list_without_its_sky_is_not_left(room, tmp_path, monkeypatch):
     """uDALES reads both files: of two runs they must not be."""
     from warpsample.radiation import view_factor_files
 
@@ -131,7 +135,7 @@ def test_a_list_without_its_sky_is_not_left(tmp_path, monkeypatch):
 
     monkeypatch.setattr(view_factor_files, "_write_sky", full)
     with pytest.raises(OSError, match="no space"):
-        ROOM.save(tmp_path / "vfsparse.inp")
+        room.save(tmp_path / "vfsparse.inp")
     assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"vfsparse.inp": "old", "svf.inp": "old"}
 
 

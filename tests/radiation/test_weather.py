@@ -57,7 +57,7 @@ def test_years_of_months_may_differ_and_letters_be_of_any_encoding(tmp_path, ath
     assert np.array_equal(weather.direct_normal, read_weather(athens).direct_normal)
 
 
-@pytest.mark.parametrize("width", [16, 33, 35, 40])
+@pytest.mark.parametrize("width", [16, *(pytest.param(n, marks=pytest.mark.slow) for n in (33, 35, 40))])
 def test_what_follows_the_diffuse_radiation_does_not_count(tmp_path, athens, width):
     path = write_epw(tmp_path / "wide.epw", change=lambda table: [(row + 5 * ["x"])[:width] for row in table])
     assert np.array_equal(read_weather(path).diffuse_horizontal, read_weather(athens).diffuse_horizontal)

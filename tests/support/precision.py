@@ -7,9 +7,10 @@ does `**` where NumPy squares or takes the root; test_precision.py says what els
 
 import sys
 from collections.abc import Callable
+from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
-from types import CodeType, ModuleType
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -52,11 +53,11 @@ class Watched:
     def __call__(self, *arguments: Any, **keywords: Any) -> Any:
         found = self._function(*arguments, **keywords)  # first, so that its own errors stay what they are
         caller = sys._getframe(1)
-        if _is_watched(caller.f_code):
+        if _is_watched(caller.f_code.co_filename, caller.f_code.co_name):
             single = {kind.name for kind in self._inside(arguments, keywords.get("dtype")) if kind.char in self._refused}
-            where = f"{caller.f_code.co_filename}:{caller.f_lineno}"
             assert not single, (
-                f"{where}: {self._function.__name__} in {', '.join(sorted(single))}, which each processor rounds otherwise: "
+                f"{caller.f_code.co_filename}:{caller.f_lineno}: "
+                f"{self._function.__name__} in {', '.join(sorted(single))}, which each processor rounds otherwise: "
                 "convert to float64 first"
             )
         return found
@@ -76,9 +77,9 @@ class Watched:
         return list(ufunc.resolve_dtypes((*given, *[None] * ufunc.nout))[: ufunc.nin])
 
 
-def _is_watched(code: CodeType) -> bool:
-    file = "/".join(Path(code.co_filename).parts[-2:])
-    return code.co_filename.startswith(_OURS) and (file, code.co_name) not in _TIMED
+@cache
+def _is_watched(file: str, name: str) -> bool:
+    return file.startswith(_OURS) and ("/".join(Path(file).parts[-2:]), name) not in _TIMED
 
 
 def watch() -> None:

@@ -67,6 +67,7 @@ KERNELS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", KERNELS)
 def test_both_tracers_compile_for_cuda(name, tmp_path):
     kernel = ray_kernel(*KERNELS[name])
