@@ -27,9 +27,9 @@ def test_ten_laws_or_more_judge_every_case():
 
 
 def mostly_slow(cases):
-    """The cases for pytest: of each kind one is quick, whose view is not slanted: such masses have no closed form."""
+    """The cases for pytest: of each kind one is quick. Masses of slanted views, and VisibleBeckmann, take seconds."""
     straight = [case for case in cases if getattr(case, "view", (0.0, 0.0, 1.0)) == (0.0, 0.0, 1.0)]
-    quick = {(case.name, getattr(case, "method", "")): case for case in straight}.values()
+    quick = {(case.name, getattr(case, "method", "")): case for case in straight if case.name != "visible_beckmann"}.values()
     return [case if case in quick else pytest.param(case, marks=pytest.mark.slow) for case in cases]
 
 

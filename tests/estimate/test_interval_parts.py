@@ -86,6 +86,7 @@ def test_every_number_is_finite(bunny, points):
     assert none.interval().lower.shape == (0,)
 
 
+@pytest.mark.slow
 def test_intervals_follow_the_result(bunny, points):
     """They follow it through both runs of a tolerance, a picture's one channel and its unit, and widen with the level."""
     tolerant = ws.ambient_occlusion(bunny, points, 512, tolerance=1e-9)
