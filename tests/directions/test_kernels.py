@@ -94,7 +94,7 @@ def slots(sequence, case, with_pdf, masked):
 
 
 def all_kernels():
-    yield "place_points", place_points()
+    yield "place_points", place_points(1)
     for name in ws.sequences.names():
         yield f"square {name}", square_blocks(ws.sequences.get(name).sample)
         yield f"rows {name}", direction_rows(*slots(name, ws.CosineHemisphere(), True, True), 1)

@@ -12,9 +12,8 @@ from dask.array import Array
 from dask.base import flatten, tokenize
 from dask.highlevelgraph import HighLevelGraph
 
-from warpsample.cluster.chunks import numbers, points_in
+from warpsample.cluster.chunks import numbers_in, points_in
 from warpsample.cluster.job import Job
-from warpsample.mesh.surface import SurfacePoints
 
 PLACES = {"position": (np.dtype(np.float64), (3,)), "normal": (np.dtype(np.float32), (3,)), "face": (np.dtype(np.int32), ())}
 """(type, shape of a row) of points that workers make."""
@@ -61,17 +60,16 @@ def shared_by_key(job: Job) -> tuple[dict[str, Any], list[Any]]:
 
 
 def dataset_of(job: Job) -> xr.Dataset:
-    """The lazy arrays of a job: two tasks a chunk, for its points and its numbers, and one that takes each array out."""
+    """The lazy arrays of a job: a task for the numbers of a chunk, one for its points, and one that takes each array out."""
     work = f"{job.call.name}-{job.token}"
     tasks, shared = shared_by_key(job)
     blocks = blocks_of(job)
     for i, start in enumerate(starts_of(job)):
-        points, rows = ("points-" + work, i), [blocks[name][i] for name in job.rows]
-        if job.given:
-            tasks[points] = (SurfacePoints, *(blocks[name][i] for name in job.given))
-        elif job.call.at:
-            tasks[points] = (points_in, job.call, shared[0], start, start + job.chunks[i])
-        tasks[work, i] = (numbers, job.call, start, points if job.call.at else None, shared, rows)
+        given, rows = ([blocks[name][i] for name in names] for names in (job.given, job.rows))
+        chunk = (job.call, start, start + job.chunks[i], shared, given)
+        tasks[work, i] = (numbers_in, *chunk, rows)
+        if job.call.at:
+            tasks["points-" + work, i] = (points_in, *chunk)
     base = HighLevelGraph.from_collections(work, tasks, dependencies=[*job.given.values(), *job.rows.values()])
     numbers_of = {name: _array(job, base, work, (getitem, (work,), name), kind) for name, kind in job.gives.items()}
     places = {name: kind for name, kind in places_of(job).items() if name not in job.gives}

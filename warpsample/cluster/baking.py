@@ -16,7 +16,6 @@ from warpsample.cluster.chunks import FUNCTIONS, Call, numbers, points_in
 from warpsample.cluster.job import CHUNK, Job, job_of
 from warpsample.cluster.store import begin, check_store, locked, put, whole_chunks
 from warpsample.host.arguments import check_choice, check_flag
-from warpsample.mesh.surface import SurfacePoints
 
 DONE = np.dtype([("points", np.int64), ("rays", np.int64), ("squared_error", np.float64)])
 """What a task tells of its chunk: how many points, rays cast, and the sum of the squares of their standard errors."""
@@ -132,9 +131,7 @@ def bake_chunk(
     call: Call, store: str, start: int, count: int, shared: list[Any], given: list[np.ndarray], rows: list[np.ndarray]
 ) -> np.ndarray:
     """One task: computes a chunk and writes it."""
-    points = None
-    if call.at:
-        points = SurfacePoints(*given) if given else points_in(call, shared[0], start, start + count)
+    points = points_in(call, start, start + count, shared, given)
     found = numbers(call, start, points, shared, rows)
     arrays = {name: array for name, array in found.items() if isinstance(array, np.ndarray)}
     places = {} if points is None else {name: getattr(points, name) for name in PLACES}

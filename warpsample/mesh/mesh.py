@@ -126,6 +126,11 @@ class Mesh:
         return 0.5 * lengths(self.cross_products)
 
     @once_property
+    def area_sums(self) -> np.ndarray:
+        """(F,) float64, square units: the areas of the faces up to each."""
+        return np.cumsum(self.face_areas)
+
+    @once_property
     def face_normals(self) -> np.ndarray:
         """(F, 3) float32, unit length; zero for degenerate faces."""
         return unit_or_zero(self.cross_products)

@@ -11,7 +11,7 @@ from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_memory, check_workers, run
 from warpsample.host.neighbours import as_ndarray
 from warpsample.mesh.mesh import as_mesh
-from warpsample.mesh.placing import place_points
+from warpsample.mesh.placing import BLOCK, guide_to, place_points
 from warpsample.mesh.polydata import cloud
 
 if TYPE_CHECKING:
@@ -132,22 +132,22 @@ def sample_surface(
         raise ValueError("mesh: got a mesh whose faces have no area, want at least one that has")
     size = count * (BYTES_PER_POINT + (24 if barycentric else 0))
     check_memory(size, f"{count:,} surface points", "take them in parts with first_point")
-    position, face, weights = (
-        np.empty((count, 3)),
-        np.empty(count, np.int32),
-        np.empty((count if barycentric else 0, 3)),
-    )
-    cumulative = np.cumsum(mesh.face_areas)
-    last = int(np.flatnonzero(mesh.face_areas)[-1])
+    position, normal, face = np.empty((count, 3)), np.empty((count, 3), np.float32), np.empty(count, np.int32)
+    weights = np.empty((count if barycentric else 0, 3))
+    block = BLOCK if memory.in_place else 1
+    last = int(np.searchsorted(mesh.area_sums, mesh.area_sums[-1]))  # the last face that has an area
+    guide = guide_to(mesh.area_sums[: last + 1], count)
     with memory.loan() as whole:
-        surface = [len(mesh.vertices), last, *map(whole.put, (mesh.vertices, mesh.faces, cumulative))]
+        surface = [len(mesh.vertices), last, *map(whole.put, (mesh.vertices, mesh.faces, mesh.area_sums, guide))]
+        surface += [(len(guide) - 1).bit_length() - 1, whole.put(mesh.face_normals)]
         for rows in memory.parts(count, size // count):
             points = rows.stop - rows.start
             with memory.loan() as loan:
-                found = [loan.room(position, rows), loan.room(face, rows), loan.room(weights, rows) if barycentric else 0]
+                found = [loan.room(array, rows) for array in (position, normal, face)]
+                found.append(loan.room(weights, rows) if barycentric else 0)
                 inputs = [seed, first_point + rows.start, points, *surface, *found]
-                run(place_points(), points, inputs, memory.device, workers, 8 * points)
-    return SurfacePoints(position, mesh.face_normals[face], face, weights if barycentric else None)
+                run(place_points(block), -(-points // block), inputs, memory.device, workers, 8 * points)
+    return SurfacePoints(position, normal, face, weights if barycentric else None)
 
 
 def face_centers(mesh: Any) -> SurfacePoints:

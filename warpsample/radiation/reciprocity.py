@@ -1,6 +1,7 @@
 """Both directions of each pair pooled, and then adjusted so that all rows close: A_i F_ij = A_j F_ji."""
 
 import warnings
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
 _CLOSED = 1e-8  # of a row's area, where 1e-7 is promised
 _MOST_STEPS, _MOST_PRODUCTS = 40, 200
 _YIELDING = 0.3  # by which power of a row's factor what it loses gives way: what meets nothing is known better than a pair
+_BESIDES = {"outside": ("behind",), "behind": ("outside",), "sky": ("ground", "behind"), "ground": ("sky", "behind")}
 _DAMPING = 1e-12  # of the diagonal, so that what cannot close divides by nothing that is 0
 
 
@@ -32,8 +34,8 @@ def reciprocal_shares(shares: Shares, surfaces: Surfaces) -> Shares:
     lost = areas * (shares.others["outside"][0] + shares.others["behind"][0])
     scale, less = _factors(pairs, areas, lost, surfaces.densities)
     area = areas[_rows(pairs.indptr)]
-    others = {name: (less * value, np.square(less) * error) for name, (value, error) in shares.others.items()}
-    return Shares(pairs.indptr, pairs.indices, pairs.data * scale / area, variance * np.square(scale / area), others)
+    found = Shares(pairs.indptr, pairs.indices, pairs.data * scale / area, variance * np.square(scale / area), {})
+    return replace(found, others=_others(shares, found, lost / np.where(areas > 0.0, areas, 1.0), less, surfaces.densities))
 
 
 def _rows(indptr: np.ndarray) -> np.ndarray:
@@ -87,6 +89,29 @@ def _factors(
         shifts += step / max(1.0, np.max(np.abs(step) / own))
     warnings.warn(f"view_factors: rows close to {worst:.1g} only; more rays will help", stacklevel=5)
     return best
+
+
+def _others(
+    shares: Shares, pooled: Shares, lost: np.ndarray, less: np.ndarray, densities: np.ndarray
+) -> dict[str, tuple[np.ndarray, np.ndarray]]:
+    """What rows lose, (N,) share `lost`, times its factors `less`; and its variance.
+
+    What takes most of its row's gap has the error of all else, pooled. Elsewhere errors are added as if they had one sign,
+    but not beyond that of its own rays: the sum over the pairs forgets that a hit that one of them gains another loses.
+    """
+    row, own = _rows(pooled.indptr), np.where(densities > 0.0, densities, 1.0)
+    gives = np.bincount(row, pooled.value * 2.0 / (own[row] + own[pooled.indices]), len(own))
+    takes = _YIELDING / own * lost * less
+    of_gap = takes / np.where(gives + takes > 0.0, gives + takes, 1.0) / np.where(lost > 0.0, lost, 1.0)
+    pairs = np.sqrt(np.bincount(row, pooled.variance, len(own)))
+    errors = {name: less * np.sqrt(variance) for name, (_, variance) in shares.others.items()}
+    found = {}
+    for name, error in errors.items():
+        value = shares.others[name][0]
+        part = of_gap * value
+        adjusted = (1.0 - part) * error + part * (pairs + sum(errors[other] for other in _BESIDES[name]))
+        found[name] = less * value, np.square(np.where(part > 0.5, adjusted, np.minimum(error, adjusted)))
+    return found
 
 
 def _conjugate(matrix: "csr_array", diagonal: np.ndarray, right: np.ndarray) -> np.ndarray:
