@@ -5,6 +5,7 @@ import subprocess
 import sys
 from dataclasses import dataclass
 from html import escape
+from importlib.util import find_spec
 from pathlib import Path
 from string import Template
 from tempfile import TemporaryDirectory
@@ -29,12 +30,14 @@ class Shot:
         title: stands above it on the page.
         text: stands below it.
         command: makes it, after `python`; FILE stands for the picture, FOLDER for a folder for it.
+        needs: a module of an extra; without it there is no picture.
     """
 
     name: str
     title: str
     text: str
     command: str
+    needs: str = "warpsample"
 
 
 SHOTS = (
@@ -91,6 +94,14 @@ SHOTS = (
         "What a face of a courtyard's ground, outlined in blue, sees of the others, the standard errors, "
         "and what each face sees of the sky.",
         "viz/view_factors.py --screenshot FILE",
+    ),
+    Shot(
+        "baked_store",
+        "A store read back",
+        "The sky view of a courtyard's vertices, baked into a Zarr store by chunks, and the chunk that each vertex is in: "
+        "nothing of them is seen in the numbers.",
+        "viz/baked_store.py --screenshot FILE",
+        needs="zarr",  # there is none for Python 3.10
     ),
     Shot(
         "glossy_reflection",
@@ -182,7 +193,7 @@ def main(
     rendering.check_rendering()
     output.mkdir(parents=True, exist_ok=True)
     figures = []
-    shots = [shot for shot in SHOTS if benchmarks or "FOLDER" not in shot.command]
+    shots = [shot for shot in SHOTS if find_spec(shot.needs) and (benchmarks or "FOLDER" not in shot.command)]
     for shot in with_progress(shots, len(shots), "drawing"):
         file = output / f"{shot.name}.png"
         said = make(shot.command, file)

@@ -3,7 +3,10 @@
 import zipfile
 from importlib import import_module
 
+import numpy as np
 import pytest
+
+import warpsample as ws
 
 pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
@@ -106,3 +109,15 @@ def test_only_a_finished_store_of_that_mesh_is_exported(call, path, cube, tmp_pa
     assert (status, err.count("\n")) == (2, 1)
     assert "1 of whose 3 chunks are missing" in err
     assert not (tmp_path / "x.vtp").exists()
+
+
+def test_a_store_read_back_shows_what_was_computed(script, tmp_path, can_render):
+    module, mesh = script("baked_store"), ws.load_mesh("courtyard")
+    found = module.baked(str(tmp_path), mesh, 64, 200, 3, "z")
+    right = ws.sky_view_factor(mesh, ws.vertex_points(mesh), 64, (0, 0, 1), seed=3)
+    sky, error, chunk = module.panels_of(found, 200)
+    assert np.array_equal(sky.value, right.value)
+    assert np.array_equal(error.value, right.standard_error)
+    assert np.bincount(chunk.value).tolist() == [200] * 5 + [89]
+    module.main(samples=64, screenshot=tmp_path / "store.png", size=(900, 340))
+    assert (tmp_path / "store.png").stat().st_size > 10_000

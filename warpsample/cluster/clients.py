@@ -13,7 +13,11 @@ from warpsample.host.engine import check_workers
 
 _PATIENCE = 10.0  # seconds for a scheduler to answer
 _ITS_OWN = "127.0.0.1"
-_KEEP_COPIES = {"distributed.scheduler.active-memory-manager.start": False}  # else an idle worker's mesh goes after 2 s
+_TUNED = {
+    "distributed.scheduler.active-memory-manager.start": False,  # after 2 s it takes an idle process its copy of the mesh
+    "distributed.scheduler.worker-saturation": float("inf"),  # chunks that wait hold nothing; asking for each takes 2 ms
+}
+"""Of processes of our own."""
 
 
 @contextmanager
@@ -44,7 +48,7 @@ def _client(address: str | None, processes: int | None) -> Iterator[None]:
 
     if address is None:
         options = {"n_workers": processes, "threads_per_worker": 1, "host": _ITS_OWN, "dashboard_address": f"{_ITS_OWN}:0"}
-        with _left_to_us(signal.SIGINT), dask.config.set(_KEEP_COPIES):
+        with _left_to_us(signal.SIGINT), dask.config.set(_TUNED):
             own = LocalCluster(**options, silence_logs=logging.CRITICAL)
         with own, Client(own):
             yield

@@ -23,7 +23,7 @@ from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
 
 CHUNK = 65_536
-"""Points: half a second of one thread's work by 256 rays, beside which a task's overhead is nothing."""
+"""Points: a second or two of one thread's work by 256 rays, beside which a task's overhead is nothing."""
 
 VERSIONS = ("warpsample", "warp-lang")
 """Packages that the bits depend on."""
