@@ -67,6 +67,7 @@ def test_emitted_bytes_are_the_variates():
         assert np.array_equal(words @ [1, 256, 65536], u)
 
 
+@pytest.mark.slow
 def test_emitted_stream_stops_with_its_reader(child_environment):
     """A reader such as `head` stops it; an unknown name gives a usage line."""
     command, pipe = [sys.executable, "-m", "warpsample.proof.streams"], subprocess.PIPE

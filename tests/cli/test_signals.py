@@ -93,6 +93,7 @@ def test_a_terminal_that_is_closed_leaves_no_half_file(writing, child_environmen
     assert running.wait(30.0) == 128 + signal.SIGHUP
 
 
+@pytest.mark.slow
 def test_in_a_pipe_it_is_one_sentence(writing, child_environment):
     arguments, half = writing
     running = start(child_environment, *arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE)

@@ -68,6 +68,7 @@ def test_the_standard_error_is_what_it_says(bunny, points, sequence, count):
         assert np.mean(outside) <= 0.03
 
 
+@pytest.mark.slow
 def test_tolerance_is_reached_without_bias(bunny, points):
     tolerance = 0.01
     runs = [ws.ambient_occlusion(bunny, points, 1024, tolerance=tolerance, first_point=600 * k) for k in range(64)]

@@ -58,6 +58,7 @@ def test_a_cache_folder_that_cannot_be_made_is_replaced_by_a_temporary_one(varia
     assert list((tmp_path / "tmp").iterdir()) == []
 
 
+@pytest.mark.slow
 def test_importing_and_using_the_package_prints_nothing(alone, child_environment):
     assert alone("use", WARP_CACHE_PATH=child_environment.get("WARP_CACHE_PATH", "")) == ("", "")
 

@@ -23,18 +23,14 @@ def alone(child_environment):
     return run
 
 
-@pytest.mark.parametrize(
-    "task",
-    ["first_use", *(pytest.param(name, marks=pytest.mark.slow) for name in ("faces_changed", "new_meshes", "refits"))],
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("task", ["first_use", "faces_changed", "new_meshes", "refits"])
 def test_threads_answer_as_one(alone, task):
     alone(task)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "method", ["fork", *(pytest.param(name, marks=pytest.mark.slow) for name in ("spawn", "forkserver"))]
-)
+@pytest.mark.parametrize("method", ["fork", "spawn", "forkserver"])
 def test_processes_answer_after_their_parent_has_used_threads(alone, method):
     alone("processes", method)
 

@@ -68,6 +68,7 @@ def grid():
     return np.arange(GRID) / GRID, out.numpy().astype(np.float64)
 
 
+@pytest.mark.slow
 def test_sincos_of_turns_is_correct_at_every_variate(grid):
     u, out = grid
     # Rounding the result costs 3.0e-8; the polynomials and their evaluation as much again.
@@ -75,12 +76,14 @@ def test_sincos_of_turns_is_correct_at_every_variate(grid):
     assert np.abs(out[:, 1] - np.sin(2 * np.pi * u)).max() <= 6e-8
 
 
+@pytest.mark.slow
 def test_sincos_of_turns_is_exact_at_the_quarters(grid):
     _, out = grid
     quarters = out[:: GRID // 4, :2]
     assert quarters.tolist() == [[1, 0], [0, 1], [-1, 0], [0, -1]]
 
 
+@pytest.mark.slow
 def test_turns_come_back_at_every_variate(grid):
     u, out = grid
     difference = out[:, 2] - u
@@ -90,6 +93,7 @@ def test_turns_come_back_at_every_variate(grid):
     assert out[:, 2].max() < 1.0
 
 
+@pytest.mark.slow
 def test_log1p_is_correct_at_every_variate(grid):
     u, out = grid
     exact = np.log1p(-u[1:])

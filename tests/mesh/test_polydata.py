@@ -62,6 +62,7 @@ def test_numbers_go_where_they_are_of():
     assert "value" in both.to_polydata(tetrahedron, at="faces").cell_data
 
 
+@pytest.mark.slow
 def test_the_accessor_comes_by_entry_point(child_environment):
     """The process has imported PyVista alone."""
     import subprocess

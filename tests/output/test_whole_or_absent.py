@@ -65,6 +65,7 @@ def ball(tmp_path):
     return path
 
 
+@pytest.mark.slow
 def test_a_full_disk_leaves_the_old_file(ball, tmp_path, child_environment):
     """It runs in a child process, since VTK once ended in a segmentation fault there."""
     command = [sys.executable, "-c", LIMITED, json.dumps(OUTPUTS)]

@@ -55,6 +55,7 @@ def test_charts_show_their_data(p_value, independent, words):
     assert np.array_equal(charts.disk.moving[0][1].get_xydata(), disk)
 
 
+@pytest.mark.slow
 def test_blitting_draws_what_a_whole_drawing_would():
     """After any other histogram, also one with other axes."""
     reused, wide = LobeCharts((740, 900)), histogram(0.5)

@@ -119,6 +119,7 @@ def test_menus_choose(fresh):
     assert "r2" in fresh.caption.input
 
 
+@pytest.mark.slow
 def test_sliders_turn(fresh):
     turn(fresh, "samples", log2(100.0))
     assert [len(p) for p in drawn(fresh)] == [2000, 100]

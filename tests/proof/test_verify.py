@@ -40,6 +40,7 @@ def test_the_trial_holds_every_case_sequence_and_route():
     assert statistics + 150 <= verify.MOST_STATISTICS  # with those of sequences, routes and meshes
 
 
+@pytest.mark.slow
 def test_tables_a_law_each_and_status_0(call):
     status, out, err = call()
     assert (status, err) == (0, "")

@@ -16,6 +16,8 @@ from warpsample import funcs
 from warpsample.proof.rays import rays_inside
 from warpsample.tracing.scene import scene_of
 
+pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
+
 wp.set_module_options({"enable_backward": False})
 
 
@@ -150,7 +152,6 @@ def test_a_wrong_device_is_named(bunny):
         ws.tree(bunny, device=7)
 
 
-@pytest.mark.slow
 def test_a_tape_takes_the_answers_as_constants(child_environment):
     """In a child process: a backward pass through the memory of the tree gave NaN, or, in a larger mesh, crashed."""
     script = Path(__file__).parents[1] / "support" / "tape_of_rays.py"
