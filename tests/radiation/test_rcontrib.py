@@ -53,9 +53,11 @@ def test_rcontrib_agrees_patch_by_patch(scene, patches, multiple, tmp_path):
     bars = np.var(runs, axis=0, ddof=1) / RUNS + np.square(found.standard_error.astype(np.float64))
     error = found.value - runs.mean(axis=0)
     known = bars > 0.0
-    # Few runs tell a bar badly, so all patches are judged by those of their size; what both know alike is equal.
+    # Few runs tell a bar badly, so all patches are judged by those of their size.
     assert np.mean(error[known] ** 2) <= 1.3 * bars[known].mean()
-    assert np.abs(error[~known]).max(initial=0.0) <= 1e-4
+    # Its rays are others in each second. That none of 60,000 meets a share v has the probability exp(-60,000 v): from this v
+    # on it is below 1e-7 for all patches and points together.
+    assert np.abs(error[~known]).max(initial=0.0) <= np.log(error.size * 1e7) / (RUNS * RAYS)
     level = np.sqrt(np.maximum(bars, bars[known].mean()))
     assert np.abs(error / level).max() <= 7.0
     for wrong in (found.value * np.pi, found.value / np.pi, np.roll(found.value, 1, axis=1)):
