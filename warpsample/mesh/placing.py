@@ -33,12 +33,61 @@ def guide_to(sums: np.ndarray, points: int) -> np.ndarray:
 
 
 @once
+def _drawer(block: int) -> wp.Function:
+    """A function that draws shares of the area, the buckets of the guide that they are in, and two words for the place."""
+
+    @wp.func
+    def draw(
+        seed: wp.uint64,
+        first: wp.uint64,
+        length: wp.int32,
+        total: wp.float64,
+        guide_bits: wp.int32,
+        shares: wp.array[wp.float64],
+        buckets: wp.array[wp.uint32],
+        words: wp.array[wp.uint32],
+    ):
+        k = wp.int32(0)
+        while k < length:
+            id = first + wp.uint64(k)
+            counter = wp.vec4ui(wp.uint32(0), low_word(id), high_word(id), _SURFACE_STREAM)
+            bits = philox4x32_10(counter, low_word(seed), high_word(seed))
+            shares[k] = (wp.float64(bits[0]) + wp.float64(bits[1]) * _WORD_STEP) * _WORD_STEP * total
+            buckets[k] = wp.uint32(wp.uint64(bits[0]) >> wp.uint64(32 - guide_bits))
+            words[k] = bits[2]
+            words[block + k] = bits[3]
+            k += 1
+
+    return draw
+
+
+@wp.func
+def _face_of(share: wp.float64, areas: wp.array[wp.float64], low: wp.int32, high: wp.int32) -> wp.int32:
+    """The first face, from low to high, whose cumulative area exceeds the share; one without area is never chosen."""
+    while low < high:
+        middle = (low + high) / 2
+        if areas[middle] > share:
+            high = middle
+        else:
+            low = middle + 1
+    return low
+
+
+@wp.func
+def _weights_of(first: wp.uint32, second: wp.uint32) -> wp.vec3d:
+    """A uniform point of a triangle, as weights of its corners."""
+    root = wp.sqrt((wp.float64(first) + wp.float64(0.5)) * _WORD_STEP)
+    split = (wp.float64(second) + wp.float64(0.5)) * _WORD_STEP
+    return wp.vec3d(wp.float64(1.0) - root, root * (wp.float64(1.0) - split), root * split)
+
+
+@once
 def place_points(block: int) -> wp.Kernel:
     """A kernel with a task for each `block` points: Philox draws the face with 64 bits and the point on it with 64.
 
-    It draws, searches and places in turn, so that a processor waits for the memory of many points at once.
+    It draws, looks up and places in turn, so that a processor waits for the memory of many points at once.
     """
-    words = 2 * block
+    draw, words_size = _drawer(block), 2 * block
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def place_points(
@@ -71,43 +120,20 @@ def place_points(block: int) -> wp.Kernel:
         indices = wp.array(ptr=face, shape=(points,), dtype=wp.int32)
         shares = wp.zeros(shape=(block,), dtype=wp.float64)
         buckets = wp.zeros(shape=(block,), dtype=wp.uint32)
-        places = wp.zeros(shape=(words,), dtype=wp.uint32)
-        total = areas[last_face]
-        k = wp.int32(0)
-        while k < length:
-            id = first_point + wp.uint64(start + k)
-            counter = wp.vec4ui(wp.uint32(0), low_word(id), high_word(id), _SURFACE_STREAM)
-            bits = philox4x32_10(counter, low_word(seed), high_word(seed))
-            shares[k] = (wp.float64(bits[0]) + wp.float64(bits[1]) * _WORD_STEP) * _WORD_STEP * total
-            buckets[k] = wp.uint32(wp.uint64(bits[0]) >> wp.uint64(32 - guide_bits))
-            places[k] = bits[2]
-            places[block + k] = bits[3]
-            k += 1
+        words = wp.zeros(shape=(words_size,), dtype=wp.uint32)
+        draw(seed, first_point + wp.uint64(start), length, areas[last_face], guide_bits, shares, buckets, words)
         for j in range(length):
-            # The first face whose cumulative area exceeds the share; a face without area is never chosen.
             ends = wp.array(ptr=guide + wp.uint64(4) * wp.uint64(buckets[j]), shape=(2,), dtype=wp.int32)
-            low = ends[0]
-            high = ends[1]
-            while low < high:
-                middle = (low + high) / 2
-                if areas[middle] > shares[j]:
-                    high = middle
-                else:
-                    low = middle + 1
-            indices[start + j] = low
+            indices[start + j] = _face_of(shares[j], areas, ends[0], ends[1])
         for j in range(length):
             i = start + j
-            chosen = indices[i]
-            root = wp.sqrt((wp.float64(places[j]) + wp.float64(0.5)) * _WORD_STEP)
-            split = (wp.float64(places[block + j]) + wp.float64(0.5)) * _WORD_STEP
-            weights = wp.vec3d(wp.float64(1.0) - root, root * (wp.float64(1.0) - split), root * split)
-            triangle = triangles[chosen]
+            weights = _weights_of(words[j], words[block + j])
+            triangle = triangles[indices[i]]
             # Relative to the first corner, so that far from the origin only the edges are weighted.
             a = corners[triangle[0]]
             positions[i] = a + weights[1] * (corners[triangle[1]] - a) + weights[2] * (corners[triangle[2]] - a)
-            turned[i] = unit[chosen]
+            turned[i] = unit[indices[i]]
             if barycentric != wp.uint64(0):
-                kept = wp.array(ptr=barycentric, shape=(points,), dtype=wp.vec3d)
-                kept[i] = weights
+                wp.array(ptr=barycentric, shape=(points,), dtype=wp.vec3d)[i] = weights
 
     return place_points
