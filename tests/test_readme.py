@@ -135,6 +135,7 @@ def test_options_and_calls_are_those_of_the_commands_and_the_accessor(repository
     assert set(re.findall(r"`(\w+)`", calls)) == public
 
 
+@pytest.mark.slow
 def test_mesh_commands_run(repository, tmp_path, call, can_render, monkeypatch):
     """As `warpsample` runs them, but in this process, which has loaded the kernels."""
     monkeypatch.chdir(tmp_path)

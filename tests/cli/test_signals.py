@@ -80,6 +80,7 @@ def test_on_a_terminal_the_half_file_goes_and_the_cursor_comes_back(name, writin
     assert "Traceback" not in shown
 
 
+@pytest.mark.slow
 def test_a_terminal_that_is_closed_leaves_no_half_file(writing, child_environment):
     """A closed terminal sends SIGHUP, and every later write to it fails."""
     arguments, half = writing

@@ -21,7 +21,7 @@ RAYS = 65_536
 # A twin: the rays are those that the other calls give
 
 
-@pytest.mark.parametrize("tracer", ["wide", "warp"])
+@pytest.mark.parametrize("tracer", ["wide", pytest.param("warp", marks=pytest.mark.slow)])
 def test_the_estimate_is_that_of_its_rays(bunny, points, tracer):
     """Below 32 rays there is one cell: each replicate's directions are those of a seed with the stream in its high word."""
     count, seed = 30, 5

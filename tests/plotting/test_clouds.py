@@ -90,6 +90,7 @@ def test_the_first_picture_is_judged_on_independent_points():
     assert inspect.signature(commands.view).parameters["sequence"].default == Choice.sequence
 
 
+@pytest.mark.slow
 def test_azimuth_is_judged_about_the_tangent_that_the_kernels_take(points):
     """Visible normals lean towards their view: with another frame they would not."""
     leaning = controls.tilted(ws.VisibleGGX(0.5), 70.0)

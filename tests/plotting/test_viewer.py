@@ -98,6 +98,7 @@ def test_turning_one_knob_makes_it_wrong_and_right_again(fresh):
     assert fresh.clouds.theta.verdict().startswith("agrees")
 
 
+@pytest.mark.slow
 def test_menus_choose(fresh):
     press(fresh, "distribution", "cosine_hemisphere")
     assert fresh.controls.choice == Choice(COSINE, None, samples=256)
