@@ -3,28 +3,13 @@
 import numpy as np
 import pytest
 import warp as wp
+from integrands import Albedo, Sky, one
 from meshes import soup
 
 import warpsample as ws
 from warpsample import funcs
 from warpsample.estimate.integrand import integrand_of
 from warpsample.host.device_memory import Memory
-
-
-@wp.struct
-class Sky:
-    zenith: float
-    horizon: float
-
-
-@wp.struct
-class Albedo:
-    by_id: wp.array[wp.float32]
-
-
-@wp.func
-def one(w: wp.vec3) -> float:
-    return 1.0
 
 
 @wp.func

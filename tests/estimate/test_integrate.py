@@ -5,31 +5,16 @@ from math import pi
 import numpy as np
 import pytest
 import warp as wp
+from integrands import Albedo, Sky, one
 from meshes import soup
 
 import warpsample as ws
 from warpsample import funcs
 
 
-@wp.struct
-class Sky:
-    zenith: float
-    horizon: float
-
-
-@wp.struct
-class Albedo:
-    by_id: wp.array[wp.float32]
-
-
 @wp.func
 def radiance(w: wp.vec3, lobe: funcs.Lobe, sky: Sky) -> float:
     return sky.horizon + (sky.zenith - sky.horizon) * w[2]
-
-
-@wp.func
-def one(w: wp.vec3) -> float:
-    return 1.0
 
 
 @wp.func

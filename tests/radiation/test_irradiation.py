@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import trimesh
+from irradiation_cases import BEHIND, DAY, PARTS, points
 from weather_files import write_epw
 
 import warpsample as ws
@@ -16,34 +17,13 @@ from warpsample.radiation.weather import read_weather
 pytest.importorskip("pvlib")
 pyradiance = pytest.importorskip("pyradiance")
 
-BEHIND = ws.as_mesh((np.array([[-1.0, -1, -1], [1, 0, 0], [0, 1, 0]]), np.array([[0, 1, 2]])))
-"""A triangle at the origin: it is behind points that look away from there."""
 
-PARTS = ("direct", "diffuse", "ground")
-DAY = ("06-21", "06-21")
 TILTS = np.array([[0, 0, 1], [0, -1, 0], [1, 0, 0], [0, 1, 0], [0.6, 0, 0.8], [0, -0.8, -0.6]])
-
-
-@pytest.fixture(scope="module")
-def athens(tmp_path_factory):
-    return write_epw(tmp_path_factory.mktemp("weather") / "athens.epw")
 
 
 @pytest.fixture(scope="module")
 def grey(tmp_path_factory):
     return write_epw(tmp_path_factory.mktemp("weather") / "grey.epw", "overcast")
-
-
-@pytest.fixture(scope="module")
-def yard():
-    mesh = ws.load_mesh("courtyard")
-    return mesh, ws.sample_surface(mesh, 60, seed=4)
-
-
-def points(normals, distance=5.0):
-    """Points that look away from the origin."""
-    normals = np.float64(normals)
-    return ws.SurfacePoints(distance * np.where(np.isfinite(normals), normals, 0.0), normals)
 
 
 def suns(weather):

@@ -6,7 +6,7 @@ from dataclasses import fields
 import numpy as np
 import pytest
 import trimesh
-from weather_files import write_epw
+from irradiation_cases import BEHIND, DAY, PARTS, points
 
 import warpsample as ws
 
@@ -14,31 +14,6 @@ pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run r
 
 pytest.importorskip("pvlib")
 pyradiance = pytest.importorskip("pyradiance")
-
-BEHIND = ws.as_mesh((np.array([[-1.0, -1, -1], [1, 0, 0], [0, 1, 0]]), np.array([[0, 1, 2]])))
-
-
-PARTS = ("direct", "diffuse", "ground")
-
-
-DAY = ("06-21", "06-21")
-
-
-@pytest.fixture(scope="module")
-def athens(tmp_path_factory):
-    return write_epw(tmp_path_factory.mktemp("weather") / "athens.epw")
-
-
-@pytest.fixture(scope="module")
-def yard():
-    mesh = ws.load_mesh("courtyard")
-    return mesh, ws.sample_surface(mesh, 60, seed=4)
-
-
-def points(normals, distance=5.0):
-    """Points that look away from the origin."""
-    normals = np.float64(normals)
-    return ws.SurfacePoints(distance * np.where(np.isfinite(normals), normals, 0.0), normals)
 
 
 def test_a_run_can_be_split(yard, athens):

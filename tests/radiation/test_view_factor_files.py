@@ -3,27 +3,11 @@
 import numpy as np
 import pytest
 from scipy import sparse
-from view_factor_cases import TETRAHEDRON, Z, box, scene
+from view_factor_cases import CUBE, TETRAHEDRON, Z, alike, box, scene
 
 import warpsample as ws
 
 COURTYARD = ws.load_mesh("courtyard")
-
-
-CUBE, SIDES = scene(*box())
-
-
-FIELDS = ("outside", "outside_error", "behind", "behind_error", "sky", "sky_error", "ground", "ground_error", "areas")
-
-
-def alike(one, other):
-    """The same bits, but for what was skipped."""
-    for a, b in ((one.matrix, other.matrix), (one.standard_error, other.standard_error)):
-        for name in ("data", "indices", "indptr"):
-            assert np.array_equal(getattr(a, name), getattr(b, name))
-    for name in FIELDS:
-        assert np.array_equal(getattr(one, name), getattr(other, name)), name
-    return True
 
 
 def test_radiosity_of_two_concentric_cubes():

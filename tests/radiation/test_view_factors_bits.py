@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from meshes import soup
-from view_factor_cases import GROUND, LID, X, Y, Z, box, rectangle, scene
+from view_factor_cases import CUBE, GROUND, LID, X, Y, Z, alike, rectangle, scene
 
 import warpsample as ws
 from warpsample.radiation import casting
@@ -12,18 +12,6 @@ from warpsample.radiation.row_shares import Shares
 from warpsample.radiation.surfaces import surfaces_of
 
 COURTYARD = ws.load_mesh("courtyard")
-CUBE, SIDES = scene(*box())
-FIELDS = ("outside", "outside_error", "behind", "behind_error", "sky", "sky_error", "ground", "ground_error", "areas")
-
-
-def alike(one, other):
-    """The same bits, but for what was skipped."""
-    for a, b in ((one.matrix, other.matrix), (one.standard_error, other.standard_error)):
-        for name in ("data", "indices", "indptr"):
-            assert np.array_equal(getattr(a, name), getattr(b, name))
-    for name in FIELDS:
-        assert np.array_equal(getattr(one, name), getattr(other, name)), name
-    return True
 
 
 @pytest.mark.parametrize("options", [{}, {"groups": True}, {"reciprocal": True}], ids=["raw", "groups", "reciprocal"])

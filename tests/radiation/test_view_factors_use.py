@@ -2,14 +2,12 @@
 
 import numpy as np
 import pytest
-from view_factor_cases import box, scene
+from view_factor_cases import CUBE
 
 import warpsample as ws
 from warpsample.radiation import hits_to_matrix
 
 pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
-
-CUBE, SIDES = scene(*box())
 
 
 @pytest.fixture(scope="module")

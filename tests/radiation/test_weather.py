@@ -13,11 +13,6 @@ from warpsample.radiation.weather import hours_of, read_weather
 pytest.importorskip("pvlib")
 
 
-@pytest.fixture(scope="module")
-def athens(tmp_path_factory):
-    return write_epw(tmp_path_factory.mktemp("weather") / "athens.epw")
-
-
 def test_the_numbers_of_the_file_come_hour_by_hour(athens):
     weather = read_weather(athens)
     for name, column in (("direct_normal", COLUMNS["dni"]), ("diffuse_horizontal", COLUMNS["dhi"])):

@@ -87,3 +87,17 @@ TETRAHEDRON = [
     [(1, 1, 1), (-1, 1, -1), (-1, -1, 1)],
     [(-1, -1, 1), (-1, 1, -1), (1, -1, -1)],
 ]
+
+
+CUBE, SIDES = scene(*box())
+FIELDS = ("outside", "outside_error", "behind", "behind_error", "sky", "sky_error", "ground", "ground_error", "areas")
+
+
+def alike(one, other):
+    """The same bits, but for what was skipped."""
+    for a, b in ((one.matrix, other.matrix), (one.standard_error, other.standard_error)):
+        for name in ("data", "indices", "indptr"):
+            assert np.array_equal(getattr(a, name), getattr(b, name))
+    for name in FIELDS:
+        assert np.array_equal(getattr(one, name), getattr(other, name)), name
+    return True

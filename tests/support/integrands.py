@@ -1,0 +1,19 @@
+"""Data for integrands, and the simplest of these."""
+
+import warp as wp
+
+
+@wp.struct
+class Sky:
+    zenith: float
+    horizon: float
+
+
+@wp.struct
+class Albedo:
+    by_id: wp.array[wp.float32]
+
+
+@wp.func
+def one(w: wp.vec3) -> float:
+    return 1.0
