@@ -5,9 +5,7 @@ from bench_output import drawn, lines_of
 
 import warpsample as ws
 from warpsample.bench import timing
-from warpsample.bench.directions import measuring, startup
-
-STARTS = [startup.Startup("cold", 0.5, 0.1, 2.0, 0.5), startup.Startup("warm", 0.5, 0.1, 0.1, 0.1)]
+from warpsample.bench.directions import measuring
 
 
 @pytest.fixture(scope="module")
@@ -51,17 +49,9 @@ def test_worst_errors_are_those_of_the_world_too(case):
 
 @pytest.mark.slow
 def test_directions_tables_and_pictures(rows, capsys, tmp_path):
-    found = measuring.Found(rows, STARTS)
+    found = measuring.Found(rows)
     lines = lines_of("directions", measuring.Settings(), found, capsys)
     assert [line for line in lines if line.startswith(" CosineHemisphere(polar)") and line.count("e-07") == 3]
     assert [line for line in lines if line.startswith(" independent")]
     assert [line for line in lines if line.startswith("ceiling: NumPy's out.fill(0)")]
     assert drawn("directions", found, tmp_path) == ["maps.png", "sequences.png"]
-
-
-@pytest.mark.slow
-def test_startup_is_measured_in_new_processes():
-    cold, warm = startup.measure_startup()
-    assert (cold.kernel_cache, warm.kernel_cache) == ("cold", "warm")
-    for start in (cold, warm):
-        assert min(start.import_warp, start.import_warpsample, start.first_directions, start.further_kernel) > 0.0

@@ -8,7 +8,15 @@ from pathlib import Path
 import pytest
 import warp as wp
 
+import warpsample as ws
+from warpsample.directions.square import square_blocks
 from warpsample.host import kernel_cache
+from warpsample.host.kernel_cache import WIDE_VECTORS
+
+
+@wp.kernel(enable_backward=False)
+def triple(x: wp.array[wp.int32]):
+    x[wp.tid()] *= 3
 
 
 @pytest.fixture
@@ -44,6 +52,28 @@ def test_the_command_line_says_it_in_a_line(alone, cube, tmp_path):
     damaged = min((tmp_path / "cache").rglob("*.o"))
     damaged.write_bytes(damaged.read_bytes()[:1000])
     assert alone(*command) == (first[0], f"warning: kernel cache: {damaged.parent} was damaged; it was built anew\n")
+
+
+def test_our_kernels_have_the_widest_vectors_and_other_modules_their_own_flags():
+    ws.sample_square("sobol", 1, 1)
+    wp.launch(triple, 1, inputs=[wp.ones(1, dtype=wp.int32, device="cpu")], device="cpu")
+    ours = square_blocks(ws.sequences.get("sobol").sample).module
+    assert ours.options["cpu_compiler_flags"] == f"{wp.config.cpu_compiler_flags} {WIDE_VECTORS}"
+    assert WIDE_VECTORS not in wp.config.cpu_compiler_flags
+    assert triple.module.options["cpu_compiler_flags"] is None
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("flags", "built"), [("", None), (None, f"-march=native {WIDE_VECTORS}")])
+def test_what_the_user_says_of_compiling_holds(flags, built, alone):
+    script = f"""import warp as wp
+wp.config.cpu_compiler_flags = {flags!r}
+import warpsample as ws
+from warpsample.directions.square import square_blocks
+assert ws.sample_square("sobol", 1, 1).shape == (1, 1, 2)
+assert square_blocks(ws.sequences.get("sobol").sample).module.options["cpu_compiler_flags"] == {built!r}
+"""
+    assert alone("-c", script) == ("", "")
 
 
 @pytest.mark.parametrize("variable", ["WARP_CACHE_PATH", "HOME"])

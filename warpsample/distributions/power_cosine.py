@@ -19,7 +19,7 @@ def square_to_power_cosine(u: wp.vec2, exponent: wp.float32) -> wp.vec3:
 
     1 - e^s is precise, as narrow lobes need. Exponent 1 is the cosine lobe, 0 the uniform hemisphere.
     """
-    power = exp_double(log1p_double(-wp.float64(u[0])) / (wp.float64(exponent) + ONE))
+    power = exp_double(log1p_double(-wp.float64(u[0])) * (ONE / (wp.float64(exponent) + ONE)))
     r = wp.float32(root_double(-power[0] * (ONE + power[1])))
     cs = sincos_turns(u[1])
     return wp.vec3(r * cs[0], r * cs[1], wp.float32(power[1]))

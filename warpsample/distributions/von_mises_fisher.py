@@ -26,7 +26,7 @@ def square_to_von_mises_fisher(u: wp.vec2, kappa: wp.float32) -> wp.vec3:
     upper = x * (ONE + exp_double(-k)[1]) < ONE
     rise = (ONE - x) * exp_double(TWO * wp.min(k, _NO_BACK))[0]
     fall = x * exp_double(-TWO * k)[0]
-    near = wp.abs(log1p_double(wp.where(upper, fall, rise))) / k
+    near = wp.abs(log1p_double(wp.where(upper, fall, rise))) * (ONE / k)
     r = wp.float32(root_double(near * (TWO - near)))
     z = wp.float32(ONE - near)
     cs = sincos_turns(u[1])

@@ -19,6 +19,10 @@ import warp as wp
 
 from warpsample.host.locks import once
 
+WIDE_VECTORS = "-mprefer-vector-width=512"
+"""For the compiler, which on Intel's processors with AVX-512 prefers 256 bits: loops of one kernel then are 1.1 to 1.6 times
+as fast. Others know no such preference."""
+
 _MARK = ".sha256"  # of a file's digest, beside it
 _SOURCES = (".cpp", ".cu")  # kept by Warp for reading only
 _ROOM = 1 << 20  # bytes; twice what the largest module takes
@@ -53,6 +57,8 @@ def load(kernel: wp.Kernel, device: str) -> None:
         UserWarning: the cache was damaged, or is not writable.
     """
     start()
+    if device == "cpu":
+        _ask_for_wide_vectors(kernel.module)
     block = 1 if device == "cpu" else 256  # as wp.launch has it
 
     def load_module() -> None:
@@ -73,6 +79,14 @@ def load(kernel: wp.Kernel, device: str) -> None:
     if whole is False:
         outcome = "it was built anew" if _is_whole(entry) else "it cannot be replaced, delete it"
         warnings.warn(f"kernel cache: {entry} was damaged; {outcome}", stacklevel=2)
+
+
+def _ask_for_wide_vectors(module: wp.Module) -> None:
+    """Adds to the flags of a module, unless they are its own or none are wanted."""
+    flags = "-march=native" if wp.config.cpu_compiler_flags is None else wp.config.cpu_compiler_flags
+    if flags and module.options["cpu_compiler_flags"] is None:
+        module.options["cpu_compiler_flags"] = f"{flags} {WIDE_VECTORS}"
+        module.mark_modified()
 
 
 @contextmanager

@@ -8,7 +8,7 @@ from math import factorial
 
 import warp as wp
 
-from warpsample.maths.numerics import HALF, ONE, TWO
+from warpsample.maths.numerics import HALF, ONE, TWO, fma_double
 
 _ONE_BITS = wp.constant(wp.int32(0x3F800000))
 _SQRT_HALF_BITS = wp.constant(wp.int32(0x3F3504F3))
@@ -19,6 +19,30 @@ _LEAST_EXPONENT = wp.constant(wp.float64(-170.0))
 
 
 @wp.func
+def _split(x: wp.float32):
+    """(k, mantissa) with x = 2^k mantissa and the mantissa in [sqrt(1/2), sqrt(2)), of a normal x above 0."""
+    bits = wp.cast(x, wp.int32) + _ONE_BITS - _SQRT_HALF_BITS
+    return wp.float32((bits >> 23) - 127), wp.cast((bits & _MANTISSA_MASK) + _SQRT_HALF_BITS, wp.float32)
+
+
+@wp.func
+def _log_of(k: wp.float32, f: wp.float32, c: wp.float32) -> wp.float32:
+    """log(2^k (1 + f)), with what f lacks in c."""
+    s = f / (2.0 + f)
+    z = s * s
+    r = z * (0.6666666 + z * (0.40000972 + z * (0.28498787 + z * 0.24279079)))
+    half_square = 0.5 * f * f
+    return k * 0.69313812 - ((half_square - (s * (half_square + r) + (k * 9.0580006e-06 + c))) - f)
+
+
+@wp.func
+def logarithm(x: wp.float32) -> wp.float32:
+    """log(x) of a normal x above 0, as in `log1p`."""
+    k, mantissa = _split(x)
+    return _log_of(k, mantissa - 1.0, 0.0)
+
+
+@wp.func
 def log1p(x: wp.float32) -> wp.float32:
     """log(1 + x) for x > -1. Worst relative error 8.1e-8, also for the smallest x.
 
@@ -26,17 +50,10 @@ def log1p(x: wp.float32) -> wp.float32:
     and c restores what the sum 1 + x rounded away.
     """
     one_plus_x = 1.0 + x
-    bits = wp.cast(one_plus_x, wp.int32) + _ONE_BITS - _SQRT_HALF_BITS
     near = wp.abs(x) < 0.29
-    k = wp.where(near, 0.0, wp.float32((bits >> 23) - 127))
-    mantissa = wp.cast((bits & _MANTISSA_MASK) + _SQRT_HALF_BITS, wp.float32)
-    f = wp.where(near, x, mantissa - 1.0)
-    c = wp.where(near, 0.0, (x - (one_plus_x - 1.0)) / one_plus_x)
-    s = f / (2.0 + f)
-    z = s * s
-    r = z * (0.6666666 + z * (0.40000972 + z * (0.28498787 + z * 0.24279079)))
-    half_square = 0.5 * f * f
-    return k * 0.69313812 - ((half_square - (s * (half_square + r) + (k * 9.0580006e-06 + c))) - f)
+    k, mantissa = _split(one_plus_x)
+    c = (x - (one_plus_x - 1.0)) / one_plus_x
+    return _log_of(wp.where(near, 0.0, k), wp.where(near, x, mantissa - 1.0), wp.where(near, 0.0, c))
 
 
 @wp.func_grad(log1p)
@@ -59,7 +76,7 @@ def log1p_double(x: wp.float64) -> wp.float64:
     z = s * s
     series = wp.float64(0.0)
     for i in range(9):
-        series = series * z + wp.float64(wp.static(1.0 / (17 - 2 * i)))
+        series = fma_double(series, z, wp.float64(wp.static(1.0 / (17 - 2 * i))))
     return wp.float64(k) * _LN_2 + TWO * s * series
 
 
@@ -76,13 +93,11 @@ def exp_double(x: wp.float64) -> wp.vec2d:
     """
     x = wp.max(x, _LEAST_EXPONENT)
     k = wp.floor(x * _LOG2_E + HALF)
-    r = x - k * _LN_2
+    r = fma_double(-k, _LN_2, x)
     series = wp.float64(0.0)
-    for i in range(13):
-        series = series * r + wp.float64(wp.static(1.0 / factorial(13 - i)))
-    half = wp.int32(k) >> 1
-    rest = wp.int32(k) - half
-    scale = wp.float64(wp.cast((127 + half) << 23, wp.float32)) * wp.float64(wp.cast((127 + rest) << 23, wp.float32))
+    for i in range(12):
+        series = fma_double(series, r, wp.float64(wp.static(1.0 / factorial(12 - i))))
+    scale = wp.cast(wp.int64(1023 + wp.int32(k)) << wp.int64(52), wp.float64)
     return wp.vec2d(scale * r * series + (scale - ONE), scale * r * series + scale)
 
 

@@ -51,6 +51,24 @@ def fma(a: wp.float32, b: wp.float32, c: wp.float32) -> wp.float32:
     """
 
 
+@wp.func_native(
+    snippet="""
+#if defined(__CUDA_ARCH__)
+    return fma(a, b, c);
+#else
+    return __builtin_fma(a, b, c);
+#endif
+""",
+    adj_snippet="""
+    adj_a += b * adj_ret;
+    adj_b += a * adj_ret;
+    adj_c += adj_ret;
+""",
+)
+def fma_double(a: wp.float64, b: wp.float64, c: wp.float64) -> wp.float64:
+    """As `fma`, in float64."""
+
+
 @wp.func
 def low_word(x: wp.uint64) -> wp.uint32:
     """Low 32 bits."""

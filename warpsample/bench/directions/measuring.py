@@ -11,7 +11,6 @@ import typer
 import warp as wp
 
 from warpsample import distributions, sequences
-from warpsample.bench.directions.startup import Startup, measure_startup
 from warpsample.bench.record import SEED, Repeats, Track
 from warpsample.bench.timing import Spread, interleave, stopwatch
 from warpsample.directions.sample import sample_directions, sample_square
@@ -29,7 +28,7 @@ GIVEN = "given"
 """In place of a sequence: the map alone, `distribution.sample(u)` into a new array, for what lies in a plane."""
 _ERRORS_EVERY = 64  # the sweep's step through the 2^24 variates
 _ERROR_POINTS = 2048
-_BUDGET = 20.0  # seconds after which a group makes do with three repeats: visible Beckmann is scalar
+_BUDGET = 20.0  # seconds after which a group makes do with three repeats
 
 
 @dataclass(frozen=True)
@@ -69,10 +68,9 @@ class Speed:
 
 @dataclass(frozen=True)
 class Found:
-    """Of every map, sequence and count, and of two new processes."""
+    """Of every map, sequence and count."""
 
     rows: list[Speed]
-    startup: list[Startup]
 
 
 @dataclass(frozen=True)
@@ -86,8 +84,7 @@ class Settings:
 def measure(settings: Settings, track: Track) -> Found:
     """Everything."""
     chosen = groups(settings.points, settings.repeats)
-    rows = [row for group in track(chosen, len(chosen)) for row in group()]
-    return Found(rows, measure_startup())
+    return Found([row for group in track(chosen, len(chosen)) for row in group()])
 
 
 def maps() -> list[Distribution]:

@@ -1,26 +1,24 @@
-"""The tables of maps, sequences and new processes."""
+"""The tables of maps and sequences."""
 
 from warpsample.bench.directions import measuring
 from warpsample.bench.directions.measuring import Speed
-from warpsample.bench.directions.startup import Startup
 from warpsample.bench.report import SPREAD, Table, figure, spread
 from warpsample.bench.result import Result
 from warpsample.bench.timing import Spread
 
 
 def tables(result: Result) -> list[Table | str]:
-    """Maps, sequences and new processes."""
-    rows, startup = result.found.rows, result.found.startup
+    """Maps and sequences."""
+    rows = result.found.rows
     return [
         f"`sample_directions` writes into an existing (P, n, 3) float32 array: {SPREAD}.",
         *_maps([row for row in rows if row.table == "maps"]),
         *_sequences([row for row in rows if row.table == "sequences"]),
-        _processes(startup),
     ]
 
 
 def readme(result: Result) -> list[Table | str]:
-    """The sequences by all workers, and what a new process waits for."""
+    """The sequences by all workers."""
     rows = [row for row in result.found.rows if row.table == "sequences"]
     workers = max(row.workers for row in rows)
     counts = list(dict.fromkeys(row.samples for row in rows))
@@ -36,22 +34,12 @@ def readme(result: Result) -> list[Table | str]:
             f"them, {workers} workers; and the share of the speed of NumPy's `out.fill(0)` on the same array:"
         ),
         Table("", ["", f"n = {counts[0]}", *map(str, counts[1:])], [*cells, fill]),
-        _in_words({start.kernel_cache: start for start in result.found.startup}),
     ]
 
 
 def short_name(row: Speed) -> str:
     """The distribution as Python writes it, without the names of strings and what follows the first parameter."""
     return measuring.short_name(row.distribution) + (" *" if row.sequence == measuring.GIVEN else "")
-
-
-def _in_words(starts: dict[str, Startup]) -> str:
-    cold, warm = starts["cold"], starts["warm"]
-    return (
-        f"A new process adds {warm.import_warpsample:.2f} s to `import warp` and waits {warm.first_directions:.2f} s for "
-        f"its first directions. The very first time a kernel is compiled, that takes {cold.first_directions:.1f} s, and "
-        f"{cold.further_kernel:.1f} s for each further kernel."
-    )
 
 
 def _maps(rows: list[Speed]) -> list[Table | str]:
@@ -98,12 +86,3 @@ def _sequences(rows: list[Speed]) -> list[Table]:
         Table(title, headings, [*speeds, fill]),
         Table("The same as a share of the fill's speed right after", headings, shares),
     ]
-
-
-def _processes(starts: list[Startup]) -> Table:
-    cells = [
-        [s.kernel_cache, *(f"{t:.2f}" for t in (s.import_warp, s.import_warpsample, s.first_directions, s.further_kernel))]
-        for s in starts
-    ]
-    headings = ["kernel cache", "import warp", "+ import warpsample", "first directions", "each further kernel"]
-    return Table("A new process, seconds (the cold line: kernels are compiled)", headings, cells)

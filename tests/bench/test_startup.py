@@ -1,0 +1,38 @@
+"""The benchmark of what comes before the work: new processes, small calls, pauses."""
+
+import pytest
+from bench_output import drawn, lines_of, untracked
+
+from warpsample.bench import startup, timing
+from warpsample.bench.startup import measuring, processes
+from warpsample.bench.startup.measuring import IN_A_ROW, PAUSED
+
+
+@pytest.mark.slow
+def test_new_processes_compile_once():
+    found = processes.start_processes()
+    assert set(found) == {(cache, step) for cache in processes.CACHES for step in processes.STEPS}
+    assert min(found.values()) >= 0.0
+    for step in ("first directions", "a further kernel", "first points and their occlusion"):
+        assert found["cold", step] > found["warm", step] > 0.0  # by seconds: the first one compiles
+
+
+@pytest.mark.slow
+def test_calls_are_measured_and_shown(monkeypatch, capsys, tmp_path):
+    monkeypatch.setattr(timing, "WARM_UP", 0.0)
+    times = iter(range(1, 100))
+    fake = lambda: {(c, s): float(next(times)) for c in processes.CACHES for s in processes.STEPS}  # noqa: E731
+    monkeypatch.setattr(measuring, "start_processes", fake)
+    found = measuring.measure(measuring.Settings(processes=3, repeats=12), untracked)
+    assert [len(wait.each) for wait in found.waits] == [3] * len(found.waits)
+    assert [len(call.seconds) for call in found.calls] == [12] * len(found.calls)
+    assert {call.when for call in found.calls if call.what == "65,536 x 64 directions"} == {IN_A_ROW, PAUSED}
+    assert all(call.gain.median == 1.0 for call in found.calls if call.workers == 1)
+    lines = lines_of("startup", measuring.Settings(), found, capsys)
+    assert [line for line in lines if line.startswith(" 1,000 x 16 directions ")]
+    assert [line for line in lines if line.startswith(" first points and their occlusion ")]
+    assert drawn("startup", found, tmp_path) == ["startup.png"]
+
+
+def test_it_is_a_command():
+    assert startup.RECORD.name == "startup"
