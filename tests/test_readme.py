@@ -101,6 +101,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample bench radiation",
         "warpsample bench rays",
         "warpsample bench scaling",
+        "warpsample bench startup",
         "warpsample bench view-factors",
         "warpsample bench visibility",
         "warpsample bench all --write",

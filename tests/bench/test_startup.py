@@ -3,7 +3,7 @@
 import pytest
 from bench_output import drawn, lines_of, untracked
 
-from warpsample.bench import startup, timing
+from warpsample.bench import timing
 from warpsample.bench.startup import measuring, processes
 from warpsample.bench.startup.measuring import IN_A_ROW, PAUSED
 
@@ -24,7 +24,7 @@ def test_calls_are_measured_and_shown(monkeypatch, capsys, tmp_path):
     fake = lambda: {(c, s): float(next(times)) for c in processes.CACHES for s in processes.STEPS}  # noqa: E731
     monkeypatch.setattr(measuring, "start_processes", fake)
     found = measuring.measure(measuring.Settings(processes=3, repeats=12), untracked)
-    assert [len(wait.each) for wait in found.waits] == [3] * len(found.waits)
+    assert [len(wait.seconds) for wait in found.waits] == [3] * len(found.waits)
     assert [len(call.seconds) for call in found.calls] == [12] * len(found.calls)
     assert {call.when for call in found.calls if call.what == "65,536 x 64 directions"} == {IN_A_ROW, PAUSED}
     assert all(call.gain.median == 1.0 for call in found.calls if call.workers == 1)
@@ -32,7 +32,3 @@ def test_calls_are_measured_and_shown(monkeypatch, capsys, tmp_path):
     assert [line for line in lines if line.startswith(" 1,000 x 16 directions ")]
     assert [line for line in lines if line.startswith(" first points and their occlusion ")]
     assert drawn("startup", found, tmp_path) == ["startup.png"]
-
-
-def test_it_is_a_command():
-    assert startup.RECORD.name == "startup"

@@ -162,13 +162,13 @@ def test_a_parameter_reaches_the_kernels_and_a_new_value_compiles_nothing(normal
         assert (distribution.sample(u)[:, 0] == tilt).all()
         assert distribution.pdf(up).tolist() == [tilt]
         assert (distribution.invert(up)[:, 0] == tilt).all()
-        assert np.abs(ws.sample_directions(up, 16, distribution).vectors[0, :, 0] - tilt).max() <= 1e-7
+        assert np.abs(ws.sample_directions(up, 64, distribution).vectors[0, :, 0] - tilt).max() <= 1e-7
     assert len(direction_rows.known) == built + 1
 
 
 def test_kernels_are_built_once_for_equal_jobs(normals):
-    ws.sample_directions(normals, 16)
+    ws.sample_directions(normals, 32)
     built = len(direction_rows.known)
-    ws.sample_directions(normals, 32, seed=9)
-    ws.sample_directions(normals, 16, ws.CosineHemisphere("polar"))
+    ws.sample_directions(normals, 64, seed=9)
+    ws.sample_directions(normals, 32, ws.CosineHemisphere("polar"))
     assert len(direction_rows.known) == built

@@ -20,7 +20,7 @@ from warpsample.sequences.record import Sequence
 
 _SEGMENT = 1 << 14  # samples of one row that a task takes: enough to share out one point's million samples
 _TASK = 1 << 10  # samples of short rows that a task takes
-_ROW = 12  # samples from which rows, padded to vectors, are faster than blocks of pairs
+_ROW = 20  # samples from which rows are faster than blocks of pairs: 12 with 8 lanes, 24 with 16, to which rows are padded
 
 
 @dataclass(frozen=True)

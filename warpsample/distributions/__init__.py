@@ -3,13 +3,18 @@
 import ast
 import sys
 from dataclasses import fields
+from functools import cache
 from typing import Any
 
 from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import told
 from warpsample.host.registry import look_up, records_of
 
-_KNOWN = records_of(sys.modules[__name__])
+
+@cache
+def _known() -> dict[str, type[Distribution]]:
+    """By name. Found when first asked for: reading all files takes as long as half of `import warp`."""
+    return records_of(sys.modules[__name__])
 
 
 def names() -> list[str]:
@@ -22,7 +27,7 @@ def names() -> list[str]:
         >>> print(ws.distributions.names()[:3])
         ['beckmann', 'cosine_hemisphere', 'ggx']
     """
-    return sorted(_KNOWN)
+    return sorted(_known())
 
 
 def classes() -> dict[str, type[Distribution]]:
@@ -35,7 +40,7 @@ def classes() -> dict[str, type[Distribution]]:
         >>> print(ws.distributions.classes()["GGX"].density)
         α²cosθ/(π(sin²θ+α²cos²θ)²)
     """
-    return {kind.__name__: kind for kind in _KNOWN.values()}
+    return {kind.__name__: kind for kind in _known().values()}
 
 
 def get(name: str) -> type[Distribution]:
@@ -56,7 +61,7 @@ def get(name: str) -> type[Distribution]:
         >>> print(kind(alpha=0.1), kind.measure)
         Beckmann(alpha=0.1) per steradian
     """
-    return look_up(_KNOWN, name, "distribution")
+    return look_up(_known(), name, "distribution")
 
 
 def as_distribution(value: Any) -> Distribution:

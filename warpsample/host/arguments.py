@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 _LONGEST = 80  # characters of a value in a message
+_FLAGS = (bool, np.bool_)
 
 
 def told(value: Any) -> str:
@@ -30,7 +31,7 @@ def check_flag(value: Any, argument: str) -> bool:
     Raises:
         TypeError: something else.
     """
-    if not isinstance(value, bool | np.bool_):
+    if not isinstance(value, _FLAGS):
         raise TypeError(f"{argument}: got {told(value)}, want True or False")
     return bool(value)
 
@@ -95,9 +96,11 @@ def check_integer(value: Any, argument: str, low: int, high: int, wants: str | N
         TypeError: not a whole number.
         ValueError: outside the range.
     """
+    if type(value) is int and low <= value <= high:
+        return value
     wants = wants or (f"a whole number of at least {low}" if high >= 2**62 else f"a whole number from {low} to {high}")
     try:
-        number = index(None if isinstance(value, bool | np.bool_ | np.ma.MaskedArray) else value)
+        number = index(None if isinstance(value, (*_FLAGS, np.ma.MaskedArray)) else value)
     except TypeError:
         raise TypeError(f"{argument}: got {told(value)}, want {wants}") from None
     if not low <= number <= high:

@@ -8,11 +8,13 @@ import warp as wp
 
 from warpsample.host.arguments import told
 from warpsample.host.kernel_cache import start
+from warpsample.host.locks import once
 from warpsample.host.neighbours import as_ndarray
 
 Array: TypeAlias = np.ndarray | wp.array
 
 
+@once
 def cpu() -> wp.Device:
     """The CPU as a device; the first call of a process starts Warp."""
     start()

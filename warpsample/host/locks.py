@@ -25,12 +25,14 @@ def once(factory: Callable[..., T]) -> Callable[..., T]:
     @wraps(factory)
     def get(*arguments: Any, **named: Any) -> T:
         """The known value, or a new one."""
-        key = (*arguments, *named.items())
-        if key not in known:
+        key = (*arguments, *named.items()) if named else arguments
+        try:
+            return known[key]
+        except KeyError:
             with making:
                 if key not in known:
                     known[key] = factory(*arguments, **named)
-        return known[key]
+                return known[key]
 
     get.known = known  # type: ignore[attr-defined]
     return get

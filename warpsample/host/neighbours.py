@@ -13,6 +13,7 @@ from warpsample.host.arguments import told
 from warpsample.host.kernel_cache import start
 
 _NUMPY_KNOWS = ("__array__", "__array_interface__", "__array_struct__")
+_ARRAYS = (np.ndarray, wp.array)
 _DLPACK_CUDA = 2  # what `__dlpack_device__` calls a CUDA device's memory
 
 
@@ -34,7 +35,7 @@ def from_cuda(value: Any, argument: str) -> Any:
     Raises:
         TypeError: it is on a device that Warp does not have, needs a gradient, or holds what no wp.array does.
     """
-    if isinstance(value, np.ndarray | wp.array):
+    if isinstance(value, _ARRAYS):
         return value
     try:
         if not _on_cuda(value):
@@ -64,6 +65,8 @@ def as_ndarray(value: Any, argument: str, wants: str = "an array") -> np.ndarray
     Raises:
         TypeError: an array with a mask, which nothing here heeds; or what NumPy makes no array of, such as ragged lists.
     """
+    if type(value) is np.ndarray:
+        return value
     if _has_mask(value):
         raise TypeError(f"{argument}: got a masked array, want {wants} without a mask, as numpy.ma.filled gives")
     value = from_cuda(value, argument)
@@ -89,8 +92,7 @@ def _has_mask(value: Any) -> bool:
 
 def own_memory(out: Any, wants: str) -> Any:
     """Another library's array as NumPy's of the same memory; everything else as it is."""
-    foreign = not isinstance(out, np.ndarray | wp.array)
-    if not foreign or not any(hasattr(out, name) for name in (*_NUMPY_KNOWS, "__dlpack__")):
+    if isinstance(out, _ARRAYS) or not any(hasattr(out, name) for name in (*_NUMPY_KNOWS, "__dlpack__")):
         return out
     view, again = as_ndarray(out, "out", wants), as_ndarray(out, "out", wants)
     return view if address_of(view) == address_of(again) else out  # a copy is another each time

@@ -1,7 +1,6 @@
 """Arrays of vectors as kernels take them: their memory, size and device; and those that results are written to."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from math import prod
 from typing import Any
 
@@ -12,6 +11,7 @@ from warpsample.host.arrays import Array, cpu
 from warpsample.host.neighbours import address_of, as_ndarray, from_cuda, kind_told, own_memory
 
 _SHORTEST, _LONGEST = 1e-30, 1e30  # of a vector in float64 whose components keep their digits in float32
+_FLOATS = (np.dtype(np.float32), np.dtype(np.float64))  # compared with a type, a dtype takes three times as long
 _DIMENSIONS = {wp.vec2: 2, wp.vec3: 3}
 
 
@@ -31,12 +31,12 @@ class Vectors:
     width: int
     device: wp.Device
 
-    @cached_property
+    @property
     def address(self) -> int:
         """Address of the first component."""
         return address_of(self.owner)
 
-    @cached_property
+    @property
     def count(self) -> int:
         """How many vectors."""
         return prod(self.shape)
@@ -53,7 +53,7 @@ def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") 
     if isinstance(value, wp.array):
         return _warp_vectors(value, width, argument)
     array = as_ndarray(value, argument)
-    if array.dtype not in (np.float32, np.float64):
+    if array.dtype not in _FLOATS:
         raise TypeError(f"{argument}: got dtype {array.dtype}, want float32 (or float64, which is rounded to float32)")
     if array.ndim == 0 or array.shape[-1] != width:
         raise ValueError(f"{argument}: got shape {array.shape}, want {shape.format(width)}")
@@ -63,13 +63,15 @@ def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") 
 
 def _rounded(array: np.ndarray) -> np.ndarray:
     """The array as C-contiguous float32, copied only if it is not that already."""
+    if array.dtype == _FLOATS[0] and array.flags.c_contiguous and type(array) is np.ndarray:
+        return array
     with np.errstate(over="ignore"):
         return np.ascontiguousarray(array, np.float32)
 
 
 def as_directions(array: np.ndarray) -> np.ndarray:
     """(..., 3) vectors of any length as float32 ones: scaled by a power of two where their length has no float32."""
-    if array.dtype != np.float32:
+    if array.dtype != _FLOATS[0]:
         largest = np.abs(array).max(axis=-1, initial=0.0)
         outside = np.isfinite(largest) & (largest > 0.0) & ~((largest > _SHORTEST) & (largest < _LONGEST))
         if outside.any():
@@ -116,7 +118,7 @@ def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
             raise ValueError(f"out: got an array on {vectors.device}, want one on {like.device}, where the normals are")
     elif isinstance(out, np.ndarray) and isinstance(like.owner, np.ndarray):
         as_ndarray(out, "out", want)
-        if out.dtype != np.float32:
+        if out.dtype != _FLOATS[0]:
             raise TypeError(f"out: got dtype {out.dtype}, want {want}")
         if not (out.flags.c_contiguous and out.flags.writeable):
             flaw = "read-only" if out.flags.c_contiguous else "not C-contiguous"
@@ -126,6 +128,7 @@ def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
         raise TypeError(f"out: got {kind_told(out)}, want {kind_told(like.owner)}, as the normals are")
     if (*vectors.shape, vectors.width) != (*shape, 3):
         raise ValueError(f"out: got shape {(*vectors.shape, vectors.width)}, want {want}")
-    if vectors.address < like.address + 12 * like.count and like.address < vectors.address + 12 * vectors.count:
+    first, other = vectors.address, like.address
+    if first < other + 12 * like.count and other < first + 12 * vectors.count:
         raise ValueError("out: got an array that overlaps the normals, want one apart from them")
     return vectors

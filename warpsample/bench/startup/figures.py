@@ -14,9 +14,8 @@ if TYPE_CHECKING:
 def draw(found: Found, caption: str) -> dict[str, "Figure"]:
     """A dot for each step with a cold and a warm cache, and for each call."""
     figure, axes = new_figure(caption, 9.0, 6.0)
-    milliseconds = [_scaled(wait.seconds, 1e3) for wait in found.waits] + [
-        _scaled(c.microseconds, 1e-3) for c in found.calls
-    ]
+    milliseconds = [_scaled(wait.took, 1e3) for wait in found.waits]
+    milliseconds += [_scaled(call.microseconds, 1e-3) for call in found.calls]
     names = [f"{wait.step}, {wait.cache} cache" for wait in found.waits]
     names += [f"{call.what} {call.when}, {call.workers} workers" for call in found.calls]
     colours = [OURS] * len(found.waits) + [THEIRS] * len(found.calls)

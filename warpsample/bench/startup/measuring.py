@@ -39,14 +39,14 @@ class Wait:
     Attributes:
         step: what it does.
         cache: the kernel cache, "cold" (kernels are compiled) or "warm" (they are loaded).
-        seconds: of it.
-        each: of each process; none where they were not kept.
+        took: seconds.
+        seconds: of each process; none where they were not kept.
     """
 
     step: str
     cache: str
-    seconds: Spread
-    each: list[float] = field(default_factory=list)
+    took: Spread
+    seconds: list[float] = field(default_factory=list)
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ def readme(result: Result) -> list[Table | str]:
 
 
 def _processes(result: Result) -> Table:
-    found = {(wait.step, wait.cache): wait.seconds for wait in result.found.waits}
+    found = {(wait.step, wait.cache): wait.took for wait in result.found.waits}
     cells = [[step, *(spread(found[step, cache]) for cache in CACHES)] for step in STEPS]
     return Table("A new process, seconds", ["", *(f"{cache} cache" for cache in CACHES)], cells)
 

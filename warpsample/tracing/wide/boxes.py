@@ -100,7 +100,8 @@ def _fill_leaves() -> wp.Kernel:
         low = wp.vec3(_NOWHERE)
         high = wp.vec3(-_NOWHERE)
         longest = wp.float32(0.0)
-        for k in range(WIDTH):
+        k = wp.int32(0)
+        while k < WIDTH:  # `range` would be unrolled, and takes the compiler four times as long
             a = wp.vec3(wp.NAN)  # no ray meets it
             b = a
             c = a
@@ -119,6 +120,7 @@ def _fill_leaves() -> wp.Kernel:
                 rows[(3 + axis) * WIDTH + k] = b[axis]
                 rows[(6 + axis) * WIDTH + k] = c[axis]
             rows[9 * WIDTH + k] = wp.cast(mine[k], wp.float32)
+            k += 1
         box[0] = low
         box[1] = high
         edge = wp.array(ptr=edges + wp.uint64(leaf) * wp.uint64(4), shape=(1,), dtype=wp.float32)
@@ -147,7 +149,8 @@ def _fill_nodes() -> wp.Kernel:
         own = wp.array(ptr=node_boxes + wp.uint64(node) * wp.uint64(24), shape=(2,), dtype=wp.vec3)
         low = wp.vec3(_NOWHERE)
         high = wp.vec3(-_NOWHERE)
-        for k in range(WIDTH):
+        k = wp.int32(0)
+        while k < WIDTH:
             place = below[k]
             lower = wp.vec3(_NOWHERE)
             upper = wp.vec3(-_NOWHERE)
@@ -167,6 +170,7 @@ def _fill_nodes() -> wp.Kernel:
                 rows[(3 + axis) * WIDTH + k] = upper[axis]
             rows[6 * WIDTH + k] = wp.cast(place, wp.float32)
             rows[7 * WIDTH + k] = edge
+            k += 1
         own[0] = low
         own[1] = high
 
