@@ -11,7 +11,9 @@ from warpsample.host.locks import once
 from warpsample.maths.numerics import high_word, low_word
 from warpsample.tracing.wide.layout import Accelerator
 
-_BLOCK = 256  # directions that are made and integrated together: those of a lobe of as many, a stream for each cell and half
+BLOCK = 256
+"""Directions that are made and integrated together: those of a lobe of as many, a stream for each cell and half."""
+
 _ROOM = wp.constant(wp.int32(2 * LANES))  # variates are filled by multiples of it
 _ZERO = wp.constant(wp.float64(0.0))
 
@@ -19,11 +21,11 @@ _ZERO = wp.constant(wp.float64(0.0))
 @once
 def _stream_fill(slots: Slots) -> wp.Function:
     """A function that fills the variates of a part of one stream, stretched over its sector."""
-    fill = fill_variates(slots.sequence, _BLOCK)
+    fill = fill_variates(slots.sequence, BLOCK)
 
     @wp.func
     def fill_stream(lobes: Lobes, point: wp.uint64, stream: wp.int32, first: wp.int32, room: wp.int32, at: wp.uint64):
-        u = wp.array(ptr=at, shape=(2 * _BLOCK,), dtype=wp.float32)
+        u = wp.array(ptr=at, shape=(2 * BLOCK,), dtype=wp.float32)
         word = high_word(lobes.seed) ^ (wp.uint32(stream) * STREAM_STEP)
         seed = (wp.uint64(word) << wp.uint64(32)) | wp.uint64(low_word(lobes.seed))
         fill(seed, point, first, room, wp.uint32(lobes.each), u)
@@ -31,8 +33,8 @@ def _stream_fill(slots: Slots) -> wp.Function:
         size = 1.0 / wp.float32(lobes.sectors)
         k = wp.int32(0)
         while k < room:
-            y = (u[_BLOCK + k] + sector) * size
-            u[_BLOCK + k] = wp.where(y < LAST_UNIFORM, y, LAST_UNIFORM)
+            y = (u[BLOCK + k] + sector) * size
+            u[BLOCK + k] = wp.where(y < LAST_UNIFORM, y, LAST_UNIFORM)
             k += 1
 
     return fill_stream
@@ -46,29 +48,29 @@ def _block_values(slots: Slots) -> wp.Function:
 
     @wp.func
     def evaluate(lobes: Lobes, data: struct, spot: Spot, length: wp.int32, square: wp.uint64, target: wp.uint64):
-        u = wp.array(ptr=square, shape=(2 * _BLOCK,), dtype=wp.float32)
-        values = wp.array(ptr=target, shape=(channels * _BLOCK,), dtype=wp.float32)
+        u = wp.array(ptr=square, shape=(2 * BLOCK,), dtype=wp.float32)
+        values = wp.array(ptr=target, shape=(channels * BLOCK,), dtype=wp.float32)
         n = spot.n
         lobe = spot.lobe
         rare = wp.int32(0)
         k = wp.int32(0)
         while k < length:
-            d = about(n, wp.vec2(u[k] + 0.0, u[_BLOCK + k] + 0.0), lobes.parameters)
+            d = about(n, wp.vec2(u[k] + 0.0, u[BLOCK + k] + 0.0), lobes.parameters)
             value = weigh(wp.vec3(d[0], d[1], d[2]), lobe, data)
             for c in range(channels):
-                values[c * _BLOCK + k] = value[c]
+                values[c * BLOCK + k] = value[c]
             if wp.static(redraws):
                 rare = rare | wp.where(d[3] < redraw_below, 1, 0)
             k += 1
         if wp.static(redraws):  # noqa: SIM102  (one is decided when the kernel is built, the other when it runs)
             if rare != 0:
                 for j in range(length):
-                    at = wp.vec2(u[j], u[_BLOCK + j])
+                    at = wp.vec2(u[j], u[BLOCK + j])
                     if about(n, at, lobes.parameters)[3] < redraw_below:
                         d = redraw(n, at, lobes.parameters)
                         value = weigh(wp.vec3(d[0], d[1], d[2]), lobe, data)
                         for c in range(channels):
-                            values[c * _BLOCK + j] = value[c]
+                            values[c * BLOCK + j] = value[c]
 
     return evaluate
 
@@ -76,7 +78,7 @@ def _block_values(slots: Slots) -> wp.Function:
 @wp.func
 def _sum_of(row: wp.uint64, length: wp.int32) -> wp.float64:
     """The sum of float32 numbers in float64: four sums, so that no addition waits for the last."""
-    values = wp.array(ptr=row, shape=(_BLOCK,), dtype=wp.float32)
+    values = wp.array(ptr=row, shape=(BLOCK,), dtype=wp.float32)
     first = _ZERO
     second = _ZERO
     third = _ZERO
@@ -99,12 +101,10 @@ def free_lobe(slots: Slots) -> wp.Function:
     """A function that sums a lobe that nothing blocks, as `weighed_lobe` does one with a mesh."""
     fill_stream, evaluate, widths = _stream_fill(slots), _block_values(slots), widths_of(slots)
     struct, channels = slots.struct, slots.channels
-    square_floats, value_floats = 2 * _BLOCK, channels * _BLOCK
 
     @wp.func
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, spot: Spot):
-        square = wp.zeros(shape=(square_floats,), dtype=wp.float32)
-        values = wp.zeros(shape=(value_floats,), dtype=wp.float32)
+        """The same sums as in `counted_lobe`; `spot` has room for a block of variates and its values."""
         total = NOTHING
         variance = NOTHING
         unseen = NOTHING
@@ -112,23 +112,23 @@ def free_lobe(slots: Slots) -> wp.Function:
         one = NOTHING
         other = NOTHING
         streams = 2 * lobes.sectors
-        together = wp.clamp(_BLOCK / ((lobes.each + _ROOM - 1) / _ROOM * _ROOM), 1, streams)
+        together = wp.clamp(BLOCK / ((lobes.each + _ROOM - 1) / _ROOM * _ROOM), 1, streams)
         for lowest in range(0, streams, together):
             taken = wp.min(together, streams - lowest)
-            for first in range(0, lobes.each, _BLOCK):
-                length = wp.min(_BLOCK, lobes.each - first)
+            for first in range(0, lobes.each, BLOCK):
+                length = wp.min(BLOCK, lobes.each - first)
                 room = (length + _ROOM - 1) / _ROOM * _ROOM
                 for i in range(taken):
-                    fill_stream(lobes, spot.lobe.point, lowest + i, first, room, square.ptr + wp.uint64(4 * i * room))
-                evaluate(lobes, data, spot, taken * room, square.ptr, values.ptr)
+                    fill_stream(lobes, spot.lobe.point, lowest + i, first, room, spot.square + wp.uint64(4 * i * room))
+                evaluate(lobes, data, spot, taken * room, spot.square, spot.chunk)
                 for i in range(taken):
                     part = NOTHING
                     for c in range(channels):
-                        part[c] = _sum_of(values.ptr + wp.uint64(4 * (c * _BLOCK + i * room)), length)
+                        part[c] = _sum_of(spot.chunk + wp.uint64(4 * (c * BLOCK + i * room)), length)
                     second_half = (lowest + i) % 2 == 1
                     one = wp.where(second_half, one, wp.where(first == 0, part, one + part))
                     other = wp.where(second_half, wp.where(first == 0, part, other + part), other)
-                    if second_half and first + _BLOCK >= lobes.each:
+                    if second_half and first + BLOCK >= lobes.each:
                         squares = wp.cw_mul(one - other, one - other)
                         mean = (one + other) / wp.float64(2 * lobes.each)
                         total += one + other

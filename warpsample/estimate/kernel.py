@@ -3,7 +3,7 @@
 import warp as wp
 
 from warpsample.directions.samples import normal_status, weigh_by_mask
-from warpsample.estimate.free import free_lobe
+from warpsample.estimate.free import BLOCK, free_lobe
 from warpsample.estimate.lobe import NOTHING, counted_lobe, weighed_lobe
 from warpsample.estimate.rays import SQUARE_FLOATS
 from warpsample.estimate.skipping.frontier import HORIZON_MARGIN
@@ -69,33 +69,21 @@ def _placer(slots: Slots) -> wp.Function:
 
 
 @once
-def estimate_kernel(slots: Slots) -> wp.Kernel:
-    """A kernel with a task for each point, in the order of the placement."""
-    traced, struct, keep, place = slots.query is not None, slots.struct, _keep(slots.channels), _placer(slots)
-    sum_lobe = (counted_lobe if slots.counts else weighed_lobe)(slots) if traced else free_lobe(slots)
-    words_size, beam_size, room_size = (SCRATCH, BEAM_FLOATS, START_FLOATS) if slots.wide else (1, 1, 1)
-    chunk_floats = (CHUNK_FLOATS if slots.wide else PREPARED) if traced else 1
+def _estimator(slots: Slots) -> wp.Function:
+    """A function that estimates one point."""
+    struct, keep, place = slots.struct, _keep(slots.channels), _placer(slots)
+    sum_lobe = free_lobe(slots) if slots.query is None else (counted_lobe if slots.counts else weighed_lobe)(slots)
 
-    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
-    def estimate(lobes: Lobes, accelerator: Accelerator, data: struct, first_task: wp.int64):
-        words = wp.zeros(shape=(words_size,), dtype=wp.int32)
-        floats = wp.zeros(shape=(chunk_floats,), dtype=wp.float32)
-        square = wp.zeros(shape=(SQUARE_FLOATS,), dtype=wp.float32)
-        beam = wp.zeros(shape=(beam_size,), dtype=wp.float32)
-        room = wp.zeros(shape=(room_size,), dtype=wp.float32)
-        point = point_of(lobes.placement, first_task + wp.int64(wp.tid()))
+    @wp.func
+    def estimate_point(lobes: Lobes, accelerator: Accelerator, data: struct, visit: wp.int64, spot: Spot):
+        """The numbers of the point that is visited so many points after the first; `spot` has the memory to work in."""
+        point = point_of(lobes.placement, visit)
         normal = wp.array(ptr=lobes.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
         unit = scaled_to_unit(normal)
-        spot = Spot()
         spot.n = wp.vec3(unit[0], unit[1], unit[2])
         spot.lobe.normal = spot.n
         spot.lobe.row = lobes.first_row + wp.int32(point)
         spot.lobe.point = lobes.first_point + wp.uint64(point)
-        spot.chunk = floats.ptr
-        spot.square = square.ptr
-        spot.room = room.ptr
-        spot.beam = beam.ptr
-        spot.scratch = words.ptr
         weight = wp.float32(1.0)
         if lobes.active != wp.uint64(0):
             weight = weigh_by_mask(wp.array(ptr=lobes.active + wp.uint64(point), shape=(1,), dtype=wp.uint8), 0)
@@ -122,5 +110,34 @@ def estimate_kernel(slots: Slots) -> wp.Kernel:
         wp.array(ptr=lobes.cast + at, shape=(1,), dtype=wp.int32)[0] = cast
         wp.array(ptr=lobes.empty + at, shape=(1,), dtype=wp.int32)[0] = empty
         wp.array(ptr=lobes.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)[0] = wp.uint8(status)
+
+    return estimate_point
+
+
+@once
+def estimate_kernel(slots: Slots) -> wp.Kernel:
+    """A kernel with a task for each `rows` points in the order of the placement, which share cleared memory."""
+    struct, estimate_point, traced = slots.struct, _estimator(slots), slots.query is not None
+    words_size, beam_size, room_size = (SCRATCH, BEAM_FLOATS, START_FLOATS) if slots.wide else (1, 1, 1)
+    chunk_floats = (CHUNK_FLOATS if slots.wide else PREPARED) if traced else slots.channels * BLOCK
+    square_floats = SQUARE_FLOATS if traced else 2 * BLOCK
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def estimate(lobes: Lobes, accelerator: Accelerator, data: struct, first_task: wp.int64):
+        words = wp.zeros(shape=(words_size,), dtype=wp.int32)
+        floats = wp.zeros(shape=(chunk_floats,), dtype=wp.float32)
+        square = wp.zeros(shape=(square_floats,), dtype=wp.float32)
+        beam = wp.zeros(shape=(beam_size,), dtype=wp.float32)
+        room = wp.zeros(shape=(room_size,), dtype=wp.float32)
+        spot = Spot()
+        spot.chunk = floats.ptr
+        spot.square = square.ptr
+        spot.room = room.ptr
+        spot.beam = beam.ptr
+        spot.scratch = words.ptr
+        first = (first_task + wp.int64(wp.tid())) * wp.int64(lobes.rows)
+        for k in range(lobes.rows):
+            if first + wp.int64(k) < lobes.visits:
+                estimate_point(lobes, accelerator, data, first + wp.int64(k), spot)
 
     return estimate

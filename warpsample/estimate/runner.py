@@ -9,7 +9,7 @@ from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.result import Estimate, Skipped
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.spot import LobesArgs
-from warpsample.host.device_memory import Loan
+from warpsample.host.device_memory import Loan, at_home
 from warpsample.host.engine import run
 from warpsample.host.vectors import as_directions
 from warpsample.tracing.order import order_of
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from warpsample.estimate.plan import Plan, Quantity
 
 _BYTES_OF_POINT = 128  # on a device: position, two normals, mask, order, and at most three of each number
+_TASK, _MOST_ROWS = 1 << 11, 16  # rays and points of a task on the CPU, where to clear memory takes as long as ten rays
 _MOST_REACH = 2.0**60  # of the scene's size: what is in it is at no distance at all from there on
 
 
@@ -116,8 +117,10 @@ class Runner:
         lobes.placement.order = loan.put(rows)
         accelerator = plan.tracer.accelerator(self.scene, memory.device, plan.workers) if self.scene else AcceleratorArgs()
         work = (RAY_WORK if self.scene else 1) * len(rows) * rays
-        kernel = estimate_kernel(self._slots())
-        run(kernel, len(rows), [lobes, accelerator, self.data], memory.device, plan.workers, work)
+        lobes.visits = len(rows)
+        lobes.rows = min(max(1, _TASK // rays), _MOST_ROWS) if at_home(memory.device) else 1
+        kernel, tasks = estimate_kernel(self._slots()), -(-len(rows) // lobes.rows)
+        run(kernel, tasks, [lobes, accelerator, self.data], memory.device, plan.workers, work)
 
     def _slots(self) -> Slots:
         plan, integrand, any_hit = self.plan, self.quantity.integrand, self.quantity.falloff is None

@@ -26,6 +26,7 @@ class Lobes:
 
     placement: of the points; its normals are those of their faces, along which they are moved off.
     first_row: of these points in the whole call; first_point is the global id of the first of them.
+    visits, rows: points that are visited, in all and by a task.
     normals, active: (P, 3) float32, (P,) uint8 or 0: the lobes' axes, and which points count.
     each, bands, sectors, beams: as `Cells` has them; beams 0 tests none.
     skip: whether the tree is searched for what cannot be met.
@@ -38,6 +39,8 @@ class Lobes:
     seed: wp.uint64
     first_point: wp.uint64
     first_row: wp.int32
+    visits: wp.int64
+    rows: wp.int32
     normals: wp.uint64
     active: wp.uint64
     each: wp.int32
