@@ -18,6 +18,7 @@ _HALF_CELL = wp.constant(wp.float64(0.5 / GRID))
 _STEEPEST = wp.constant(wp.float64(6.0))  # no slope of the grid's variates is steeper, in units of alpha
 _FROM_ABOVE = wp.constant(wp.float64(1e12))
 _SIXTH = wp.constant(wp.float64(1.0 / 6.0))
+# Of the start of `slope_along_view`: by trial over all views, so that two steps suffice for every variate.
 _MOVED = wp.constant(wp.float64(0.45))
 _BENT = wp.constant(wp.float64(0.6))
 _TINY = wp.constant(wp.float64(1e-12))
