@@ -36,9 +36,7 @@ def alone(tmp_path, child_environment):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "tasks", ["damages", pytest.param("folders,unmarked,again,unwritable,together", marks=pytest.mark.slow)]
-)
+@pytest.mark.parametrize("tasks", ["damages", "folders,unmarked,again,unwritable,together"])
 def test_a_cache_is_mended_or_done_without(tasks, alone, tmp_path):
     (tmp_path / "tmp").mkdir()
     assert alone(tasks, TMPDIR=str(tmp_path / "tmp"))[0] == ""

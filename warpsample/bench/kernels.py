@@ -18,7 +18,7 @@ from warpsample.directions.sample import sample_directions
 from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphere
 from warpsample.estimate.integrate import integrate
 from warpsample.estimate.visibility import ambient_occlusion
-from warpsample.host.kernel_cache import WIDE_VECTORS
+from warpsample.host.kernel_cache import wide_flags
 from warpsample.maths.frames import frame_about, to_world
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import sample_surface
@@ -87,11 +87,7 @@ def coloured(w: wp.vec3) -> wp.vec3:
     return wp.vec3(0.3, 0.4, 0.5) + wp.max(w[2], 0.0) * wp.vec3(0.7, 0.5, 0.2)
 
 
-@wp.kernel(
-    module="unique",
-    enable_backward=False,
-    module_options={"cpu_compiler_flags": f"{wp.config.cpu_compiler_flags or ''} {WIDE_VECTORS}"},
-)
+@wp.kernel(module="unique", enable_backward=False, module_options={"cpu_compiler_flags": wide_flags()})
 def occlusion(tree: Tree, position: wp.array[wp.vec3d], normal: wp.array[wp.vec3], count: int, out: wp.array[float]):
     """The kernel that the README of `tracing` shows, with the compiler's flag that it names."""
     p = wp.tid()

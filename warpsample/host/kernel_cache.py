@@ -83,10 +83,16 @@ def load(kernel: wp.Kernel, device: str) -> None:
 
 def _ask_for_wide_vectors(module: wp.Module) -> None:
     """Adds to the flags of a module, unless they are its own or none are wanted."""
-    flags = "-march=native" if wp.config.cpu_compiler_flags is None else wp.config.cpu_compiler_flags
+    flags = wide_flags()
     if flags and module.options["cpu_compiler_flags"] is None:
-        module.options["cpu_compiler_flags"] = f"{flags} {WIDE_VECTORS}"
+        module.options["cpu_compiler_flags"] = flags
         module.mark_modified()
+
+
+def wide_flags() -> str:
+    """The user's flags for the compiler, with wide vectors; none where none are wanted."""
+    flags = "-march=native" if wp.config.cpu_compiler_flags is None else wp.config.cpu_compiler_flags  # as Warp has it
+    return f"{flags} {WIDE_VECTORS}" if flags else ""
 
 
 @contextmanager

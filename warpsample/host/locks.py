@@ -16,6 +16,7 @@ if hasattr(os, "register_at_fork"):
     os.register_at_fork(before=making.acquire, after_in_parent=making.release, after_in_child=making.release)
 
 T = TypeVar("T")
+_UNKNOWN: Any = object()
 
 
 def once(factory: Callable[..., T]) -> Callable[..., T]:
@@ -26,13 +27,13 @@ def once(factory: Callable[..., T]) -> Callable[..., T]:
     def get(*arguments: Any, **named: Any) -> T:
         """The known value, or a new one."""
         key = (*arguments, *named.items()) if named else arguments
-        try:
-            return known[key]
-        except KeyError:
+        value = known.get(key, _UNKNOWN)
+        if value is _UNKNOWN:
             with making:
                 if key not in known:
                     known[key] = factory(*arguments, **named)
-                return known[key]
+                value = known[key]
+        return value
 
     get.known = known  # type: ignore[attr-defined]
     return get

@@ -18,6 +18,11 @@ _EXPONENT_MASK = wp.constant(wp.int32(0x7F800000))
 _INVERSE_ROOT_SEED = wp.constant(wp.int32(0x5F375A86 - 0x00400000))
 _EXPONENT_OF_2_127 = wp.constant(wp.int32(0x7F000000))
 _EXPONENT_OF_2_MINUS_126 = wp.constant(wp.int32(0x00800000))
+_FMA_ADJOINT = """
+    adj_a += b * adj_ret;
+    adj_b += a * adj_ret;
+    adj_c += adj_ret;
+"""
 # A bare number in a kernel is float32.
 ZERO = wp.constant(wp.float64(0.0))
 HALF = wp.constant(wp.float64(0.5))
@@ -37,11 +42,7 @@ EVEN_BYTES = wp.constant(wp.uint32(0x00FF00FF))
     return __builtin_fmaf(a, b, c);
 #endif
 """,
-    adj_snippet="""
-    adj_a += b * adj_ret;
-    adj_b += a * adj_ret;
-    adj_c += adj_ret;
-""",
+    adj_snippet=_FMA_ADJOINT,
 )
 def fma(a: wp.float32, b: wp.float32, c: wp.float32) -> wp.float32:
     """a * b + c, rounded once.
@@ -59,11 +60,7 @@ def fma(a: wp.float32, b: wp.float32, c: wp.float32) -> wp.float32:
     return __builtin_fma(a, b, c);
 #endif
 """,
-    adj_snippet="""
-    adj_a += b * adj_ret;
-    adj_b += a * adj_ret;
-    adj_c += adj_ret;
-""",
+    adj_snippet=_FMA_ADJOINT,
 )
 def fma_double(a: wp.float64, b: wp.float64, c: wp.float64) -> wp.float64:
     """As `fma`, in float64."""

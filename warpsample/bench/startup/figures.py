@@ -17,7 +17,7 @@ def draw(found: Found, caption: str) -> dict[str, "Figure"]:
     milliseconds = [_scaled(wait.took, 1e3) for wait in found.waits]
     milliseconds += [_scaled(call.microseconds, 1e-3) for call in found.calls]
     names = [f"{wait.step}, {wait.cache} cache" for wait in found.waits]
-    names += [f"{call.what} {call.when}, {call.workers} workers" for call in found.calls]
+    names += [f"{call.what} {call.when}, {call.workers} worker{'s' if call.workers > 1 else ''}" for call in found.calls]
     colours = [OURS] * len(found.waits) + [THEIRS] * len(found.calls)
     dots(axes, names, milliseconds, colours, [spread(each) for each in milliseconds])
     axes.set_xlabel("time [ms]")
