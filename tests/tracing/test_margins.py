@@ -22,7 +22,7 @@ from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.candidates import boxes_met, triangles_near
 from warpsample.tracing.wide.layout import CHUNK_FLOATS, LEAF_BYTES, NODE_BYTES, WIDTH
 from warpsample.tracing.wide.prepare import prepare_wide, ray_in
-from warpsample.tracing.wide.triangle import triangle_distance
+from warpsample.tracing.wide.triangle import between_edges, plane_distance
 
 
 @wp.kernel(enable_backward=False, module="unique")
@@ -51,7 +51,9 @@ def _triangles(
     near[i, 0] = masks & 0xFFFF
     near[i, 1] = masks >> WIDTH
     for k in range(WIDTH):
-        distances[i, k] = triangle_distance(leaf, k, 0, ray, chunk, sizes[i, 1])
+        distance = plane_distance(leaf, k, ray, chunk)
+        met = distance > 0.0 and distance < sizes[i, 1] and between_edges(leaf, k, ray, chunk)
+        distances[i, k] = wp.where(met, distance, -1.0)
 
 
 @pytest.mark.parametrize("along_axes", [False, True])

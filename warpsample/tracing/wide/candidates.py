@@ -3,6 +3,7 @@
 import warp as wp
 
 from warpsample.maths.numerics import fma, greater, lesser, negative
+from warpsample.tracing.wide.lanes import lanes_with
 from warpsample.tracing.wide.layout import WIDTH
 from warpsample.tracing.wide.prepare import Ray
 
@@ -13,10 +14,11 @@ _SECOND = wp.constant(wp.int32(3 * WIDTH))
 _THIRD = wp.constant(wp.int32(6 * WIDTH))
 _NO_HIT = wp.constant(wp.int32(0x7F800000))  # the bits of infinity: bits of floats above 0 are ordered as they are
 _CHILD = wp.constant(wp.int32(WIDTH - 1))
-_ASIDE = wp.constant(wp.float32(2.0**-18))
+_LEAST = wp.constant(wp.float32(384 * 2.0**-24 / 6**2))
 _FURTHEST = wp.constant(wp.float32(64.0))  # farther than anything is from any origin; infinity times 0 would be NaN
 _SIGN = wp.constant(wp.int32(-(2**31)))
-_SURE = wp.constant(wp.int32(2**WIDTH))
+_MAYBE = _SIGN  # bit 31, which the compiler asks for in one instruction
+_SURELY = wp.constant(wp.int32(2**30))
 
 
 @wp.func
@@ -31,7 +33,7 @@ def boxes_met(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
     far_x = wp.array(ptr=node + _UPPER - ray.near_x, shape=(WIDTH,), dtype=wp.float32)
     far_y = wp.array(ptr=node + _UPPER + _ROW - ray.near_y, shape=(WIDTH,), dtype=wp.float32)
     far_z = wp.array(ptr=node + _UPPER + _ROW + _ROW - ray.near_z, shape=(WIDTH,), dtype=wp.float32)
-    mask = wp.int32(0)
+    hit = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
     best = wp.int32(_NO_HIT)
     k = wp.int32(0)
     while k < WIDTH:
@@ -47,9 +49,9 @@ def boxes_met(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
         # The child's number in the last bits of its distance: one minimum tells both.
         key = ((wp.cast(enter, wp.int32) & (~_CHILD)) | k) ^ flip
         best = wp.min(best, wp.where(met, key, _NO_HIT))
-        mask = mask | wp.where(met, 1 << k, 0)
+        hit[k] = wp.where(met, -1, 0)
         k += 1
-    return mask, (best ^ flip) & _CHILD
+    return lanes_with(hit.ptr, 31), (best ^ flip) & _CHILD
 
 
 @wp.func
@@ -62,8 +64,8 @@ def _flipped(x: wp.float32, sign: wp.int32) -> wp.float32:
 def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32) -> wp.int32:
     """Mask of the leaf's triangles that the ray may meet within reach, and from bit 16 on of those that it meets for sure.
 
-    Edge functions of the triangles sheared onto the ray (Woop2013),
-    in float32, by more than whose rounding a triangle must be missed, or met for sure. `triangle_distance` tells of others.
+    Edge functions of the triangles sheared onto the ray (Woop2013), in float32, by more than whose rounding a triangle must
+    be missed, or met for sure. `between_edges` and `plane_distance` tell of others.
 
     Args:
         leaf: its address.
@@ -74,15 +76,15 @@ def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float3
     # Distances are those along the ray's longest axis, a share of 3^-0.5 to 1. With u = 2^-24, e = edge and r as far as a
     # corner and 2 e: a sheared corner is rounded by 4 u r, and that of a triangle that is met is within 2 e. So an edge
     # function is rounded by 48 u r e, their sum weighted by the distances by 181 u r e r, and reach times their sum by 172.
-    # The margins are 64, 192 and 384.
+    # The margin is 384 u r e r, for the edge functions times 6 r: one minimum tells how far within both the ray is.
     reach_along = lesser(reach, _FURTHEST) * wp.abs(ray.share_along)
     backwards = (wp.cast(ray.share_along, wp.int32) ^ _SIGN) & _SIGN
-    aside_by = _ASIDE * edge
-    behind_by = 3.0 * _ASIDE * edge
+    twelve_e = 12.0 * edge
+    least = _LEAST * edge
     first = wp.array(ptr=leaf + ray.first, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     along = wp.array(ptr=leaf + ray.along, shape=(_LEAF_FLOATS,), dtype=wp.float32)
-    masks = wp.int32(0)
+    met = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
     k = wp.int32(0)
     while k < WIDTH:
         # From the corners to the origin: a register less its row is one instruction, the row less a register two.
@@ -102,15 +104,10 @@ def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float3
         inside = greater(lesser(lesser(u, v), w), negative(greater(greater(u, v), w)))  # by how much, if it is
         weighted = fma(u, az, fma(v, bz, w * cz))
         t = _flipped(weighted, (wp.cast(sum, wp.int32) & _SIGN) ^ backwards)
-        size = wp.abs(sum)
-        r = fma(2.0, edge, wp.abs(az))
-        aside = aside_by * r
-        behind = (behind_by * r) * r
-        beyond = behind + behind
-        near = wp.where(inside >= negative(aside), 1, 0) & wp.where(t > negative(behind), 1, 0)
-        near = near & wp.where(t < fma(reach_along, size, beyond), 1, 0)
-        surely = wp.where(inside > aside, 1, 0) & wp.where(t > behind, 1, 0)
-        surely = surely & wp.where(t < fma(reach_along, size, negative(beyond)), 1, 0)
-        masks = masks | wp.where(near != 0, 1 << k, 0) | wp.where(surely != 0, _SURE << k, 0)
+        before = lesser(t, fma(reach_along, wp.abs(sum), negative(t)))  # by how much it is ahead, and within reach
+        six_r = fma(6.0, wp.abs(az), twelve_e)
+        margin = (least * six_r) * six_r
+        within = lesser(six_r * inside, before)
+        met[k] = wp.where(within >= negative(margin), _MAYBE, 0) | wp.where(within > margin, _SURELY, 0)
         k += 1
-    return masks
+    return lanes_with(met.ptr, 31) | (lanes_with(met.ptr, 30) << WIDTH)

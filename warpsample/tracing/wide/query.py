@@ -7,7 +7,7 @@ from warpsample.maths.numerics import lowest_bit
 from warpsample.tracing.wide.candidates import boxes_met, triangles_near
 from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH, Accelerator
 from warpsample.tracing.wide.prepare import Ray, ray_in
-from warpsample.tracing.wide.triangle import triangle_distance
+from warpsample.tracing.wide.triangle import between_edges, plane_distance
 
 _NODE = wp.constant(wp.uint64(NODE_BYTES))
 _LEAF = wp.constant(wp.uint64(LEAF_BYTES))
@@ -34,10 +34,12 @@ def nearest_of(
     for _ in range(wp.bit_count(met)):
         triangle = lowest_bit(met)
         met = met & (met - 1)
-        distance = triangle_distance(leaf, triangle, (found >> WIDTH) & (1 << triangle), ray, column, reach)
-        if distance > 0.0:
-            reach = distance
-            nearest = triangle
+        distance = plane_distance(leaf, triangle, ray, column)
+        nearer = wp.where(distance > 0.0, 1, 0) & wp.where(distance < reach, 1, 0)
+        if (nearer & ~(found >> (WIDTH + triangle))) != 0:
+            nearer = wp.where(between_edges(leaf, triangle, ray, column), 1, 0)
+        reach = wp.where(nearer != 0, distance, reach)
+        nearest = wp.where(nearer != 0, triangle, nearest)
     return reach, nearest
 
 
@@ -60,8 +62,10 @@ def any_of(
             triangle = lowest_bit(sure)
             met = 0
         for _ in range(wp.bit_count(met)):
-            if triangle < 0 and triangle_distance(leaf, lowest_bit(met), 0, ray, column, reach) > 0.0:
-                triangle = lowest_bit(met)
+            if triangle < 0:
+                distance = plane_distance(leaf, lowest_bit(met), ray, column)
+                if distance > 0.0 and distance < reach and between_edges(leaf, lowest_bit(met), ray, column):
+                    triangle = lowest_bit(met)
             met = met & (met - 1)
     return triangle
 
@@ -87,12 +91,12 @@ def _nearest_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, column: wp.ui
 
 
 @wp.func
-def _any_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, column: wp.uint64, reach: wp.float32):
+def _any_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, column: wp.uint64, reach: wp.float32):  # noqa: ARG001  (likewise)
     """Likewise of one that is met somewhere before the reach."""
     if triangle < 0:
         return wp.float32(wp.INF), wp.int32(-1)
     face = wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)[triangle]
-    return triangle_distance(leaf, triangle, 1, ray, column, reach), face
+    return plane_distance(leaf, triangle, ray, column), face
 
 
 @wp.func

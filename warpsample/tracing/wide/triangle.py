@@ -5,7 +5,7 @@ import warp as wp
 from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, WIDTH
 from warpsample.tracing.wide.prepare import Ray
 
-_ROW = wp.constant(wp.uint64(WIDTH * 4))
+_STEP = wp.constant(wp.uint64(CHUNK // WIDTH))
 _LEAF_FLOATS = 9 * WIDTH
 _SECOND = wp.constant(wp.int32(3 * WIDTH))
 _THIRD = wp.constant(wp.int32(6 * WIDTH))
@@ -22,28 +22,18 @@ def _inside(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: 
 
 
 @wp.func
-def triangle_distance(
-    leaf: wp.uint64, k: wp.int32, sure: wp.int32, ray: Ray, column: wp.uint64, reach: wp.float32
-) -> wp.float32:
-    """From a ray's origin to a triangle of a leaf; -1 where the ray does not meet it within reach.
+def _direction(column: wp.uint64, row: wp.uint64) -> wp.float64:
+    """Of a ray along an axis, which is told by the offset of its row in a leaf."""
+    lane = wp.array(ptr=column + row * _STEP, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    return wp.float64(lane[DIRECTION])
 
-    A function of the float32 ray and triangle alone, whichever leaf it is in: what is tested before may only spare it, as
-    `sure` does, which is not 0 if the ray is known to meet it. As `triangles_near`, in float64, where the differences of
-    coordinates are exact: on which side of an edge a ray passes is told by the ray and the edge, not by how far away the
-    edge ends. Rounding is monotonic: the sign of a difference of two rounded products is that of their difference, or 0. The
-    two triangles at an edge compute it from the same numbers, and 0 counts as inside of both: a ray at an edge meets at
-    least one.
-    """
+
+@wp.func
+def plane_distance(leaf: wp.uint64, k: wp.int32, ray: Ray, column: wp.uint64) -> wp.float32:
+    """From a ray's origin to the plane of a triangle of a leaf; inf or NaN where the ray is parallel to it."""
     first = wp.array(ptr=leaf + ray.first, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     along = wp.array(ptr=leaf + ray.along, shape=(_LEAF_FLOATS,), dtype=wp.float32)
-    lane = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-    d_first = wp.float64(lane[DIRECTION + wp.int32(ray.first / _ROW) * CHUNK])
-    d_second = wp.float64(lane[DIRECTION + wp.int32(ray.second / _ROW) * CHUNK])
-    d_along = wp.float64(lane[DIRECTION + wp.int32(ray.along / _ROW) * CHUNK])
-    ox = wp.float64(ray.origin_first)
-    oy = wp.float64(ray.origin_second)
-    oz = wp.float64(ray.origin_along)
     ax = wp.float64(first[k])
     ay = wp.float64(second[k])
     az = wp.float64(along[k])
@@ -56,21 +46,40 @@ def triangle_distance(
     nx = (by - ay) * (cz - az) - (bz - az) * (cy - ay)
     ny = (bz - az) * (cx - ax) - (bx - ax) * (cz - az)
     nz = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-    height = nx * (ax - ox) + ny * (ay - oy) + nz * (az - oz)
-    slope = nx * d_first + ny * d_second + nz * d_along  # 0 where the triangle is seen from its edge
-    met = wp.float32(-1.0)
-    inside = sure != 0
-    if not inside and height * slope > _ZERO:
-        inside = _inside(
-            (ax - ox) * d_along - (az - oz) * d_first,
-            (ay - oy) * d_along - (az - oz) * d_second,
-            (bx - ox) * d_along - (bz - oz) * d_first,
-            (by - oy) * d_along - (bz - oz) * d_second,
-            (cx - ox) * d_along - (cz - oz) * d_first,
-            (cy - oy) * d_along - (cz - oz) * d_second,
-        )
-    if inside and height * slope > _ZERO:
-        distance = wp.float32(height / slope)
-        if distance > 0.0 and distance < reach:
-            met = distance
-    return met
+    x = ax - wp.float64(ray.origin_first)
+    y = ay - wp.float64(ray.origin_second)
+    z = az - wp.float64(ray.origin_along)
+    slope = nx * _direction(column, ray.first) + ny * _direction(column, ray.second) + nz * _direction(column, ray.along)
+    return wp.float32((nx * x + ny * y + nz * z) / slope)
+
+
+@wp.func
+def between_edges(leaf: wp.uint64, k: wp.int32, ray: Ray, column: wp.uint64) -> wp.bool:
+    """Whether the ray's line passes between the edges of a triangle of a leaf, or meets one of them.
+
+    A function of the float32 ray and triangle alone, whichever leaf it is in. As `triangles_near`, in float64, where the
+    differences of coordinates are exact: on which side of an edge a ray passes is told by the ray and the edge, not by how
+    far away the edge ends. Rounding is monotonic: the sign of a difference of two rounded products is that of their
+    difference, or 0. The two triangles at an edge compute it from the same numbers, and 0 counts as inside of both: a ray
+    at an edge meets at least one.
+    """
+    first = wp.array(ptr=leaf + ray.first, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    along = wp.array(ptr=leaf + ray.along, shape=(_LEAF_FLOATS,), dtype=wp.float32)
+    d_first = _direction(column, ray.first)
+    d_second = _direction(column, ray.second)
+    d_along = _direction(column, ray.along)
+    ox = wp.float64(ray.origin_first)
+    oy = wp.float64(ray.origin_second)
+    oz = wp.float64(ray.origin_along)
+    az = wp.float64(along[k]) - oz
+    bz = wp.float64(along[_SECOND + k]) - oz
+    cz = wp.float64(along[_THIRD + k]) - oz
+    return _inside(
+        (wp.float64(first[k]) - ox) * d_along - az * d_first,
+        (wp.float64(second[k]) - oy) * d_along - az * d_second,
+        (wp.float64(first[_SECOND + k]) - ox) * d_along - bz * d_first,
+        (wp.float64(second[_SECOND + k]) - oy) * d_along - bz * d_second,
+        (wp.float64(first[_THIRD + k]) - ox) * d_along - cz * d_first,
+        (wp.float64(second[_THIRD + k]) - oy) * d_along - cz * d_second,
+    )
