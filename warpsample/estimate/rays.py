@@ -116,7 +116,9 @@ def distance_of(slots: Slots) -> wp.Function:
                         distance = met
                         reach = met
         if accelerator.starts > 0 and (wp.static(not any_hit) or not (distance < wp.INF)):
-            met, _face, _nodes, _leaves = query(accelerator, column, reach, spot.scratch)
+            met, face, _nodes, _leaves = query(accelerator, column, reach, spot.scratch)
+            if wp.static(any_hit):  # so that nobody computes how far away it is
+                met = wp.where(face >= 0, 0.0, wp.float32(wp.INF))
             distance = wp.min(distance, met)
         return distance
 
