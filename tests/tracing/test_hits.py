@@ -62,6 +62,19 @@ def test_only_what_is_nearer_than_max_distance(tracer, any_hit):
         assert ws.trace(TRIANGLE, [0.5, 0.5, 3.0], [[0, 0, -7.0]], limit, any_hit, tracer).face == [expected]
 
 
+@queries
+def test_max_distance_is_kept_to_the_last_bit(any_hit):
+    """What is met is not met within just that distance, and is within the next float32: also where float32 cannot tell."""
+    origins, directions = random_rays(300, 5)
+    distances = ws.trace(SPHERE, origins, directions).distance
+    assert np.isfinite(distances).sum() >= 30
+    for o, d, distance in zip(origins, directions, distances, strict=True):
+        if np.isfinite(distance):
+            assert ws.trace(SPHERE, o, d[None], float(distance), any_hit=any_hit).face[0] == -1
+            next_one = float(np.nextafter(distance, np.float32(np.inf)))
+            assert ws.trace(SPHERE, o, d[None], next_one, any_hit=any_hit).face[0] >= 0
+
+
 @tracers
 def test_against_brute_force_in_float64(tracer):
     mesh = soup()

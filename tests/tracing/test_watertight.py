@@ -30,6 +30,20 @@ def test_float32_rays_leave_no_closed_mesh_either():
         assert (ws.trace(mesh, origins.astype(np.float32), directions).face >= 0).all()
 
 
+@pytest.mark.parametrize("turned", [False, True])
+@pytest.mark.parametrize("height", [-1.0, 1.0])
+def test_rays_exactly_at_edges_and_corners_meet_a_face_from_both_sides(height, turned):
+    """All numbers are small multiples of 1/2: every edge function that can be 0 is exactly 0."""
+    x, y = np.meshgrid(np.arange(-4, 5), np.arange(-4, 5))
+    corner = 9 * np.arange(8)[:, None] + np.arange(8)
+    faces = np.stack([corner, corner + 1, corner + 10, corner, corner + 10, corner + 9], axis=-1).reshape(-1, 3)
+    mesh = ws.as_mesh((np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3), faces[:, ::-1] if turned else faces))
+    origins = np.stack([*np.meshgrid(np.arange(-8, 9) / 2.0, np.arange(-8, 9) / 2.0), np.full((17, 17), height)], axis=-1)
+    downwards = np.broadcast_to([0.0, 0.0, -height], (289, 3))
+    for any_hit in (False, True):
+        assert (ws.trace(mesh, origins.reshape(-1, 3), downwards, any_hit=any_hit).distance == 1.0).all()
+
+
 def test_leaks_are_found():
     """The trees have a triangle missing, or boxes that are a little too small."""
     missing, small = (ws.Mesh(SPHERE.vertices, SPHERE.faces) for _ in range(2))
