@@ -75,6 +75,14 @@ def test_max_distance_is_kept_to_the_last_bit(any_hit):
             assert ws.trace(SPHERE, o, d[None], next_one, any_hit=any_hit).face[0] >= 0
 
 
+@queries
+def test_faces_collapsed_to_points_are_not_met(any_hit):
+    points = np.random.default_rng(6).uniform(-1.0, 1.0, (300, 3))
+    mesh = ws.as_mesh((points, np.repeat(np.arange(300), 3).reshape(-1, 3)))
+    origins = np.repeat(random_rays(20, 7)[0], 300, axis=0)
+    assert (ws.trace(mesh, origins, np.tile(points, (20, 1)) - origins, any_hit=any_hit).face == -1).all()
+
+
 @tracers
 def test_against_brute_force_in_float64(tracer):
     mesh = soup()

@@ -112,3 +112,22 @@ def test_triangles_are_met_as_in_long_double_and_seldom_looked_at_in_vain(hit):
         large[:, 1::3] = False
         assert large.mean() >= 0.1
         assert near[large].mean() <= 0.02
+
+
+@pytest.mark.parametrize("collapsed", [False, True])
+def test_what_is_small_and_beside_the_ray_is_not_taken_for_met(collapsed):
+    """The ray is in the planes of these triangles, or they are points: their edge functions are nothing but rounding."""
+    rng, origins, ways = rays_into_the_scene(4)
+    places = rng.uniform(-1.0, 1.0, (N, WIDTH, 3))
+    back = origins[:, None] - places
+    across = back - (back * ways[:, None]).sum(axis=2, keepdims=True) * ways[:, None]
+    across /= np.linalg.norm(across, axis=2, keepdims=True)
+    size = 10.0 ** rng.uniform(-8.0, -1.0, (N, 1, 1)) * (not collapsed)
+    triangles = np.stack([places, places + size * across, places + size * ways[:, None]], axis=2).astype(np.float32)
+    edge = np.ptp(triangles, axis=2).max(axis=(1, 2))
+    inputs = [leaves(triangles), chunks(origins, ways), on_cpu(np.stack([edge, np.full(N, 2.0**60)], axis=1))]
+    outputs = wp.zeros((N, 2), wp.int32, device="cpu"), wp.zeros((N, WIDTH), wp.float32, device="cpu")
+    near, distances = launch(_triangles, N, inputs, *outputs)
+    near, known = bits(near[:, 0]), bits(near[:, 1])
+    assert near[distances > 0.0].all()
+    assert (distances[known] > 0.0).all()

@@ -77,6 +77,7 @@ def trace(
         directions: (P, 3), one for each origin, or (P, n, 3), n for each; of any length. Arrays of other libraries count as
             NumPy's in the CPU's memory and as wp.arrays on a CUDA device.
         max_distance: meets only what is nearer, in units of the coordinates; in any case than float32 has distances, 3e38.
+            Both are compared in float32, from where a ray that starts far away comes near the mesh.
         any_hit: whether some face is enough: up to twice as fast.
         tracer: "wide", "warp" (wp.Mesh) or "auto": wide on the CPU.
         device: where to trace, by default where the rays are; NumPy's go to a CUDA device in parts, and hits come back.
@@ -84,8 +85,8 @@ def trace(
         progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
 
     Returns:
-        distance, at least 0 and inf where nothing is met, and face, -1 there; of the directions' shape without the last
-        axis.
+        distance, at least 0, inf where nothing is met and NaN for an invalid ray, and face, -1 for both; of the directions'
+        shape without the last axis.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.

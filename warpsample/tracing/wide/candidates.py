@@ -15,6 +15,7 @@ _THIRD = wp.constant(wp.int32(6 * WIDTH))
 _NO_HIT = wp.constant(wp.int32(0x7F800000))  # the bits of infinity: bits of floats above 0 are ordered as they are
 _CHILD = wp.constant(wp.int32(WIDTH - 1))
 _LEAST = wp.constant(wp.float32(384 * 2.0**-24 / 6**2))
+_LEAST_EDGE = wp.constant(wp.float32(2.0**-19))
 _FURTHEST = wp.constant(wp.float32(64.0))  # farther than anything is from any origin; infinity times 0 would be NaN
 _SIGN = wp.constant(wp.int32(-(2**31)))
 _MAYBE = _SIGN  # bit 31, which the compiler asks for in one instruction
@@ -76,10 +77,15 @@ def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float3
     # Distances are those along the ray's longest axis, a share of 3^-0.5 to 1. With u = 2^-24, e = edge and r as far as a
     # corner and 2 e: a sheared corner is rounded by 4 u r, and that of a triangle that is met is within 2 e. So an edge
     # function is rounded by 48 u r e, their sum weighted by the distances by 181 u r e r, and reach times their sum by 172.
-    # The margin is 384 u r e r, for the edge functions times 6 r: one minimum tells how far within both the ray is.
+    # The margin is 384 u r e r, for the edge functions times 6 r: one minimum tells how far within both the ray is. Of what
+    # is met for sure a corner is within 8^0.5 e: farther away there is nothing but rounding; all are within 4.9 e, where
+    # rounding is up to twice as large. What is smaller than 16 u r is lost in the rounding of its corners, and counts as so
+    # large; no corner is farther from 0 than 1.
+    edge = greater(edge, _LEAST_EDGE * (1.0 + wp.abs(ray.origin_along)))
     reach_along = lesser(reach, _FURTHEST) * wp.abs(ray.share_along)
     backwards = (wp.cast(ray.share_along, wp.int32) ^ _SIGN) & _SIGN
     twelve_e = 12.0 * edge
+    eight_e_e = 8.0 * edge * edge
     least = _LEAST * edge
     first = wp.array(ptr=leaf + ray.first, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
@@ -108,6 +114,7 @@ def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float3
         six_r = fma(6.0, wp.abs(az), twelve_e)
         margin = (least * six_r) * six_r
         within = lesser(six_r * inside, before)
-        met[k] = wp.where(within >= negative(margin), _MAYBE, 0) | wp.where(within > margin, _SURELY, 0)
+        sure = wp.where(within > margin + margin, _SURELY, 0) & wp.where(fma(ax, ax, ay * ay) <= eight_e_e, _SURELY, 0)
+        met[k] = wp.where(within >= negative(margin), _MAYBE, 0) | sure
         k += 1
     return lanes_with(met.ptr, 31) | (lanes_with(met.ptr, 30) << WIDTH)
