@@ -21,5 +21,5 @@ def lanes_with(row: wp.uint64, bit: wp.int32) -> wp.int32:
     """Mask of those of the sixteen int32 at an address in which that bit, from 0 to 31, is set.
 
     Native because Warp has no such builtin: a loop that gathers the bits folds the register four times. This is one
-    instruction of AVX-512, and the row never gets into memory; on AVX2 it is three.
+    instruction of AVX-512, and the row never gets into memory; AVX2 packs the numbers to bytes first.
     """

@@ -35,6 +35,7 @@ def nearest_of(
         triangle = lowest_bit(met)
         met = met & (met - 1)
         distance = plane_distance(leaf, triangle, ray, column)
+        # Selected, not branched: which of a leaf's triangles comes first cannot be foreseen, whether one is sure can.
         nearer = wp.where(distance > 0.0, 1, 0) & wp.where(distance < reach, 1, 0)
         if (nearer & ~(found >> (WIDTH + triangle))) != 0:
             nearer = wp.where(between_edges(leaf, triangle, ray, column), 1, 0)
