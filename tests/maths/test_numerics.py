@@ -8,7 +8,7 @@ from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphe
 from warpsample.maths.angles import turns_of
 from warpsample.maths.exponentials import exp_double, log1p, log1p_double
 from warpsample.maths.frames import frame_about, to_local, to_world
-from warpsample.maths.numerics import GRID, normalize, reverse_bits, sincos_turns, weyl
+from warpsample.maths.numerics import GRID, direction_to_unit, normalize, reverse_bits, sincos_turns, weyl
 
 GOLDEN = 0x9E3779B97F4A7C15
 
@@ -32,6 +32,11 @@ def _frames(v: wp.array[wp.vec3], unit: wp.array[wp.vec3], frame: wp.array[wp.ma
     unit[i] = n
     frame[i] = f
     back[i] = to_local(f, to_world(f, wp.vec3(0.36, 0.48, 0.8)))
+
+
+@wp.kernel(enable_backward=False)
+def _units(v: wp.array[wp.vec3], unit: wp.array[wp.vec4]):
+    unit[wp.tid()] = direction_to_unit(v[wp.tid()])
 
 
 @wp.kernel(enable_backward=False)
@@ -150,6 +155,24 @@ def test_normalize_survives(scale):
 def test_normalize_gives_zero_for_what_has_no_direction(v):
     unit, _, _ = framed([v])
     assert unit.tolist() == [[0, 0, 0]]
+
+
+def test_directions_of_rays_of_any_length_get_unit_length():
+    """Also of those whose length is almost 1, on both sides of where one step is enough, and nothing is made a direction."""
+    rng = np.random.default_rng(7)
+    away = rng.normal(size=(400_000, 3))
+    length = 1.0 + rng.choice([-1.0, 1.0], 400_000) * 10.0 ** -rng.uniform(2, 9, 400_000)
+    length[::10] = 10.0 ** rng.uniform(-44, 38, 40_000)
+    v = (away * (length / np.linalg.norm(away, axis=1))[:, None]).astype(np.float32)
+    v[:4] = [(0, 0, 0), (np.nan, 0, 1), (np.inf, 0, 0), (0, -np.inf, np.nan)]
+    unit = wp.zeros(len(v), wp.vec4, device="cpu")
+    wp.launch(_units, len(v), [wp.array(v, wp.vec3, device="cpu")], [unit], device="cpu")
+    found, error = np.split(unit.numpy().astype(np.float64)[4:], [3], axis=1)
+    exact = v[4:].astype(np.float64)
+    exact /= np.linalg.norm(exact, axis=1)[:, None]
+    assert np.abs(found - exact).max() <= 2.0**-23  # two roundings of numbers below 1
+    assert np.abs(error).max() < 0.1
+    assert not (np.abs(unit.numpy()[:4, 3]) < 0.1).any()
 
 
 def test_frame_is_orthonormal_everywhere():

@@ -51,8 +51,8 @@ def _triangles(
     near[i, 0] = masks & 0xFFFF
     near[i, 1] = masks >> WIDTH
     for k in range(WIDTH):
-        distance = plane_distance(leaf, k, ray, chunk)
-        met = distance > 0.0 and distance < sizes[i, 1] and between_edges(leaf, k, ray, chunk)
+        distance = plane_distance(leaf, k, ray)
+        met = distance > 0.0 and distance < sizes[i, 1] and between_edges(leaf, k, ray)
         distances[i, k] = wp.where(met, distance, -1.0)
 
 

@@ -108,10 +108,10 @@ def distance_of(slots: Slots) -> wp.Function:
                 edge = wp.array(ptr=spot.room + NEAR_EDGE, shape=(1,), dtype=wp.float32)
                 leaf = spot.room + NEAR
                 if wp.static(any_hit):
-                    if any_of(leaf, near, ray_in(column), column, reach, edge[0]) >= 0:
+                    if any_of(leaf, near, ray_in(column), reach, edge[0]) >= 0:
                         distance = 0.0
                 else:
-                    met, triangle = nearest_of(leaf, near, ray_in(column), column, reach, edge[0])
+                    met, triangle = nearest_of(leaf, near, ray_in(column), reach, edge[0])
                     if triangle >= 0:
                         distance = met
                         reach = met

@@ -106,7 +106,7 @@ def _nearest(tree: Accelerator, near: wp.int32, room: wp.uint64, column: wp.uint
     face = wp.int32(-1)
     if near != 0:
         edge = wp.array(ptr=room + NEAR_EDGE, shape=(1,), dtype=wp.float32)
-        met, triangle = nearest_of(room + NEAR, near, ray_in(column), column, reach, edge[0])
+        met, triangle = nearest_of(room + NEAR, near, ray_in(column), reach, edge[0])
         if triangle >= 0:
             reach = met
             face = wp.array(ptr=room + NEAR + _FACES, shape=(WIDTH,), dtype=wp.int32)[triangle]

@@ -142,7 +142,7 @@ def _blocked(accelerator: Accelerator, spot: Spot, near: wp.int32, column: wp.ui
     if reach > 0.0:
         if near != 0:
             edge = wp.array(ptr=spot.room + NEAR_EDGE, shape=(1,), dtype=wp.float32)[0]
-            blocked = any_of(spot.room + NEAR, near, ray_in(column), column, reach, edge) >= 0
+            blocked = any_of(spot.room + NEAR, near, ray_in(column), reach, edge) >= 0
         if not blocked and accelerator.starts > 0:
             _distance, face, _nodes, _leaves = _query(accelerator, column, reach, spot.scratch)
             blocked = face >= 0

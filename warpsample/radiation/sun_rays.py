@@ -171,7 +171,7 @@ def blocked_by() -> wp.Function:
         known = known_triangles(view)
         if known != 0:
             edge = wp.array(ptr=view.known, shape=(KNOWN_FLOATS,), dtype=wp.float32)[_EDGE]
-            if any_of(view.known, known, ray, column, reach, edge) >= 0:
+            if any_of(view.known, known, ray, reach, edge) >= 0:
                 add(view, REMEMBERED, 1)
                 return True
         add(view, CAST, 1)
@@ -180,11 +180,11 @@ def blocked_by() -> wp.Function:
             seen = whole
         elif view.near != 0:
             edge = wp.array(ptr=view.room + NEAR_EDGE, shape=(1,), dtype=wp.float32)[0]
-            lane = any_of(view.room + NEAR, view.near, ray, column, reach, edge)
+            lane = any_of(view.room + NEAR, view.near, ray, reach, edge)
             if lane >= 0:
                 face = wp.array(ptr=view.room + NEAR + _FACES, shape=(WIDTH,), dtype=wp.int32)[lane]
         if face < 0 and seen.starts > 0:
-            _distance, face, _nodes, _leaves = walk(seen, ray, column, reach, view.scratch)
+            _distance, face, _nodes, _leaves = walk(seen, ray, reach, view.scratch)
         if face >= 0 and view.skips:
             _remember(suns, view, face)
         return face >= 0

@@ -5,7 +5,7 @@ import warp as wp
 from warpsample.host.device_memory import at_home
 from warpsample.host.engine import run
 from warpsample.host.locks import once
-from warpsample.maths.numerics import scaled_to_unit
+from warpsample.maths.numerics import direction_to_unit
 from warpsample.tracing.order import order_of
 from warpsample.tracing.placement import (
     Placement,
@@ -105,7 +105,7 @@ def _normalize(chunk: wp.uint64, length: wp.int64):
     rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
     while k < wp.int32(length):
-        unit = scaled_to_unit(wp.vec3(rays[DIRECTION + k], rays[DIRECTION + CHUNK + k], rays[DIRECTION + 2 * CHUNK + k]))
+        unit = direction_to_unit(wp.vec3(rays[DIRECTION + k], rays[DIRECTION + CHUNK + k], rays[DIRECTION + 2 * CHUNK + k]))
         rays[DIRECTION + k] = unit[0]
         rays[DIRECTION + CHUNK + k] = unit[1]
         rays[DIRECTION + 2 * CHUNK + k] = unit[2]

@@ -7,12 +7,12 @@ import warp as wp
 
 from warpsample.host.arrays import check_device, cpu
 from warpsample.host.engine import check_workers
-from warpsample.maths.numerics import scaled_to_unit
+from warpsample.maths.numerics import direction_to_unit
 from warpsample.mesh.mesh import as_mesh
 from warpsample.tracing.placement import far_off, lift_within, way_to_scene
 from warpsample.tracing.scene import coarseness_of, scene_of
-from warpsample.tracing.wide.layout import CHUNK, DIRECTION, PREPARED, SCRATCH, Accelerator
-from warpsample.tracing.wide.prepare import ray_of
+from warpsample.tracing.wide.layout import SCRATCH, Accelerator
+from warpsample.tracing.wide.prepare import RAY_ROOM, ray_of
 from warpsample.tracing.wide.query import wide_walk
 
 _ZERO = wp.constant(wp.float64(0.0))
@@ -57,7 +57,7 @@ def _in_double(v: Any) -> wp.vec3d:
 @wp.func
 def _local(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32) -> Local:
     """A ray of the user's; a reach of NaN if it is none, below 0 if it passes the mesh by."""
-    unit = scaled_to_unit(direction)
+    unit = direction_to_unit(direction)
     o = (origin - tree.centre) * tree.scale
     ray = Local()
     ray.d = wp.vec3(unit[0], unit[1], unit[2])
@@ -87,14 +87,6 @@ def _accelerator(tree: Tree) -> Accelerator:
 
 
 @wp.func
-def _column(d: wp.vec3, rows: wp.array[wp.float32]):
-    """Writes a direction as a column of rows."""
-    rows[DIRECTION] = d[0]
-    rows[DIRECTION + CHUNK] = d[1]
-    rows[DIRECTION + 2 * CHUNK] = d[2]
-
-
-@wp.func
 def _any_hit(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32) -> bool:
     hit = wp.bool(False)
     ray = _local(tree, origin, direction, max_distance)
@@ -102,11 +94,10 @@ def _any_hit(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.
         if tree.mesh != wp.uint64(0):
             hit = wp.mesh_query_ray_anyhit(tree.mesh, ray.o, ray.d, ray.reach)
         else:
-            rows = wp.zeros(shape=(PREPARED,), dtype=wp.float32)
+            room = wp.zeros(shape=(RAY_ROOM,), dtype=wp.float32)
             words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
-            _column(ray.d, rows)
-            accelerator = _accelerator(tree)
-            _near, face, _nodes, _leaves = _walk_to_any(accelerator, ray_of(ray.o, ray.d), rows.ptr, ray.reach, words.ptr)
+            to = ray_of(ray.o, ray.d, room)
+            _near, face, _nodes, _leaves = _walk_to_any(_accelerator(tree), to, ray.reach, words.ptr)
             hit = face >= 0  # so that nobody computes how far away it is
     return hit
 
@@ -124,11 +115,10 @@ def _nearest_hit(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance:
                 near = query.t
                 face = query.face
         else:
-            rows = wp.zeros(shape=(PREPARED,), dtype=wp.float32)
+            room = wp.zeros(shape=(RAY_ROOM,), dtype=wp.float32)
             words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
-            _column(ray.d, rows)
-            accelerator = _accelerator(tree)
-            near, face, _nodes, _leaves = _walk_to_nearest(accelerator, ray_of(ray.o, ray.d), rows.ptr, ray.reach, words.ptr)
+            to = ray_of(ray.o, ray.d, room)
+            near, face, _nodes, _leaves = _walk_to_nearest(_accelerator(tree), to, ray.reach, words.ptr)
         distance = wp.float32((wp.float64(near) + wp.float64(ray.ahead)) * (_ONE / tree.scale))
     elif not (ray.reach <= 0.0):
         distance = wp.float32(wp.NAN)

@@ -7,13 +7,21 @@ from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, ORIGI
 
 _INVERSE, _SHIFT, _NEAR, _ORIGIN, _SHEAR, _AXES = (PREPARED + row * CHUNK for row in range(0, 18, 3))
 
+RAY_ROOM = 2 * WIDTH + 1
+"""float32 numbers that a ray without a chunk needs."""
+
+_DIRECTION_BYTES = wp.constant(wp.uint64(4 * DIRECTION))
+_ROWS_OF_LEAF = wp.constant(wp.uint64(CHUNK // WIDTH))
 _ROW_BYTES = wp.constant(wp.int32(WIDTH * 4))
 _SLOWEST = wp.constant(wp.float32(2.0**-60))
 
 
 @wp.struct
 class Ray:
-    """What the loops over a node's and a leaf's rows need of a ray: a column of `prepare_wide`'s rows."""
+    """What the loops over a node's and a leaf's rows need of a ray: a column of `prepare_wide`'s rows.
+
+    direction: the address of its x; y and z are in rows below it, as long as so many of a leaf.
+    """
 
     inverse_x: wp.float32
     inverse_y: wp.float32
@@ -33,6 +41,8 @@ class Ray:
     first: wp.uint64
     second: wp.uint64
     along: wp.uint64
+    direction: wp.uint64
+    rows_of_leaf: wp.uint64
 
 
 @wp.struct
@@ -160,6 +170,8 @@ def ray_in(column: wp.uint64) -> Ray:
     ray.first = _offset(rows[_AXES])
     ray.second = _offset(rows[_AXES + CHUNK])
     ray.along = _offset(rows[_AXES + 2 * CHUNK])
+    ray.direction = column + _DIRECTION_BYTES
+    ray.rows_of_leaf = _ROWS_OF_LEAF
     return ray
 
 
@@ -169,8 +181,11 @@ def _rows(rows: wp.int32) -> wp.uint64:
 
 
 @wp.func
-def ray_of(o: wp.vec3, d: wp.vec3) -> Ray:
-    """One ray, without a chunk: the same numbers."""
+def ray_of(o: wp.vec3, d: wp.vec3, room: wp.array[wp.float32]) -> Ray:
+    """One ray, without a chunk: the same numbers. Its direction is kept in `room`, of RAY_ROOM."""
+    room[0] = d[0]
+    room[WIDTH] = d[1]
+    room[2 * WIDTH] = d[2]
     p = prepared(o, d)
     ray = Ray()
     ray.inverse_x = p.inverse[0]
@@ -191,4 +206,6 @@ def ray_of(o: wp.vec3, d: wp.vec3) -> Ray:
     ray.first = _rows(p.first)
     ray.second = _rows(p.second)
     ray.along = _rows(p.along)
+    ray.direction = room.ptr
+    ray.rows_of_leaf = wp.uint64(1)
     return ray

@@ -23,7 +23,6 @@ def nearest_of(
     leaf: wp.uint64,
     lanes: wp.int32,
     ray: Ray,
-    column: wp.uint64,
     reach: wp.float32,
     edge: wp.float32,
 ):
@@ -34,11 +33,11 @@ def nearest_of(
     for _ in range(wp.bit_count(met)):
         triangle = lowest_bit(met)
         met = met & (met - 1)
-        distance = plane_distance(leaf, triangle, ray, column)
+        distance = plane_distance(leaf, triangle, ray)
         # Selected, not branched: which of a leaf's triangles comes first cannot be foreseen, whether one is sure can.
         nearer = wp.where(distance > 0.0, 1, 0) & wp.where(distance < reach, 1, 0)
         if (nearer & ~(found >> (WIDTH + triangle))) != 0:
-            nearer = wp.where(between_edges(leaf, triangle, ray, column), 1, 0)
+            nearer = wp.where(between_edges(leaf, triangle, ray), 1, 0)
         reach = wp.where(nearer != 0, distance, reach)
         nearest = wp.where(nearer != 0, triangle, nearest)
     return reach, nearest
@@ -49,7 +48,6 @@ def any_of(
     leaf: wp.uint64,
     lanes: wp.int32,
     ray: Ray,
-    column: wp.uint64,
     reach: wp.float32,
     edge: wp.float32,
 ) -> wp.int32:
@@ -64,27 +62,27 @@ def any_of(
             met = 0
         for _ in range(wp.bit_count(met)):
             if triangle < 0:
-                distance = plane_distance(leaf, lowest_bit(met), ray, column)
-                if distance > 0.0 and distance < reach and between_edges(leaf, lowest_bit(met), ray, column):
+                distance = plane_distance(leaf, lowest_bit(met), ray)
+                if distance > 0.0 and distance < reach and between_edges(leaf, lowest_bit(met), ray):
                     triangle = lowest_bit(met)
             met = met & (met - 1)
     return triangle
 
 
 @wp.func
-def _nearest_in(leaf: wp.uint64, ray: Ray, column: wp.uint64, reach: wp.float32, edge: wp.float32):
+def _nearest_in(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32):
     """(the new reach, the nearest triangle met in a leaf or -1)."""
-    return nearest_of(leaf, _ALL, ray, column, reach, edge)
+    return nearest_of(leaf, _ALL, ray, reach, edge)
 
 
 @wp.func
-def _any_in(leaf: wp.uint64, ray: Ray, column: wp.uint64, reach: wp.float32, edge: wp.float32):
+def _any_in(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32):
     """(the reach, some triangle met in a leaf or -1)."""
-    return reach, any_of(leaf, _ALL, ray, column, reach, edge)
+    return reach, any_of(leaf, _ALL, ray, reach, edge)
 
 
 @wp.func
-def _nearest_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, column: wp.uint64, reach: wp.float32):  # noqa: ARG001  (as the other)
+def _nearest_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.float32):  # noqa: ARG001  (as the other)
     """(distance, face) of a triangle met, at the reach; (inf, -1) below 0."""
     if triangle < 0:
         return wp.float32(wp.INF), wp.int32(-1)
@@ -92,12 +90,12 @@ def _nearest_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, column: wp.ui
 
 
 @wp.func
-def _any_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, column: wp.uint64, reach: wp.float32):  # noqa: ARG001  (likewise)
+def _any_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.float32):  # noqa: ARG001  (likewise)
     """Likewise of one that is met somewhere before the reach."""
     if triangle < 0:
         return wp.float32(wp.INF), wp.int32(-1)
     face = wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)[triangle]
-    return plane_distance(leaf, triangle, ray, column), face
+    return plane_distance(leaf, triangle, ray), face
 
 
 @wp.func
@@ -151,10 +149,10 @@ def _begin_at_several(accelerator: Accelerator, ray: Ray, reach: wp.float32, fli
 
 @once
 def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
-    """A query (Accelerator, Ray, column, reach, scratch) -> (distance or inf, face or -1, nodes, leaves visited).
+    """A query (Accelerator, Ray, reach, scratch) -> (distance or inf, face or -1, nodes, leaves visited).
 
-    In the tree's coordinates; origins are within 6 of 0 on each axis, reaches above 0. `column` is the address of a column
-    with the ray's direction, `scratch` that of SCRATCH words.
+    In the tree's coordinates; origins are within 6 of 0 on each axis, reaches above 0. `scratch` is the
+    address of SCRATCH words.
 
     Args:
         any_hit: stops at the first triangle found, not the nearest. Of several children the farthest is visited first: near
@@ -166,7 +164,7 @@ def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
     look_into, answer = (_any_in, _any_answer) if any_hit else (_nearest_in, _nearest_answer)
 
     @wp.func
-    def walk(accelerator: Accelerator, ray: Ray, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
+    def walk(accelerator: Accelerator, ray: Ray, reach: wp.float32, scratch: wp.uint64):
         hit = wp.int32(-1)
         hit_leaf = wp.uint64(0)
         visited = wp.int32(1)
@@ -180,7 +178,7 @@ def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
                 visited_leaves += 1
                 leaf = accelerator.leaves + wp.uint64(~place) * _LEAF
                 edge = wp.array(ptr=node + _EDGES, shape=(WIDTH,), dtype=wp.float32)[child]
-                reach, triangle = look_into(leaf, ray, column, reach, edge)
+                reach, triangle = look_into(leaf, ray, reach, edge)
                 if triangle >= 0:
                     hit = triangle
                     hit_leaf = leaf
@@ -203,7 +201,7 @@ def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
                 if mask == 0:
                     node, mask, top = _take_up(ray, reach, top, scratch)
                 child = lowest_bit(mask)
-        nearest, face = answer(hit_leaf, hit, ray, column, reach)
+        nearest, face = answer(hit_leaf, hit, ray, reach)
         return nearest, face, visited, visited_leaves
 
     return walk
@@ -216,6 +214,6 @@ def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
 
     @wp.func
     def wide_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
-        return walk(accelerator, ray_in(column), column, reach, scratch)
+        return walk(accelerator, ray_in(column), reach, scratch)
 
     return wide_query

@@ -2,10 +2,9 @@
 
 import warp as wp
 
-from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, WIDTH
+from warpsample.tracing.wide.layout import WIDTH
 from warpsample.tracing.wide.prepare import Ray
 
-_STEP = wp.constant(wp.uint64(CHUNK // WIDTH))
 _LEAF_FLOATS = 9 * WIDTH
 _SECOND = wp.constant(wp.int32(3 * WIDTH))
 _THIRD = wp.constant(wp.int32(6 * WIDTH))
@@ -22,14 +21,13 @@ def _inside(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: 
 
 
 @wp.func
-def _direction(column: wp.uint64, row: wp.uint64) -> wp.float64:
+def _direction(ray: Ray, row: wp.uint64) -> wp.float64:
     """Of a ray along an axis, which is told by the offset of its row in a leaf."""
-    lane = wp.array(ptr=column + row * _STEP, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-    return wp.float64(lane[DIRECTION])
+    return wp.float64(wp.array(ptr=ray.direction + row * ray.rows_of_leaf, shape=(1,), dtype=wp.float32)[0])
 
 
 @wp.func
-def plane_distance(leaf: wp.uint64, k: wp.int32, ray: Ray, column: wp.uint64) -> wp.float32:
+def plane_distance(leaf: wp.uint64, k: wp.int32, ray: Ray) -> wp.float32:
     """From a ray's origin to the plane of a triangle of a leaf; inf or NaN where the ray is parallel to it."""
     first = wp.array(ptr=leaf + ray.first, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
@@ -49,12 +47,12 @@ def plane_distance(leaf: wp.uint64, k: wp.int32, ray: Ray, column: wp.uint64) ->
     x = ax - wp.float64(ray.origin_first)
     y = ay - wp.float64(ray.origin_second)
     z = az - wp.float64(ray.origin_along)
-    slope = nx * _direction(column, ray.first) + ny * _direction(column, ray.second) + nz * _direction(column, ray.along)
+    slope = nx * _direction(ray, ray.first) + ny * _direction(ray, ray.second) + nz * _direction(ray, ray.along)
     return wp.float32((nx * x + ny * y + nz * z) / slope)
 
 
 @wp.func
-def between_edges(leaf: wp.uint64, k: wp.int32, ray: Ray, column: wp.uint64) -> wp.bool:
+def between_edges(leaf: wp.uint64, k: wp.int32, ray: Ray) -> wp.bool:
     """Whether the ray's line passes between the edges of a triangle of a leaf, or meets one of them.
 
     A function of the float32 ray and triangle alone, whichever leaf it is in. As `triangles_near`, in float64, where the
@@ -66,9 +64,9 @@ def between_edges(leaf: wp.uint64, k: wp.int32, ray: Ray, column: wp.uint64) -> 
     first = wp.array(ptr=leaf + ray.first, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     along = wp.array(ptr=leaf + ray.along, shape=(_LEAF_FLOATS,), dtype=wp.float32)
-    d_first = _direction(column, ray.first)
-    d_second = _direction(column, ray.second)
-    d_along = _direction(column, ray.along)
+    d_first = _direction(ray, ray.first)
+    d_second = _direction(ray, ray.second)
+    d_along = _direction(ray, ray.along)
     ox = wp.float64(ray.origin_first)
     oy = wp.float64(ray.origin_second)
     oz = wp.float64(ray.origin_along)
