@@ -118,7 +118,7 @@ def _estimator(slots: Slots) -> wp.Function:
 def estimate_kernel(slots: Slots) -> wp.Kernel:
     """A kernel with a task for each `rows` points in the order of the placement, which share cleared memory."""
     struct, estimate_point, traced = slots.struct, _estimator(slots), slots.query is not None
-    words_size, beam_size, room_size = (SCRATCH, BEAM_FLOATS, START_FLOATS) if slots.wide else (1, 1, 1)
+    words_size, beam_size, room_size = (SCRATCH, BEAM_FLOATS, START_FLOATS) if traced and slots.wide else (1, 1, 1)
     chunk_floats = (CHUNK_FLOATS if slots.wide else PREPARED) if traced else slots.channels * BLOCK
     square_floats = SQUARE_FLOATS if traced else 2 * BLOCK
 

@@ -30,8 +30,15 @@ _MOST_REACH = 2.0**60  # of the scene's size: what is in it is at no distance at
 
 def rays_of(counts: np.ndarray, traced: bool) -> np.ndarray:
     """How many rays `cells_of` makes of each count."""
-    known, where = np.unique(counts, return_inverse=True)
-    return np.array([cells_of(int(count), traced=traced).rays for count in known])[where]
+    rays = np.empty(len(counts), np.int64)
+    for count in _distinct(counts):
+        rays[counts == count] = cells_of(int(count), traced=traced).rays
+    return rays
+
+
+def _distinct(counts: np.ndarray) -> np.ndarray:
+    """The counts that occur: most often all are one, which is seen without sorting them."""
+    return counts[:1] if (counts == counts[:1]).all() else np.unique(counts)
 
 
 class Runner:
@@ -58,7 +65,7 @@ class Runner:
                 part.value, part.error, part.spread, part.degrees, part.cast, part.empty, part.status = (
                     loan.room(array, rows) for array in (value, error, spread, degrees, cast, empty, status)
                 )
-                for count in np.unique(counts[rows]):
+                for count in _distinct(counts[rows]):
                     cells = cells_of(int(count), self.plan.distribution, self.scene is not None)
                     self._cut(loan, part, cells, seed)
                     self._run(loan, part, counts[rows] == count)
