@@ -35,9 +35,18 @@ def mostly_slow(cases):
 
 @pytest.mark.parametrize("case", mostly_slow(CASES), ids=repr)
 def test_every_law_holds(case):
-    """Here every 64th variate and 2^19 draws are taken; `warpsample verify` takes 16 and 8 times as many."""
-    hostile = stress.judge_normals(case) if case.width == 3 else []
-    assert broken(verify.judge_case(case, every=64, draws=1 << 19) + hostile) == []
+    """Here every 64th variate and 2^18 draws are taken; `warpsample verify` takes 16 times as many."""
+    assert broken(verify.judge_case(case, every=64, draws=1 << 18)) == []
+
+
+IN_SPACE = [case for case in CASES if case.width == 3]
+
+
+@pytest.mark.parametrize(
+    "case", [IN_SPACE[0], *(pytest.param(case, marks=pytest.mark.slow) for case in IN_SPACE[1:])], ids=repr
+)
+def test_hostile_normals_are_survived(case):
+    assert broken(stress.judge_normals(case)) == []
 
 
 @pytest.mark.slow

@@ -36,6 +36,7 @@ def test_a_city_has_faces_of_one_size_and_no_other_gap_than_its_border():
     assert len(scene_of("city 2").faces) == len(mesh.faces)
 
 
+@pytest.mark.slow
 def test_boxes_are_closed_and_the_inner_one_sees_the_outer_alone():
     """A convex body in another: the inner's factor to the outer is 1, the outer's to the inner the ratio of areas."""
     mesh = boxes(4)

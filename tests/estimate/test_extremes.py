@@ -51,7 +51,7 @@ NEEDLES = {
 }
 
 
-@pytest.mark.parametrize("turn", [0, 2])
+@pytest.mark.parametrize("turn", [pytest.param(0, marks=pytest.mark.slow), 2])
 @pytest.mark.parametrize("name", NEEDLES)
 def test_skipping_changes_no_bit_of_needles(bunny, name, turn):
     made = NEEDLES[name]()

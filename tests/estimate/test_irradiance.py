@@ -25,6 +25,7 @@ def _gradient(d: wp.vec3):
     return 1.0 + d[1]
 
 
+@pytest.mark.slow
 def test_irradiance_by_a_picture_and_by_a_function(bunny, points):
     up = np.float64([0.0, 1.0, 0.0])
     by_function = ws.irradiance(bunny, points, _gradient, 1024)

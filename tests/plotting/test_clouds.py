@@ -34,13 +34,18 @@ def test_cosine_clouds_are_uniform_spheres_resting_on_the_surface(points):
     assert np.abs(np.einsum("psi,psj->pij", from_centre, from_centre) / 4096 - np.eye(3) / 3).max() <= 1e-3
 
 
+def mostly_slow(names):
+    """The first four are quick; each of the others compiles two kernels of its own."""
+    return [*names[:4], *(pytest.param(name, marks=pytest.mark.slow) for name in names[4:])]
+
+
 def test_the_cosine_lobe_is_drawn_as_a_sphere_of_diameter_one():
     surface = lobes.lobe_of(COSINE).surface
     assert np.abs(np.linalg.norm(surface - [0.0, 0.0, 0.5], axis=-1) - 0.5).max() <= 1e-6
     assert np.ptp(surface[..., 2]) == pytest.approx(1.0, abs=1e-6)
 
 
-@pytest.mark.parametrize("name", controls.spatial())
+@pytest.mark.parametrize("name", mostly_slow(controls.spatial()))
 def test_right_directions_agree_and_wrong_ones_do_not(name, plausible):
     """Those of the menu's entry with its own density; and with that of the next value of its slider, or the next entry."""
     right = controls.made(name)
@@ -58,12 +63,10 @@ def test_right_directions_agree_and_wrong_ones_do_not(name, plausible):
     assert theta.verdict().startswith("does NOT agree")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "sequence",
-    [
-        "independent",
-        *(pytest.param(n, marks=pytest.mark.slow) for n in ("fibonacci", "philox", "r2", "sobol", "stratified")),
-    ],
+    ["fibonacci", "independent", "philox", "r2", "sobol", "stratified"],
 )
 def test_every_sequence_tells_right_from_wrong(sequence, points):
     """By chi-square where points are independent; where they are evenly spread, without a p-value that says nothing."""
@@ -100,6 +103,7 @@ def test_azimuth_is_judged_about_the_tangent_that_the_kernels_take(points):
     assert clouds.all_clouds(Choice(leaning, turned, "independent", 100), points, 1.0).azimuth.test.p_value < ALPHA
 
 
+@pytest.mark.slow
 def test_what_is_outside_the_density_is_counted_and_drawn_apart(points):
     seen = clouds.all_clouds(Choice(ws.UniformSphere(), COSINE, "sobol", 256), points, 1.0)
     # Half of every 256 points of Sobol's, but for those that rounding puts across the horizon.

@@ -41,6 +41,7 @@ def test_the_readme_picture(can_render, call, tmp_path):
     assert list(tmp_path.iterdir()) == [file]
 
 
+@pytest.mark.slow
 def test_a_scene_to_turn_in_a_browser(can_render, call, tmp_path):
     file = tmp_path / "clouds.html"
     status, _, err = call("view", "--points", 10, "--samples", 64, "--distribution", "offset_ball", "--screenshot", file)

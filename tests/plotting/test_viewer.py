@@ -163,6 +163,7 @@ def test_a_double_click_chooses_the_point_under_the_mouse(fresh, bunny):
     assert fresh.chosen is before
 
 
+@pytest.mark.slow
 def test_texts_stay_within_their_panels(fresh):
     """In the smallest window, with the longest names."""
     assert fresh.plotter.window_size == list(start.LEAST_SIZE)
@@ -194,6 +195,7 @@ def test_the_first_of_a_kind_says_that_it_compiles(fresh, monkeypatch):
     assert [words.startswith("Compiling") for words in said] == [True, False, False]
 
 
+@pytest.mark.slow
 def test_a_cloud_cut_by_the_budget_is_thinner_and_whole(can_render, bunny, monkeypatch):
     """The first part of a Fibonacci set would be a cap: every cloud's mean must stay at its sphere's centre."""
     monkeypatch.setattr(rendering, "MOST_POINTS", 2000)
