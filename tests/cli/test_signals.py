@@ -51,6 +51,17 @@ def start(environment, *arguments, **streams):
     return subprocess.Popen(command, env={**environment, "TERM": "xterm"}, start_new_session=True, text=True, **streams)
 
 
+@pytest.fixture(autouse=True)
+def heard():
+    """What a shell starts in the background ignores some signals, and so would all commands that it starts."""
+    ignored = [number for name in SIGNALS if signal.getsignal(number := getattr(signal, name)) == signal.SIG_IGN]
+    for number in ignored:
+        signal.signal(number, signal.SIG_DFL)
+    yield
+    for number in ignored:
+        signal.signal(number, signal.SIG_IGN)
+
+
 @pytest.fixture
 def writing(cube, tmp_path):
     """Arguments that write hundreds of megabytes, and a test whether half of them is written."""
