@@ -76,6 +76,12 @@ def _block_values(slots: Slots) -> wp.Function:
 
 
 @wp.func
+def _rounded_up(length: wp.int32) -> wp.int32:
+    """To a multiple of as many variates as are filled at a time."""
+    return (length + _ROOM - 1) / _ROOM * _ROOM
+
+
+@wp.func
 def _sum_of(row: wp.uint64, length: wp.int32) -> wp.float64:
     """The sum of float32 numbers in float64: four sums, so that no addition waits for the last."""
     values = wp.array(ptr=row, shape=(BLOCK,), dtype=wp.float32)
@@ -112,19 +118,19 @@ def free_lobe(slots: Slots) -> wp.Function:
         one = NOTHING
         other = NOTHING
         streams = 2 * lobes.sectors
-        together = wp.clamp(BLOCK / ((lobes.each + _ROOM - 1) / _ROOM * _ROOM), 1, streams)
+        together = wp.clamp((BLOCK - _rounded_up(wp.min(lobes.each, BLOCK))) / lobes.each + 1, 1, streams)
         for lowest in range(0, streams, together):
             taken = wp.min(together, streams - lowest)
             for first in range(0, lobes.each, BLOCK):
                 length = wp.min(BLOCK, lobes.each - first)
-                room = (length + _ROOM - 1) / _ROOM * _ROOM
-                for i in range(taken):
-                    fill_stream(lobes, spot.lobe.point, lowest + i, first, room, spot.square + wp.uint64(4 * i * room))
-                evaluate(lobes, data, spot, taken * room, spot.square, spot.chunk)
+                room = _rounded_up(length)
+                for i in range(taken):  # each overwrites what was filled beyond the one before it
+                    fill_stream(lobes, spot.lobe.point, lowest + i, first, room, spot.square + wp.uint64(4 * i * length))
+                evaluate(lobes, data, spot, _rounded_up(taken * length), spot.square, spot.chunk)
                 for i in range(taken):
                     part = NOTHING
                     for c in range(channels):
-                        part[c] = _sum_of(spot.chunk + wp.uint64(4 * (c * BLOCK + i * room)), length)
+                        part[c] = _sum_of(spot.chunk + wp.uint64(4 * (c * BLOCK + i * length)), length)
                     second_half = (lowest + i) % 2 == 1
                     one = wp.where(second_half, one, wp.where(first == 0, part, one + part))
                     other = wp.where(second_half, wp.where(first == 0, part, other + part), other)
