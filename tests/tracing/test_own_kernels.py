@@ -52,6 +52,14 @@ def cases():
     yield "soup", soup(), origins, directions, np.inf
     yield "soup, short", soup(), origins, directions, 0.5
     yield "soup, from far away", soup(), origins * 1e5, -origins, np.inf
+    scale = np.geomspace(1e30, 1e39, len(origins))[:, None]
+    yield (
+        "soup, farther away than float32 tells",
+        ws.Mesh(1e30 * soup().vertices, soup().faces),
+        scale * origins,
+        -origins,
+        np.inf,
+    )
     for name, (mesh, _) in CLOSED.items():
         inside, ways = rays_inside(mesh, 64, 40)
         yield name, mesh, np.repeat(inside, ways.size // inside.size, axis=0), ways.reshape(-1, 3), np.inf

@@ -2,6 +2,7 @@
 
 from math import prod
 
+import numpy as np
 import warp as wp
 
 from warpsample.host.neighbours import address_of
@@ -10,6 +11,9 @@ from warpsample.tracing.triples import Triples
 
 FURTHEST = 6.0
 """From 0 on an axis; origins beyond come nearer first, in float64, so that float32 resolves the mesh."""
+
+MOST_DISTANCE = float(np.finfo(np.float32).max)
+"""What is farther is not met: its distance would not be finite."""
 
 LIFT = 2.0**-19
 """Of how far a mesh reaches along a normal: so far are points moved off their face along it, which is 32 roundings."""

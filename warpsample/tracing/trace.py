@@ -17,7 +17,7 @@ from warpsample.host.neighbours import address_of, kind_told
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import as_mesh
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.tracing.placement import PlacementArgs, placed
+from warpsample.tracing.placement import MOST_DISTANCE, PlacementArgs, placed
 from warpsample.tracing.rays import RaysArgs, trace_rays
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.starts import faces_and_normals, set_starts
@@ -25,7 +25,6 @@ from warpsample.tracing.tracers import tracer_of
 from warpsample.tracing.triples import Triples
 
 _BYTES_OF_POINT, _BYTES_OF_RAY = 24 + 12, 24 + 4 + 4  # on a device: origin, face's normal; direction, distance, face
-_MOST_DISTANCE = float(np.finfo(np.float32).max)  # what is farther is not met: its distance would not be finite
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,7 +115,7 @@ def trace(
         return hits
     with bar(progress, "tracing rays"):
         scene = scene_of(mesh)
-        placement = placed(scene, start, min(reach, _MOST_DISTANCE))
+        placement = placed(scene, start, min(reach, MOST_DISTANCE))
         if normals is not None:
             placement.normals = normals.ctypes.data
             starts = set_starts(scene, placement, face, None, chosen, workers)  # noqa: F841  (kept while it is read)

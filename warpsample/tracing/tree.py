@@ -9,12 +9,13 @@ from warpsample.host.arrays import check_device, cpu
 from warpsample.host.engine import check_workers
 from warpsample.maths.numerics import direction_to_unit
 from warpsample.mesh.mesh import as_mesh
-from warpsample.tracing.placement import far_off, lift_within, way_to_scene
+from warpsample.tracing.placement import MOST_DISTANCE, far_off, lift_within, way_to_scene
 from warpsample.tracing.scene import coarseness_of, scene_of
 from warpsample.tracing.wide.layout import SCRATCH, Accelerator
 from warpsample.tracing.wide.prepare import RAY_ROOM, ray_of
 from warpsample.tracing.wide.query import wide_walk
 
+_MOST_DISTANCE = wp.constant(wp.float32(MOST_DISTANCE))
 _ZERO = wp.constant(wp.float64(0.0))
 _ONE = wp.constant(wp.float64(1.0))
 _walk_to_any = wide_walk(True)
@@ -61,7 +62,7 @@ def _local(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.fl
     o = (origin - tree.centre) * tree.scale
     ray = Local()
     ray.d = wp.vec3(unit[0], unit[1], unit[2])
-    reach = wp.float64(max_distance) * tree.scale
+    reach = wp.float64(wp.where(max_distance > _MOST_DISTANCE, _MOST_DISTANCE, max_distance)) * tree.scale  # NaN stays
     ahead = _ZERO
     if far_off(o):
         w = _in_double(direction)
