@@ -24,7 +24,7 @@ def alone(child_environment):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("task", ["first_use", "faces_changed", "new_meshes", "refits"])
+@pytest.mark.parametrize("task", ["first_use", "faces_changed", "new_meshes", "refits", "debugged"])
 def test_threads_answer_as_one(alone, task):
     alone(task)
 

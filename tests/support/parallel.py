@@ -9,6 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import trimesh
+import warp as wp
 
 import warpsample as ws
 
@@ -60,6 +61,14 @@ def new_meshes():
     """Kernels are loaded already, and one new mesh follows the other."""
     answers(torus())
     return all(same(by_slices(torus(seed)), answers(torus(seed))) for seed in range(30))
+
+
+def debugged():
+    """Kernels that Warp builds for debugging crash when two threads run them at once."""
+    wp.config.mode = "debug"
+    up = np.tile(np.float32([0.0, 0.0, 1.0]), (1 << 14, 1))
+    right = ws.sample_directions(up, 64, workers=1).vectors
+    return all(np.array_equal(ws.sample_directions(up, 64, workers=2).vectors, right) for _ in range(50))
 
 
 def refits():

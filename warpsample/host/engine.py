@@ -75,7 +75,8 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
         workers: at most this many threads.
         work: number of directions computed, or of comparable units: little work stays on the calling thread.
     """
-    workers = workers if device.is_cpu and work >= LEAST_WORK else 1
+    sound = wp.config.mode != "debug"  # two threads at once crash in kernels that Warp built for debugging
+    workers = workers if device.is_cpu and work >= LEAST_WORK and sound else 1
     each = min(max(work // (workers * _BATCH_WORK), _FEW_BATCHES), _MANY_BATCHES)
     shares = workers * each if workers > 1 else 1
     most = MOST_WORK if device.is_cpu else _MOST_ON_DEVICE
