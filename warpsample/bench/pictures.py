@@ -57,15 +57,23 @@ def bars(axes: "Axes", places: Sequence[float], rows: Sequence[Any], colour: str
 def dots(axes: "Axes", names: Sequence[str], found: Sequence[Spread], colours: Sequence[str], told: Sequence[str]) -> None:
     """A dot for each median on a logarithmic axis, the first on top, with whiskers over the middle half and a text."""
     places = range(len(names))[::-1]
-    for y, spread, colour, text in zip(places, found, colours, told, strict=True):
+    for y, spread, colour in zip(places, found, colours, strict=True):
         axes.plot([spread.low, spread.high], [y, y], color=colour, linewidth=1.2)
         axes.plot(spread.median, y, "o", color=colour, markersize=7)
-        axes.annotate(text, (spread.high, y), (8, 0), textcoords="offset points", va="center", fontsize=9)
     axes.set_yticks(places, names, fontsize=9)
     axes.set_ylim(-0.6, len(names) - 0.4)
     axes.grid(axis="x", alpha=0.3)
     axes.grid(axis="y", alpha=0.3, linestyle=":")
     log_ticks(axes, [s.low for s in found], [s.high for s in found])
+    for y, spread, text in zip(places, found, told, strict=True):
+        _tell(axes, spread, y, text)
+
+
+def _tell(axes: "Axes", spread: Spread, y: float, text: str) -> None:
+    """Writes a text on the side of a dot where there is more room."""
+    share = axes.transAxes.inverted().transform(axes.transData.transform((spread.median, y)))[0]
+    x, away, side = (spread.high, 8, "left") if share < 0.6 else (spread.low, -8, "right")
+    axes.annotate(text, (x, y), (away, 0), textcoords="offset points", va="center", ha=side, fontsize=9)
 
 
 def log_ticks(axes: "Axes", low: Sequence[float], high: Sequence[float]) -> None:
