@@ -30,7 +30,7 @@ class Seat:
     """Where a point sits.
 
     p: its place. own: its face, below 0 if none is known. facet: that. side: 1 where it looks from the front, else -1.
-    o: a lift above its face. moved: how far from p. inwards: how far the start
+    alone: whether no other face is near it. o: a lift above its face. moved: how far from p. inwards: how far the start
     moves towards the middle of the face, as a share. aside: off faces across it. In search of a face: of those whose normals
     are along the direction in which the point looks, the one with the greatest cosine; of those against it, likewise; and of
     all, the sum of cosines times areas.
@@ -40,6 +40,7 @@ class Seat:
     own: wp.int32
     facet: Facet
     side: wp.float64
+    alone: wp.bool
     o: wp.vec3d
     moved: wp.float64
     inwards: wp.float64
@@ -128,6 +129,7 @@ def look_around(seats: Seats, tree: Accelerator, seat: Seat, look: wp.vec3d, sea
                 face = faces[lowest_bit(touched)]
                 touched = touched & (touched - 1)
                 if face != seat.own:
+                    seat.alone = wp.bool(False)
                     seat = _look_at(seats, seat, face, look, searching)
         else:
             if mask != 0:

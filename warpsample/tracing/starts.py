@@ -90,6 +90,7 @@ def _start_kernel() -> wp.Kernel:
         seat.own = wp.array(ptr=seats.face + wp.uint64(i) * wp.uint64(4), shape=(1,), dtype=wp.int32)[0]
         seat.along = -1
         seat.against = -1
+        seat.alone = wp.bool(False)
         normal = vector_at(seats.placement.normals, i)
         look = in_double(normal)
         if seats.sides == 1:
@@ -102,7 +103,8 @@ def _start_kernel() -> wp.Kernel:
         for step in range(wp.where(known, 1, 0), seats.sides + 1):
             if step > 0 and seat.own >= 0:
                 seat = sitting(seats, seat, look, known)
-            if wp.dot(look, look) > _ZERO and (step == 0 or seat.own >= 0):
+            if wp.dot(look, look) > _ZERO and (step == 0 or seat.own >= 0) and not seat.alone:
+                seat.alone = wp.bool(step > 0)
                 seat = look_around(seats, tree, seat, look, step == 0, words.ptr)
             if step == 0:
                 seat.own = own_face(seat)
