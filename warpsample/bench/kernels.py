@@ -18,7 +18,7 @@ from warpsample.directions.sample import sample_directions
 from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphere
 from warpsample.estimate.integrate import integrate
 from warpsample.estimate.visibility import ambient_occlusion
-from warpsample.host.kernel_cache import wide_flags
+from warpsample.host.kernel_cache import load, wide_flags
 from warpsample.maths.frames import frame_about, to_world
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import sample_surface
@@ -150,6 +150,7 @@ def occlusions(scene: str, points: int) -> dict[str, Callable[[], object]]:
     position = wp.array(at.position, dtype=wp.vec3d, device="cpu")
     normal = wp.array(at.normal, dtype=wp.vec3, device="cpu")
     out = wp.zeros(points, dtype=float, device="cpu")
+    load(occlusion, "cpu")  # Warp would announce it between our tables
 
     def own() -> wp.array:
         out.zero_()
