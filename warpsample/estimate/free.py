@@ -85,21 +85,16 @@ def _rounded_up(length: wp.int32) -> wp.int32:
 def _sum_of(row: wp.uint64, length: wp.int32) -> wp.float64:
     """The sum of float32 numbers in float64: four sums, so that no addition waits for the last."""
     values = wp.array(ptr=row, shape=(BLOCK,), dtype=wp.float32)
-    first = _ZERO
-    second = _ZERO
-    third = _ZERO
-    fourth = _ZERO
+    sums = wp.vec4d(_ZERO, _ZERO, _ZERO, _ZERO)
     k = wp.int32(0)
     while k + 3 < length:
-        first += wp.float64(values[k])
-        second += wp.float64(values[k + 1])
-        third += wp.float64(values[k + 2])
-        fourth += wp.float64(values[k + 3])
+        for j in range(4):
+            sums[j] += wp.float64(values[k + j])
         k += 4
     while k < length:
-        first += wp.float64(values[k])
+        sums[0] += wp.float64(values[k])
         k += 1
-    return (first + second) + (third + fourth)
+    return (sums[0] + sums[1]) + (sums[2] + sums[3])
 
 
 @once
