@@ -20,7 +20,7 @@ _SLOWEST = wp.constant(wp.float32(2.0**-60))
 class Ray:
     """What the loops over a node's and a leaf's rows need of a ray: a column of `prepare_wide`'s rows.
 
-    direction: the address of its x; y and z are in rows below it, as long as so many of a leaf.
+    direction: the address of its unit direction's x; rows_of_leaf: how far from there y is, and z from y, in rows of a leaf.
     """
 
     inverse_x: wp.float32

@@ -151,8 +151,8 @@ def _begin_at_several(accelerator: Accelerator, ray: Ray, reach: wp.float32, fli
 def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
     """A query (Accelerator, Ray, reach, scratch) -> (distance or inf, face or -1, nodes, leaves visited).
 
-    In the tree's coordinates; origins are within 6 of 0 on each axis, reaches above 0. `scratch` is the
-    address of SCRATCH words.
+    In the tree's coordinates; origins are within 6 of 0 on each axis, reaches above 0. `scratch` is the address of
+    SCRATCH words.
 
     Args:
         any_hit: stops at the first triangle found, not the nearest. Of several children the farthest is visited first: near
