@@ -11,6 +11,7 @@ from meshes import CLOSED, soup
 import warpsample as ws
 from warpsample.estimate.cells import cells_of
 from warpsample.estimate.kernel import estimate_kernel
+from warpsample.estimate.runner import rays_of
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.weights import Weights, everywhere
 from warpsample.tracing.builtin import builtin_any_query, prepare_builtin
@@ -40,6 +41,11 @@ CELLS = ((2, 2), (31, 2), (39, 8), (255, 8), (271, 16), (511, 64), (4223, 128), 
 def test_all_cells_have_as_many_rays():
     for count, multiple in CELLS:
         assert cells_of(count).rays == count - count % multiple
+
+
+def test_rays_of_points_are_those_of_each_count():
+    for counts in ([64, 300, 64], [300, 64, 64], [64, 64], []):
+        assert rays_of(np.array(counts, int), True).tolist() == [cells_of(count).rays for count in counts]
 
 
 @pytest.mark.slow
