@@ -10,9 +10,10 @@ import warp as wp
 
 import warpsample as ws
 from warpsample.proof.laws import uniform_p_value
+from warpsample.proof.mixing import judge_mixing
 from warpsample.proof.streams import emitted_bytes, judge_sequence
 from warpsample.proof.stress import judge_indices
-from warpsample.sequences.philox import philox4x32_10
+from warpsample.sequences.hashing import philox4x32_10
 
 NAMES = ws.sequences.names()
 GRID = 2**24
@@ -52,9 +53,9 @@ def test_philox_gives_its_published_answers():
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_law_of_streams_holds(name):
-    """The laws are on correlation, repeats and shared streams, the frozen hash, and exact integers at any index."""
-    found = [*judge_sequence(name, points=200_000), judge_indices(name)]
-    assert len(found) >= 7
+    """The laws are on each bit of seeds and ids, correlation, repeats, shared streams, a frozen hash, and exact integers."""
+    found = [*judge_sequence(name, points=200_000), *judge_mixing(name), judge_indices(name)]
+    assert len(found) >= 10
     assert [verdict for verdict in found if not verdict.passed] == []
 
 

@@ -98,7 +98,7 @@ def slots(sequence, case, with_pdf, masked):
 def all_kernels():
     yield "place_points", place_points(1)
     for name in ws.sequences.names():
-        yield f"square {name}", square_blocks(ws.sequences.get(name).sample)
+        yield f"square {name}", square_blocks(ws.sequences.get(name))
         yield f"rows {name}", direction_rows(*slots(name, ws.CosineHemisphere(), True, True), 1)
     for case in dict.fromkeys(case for _, case in VECTORISED):
         w = case.width

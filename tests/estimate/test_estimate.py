@@ -7,6 +7,7 @@ import pytest
 import warp as wp
 from estimate_cases import at, same, square
 from meshes import CLOSED, soup
+from streams import fibonacci_stream
 
 import warpsample as ws
 from warpsample.estimate.cells import cells_of
@@ -24,11 +25,10 @@ RAYS = 65_536
 
 @pytest.mark.parametrize("tracer", ["wide", pytest.param("warp", marks=pytest.mark.slow)])
 def test_the_estimate_is_that_of_its_rays(bunny, points, tracer):
-    """Below 32 rays there is one cell: each replicate's directions are those of a seed with the stream in its high word."""
+    """Below 32 rays there is one cell: each replicate's directions are those of a stream."""
     count, seed = 30, 5
     found = ws.ambient_occlusion(bunny, points, count, seed=seed, tracer=tracer)
-    seeds = [seed ^ (stream * 0x9E3779B9 % 2**32 << 32) for stream in (0, 1)]
-    ways = [ws.sample_directions(points, count // 2, sequence="fibonacci", seed=s).vectors for s in seeds]
+    ways = [fibonacci_stream(points.normal, count // 2, seed, stream)[1] for stream in (0, 1)]
     free = np.array([(ws.trace(bunny, points, way, any_hit=True, tracer=tracer).face < 0).mean(axis=1) for way in ways])
     assert np.array_equal(found.value, free.mean(axis=0, dtype=np.float64).astype(np.float32))
     assert np.abs(found.standard_error - 0.5 * np.abs(free[0] - free[1])).max() <= 1e-7

@@ -7,6 +7,7 @@ import pytest
 import warp as wp
 from integrands import Albedo, Sky, one
 from meshes import soup
+from streams import fibonacci_stream
 
 import warpsample as ws
 from warpsample import funcs
@@ -56,7 +57,7 @@ def test_the_mean_is_that_of_the_directions_of_its_streams(count):
     found = ws.integrate(up, direction, count, seed=seed)
     total = np.zeros((3, 3))
     for stream in range(2 * sectors):
-        u = ws.sample_square("fibonacci", 3, each, seed ^ (stream * 0x9E3779B9 % 2**32 << 32)).astype(np.float64)
+        u = fibonacci_stream(up, each, seed, stream)[0].astype(np.float64)
         u[..., 1] = (u[..., 1] + stream // 2) / sectors
         total += ws.CosineHemisphere("polar").sample(u.astype(np.float32)).sum(axis=1, dtype=np.float64)
     # A variate that is rounded otherwise turns a direction by 2^-24 of a turn, 4e-7.

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from estimate_cases import irradiance
 from scipy.stats import t
+from streams import fibonacci_stream
 
 import warpsample as ws
 
@@ -31,8 +32,7 @@ def test_one_cell_by_hand(bunny, points):
     """Below 32 rays there is one cell: other calls count its replicates' free rays, and NumPy computes the posterior."""
     count, seed = 30, 5
     found = ws.ambient_occlusion(bunny, points, count, seed=seed)
-    seeds = [seed ^ (stream * 0x9E3779B9 % 2**32 << 32) for stream in (0, 1)]
-    ways = [ws.sample_directions(points, 15, sequence="fibonacci", seed=s).vectors for s in seeds]
+    ways = [fibonacci_stream(points.normal, 15, seed, stream)[1] for stream in (0, 1)]
     first, second = ((ws.trace(bunny, points, way, any_hit=True).face < 0).sum(axis=1) for way in ways)
     free = first + second
     mixed = (free > 0) & (free < count)

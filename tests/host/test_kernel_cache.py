@@ -55,7 +55,7 @@ def test_the_command_line_says_it_in_a_line(alone, cube, tmp_path):
 def test_our_kernels_have_the_widest_vectors_and_other_modules_their_own_flags():
     ws.sample_square("sobol", 1, 1)
     wp.launch(triple, 1, inputs=[wp.ones(1, dtype=wp.int32, device="cpu")], device="cpu")
-    ours = square_blocks(ws.sequences.get("sobol").sample).module
+    ours = square_blocks(ws.sequences.get("sobol")).module
     assert ours.options["cpu_compiler_flags"] == f"{wp.config.cpu_compiler_flags} {WIDE_VECTORS}"
     assert WIDE_VECTORS not in wp.config.cpu_compiler_flags
     assert triple.module.options["cpu_compiler_flags"] is None
@@ -69,7 +69,7 @@ wp.config.cpu_compiler_flags = {flags!r}
 import warpsample as ws
 from warpsample.directions.square import square_blocks
 assert ws.sample_square("sobol", 1, 1).shape == (1, 1, 2)
-assert square_blocks(ws.sequences.get("sobol").sample).module.options["cpu_compiler_flags"] == {built!r}
+assert square_blocks(ws.sequences.get("sobol")).module.options["cpu_compiler_flags"] == {built!r}
 """
     assert alone("-c", script) == ("", "")
 

@@ -40,6 +40,8 @@ CAUGHT_BY = {
     "one point in 10⁵ has another's stream": {"shared streams"},
     "the seed is ignored": {"correlation of seeds"},
     "u[1] is the next point's u[0]": {"correlation of points"},
+    "raw words as a key": {"bits of seeds", "bits of ids", "streams and purposes"},
+    "ids of 32 bits": {"bits of ids"},
 }
 
 
@@ -54,6 +56,8 @@ LONG += (
     "the seed is ignored",
     "u[1] is the next point's u[0]",
     "Warp's own generator",
+    "raw words as a key",
+    "ids of 32 bits",
 )  # of many points, as one more
 
 

@@ -18,7 +18,8 @@ def _mender(
     sequence: Sequence, about: wp.Function, redraw: wp.Function | None, redraw_below: float, with_pdf: bool, masked: bool
 ) -> wp.Function:
     """A function that clears what has no direction, says why, and redraws; scalar, for the few blocks with such a pair."""
-    (store, weigh), sample_of, redraws = accessors(with_pdf, masked), sequence.sample, redraw is not None
+    (store, weigh), redraws = accessors(with_pdf, masked), redraw is not None
+    key_of, sample_of = sequence.key, sequence.sample
 
     @wp.func
     def mend(
@@ -41,8 +42,8 @@ def _mender(
                 store(vectors, pdf, i, wp.vec4(0.0))
             elif wp.static(redraws):
                 n = normalize(given)
-                id = point_id(samples, wp.uint32(point) + wp.uint32(q))
-                u = sample_of(samples.seed, id, wp.uint32(start + i - q * samples.count), wp.uint32(samples.count))
+                key = key_of(samples.seed, point_id(samples, wp.uint32(point) + wp.uint32(q)))
+                u = sample_of(key, wp.uint32(start + i - q * samples.count), wp.uint32(samples.count))
                 if about(n, u, samples.parameters)[3] < redraw_below:
                     store(vectors, pdf, i, redraw(n, u, samples.parameters))
 
@@ -52,7 +53,7 @@ def _mender(
 @once
 def _block_variates(sequence: Sequence, one_sample: bool) -> wp.Function:
     """A function that writes the variates of a block: u[0] of each pair, then, from FLAT_BLOCK on, u[1]."""
-    sample_of = sequence.sample
+    key_of, sample_of = sequence.key, sequence.sample
 
     @wp.func
     def fill(samples: Samples, point: wp.int64, start: wp.int32, length: wp.int32, u: wp.array[wp.float32]):
@@ -68,7 +69,8 @@ def _block_variates(sequence: Sequence, one_sample: bool) -> wp.Function:
                 # Exact: the half keeps the quotient off the integers by more than float32 errs below 2^13.
                 q = wp.int32((wp.float32(start + i) + 0.5) * per_count)
                 sample = wp.uint32(start + i - q * count)
-            v = sample_of(samples.seed, point_id(samples, wp.uint32(point) + wp.uint32(q)), sample, wp.uint32(count))
+            key = key_of(samples.seed, point_id(samples, wp.uint32(point) + wp.uint32(q)))
+            v = sample_of(key, sample, wp.uint32(count))
             u[i] = v[0]
             u[FLAT_BLOCK + i] = v[1]
             i += 1

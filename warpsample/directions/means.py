@@ -19,7 +19,7 @@ def direction_means(sequence: Sequence, about: wp.Function, function: wp.Functio
         about: (unit normal, u, Parameters) -> (direction, pdf).
         function: (w: vec3) -> float32.
     """
-    fill = fill_variates(sequence, CHUNK)
+    fill, key_of = fill_variates(sequence, CHUNK), sequence.key
     variates = 2 * CHUNK
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
@@ -37,10 +37,11 @@ def direction_means(sequence: Sequence, about: wp.Function, function: wp.Functio
         # A sum for each place in the chunk: one for all would be added up in order, a sample at a time.
         lanes = wp.zeros(shape=(CHUNK,), dtype=wp.float64)
         sums = wp.array(ptr=lanes.ptr, shape=(CHUNK,), dtype=wp.float64)
+        key = key_of(seed, first_point + point)
         for first in range(0, count, CHUNK):
             length = wp.min(CHUNK, count - first)
             padded = (length + LANES - 1) / LANES * LANES
-            fill(seed, first_point + point, first, padded, wp.uint32(count), u)
+            fill(key, first, padded, wp.uint32(count), u)
             j = wp.int32(0)
             while j < padded:
                 d = about(_Z, wp.vec2(u[j] + 0.0, u[CHUNK + j] + 0.0), parameters)

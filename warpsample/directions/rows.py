@@ -65,7 +65,7 @@ def _chunk_filler(
     @wp.func
     def fill_chunk(
         samples: Samples,
-        id: wp.uint64,
+        key: wp.vec4ui,
         n: wp.vec3,
         first: wp.int32,
         length: wp.int32,
@@ -77,7 +77,7 @@ def _chunk_filler(
         u = wp.array(ptr=variates, shape=(2 * chunk,), dtype=wp.float32)
         vectors = wp.array(ptr=target, shape=(3 * padded,), dtype=wp.float32)
         pdf = wp.array(ptr=target_pdf, shape=(padded,), dtype=wp.float32)
-        fill(samples.seed, id, first, padded, wp.uint32(samples.count), u)
+        fill(key, first, padded, wp.uint32(samples.count), u)
         rare = wp.int32(0)
         j = wp.int32(0)
         while j < padded:
@@ -120,7 +120,7 @@ def direction_rows(
     """
     move, clear = _mover(with_pdf), _clearer(with_pdf, masked)
     fill_chunk = _chunk_filler(sequence, about, redraw, redraw_below, with_pdf, chunk)
-    lanes, most_rows = min(LANES, chunk), MOST_ROWS if chunk > 1 else 1
+    key_of, lanes, most_rows = sequence.key, min(LANES, chunk), MOST_ROWS if chunk > 1 else 1
     write_units, floats = unit_normals(masked, most_rows, True), 6 * chunk + 4 * most_rows
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
@@ -141,7 +141,7 @@ def direction_rows(
         for k in range(rows):
             point = first_point + wp.int64(k)
             n = wp.vec3(units[k], units[most_rows + k], units[2 * most_rows + k])
-            id = point_id(samples, wp.uint32(point))
+            key = key_of(samples.seed, point_id(samples, wp.uint32(point)))
             row = wp.uint64(point) * wp.uint64(samples.count)
             if wp.abs(units[3 * most_rows + k]) < 0.1:
                 for first in range(start, end, chunk):
@@ -150,7 +150,7 @@ def direction_rows(
                     at = row + wp.uint64(first)
                     target = wp.where(length == padded, samples.vectors + at * wp.uint64(12), spare)
                     target_pdf = wp.where(length == padded, samples.pdf + at * wp.uint64(4), spare + wp.uint64(12 * chunk))
-                    fill_chunk(samples, id, n, first, length, padded, buffer.ptr, target, target_pdf)
+                    fill_chunk(samples, key, n, first, length, padded, buffer.ptr, target, target_pdf)
                     if length != padded:
                         move(samples, at, length, target, target_pdf)
             else:

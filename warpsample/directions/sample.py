@@ -218,7 +218,7 @@ def sample_square(sequence: str, points: int, count: int, seed: int = 0, first_p
     square = np.empty((points, count, 2), np.float32)
     inputs = [total, FLAT_BLOCK, count, seed, first_point, square.ctypes.data]
     tasks = -(-total // FLAT_BLOCK)
-    run(square_blocks(record.sample), tasks, inputs, cpu(), check_workers(None), total)
+    run(square_blocks(record), tasks, inputs, cpu(), check_workers(None), total)
     return square
 
 

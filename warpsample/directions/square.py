@@ -3,11 +3,13 @@
 import warp as wp
 
 from warpsample.host.locks import once
+from warpsample.sequences.record import Sequence
 
 
 @once
-def square_blocks(sequence: wp.Function) -> wp.Kernel:
+def square_blocks(sequence: Sequence) -> wp.Kernel:
     """A kernel over blocks of consecutive (point, sample) pairs of a sequence alone."""
+    key_of, sample_of = sequence.key, sequence.sample
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def square_blocks(
@@ -31,7 +33,8 @@ def square_blocks(sequence: wp.Function) -> wp.Kernel:
             # The half keeps the quotient off the integers by more than float64 errs below 2^52.
             q = wp.int32((middle + wp.float64(i)) * per_count)
             sample = start + wp.uint32(i) - wp.uint32(q) * wp.uint32(count)
-            u = sequence(seed, first_point + wp.uint64(point) + wp.uint64(q), sample, wp.uint32(count))
+            key = key_of(seed, first_point + wp.uint64(point) + wp.uint64(q))
+            u = sample_of(key, sample, wp.uint32(count))
             y[2 * i] = u[0]
             y[2 * i + 1] = u[1]
             i += 1

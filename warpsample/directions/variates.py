@@ -17,7 +17,7 @@ LANES = 8
 
 @once
 def fill_variates(sequence: Sequence, chunk: int) -> wp.Function:
-    """A `wp.func` (seed, point, start, length, count, u) that fills u, 2 * chunk floats: u[0] of each sample, then u[1].
+    """A `wp.func` (key, start, length, count, u) that fills u, 2 * chunk floats: u[0] of each sample, then u[1].
 
     `start` is even where `chunk` is above 1; `length` is at most `chunk`. Samples past it are filled too.
     """
@@ -25,12 +25,10 @@ def fill_variates(sequence: Sequence, chunk: int) -> wp.Function:
     if pair is None or chunk == 1:
 
         @wp.func
-        def fill(
-            seed: wp.uint64, point: wp.uint64, start: wp.int32, length: wp.int32, count: wp.uint32, u: wp.array[wp.float32]
-        ):
+        def fill(key: wp.vec4ui, start: wp.int32, length: wp.int32, count: wp.uint32, u: wp.array[wp.float32]):
             k = wp.int32(0)
             while k < length:
-                p = sample(seed, point, wp.uint32(start + k), count)
+                p = sample(key, wp.uint32(start + k), count)
                 u[k] = p[0]
                 u[chunk + k] = p[1]
                 k += 1
@@ -38,13 +36,11 @@ def fill_variates(sequence: Sequence, chunk: int) -> wp.Function:
     else:
 
         @wp.func
-        def fill(
-            seed: wp.uint64, point: wp.uint64, start: wp.int32, length: wp.int32, count: wp.uint32, u: wp.array[wp.float32]
-        ):
+        def fill(key: wp.vec4ui, start: wp.int32, length: wp.int32, count: wp.uint32, u: wp.array[wp.float32]):
             pairs = (length + 2 * LANES - 1) / (2 * LANES) * LANES
             k = wp.int32(0)
             while k < pairs:
-                p = pair(seed, point, wp.uint32(start / 2 + k), count)
+                p = pair(key, wp.uint32(start / 2 + k), count)
                 u[2 * k] = p[0]
                 u[2 * k + 1] = p[2]
                 u[chunk + 2 * k] = p[1]

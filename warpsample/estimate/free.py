@@ -4,11 +4,11 @@ import warp as wp
 
 from warpsample.directions.variates import LANES, fill_variates
 from warpsample.estimate.lobe import NOTHING, widths_of
-from warpsample.estimate.rays import LAST_UNIFORM, STREAM_STEP
+from warpsample.estimate.rays import LAST_UNIFORM
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.spot import Lobes, Spot
 from warpsample.host.locks import once
-from warpsample.maths.numerics import high_word, low_word
+from warpsample.sequences.hashing import stream_key
 from warpsample.tracing.wide.layout import Accelerator
 
 BLOCK = 256
@@ -24,11 +24,9 @@ def _stream_fill(slots: Slots) -> wp.Function:
     fill = fill_variates(slots.sequence, BLOCK)
 
     @wp.func
-    def fill_stream(lobes: Lobes, point: wp.uint64, stream: wp.int32, first: wp.int32, room: wp.int32, at: wp.uint64):
+    def fill_stream(lobes: Lobes, key: wp.vec4ui, stream: wp.int32, first: wp.int32, room: wp.int32, at: wp.uint64):
         u = wp.array(ptr=at, shape=(2 * BLOCK,), dtype=wp.float32)
-        word = high_word(lobes.seed) ^ (wp.uint32(stream) * STREAM_STEP)
-        seed = (wp.uint64(word) << wp.uint64(32)) | wp.uint64(low_word(lobes.seed))
-        fill(seed, point, first, room, wp.uint32(lobes.each), u)
+        fill(stream_key(key, wp.uint32(stream)), first, room, wp.uint32(lobes.each), u)
         sector = wp.float32(stream / 2)
         size = 1.0 / wp.float32(lobes.sectors)
         k = wp.int32(0)
@@ -120,7 +118,7 @@ def free_lobe(slots: Slots) -> wp.Function:
                 length = wp.min(BLOCK, lobes.each - first)
                 room = _rounded_up(length)
                 for i in range(taken):  # each overwrites what was filled beyond the one before it
-                    fill_stream(lobes, spot.lobe.point, lowest + i, first, room, spot.square + wp.uint64(4 * i * length))
+                    fill_stream(lobes, spot.key, lowest + i, first, room, spot.square + wp.uint64(4 * i * length))
                 evaluate(lobes, data, spot, _rounded_up(taken * length), spot.square, spot.chunk)
                 for i in range(taken):
                     part = NOTHING

@@ -11,6 +11,7 @@ from warpsample.estimate.slots import Slots
 from warpsample.estimate.spot import NONFINITE_POSITION, NONFINITE_VALUE, Lobes, Spot, start
 from warpsample.host.locks import once
 from warpsample.maths.numerics import scaled_to_unit
+from warpsample.sequences.hashing import point_key
 from warpsample.tracing.placement import lift, local_origin, point_of, reach_along
 from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, PREPARED, SCRATCH, START_FLOATS, Accelerator
 
@@ -84,6 +85,7 @@ def _estimator(slots: Slots) -> wp.Function:
         spot.lobe.normal = spot.n
         spot.lobe.row = lobes.first_row + wp.int32(point)
         spot.lobe.point = lobes.first_point + wp.uint64(point)
+        spot.key = point_key(lobes.seed, spot.lobe.point)
         weight = wp.float32(1.0)
         if lobes.active != wp.uint64(0):
             weight = weigh_by_mask(wp.array(ptr=lobes.active + wp.uint64(point), shape=(1,), dtype=wp.uint8), 0)

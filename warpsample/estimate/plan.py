@@ -22,13 +22,13 @@ from warpsample.host.progress import bar
 from warpsample.host.vectors import as_directions
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.sequences.hashing import seed_for
 from warpsample.sequences.record import Sequence
 from warpsample.tracing.tracers import Tracer, tracer_of
 from warpsample.tracing.triples import Triples
 
 _MOST_RAYS = 2**24  # of a point: hits are counted in float64 and rays in int32, and one point is one task
 _BYTES_PER_POINT = 132
-_TRIAL = 1 << 63  # of the seed
 _TRIAL_RAYS = 64
 _FEWEST_RAYS = 32
 _UNSEEN = 0.6  # rays' worth of error that a trial may not have seen: with less, points that look easy spoil the RMSE
@@ -131,7 +131,7 @@ class Plan:
     def _estimate(self, runner: Runner) -> Estimate:
         if self.tolerance is None or len(self.points) == 0:
             return runner.result(self.seed, np.full(len(self.points), self.count))
-        trial = runner.result(self.seed ^ _TRIAL, np.full(len(self.points), min(_TRIAL_RAYS, self.count)))
+        trial = runner.result(seed_for("trial", self.seed), np.full(len(self.points), min(_TRIAL_RAYS, self.count)))
         needed = self._needed(trial, self.tolerance)
         main, traced = runner.result(self.seed, needed), self.mesh is not None
         saved = (

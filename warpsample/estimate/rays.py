@@ -6,16 +6,13 @@ from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.spot import Lobes, Spot
 from warpsample.host.locks import once
-from warpsample.maths.numerics import high_word, low_word
+from warpsample.sequences.hashing import ONE_WORD, one_of, stream_key
 from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, Accelerator
 from warpsample.tracing.wide.prepare import ray_in
 from warpsample.tracing.wide.query import any_of, nearest_of
 
 SQUARE_FLOATS = 2 * CHUNK
 """Of the variates of a chunk."""
-
-STREAM_STEP = wp.constant(wp.uint32(0x9E3779B9))
-"""Between the streams of a point's cells and replicates, in the high word of the seed."""
 
 LAST_UNIFORM = wp.constant(wp.float32(1.0 - 2.0**-24))
 """For variates that are rounded up to the next cell."""
@@ -30,25 +27,22 @@ def spread_of(slots: Slots) -> wp.Function:
     def spread(lobes: Lobes, spot: Spot, cell: wp.int32, first: wp.int32, length: wp.int32):
         """The directions of a cell's rays, both replicates one after the other, from the first-th on.
 
-        Each replicate of each cell is a stream of its own: its number goes into the seed's high word.
+        Each replicate of each cell is a stream of its own.
         """
         u = wp.array(ptr=spot.square, shape=(SQUARE_FLOATS,), dtype=wp.float32)
-        low = low_word(lobes.seed)
-        high = high_word(lobes.seed)
         stream = wp.uint32(2 * cell)
+        key = stream_key(spot.key, stream)
+        other = stream_key(spot.key, stream + ONE_WORD)
         sector = cell / lobes.bands
         band = wp.float32(cell - sector * lobes.bands)
         band_size = 1.0 / wp.float32(lobes.bands)
         sector_size = 1.0 / wp.float32(lobes.sectors)
-        id = spot.lobe.point
         each = lobes.each
         k = wp.int32(0)
         while k < length:
             i = first + k
             second = wp.where(i >= each, 1, 0)
-            word = high ^ ((stream + wp.uint32(second)) * STREAM_STEP)
-            seed = (wp.uint64(word) << wp.uint64(32)) | wp.uint64(low)
-            p = sample(seed, id, wp.uint32(i - second * each), wp.uint32(each))
+            p = sample(one_of(key, other, second), wp.uint32(i - second * each), wp.uint32(each))
             x = (p[0] + band) * band_size
             y = (p[1] + wp.float32(sector)) * sector_size
             u[k] = wp.where(x < LAST_UNIFORM, x, LAST_UNIFORM)  # where the sum is rounded up to the next cell

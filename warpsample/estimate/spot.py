@@ -67,10 +67,12 @@ LobesArgs = type(Lobes().__ctype__())
 class Spot:
     """A point and its rays.
 
-    Unit normal, origin as it is and as rays have it, what is lower is below the horizon, reach, and memory to work in.
+    The key of its random numbers, unit normal, origin as it is and as rays have it, what is lower is below the horizon,
+    reach, and memory to work in.
     """
 
     lobe: Lobe
+    key: wp.vec4ui
     n: wp.vec3
     place: wp.vec3d
     o: wp.vec3

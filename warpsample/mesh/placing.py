@@ -5,7 +5,7 @@ import warp as wp
 
 from warpsample.host.locks import once
 from warpsample.maths.numerics import high_word, low_word
-from warpsample.sequences.philox import philox4x32_10
+from warpsample.sequences.hashing import philox4x32_10
 
 BLOCK = 64
 """Points that a task of the CPU places."""

@@ -72,7 +72,7 @@ def write_shading(run: Shading, workers: int | None = None) -> str:
     suns = sun_directions(weather.chosen(rows), axes)
     shares = np.zeros((len(YEAR), len(names)))
     for column in range(len(names)):
-        points = _points_of(mesh, np.flatnonzero(group == column), run.samples, run.seed)
+        points = _points_of(mesh, np.flatnonzero(group == column), run.samples, run.seed, column * run.samples)
         shares[rows, column] = direct_sun(mesh, points, suns, workers=workers).mean(axis=0, dtype=np.float64)
     with complete_or_absent(run.output) as file:
         file.write(f"Surface Name,{','.join(names)}\n".encode())
@@ -108,7 +108,7 @@ def _groups(path: Path, mesh: Mesh) -> tuple[list[str], np.ndarray]:
     return names, group
 
 
-def _points_of(mesh: Mesh, faces: np.ndarray, count: int, seed: int) -> SurfacePoints:
-    """Points on some faces, uniform by area."""
-    points = sample_surface(Mesh(mesh.vertices, mesh.faces[faces]), count, seed)
+def _points_of(mesh: Mesh, faces: np.ndarray, count: int, seed: int, first_point: int) -> SurfacePoints:
+    """Points on some faces, uniform by area; other groups of faces have other ids, so independent points."""
+    points = sample_surface(Mesh(mesh.vertices, mesh.faces[faces]), count, seed, first_point)
     return SurfacePoints(points.position, points.normal, faces[points.face].astype(np.int32))

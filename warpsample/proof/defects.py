@@ -17,8 +17,10 @@ from warpsample.distributions.uniform_hemisphere import UniformHemisphere
 from warpsample.distributions.uniform_sphere import UniformSphere
 from warpsample.host.kernel_cache import load
 from warpsample.proof.evidence import Evidence, Subject, independent
+from warpsample.proof.mixing import POINTS, cells_of, judge_cells
 from warpsample.proof.routes import plus_normal
 from warpsample.proof.streams import judge_stream
+from warpsample.proof.twins.sequences import pcg4d
 from warpsample.proof.verify import Verdict, judge
 from warpsample.statistics.charts import DISK
 
@@ -134,6 +136,18 @@ def _second_is_the_next_first(points: int, count: int, seed: int) -> np.ndarray:
     return np.stack([u[:-1, :, 0], u[1:, :, 0]], axis=-1)
 
 
+def _raw_words_as_key(seed: int, first: int, stream: int | None = None) -> np.ndarray:
+    """The words of seed, id and stream as they are: pcg4d alone, which carries a bit only to higher ones but once."""
+    point = first + np.arange(POINTS, dtype=np.uint64)
+    words = [point % 2**32, point >> 32, seed % 2**32, (seed >> 32) ^ (0x9E3779B9 * (stream or 0) % 2**32)]
+    x, y, _, _ = pcg4d(*(np.full(POINTS, word, np.uint64) for word in words))
+    return np.array([x >> 8, y >> 8]).astype(np.int64)
+
+
+def _ids_of_32_bits(seed: int, first: int, stream: int | None = None) -> np.ndarray:
+    return cells_of("independent")(seed, first % 2**32, stream)
+
+
 _SAMPLERS = {
     "sphere scaled by 0.98": Wrong(sample=partial(_scaled_sphere, 0.98)),
     "sphere scaled by 0.99999": Wrong(sample=partial(_scaled_sphere, 0.99999)),
@@ -165,11 +179,12 @@ _STREAMS = {
     "the seed is ignored": _one_stream_for_all_seeds,
     "u[1] is the next point's u[0]": _second_is_the_next_first,
 }
+_MIXERS = {"raw words as a key": _raw_words_as_key, "ids of 32 bits": _ids_of_32_bits}
 
 
 def names() -> list[str]:
     """Names of all planted defects."""
-    return [*_SAMPLERS, *_STREAMS]
+    return [*_SAMPLERS, *_STREAMS, *_MIXERS]
 
 
 def judge_defect(name: str, every: int = 16, draws: int = 1 << 22, points: int = 1_000_000) -> list[Verdict]:
@@ -178,4 +193,5 @@ def judge_defect(name: str, every: int = 16, draws: int = 1 << 22, points: int =
     claims = getattr(sampler, "claims", _RIGHT)
     variates = _STREAMS.get(name, independent)
     verdicts = judge(Evidence(Subject(name, sampler, claims, variates), every, draws))
+    verdicts += judge_cells(name, _MIXERS[name]) if name in _MIXERS else []
     return verdicts + (judge_stream(name, variates, points) if name in _STREAMS else [])

@@ -11,7 +11,7 @@ from typing import Any
 
 from warpsample import sequences
 from warpsample.distributions.record import Distribution
-from warpsample.proof import defects, rays, routes, streams, stress, verify
+from warpsample.proof import defects, mixing, rays, routes, streams, stress, verify
 from warpsample.proof.verify import Verdict
 
 _USUAL, _SLOW = 4, 16  # the sweep takes every n-th variate, unless it is thorough
@@ -102,7 +102,7 @@ def _judge_case(case: Distribution, thorough: bool) -> list[Verdict]:
 
 
 def _judge_sequence(name: str, thorough: bool) -> list[Verdict]:
-    return [*streams.judge_sequence(name), stress.judge_indices(name)]
+    return [*streams.judge_sequence(name), *mixing.judge_mixing(name), stress.judge_indices(name)]
 
 
 def _judge_meshes(key: None, thorough: bool) -> list[Verdict]:

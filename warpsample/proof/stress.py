@@ -102,7 +102,7 @@ def judge_bad_normals() -> Verdict:
 
 
 @cache
-def _at(sequence: wp.Function) -> wp.Kernel:
+def _at(key_of: wp.Function, sample_of: wp.Function) -> wp.Kernel:
     """A kernel that evaluates a sequence at given points, samples and counts."""
 
     @wp.kernel(module="unique", enable_backward=False)
@@ -115,7 +115,7 @@ def _at(sequence: wp.Function) -> wp.Kernel:
     ):
         """One point of the square."""
         i = wp.tid()
-        out[i] = sequence(seed, point[i], sample[i], count[i])
+        out[i] = sample_of(key_of(seed, point[i]), sample[i], count[i])
 
     return at
 
@@ -126,7 +126,8 @@ def judge_indices(name: str) -> Verdict:
     columns = np.array(asked, np.uint64).T
     point, sample, count = (column.astype(kind) for column, kind in zip(columns, ("u8", "u4", "u4"), strict=True))
     worst = 0
-    kernel = _at(sequences.get(name).sample)
+    record = sequences.get(name)
+    kernel = _at(record.key, record.sample)
     load(kernel, "cpu")
     for seed in _SEEDS:
         out = wp.empty(len(asked), dtype=wp.vec2, device="cpu")

@@ -16,6 +16,7 @@ from warpsample.radiation.face_kernel import face_kernel
 from warpsample.radiation.face_rays import BACK, FaceRaysArgs, step_of
 from warpsample.radiation.hits_to_matrix import Block, Collector, Counts, block_of
 from warpsample.radiation.open_faces import open_kernel
+from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.rays import RAY_WORK
 from warpsample.tracing.scene import Scene, coarseness_of, scene_of
 from warpsample.tracing.tracers import WIDE
@@ -101,7 +102,7 @@ class Casting:
         return FaceRaysArgs(
             vertices=scene.vertices.ctypes.data,
             triangles=scene.faces.ctypes.data,
-            seed=self.seed,
+            seed=seed_for("faces", self.seed),
             first_face=self.first_face,
             replicates=self.replicates,
             each=self.each,

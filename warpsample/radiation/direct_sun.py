@@ -21,6 +21,7 @@ from warpsample.radiation.sun_kernel import sun_kernel
 from warpsample.radiation.sun_rays import DISC_RAYS
 from warpsample.radiation.sun_view import SunsArgs
 from warpsample.radiation.suns import SunTree
+from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.order import order_of
 from warpsample.tracing.placement import PlacementArgs, placed, unit_in_double, vector_in_double
 from warpsample.tracing.rays import RAY_WORK
@@ -98,7 +99,7 @@ class SunCall:
         radius = radians(0.5 * self.disc)
         return SunsArgs(
             placement=placement,
-            seed=self.seed,
+            seed=seed_for("sun", self.seed),
             first_point=self.first_point,
             active=0 if self.active is None else self.active.ctypes.data,
             skip=self.skip and len(self.directions) * (DISC_RAYS if self.disc else 1) > _FEW_RAYS,

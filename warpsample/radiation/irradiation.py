@@ -15,8 +15,8 @@ from warpsample.radiation.direct_sun import direct_sun
 from warpsample.radiation.light import Light, light_of
 from warpsample.radiation.patches import SkyPatches, sky_patches
 from warpsample.radiation.sky_matrix import SkySkipped, sky_matrix
+from warpsample.sequences.hashing import seed_for
 
-_GROUND = 1 << 62  # of the seed: rays towards the ground have random numbers of their own
 _BYTES = 5 * 4 + 5 * 8  # of each point and hour: five results, and what they are made of in float64
 
 
@@ -128,7 +128,7 @@ def received(plan: Plan, light: Light, series: bool) -> Irradiation:
     above, radiance = light.patches, light.radiance if series else _sums(light.radiance)
     below = sky_patches("tregenza", -np.array(above.up), above.north)
     sky = _seen(plan, above, radiance, plan.seed)
-    ground = _seen(plan, below, np.ones(len(below)), plan.seed ^ _GROUND)
+    ground = _seen(plan, below, np.ones(len(below)), seed_for("ground", plan.seed))
     bright = light.ground if series else _sums(light.ground)
     found = {
         "direct": (_direct(plan, light, series), light.sun_rows),

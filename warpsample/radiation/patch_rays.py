@@ -3,13 +3,13 @@
 import warp as wp
 
 from warpsample.directions.variates import LANES
-from warpsample.estimate.rays import STREAM_STEP
 from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE
 from warpsample.estimate.spot import Spot, bring_near
-from warpsample.maths.numerics import greater, high_word, lesser, low_word
+from warpsample.maths.numerics import greater, lesser
 from warpsample.radiation.shares import COLUMNS, FAINT, Patch, highest
 from warpsample.radiation.spreading import LEAST, Slope, column_at, cube_root, slope_of, turned_by, weight_of
-from warpsample.sequences.fibonacci import fibonacci
+from warpsample.sequences.fibonacci import fibonacci_sample
+from warpsample.sequences.hashing import ONE_WORD, one_of, stream_key
 from warpsample.tracing.placement import Placement, far_off
 from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, REACH, Accelerator
 from warpsample.tracing.wide.prepare import prepare_wide, ray_in
@@ -83,17 +83,14 @@ def _spread(sky: SkyRows, spot: Spot, slope: Slope, k: wp.int32, each: wp.int32,
     steeper = slope.end - slope.start
     even = steeper == 0.0
     inverse = 1.0 / wp.where(even, 1.0, steeper)
-    low = low_word(sky.seed)
-    high = high_word(sky.seed)
     stream = wp.uint32(2 * k)
-    id = spot.lobe.point
+    key = stream_key(spot.key, stream)
+    other = stream_key(spot.key, stream + ONE_WORD)
     i = wp.int32(0)
     while i < length:
         j = at + i
         second = wp.where(j >= each, 1, 0)
-        word = high ^ ((stream + wp.uint32(second)) * STREAM_STEP)
-        seed = (wp.uint64(word) << wp.uint64(32)) | wp.uint64(low)
-        u = fibonacci(seed, id, wp.uint32(j - second * each), wp.uint32(each))
+        u = fibonacci_sample(one_of(key, other, second), wp.uint32(j - second * each), wp.uint32(each))
         height = cube_root(cubes + more * u[0] + _LEAST_CUBE)
         share = wp.where(even, u[0], lesser(greater((height - slope.start) * inverse, 0.0), 1.0))
         root = slope.start + steeper * share

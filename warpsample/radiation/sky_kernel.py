@@ -10,6 +10,7 @@ from warpsample.maths.numerics import scaled_to_unit
 from warpsample.radiation.beams import CLOSED, OPEN, UNKNOWN, aim_at, look
 from warpsample.radiation.patch_rays import WEIGHTS, SkyRows, sum_rays
 from warpsample.radiation.shares import open_share, patch_at
+from warpsample.sequences.hashing import point_key
 from warpsample.tracing.facets import in_double
 from warpsample.tracing.placement import far_off, local_origin, point_of, reach_along
 from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, SCRATCH, START_FLOATS, Accelerator
@@ -132,7 +133,7 @@ def sky_kernel() -> wp.Kernel:
         unit = scaled_to_unit(normal)
         spot = Spot()
         spot.n = wp.vec3(unit[0], unit[1], unit[2])
-        spot.lobe.point = sky.first_point + wp.uint64(point)
+        spot.key = point_key(sky.seed, sky.first_point + wp.uint64(point))
         spot.chunk = floats.ptr
         spot.square = weights.ptr
         spot.room = room.ptr

@@ -21,6 +21,7 @@ from warpsample.radiation.patches import SkyPatches, sky_patches
 from warpsample.radiation.shares import table_of
 from warpsample.radiation.sky_kernel import sky_kernel
 from warpsample.radiation.sky_result import SkyMatrix, SkySkipped
+from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.order import order_of
 from warpsample.tracing.rays import RAY_WORK
 
@@ -190,7 +191,7 @@ class _Rows:
         }
         rows = SkyRowsArgs(
             placement=placement,
-            seed=plan.seed,
+            seed=seed_for("sky", plan.seed),
             first_point=plan.first_point,
             active=0 if plan.active is None else plan.active.ctypes.data,
             count=plan.count,

@@ -3,11 +3,10 @@
 import warp as wp
 
 from warpsample.distributions.uniform_cone import square_to_uniform_cone
-from warpsample.estimate.rays import STREAM_STEP
 from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE
 from warpsample.host.locks import once
 from warpsample.maths.frames import frame_about, to_world
-from warpsample.maths.numerics import greater, high_word, low_word
+from warpsample.maths.numerics import greater
 from warpsample.radiation.sun_view import (
     CAST,
     KNOWN,
@@ -21,7 +20,8 @@ from warpsample.radiation.sun_view import (
     known_triangles,
     word,
 )
-from warpsample.sequences.fibonacci import fibonacci
+from warpsample.sequences.fibonacci import fibonacci_sample
+from warpsample.sequences.hashing import point_key, stream_key
 from warpsample.tracing.placement import far_off, unit_in_double, vector_in_double, way_to_scene
 from warpsample.tracing.wide.layout import (
     CHUNK,
@@ -121,12 +121,10 @@ def aim_at_group(suns: Suns, view: View, group: wp.int32):
 def aim_at_disc(suns: Suns, view: View, column: wp.int32, sun: wp.vec3):
     """Makes the rays towards points of a sun's disc, evenly spread over its solid angle."""
     frame = frame_about(sun)
-    stream = high_word(suns.seed) ^ (wp.uint32(column) * STREAM_STEP)
-    seed = (wp.uint64(stream) << wp.uint64(32)) | wp.uint64(low_word(suns.seed))
-    id = suns.first_point + wp.uint64(view.point)
+    key = stream_key(point_key(suns.seed, suns.first_point + wp.uint64(view.point)), wp.uint32(column))
     k = wp.int32(0)
     while k < DISC_RAYS:
-        u = fibonacci(seed, id, wp.uint32(k), wp.uint32(DISC_RAYS))
+        u = fibonacci_sample(key, wp.uint32(k), wp.uint32(DISC_RAYS))
         d = to_world(frame, square_to_uniform_cone(u, suns.one_minus_cos))
         _aim(view, k, d)
         if far_off(view.place):

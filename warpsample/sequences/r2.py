@@ -12,15 +12,20 @@ _STEP_Y = wp.constant(wp.uint64(0x91E10DA5C79E7B1D))
 
 
 @wp.func
-def r2(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
+def r2_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
     """(sample / g, sample / g^2) mod 1, shifted by this point's own random vector. Exact for any sample."""
-    key = point_key(seed, point)
     return wp.vec2(uniform_from_bits(weyl(sample, _STEP_X) + key[0]), uniform_from_bits(weyl(sample, _STEP_Y) + key[1]))
+
+
+@wp.func
+def r2(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
+    """The sample-th point of the sequence, shifted at random at each surface point."""
+    return r2_sample(point_key(seed, point), sample, count)
 
 
 RECORD = Sequence(
     name="r2",
-    sample=r2,
+    sample=r2_sample,
     progressive=True,
     edge=0.45,
     colour="#5b8e3e",

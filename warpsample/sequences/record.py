@@ -5,6 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 import warp as wp
 
+from warpsample.sequences.hashing import point_key
+
+STREAMS = 2
+"""The number of the definition of all random streams: it grows when the same seed gives other numbers."""
+
 
 @dataclass(frozen=True)
 class Sequence:
@@ -12,12 +17,14 @@ class Sequence:
 
     Attributes:
         name: the name that users give.
-        sample: `wp.func` (seed: uint64, point: uint64, sample: uint32, count: uint32) -> vec2 on the 2^-24 grid of [0, 1):
-            the sample-th of count points at the surface point with that global id. Averages over the count points are
-            unbiased, and independent between surface points and seeds; the sequences differ in how evenly the points of
-            one surface point cover the square.
-        pair: `wp.func` (seed, point, half: uint32, count) -> vec4, the points of samples 2 half and 2 half + 1, if one
-            evaluation gives both.
+        sample: `wp.func` (key: vec4ui, sample: uint32, count: uint32) -> vec2 on the 2^-24 grid of [0, 1): the sample-th of
+            count points under that key, most often that of the surface point with a global id. Averages over the count
+            points are unbiased, and independent between keys; the sequences differ in how evenly the points under one key
+            cover the square.
+        key: `wp.func` (seed: uint64, point: uint64) -> vec4ui, the key of a surface point. Streams of a point have a
+            `stream_key`.
+        pair: `wp.func` (key, half: uint32, count) -> vec4, the points of samples 2 half and 2 half + 1, if one evaluation
+            gives both.
         rate: the RMSE of n samples of a step function, such as visibility, falls about as n to the power of -rate.
         edge: if an edge crosses the square, the numbers of samples on one side of it, in two sets of n, differ with a
             variance of about half of n to the power of `edge`, for n from 4 to 64. Independent samples have 1.
@@ -37,6 +44,7 @@ class Sequence:
     marker: str
     summary: str
     source: str
+    key: wp.Function = point_key
     pair: wp.Function | None = None
     rate: float = 0.75
     edge: float = 0.25

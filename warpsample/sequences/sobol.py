@@ -43,25 +43,23 @@ def _scrambled(index: wp.uint32, second: wp.uint32, key: wp.vec4ui) -> wp.vec2:
 
 
 @wp.func
-def sobol(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
+def sobol_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
     """The sample-th point of the Sobol' sequence at this surface point, shuffled and scrambled by its own keys.
 
     The first coordinate is the index with its bits reversed, which is what the scramble takes. As the index is shuffled,
     two calls with different seeds can be paired sample by sample.
     """
-    key = point_key(seed, point)
     index = reverse_bits(laine_karras(reverse_bits(sample), key[0]))
     return _scrambled(index, sobol_second(index), key)
 
 
 @wp.func
-def sobol_pair(seed: wp.uint64, point: wp.uint64, half: wp.uint32, count: wp.uint32) -> wp.vec4:
+def sobol_pair(key: wp.vec4ui, half: wp.uint32, count: wp.uint32) -> wp.vec4:
     """The points of samples 2 half and 2 half + 1, shuffled together.
 
     Their reversed indices differ only in the top bit, on which no other bit of the scramble depends. So the shuffled
     indices, and the second coordinates, differ only in the last bit.
     """
-    key = point_key(seed, point)
     index = reverse_bits(laine_karras(reverse_bits(half + half), key[0]))
     second = sobol_second(index)
     p = _scrambled(index, second, key)
@@ -69,9 +67,15 @@ def sobol_pair(seed: wp.uint64, point: wp.uint64, half: wp.uint32, count: wp.uin
     return wp.vec4(p[0], p[1], q[0], q[1])
 
 
+@wp.func
+def sobol(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
+    """The sample-th point of the sequence, shuffled and scrambled at random at each surface point."""
+    return sobol_sample(point_key(seed, point), sample, count)
+
+
 RECORD = Sequence(
     name="sobol",
-    sample=sobol,
+    sample=sobol_sample,
     progressive=True,
     colour="#2f6690",
     marker="o",

@@ -3,12 +3,13 @@
 import warp as wp
 
 from warpsample.maths.numerics import uniform_from_double
-from warpsample.sequences.independent import independent
+from warpsample.sequences.hashing import premixed_key
+from warpsample.sequences.independent import independent_sample
 from warpsample.sequences.record import Sequence
 
 
 @wp.func
-def stratified(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
+def stratified_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
     """An independent point of the sample-th of `count` cells of area 1/count.
 
     There are floor(sqrt(count)) rows of cells. If they do not divide count, the first rows hold one cell more and are
@@ -25,16 +26,23 @@ def stratified(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.u
     length = wp.where(is_long, short_length + wp.float64(1.0), short_length)
     row = wp.floor((j - skipped + wp.float64(0.5)) / length)
     column = j - skipped - row * length
-    jitter = independent(seed, point, sample, count)
+    jitter = independent_sample(key, sample, count)
     return wp.vec2(
         uniform_from_double((skipped + (row + wp.float64(jitter[0])) * length) / n),
         uniform_from_double((column + wp.float64(jitter[1])) / length),
     )
 
 
+@wp.func
+def stratified(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
+    """An independent point of the sample-th of `count` cells of area 1/count."""
+    return stratified_sample(premixed_key(seed, point), sample, count)
+
+
 RECORD = Sequence(
     name="stratified",
-    sample=stratified,
+    key=premixed_key,
+    sample=stratified_sample,
     progressive=False,
     edge=0.36,
     colour="#8c6bb1",

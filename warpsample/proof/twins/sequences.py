@@ -8,14 +8,18 @@ _MASK = 2**32 - 1
 _CELLS = 2**24
 
 
-def expected(name: str, seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
-    """Both coordinates of a sequence's point, in cells of 2^-24."""
-    return _TWINS[name][0](seed, point, sample, count)
+Key = tuple[int, int, int, int]
+
+
+def expected(name: str, seed: int, point: int, sample: int, count: int, stream: int | None = None) -> tuple[int, int]:
+    """Both coordinates of a sequence's point, or of one of its streams' points, in cells of 2^-24."""
+    twin, own_key, _ = _TWINS[name]
+    return twin(own_key(seed, point) if stream is None else _stream_key(seed, point, stream), sample, count)
 
 
 def frozen_digest(name: str) -> str:
     """The value that `streams.digest` must have for a sequence."""
-    return _TWINS[name][1]
+    return _TWINS[name][2]
 
 
 def names() -> set[str]:
@@ -23,7 +27,7 @@ def names() -> set[str]:
     return set(_TWINS)
 
 
-def pcg4d(x: int, y: int, z: int, w: int) -> tuple[int, int, int, int]:
+def pcg4d(x: int, y: int, z: int, w: int) -> Key:
     """Jarzynski2020, listing 13."""
     v = [(a * 1664525 + 1013904223) & _MASK for a in (x, y, z, w)]
     for turn in range(2):
@@ -34,8 +38,40 @@ def pcg4d(x: int, y: int, z: int, w: int) -> tuple[int, int, int, int]:
     return v[0], v[1], v[2], v[3]
 
 
-def _key(seed: int, point: int) -> tuple[int, int, int, int]:
-    return pcg4d(point & _MASK, point >> 32, seed & _MASK, seed >> 32)
+def philox4x32_10(counter: Sequence[int], key: Sequence[int]) -> list[int]:
+    """Salmon2011, table 2 and section 4.3."""
+    x, key = list(counter), list(key)
+    for _ in range(10):
+        high_0, low_0 = divmod(0xD2511F53 * x[0], 2**32)
+        high_1, low_1 = divmod(0xCD9E8D57 * x[2], 2**32)
+        x = [high_1 ^ x[1] ^ key[0], low_1, high_0 ^ x[3] ^ key[1], low_0]
+        key = [(key[0] + 0x9E3779B9) & _MASK, (key[1] + 0xBB67AE85) & _MASK]
+    return x
+
+
+def _finalised(word: int) -> int:
+    """Appleby2016, fmix32."""
+    for shift, factor in ((16, 0x85EBCA6B), (13, 0xC2B2AE35), (16, 1)):
+        word = (word ^ (word >> shift)) * factor & _MASK
+    return word
+
+
+def _premixed(seed: int, point: int) -> Key:
+    x, y, z, w = philox4x32_10([point >> 32, 0, 0, 2], [seed & _MASK, seed >> 32])
+    return _finalised((point & _MASK) ^ x), y, z, w
+
+
+def _as_it_is(seed: int, point: int) -> Key:
+    return point & _MASK, point >> 32, seed & _MASK, seed >> 32
+
+
+def _key(seed: int, point: int) -> Key:
+    return pcg4d(*_premixed(seed, point))
+
+
+def _stream_key(seed: int, point: int, stream: int) -> Key:
+    x, y, z, w = _key(seed, point)
+    return pcg4d(_finalised(stream ^ x), y, z, w)
 
 
 def _half(words: Sequence[int], sample: int) -> tuple[int, int]:
@@ -44,34 +80,23 @@ def _half(words: Sequence[int], sample: int) -> tuple[int, int]:
     return words[first] >> 8, words[first + 1] >> 8
 
 
-def _independent(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
-    far = point >> 32
-    z, w = ((seed & _MASK) + far * 0x9E3779B9) & _MASK, (seed >> 32) ^ ((far * 0x85EBCA6B) & _MASK)
-    return _half(pcg4d(sample >> 1, point & _MASK, z, w), sample)
+def _independent(key: Key, sample: int, count: int) -> tuple[int, int]:
+    return _half(pcg4d(key[1] ^ (sample >> 1), key[0], key[2], key[3]), sample)
 
 
-def _philox(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
-    """Salmon2011, table 2 and section 4.3."""
-    x, key = [sample >> 1, point & _MASK, point >> 32, 0], [seed & _MASK, seed >> 32]
-    for _ in range(10):
-        high_0, low_0 = divmod(0xD2511F53 * x[0], 2**32)
-        high_1, low_1 = divmod(0xCD9E8D57 * x[2], 2**32)
-        x = [high_1 ^ x[1] ^ key[0], low_1, high_0 ^ x[3] ^ key[1], low_0]
-        key = [(key[0] + 0x9E3779B9) & _MASK, (key[1] + 0xBB67AE85) & _MASK]
-    return _half(x, sample)
+def _philox(key: Key, sample: int, count: int) -> tuple[int, int]:
+    return _half(philox4x32_10([sample >> 1, key[0], key[1], 0], key[2:]), sample)
 
 
 def _rotation(sample: int, step: int, key: int) -> int:
     return (((sample * step % 2**64) >> 32) + key & _MASK) >> 8
 
 
-def _r2(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
-    key = _key(seed, point)
+def _r2(key: Key, sample: int, count: int) -> tuple[int, int]:
     return _rotation(sample, 0xC13FA9A902A6328F, key[0]), _rotation(sample, 0x91E10DA5C79E7B1D, key[1])
 
 
-def _fibonacci(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
-    key = _key(seed, point)
+def _fibonacci(key: Key, sample: int, count: int) -> tuple[int, int]:
     along = (sample + Fraction(key[0], 2**32)) / count * _CELLS
     return min(int(along), _CELLS - 1), _rotation(sample, 0x9E3779B97F4A7C15, key[1])
 
@@ -88,9 +113,8 @@ def _owen(x: int, key: int) -> int:
     return x ^ (x * 0x53A22864 & _MASK)
 
 
-def _sobol(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
+def _sobol(key: Key, sample: int, count: int) -> tuple[int, int]:
     """By direction numbers: in the second dimension each is v ^ (v >> 1) of the one before, from 1/2 on."""
-    key = _key(seed, point)
     index = _reversed(_owen(_reversed(sample), key[0]))
     second, direction = 0, 1 << 31
     for bit in range(32):
@@ -99,23 +123,23 @@ def _sobol(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
     return _reversed(_owen(index, key[1])) >> 8, _reversed(_owen(_reversed(second), key[2])) >> 8
 
 
-def _stratified(seed: int, point: int, sample: int, count: int) -> tuple[int, int]:
+def _stratified(key: Key, sample: int, count: int) -> tuple[int, int]:
     rows = isqrt(count)
     short, long_rows = divmod(count, rows)
     in_long = long_rows * (short + 1)
     skipped, length = (0, short + 1) if sample < in_long else (long_rows, short)
     row, column = divmod(sample - skipped, length)
-    jitter = [Fraction(cells, _CELLS) for cells in _independent(seed, point, sample, count)]
+    jitter = [Fraction(cells, _CELLS) for cells in _independent(key, sample, count)]
     u = (skipped + (row + jitter[0]) * length) / count, (column + jitter[1]) / length
     return min(int(u[0] * _CELLS), _CELLS - 1), min(int(u[1] * _CELLS), _CELLS - 1)
 
 
 # A change of a stream changes every result that users have stored: it must be intended.
 _TWINS = {
-    "fibonacci": (_fibonacci, "be3491b49b9e0314"),
-    "independent": (_independent, "ab00f3a4a2d36c47"),
-    "philox": (_philox, "d0a7cbe4f6926d5d"),
-    "r2": (_r2, "fedda182c7cb5b06"),
-    "sobol": (_sobol, "d327ca05417a79a5"),
-    "stratified": (_stratified, "31ae1d675f359ae7"),
+    "fibonacci": (_fibonacci, _key, "7b4123ed468f3d5a"),
+    "independent": (_independent, _premixed, "c6c322560fff3821"),
+    "philox": (_philox, _as_it_is, "d0a7cbe4f6926d5d"),
+    "r2": (_r2, _key, "24dbff30ad9e373d"),
+    "sobol": (_sobol, _key, "0ea5f4985d0a9715"),
+    "stratified": (_stratified, _premixed, "bc58fd80cda4e4ce"),
 }

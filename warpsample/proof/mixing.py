@@ -1,0 +1,128 @@
+"""That every bit of a seed, of an id and of a stream's number mixes: whatever differs, the random numbers are independent.
+
+A pair of runs that differ in one bit is judged by a chi-square test of the first variate of 2^16 points in one against the
+other, on 16 x 16 cells, and by the share of points at which each of the 24 bits of a variate changes, which is a half.
+"""
+
+from collections.abc import Callable, Iterator
+from functools import cache
+
+import numpy as np
+import warp as wp
+
+from warpsample import sequences
+from warpsample.host.kernel_cache import load
+from warpsample.proof.verify import LEVEL, Verdict
+from warpsample.sequences.hashing import point_key, seed_for, stream_key
+
+Cells = Callable[..., np.ndarray]
+"""(seed, first point, stream or None) -> (2, POINTS) integers below 2^24: the first variates of consecutive points."""
+
+Pair = tuple[np.ndarray, np.ndarray]
+
+POINTS = 1 << 16
+"""Points of a run. A shift by half of the range, a correlation of -1/2, is seen a thousand times as clearly as needed."""
+
+_SIDE, _BITS = 16, 24
+_SEED, _BASE = 0x0123456789ABCDEF, 0xFEDCBA9876540000  # ordinary ones; the base is a multiple of POINTS
+_PURPOSES = ("trial", "ground", "sky", "sun", "faces")
+
+
+@cache
+def _first_variates(name: str) -> wp.Kernel:
+    """A kernel that writes the first variates of points, or of one of their streams."""
+    key_of, sample_of = sequences.get(name).key, sequences.get(name).sample
+
+    @wp.kernel(module="unique", enable_backward=False)
+    def first_variates(seed: wp.uint64, first: wp.uint64, stream: wp.int64, out: wp.array[wp.vec2]):
+        """One point."""
+        point = first + wp.uint64(wp.tid())
+        key = key_of(seed, point)
+        if stream >= wp.int64(0):
+            key = stream_key(point_key(seed, point), wp.uint32(stream))
+        out[wp.tid()] = sample_of(key, wp.uint32(0), wp.uint32(1))
+
+    return first_variates
+
+
+def cells_of(name: str) -> Cells:
+    """The first variates of a sequence of the package."""
+    kernel = _first_variates(name)
+    load(kernel, "cpu")
+
+    def cells(seed: int, first: int, stream: int | None = None) -> np.ndarray:
+        """The first variates of POINTS points as integers."""
+        out = wp.empty(POINTS, dtype=wp.vec2, device="cpu")
+        wp.launch(kernel, POINTS, inputs=[seed, first, -1 if stream is None else stream], outputs=[out], device="cpu")
+        return (out.numpy().T * np.float32(2**_BITS)).astype(np.int64)
+
+    return cells
+
+
+def dependence_p_value(first: np.ndarray, second: np.ndarray) -> float:
+    """The smallest p-value of the tests of a pair, times their number."""
+    from scipy.special import chdtrc, erfc  # noqa: PLC0415  (slow to import)
+
+    coarse = [cells >> (_BITS - 4) for cells in (first, second)]
+    counts = np.array([np.bincount(a * _SIDE + b, minlength=_SIDE**2) for a in coarse[0] for b in coarse[1]])
+    square = np.square(counts - POINTS / _SIDE**2).sum(axis=1) / (POINTS / _SIDE**2)
+    flips = np.concatenate([_bits_set(cells >> shift & 255) for cells in first ^ second for shift in (0, 8, 16)])
+    scores = np.abs(flips - POINTS / 2) / np.sqrt(POINTS / 4)
+    p_values = np.concatenate([chdtrc(_SIDE**2 - 1, square), erfc(scores / np.sqrt(2.0))])
+    return min(1.0, len(p_values) * float(p_values.min()))
+
+
+def _bits_set(octets: np.ndarray) -> np.ndarray:
+    """(8,) in how many numbers below 256 each bit is set."""
+    return np.bincount(octets, minlength=256) @ (np.arange(256)[:, None] >> np.arange(8) & 1)
+
+
+def seed_pairs(cells: Cells) -> Iterator[Pair]:
+    """Seeds that differ in one of 64 bits, that follow each other, and random ones."""
+    rng = np.random.default_rng(1)
+    random = [tuple(map(int, rng.integers(2**64, size=2, dtype=np.uint64))) for _ in range(64)]
+    for base in (0, _SEED):
+        pairs = [(base, base ^ (1 << bit)) for bit in range(64)]
+        for one, other in [*pairs, (base, base + 1), *(random if base else [])]:
+            yield cells(one, base & ~(POINTS - 1)), cells(other, base & ~(POINTS - 1))
+
+
+def point_pairs(cells: Cells) -> Iterator[Pair]:
+    """Ids that differ in one of 64 bits, that follow each other, and random ones."""
+    rng = np.random.default_rng(2)
+    far = [(int(first) * POINTS, int(second) * POINTS) for first, second in rng.integers(2**48, size=(64, 2))]
+    row = np.arange(POINTS)
+    for base in (0, _BASE):
+        own = cells(_SEED, base)
+        yield from ((own, own[:, row ^ (1 << bit)]) for bit in range(16))
+        yield from ((own, cells(_SEED, base ^ (1 << bit))) for bit in range(16, 64))
+        yield own, np.roll(own, 1, axis=1)
+    yield from ((cells(_SEED, one), cells(_SEED, other)) for one, other in far)
+
+
+def stream_pairs(cells: Cells) -> Iterator[Pair]:
+    """Streams of a point that differ in a bit, a stream and the point itself, and the seeds of inner purposes."""
+    own = cells(_SEED, 0)
+    streams = [cells(_SEED, 0, stream) for stream in (0, *(1 << bit for bit in range(32)))]
+    yield from ((streams[0], stream) for stream in streams[1:])
+    yield from ((own, stream) for stream in streams)
+    yield from ((streams[stream], np.roll(streams[1 - stream], 1, axis=1)) for stream in (0, 1))
+    inner = [cells(seed_for(purpose, _SEED), 0) for purpose in _PURPOSES]
+    yield from ((one, other) for k, one in enumerate([own, *inner]) for other in inner[k:])
+
+
+_LAWS = {"bits of seeds": seed_pairs, "bits of ids": point_pairs, "streams and purposes": stream_pairs}
+
+
+def judge_cells(name: str, cells: Cells, laws: tuple[str, ...] = tuple(_LAWS)) -> list[Verdict]:
+    """The laws for any generator of first variates."""
+    verdicts = []
+    for law in laws:
+        p_values = [dependence_p_value(*pair) for pair in _LAWS[law](cells)]
+        verdicts.append(Verdict(law, name, min(1.0, len(p_values) * min(p_values)), LEVEL, True, f"{len(p_values)} pairs"))
+    return verdicts
+
+
+def judge_mixing(name: str) -> list[Verdict]:
+    """The laws for a sequence of the package."""
+    return judge_cells(name, cells_of(name))
