@@ -81,7 +81,7 @@ def test_the_first_id_goes_with_points_and_rays(mesh):
 def test_every_estimate(mesh, points):
     shared = {"seed": SEED, "active": ACTIVE}
     few = {**shared, "tolerance": 0.05}
-    assert_same(cluster.bent_normals(mesh, points, RAYS, chunk=60, **few), ws.bent_normals(mesh, points, RAYS, **few))
+    assert_same(cluster.bent_normals(mesh, points, RAYS, chunk=POINTS, **few), ws.bent_normals(mesh, points, RAYS, **few))
     for light in (PICTURE, PICTURE[..., 0].tolist(), functions.upward):
         right = ws.irradiance(mesh, points, light, RAYS, up=(0, 1, 0), **shared)
         assert_same(cluster.irradiance(mesh, points, light, RAYS, up=(0, 1, 0), chunk=60, **shared), right)

@@ -12,7 +12,6 @@ from streams import fibonacci_stream
 import warpsample as ws
 from warpsample.estimate.cells import cells_of
 from warpsample.estimate.kernel import estimate_kernel
-from warpsample.estimate.runner import rays_of
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.weights import Weights, everywhere
 from warpsample.tracing.builtin import builtin_any_query, prepare_builtin
@@ -41,11 +40,6 @@ CELLS = ((2, 2), (31, 2), (39, 8), (255, 8), (271, 16), (511, 64), (4223, 128), 
 def test_all_cells_have_as_many_rays():
     for count, multiple in CELLS:
         assert cells_of(count).rays == count - count % multiple
-
-
-def test_rays_of_points_are_those_of_each_count():
-    for counts in ([64, 300, 64], [300, 64, 64], [64, 64], []):
-        assert rays_of(np.array(counts, int), True).tolist() == [cells_of(count).rays for count in counts]
 
 
 @pytest.mark.slow
@@ -80,24 +74,6 @@ def test_the_standard_error_is_what_it_says(bunny, points, sequence, count):
         mean = values.mean(axis=0)
         outside = [np.abs(run.value - mean) > 3.0 * np.maximum(run.standard_error, 1e-3) for run in runs]
         assert np.mean(outside) <= 0.03
-
-
-@pytest.mark.slow
-def test_tolerance_is_reached_without_bias(bunny, points):
-    tolerance = 0.01
-    runs = [ws.ambient_occlusion(bunny, points, 1024, tolerance=tolerance, first_point=600 * k) for k in range(64)]
-    right = ws.ambient_occlusion(bunny, points, RAYS, seed=99).value
-    error = np.array([run.value for run in runs], np.float64) - right
-    assert np.sqrt(np.mean(error**2)) <= tolerance
-    spread = np.sqrt(np.mean(error.var(axis=0, ddof=1)) / error.size)
-    assert abs(error.mean()) <= 5.0 * spread + 1e-5  # the reference's own error: 1.5e-4 / sqrt(600)
-    fixed = ws.ambient_occlusion(bunny, points, 1024)
-    assert runs[0].rays.sum() < 0.8 * fixed.rays.sum()
-    assert runs[0].skipped.unneeded_rays > 0
-    tight = ws.ambient_occlusion(bunny, points, 1024, tolerance=1e-9)
-    assert np.array_equal(tight.value[tight.rays > 64], fixed.value[tight.rays > 64])
-    easy = ws.ambient_occlusion(bunny, points, 1024, tolerance=1e3, skip=False)
-    assert (easy.rays == 64 + 32).all()  # the trial's and the fewest: a power of two is not taken up to the next
 
 
 # Both tracers, any scale, any mesh

@@ -78,7 +78,7 @@ def bake_command(
     ] = None,
     seed: Annotated[int, typer.Option(help="Seed of points and rays.")] = 0,
     tolerance: Annotated[
-        float | None, typer.Option(help="Standard error at which a point has rays enough.", show_default=False)
+        float | None, typer.Option(help="Standard error to reach, root mean square over the points.", show_default=False)
     ] = None,
     device: Annotated[
         str | None, typer.Option(help="Where to compute, as cuda:0; by default the CPU.", show_default=False)

@@ -6,7 +6,7 @@ Each has rays of its own, in two independent randomisations, so that their diffe
 
 from dataclasses import dataclass
 from itertools import pairwise
-from math import cos, pi, sin, sqrt
+from math import cos, inf, pi, sin, sqrt
 
 import numpy as np
 
@@ -47,9 +47,14 @@ class Cells:
     beams: np.ndarray
 
     @property
+    def step(self) -> int:
+        """What the number of rays of a point is a multiple of, since all cells have as many."""
+        return self.bands * self.sectors * REPLICATES
+
+    @property
     def rays(self) -> int:
         """The number of rays of a point."""
-        return self.bands * self.sectors * self.each * REPLICATES
+        return self.step * self.each
 
 
 @once
@@ -58,7 +63,7 @@ def cells_of(count: int, lobe: Distribution = POLAR_COSINE, traced: bool = True)
 
     Without beams if the lobe's cells are no parts of cones.
     """
-    _, bands, sectors = next(grid for grid in (_GRIDS if traced else _GRIDS[:2])[::-1] if count >= grid[0])
+    _, bands, sectors = next(grid for grid in _grids(traced)[::-1] if count >= grid[0])
     edges = _edges(lobe, bands) if traced else None
     spans = [] if edges is None else [(edges[0], edges[-1]), *pairwise(edges)]
     beams = [
@@ -69,6 +74,18 @@ def cells_of(count: int, lobe: Distribution = POLAR_COSINE, traced: bool = True)
     if beams:
         vectors[..., : PLANES + CORNERS] = np.swapaxes(beams, 2, 3)
     return Cells(bands, sectors, count // (bands * sectors * REPLICATES), vectors)
+
+
+def counts_with_the_cells_of(count: float, traced: bool = True) -> tuple[int, float]:
+    """(fewest, most) rays that `cells_of` cuts into as many cells as `count`; infinity if there are no finer ones."""
+    begins = [rays for rays, _, _ in _grids(traced)]
+    fewest = max(rays for rays in begins if rays <= max(count, 1))
+    finer = min((rays for rays in begins if rays > fewest), default=inf)
+    return fewest, finer if finer == inf else cells_of(finer - 1, traced=traced).rays
+
+
+def _grids(traced: bool) -> tuple[tuple[int, int, int], ...]:
+    return _GRIDS if traced else _GRIDS[:2]
 
 
 def _edges(lobe: Distribution, bands: int) -> np.ndarray | None:

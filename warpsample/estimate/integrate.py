@@ -55,10 +55,9 @@ def integrate(
         seed: of 64 bits.
         first_point: the global id of row 0.
         active: (P,) bool; other points get 0 and a status.
-        tolerance: the standard error to reach in each component, as the root mean square over the points; by default each
-            point takes `count` directions.
-        skip: whether to look for rays that meet nothing and leave them out; changes no bit. With a tolerance, points that
-            meet nothing take fewer rays by it.
+        tolerance: the standard error to reach in each component, as the root mean square over the points, by at most
+            `count` directions; as for `ambient_occlusion`.
+        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
         device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
         workers: threads on the CPU, all cores by default.

@@ -12,7 +12,8 @@ from warpsample.distributions.record import Distribution
 from warpsample.estimate.cells import POLAR_COSINE, cells_of
 from warpsample.estimate.integrand import Integrand
 from warpsample.estimate.result import Estimate
-from warpsample.estimate.runner import Runner, rays_of
+from warpsample.estimate.runner import Runner
+from warpsample.estimate.tolerance import count_within
 from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_number, check_seed
 from warpsample.host.arrays import check_active
 from warpsample.host.device_memory import Memory
@@ -22,16 +23,12 @@ from warpsample.host.progress import bar
 from warpsample.host.vectors import as_directions
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.sequences.hashing import seed_for
 from warpsample.sequences.record import Sequence
 from warpsample.tracing.tracers import Tracer, tracer_of
 from warpsample.tracing.triples import Triples
 
 _MOST_RAYS = 2**24  # of a point: hits are counted in float64 and rays in int32, and one point is one task
 _BYTES_PER_POINT = 132
-_TRIAL_RAYS = 64
-_FEWEST_RAYS = 32
-_UNSEEN = 0.6  # rays' worth of error that a trial may not have seen: with less, points that look easy spoil the RMSE
 
 
 @dataclass(frozen=True)
@@ -130,28 +127,12 @@ class Plan:
 
     def _estimate(self, runner: Runner) -> Estimate:
         if self.tolerance is None or len(self.points) == 0:
-            return runner.result(self.seed, np.full(len(self.points), self.count))
-        trial = runner.result(seed_for("trial", self.seed), np.full(len(self.points), min(_TRIAL_RAYS, self.count)))
-        needed = self._needed(trial, self.tolerance)
-        main, traced = runner.result(self.seed, needed), self.mesh is not None
-        saved = (
-            np.maximum(cells_of(self.count, traced=traced).rays - rays_of(needed, traced), 0)[main.status == 0].sum()
-            - trial.rays.sum()
-        )
-        return replace(main, rays=main.rays + trial.rays, skipped=replace(main.skipped, unneeded_rays=max(0, int(saved))))
-
-    def _needed(self, trial: Estimate, tolerance: float) -> np.ndarray:
-        """(P,) how many rays each point takes to the tolerance, by the error of a trial; a power of two, or the count.
-
-        None of the trial's rays is used again, so that what they happened to meet does not sway the result.
-        """
-        rays = min(_TRIAL_RAYS, self.count)
-        error = trial.standard_error.reshape(len(self.points), -1).max(axis=1)
-        error += np.where(trial.rays > 0, _UNSEEN / rays, 0.0)
-        needed = rays * np.float_power(error / tolerance, 1.0 / self.sequence.rate)  # in float64
-        # A power of two is its own: a logarithm's last digit, which depends on the processor, must not double the rays.
-        half, steps = np.frexp(np.clip(needed, _FEWEST_RAYS, self.count))
-        return np.minimum(2 ** (steps.astype(np.int64) - (half == 0.5)), self.count)
+            return runner.result(self.seed, self.count)
+        count, trial = count_within(runner, self.tolerance)
+        main, traced = runner.result(self.seed, count), self.mesh is not None
+        saved = cells_of(self.count, traced=traced).rays - cells_of(count, traced=traced).rays
+        unneeded = saved * np.count_nonzero(main.status == 0) - int(trial.sum(dtype=np.int64))
+        return replace(main, rays=main.rays + trial, skipped=replace(main.skipped, unneeded_rays=max(0, unneeded)))
 
 
 def reach_of(max_distance: Any) -> float:

@@ -28,19 +28,6 @@ _TASK, _MOST_ROWS = 1 << 11, 16  # rays and points of a task on the CPU, where t
 _MOST_REACH = 2.0**60  # of the scene's size: what is in it is at no distance at all from there on
 
 
-def rays_of(counts: np.ndarray, traced: bool) -> np.ndarray:
-    """How many rays `cells_of` makes of each count."""
-    rays = np.empty(len(counts), np.int64)
-    for count in _distinct(counts):
-        rays[counts == count] = cells_of(int(count), traced=traced).rays
-    return rays
-
-
-def _distinct(counts: np.ndarray) -> np.ndarray:
-    """The counts that occur: most often all are one, which is seen without sorting them."""
-    return counts[:1] if (counts == counts[:1]).all() else np.unique(counts)
-
-
 class Runner:
     """The arrays of a plan and a quantity, ready to be run with any numbers of rays."""
 
@@ -53,23 +40,29 @@ class Runner:
         self.placement = self._placement() if len(plan.points) else None
         self.data = quantity.integrand.data_for(loan)
 
-    def result(self, seed: int, counts: np.ndarray) -> Estimate:
-        """The estimate by counts[i] rays from the i-th point."""
-        points, channels = len(counts), self.quantity.integrand.channels
+    def result(self, seed: int, count: int, chosen: np.ndarray | None = None, skip: bool | None = None) -> Estimate:
+        """The estimate by `count` rays from each point.
+
+        Args:
+            seed: of the rays.
+            count: rays.
+            chosen: (P,) bool, the points to estimate; the others get 0.
+            skip: as in the plan by default.
+        """
+        points, channels = len(self.plan.points), self.quantity.integrand.channels
         shape = (points,) if channels == 1 else (points, channels)
         value, error, spread, degrees = (np.zeros(shape, np.float32) for _ in range(4))
         cast, empty, status = (np.zeros(points, kind) for kind in (np.int32, np.int32, np.uint8))
+        cells = cells_of(count, self.plan.distribution, self.scene is not None)
         for rows in self.plan.memory.parts(points, _BYTES_OF_POINT):
             with self.plan.memory.loan() as loan:
-                part = self._part(loan, rows)
+                part = self._part(loan, rows, cells, self.plan.skip if skip is None else skip)
+                part.seed = seed
                 part.value, part.error, part.spread, part.degrees, part.cast, part.empty, part.status = (
                     loan.room(array, rows) for array in (value, error, spread, degrees, cast, empty, status)
                 )
-                for count in _distinct(counts[rows]):
-                    cells = cells_of(int(count), self.plan.distribution, self.scene is not None)
-                    self._cut(loan, part, cells, seed)
-                    self._run(loan, part, counts[rows] == count)
-        total = np.where(status == 0, rays_of(counts, self.scene is not None), 0) if points else counts
+                self._run(loan, part, None if chosen is None else chosen[rows])
+        total = np.where(status == 0, cells.rays, 0)
         skipped = Skipped(
             points=int(np.count_nonzero(status)),
             open_points=int(np.count_nonzero((empty == total) & (total > 0))),
@@ -91,8 +84,8 @@ class Runner:
         self.starts = set_starts(self.scene, placement, face, self.normal, plan.tracer, plan.workers)
         return placement
 
-    def _part(self, loan: Loan, rows: slice) -> LobesArgs:
-        """The lobes of some points, without their rays and where their numbers go."""
+    def _part(self, loan: Loan, rows: slice, cells: Cells, skip: bool) -> LobesArgs:
+        """The lobes of some points, without the seed of their rays and where their numbers go."""
         plan = self.plan
         part = LobesArgs(
             placement=self.placement,
@@ -100,7 +93,12 @@ class Runner:
             first_row=rows.start,
             normals=loan.put(self.normal, rows),
             active=loan.put(plan.active, rows),
-            skip=plan.skip,
+            each=cells.each,
+            bands=cells.bands,
+            sectors=cells.sectors,
+            beams=loan.put(cells.beams) if cells.beams.size and skip and plan.tracer.skips else 0,
+            skip=skip,
+            edge=plan.sequence.edge_variance(cells.each),
             falloff=self.quantity.falloff or 0.0,
             parameters=plan.distribution.kernel_parameters().__ctype__(),
         )
@@ -110,17 +108,14 @@ class Runner:
             part.placement.normals = loan.put(self.side, rows)
         return part
 
-    def _cut(self, loan: Loan, lobes: LobesArgs, cells: Cells, seed: int) -> None:
-        """Gives lobes their cells and the seed of their rays."""
-        lobes.seed, lobes.each, lobes.bands, lobes.sectors = seed, cells.each, cells.bands, cells.sectors
-        lobes.beams = loan.put(cells.beams) if cells.beams.size and self.plan.skip and self.plan.tracer.skips else 0
-        lobes.edge = self.plan.sequence.edge_variance(cells.each)
-
-    def _run(self, loan: Loan, lobes: LobesArgs, chosen: np.ndarray) -> None:
-        """Sums the lobes of the chosen points."""
+    def _run(self, loan: Loan, lobes: LobesArgs, chosen: np.ndarray | None) -> None:
+        """Sums the lobes of the chosen points, by default of all."""
         plan, memory, rays = self.plan, self.plan.memory, 2 * lobes.each * lobes.bands * lobes.sectors
         order = order_of(self.scene, lobes.placement, rays, plan.workers) if self.scene and memory.in_place else None
-        rows = np.flatnonzero(chosen) if order is None else order[chosen[order]]
+        rows = np.arange(lobes.placement.points) if order is None else order
+        rows = rows if chosen is None else rows[chosen[rows]]
+        if len(rows) == 0:
+            return
         lobes.placement.order = loan.put(rows)
         accelerator = plan.tracer.accelerator(self.scene, memory.device, plan.workers) if self.scene else AcceleratorArgs()
         work = (RAY_WORK if self.scene else 1) * len(rows) * rays

@@ -53,9 +53,9 @@ def ambient_occlusion(
         seed: of 64 bits.
         first_point: the global id of row 0.
         active: (P,) bool; other points get 0, a status, and cost next to nothing.
-        tolerance: the standard error to reach, in the root mean square over the points. A trial of 64 rays says how many of
-            `count` each point takes, and is forgotten, which keeps the result unbiased. For where the right count is not
-            known: if it is, that many for every point are as fast, since open points cost little anyway.
+        tolerance: the standard error to reach, in the root mean square over the points: by how many of `count` rays from
+            each, a trial of one in twelve points or fewer says. Its rays are forgotten, which keeps the result unbiased.
+            The count depends on all points of the call, so another choice of points or parts gives other last digits.
         skip: whether to look for what cannot be met: parts of the mesh below a point's horizon, and, from 32 rays on, empty
             cells of its lobe. Changes no bit; off, it takes two to three times as long.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
@@ -132,9 +132,9 @@ def sky_view_factor(
         seed: of 64 bits.
         first_point: the global id of row 0.
         active: (P,) bool; other points get 0 and a status.
-        tolerance: the standard error to reach, as the root mean square over the points; by default each takes `count` rays.
-        skip: whether to look for rays that meet nothing and leave them out; changes no bit. With a tolerance, points that
-            meet nothing take fewer rays by it.
+        tolerance: the standard error to reach, as the root mean square over the points, by at most `count` rays; as for
+            `ambient_occlusion`.
+        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
         device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
         workers: threads on the CPU, all cores by default.
@@ -196,10 +196,9 @@ def bent_normals(
         seed: of 64 bits.
         first_point: the global id of row 0.
         active: (P,) bool; other points get 0 and a status.
-        tolerance: the standard error to reach in each component, as the root mean square over the points; by default each
-            point takes `count` rays.
-        skip: whether to look for rays that meet nothing and leave them out; changes no bit. With a tolerance, points that
-            meet nothing take fewer rays by it.
+        tolerance: the standard error to reach in each component, as the root mean square over the points, by at most
+            `count` rays; as for `ambient_occlusion`.
+        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
         tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
         device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
         workers: threads on the CPU, all cores by default.

@@ -40,6 +40,7 @@ _INPUTS = {  # (the quantities that need a file, what it is)
 RAYS_PER_PART = 1 << 22
 """Rays, half a second, after which the progress moves and an interrupt says how far it came."""
 
+_TRIED = 1 << 14  # points of a part with a tolerance, whose trial takes a share of them
 _FULL = 1 << 20  # points of a part on a CUDA device: with fewer it is idle for most of the time
 
 
@@ -117,7 +118,8 @@ def _parts(points: SurfacePoints, run: Run, estimate: Callable[[SurfacePoints, i
 
     console = Console(stderr=True)
     told = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(), TextColumn("{task.fields[told]}"))
-    step = max(1 if Memory.of(run.options.get("device")).in_place else _FULL, RAYS_PER_PART // run.samples)
+    least = _TRIED if run.options.get("tolerance") else 1
+    step = max(least if Memory.of(run.options.get("device")).in_place else _FULL, RAYS_PER_PART // run.samples)
     cast, start, done = 0, perf_counter(), 0
     with Progress(*told, console=console, disable=not console.is_terminal, transient=True) as progress:
         task = progress.add_task(QUANTITIES[run.quantity], total=len(points), told="")

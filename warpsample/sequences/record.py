@@ -29,6 +29,7 @@ class Sequence:
         edge: if an edge crosses the square, the numbers of samples on one side of it, in two sets of n, differ with a
             variance of about half of n to the power of `edge`, for n from 4 to 64. Independent samples have 1.
         progressive: whether the first m points are the same for every count.
+        nets: whether sets of a power of two are so much more even than others that no other count should be chosen.
         random: whether the points of one surface point are independent of each other, too.
         cells_off: by how many cells of 2^-24 the integer twin may differ, because a quotient of float64s is rounded.
         colour: of its curves, as "#rrggbb".
@@ -49,6 +50,7 @@ class Sequence:
     rate: float = 0.75
     edge: float = 0.25
     random: bool = False
+    nets: bool = False
     cells_off: int = 0
 
     def edge_variance(self, count: int) -> float:

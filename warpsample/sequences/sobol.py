@@ -77,6 +77,7 @@ RECORD = Sequence(
     name="sobol",
     sample=sobol_sample,
     progressive=True,
+    nets=True,
     colour="#2f6690",
     marker="o",
     summary="Owen-scrambled Sobol', the best for smooth integrands",

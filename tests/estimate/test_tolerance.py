@@ -1,0 +1,120 @@
+"""A tolerance is reached, by not many more rays than the best count for all points takes, and without a bias."""
+
+import numpy as np
+import pytest
+import warp as wp
+from estimate_cases import at, square
+
+import warpsample as ws
+from warpsample.bench.scenes import bunny, city, hills
+
+POINTS = 20_000
+SCENES = {"bunny": lambda: bunny(1), "city": city, "hills": hills}
+MOST = 1 << 14
+
+
+@wp.func
+def height_squared(w: wp.vec3) -> float:
+    return w[2] * w[2]
+
+
+def root_mean_square(values):
+    return np.sqrt(np.mean(np.square(np.asarray(values, np.float64))))
+
+
+def rectangle(x, y):
+    """What a point sees of a rectangle, x by y, a unit above it, with a corner over the point."""
+    a, b = np.hypot(1.0, x), np.hypot(1.0, y)
+    return (x / a * np.arctan(y / a) + y / b * np.arctan(x / b)) / (2.0 * np.pi)
+
+
+def below_the_square(points):
+    """(P,) exact open shares of points below a unit square: it is cut into four rectangles above each of them."""
+    x, y = np.asarray(points.position, np.float64)[:, :2].T
+    return 1.0 - sum(rectangle(a, b) for a in (x, 1.0 - x) for b in (y, 1.0 - y))
+
+
+def spread_below(seed):
+    """Points below the unit square, which is a unit above them."""
+    place = np.random.default_rng(seed).uniform(size=(POINTS, 2))
+    return at(np.column_stack([place, np.zeros(POINTS)]), (0, 0, 1))
+
+
+def fewest_rays(mesh, points, tolerance, near):
+    """The fewest rays cast by which one count for all points has that standard error, root mean square."""
+    counts = {int(near * share) for share in np.linspace(0.7, 1.0, 7)} | {30, 32, 255, 256, 447, 448, 4095, 4096}
+    runs = [ws.ambient_occlusion(mesh, points, n, seed=3) for n in counts if near / 4 <= n <= 4 * near]
+    return min(run.rays.sum() for run in runs if root_mean_square(run.standard_error) <= tolerance)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("scene", SCENES)
+def test_it_is_reached_at_the_price_of_the_best_count(scene):
+    """Judged by a reference of 16,384 rays, whose error is 3e-4; and 0.001, whose search would take minutes, by its bars."""
+    mesh = SCENES[scene]()
+    points = ws.sample_surface(mesh, POINTS, seed=1)
+    right = ws.ambient_occlusion(mesh, points, MOST, seed=99).value
+    for tolerance in (0.05, 0.02, 0.005):
+        found = ws.ambient_occlusion(mesh, points, MOST, seed=2, tolerance=tolerance)
+        error = found.value - right
+        assert 0.8 <= root_mean_square(error) / tolerance <= 1.05
+        assert 0.9 <= (root_mean_square(error) / root_mean_square(found.standard_error)) ** 2 <= 1.1
+        count = (float(found.rays.sum()) + found.skipped.empty_rays) / POINTS
+        assert found.rays.sum() <= 1.25 * fewest_rays(mesh, points, tolerance, count)
+    fine = ws.ambient_occlusion(mesh, points, MOST, seed=2, tolerance=0.001)
+    assert 0.8 <= root_mean_square(fine.standard_error) / 0.001 <= 1.05
+
+
+@pytest.mark.slow
+def test_it_is_without_bias_and_its_bars_are_right():
+    """20 seeds, 20,000 points each, against the closed form; the limits are those of a normal law, and of the issue."""
+    errors, bars = [], []
+    for seed in range(20):
+        points = spread_below(seed)
+        found = ws.ambient_occlusion(square(), points, 1024, seed=seed, tolerance=0.02)
+        errors.append(found.value - below_the_square(points))
+        bars.append(found.standard_error)
+        assert 0.8 <= root_mean_square(errors[-1]) / 0.02 <= 1.05
+    assert abs(np.sum(errors)) <= 4.0 * np.sqrt(np.square(errors).sum())
+    assert 0.9 <= (root_mean_square(errors) / root_mean_square(bars)) ** 2 <= 1.1
+
+
+def test_it_changes_the_count_and_nothing_else(bunny, points):
+    """All points take one count, at most that of the call; neither `skip` nor a chunk of memory sways it."""
+    tight, fixed = (ws.ambient_occlusion(bunny, points, 512, tolerance=t) for t in (1e-9, None))
+    assert np.array_equal(tight.value, fixed.value)
+    assert tight.skipped.unneeded_rays == 0
+    easy = ws.ambient_occlusion(bunny, points, 512, tolerance=0.03)
+    assert easy.skipped.unneeded_rays > 0
+    assert easy.rays.sum() < fixed.rays.sum()
+    assert np.array_equal(easy.value, ws.ambient_occlusion(bunny, points, 512, tolerance=0.03, skip=False).value)
+    coarse = ws.ambient_occlusion(bunny, points, 512, tolerance=1e3, skip=False)
+    assert np.isin(coarse.rays, [4, 12]).all()  # the fewest, and the trial's 8
+
+
+def test_nothing_to_see_takes_few_rays(bunny, points):
+    dark = ws.irradiance(bunny, points, np.zeros((2, 2)), tolerance=0.1)
+    assert (dark.value == 0.0).all()
+    none = ws.ambient_occlusion(bunny, points, 64, tolerance=0.1, active=np.zeros(len(points), bool))
+    assert (none.rays == 0).all()
+    assert none.counts() == {ws.PointStatus.INACTIVE: len(points)}
+
+
+def test_one_point_reaches_it_too():
+    """Few points tell little: what edges let expect stands in for the rest, so it is reached, if not by the fewest rays."""
+    point = at((0.3, 0.4, 0.0), (0, 0, 1))
+    errors = [
+        (ws.ambient_occlusion(square(), point, 4096, seed=seed, tolerance=0.02).value - below_the_square(point))[0]
+        for seed in range(200)
+    ]
+    assert 0.5 <= root_mean_square(errors) / 0.02 <= 1.1
+
+
+@pytest.mark.parametrize("sequence", ["sobol", "fibonacci", pytest.param("independent", marks=pytest.mark.slow)])
+def test_smooth_integrands_take_what_they_need(sequence):
+    """The trial sees by which power their error falls; of Sobol' points a power of two is taken, up to twice as many."""
+    normals = np.random.default_rng(4).normal(size=(4000, 3))
+    found = ws.integrate(normals, height_squared, 1 << 16, sequence=sequence, tolerance=0.001)
+    unit = normals[:, 2] / np.linalg.norm(normals, axis=1)
+    error = found.value - (0.25 + 0.25 * unit**2)  # the mean of z^2 over the cosine lobe about n
+    assert (0.25 if sequence == "sobol" else 0.7) <= root_mean_square(error) / 0.001 <= 1.1

@@ -1,0 +1,114 @@
+"""How many rays reach a standard error: found by a trial, by more and more rays from some of the points.
+
+The trial has random numbers of its own and is then forgotten, so what its rays happened to meet does not sway the result.
+All points take one count: where nothing is to be met, cells of the lobe are found empty and cost no ray, so counts of their
+own would save little, and a trial of each point would cost more than that.
+"""
+
+from math import log
+
+import numpy as np
+
+from warpsample.estimate.cells import cells_of, counts_with_the_cells_of
+from warpsample.estimate.result import Estimate
+from warpsample.estimate.runner import Runner
+from warpsample.sequences.hashing import seed_for
+
+_AIM = 0.98  # of the tolerance: the trial's own error is 3 %, what it foretells errs upwards, and counts are rounded up
+_SHARE, _LEAST_SHARE = 12, 48  # one point in so many: the more cells a lobe has, the more each point tells
+_FEWEST_POINTS, _MOST_POINTS = 256, 1 << 14
+_TURN = 0.6180339887498949  # 1 / phi: points that are evenly spread over the rows, however many are taken
+_FIRST, _LEAST = 8, 4  # rays of the first round; and the fewest of the result, two of each replicate
+_NEAR, _FAR, _FARTHEST = 3.0, 4.0, 32.0  # rays needed of those tried: sought, foretold; rays of a round of the one before
+_WORTH_TRYING = 1.5  # rays where finer cells begin, of those needed
+_SLOWEST, _FASTEST = 0.5, 2.0  # powers of the rays with which an error falls
+_ROUNDS = 8
+_PRIOR = 16.0  # points' worth of what edges let expect, for few points and for where no ray has met anything
+
+
+def count_within(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
+    """The rays of each point that reach a standard error in the root mean square over the points.
+
+    Returns:
+        (rays, at most those of the plan; rays that the trial cast from each point, (P,) int32).
+    """
+    trial, most, traced = _Trial(runner), runner.plan.count, runner.scene is not None
+    trial.run(_FIRST)
+    for _ in range(_ROUNDS):
+        needed = trial.needed(_AIM * tolerance)
+        _, top = counts_with_the_cells_of(trial.count, traced)
+        if needed > top and trial.needed(tolerance) <= top:
+            needed = top
+        if trial.count == most or needed <= min(_FAR * trial.count, top):
+            break
+        fewest, _ = counts_with_the_cells_of(needed, traced)
+        trial.run(min(max(needed / _NEAR, fewest), _FARTHEST * trial.count))
+    needed = max(_LEAST, _finer_if_less(trial, needed, _AIM * tolerance) if traced else needed)
+    return trial.whole(needed), trial.rays
+
+
+def _finer_if_less(trial: "_Trial", needed: float, aim: float) -> float:
+    """What is needed, or more with finer cells, if fewer rays of these are cast: more cells are empty."""
+    cast, top = trial.cast * needed, counts_with_the_cells_of(needed)[1]
+    finer = counts_with_the_cells_of(_WORTH_TRYING * needed)[0]
+    if not (counts_with_the_cells_of(_FIRST)[1] < top < finer <= trial.runner.plan.count):
+        return needed
+    trial.run(finer)
+    rather = max(finer, trial.needed(aim))
+    return rather if trial.cast * rather < cast else needed
+
+
+class _Trial:
+    """Some of the points of a runner, what they tell about the error by some rays, and all rays that they have cast.
+
+    Attributes:
+        count: rays of the last round.
+        error: the standard error by these, root mean square.
+        cast: the share of them that is cast; the rest is skipped.
+        rays: (P,) int32, in all rounds.
+    """
+
+    def __init__(self, runner: Runner) -> None:
+        """Orders the points that are active, so that the first ones are spread over all."""
+        self.runner, self.rate, self.count = runner, runner.plan.sequence.rate, 0
+        rows = np.arange(len(runner.plan.points)) if runner.plan.active is None else np.flatnonzero(runner.plan.active)
+        some = min(max(len(rows) // _SHARE, _FEWEST_POINTS), _MOST_POINTS, len(rows))
+        self.rows = rows if some == len(rows) else rows[(np.arange(some) * _TURN % 1.0 * len(rows)).astype(np.int64)]
+        self.active, self.rays = len(rows), np.zeros(len(runner.plan.points), np.int32)
+
+    def whole(self, count: float) -> int:
+        """A count rounded up to what the cells and the sequence go into, but not beyond the plan's."""
+        plan = self.runner.plan
+        rays = int(np.ceil(min(count, plan.count)))
+        if plan.sequence.nets:  # of cells and replicates there are powers of two, too
+            return min(1 << (rays - 1).bit_length(), plan.count)
+        step = cells_of(rays, traced=self.runner.scene is not None).step
+        return min(-(-rays // step) * step, plan.count)
+
+    def run(self, count: float) -> None:
+        """A round: the rows that are taken fall with the root of the number of cells."""
+        plan, traced, count = self.runner.plan, self.runner.scene is not None, self.whole(count)
+        cells = cells_of(count, traced=traced)
+        share = min(_SHARE * np.sqrt(cells.bands * cells.sectors), _LEAST_SHARE)
+        chosen = np.zeros(len(plan.points), bool)
+        chosen[self.rows[: max(int(self.active / share), _FEWEST_POINTS)]] = True
+        # Skipping whatever the call says, as it changes no bit: so the count does not depend on it either.
+        found = self.runner.result(seed_for("trial", plan.seed), count, chosen, skip=True)
+        good = chosen & (found.status == 0)
+        error = _error_of(found, good)
+        alike = counts_with_the_cells_of(self.count, traced) == counts_with_the_cells_of(count, traced)
+        if self.count and count >= _FAR * self.count and alike and error > 0.0:
+            self.rate = min(max(log(self.error / error) / log(count / self.count), _SLOWEST), _FASTEST)
+        self.count, self.error, self.rays = count, error, self.rays + found.rays
+        self.cast = float(found.rays[good].mean()) / count if good.any() else 0.0
+
+    def needed(self, error: float) -> float:
+        """How many rays a standard error takes, by what the last round had."""
+        return self.count * float(np.float_power(self.error / error, 1.0 / self.rate))
+
+
+def _error_of(found: Estimate, good: np.ndarray) -> float:
+    """The root mean square of the errors of some points, of the worst component."""
+    points = np.count_nonzero(good)
+    squares = [np.square(a[good].astype(np.float64)).sum(axis=0) for a in (found.standard_error, found.spread)]
+    return float(np.sqrt(np.max((squares[0] + _PRIOR / max(points, 1) * squares[1]) / (points + _PRIOR), initial=0.0)))
