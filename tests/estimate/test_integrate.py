@@ -64,10 +64,11 @@ def test_the_mean_is_that_of_the_directions_of_its_streams(count):
     assert np.abs(found.value - total / (2 * sectors * each)).max() <= 1e-6
 
 
-def test_a_sky_of_the_users():
-    """Over the cosine lobe the mean of z is 2/3 of the normal's z."""
+@pytest.mark.parametrize("number", [float, np.float32, np.float64, np.int32, np.array], ids=lambda n: n.__name__)
+def test_a_sky_of_the_users(number):
+    """Over the cosine lobe the mean of z is 2/3 of the normal's z; the numbers of NumPy 2 say on which device they are."""
     sky = Sky()
-    sky.zenith, sky.horizon = 3.0, 1.0
+    sky.zenith, sky.horizon = number(3.0), number(1.0)
     found = ws.integrate(UP, radiance, 4096, data=sky)
     unit = UP / np.linalg.norm(UP, axis=1, keepdims=True)
     assert np.abs(found.value - (1.0 + 2.0 * 2.0 / 3.0 * unit[:, 2])).max() <= 6.0 * found.standard_error.max()

@@ -113,7 +113,7 @@ def _own(data: Any, device: wp.Device) -> tuple[Any, Any]:
     own = data._cls()
     own.assign(data)
     for name, array in _arrays_in(own):
-        if array is not None and array.device and not (array.device.is_cpu or array.device == device):
+        if array is not None and not (array.device.is_cpu or array.device == device):
             wants = "cpu" if device.is_cpu else f"cpu or {device}"
             raise ValueError(f"data: got an array {name} on {array.device}, want it on {wants}")
         if not isinstance(array, wp.array | None) and not at_home(device):
@@ -138,7 +138,7 @@ def _arrays_in(data: Any, within: str = "") -> Iterator[tuple[str, Any]]:
         value = getattr(data, name)
         if hasattr(value, "_cls"):
             yield from _arrays_in(value, f"{within}{name}.")
-        elif value is None or hasattr(value, "device"):
+        elif value is None or isinstance(getattr(value, "device", None), wp.Device):  # of NumPy's numbers it is "cpu"
             yield within + name, value
 
 
