@@ -75,6 +75,8 @@ def test_hdr_that_is_not_whole_is_refused(encode, pixels, tmp_path):
         content.replace(b"+X 33", b"+X 34"),
         content.replace(b"-Y 12", b"-Y 11"),
         content.replace(b"-Y 12", b"-Y -2"),
+        content[: content.index(b"-Y")] + b"-Y 0 +X 33\n",
+        content[: content.index(b"-Y")] + b"-Y 99999 +X 0\n",  # whose lines take no bytes, and any number of steps
         content.replace(b"_rgbe", b"_xyze"),
     ):
         path.write_bytes(damaged)

@@ -1,5 +1,7 @@
 """What view factors are used for: radiosity, files of other programs; and bad input."""
 
+import zipfile
+
 import numpy as np
 import pytest
 from scipy import sparse
@@ -116,6 +118,10 @@ def test_files_that_cannot_be_written_or_read(tmp_path):
             ws.ViewFactors.load(tmp_path / f"{name}.npz")
     with pytest.raises(FileNotFoundError, match="missing"):
         ws.ViewFactors.load(tmp_path / "none.npz")
+    with zipfile.ZipFile(tmp_path / "huge.npz", "w") as archive, archive.open("data.npy", "w") as member:
+        np.lib.format.write_array_header_1_0(member, {"descr": "<f8", "fortran_order": False, "shape": (10**12,)})
+    with pytest.raises(ValueError, match=r"its data\.npy declares 8,000,000,000,000 bytes, and the file holds .* at most$"):
+        ws.ViewFactors.load(tmp_path / "huge.npz")
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """`warpsample view-factors` and the picture of a row."""
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -73,6 +74,7 @@ def test_an_interrupted_run_leaves_the_old_file(call, cube_inwards, tmp_path, mo
         (("-o", "factors.npz", "--groups", "none.txt"), "error: --groups: got .*missing"),
         (("-o", "factors.npz", "--groups", "pickled.npy"), "error: --groups: got .*cannot be read"),
         (("-o", "factors.npz", "--groups", "archive.npy"), "error: --groups: got .*cannot be read"),
+        (("-o", "factors.npz", "--groups", "huge.npy"), "error: --groups: got .*cannot be read"),
         (("-o", "factors.npz", "--up", 0, 0, 0), "error: --up: got"),
     ],
 )
@@ -80,6 +82,8 @@ def test_one_sentence_says_what_is_wrong(call, cube_inwards, tmp_path, monkeypat
     monkeypatch.chdir(tmp_path)
     np.save("pickled.npy", np.array([{}] * 12, object))
     np.savez("archive.npz", np.zeros(12, int))
+    with Path("huge.npy").open("wb") as file:  # whose header declares what the file does not hold
+        np.lib.format.write_array_header_1_0(file, {"descr": "<i8", "fortran_order": False, "shape": (10**12,)})
     (tmp_path / "archive.npz").rename("archive.npy")  # which numpy.load would leave open
     status, out, err = call("view-factors", cube_inwards, *options)
     assert (status, out) == (2, "")

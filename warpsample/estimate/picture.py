@@ -9,6 +9,7 @@ from typing import BinaryIO
 import numpy as np
 
 from warpsample.host.arguments import check_file, naming_file
+from warpsample.host.files import read_array
 
 _SHORTEST, _LONGEST = 8, 32767  # line of an .hdr that may be encoded channel by channel
 _LONGEST_RUN = 127
@@ -23,16 +24,11 @@ def read_picture(path: str | PathLike) -> np.ndarray:
         ValueError: another suffix, or a file that is truncated, damaged or of another format; names the path.
     """
     path = check_file(path, "radiance", "an .hdr or .npy file")
-    readers = {".hdr": _read_hdr, ".npy": _read_npy}
+    readers = {".hdr": _read_hdr, ".npy": read_array}
     if path.suffix.lower() not in readers:
         raise ValueError(f"radiance: got {path.name!r}, want a file that ends in .hdr or .npy")
     with naming_file("radiance", path, "a picture"):
         return readers[path.suffix.lower()](path)
-
-
-def _read_npy(path: Path) -> np.ndarray:
-    with np.errstate(over="raise"):  # of the size that a damaged header declares
-        return np.array(np.lib.format.open_memmap(path, mode="r"))  # by memory map: the file's size is checked first
 
 
 def _read_hdr(path: Path) -> np.ndarray:
@@ -60,7 +56,7 @@ def _header(file: BinaryIO) -> tuple[slice, slice, int, int]:
     while line := file.readline(4096).strip():
         if line.startswith(b"FORMAT=") and line != b"FORMAT=32-bit_rle_rgbe":
             raise ValueError(f"it is of {line.decode('latin-1')[:60]!r}, want 32-bit_rle_rgbe")
-    size = re.fullmatch(rb"([+-])Y (\d{1,9}) ([+-])X (\d{1,9})\s*", file.readline(80))
+    size = re.fullmatch(rb"([+-])Y ([1-9]\d{0,8}) ([+-])X ([1-9]\d{0,8})\s*", file.readline(80))
     if not size:
         raise ValueError("its header declares no size such as '-Y 512 +X 1024'")
     down, height, right, width = size.groups()

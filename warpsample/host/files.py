@@ -1,5 +1,7 @@
 """Writes files: refused before any work if they cannot be written, then complete or absent, and nothing is left behind.
 
+Reads arrays of them, and takes no memory that a damaged header declares and the file does not hold.
+
 Libraries get one of our streams instead of a path, or write into memory: some (VTK) crash on a full disk, others (VTK's PLY
 writer) do not check whether their bytes were written.
 """
@@ -14,6 +16,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from glob import escape
 from io import BufferedWriter, FileIO
+from math import prod
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -25,6 +28,8 @@ except ModuleNotFoundError:  # Windows, where an open file cannot be removed
     fcntl = None  # type: ignore[assignment]
 
 _BUFFER = 1 << 20
+_DEFLATED = 1032  # bytes that one byte of a .zip stands for, at most
+_HEADERS = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
 _LONGEST = 40  # characters of a name within the name of its part: file systems take 255 bytes
 
 
@@ -91,6 +96,35 @@ def write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None:
     """Adds an array to an open .npz file."""
     with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
         np.lib.format.write_array(member, array, allow_pickle=False)
+
+
+def read_array(path: Path) -> np.ndarray:
+    """The array in an .npy file. No pickle is loaded.
+
+    Raises:
+        ValueError: a file that is shorter than its header declares, or damaged.
+    """
+    with np.errstate(over="raise"):  # of the size that a damaged header declares
+        return np.array(np.lib.format.open_memmap(path, mode="r"))  # by memory map: the file's size is checked first
+
+
+def read_arrays(path: Path) -> dict[str, np.ndarray]:
+    """The arrays in an .npz file, by name. No pickle is loaded.
+
+    Raises:
+        ValueError, BadZipFile: a file that cannot hold what its headers declare, or that is damaged.
+    """
+    most, found = _DEFLATED * path.stat().st_size, {}
+    with zipfile.ZipFile(path) as archive:
+        for name in archive.namelist():
+            with archive.open(name) as member:
+                shape, _, kind = _HEADERS[np.lib.format.read_magic(member)](member)
+            declared = prod(shape) * kind.itemsize
+            if declared > most:
+                raise ValueError(f"its {name} declares {declared:,} bytes, and the file holds {most:,} at most")
+            with archive.open(name) as member:
+                found[name.removesuffix(".npy")] = np.lib.format.read_array(member, allow_pickle=False)
+    return found
 
 
 class _Part(FileIO):

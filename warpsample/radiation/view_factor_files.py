@@ -1,7 +1,7 @@
 """View factors in files: our own .npz, which scipy.sparse.load_npz reads too, and the texts of uDALES and View3D."""
 
 import zipfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from dataclasses import fields
 from pathlib import Path
@@ -11,7 +11,7 @@ import numpy as np
 
 from warpsample.estimate.result import Skipped
 from warpsample.host.arguments import check_file, naming_file, told
-from warpsample.host.files import check_output, complete_or_absent, write_array
+from warpsample.host.files import check_output, complete_or_absent, read_arrays, write_array
 from warpsample.radiation.radiosity import check_rows
 from warpsample.radiation.row_shares import matrices_of
 
@@ -70,11 +70,8 @@ def load(path: Any, argument: str) -> dict[str, Any]:
         TypeError, OSError, ValueError: no such file.
     """
     file = check_file(path, argument, "an .npz file of view factors")
-    with naming_file(argument, file, "view factors"), file.open("rb") as stream:
-        archive = np.load(stream, allow_pickle=False)
-        if not isinstance(archive, Mapping):
-            raise ValueError("it is no .npz")
-        held = {name: archive[name] for name in archive}
+    with naming_file(argument, file, "view factors"):
+        held = read_arrays(file)
         _check_held(held)
         matrix, standard_error = matrices_of(held["data"], held["standard_error"], held["indices"], held["indptr"])
         matrix.check_format()

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.host.arguments import check_file, naming_file
+from warpsample.host.files import read_array
 from warpsample.mesh.files import load_mesh
 from warpsample.radiation.view_factor_files import check_factors_file, save
 from warpsample.radiation.view_factors import ViewFactors, view_factors
@@ -38,8 +39,7 @@ def _numbers(path: Path) -> np.ndarray:
     file = check_file(path, "--groups", wants)
     with naming_file("--groups", file, wants):
         if file.suffix == ".npy":
-            with file.open("rb") as stream:
-                return np.lib.format.read_array(stream, allow_pickle=False)
+            return read_array(file)
         return np.loadtxt(file, dtype=np.int64, ndmin=1)
 
 
