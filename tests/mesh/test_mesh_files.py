@@ -1,5 +1,6 @@
 """Mesh files of every kind keep all digits; none is read in part, and no memory is taken for data that is missing."""
 
+import os
 import struct
 import tracemalloc
 
@@ -127,6 +128,11 @@ def test_missing_and_foreign_files_are_named(tmp_path):
         ws.load_mesh(tmp_path / "nothing.ply")
     with pytest.raises(FileNotFoundError, match="which is a folder, want a mesh file"):
         ws.load_mesh(tmp_path)
+    os.mkfifo(tmp_path / "pipe.ply")  # opened, it would wait for ever
+    (tmp_path / "device.ply").symlink_to("/dev/zero")
+    for name in ("pipe.ply", "device.ply"):
+        with pytest.raises(FileNotFoundError, match=f"{name}', which is no ordinary file, want a mesh file"):
+            ws.load_mesh(tmp_path / name)
     (tmp_path / "notes.txt").write_text("hello")
     with pytest.raises(ValueError, match=r"^path: got 'notes\.txt', want a file that ends in one of \.ply"):
         ws.load_mesh(tmp_path / "notes.txt")

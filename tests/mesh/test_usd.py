@@ -1,5 +1,6 @@
 """.usd: what a renderer shows of it, placed and turned; and one sentence on what is not whole."""
 
+import os
 import sys
 
 import mesh_file_cases as cases
@@ -116,6 +117,16 @@ def test_usd_that_is_not_whole_is_refused_in_one_sentence(stage, tmp_path, capfd
     with cases.refused(tmp_path / "scene.usda", "/ball is a Sphere, want only meshes"):
         loaded(stage)
     assert capfd.readouterr() == ("", "")
+
+
+def test_usd_that_refers_to_a_pipe_is_refused(tmp_path):
+    """Opened, it would wait for ever; also by a file that the file refers to."""
+    os.mkfifo(tmp_path / "pipe.usda")
+    for name, other in (("below", "pipe"), ("scene", "below")):
+        text = f'#usda 1.0\ndef Xform "m" (prepend references = @./{other}.usda@</m>) {{ }}\n'
+        (tmp_path / f"{name}.usda").write_text(text)
+    with cases.refused(tmp_path / "scene.usda", "it refers to '.*/pipe.usda', which is no ordinary file"):
+        ws.load_mesh(tmp_path / "scene.usda")
 
 
 def test_huge_tables_of_binary_usd_allocate_nothing(tmp_path):

@@ -54,13 +54,13 @@ def check_file(value: Any, argument: str, wants: str) -> Path:
 
     Raises:
         TypeError: no path.
-        FileNotFoundError: there is no such file.
+        FileNotFoundError: there is no such file, but perhaps a folder, a device or a pipe, which may never end.
     """
     if not isinstance(value, str | PathLike) or not isinstance(fspath(value), str):
         raise TypeError(f"{argument}: got {told(value)}, want the path of {wants}")
     path = Path(value)
     try:
-        flaw = "" if path.is_file() else "a folder" if path.is_dir() else "missing"
+        flaw = "" if path.is_file() else "a folder" if path.is_dir() else "no ordinary file" if path.exists() else "missing"
     except (OSError, ValueError):  # too long a name, a folder that may not be read, a zero byte
         flaw = "out of reach"
     if flaw:

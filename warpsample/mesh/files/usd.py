@@ -44,11 +44,34 @@ def _open(path: Path) -> Any:
         if damaged:
             raise ValueError(f"{damaged} in it is damaged")
     _check_sections(path)
-    stage = Usd.Stage.Open(str(path))
+    layers = _layers(path)  # held, so that they are read once
+    stage = Usd.Stage.Open(layers[0])
     lost = stage.GetCompositionErrors()
     if lost:
         raise ValueError(str(lost[0]))
     return stage
+
+
+def _layers(path: Path) -> list[Any]:
+    """The layer of a file and those that it refers to, if they exist; composition errors tell of the others.
+
+    Raises:
+        ValueError: one is a device or a pipe, for which usd-core would wait for ever.
+    """
+    from pxr import Sdf  # noqa: PLC0415
+
+    layers = {str(path): Sdf.Layer.FindOrOpen(str(path))}
+    left = [layers[str(path)]]
+    while left:
+        layer = left.pop()
+        for name in map(layer.ComputeAbsolutePath, filter(None, layer.GetCompositionAssetDependencies())):
+            file = Path(name)
+            if file.exists() and not file.is_file():
+                raise ValueError(f"it refers to {name!r}, which is no ordinary file")
+            if file.is_file() and name not in layers:
+                layers[name] = Sdf.Layer.FindOrOpen(name)
+                left.append(layers[name])
+    return list(layers.values())
 
 
 def _check_sections(path: Path) -> None:
