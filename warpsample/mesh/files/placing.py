@@ -4,25 +4,44 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from warpsample.host.engine import check_memory
 
-def joined(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray]]) -> tuple[np.ndarray, np.ndarray]:
+_MOST = 2**31 - 1  # vertices: faces are int32
+
+
+def joined(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None]]) -> tuple[np.ndarray, np.ndarray]:
     """Vertices and faces of all parts; the winding of mirrored parts is reversed, so that their outside stays outside.
 
     Args:
-        parts: points (V, 3), triangles (F, 3) and a matrix (4, 4) that multiplies from the right: (x, y, z, 1) @ matrix.
+        parts: points (V, 3), triangles (F, 3) and a matrix (4, 4) that multiplies from the right: (x, y, z, 1) @ matrix;
+            None for points that stay where they are.
 
     Raises:
-        ValueError: no parts.
+        ValueError: no parts, or more vertices than int32 counts.
+        MemoryError: a few bytes place a mesh so often that the memory that is free does not hold it.
     """
-    vertices, faces, offset = [], [], 0
-    for points, triangles, matrix in parts:
-        placed = points @ matrix[:3, :3]
-        placed += matrix[3, :3]
-        is_mirrored = np.linalg.det(matrix[:3, :3]) < 0.0
-        vertices.append(placed)
-        faces.append((triangles[:, ::-1] if is_mirrored else triangles).astype(np.int32))
-        faces[-1] += offset
+    vertices, faces, offset, size, known = [], [], 0, 0, 0
+    for part in parts:
+        points, triangles = _placed(*part)
+        vertices.append(points)
+        triangles = triangles.astype(np.int32, copy=False)
+        faces.append(triangles + np.int32(offset) if offset else triangles)
         offset += len(points)
+        size += points.nbytes + faces[-1].nbytes
+        if offset > _MOST:
+            raise ValueError(f"its scene has more than {_MOST:,} vertices")
+        if size > known:  # and again before it doubles; what is joined is a copy
+            known = 2 * size
+            check_memory(size, f"a scene of {offset:,} vertices and more", "leave out some of it")
     if not faces:
         raise ValueError("it has no faces")
     return (vertices[0], faces[0]) if len(faces) == 1 else (np.concatenate(vertices), np.concatenate(faces))
+
+
+def _placed(points: np.ndarray, triangles: np.ndarray, matrix: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
+    if matrix is None:
+        return points, triangles
+    placed = points @ matrix[:3, :3]
+    placed += matrix[3, :3]
+    is_mirrored = np.linalg.det(matrix[:3, :3]) < 0.0
+    return placed, triangles[:, ::-1] if is_mirrored else triangles

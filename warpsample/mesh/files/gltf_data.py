@@ -1,0 +1,133 @@
+"""The bytes of a glTF file, and the numbers that its accessors find in them."""
+
+import re
+from base64 import b64decode
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from urllib.parse import unquote
+
+import numpy as np
+
+from warpsample.host.arguments import check_file, told
+from warpsample.mesh.files.gltf_json import Part, parsed
+
+_WHOLE = {5121: "<u1", 5123: "<u2", 5125: "<u4"}
+_KINDS = {**_WHOLE, 5120: "<i1", 5122: "<i2", 5126: "<f4"}
+_SCHEME = re.compile("[A-Za-z][A-Za-z0-9+.-]+:")  # of a URI; one letter is a drive
+
+
+@dataclass(frozen=True)
+class Data:
+    """The numbers of a file.
+
+    Attributes:
+        accessors: what they are.
+        views: where they are in the buffers.
+        buffers: bytes, as many as are declared.
+    """
+
+    accessors: list[Part]
+    views: list[Part]
+    buffers: list[memoryview]
+
+    @classmethod
+    def of(cls, tree: Part, path: Path, chunk: memoryview) -> "Data":
+        """The data of a file, whose path other files are near to, and whose first buffer may be a chunk of itself."""
+        return cls(tree.parts("accessors"), tree.parts("bufferViews"), _buffers(path, tree.parts("buffers"), chunk))
+
+    def positions(self, by: Part, key: str) -> np.ndarray:
+        """(V, 3) numbers of the accessor that a member refers to; without a copy unless they are normalized."""
+        accessor, found = self._numbers(by, key, "VEC3", 3, _KINDS)
+        if not accessor.flag("normalized"):
+            return found
+        if found.dtype.itemsize == 4:
+            raise ValueError(f"{accessor.at('normalized')}: got numbers of 32 bits, want shorter ones")
+        return np.maximum(found / np.iinfo(found.dtype).max, -1.0)
+
+    def indices(self, by: Part, key: str) -> np.ndarray:
+        """(N,) whole numbers of the accessor that a member refers to, without a copy."""
+        return self._numbers(by, key, "SCALAR", 1, _WHOLE)[1].ravel()
+
+    def _numbers(self, by: Part, key: str, shape: str, width: int, kinds: Mapping[int, str]) -> tuple[Part, np.ndarray]:
+        accessor = self.accessors[by.index(key, self.accessors)]
+        if "sparse" in accessor or "bufferView" not in accessor:
+            raise ValueError("it has sparse data, want a file that holds all numbers")
+        found, code, count = accessor.text("type"), accessor.whole("componentType"), accessor.whole("count")
+        if found != shape or code not in kinds:
+            wants = f"{shape} of {' or '.join(map(str, sorted(kinds)))}"
+            raise ValueError(f"{by.at(key)}: got numbers that are {told(found)} of {code}, want {wants}")
+        kind, begin = np.dtype(kinds[code]), accessor.whole("byteOffset", 0)
+        size = width * kind.itemsize
+        view = self.views[accessor.index("bufferView", self.views)]
+        data, stride = self._view(view), view.whole("byteStride", size)
+        if stride < size:
+            raise ValueError(f"{view.at('byteStride')}: got {stride}, want at least {size}, the bytes of one {shape}")
+        if begin + (stride * (count - 1) + size if count else 0) > len(data):
+            raise ValueError(f"it declares {count:,} {shape} in {len(data):,} bytes")
+        return accessor, np.ndarray((count, width), kind, data, begin, (stride, kind.itemsize))
+
+    def _view(self, view: Part) -> memoryview:
+        data = self.buffers[view.index("buffer", self.buffers)]
+        begin, length = view.whole("byteOffset", 0), view.whole("byteLength")
+        if begin + length > len(data):
+            raise ValueError(f"{view.place} ends at byte {begin + length:,} of a buffer of {len(data):,}")
+        return data[begin : begin + length]
+
+
+def binary(path: Path) -> tuple[Part, memoryview]:
+    """The JSON of a .glb, and the bytes of its first buffer.
+
+    Raises:
+        ValueError: another format, or a file that is shorter or longer than it declares.
+    """
+    actual = path.stat().st_size
+    with path.open("rb") as file:
+        header = file.read(20)
+        version, length, size = (int.from_bytes(header[at : at + 4], "little") for at in (4, 8, 12))
+        if header[:4] != b"glTF" or header[16:] != b"JSON" or version != 2:
+            raise ValueError("it does not begin as a .glb of version 2")
+        if length != actual or size > length - 20:
+            raise ValueError(f"its header declares {length:,} bytes, {size:,} in the first part, but it has {actual:,}")
+        text, header = file.read(size), file.read(8)
+        size = int.from_bytes(header[:4], "little")
+        if size > (left := length - file.tell()):
+            raise ValueError(f"its second part declares {size:,} bytes, but it has {left:,}")
+        return parsed(text), memoryview(file.read(size) if header[4:] == b"BIN\0" else b"")
+
+
+def _buffers(path: Path, buffers: list[Part], chunk: memoryview) -> list[memoryview]:
+    """The bytes of all buffers; a file that several name is read once."""
+    lengths = [buffer.whole("byteLength") for buffer in buffers]
+    names = [buffer.text("uri") if "uri" in buffer else None for buffer in buffers]
+    longest: dict[str, tuple[int, Part]] = {}
+    for name, length, buffer in zip(names, lengths, buffers, strict=True):
+        if name is not None:
+            longest[name] = max(longest.get(name, (0, buffer)), (length, buffer), key=lambda known: known[0])
+    found = {name: _content(path, name, *known) for name, known in longest.items()}
+    inner = [chunk] + [memoryview(b"")] * len(buffers)
+    held = [inner[i] if name is None else found[name] for i, name in enumerate(names)]
+    for data, length in zip(held, lengths, strict=True):
+        _check_length(length, len(data))
+    return [data[:length] for data, length in zip(held, lengths, strict=True)]
+
+
+def _content(path: Path, uri: str, length: int, buffer: Part) -> memoryview:
+    """At most the first `length` bytes of what a URI names: data that it holds itself, or a file near `path`."""
+    if uri[:5].lower() == "data:":
+        _, mark, data = uri.partition(";base64,")
+        try:
+            return memoryview(b64decode(unquote(data), validate=True) if mark else b"")
+        except ValueError:
+            raise ValueError(f"{buffer.at('uri')}: got data that are no base64") from None
+    if _SCHEME.match(uri):
+        raise ValueError(f"{buffer.at('uri')}: got {told(uri)}, want the name of a file, or data")
+    file = check_file(path.parent / unquote(uri), buffer.at("uri"), "a file")
+    with file.open("rb") as stream:
+        _check_length(length, file.stat().st_size)
+        return memoryview(stream.read(length))
+
+
+def _check_length(declared: int, held: int) -> None:
+    if held < declared:
+        raise ValueError(f"it declares {declared:,} bytes of data, but there are {held:,}")

@@ -1,0 +1,116 @@
+"""The JSON of a glTF file: what is read from it is checked there and then, and what is wrong is named by its place."""
+
+import json
+import sys
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from warpsample.host.arguments import check_flag, check_integer, told
+
+
+@dataclass(frozen=True)
+class Part:
+    """An object of the JSON, and where it stands there, as "nodes[3]"; the whole stands at ""."""
+
+    content: dict[str, Any]
+    place: str = ""
+
+    def __contains__(self, key: str) -> bool:
+        """Whether it has a member of that name."""
+        return key in self.content
+
+    def at(self, key: str) -> str:
+        """Where a member stands."""
+        return f"{self.place}.{key}" if self.place else key
+
+    def flag(self, key: str) -> bool:
+        """True or false; false if it is not there."""
+        return check_flag(self.content.get(key, False), self.at(key))
+
+    def whole(self, key: str, default: int | None = None, high: int = 2**62) -> int:
+        """A whole number from 0 on; one without a default must be there."""
+        return check_integer(self._member(key, default), self.at(key), 0, high)
+
+    def reals(self, key: str, default: Sequence[float]) -> np.ndarray:
+        """As many finite numbers as the default has."""
+        values = self._list(key, default)
+        finite = [value for value in values if type(value) in (int, float) and abs(value) <= sys.float_info.max]
+        if not len(finite) == len(values) == len(default):
+            raise ValueError(f"{self.at(key)}: got {told(values)}, want {len(default)} finite numbers")
+        return np.array(finite, np.float64)
+
+    def text(self, key: str) -> str:
+        """A text, which must be there."""
+        return _of_kind(self._member(key, None), self.at(key), str, "a text")
+
+    def texts(self, key: str) -> list[str]:
+        """A list of texts; empty if it is not there."""
+        return [_of_kind(value, f"{self.at(key)}[{i}]", str, "a text") for i, value in enumerate(self._list(key))]
+
+    def part(self, key: str) -> "Part":
+        """An object, which must be there."""
+        return Part(_of_kind(self._member(key, None), self.at(key), dict, "an object"), self.at(key))
+
+    def parts(self, key: str) -> list["Part"]:
+        """A list of objects; empty if it is not there."""
+        places = ((value, f"{self.at(key)}[{i}]") for i, value in enumerate(self._list(key)))
+        return [Part(_of_kind(value, place, dict, "an object"), place) for value, place in places]
+
+    def index(self, key: str, among: Sequence[Any], default: int | None = None) -> int:
+        """The number of one of several items; one without a default must be there."""
+        return _index(self._member(key, default), self.at(key), among)
+
+    def indices(self, key: str, among: Sequence[Any]) -> list[int]:
+        """The numbers of some of several items; empty if they are not there."""
+        return [_index(value, f"{self.at(key)}[{i}]", among) for i, value in enumerate(self._list(key))]
+
+    def _member(self, key: str, default: Any) -> Any:
+        if key not in self.content and default is None:
+            raise ValueError(f"{self.at(key)} is missing")
+        return self.content.get(key, default)
+
+    def _list(self, key: str, default: Sequence[Any] = ()) -> Sequence[Any]:
+        return _of_kind(self.content[key], self.at(key), list, "a list") if key in self.content else default
+
+
+def parsed(content: bytes) -> Part:
+    """The whole of a JSON text.
+
+    Raises:
+        ValueError: it is no JSON, or no object; a name that is twice in an object; what JSON does not know, as NaN.
+    """
+    try:
+        found = json.loads(content, object_pairs_hook=_object, parse_constant=_refuse_constant)
+    except RecursionError:
+        raise ValueError("its JSON is nested too deeply") from None
+    except UnicodeDecodeError:
+        raise ValueError("its JSON is no UTF-8") from None
+    if not isinstance(found, dict):
+        raise ValueError(f"its JSON is {told(found)}, want an object")
+    return Part(found)
+
+
+def _object(members: list[tuple[str, Any]]) -> dict[str, Any]:
+    made = dict(members)
+    if len(made) < len(members):
+        name, _ = Counter(name for name, _ in members).most_common(1)[0]
+        raise ValueError(f"its JSON has an object with two members {told(name)}")
+    return made
+
+
+def _refuse_constant(name: str) -> float:
+    raise ValueError(f"its JSON has the number {name}, want finite ones")
+
+
+def _of_kind(value: Any, place: str, kind: type, wants: str) -> Any:
+    if not isinstance(value, kind):
+        raise TypeError(f"{place}: got {told(value)}, want {wants}")
+    return value
+
+
+def _index(value: Any, place: str, among: Sequence[Any]) -> int:
+    return check_integer(value, place, 0, len(among) - 1, f"a whole number below {len(among)}, which is how many there are")
