@@ -8,9 +8,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import warp as wp
+from hangs import HANGS
 
 import warpsample as ws
-from warpsample.host import engine
+from warpsample.host import engine, sharing
 
 CPU = wp.get_device("cpu")
 MUCH = 10**9  # work, so that threads share it
@@ -83,41 +84,15 @@ def test_an_interrupt_stops_the_threads_before_the_call_returns(after_each_chunk
     assert out.sum() == done
 
 
-def test_however_often_it_is_interrupted_a_call_outlasts_its_threads(after_each_chunk, monkeypatch):
-    """The threads write to arrays that no longer exist after the call."""
-    patient, begun, waits, ended = engine.wait, threading.Event(), [], []
-
-    def slow_elsewhere(here):
-        if here:
-            begun.wait(10.0)
-        else:
-            begun.set()
-            time.sleep(0.2)
-            ended.append(True)
-
-    def impatient(futures):
-        waits.append(futures)
-        if len(waits) <= 3:
-            raise KeyboardInterrupt
-        return patient(futures)
-
-    after_each_chunk(slow_elsewhere)
-    monkeypatch.setattr(engine, "wait", impatient)
-    with pytest.raises(KeyboardInterrupt):
-        count(np.zeros(1000, np.int32), 2)
-    assert ended == [True]
-    assert len(waits) == 4
-
-
 def test_fewer_threads_than_asked_for_do_the_work(monkeypatch):
     """The system gives no more threads, or Python is ending."""
     refused = []
 
-    def start(thread):
-        refused.append(thread)
+    def start(*arguments):
+        refused.append(arguments)
         raise RuntimeError("can't start new thread")
 
-    monkeypatch.setattr(threading.Thread, "start", start)
+    monkeypatch.setattr(sharing, "start_new_thread", start)
     out = np.zeros(10_000, np.int32)
     count(out, 1024)  # more than any other test has started
     assert (out == 1).all()
@@ -129,7 +104,7 @@ def test_an_error_in_a_worker_reaches_the_caller(after_each_chunk):
 
     def fail(here):
         if here:
-            elsewhere.wait(10.0)
+            elsewhere.wait(HANGS)
         else:
             elsewhere.set()
             raise OSError("from another thread")
@@ -142,7 +117,7 @@ def test_an_error_in_a_worker_reaches_the_caller(after_each_chunk):
 def test_threads_and_launches_are_kept(normals, monkeypatch):
     many = np.repeat(normals, 200, axis=0)
     first = ws.sample_directions(many, 16, workers=3)
-    for home, name in ((wp, "launch"), (engine, "ThreadPoolExecutor")):
+    for home, name in ((wp, "launch"), (sharing, "start_new_thread")):
         monkeypatch.setattr(home, name, None)  # neither is made anew
     again = ws.sample_directions(many, 16, workers=3)
     assert np.array_equal(again.vectors, first.vectors)

@@ -3,17 +3,18 @@
 import os
 from collections import defaultdict, deque
 from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor, wait
 from contextlib import suppress
 from ctypes import Structure
+from functools import partial
 from typing import Any
 
 import warp as wp
 
 from warpsample.host.arguments import check_integer
 from warpsample.host.kernel_cache import load
-from warpsample.host.locks import making
+from warpsample.host.locks import make
 from warpsample.host.progress import begin
+from warpsample.host.sharing import share
 
 _FEW_BATCHES, _MANY_BATCHES = 4, 16  # of a worker: many even out threads of unlike speed, but each passes the GIL around,
 _BATCH_WORK = 1 << 17  # so from this many directions a batch on
@@ -33,8 +34,6 @@ _MOST_ON_DEVICE = 1 << 34  # directions of a batch on a CUDA device, which is id
 _ALWAYS_FREE = 1 << 24  # bytes; asking the system for the rest takes 100 us
 
 _idle: dict[tuple[wp.Kernel, str], list[wp.Launch]] = defaultdict(list)
-_pool: ThreadPoolExecutor | None = None
-_pool_size = 0
 
 
 def check_workers(workers: int | None) -> int:
@@ -82,46 +81,18 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, wor
     most = MOST_WORK if device.is_cpu else _MOST_ON_DEVICE
     batch = min(-(-tasks // shares), max(1, most * tasks // work), MOST_TASKS)
     commands = [_take(kernel, inputs, device) for _ in range(workers)]
-    try:
-        _share(commands, batch, tasks, begin(tasks, work))
-    finally:
-        _idle[kernel, device.alias].extend(commands)
+    _share(commands, batch, tasks, begin(tasks, work))
+    _idle[kernel, device.alias].extend(commands)  # not after an interrupt, which may have left one half-changed
 
 
 def _share(commands: list[wp.Launch], batch: int, tasks: int, done: Callable[[int], None] | None) -> None:
-    """Runs all tasks in batches, a thread for each command; the calling thread is one, as others take time to wake."""
+    """Runs all tasks in batches, a thread for each command."""
     starts = iter(range(0, tasks, batch))
-    if len(commands) == 1:
-        _run_batches(commands[0], starts, batch, tasks, done)
-        return
-    others: list[Future] = []
-    try:
-        with suppress(RuntimeError):  # no more threads are available, or Python is ending: fewer threads share the work
-            for command in commands[1:]:
-                others.append(_threads(len(commands) - 1).submit(_run_batches, command, starts, batch, tasks, done))  # noqa: PERF401
-        _run_batches(commands[0], starts, batch, tasks, done)
-    finally:
-        _outlast(starts, others)
-    for future in others:
-        if not future.cancelled():
-            future.result()
-
-
-def _outlast(starts: Any, others: list[Future]) -> None:
-    """Waits until all threads have stopped, even through interrupts, and lets none start another batch.
-
-    They write to arrays that the caller is about to release.
-    """
-    interrupt = None
-    while True:
-        try:
-            deque(starts, maxlen=0)
-            wait([future for future in others if not future.cancel()])  # the rest would wait for other calls' batches
-            break
-        except KeyboardInterrupt as again:
-            interrupt = again
-    if interrupt:
-        raise interrupt
+    parts = [partial(_run_batches, command, starts, batch, tasks, done) for command in commands]
+    if len(parts) == 1:
+        parts[0]()
+    else:
+        share(parts, stop=partial(deque, starts, maxlen=0))
 
 
 def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
@@ -131,15 +102,18 @@ def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
         command = _idle[kernel, device.alias].pop()
     if command is None:
         load(kernel, device.alias)
-        with making:
-            blank = [arg.type() if isinstance(x, Structure) else x for arg, x in zip(kernel.adj.args, inputs, strict=False)]
-            command = wp.launch(kernel, dim=1, inputs=[*blank, 0], device=device, record_tape=False, record_cmd=True)
+        command = make(partial(_record, kernel, inputs, device))
     for index, value in enumerate(inputs):
         if isinstance(value, Structure):
             command.set_param_at_index_from_ctype(index, value)
         else:
             command.set_param_at_index(index, value)
     return command
+
+
+def _record(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
+    blank = [arg.type() if isinstance(x, Structure) else x for arg, x in zip(kernel.adj.args, inputs, strict=False)]
+    return wp.launch(kernel, dim=1, inputs=[*blank, 0], device=device, record_tape=False, record_cmd=True)
 
 
 def _run_batches(command: wp.Launch, starts: Any, batch: int, tasks: int, done: Callable[[int], None] | None = None) -> None:
@@ -153,23 +127,3 @@ def _run_batches(command: wp.Launch, starts: Any, batch: int, tasks: int, done: 
         command.launch()
         if done:
             done(size)
-
-
-def _threads(workers: int) -> ThreadPoolExecutor:
-    """The thread pool of this process, replaced by a larger one when more workers are needed."""
-    global _pool, _pool_size  # noqa: PLW0603  (threads belong to the process)
-    with making:
-        if _pool is None or _pool_size < workers:
-            _pool = ThreadPoolExecutor(workers, thread_name_prefix="warpsample")
-            _pool_size = workers
-        return _pool
-
-
-def _forget_threads() -> None:
-    """Resets the pool in a forked child, where the parent's threads do not exist."""
-    global _pool, _pool_size
-    _pool, _pool_size = None, 0
-
-
-if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_forget_threads)

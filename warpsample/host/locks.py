@@ -3,10 +3,12 @@
 import os
 import threading
 from collections.abc import Callable
-from functools import wraps
+from functools import partial, wraps
 from typing import Any, Generic, TypeVar
 
 import numpy as np
+
+from warpsample.host.interrupts import uninterrupted
 
 making = threading.RLock()
 """Held while a kernel is built or loaded, a launch recorded, a tree or another cache made: Warp does not allow two threads
@@ -19,6 +21,16 @@ T = TypeVar("T")
 _UNKNOWN: Any = object()
 
 
+def make(work: Callable[[], T]) -> T:
+    """Makes something while no other thread does, and to its end: Warp does not bear interrupts there, either."""
+
+    def alone() -> T:
+        with making:
+            return work()
+
+    return uninterrupted(alone)
+
+
 def once(factory: Callable[..., T]) -> Callable[..., T]:
     """Like `functools.cache`, but two threads never make the same value; known values are found without the lock."""
     known: dict[tuple[Any, ...], T] = {}
@@ -28,12 +40,12 @@ def once(factory: Callable[..., T]) -> Callable[..., T]:
         """The known value, or a new one."""
         key = (*arguments, *named.items()) if named else arguments
         value = known.get(key, _UNKNOWN)
-        if value is _UNKNOWN:
-            with making:
-                if key not in known:
-                    known[key] = factory(*arguments, **named)
-                value = known[key]
-        return value
+        return make(partial(get_new, key, arguments, named)) if value is _UNKNOWN else value
+
+    def get_new(key: tuple[Any, ...], arguments: tuple[Any, ...], named: dict[str, Any]) -> T:
+        if key not in known:
+            known[key] = factory(*arguments, **named)
+        return known[key]
 
     get.known = known  # type: ignore[attr-defined]
     return get

@@ -1,15 +1,16 @@
 """Casts the rays of faces, block by block on worker threads, and counts what they meet."""
 
 from collections import deque
-from collections.abc import Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
+from contextvars import Context
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
 from warpsample.host.progress import begin
+from warpsample.host.sharing import InOrder, share
 from warpsample.mesh.mesh import Mesh
 from warpsample.radiation.coincident import coincident_kernel
 from warpsample.radiation.face_kernel import face_kernel
@@ -64,37 +65,37 @@ class Casting:
             collector.all_open(rows[opens == 1], self.each)
             rows = rows[opens == 0]
         done = begin(len(rows), RAY_WORK * self.rays * len(rows))
-        for block in self._blocks(rays, tree, rows, surfaces):
+
+        def take(block: Block) -> None:
             collector.take(block)
             if done:
                 done(len(block.rows))
+
+        self._cast(rays, tree, rows, surfaces, InOrder(take))
         cast = np.zeros(len(self.mesh.faces), np.bool_)
         cast[rows] = True
         return collector.counts(), cast
 
-    def _blocks(
-        self, rays: FaceRaysArgs, tree: AcceleratorArgs, rows: np.ndarray, surfaces: np.ndarray | None
-    ) -> Iterator[Block]:
-        """Blocks of rows, in order; each is cast and counted by one thread, so that none waits for the others.
-
-        A single thread, too, is not the caller's: there a block would show a bar of its own in place of that of all.
-        """
+    def _cast(
+        self,
+        rays: FaceRaysArgs,
+        tree: AcceleratorArgs,
+        rows: np.ndarray,
+        surfaces: np.ndarray | None,
+        blocks: InOrder[Block],
+    ) -> None:
+        """Casts and counts the rays of rows in blocks, each by one thread, so that none waits for the others."""
         size = max(1, min(_BLOCK, _BLOCK_RAYS // self.rays, -(-len(rows) // (4 * self.workers))))
-        parts = [rows[first : first + size] for first in range(0, len(rows), size)]
-        if len(parts) < 2:
-            yield from (self._block(rays, tree, part, surfaces) for part in parts)
-            return
-        pool = ThreadPoolExecutor(self.workers, thread_name_prefix="warpsample")
-        try:
-            waiting: deque[Future[Block]] = deque()
-            for part in parts:
-                waiting.append(pool.submit(self._block, rays, tree, part, surfaces))
-                if len(waiting) > 2 * self.workers:
-                    yield waiting.popleft().result()
-            while waiting:
-                yield waiting.popleft().result()
-        finally:
-            pool.shutdown(cancel_futures=True)
+        firsts = iter(range(0, len(rows), size))
+
+        def part() -> None:
+            for first in firsts:
+                blocks.put(first // size, self._block(rays, tree, rows[first : first + size], surfaces))
+
+        if size >= len(rows):
+            part()
+        else:  # away from the caller's context, where a block would show a bar of its own in place of that of all
+            share([partial(Context().run, part) for _ in range(self.workers)], stop=partial(deque, firsts, maxlen=0))
 
     def _rays(self, scene: Scene) -> FaceRaysArgs:
         """The rays of a scene; it holds addresses of the scene's arrays, which live as long as the mesh."""

@@ -1,6 +1,7 @@
 """A mesh in the coordinates of its tracers, with their search structures, kept while the mesh lives."""
 
 import warnings
+from functools import partial
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -9,7 +10,7 @@ import warp as wp
 
 from warpsample.host.arrays import as_real
 from warpsample.host.engine import check_workers
-from warpsample.host.locks import making, read_only
+from warpsample.host.locks import make, making, read_only
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.tracing.wide.boxes import Tree, fill
 from warpsample.tracing.wide.build import Topology, build
@@ -94,12 +95,15 @@ class Scene:
 
     def builtin(self, device: wp.Device) -> AcceleratorArgs:
         """The wp.Mesh on a device, built at the first call."""
-        with making:
-            if device.alias not in self._builtin:
-                points = wp.array(self.vertices, dtype=wp.vec3, device=device)
-                indices = wp.array(self.faces.ravel(), dtype=wp.int32, device=device)
-                self._builtin[device.alias] = wp.Mesh(points, indices)
-            return AcceleratorArgs(mesh=self._builtin[device.alias].id, starts=1)
+        if device.alias not in self._builtin:
+            make(partial(self._build_builtin, device))
+        return AcceleratorArgs(mesh=self._builtin[device.alias].id, starts=1)
+
+    def _build_builtin(self, device: wp.Device) -> None:
+        if device.alias not in self._builtin:
+            points = wp.array(self.vertices, dtype=wp.vec3, device=device)
+            indices = wp.array(self.faces.ravel(), dtype=wp.int32, device=device)
+            self._builtin[device.alias] = wp.Mesh(points, indices)
 
 
 _scenes: WeakKeyDictionary[Mesh, Scene] = WeakKeyDictionary()

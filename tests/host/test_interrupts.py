@@ -1,0 +1,226 @@
+"""Calls that are interrupted leave nothing behind: no thread at work, no lock taken, no launch half-changed."""
+
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import warp as wp
+from hangs import HANGS
+
+from warpsample.host import engine
+from warpsample.host.interrupts import uninterrupted
+from warpsample.host.locks import making, once
+
+CPU = wp.get_device("cpu")
+MUCH = 10**9  # work, so that threads share it
+TASKS = 12
+HOST = str(Path(engine.__file__).parent)
+
+
+@wp.kernel(enable_backward=False, grid_stride=False)
+def _count(out: wp.array[wp.int32], first_task: wp.int64):
+    out[wp.int32(first_task) + wp.tid()] += 1
+
+
+def count(out, workers, work=MUCH):
+    """Adds 1 to each number of an array, a task for each."""
+    engine.run(_count, len(out), [wp.array(out, device=CPU, copy=False)], CPU, workers, work)
+
+
+@pytest.fixture(autouse=True)
+def handlers_as_before():
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+class Interrupter:
+    """Lets one exception come up in a call, after so many steps of the functions that are watched."""
+
+    def __init__(self, watched, steps, interrupt, at):
+        self.watched, self.steps, self.interrupt, self.left = watched, steps, interrupt, at
+
+    def run(self, call):
+        """Whether there were that many steps; else the call went through."""
+        before = sys.gettrace()
+        try:
+            sys.settrace(self.enter)
+            call()
+        except KeyboardInterrupt:
+            assert self.left < 0
+        finally:
+            sys.settrace(before)
+        return self.left < 0
+
+    def enter(self, frame, _event, _value):
+        if not self.watched(frame.f_code):
+            return None
+        frame.f_trace_lines, frame.f_trace_opcodes = self.steps == "line", self.steps == "opcode"
+        return self.step
+
+    def step(self, _frame, event, _value):
+        if event == self.steps:
+            self.left -= 1
+            if self.left == -1:
+                self.interrupt()
+        return self.step
+
+
+def raise_one():
+    raise KeyboardInterrupt
+
+
+def send_one():
+    """Python calls the handler before the function ends."""
+    signal.raise_signal(signal.SIGINT)
+
+
+def ours(code):
+    return code.co_filename.startswith(HOST)
+
+
+@pytest.mark.parametrize("interrupt", [raise_one, send_one])
+@pytest.mark.parametrize("steps", ["line", pytest.param("opcode", marks=pytest.mark.slow)])
+def test_at_whatever_step_it_is_interrupted_a_call_outlasts_its_threads(steps, interrupt, monkeypatch):
+    """The threads write to arrays that may no longer exist after the call."""
+    caller, helped, late = threading.current_thread(), [], []
+    state = {"ended": True}
+
+    def done(_):
+        if threading.current_thread() is not caller and not state["ended"]:
+            time.sleep(0.002)
+            (late if state["ended"] else helped).append(threading.get_ident())
+
+    monkeypatch.setattr(engine, "begin", lambda *_: done)
+    reached, at = True, 0
+    while reached:
+        state["ended"] = False
+        reached = Interrupter(ours, steps, interrupt, at).run(lambda: count(np.zeros(TASKS, np.int32), 3))
+        state["ended"] = True
+        time.sleep(0.003)  # for a thread that is still at work
+        out = np.zeros(TASKS, np.int32)
+        count(out, 3)
+        assert (out == 1).all()
+        at += 1
+    assert late == []
+    assert len(helped) > 1
+    assert at > 50
+    with pytest.raises(KeyboardInterrupt):
+        send_one()
+
+
+def test_however_often_it_is_interrupted_a_call_outlasts_its_threads(monkeypatch):
+    begun, ended = threading.Event(), []
+    main = threading.main_thread()
+
+    def done(_):
+        if threading.current_thread() is main:
+            begun.wait(HANGS)
+        else:
+            begun.set()
+            for _ in range(50):
+                signal.pthread_kill(main.ident, signal.SIGINT)
+                time.sleep(0.001)
+            ended.append(True)
+
+    monkeypatch.setattr(engine, "begin", lambda *_: done)
+    with pytest.raises(KeyboardInterrupt):
+        count(np.zeros(TASKS, np.int32), 2)
+    assert ended == [True]
+
+
+def test_a_launch_that_was_interrupted_while_it_changed_is_not_used_again():
+    """It would be of another size than it says, and write beyond the arrays."""
+    many, few = np.zeros(1000, np.int32), 3
+    reached, at = True, 0
+    while reached:
+        count(many, 1)
+        interrupter = Interrupter(lambda code: code is wp.Launch.set_dim.__code__, "line", raise_one, at)
+        reached = interrupter.run(lambda: count(many[:few], 1))
+        many[:] = 0
+        count(many[:few], 1)
+        assert (many[:few] == 1).all()
+        assert not many[few:].any()
+        at += 1
+    assert at > 5
+
+
+# What is not interrupted
+
+
+def test_what_is_made_once_is_made_to_its_end():
+    made = []
+
+    @once
+    def twice(x):
+        send_one()
+        made.append(x)
+        return 2 * x
+
+    with pytest.raises(KeyboardInterrupt):
+        twice(3)
+    assert made == [3]
+    assert twice(3) == 6
+    assert made == [3]
+    free = []
+    other = threading.Thread(target=lambda: free.append(making.acquire(blocking=False) and not making.release()))
+    other.start()
+    other.join()
+    assert free == [True]
+
+
+def test_a_users_handler_is_called_at_once_and_put_back():
+    heard, stopped = [], []
+
+    def handler(number, frame):
+        heard.append(frame.f_code.co_name)
+        if len(heard) > 1:
+            raise TimeoutError(len(heard))
+
+    def work():
+        for _ in range(3):
+            send_one()
+        return len(heard), len(stopped)
+
+    signal.signal(signal.SIGINT, handler)
+    with pytest.raises(TimeoutError, match="2"):
+        uninterrupted(work, stop=lambda: stopped.append(True))
+    assert heard == ["send_one"] * 3
+    assert stopped == [True] * 2
+    assert signal.getsignal(signal.SIGINT) is handler
+    heard.clear()
+    assert uninterrupted(send_one) is None  # a handler that raises nothing interrupts nothing
+    assert signal.getsignal(signal.SIGINT) is handler
+
+
+def test_a_handler_that_another_one_has_set_stays():
+    def handler(*_):
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+    signal.signal(signal.SIGINT, handler)
+    uninterrupted(send_one)
+    assert signal.getsignal(signal.SIGINT) == signal.SIG_IGN
+
+
+def test_an_error_of_the_work_is_not_lost():
+    def work():
+        send_one()
+        raise OSError("no room")
+
+    with pytest.raises(KeyboardInterrupt) as interrupt:
+        uninterrupted(work)
+    assert str(interrupt.value.__context__) == "no room"
+
+
+@pytest.mark.slow
+def test_two_thousand_interrupts_of_all_kinds_of_calls(child_environment):
+    """In a process of its own, since it may crash."""
+    script = Path(__file__).parents[1] / "support" / "interrupted.py"
+    command = [sys.executable, "-X", "faulthandler", str(script), "2000"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=HANGS, env=child_environment, check=False)
+    assert done.returncode == 0, done.stderr[-4000:]

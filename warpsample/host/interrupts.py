@@ -1,0 +1,86 @@
+"""Work that no interrupt tears apart: what a signal's handler raises meanwhile is raised when the work is done.
+
+Python calls the handlers of signals in the main thread, between any two of its steps. An exception that one of them raises
+there, as Ctrl-C does, would leave a lock taken, a kernel half-registered, or threads that still write into arrays that are
+no longer kept.
+"""
+
+import _signal  # the functions behind `signal`, which spends a hundred times as long on names of signals
+import signal
+import threading
+from collections.abc import Callable
+from types import FrameType
+from typing import TypeVar
+
+T = TypeVar("T")
+
+
+def uninterrupted(work: Callable[[], T], stop: Callable[[], None] | None = None) -> T:
+    """Runs work to its end. Handlers of signals are called at once, as ever, but what they raise is raised afterwards.
+
+    Args:
+        work: what other threads than the main one never hear an interrupt in anyway.
+        stop: called when there is something to be raised, so that the work may end early; from a handler.
+    """
+    if threading.get_ident() != threading.main_thread().ident:
+        return work()
+    handlers = _Handlers(stop)
+    try:
+        return handlers.run(work)
+    finally:
+        if handlers.raised:
+            raise handlers.raised
+
+
+class _Handlers:
+    """The user's handlers, and in place of them one that calls them, and keeps what they raise while `run` is on the stack.
+
+    Attributes:
+        raised: what was kept, the first of it.
+    """
+
+    def __init__(self, stop: Callable[[], None] | None) -> None:
+        """Replaces nothing yet."""
+        self._stop = stop
+        self._users = {n: handler for n in range(1, signal.NSIG) if callable(handler := _signal.getsignal(n))}
+        self.raised: BaseException | None = None
+
+    def run(self, work: Callable[[], T]) -> T:
+        """Runs work; the frame that `_hear` looks for."""
+        try:
+            for number in self._users:
+                _signal.signal(number, self._hear)
+            return work()
+        finally:
+            self._put_back(list(self._users))
+
+    def _put_back(self, numbers: list[int]) -> None:
+        """Gives signals back, but for those that a handler has given to another one; the first may interrupt the others."""
+        while numbers:
+            try:
+                while numbers:
+                    if _signal.getsignal(numbers[-1]) == self._hear:
+                        _signal.signal(numbers[-1], self._users[numbers[-1]])
+                    numbers.pop()
+            except BaseException as error:  # noqa: PERF203
+                self._keep(error)
+
+    def _hear(self, number: int, frame: FrameType | None) -> None:
+        try:
+            self._users[number](number, frame)
+        except BaseException as error:
+            if not self._runs(frame):  # an interrupt has left this handler behind
+                raise
+            self._keep(error)
+
+    def _keep(self, error: BaseException) -> None:
+        self.raised = self.raised or error
+        if self._stop:
+            self._stop()
+
+    def _runs(self, frame: FrameType | None) -> bool:
+        while frame is not None:
+            if frame.f_code is _Handlers.run.__code__ and frame.f_locals["self"] is self:
+                return True
+            frame = frame.f_back
+        return False
