@@ -27,8 +27,8 @@ def test_rounds_are_interleaved_and_each_timed_run_follows_one_of_its_kind(monke
 def test_short_work_is_warmed_up_for_a_while(monkeypatch):
     monkeypatch.setattr(timing, "WARM_UP", 0.01)
     calls = []
-    assert 0.0 < timing.stopwatch(lambda: calls.append(sleep(0.001)))() < 1.0
-    assert 2 <= len(calls) <= 11
+    assert timing.stopwatch(lambda: calls.append(sleep(0.001)))() >= 0.001
+    assert 2 <= len(calls) <= 11  # once is enough if it takes long
 
 
 def test_beyond_the_budget_three_rounds_are_enough():

@@ -11,6 +11,7 @@ from contextlib import suppress
 import psutil
 import pytest
 from child_jobs import no_end
+from hangs import HANGS
 
 from warpsample.bench.child import Child
 
@@ -27,9 +28,9 @@ def sentence(name):
     return f"interrupted{'' if name == 'SIGINT' else f' by {name}'}; nothing was written"
 
 
-def until(condition, seconds=60.0):
+def until(condition):
     """Waits until a condition holds, and returns its value."""
-    end = time.monotonic() + seconds
+    end = time.monotonic() + HANGS
     while not (found := condition()):
         assert time.monotonic() < end
         time.sleep(0.01)
@@ -102,7 +103,7 @@ def test_a_terminal_that_is_closed_leaves_no_half_file(writing, child_environmen
     until(half)
     os.close(master)
     running.send_signal(signal.SIGHUP)
-    assert running.wait(30.0) == 128 + signal.SIGHUP
+    assert running.wait(HANGS) == 128 + signal.SIGHUP
 
 
 @pytest.mark.slow
@@ -111,7 +112,7 @@ def test_in_a_pipe_it_is_one_sentence(writing, child_environment):
     running = start(child_environment, *arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     until(half)
     running.send_signal(signal.SIGTERM)
-    out, err = running.communicate(timeout=30.0)
+    out, err = running.communicate(timeout=HANGS)
     assert (running.returncode, out) == (128 + signal.SIGTERM, "")
     assert [line for line in err.splitlines() if "CUDA" not in line] == [sentence("SIGTERM")]
 
@@ -161,7 +162,7 @@ def test_what_the_parent_ignores_stays_ignored(name, cube, child_environment):
 def listen(body, environment):
     script = f"import os, signal, time\nfrom warpsample.cli.signals import listening\nwith listening():\n{body}"
     command = [sys.executable, "-c", script]
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False, timeout=60)
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False, timeout=HANGS)
     return done.returncode, done.stdout, done.stderr
 
 
@@ -180,13 +181,13 @@ def test_a_second_signal_does_not_break_the_cleaning_up(child_environment):
 
 def test_one_that_python_drops_is_raised_again(child_environment):
     """Python drops an exception raised while an object is deleted, or in a callback of VTK."""
-    body = """
+    body = f"""
     class Dropping:
         def __del__(self):
             os.kill(os.getpid(), signal.SIGTERM)
             time.sleep(0.01)
     Dropping()
-    time.sleep(20)
+    time.sleep({HANGS})
     print("unheard")
 """
     status, out, err = listen(body, child_environment)
@@ -219,10 +220,10 @@ def test_the_processes_of_verify_end_with_it(name, child_environment):
     send = running.send_signal if name == "SIGTERM" else lambda number: os.killpg(running.pid, number)
     time.sleep(0.3)
     send(getattr(signal, name))
-    out, err = running.communicate(timeout=30.0)
+    out, err = running.communicate(timeout=HANGS)
     assert (running.returncode, out) == (128 + getattr(signal, name), "")
     assert [line for line in err.splitlines() if "CUDA" not in line] == [sentence(name)]
-    _, alive = psutil.wait_procs(children, timeout=5.0)
+    _, alive = psutil.wait_procs(children, timeout=HANGS)
     assert alive == []
 
 

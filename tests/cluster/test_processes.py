@@ -12,6 +12,7 @@ from threading import Thread
 import numpy as np
 import psutil
 import pytest
+from hangs import HANGS
 
 import warpsample as ws
 from warpsample import cluster
@@ -103,7 +104,7 @@ def bake(path, *more):
 
 
 def begun(path, chunks=3):
-    end = time.monotonic() + 90.0
+    end = time.monotonic() + HANGS
     while len(list(path.glob("value/c/*"))) < chunks:
         assert time.monotonic() < end
         time.sleep(0.02)
@@ -125,13 +126,13 @@ def test_a_client_that_ends_leaves_a_store_that_resumes(path, whole, child_envir
     begun(path)
     children = psutil.Process(running.pid).children(recursive=True)
     (os.killpg if name == "SIGINT" else os.kill)(running.pid, getattr(signal, name))
-    out, err = running.communicate(timeout=60.0)
+    out, err = running.communicate(timeout=HANGS)
     assert (running.returncode, out) == ((130, "") if name == "SIGINT" else (-9, ""))
     if name == "SIGINT":
         (said,) = [line for line in err.splitlines() if "CUDA" not in line]
         assert said.startswith("interrupted after")
         assert said.endswith(f"of 8,000 points; {path} can be resumed")
-    assert psutil.wait_procs(children, timeout=20.0)[1] == []
+    assert psutil.wait_procs(children, timeout=HANGS)[1] == []
     there = store.whole_chunks(path)
     assert 0 < sum(there) < len(there)
     done = subprocess.run(bake(path, "--resume"), env=child_environment, capture_output=True, text=True, check=True)
@@ -150,7 +151,10 @@ def scheduler(tmp_path, child_environment):
     options = {"env": child_environment, "cwd": tmp_path, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
     own = ["--no-dashboard", "--host", "127.0.0.1"]
     running = subprocess.Popen([*start, "scheduler", "--port", port, *own], **options)
-    worker = subprocess.Popen([*start, "worker", address, "--nthreads", "1", "--death-timeout", "9", *own], **options)
+    patient = ["--nthreads", "1", "--death-timeout", str(round(HANGS))]
+    worker = subprocess.Popen([*start, "worker", address, *patient, *own], **options)
+    with distributed.Client(address, timeout=HANGS, set_as_default=False) as client:
+        client.wait_for_workers(1, timeout=HANGS)
     yield running, address
     for process in (worker, running):
         process.kill()
@@ -161,11 +165,10 @@ def scheduler(tmp_path, child_environment):
 def test_a_scheduler_that_is_gone_is_a_sentence(path, whole, scheduler, child_environment):
     first, address = scheduler
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-    time.sleep(5.0)
     running = subprocess.Popen(bake(path, "--cluster", address), env=child_environment, **pipes)
     begun(path)
     first.kill()
-    out, err = running.communicate(timeout=60.0)
+    out, err = running.communicate(timeout=HANGS)
     assert (running.returncode, out) == (2, "")
     assert [line for line in err.splitlines() if "CUDA" not in line][:1] == err.splitlines()[-1:]
     assert err.splitlines()[-1].startswith("error: the scheduler is gone after ")

@@ -179,18 +179,19 @@ def test_a_store_is_not_written_over_or_mixed_with_another_run(path, mesh, right
 
 
 HOLD = """
-import sys, time
+import sys
 from pathlib import Path
 from warpsample.cluster.store import locked
 with locked(Path(sys.argv[1])):
     print("held", flush=True)
-    time.sleep(60)
+    sys.stdin.read()
 """
 
 
 @pytest.mark.slow
 def test_a_second_writer_is_refused_until_the_first_is_gone(path, mesh, right, child_environment):
-    first = subprocess.Popen([sys.executable, "-c", HOLD, path], stdout=subprocess.PIPE, text=True, env=child_environment)
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
+    first = subprocess.Popen([sys.executable, "-c", HOLD, path], env=child_environment, **pipes)
     assert first.stdout.readline() == "held\n"
     with pytest.raises(OSError, match="out.zarr cannot be written: another process is writing it$"):
         bake(path, mesh)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 import warp as wp
+from hangs import HANGS
 
 import warpsample as ws
 from warpsample.directions.square import square_blocks
@@ -28,7 +29,7 @@ def alone(tmp_path, child_environment):
             command = (Path(__file__).parents[1] / "support" / "caches.py", *command)
         environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / "cache"), **environment}
         command = [sys.executable, *map(str, command)]
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=150, check=False)
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=HANGS, check=False)
         assert done.returncode == 0, (done.stdout, done.stderr)
         return done.stdout, done.stderr
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hangs import HANGS
 
 import warpsample as ws
 from warpsample.host.locks import once, once_property
@@ -15,9 +16,9 @@ from warpsample.host.locks import once, once_property
 def alone(child_environment):
     """Runs a task of parallel.py in its own process, which may crash or hang without affecting the suite."""
 
-    def run(*task, timeout=150):
+    def run(*task):
         command = [sys.executable, "-X", "faulthandler", str(Path(__file__).parents[1] / "support" / "parallel.py"), *task]
-        done = subprocess.run(command, capture_output=True, text=True, timeout=timeout, env=child_environment, check=False)
+        done = subprocess.run(command, capture_output=True, text=True, timeout=HANGS, env=child_environment, check=False)
         assert done.returncode == 0, done.stderr
 
     return run
@@ -47,7 +48,7 @@ def test_a_fork_waits_for_what_is_being_made(alone):
 
 @pytest.mark.slow
 def test_sixteen_threads_for_a_minute(alone):
-    alone("stress", timeout=400)
+    alone("stress")
 
 
 def test_what_is_made_once_is_made_once():

@@ -10,6 +10,7 @@ from importlib.util import find_spec
 import matplotlib.image
 import nbformat
 import pytest
+from hangs import HANGS
 from nbclient import NotebookClient
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
@@ -27,7 +28,7 @@ ASK = """<script>addEventListener("load", () => {
 def test_the_notebook_runs(can_render, repository):
     """From start to end; it shows four pictures, and its numbers are those that its text promises."""
     notebook = nbformat.read(repository / "viz" / "tour.ipynb", as_version=4)
-    NotebookClient(notebook, timeout=300, kernel_name="python3").execute()
+    NotebookClient(notebook, timeout=round(HANGS), kernel_name="python3").execute()
     outputs = [output for cell in notebook.cells for output in cell.get("outputs", [])]
     assert sum("image/png" in output.get("data", {}) for output in outputs) == 4
     text = "".join(output.get("text", "") + output.get("data", {}).get("text/plain", "") for output in outputs)
@@ -41,7 +42,7 @@ def test_a_notebook_shows_the_bar_of_a_long_call():
     code = "import numpy as np, warpsample as ws\nn = np.ones((100, 3))\nd = ws.sample_directions(n, 8, progress={})"
     cells = [nbformat.v4.new_code_cell(code.format(asked)) for asked in (False, True)]
     notebook = nbformat.v4.new_notebook(cells=cells)
-    NotebookClient(notebook, timeout=300, kernel_name="python3").execute()
+    NotebookClient(notebook, timeout=round(HANGS), kernel_name="python3").execute()
     shown = [any("application/vnd.jupyter.widget-view+json" in o.get("data", {}) for o in c.outputs) for c in notebook.cells]
     assert shown == [False, True]
 

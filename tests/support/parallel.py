@@ -10,6 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import trimesh
 import warp as wp
+from hangs import HANGS
 
 import warpsample as ws
 
@@ -92,7 +93,7 @@ def processes(method):
     """A pool of processes after this one has used its threads."""
     right = [in_child(seed) for seed in range(3)]
     with multiprocessing.get_context(method).Pool(2) as pool:
-        found = pool.map_async(in_child, range(3)).get(timeout=100)
+        found = pool.map_async(in_child, range(3)).get(timeout=HANGS)
     return all(same(a, b) for a, b in zip(found, right, strict=True))
 
 
@@ -104,7 +105,7 @@ def slices():
     parts = np.array_split(np.arange(len(points)), 8)
     with multiprocessing.get_context("fork").Pool(2) as pool:
         sent = [(mesh, ws.SurfacePoints(points.position[p], points.normal[p], points.face[p]), int(p[0])) for p in parts]
-        found = pool.starmap_async(occlusion_and_mesh, sent, chunksize=1).get(timeout=100)
+        found = pool.starmap_async(occlusion_and_mesh, sent, chunksize=1).get(timeout=HANGS)
     value, meshes = np.concatenate([part[0] for part in found]), {part[1:] for part in found}
     return np.array_equal(value, right) and len(meshes) == len({process for process, _ in meshes})
 
@@ -135,7 +136,7 @@ def fork_while_making():
     try:
         for _ in range(10):
             with pool.Pool(1) as one:
-                if not same(one.apply_async(in_child, (1,)).get(timeout=60), right):
+                if not same(one.apply_async(in_child, (1,)).get(timeout=HANGS), right):
                     return False
     finally:
         stop.set()
