@@ -13,7 +13,9 @@ from warpsample.bench import scenes
 
 RUNS = 200
 REFERENCE = 1 << 18  # rays: off by 1e-4 at most, where the narrowest interval below is wider than 4e-3
-LEAST, MOST = 0.93, 0.97  # of the points, for intervals of 95 %: what the docstring claims
+LEAST = 0.93  # of all points, for intervals of 95 %: what the docstring claims
+MOST = 0.98  # of those whose value is from 0.2 to 0.8: nearer to an end what no ray has met widens them
+MOST_OF_OTHERS = 0.97  # of the points, by quantities that are no share
 LOW_DISCREPANCY = ["fibonacci", "sobol"]
 
 
@@ -31,13 +33,16 @@ class Case:
         if right is None:
             right = estimate(mesh, points, REFERENCE, seed=1 << 40).value
         self.right = np.asarray(right)
+        self.most = MOST if estimate in (ws.ambient_occlusion, ws.sky_view_factor) else MOST_OF_OTHERS
+        self.middle = (self.right > 0.2) & (self.right < 0.8) | (self.most != MOST)
 
     def held(self, count, rule=ws.Estimate.interval, **options):
-        """Whether each interval holds the exact value, for the points that are not proven to be open."""
+        """Whether each interval holds the exact value, and counts at the top, for the points that are not proven open."""
         found = self.estimate(self.mesh, runs(self.points), count, **options)
         lower, upper = rule(found)
         right = np.repeat(self.right, RUNS, axis=0)
-        return ((lower <= right + 1e-6) & (right - 1e-6 <= upper))[found.rays > 0]
+        inside = (lower <= right + 1e-6) & (right - 1e-6 <= upper)
+        return np.stack([inside, np.repeat(self.middle, RUNS, axis=0)])[:, found.rays > 0]
 
 
 def closed_forms(width=1.0, height=1.7):
@@ -75,21 +80,26 @@ def cases(on_bunny):
 def covers(plausible):
     """Asserts that as many intervals as claimed hold the exact value; runs are independent, so binomial at most."""
 
-    def check(held):
-        hits = int(held.sum())
-        plausible(binom.cdf(hits, held.size, LEAST))
-        plausible(binom.sf(hits - 1, held.size, MOST))
+    def check(held, most=MOST):
+        inside, middle = held
+        plausible(binom.cdf(int(inside.sum()), inside.size, LEAST))
+        plausible(binom.sf(int(inside[middle].sum()) - 1, int(middle.sum()), most))
 
     return check
+
+
+def most_by(count):
+    """By 32 rays, four to a replicate of a cell, few values are possible, so that more may be needed."""
+    return MOST if count > 32 else 0.995
 
 
 @pytest.mark.parametrize("name", ["bunny", "city", "closed forms"])
 @pytest.mark.parametrize("count", [32, 64, *(pytest.param(n, marks=pytest.mark.slow) for n in (256, 512))])
 def test_intervals_hold_what_they_promise(cases, covers, name, count):
     held = [case.held(count) for case in cases[name]]
-    covers(np.concatenate(held))
+    covers(np.concatenate(held, axis=1), most_by(count))
     # One geometry in which few rays decide takes few values, so that 95 % cannot be met: never too few, then.
-    assert min(h.mean() for h in held) >= LEAST
+    assert min(inside.mean() for inside, _ in held) >= LEAST
 
 
 @pytest.mark.slow
@@ -97,7 +107,8 @@ def test_intervals_hold_what_they_promise(cases, covers, name, count):
 @pytest.mark.parametrize("count", [32, 64, 128, 256, 512, 1024, 4096])
 @pytest.mark.parametrize("sequence", ws.sequences.names())
 def test_intervals_of_every_sequence(cases, covers, name, count, sequence):
-    covers(np.concatenate([case.held(count, sequence=sequence) for case in cases[name]]))
+    held = [case.held(count, sequence=sequence) for case in cases[name]]
+    covers(np.concatenate(held, axis=1), most_by(count))
 
 
 def two_errors(found):
@@ -131,7 +142,7 @@ def _obscurance(mesh, points, count, **options):
 def test_intervals_of_other_quantities(bunny, on_bunny, covers, estimate):
     points = on_bunny.points
     case = Case(bunny, ws.SurfacePoints(points.position[:60], points.normal[:60]), estimate)
-    covers(case.held(256))
+    covers(case.held(256), MOST_OF_OTHERS)
 
 
 @pytest.mark.parametrize("rays", [0.25, 0.5, 1.0])
@@ -143,8 +154,8 @@ def test_an_event_that_hardly_a_ray_meets_is_in_the_interval(rays):
     case = Case(ball, at((0, 0, -distance), (0, 0, 1)), right=[1.0 - rays / 64])
     unseen = np.mean(ws.ambient_occlusion(ball, runs(case.points), 64).value == 1.0)
     assert unseen >= 0.05  # it does happen
-    assert case.held(64).mean() >= LEAST
-    assert case.held(64, two_errors).mean() <= 1.0 - unseen + 1e-9
+    assert case.held(64)[0].mean() >= LEAST
+    assert case.held(64, two_errors)[0].mean() <= 1.0 - unseen + 1e-9
 
 
 def test_leaves_do_not_break_the_expectation():
@@ -153,4 +164,4 @@ def test_leaves_do_not_break_the_expectation():
     corners = rng.normal(0, 0.05, (3000, 3, 3)) + rng.uniform((-1, -1, 0.6), (1, 1, 2.6), (3000, 1, 3))
     leaves = ws.as_mesh((corners.reshape(-1, 3), np.arange(9000).reshape(-1, 3)))
     case = Case(leaves, at(np.column_stack([rng.uniform(-1, 1, (24, 2)), np.zeros(24)]), (0, 0, 1)))
-    assert case.held(128).mean() >= 0.88  # what edges let expect alone gives 0.8
+    assert case.held(128)[0].mean() >= 0.88  # what edges let expect alone gives 0.8

@@ -3,7 +3,7 @@
 import warp as wp
 
 from warpsample.estimate.cell import cell_sum, jump_of
-from warpsample.estimate.intervals import edge_variance, posterior, worth_of_prior
+from warpsample.estimate.intervals import Prior, edge_variance, posterior, prior_numbers
 from warpsample.estimate.skipping.frontier import frontier
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.spot import Lobes, Spot, found_in
@@ -44,7 +44,9 @@ def opened_for(slots: Slots) -> wp.Function:
 @once
 def widths_of(slots: Slots) -> wp.Function:
     """A function that says how wide an estimate's interval is."""
-    channels, worth = slots.channels, wp.constant(wp.float64(worth_of_prior(slots.counts)))
+    channels = slots.channels
+    numbers = prior_numbers(slots.counts, slots.sequence.unseen, slots.query is not None)
+    worth, unseen_ray, worth_if_all_agree, unseen_if_all_agree = (wp.constant(wp.float64(x)) for x in numbers)
 
     @wp.func
     def widths_of(
@@ -59,9 +61,10 @@ def widths_of(slots: Slots) -> wp.Function:
         """`posterior` of each channel; `unseen` is summed over the cells."""
         width = NOTHING
         degrees = NOTHING
+        prior = Prior(worth, unseen_ray, worth_if_all_agree, unseen_if_all_agree)
         for c in range(channels):
             of_ray = unseen[c] / wp.float64(cells)
-            square, freedom = posterior(variance[c], expected[c], of_ray, rest[c], fourth[c], mixed, cells, worth)
+            square, freedom = posterior(variance[c], expected[c], of_ray, rest[c], fourth[c], mixed, cells, prior)
             width[c] = square
             degrees[c] = freedom
         return width, degrees

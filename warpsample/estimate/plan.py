@@ -40,12 +40,14 @@ class Quantity:
         reach: how far rays go, in the user's units.
         unit: what the mean of the rays is multiplied by.
         falloff: see `ambient_occlusion`; None: a ray that meets something adds nothing.
+        result: the type of the estimate.
     """
 
     integrand: Integrand
     reach: float = inf
     unit: float = 1.0
     falloff: float | None = None
+    result: type[Estimate] = Estimate
 
 
 @dataclass(frozen=True)

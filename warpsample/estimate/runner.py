@@ -70,7 +70,7 @@ class Runner:
             weightless_rays=int((total - cast - empty).sum()),
         )
         unit = np.float32(self.quantity.unit)
-        return Estimate(unit * value, unit * error, unit * spread, degrees, cast, status, skipped)
+        return self.quantity.result(unit * value, unit * error, unit * spread, degrees, cast, status, skipped)
 
     def _placement(self) -> PlacementArgs:
         if self.scene is None:

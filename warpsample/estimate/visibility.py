@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.estimate.plan import Plan, Quantity, reach_of
-from warpsample.estimate.result import Estimate
+from warpsample.estimate.result import Estimate, Share
 from warpsample.estimate.weights import DIRECTION, OPEN, above_plane
 from warpsample.host.arguments import check_number
 from warpsample.host.arrays import as_unit
@@ -87,11 +87,11 @@ def ambient_occlusion(
         falloff = check_number(falloff, "falloff", 0.0, 1000.0)
         if not 0.0 < reach < inf:
             raise ValueError(f"max_distance: got {max_distance}, want a finite one above 0, to which falloff is relative")
-    return plan.estimate(Quantity(OPEN, reach=reach, falloff=falloff))
+    return plan.estimate(Quantity(OPEN, reach=reach, falloff=falloff, result=Share))
 
 
 @dataclass(frozen=True, eq=False)
-class SkyView(Estimate):
+class SkyView(Share):
     """An `Estimate` of the sky view factor.
 
     Attributes:
@@ -159,7 +159,7 @@ def sky_view_factor(
     )
     reach = reach_of(max_distance)
     axis = as_unit(up, "up")
-    found = plan.estimate(Quantity(above_plane(axis), reach=reach))
+    found = plan.estimate(Quantity(above_plane(axis), reach=reach, result=Share))
     normal = np.asarray(points.normal, np.float64)
     with np.errstate(invalid="ignore"):
         cosine = normal @ axis / np.linalg.norm(normal, axis=1)

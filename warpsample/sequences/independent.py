@@ -38,6 +38,7 @@ RECORD = Sequence(
     key=premixed_key,
     sample=independent_sample,
     progressive=True,
+    unseen=1.55,
     colour="#555555",
     marker="v",
     random=True,

@@ -41,6 +41,7 @@ RECORD = Sequence(
     key=_key,
     sample=philox_sample,
     progressive=True,
+    unseen=1.55,
     colour="#9c927a",
     marker="x",
     random=True,

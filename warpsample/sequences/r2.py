@@ -28,6 +28,7 @@ RECORD = Sequence(
     sample=r2_sample,
     progressive=True,
     edge=0.45,
+    unseen=0.9,
     colour="#5b8e3e",
     marker="^",
     summary="additive recurrence of the plastic number, cheap and progressive",

@@ -28,6 +28,8 @@ class Sequence:
         rate: the RMSE of n samples of a step function, such as visibility, falls about as n to the power of -rate.
         edge: if an edge crosses the square, the numbers of samples on one side of it, in two sets of n, differ with a
             variance of about half of n to the power of `edge`, for n from 4 to 64. Independent samples have 1.
+        unseen: the variance, in samples squared, that is to be added where few samples are on one side of an edge, so that
+            intervals hold what is expected there. Independent samples take 1.55, by the bounds of Clopper1934.
         progressive: whether the first m points are the same for every count.
         nets: whether sets of a power of two are so much more even than others that no other count should be chosen.
         random: whether the points of one surface point are independent of each other, too.
@@ -49,6 +51,7 @@ class Sequence:
     pair: wp.Function | None = None
     rate: float = 0.75
     edge: float = 0.25
+    unseen: float = 0.6
     random: bool = False
     nets: bool = False
     cells_off: int = 0

@@ -45,6 +45,7 @@ RECORD = Sequence(
     sample=stratified_sample,
     progressive=False,
     edge=0.36,
+    unseen=1.2,
     colour="#8c6bb1",
     marker="D",
     cells_off=1,
