@@ -44,18 +44,19 @@ def all_ratios(options, seeds):
 
 def check_all(options, seeds, tightest):
     for name, ratio, unseen in all_ratios(options, seeds):
-        assert ratio.mean() <= 1.25, name
+        assert ratio.mean() <= 1.3, name
         assert ratio.mean() >= tightest, name
         assert ratio.max() < 4.0, name
         assert unseen.max(initial=0.0) < 1e-6, name
 
 
 KINDS = {
-    "raw": ({}, 0.3),
-    "one replicate": ({"replicates": 1}, 0.1),
-    "groups": ({"groups": POLYGON}, 0.3),
-    "reciprocal": ({"reciprocal": True}, 0.2),
-    "reciprocal groups": ({"groups": POLYGON, "reciprocal": True}, 0.2),
+    "raw": ({}, 0.6),
+    "one replicate": ({"replicates": 1}, 0.3),  # nothing tells how much better than independent rays they are
+    "two replicates": ({"replicates": 2}, 0.6),
+    "groups": ({"groups": POLYGON}, 0.6),
+    "reciprocal": ({"reciprocal": True}, 0.6),
+    "reciprocal groups": ({"groups": POLYGON, "reciprocal": True}, 0.6),
 }
 
 
@@ -88,7 +89,43 @@ def test_where_hits_are_few_the_bar_is_not_too_wide(kind):
     grounds = slice(0, len(right.outside) // 2)
     lost = [v.outside[grounds] for v in found], [v.outside_error[grounds] for v in found], right.outside[grounds]
     for ratio, _ in (ratios(values, bars, right.matrix.toarray()[few]), ratios(*lost)):
-        assert 0.39 <= ratio.mean() <= 1.25  # 0.4, of 40 hits; 200 seeds tell it to a tenth
+        assert 0.6 <= ratio.mean() <= 1.3
+
+
+def of_box(height):
+    """(6, 6) view factors of a box of base 1 x 1, exactly: rows and columns by the axis of their normal, twice."""
+
+    def facing(x, y):
+        """Of parallel rectangles, x and y gaps wide (Howell's C-11)."""
+        a, b = np.hypot(1.0, x), np.hypot(1.0, y)
+        total = np.log(a * b / np.sqrt(1.0 + x * x + y * y)) + x * b * np.arctan(x / b) + y * a * np.arctan(y / a)
+        return 2.0 / (np.pi * x * y) * (total - x * np.arctan(x) - y * np.arctan(y))
+
+    floor, wall = facing(1.0 / height, 1.0 / height), facing(1.0, height)
+    to_wall = 0.25 * (1.0 - floor)
+    to_floor = to_wall / height
+    beside = 0.5 * (1.0 - wall - 2.0 * to_floor)
+    three = np.array([[0, beside, to_floor], [beside, 0, to_floor], [to_wall, to_wall, 0]])
+    return np.block([[three, three], [three, three]]) + np.roll(np.diag([wall, wall, floor] * 2), 3, axis=1)
+
+
+@pytest.mark.parametrize("reciprocal", [False, True], ids=["raw", "reciprocal"])
+@pytest.mark.parametrize("height", [1.0, 0.1, 0.01, 0.001])
+def test_errors_in_rooms_are_as_large_as_said(height, reciprocal):
+    """A cube, and rooms so flat that floor and ceiling see little else, group by group against the closed form.
+
+    The bars of a room are alike, so few numbers tell them: of 120 seeds, to a tenth or so.
+    """
+    mesh = trimesh.creation.box((1.0, 1.0, height))
+    mesh = ws.Mesh(mesh.vertices, mesh.faces[:, ::-1])
+    groups = np.argmax(np.hstack([mesh.face_normals, -mesh.face_normals]), axis=1)
+    found = [ws.view_factors(mesh, 4096, groups=groups, reciprocal=reciprocal, seed=seed) for seed in range(120)]
+    values, bars = ([getattr(v, name).toarray() for v in found] for name in ("matrix", "standard_error"))
+    ratio, _ = ratios(values, bars, of_box(height))
+    assert 0.6 <= ratio.mean() <= 1.3
+    seen = np.mean(np.array(bars) > 0.0, axis=0) == 1.0
+    squares = np.square((np.array(values) - of_box(height))[:, seen] / np.array(bars)[:, seen])
+    assert 0.6 <= squares.mean() <= 1.3
 
 
 def test_pooling_is_more_precise_than_one_side():

@@ -6,13 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from warpsample.radiation.design_effects import shares_and_variances
 from warpsample.radiation.hits_to_matrix import Counts
 from warpsample.radiation.surfaces import Surfaces
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
-
-_SLICE = 1 << 20  # hits at a time: the squares of all of them would take more memory than the result
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,9 +46,9 @@ def shares_of(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Su
         return _group_shares(counts, rays, upward, surfaces)
     others = {}
     for name, hits, exact in _kinds(counts, rays, upward):
-        share, error = _of_hits(hits, rays)
-        others[name] = (np.where(np.isnan(exact), share, exact), np.where(np.isnan(exact), error, 0.0))
-    return Shares(counts.indptr, counts.indices, *_of_hits(counts.hits, rays), others)
+        value, variance = shares_and_variances(hits, rays)
+        others[name] = (np.where(np.isnan(exact), value, exact), np.where(np.isnan(exact), variance, 0.0))
+    return Shares(counts.indptr, counts.indices, *shares_and_variances(counts.hits, rays), others)
 
 
 def matrices_of(
@@ -65,16 +64,17 @@ def matrices_of(
 
 
 def _group_shares(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> Shares:
-    """Those of groups, with the variance that the sums of a group's replicates have."""
+    """Those of groups: means of their faces' by area, whose errors are independent."""
     groups, weights, size = surfaces.groups, surfaces.weights, len(surfaces.areas)
     face = np.repeat(np.arange(len(weights)), np.diff(counts.indptr))
     keys, entry = np.unique(groups[face].astype(np.int64) * size + counts.indices, return_inverse=True)
-    value, variance = _folded(counts.hits / rays, rays, weights[face], entry.ravel(), len(keys))
+    _, single = shares_and_variances(counts.hits, rays)
+    value, variance = _folded(counts.hits / rays, single, weights[face], entry.ravel(), len(keys))
     others = {}
     for name, hits, exact in _kinds(counts, rays, upward):
-        known = ~np.isnan(exact)
+        known, (_, single) = ~np.isnan(exact), shares_and_variances(hits, rays)
         parts = np.where(known[:, None], exact[:, None] / hits.shape[1], hits / rays)
-        others[name] = _folded(parts, rays, weights, groups, size, known)
+        others[name] = _folded(parts, np.where(known, 0.0, single), weights, groups, size)
     indptr = np.searchsorted(keys, np.arange(size + 1, dtype=np.int64) * size)
     return Shares(indptr, (keys % size).astype(np.int32), value, variance, others)
 
@@ -94,33 +94,10 @@ def _kinds(counts: Counts, rays: int, upward: np.ndarray | None) -> Iterator[tup
         yield "ground", ground, np.where(open_, 1.0 - upward, np.nan)
 
 
-def _of_hits(hits: np.ndarray, rays: int) -> tuple[np.ndarray, np.ndarray]:
-    """Shares and variances of (E, replicates) hits among so many rays.
-
-    ((R - 1) s^2 + F (1 - F) / n) / R, with the replicates' variance of the mean s^2: that alone is 0 where all agree.
-    """
-    replicates = hits.shape[1]
-    value, variance = np.empty(len(hits)), np.empty(len(hits))
-    step = _SLICE // replicates
-    for first in range(0, len(hits), step):
-        some = hits[first : first + step].astype(np.int64)
-        total = some.sum(axis=1)
-        share = value[first : first + step] = total / rays
-        spread = (replicates * np.square(some).sum(axis=1) - np.square(total)) / (float(rays) * rays)
-        variance[first : first + step] = (spread + share * (1.0 - share) / rays) / replicates
-    return value, variance
-
-
 def _folded(
-    parts: np.ndarray, rays: int, weights: np.ndarray, into: np.ndarray, size: int, known: np.ndarray | None = None
+    parts: np.ndarray, variance: np.ndarray, weights: np.ndarray, into: np.ndarray, size: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The same of weighted sums of shares (E, replicates), which add up to a face's; those that are known have no error."""
-    share = parts.sum(axis=1)
-    single = np.square(weights) * share * (1.0 - share) / rays
-    if known is not None:
-        single = np.where(known, 0.0, single)
+    """Weighted sums of shares (E, replicates), which add up to a face's, and of their variances (E,)."""
     # One after the other in the order of the faces: no block or thread changes a bit.
     sums = np.stack([np.bincount(into, weights * part, size) for part in parts.T], axis=1)
-    value = sums.sum(axis=1)
-    spread = np.maximum(sums.shape[1] * np.square(sums).sum(axis=1) - np.square(value), 0.0)
-    return value, (spread + np.bincount(into, single, size)) / sums.shape[1]
+    return sums.sum(axis=1), np.bincount(into, np.square(weights) * variance, size)

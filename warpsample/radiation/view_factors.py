@@ -154,7 +154,9 @@ def view_factors(
 
     Places and directions of a face's rays come from one lattice in four dimensions: 4,096 are as good as 10,000 to 15,000
     independent ones. The bits of a row depend on (mesh, seed, first_face + face, count, replicates) alone: not on threads,
-    nor on which other faces are active, nor on `skip`. Memory: 40 bytes of each entry and 8 of each of its replicates.
+    nor on which other faces are active, nor on `skip`. Those of errors depend on other rows, too: how much less than that
+    of independent rays the hits of a number vary is told by the replicates of all numbers of as many hits. Memory: 40 bytes
+    of each entry and 8 of each of its replicates.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes. The front of a face is the side from which its corners run
@@ -167,7 +169,8 @@ def view_factors(
         reciprocal: whether to pool both directions of each pair and adjust them, so that areas[i] matrix[i, j] equals
             areas[j] matrix[j, i] and all rows close to 1e-7. More precise, too; but not where faces lie on one another.
         replicates: independent parts of each face's rays, by whose differences errors are told, 1 to 64; with more of them
-            the errors are told better, and are larger.
+            the errors are told better, and are larger. One has none to differ from: errors are then told too large, by how
+            much at least such a lattice is better than independent rays.
         seed: of 64 bits.
         up: (3,), of any length, parts `outside` into `sky` and `ground`.
         first_face: the global id of face 0.
