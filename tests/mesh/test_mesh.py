@@ -151,3 +151,11 @@ def test_other_things_are_no_mesh():
         ws.as_mesh("bunny.ply")
     with pytest.raises(ValueError, match=r"^faces: got shape \(0, 3\)"):
         ws.as_mesh(meshio.Mesh(CUBE.vertices, [("line", [[0, 1]])]))
+
+
+@pytest.mark.parametrize("scale", [1e-90, 1e-40, 1e35])
+def test_areas_and_normals_of_sizes_whose_squares_are_no_float64(scale):
+    mesh, plain = ws.Mesh(scale * CUBE.vertices, CUBE.faces), ws.Mesh(CUBE.vertices, CUBE.faces)
+    assert mesh.face_areas / scale / scale == pytest.approx(plain.face_areas, rel=1e-14)
+    assert np.abs(mesh.face_normals - plain.face_normals).max() <= 1e-7
+    assert mesh.report.degenerate_faces == 0

@@ -67,3 +67,9 @@ def test_a_comb_a_hole_with_a_bridge_and_corners_in_a_line():
 def test_what_is_no_polygon_is_named(counts, indices, message):
     with pytest.raises(ValueError, match=f"^{message}$"):
         triangles(np.eye(3), np.array(counts), np.array(indices))
+
+
+def test_a_polygon_that_crosses_itself_and_has_no_ear_becomes_a_fan():
+    """Each corner turns right or has another corner in its triangle."""
+    points = np.array([(2, 0, 0), (1, 4, 0), (0, 4, 0), (3, 2, 0), (4, 4, 0)], float)
+    assert triangles(points, np.array([5]), np.arange(5)).tolist() == [[0, 1, 2], [0, 2, 3], [0, 3, 4]]

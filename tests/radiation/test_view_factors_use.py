@@ -49,6 +49,14 @@ def test_what_has_no_solution_is_refused(room):
     assert room.radiosity(0.0, 1.0).tolist() == [0.0] * 12
 
 
+@pytest.mark.parametrize("wrong", [np.nan, np.inf])
+def test_one_number_that_is_none_is_refused(room, wrong):
+    numbers = np.where(np.arange(12) == 7, wrong, 0.5)
+    for given, name in (((numbers, 0.5), "emission"), ((1.0, numbers), "reflectance")):
+        with pytest.raises(ValueError, match=rf"^{name}: got .*, want finite numbers"):
+            room.radiosity(*given)
+
+
 def test_rows_that_were_left_out_are_not_taken_for_black_or_open(tmp_path):
     v = ws.view_factors(CUBE, 64, active=np.arange(12) < 6)
     said = "active: got 6 rows that were left out, want those of all faces"
