@@ -5,16 +5,20 @@ import numpy as np
 from warpsample.radiation.closure import rows_of
 from warpsample.radiation.row_shares import Shares
 
-DRAWS = 32
-"""They tell a bar to 1 / sqrt(2 * 32), an eighth, at worst; far better where an error is mostly its own."""
+_FEWEST, _MOST = 16, 128
+"""Draws. 16 tell a bar to 1 / sqrt(2 * 16), a sixth, at worst, and far better where an error is mostly its own.
 
-_SEED = 20  # of the signs, which must not be those of anyone's rays: these come from other generators
+More of them than errors tell it exactly: signs are balanced, any two errors' differ in half of the draws.
+"""
+
+_WORK = 2**20  # errors times draws, from which on more draws would take long
+_SEED = 20
 _PASSES = 3  # of what errors give way by: from the first on, a twentieth or so changes
 _LOST = ("outside", "behind")
 
 
 class ErrorDraws:
-    """Draws of the errors of all shares of rows, and of what these lose.
+    """Draws of the errors of all shares of rows, and of what these lose; `number` of them.
 
     Those of a row are independent, less what they sum up to, in proportion to their own variances: as for counts of
     independent rays, where what one gains all others lose; but each with the design effect that it has.
@@ -29,17 +33,24 @@ class ErrorDraws:
         for _ in range(_PASSES):
             free = [_quotients(variance, 1.0 - part) for variance, part in zip(variances, parts, strict=True)]
             parts = [_quotients(one, whole) for one, whole in zip(free, self._of_rows(free), strict=True)]
-        self._sizes, self._parts = [np.sqrt(one) for one in free], parts
+        # Where a few cannot add up to nothing as they are, as two that must be alike, all of a row are as large as said.
+        left = self._of_rows([one * (1.0 - part) for one, part in zip(free, parts, strict=True)])
+        more = [_quotients(*sums) for sums in zip(self._of_rows(variances), left, strict=True)]
+        self._sizes, self._parts = [np.sqrt(one * scale) for one, scale in zip(free, more, strict=True)], parts
         self._of_outside = {name: _split(shares, name) for name in ("sky", "ground") if name in shares.others}
+        lengths = [len(part) for part in (*parts, *(size for _, size in self._of_outside.values()))]
+        self._signs, codes = _balanced(sum(lengths))
+        self._codes = np.split(codes, np.cumsum(lengths)[:-1])
+        self.number = len(self._signs)
 
     def draw(self, number: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
         """Errors of the (E,) shares, and name -> (N,) of what rows lose; the same whenever it is called."""
-        rng = np.random.default_rng([_SEED, number])
-        free = [size * _signs(rng, len(size)) for size in self._sizes]
+        signs = [self._signs[number][codes] for codes in self._codes]
+        free = [size * sign for size, sign in zip(self._sizes, signs, strict=False)]
         found = [one - part * sums for one, part, sums in zip(free, self._parts, self._of_rows(free), strict=True)]
         others = dict(zip(_LOST, found[1:], strict=True))
-        for name, (part, size) in self._of_outside.items():
-            others[name] = part * others["outside"] + size * _signs(rng, len(size))
+        for (name, (part, size)), sign in zip(self._of_outside.items(), signs[len(free) :], strict=True):
+            others[name] = part * others["outside"] + size * sign
         return found[0], others
 
     def _of_rows(self, parts: list[np.ndarray]) -> list[np.ndarray]:
@@ -60,6 +71,11 @@ def _quotients(above: np.ndarray, below: np.ndarray) -> np.ndarray:
     return np.divide(above, below, out=np.zeros_like(above), where=below > 0.0)
 
 
-def _signs(rng: np.random.Generator, number: int) -> np.ndarray:
-    """(number,) of 1 and -1."""
-    return 2.0 * rng.integers(0, 2, number, np.int8) - 1.0
+def _balanced(errors: int) -> tuple[np.ndarray, np.ndarray]:
+    """(draws, draws) signs, Hadamard's, and which column of them each error has; by chance where they are too many."""
+    signs = np.ones((1, 1))
+    while len(signs) < _FEWEST or (len(signs) < _MOST and len(signs) * errors < _WORK):
+        signs = np.block([[signs, signs], [signs, -signs]])
+    few = errors < len(signs)
+    columns = 1 + np.arange(errors) if few else np.random.default_rng(_SEED).integers(1, len(signs), errors)
+    return signs, columns.astype(np.uint8)

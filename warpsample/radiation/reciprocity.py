@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from warpsample.radiation.closure import Closure, closure_of, rows_of
-from warpsample.radiation.error_draws import DRAWS, ErrorDraws
+from warpsample.radiation.error_draws import ErrorDraws
 from warpsample.radiation.row_shares import Shares
 from warpsample.radiation.surfaces import Surfaces
 
@@ -80,19 +80,19 @@ def _variances(
         entries, others = draws.draw(draw)
         return closure.scale * pooling.pooled(entries), others
 
-    gaps = np.empty((len(areas), DRAWS))
-    for draw in range(DRAWS):
+    gaps = np.empty((len(areas), draws.number))
+    for draw in range(draws.number):
         entries, others = changed(draw)
         lost = areas * closure.less * (others["outside"] + others["behind"])
         gaps[:, draw] = -np.bincount(rows, entries, len(areas)) - lost
     shifts = closure.step(gaps)
     variance, of_others = np.zeros(len(rows)), {name: np.zeros(len(areas)) for name in shares.others}
     slopes = exchange.data * closure.give
-    for draw in range(DRAWS):
+    for draw in range(draws.number):
         entries, others = changed(draw)
         shift = shifts[:, draw]
-        variance += np.square((entries + slopes * (shift[rows] + shift[columns])) / areas[rows]) / DRAWS
+        variance += np.square((entries + slopes * (shift[rows] + shift[columns])) / areas[rows]) / draws.number
         for name, change in others.items():
             adjusted = closure.less * (change + closure.yields * shares.others[name][0] * shift)
-            of_others[name] += np.square(adjusted) / DRAWS
+            of_others[name] += np.square(adjusted) / draws.number
     return variance, of_others
