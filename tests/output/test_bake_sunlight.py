@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import trimesh
 from weather_files import write_epw
 
 import warpsample as ws
@@ -76,6 +77,20 @@ def test_sun_hours_of_points(call, athens, yard, tmp_path):
         assert 0.0 < right.mean() < 13.0
     assert status == 0
     assert out.splitlines()[:2] == [f"{output}: sun hours of 50 points", f"  mean {right.mean():.4f} h"]
+
+
+def test_shades_of_what_is_more_than_1_are_of_the_largest(call, tmp_path):
+    """Two floors, one under a roof that keeps the sun off it but for the first and the last hours."""
+    path, output = tmp_path / "floors.off", tmp_path / "out.ply"
+    path.write_text(
+        "OFF\n9 3 0\n0 0 0\n1 0 0\n0 1 0\n90 0 0\n91 0 0\n90 1 0\n-1 -1 0.9\n3 -1 0.9\n-1 3 0.9\n3 0 1 2\n3 3 4 5\n3 6 7 8\n"
+    )
+    given = ["--quantity", "sun-hours", "--weather", "athens", "--period", "06-21", "06-21", "--at", "faces"]
+    assert call("bake", path, "-o", output, *given)[0] == 0
+    data = trimesh.load(output, process=False).metadata["_ply_raw"]["face"]["data"]
+    hours = data["value"].ravel()
+    assert hours[0] != hours[1] == hours.max() > 1.0
+    assert np.array_equal(data["red"].ravel(), np.round(255.0 * hours / hours.max()))
 
 
 def test_sun_hours_of_a_night_are_0(call, tmp_path):

@@ -12,6 +12,7 @@ import trimesh
 
 import warpsample as ws
 from warpsample.output import bake, baked, export, places
+from warpsample.output.mesh_writers import Lazy, write_vtp
 
 MAP = np.array([500_000.0, 5_400_000.0, 300.0])
 PLACES = [(size, at) for size in (1e-6, 1.0, 5e6) for at in (0.0, 1.0)]  # size, and whether on the map
@@ -147,6 +148,36 @@ def test_a_glb_larger_than_its_format_allows_is_refused(call, placed, tmp_path, 
     monkeypatch.undo()
     assert call("bake", path, "-o", output, "--at", "faces", "--samples", 2)[0] == 0
     assert output.stat().st_size > 400_000
+
+
+@pytest.mark.slow
+def test_a_glb_of_light_is_refused_from_its_own_size_on(call, placed, tmp_path, monkeypatch):
+    """All that is known of light is counted, no byte more."""
+    light, path, output = tmp_path / "light.npy", placed(ground()), tmp_path / "out.glb"
+    np.save(light, np.ones((4, 8, 3)))
+    given = ["bake", path, "-o", output, "--at", "faces", "--samples", 2, "--quantity", "irradiance", "--environment", light]
+    assert call(*given)[0] == 0
+    data = output.read_bytes()
+    arrays = struct.unpack_from("<I", data, 20 + struct.unpack_from("<I", data, 12)[0])[0]
+    assert 400_000 < arrays < len(data)
+    for less in (0, 1):
+        monkeypatch.setattr(baked, "MOST_GLB_BYTES", arrays - less)
+        assert call(*given)[0] == 2 * less
+
+
+@pytest.mark.parametrize(("faces", "kind"), [(2**29, "Int32"), (2**30, "Int64")])
+def test_a_vtp_of_2_to_the_31_corners_counts_them_in_64_bits(faces, kind):
+    """Its head says so, and no more of it is written here."""
+
+    class Full:
+        def write(self, data):
+            self.head = data
+            raise OSError
+
+    file, three = Full(), np.zeros((3, 3))
+    with pytest.raises(OSError, match="^$"):
+        write_vtp(file, three, Lazy((faces, 3), np.dtype(np.int32), lambda i: i), {}, {})
+    assert re.search(rb'type="(\w+)" Name="offsets"', file.head)[1] == kind.encode()
 
 
 def test_a_glb_says_what_is_in_it(call, placed, tmp_path):

@@ -139,3 +139,18 @@ def test_a_sliver_of_a_patch_is_seen_where_it_is_highest(height):
         lit = found.value[:, k] > 0.5 * open_[k]
         w = highest_of(edges(1)[k], n)
         assert np.mean(lit == seen(w[None], height)[0]) >= 0.7, k
+
+
+@pytest.mark.parametrize("low", [72.0, 60.0])
+def test_both_sides_of_a_hill_of_the_horizon_are_looked_at(low):
+    """Behind the point its horizon hides the middle of a wide patch, to above its upper edge, but neither side.
+
+    A wall hides all that is in the east, so half of what is left.
+    """
+    n = np.array([0.0, -np.sin(np.radians(low + 12.02)), np.cos(np.radians(low + 12.02))])
+    k = next(k for k, patch in enumerate(np.degrees(edges(1))) if abs(patch[0] - low) < 1e-9)
+    wall = ws.as_mesh(([(1e-3, -9, -9), (1e-3, 9, -9), (1e-3, 9, 9), (1e-3, -9, 9)], [(0, 1, 2), (0, 2, 3)]))
+    open_ = ws.sky_matrix(FAR, at((0, 0, 0), n), 64).value[0, k]
+    assert open_ > 0.0
+    found = ws.sky_matrix(wall, at((0, 0, 0), n, 400), 64).value[:, k].mean()
+    assert 0.4 <= found / open_ <= 0.6  # of 800 rays, to 0.02, of which a few are too faint
