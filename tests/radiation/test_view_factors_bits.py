@@ -105,3 +105,10 @@ def test_what_cannot_close_is_told():
     seen = Shares(np.arange(3), np.array([1, 0]), np.ones(2), np.zeros(2), {"outside": nothing, "behind": nothing})
     with pytest.warns(UserWarning, match="rows close to 0.3 only"):
         reciprocal_shares(seen, surfaces_of(np.array([1.0, 2.0]), np.ones(2, bool), None))
+
+
+def test_a_warning_names_the_line_that_calls():
+    """One ray of each face of a cube: they say that some face is seen by more than it can see."""
+    with pytest.warns(UserWarning, match="^view_factors: rows close to .* only; more rays will help$") as found:
+        ws.view_factors(CUBE, 1, replicates=1, reciprocal=True)
+    assert found[0].filename == __file__
