@@ -1,5 +1,6 @@
 """Stores at the command line: `bake`, `export`, and what they say."""
 
+import re
 import zipfile
 from importlib import import_module
 
@@ -13,6 +14,7 @@ pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run r
 dask = pytest.importorskip("dask")
 pytest.importorskip("zarr")
 current_client = import_module("warpsample.cluster.arrays").current_client
+runs = import_module("warpsample.cluster.runs")
 
 POINTS, RAYS, CHUNK = 130, 40, 50
 
@@ -43,12 +45,14 @@ def test_a_store_is_exported_as_bake_would_have_written(call, tmp_path):
         assert all(one.read(name) == other.read(name) for name in one.namelist() if name != "run.npy")
 
 
-def test_the_command_says_what_it_did_and_goes_on(call, path):
+def test_the_command_says_what_it_did_and_goes_on(call, path, monkeypatch):
+    monkeypatch.setattr(runs._Watch, "_seconds", lambda _: 1e-3)
     command = ("bake", "courtyard", "-o", path, "--points", POINTS, "--samples", RAYS, "--chunk", CHUNK)
     status, out, err = call(*command)
     assert (status, err) == (0, "")
     assert out.startswith(f"{path}: ambient occlusion of 130 points\n  standard error 0.0")
-    assert "rays cast in" in out
+    rays, speed = re.search(r"([\d,]+) rays cast in 0\.00 s, ([\d.]+) million a second", out).groups()
+    assert speed == f"{int(rays.replace(',', '')) / 1e3:.1f}"
     (path / "value/c/1").unlink()
     status, out, err = call(*command, "--resume")
     assert (status, err) == (0, "")
