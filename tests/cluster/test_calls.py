@@ -194,8 +194,8 @@ def test_so_are_rows_and_meshes_that_lack(mesh, points):
 
 
 def test_a_function_goes_by_its_name_or_not_at_all():
-    sent = pickle.loads(pickle.dumps(named.Named("integrand", functions.upward)))
-    assert sent.value is functions.upward
+    sent = pickle.loads(pickle.dumps(named.named("integrand", functions.upward, None)))
+    assert sent.taken() is functions.upward
 
     @wp.func
     def here(w: wp.vec3) -> float:
@@ -205,7 +205,7 @@ def test_a_function_goes_by_its_name_or_not_at_all():
         with pytest.raises(
             TypeError, match="^integrand: got .*, which other processes cannot import, want a wp.func at the top"
         ):
-            pickle.dumps(named.Named("integrand", value))
+            pickle.dumps(named.named("integrand", value, None))
 
 
 @pytest.mark.slow

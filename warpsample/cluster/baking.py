@@ -4,6 +4,7 @@ from collections.abc import Callable
 from itertools import compress
 from pathlib import Path
 from typing import Any
+from uuid import uuid4
 
 import numpy as np
 import xarray as xr
@@ -87,7 +88,7 @@ def _run(job: Job, store: Path, chunks: list[int], heard: Callable[[np.void], No
     """Bakes these chunks, a task each."""
     if not chunks:
         return
-    name = f"bake-{job.call.name}-{job.token}"
+    name = f"bake-{job.call.name}-{uuid4().hex}"  # no run's tasks are another's, who writes elsewhere
     tasks, shared = shared_by_key(job)
     blocks, starts = blocks_of(job), starts_of(job)
     for place, i in enumerate(chunks):

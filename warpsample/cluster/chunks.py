@@ -72,7 +72,7 @@ def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[A
 
     One thread computes them, unless the call says otherwise: Dask runs as many tasks at once as a worker has threads.
     """
-    arguments = {name: value.value if isinstance(value, Named) else value for name, value in call.options.items()}
+    arguments = {name: value.taken() if isinstance(value, Named) else value for name, value in call.options.items()}
     arguments |= zip(call.shared, shared, strict=True)
     arguments |= zip(call.rows, rows, strict=True)
     if call.at:

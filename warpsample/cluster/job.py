@@ -13,7 +13,7 @@ from dask.array import Array, from_array
 from dask.base import tokenize
 
 from warpsample.cluster.chunks import FUNCTIONS, Call, numbers
-from warpsample.cluster.named import Named
+from warpsample.cluster.named import Named, named
 from warpsample.estimate.picture import read_picture
 from warpsample.host.arguments import check_first_point, check_integer, check_seed, told
 from warpsample.host.arrays import check_active
@@ -21,12 +21,16 @@ from warpsample.host.neighbours import as_ndarray
 from warpsample.mesh.known import digest_of
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.sequences.record import STREAMS
 
 CHUNK = 65_536
 """Points: a second or two of one thread's work by 256 rays, beside which a task's overhead is nothing."""
 
 VERSIONS = ("warpsample", "warp-lang")
 """Packages that the bits depend on."""
+
+STREAMS_OF = "streams"
+"""What the number of the streams' definition is called; stores without one are of definition 1."""
 
 _POINTS = "SurfacePoints, a whole number (so many, uniform by area), 'faces' or 'vertices'"
 _AT = {"trace": "origins", "sample_directions": "normals"}
@@ -97,6 +101,7 @@ def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk
     first = check_first_point(taken.get("first_point", 0), max(total, 1))
     if place:
         taken.pop(at)
+    taken = {argument: named(argument, value, taken.get("integrand")) for argument, value in taken.items()}
     call = Call(name, taken, tuple(shared), tuple(rows), at if place else None, place or "", seed, first)
     chunks = tuple(min(chunk, total - start) for start in range(0, max(total, 1), chunk))
     about = _about(call, {**shared, **given, **rows}, total, chunk)
@@ -105,18 +110,15 @@ def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk
 
 
 def _shared(taken: dict[str, Any], on: Any) -> dict[str, Any]:
-    """The mesh and the picture of a call, which are taken out; functions of the user's are made to travel."""
+    """The mesh and the picture of a call, which are taken out; both are our own."""
     shared, mesh = {}, taken.pop("mesh", on)
     if mesh is not None:
         shared["mesh"] = as_mesh(mesh)
     radiance = taken.get("radiance")
     if radiance is not None and not isinstance(radiance, wp.Function):
         path = isinstance(radiance, str | PathLike)
-        shared["radiance"] = read_picture(radiance) if path else as_ndarray(radiance, "radiance")
+        shared["radiance"] = read_picture(radiance) if path else np.array(as_ndarray(radiance, "radiance"))
         taken.pop("radiance")
-    for name, value in taken.items():
-        if isinstance(value, wp.Function) or (name == "data" and value is not None):
-            taken[name] = Named(name, value)
     return shared
 
 
@@ -156,9 +158,11 @@ def _rows(taken: dict[str, Any], names: list[str]) -> dict[str, Any]:
 
 
 def _cut(array: Any, chunks: tuple[int, ...]) -> Array:
-    """An array of NumPy's or Dask's in the chunks of a job."""
+    """An array of Dask's, or a copy of one of NumPy's, in the chunks of a job."""
     wanted = (chunks, *((size,) for size in array.shape[1:]))
-    return array.rechunk(wanted) if isinstance(array, Array) else from_array(array, wanted, name=_content(array, chunks))
+    if isinstance(array, Array):
+        return array.rechunk(wanted)
+    return from_array(array.copy(), wanted, name=_content(array, chunks))
 
 
 def _content(value: Any, *more: Any) -> str:
@@ -192,12 +196,15 @@ def _about(call: Call, large: dict[str, Any], total: int, chunk: int) -> dict[st
         "place": call.place,
         "points": total,
         "chunk": chunk,
+        STREAMS_OF: STREAMS,
         **{name: version(name) for name in VERSIONS},
     }
 
 
 def _plain(value: Any) -> Any:
     """`value` as JSON has it, or a text."""
+    if isinstance(value, Named):
+        return value.content
     if isinstance(value, np.ndarray | np.generic | tuple | list):
         value = np.asarray(value).tolist()
     try:

@@ -15,7 +15,8 @@ import zarr
 from zarr.codecs import Crc32cCodec, ZstdCodec
 
 from warpsample.cluster.arrays import dimensions, places_of
-from warpsample.cluster.job import Job
+from warpsample.cluster.content import difference
+from warpsample.cluster.job import STREAMS_OF, Job
 from warpsample.host.arguments import told
 from warpsample.host.files import WriteError
 
@@ -112,9 +113,16 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
     Raises:
         ValueError: names what differs.
     """
-    kept = about_of(path, argument)
-    for name in (*about, *kept):
+    kept = {STREAMS_OF: 1, **about_of(path, argument)}
+    for name in dict.fromkeys((STREAMS_OF, *about, *kept)):
         old, new = kept.get(name), json.loads(json.dumps(about.get(name)))
+        if old != new and name == STREAMS_OF:
+            raise ValueError(
+                f"{argument}: got {str(path)!r} of random streams by definition {old}, want one by definition {new}, whose "
+                "seeds give other numbers: bake it anew"
+            )
+        if old != new and isinstance(old, dict) and isinstance(new, dict):
+            raise ValueError(f"{argument}: got {str(path)!r} of another run; {difference(name, old, new)}")
         if old != new:
             raise ValueError(f"{argument}: got {str(path)!r} of {name} {told(old)}, want one of {name} {told(new)}")
 

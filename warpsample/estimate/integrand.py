@@ -1,6 +1,6 @@
 """The function that an estimate integrates: the user's `wp.func`, checked, in the one form that the kernels call."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from ctypes import Structure
 from dataclasses import dataclass
 from inspect import signature
@@ -60,7 +60,7 @@ class Integrand:
     def data_for(self, loan: Loan) -> Any:
         """The third argument as a kernel takes it, its arrays where that runs while the loan lasts."""
         if not isinstance(self.data, Structure):
-            return _moved(self.data, loan).__ctype__()
+            return (self.data if loan.memory.in_place else with_arrays(self.data, loan.clone)).__ctype__()
         data = type(self.data).from_buffer_copy(self.data)
         for name, array in self.arrays:
             setattr(data, name, loan.put(array))
@@ -142,16 +142,14 @@ def _arrays_in(data: Any, within: str = "") -> Iterator[tuple[str, Any]]:
             yield within + name, value
 
 
-def _moved(data: Any, loan: Loan) -> Any:
-    """An instance of the same struct whose arrays are where kernels read them; in place the same one."""
-    if loan.memory.in_place:
-        return data
+def with_arrays(data: Any, take: Callable[[wp.array], wp.array]) -> Any:
+    """An instance of the same struct, and of the structs in it, with what `take` makes of each array."""
     made = data._cls()
     for name in data._cls.vars:
         value = getattr(data, name)
         if hasattr(value, "_cls"):
-            value = _moved(value, loan)
-        setattr(made, name, loan.clone(value) if isinstance(value, wp.array) else value)
+            value = with_arrays(value, take)
+        setattr(made, name, take(value) if isinstance(value, wp.array) else value)
     return made
 
 
