@@ -49,12 +49,16 @@ def bake(path, mesh, *more, **options):
     return cluster.bake(path, "ambient_occlusion", mesh, *(more or (POINTS, RAYS)), **{"chunk": CHUNK, **options})
 
 
+def whole_chunks(path):
+    return store.whole_chunks(path, [file.parent.name for file in path.glob("*/zarr.json")])
+
+
 def assert_whole(path, right):
     with xr.open_zarr(path) as found:
         for name in ARRAYS:
             assert found[name].dtype == getattr(right, name).dtype
             assert np.array_equal(found[name], getattr(right, name)), name
-    assert all(store.whole_chunks(path))
+    assert all(whole_chunks(path))
     assert list(path.parent.iterdir()) == [path]
 
 
@@ -98,7 +102,7 @@ def test_every_call_has_a_store(path, tmp_path, mesh):
         tmp_path / "l.zarr", "irradiance", mesh, points, np.ones((4, 8, 3)), RAYS, active=active, chunk=CHUNK
     )
     assert np.array_equal(light.value, ws.irradiance(mesh, points, np.ones((4, 8, 3)), RAYS, active=active).value)
-    assert all(store.whole_chunks(tmp_path / "l.zarr"))
+    assert all(whole_chunks(tmp_path / "l.zarr"))
 
 
 def test_resume_computes_what_is_missing_and_nothing_else(path, mesh, right, computed):
@@ -120,7 +124,7 @@ def test_a_chunk_that_is_cut_short_is_found(path, mesh, right, computed, array, 
     computed.clear()
     content = (path / array).read_bytes()
     (path / array).write_bytes(content[:size])
-    assert store.whole_chunks(path) == [True, True, False]
+    assert whole_chunks(path).tolist() == [True, True, False]
     bake(path, mesh, resume=True)
     assert computed == [100]
     assert_whole(path, right)
@@ -131,7 +135,7 @@ def test_so_is_one_with_another_byte(path, mesh, right):
     content = bytearray((path / "value/c/0").read_bytes())
     content[len(content) // 2] ^= 1
     (path / "value/c/0").write_bytes(content)
-    assert store.whole_chunks(path) == [False, True, True]
+    assert whole_chunks(path).tolist() == [False, True, True]
     bake(path, mesh, resume=True)
     assert_whole(path, right)
 
@@ -148,7 +152,7 @@ def test_an_interrupt_leaves_a_store_that_resumes(path, mesh, right, monkeypatch
         patch.setattr(baking, "bake_chunk", interrupted)
         with pytest.raises(KeyboardInterrupt, match=rf"^interrupted after \d+ of 130 points; {path} can be resumed$"):
             bake(path, mesh)
-    assert not all(store.whole_chunks(path))
+    assert not all(whole_chunks(path))
     bake(path, mesh, resume=True)
     assert_whole(path, right)
 
@@ -238,7 +242,7 @@ def test_a_store_that_cannot_be_written(path, tmp_path, mesh):
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert "WriteError: " in done.stderr.splitlines()[-1]
     assert done.stderr.splitlines()[-1].endswith("cannot be written: File too large")
-    assert not any(store.whole_chunks(path))
+    assert not any(whole_chunks(path))
 
 
 # The command line

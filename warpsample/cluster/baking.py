@@ -1,7 +1,6 @@
 """`bake`: a call's chunks into a store, each by one task, and those that are there already left alone."""
 
 from collections.abc import Callable
-from itertools import compress
 from pathlib import Path
 from typing import Any
 from uuid import uuid4
@@ -12,10 +11,12 @@ from dask.array import Array
 from dask.callbacks import Callback
 from dask.highlevelgraph import HighLevelGraph
 
-from warpsample.cluster.arrays import PLACES, blocks_of, current_client, shared_by_key, starts_of
+from warpsample.cluster.arrays import PLACES, blocks_of
 from warpsample.cluster.chunks import FUNCTIONS, Call, numbers, points_in
+from warpsample.cluster.finishing import AT_A_TIME, check_workers_of, finished
 from warpsample.cluster.job import CHUNK, Job, job_of
-from warpsample.cluster.store import begin, check_store, locked, put, whole_chunks
+from warpsample.cluster.sending import current_client, shared_by_key
+from warpsample.cluster.store import begin, check_store, locked, put
 from warpsample.host.arguments import check_choice, check_flag
 
 DONE = np.dtype([("points", np.int64), ("rays", np.int64), ("squared_error", np.float64)])
@@ -41,7 +42,8 @@ def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; or a store of another run, and what differs.
-        OSError: it cannot be written, or another process is writing it; or the scheduler is gone.
+        OSError: it cannot be written, there is no room for it, or another process is writing it; or the scheduler is gone.
+        MemoryError: all workers of the Client are too small; says what they want.
     """
     mesh = options.pop("mesh", None) if call == "sample_directions" else None
     job = job_of(check_choice(call, "call", tuple(FUNCTIONS)), arguments, options, chunk, mesh)
@@ -62,70 +64,53 @@ def bake_job(job: Job, store: Path, resume: bool, argument: str, heard: Callable
 
     Raises:
         KeyboardInterrupt: with a sentence that says how far it was.
-        ValueError, OSError: as `bake`.
+        ValueError, OSError, MemoryError: as `bake`.
     """
-    total, points = sum(job.chunks), 0
+    points = 0
 
     def count(told: np.void) -> None:
         nonlocal points
         points += int(told["points"])
         heard(told)
 
+    client = current_client()
+    if client is not None:
+        check_workers_of(client, job)
     with locked(store):
-        begin(store, job, resume, argument)
         try:
-            whole = whole_chunks(store)
-            count(np.array((sum(compress(job.chunks, whole)), 0, 0.0), DONE)[()])
-            _run(job, store, [i for i, there in enumerate(whole) if not there], count)
+            whole = begin(store, job, resume, argument)
+            count(np.array((sum(map(job.rows_of, np.flatnonzero(whole).tolist())), 0, 0.0), DONE)[()])
+            _run(job, store, np.flatnonzero(~whole).tolist(), count)
         except KeyboardInterrupt as interrupt:  # raised again itself: it may stand for another signal
-            interrupt.args = (f"interrupted after {points:,} of {total:,} points; {store} can be resumed",)
+            interrupt.args = (f"interrupted after {points:,} of {job.total:,} points; {store} can be resumed",)
             raise
-        except ConnectionError as error:
-            raise ConnectionError(f"{error} after {points:,} of {total:,} points; {store} can be resumed") from error
+        except (ConnectionError, MemoryError) as error:
+            kind = MemoryError if isinstance(error, MemoryError) else ConnectionError  # NumPy's own takes no sentence
+            raise kind(f"{error} after {points:,} of {job.total:,} points; {store} can be resumed") from error
 
 
 def _run(job: Job, store: Path, chunks: list[int], heard: Callable[[np.void], None]) -> None:
-    """Bakes these chunks, a task each."""
-    if not chunks:
+    """Bakes these chunks, a task each: so many at a time as Dask has in its graph without taking gigabytes."""
+    if (client := current_client()) is not None:
+        for told in finished(client, job, lambda some: _tasks(job, store, some), chunks):
+            heard(told)
         return
-    name = f"bake-{job.call.name}-{uuid4().hex}"  # no run's tasks are another's, who writes elsewhere
+    for start in range(0, len(chunks), AT_A_TIME):
+        told = _tasks(job, store, chunks[start : start + AT_A_TIME])
+        with Callback(posttask=lambda key, result, *_, name=told.name: heard(result[0]) if key[0] == name else None):
+            told.compute(optimize_graph=False)  # which would rename the tasks
+
+
+def _tasks(job: Job, store: Path, chunks: list[int]) -> Array:
+    """The DONEs of these chunks, lazily. No other run's tasks have their name: those may write elsewhere."""
+    name = f"bake-{job.call.name}-{uuid4().hex}"
     tasks, shared = shared_by_key(job)
-    blocks, starts = blocks_of(job), starts_of(job)
+    blocks = blocks_of(job)
     for place, i in enumerate(chunks):
         given, rows = [blocks[key][i] for key in job.given], [blocks[key][i] for key in job.rows]
-        tasks[name, place] = (bake_chunk, job.call, str(store), starts[i], job.chunks[i], shared, given, rows)
+        tasks[name, place] = (bake_chunk, job.call, str(store), i * job.chunk, job.rows_of(i), shared, given, rows)
     graph = HighLevelGraph.from_collections(name, tasks, dependencies=[*job.given.values(), *job.rows.values()])
-    told = Array(graph, name, ((1,) * len(chunks),), dtype=DONE)
-    client = current_client()
-    if client is not None:
-        _by_client(client, told, heard)
-        return
-    with Callback(posttask=lambda key, result, *_: heard(result[0]) if key[0] == name else None):
-        told.compute(optimize_graph=False)  # which would rename the tasks
-
-
-def _by_client(client: Any, told: Array, heard: Callable[[np.void], None]) -> None:
-    """The chunks as the workers of a Client finish them.
-
-    Raises:
-        ConnectionError: the scheduler is gone, or a chunk ended several workers.
-    """
-    from distributed import CancelledError, as_completed, futures_of  # noqa: PLC0415
-    from distributed.comm import CommClosedError  # noqa: PLC0415
-    from distributed.scheduler import KilledWorker  # noqa: PLC0415
-
-    futures = futures_of(client.persist(told))
-    try:
-        for _, result in as_completed(futures, with_results=True):
-            if isinstance(result, BaseException):  # of a scheduler that is gone it comes so
-                raise result
-            heard(result[0])
-    except (CancelledError, CommClosedError, KilledWorker, TimeoutError) as error:
-        reason = str(error).splitlines()[0] if isinstance(error, KilledWorker) else "the scheduler is gone"
-        raise ConnectionError(reason) from error
-    except KeyboardInterrupt:
-        client.cancel(futures)
-        raise
+    return Array(graph, name, ((1,) * len(chunks),), dtype=DONE)
 
 
 def bake_chunk(

@@ -12,7 +12,7 @@ def ambient_occlusion(mesh: Any, points: Any, *arguments: Any, chunk: int = CHUN
     """`warpsample.ambient_occlusion` over Dask: the same arguments, and the same bits when it is computed.
 
     Each process builds one tree, and each task is done by one thread: Dask runs as many at once as it has threads. With a
-    Client the mesh is sent now, once to each of its workers, and it is the one to compute with.
+    Client the mesh is sent now, once, and it is the one to compute with; it gives it again to workers that lost it.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
@@ -28,6 +28,7 @@ def ambient_occlusion(mesh: Any, points: Any, *arguments: Any, chunk: int = CHUN
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: all workers of the Client are too small; says what they want.
     """
     return dataset_of(job_of("ambient_occlusion", (mesh, points, *arguments), options, chunk))
 

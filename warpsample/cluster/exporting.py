@@ -1,13 +1,14 @@
 """A finished store as a mesh file: `warpsample export`."""
 
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import zarr
 
+from warpsample.cluster.arrays import PLACES
 from warpsample.cluster.runs import CALLS
-from warpsample.cluster.store import about_of, check_store, whole_chunks
+from warpsample.cluster.store import about_of, arrays_of, check_store, whole_chunks
 from warpsample.estimate.result import Estimate, Skipped
 from warpsample.estimate.visibility import SkyView
 from warpsample.host.engine import check_memory
@@ -42,9 +43,9 @@ def export_store(store: Path, mesh: Path, output: Path) -> str:
         raise ValueError(f"mesh: got {str(mesh)!r}, which is not the mesh of {str(store)!r}")
     if output.suffix == ".glb":
         check_glb(run, shape)
-    arrays = _arrays(store)
-    points = SurfacePoints(arrays.pop("position"), arrays.pop("normal"), arrays.pop("face"))
-    found = (SkyView if "below_horizon" in arrays else Estimate)(**arrays, skipped=Skipped())
+    arrays = _arrays(store, _names(about))
+    points = SurfacePoints(*map(arrays.pop, PLACES))
+    found = _result(about)(**arrays, skipped=Skipped())
     with complete_or_absent(output) as file:
         WRITERS[output.suffix](file, Baked(run, shape, points, found))
     return f"{output}: {run.quantity} of {len(points):,} {run.at or 'points'}"
@@ -57,11 +58,11 @@ def _about(store: Path) -> dict[str, Any]:
     about = about_of(path, "store")
     if about.get("call") not in CALLS.values():
         raise ValueError(f"store: got {str(store)!r} of {about.get('call')}, want one of {', '.join(CALLS.values())}")
-    whole = whole_chunks(path)
-    if not all(whole):
+    whole = whole_chunks(path, _names(about), "store")
+    if missing := np.count_nonzero(~whole):
         raise ValueError(
-            f"store: got {str(store)!r}, {whole.count(False):,} of whose {len(whole):,} chunks are missing, want a finished "
-            "one: bake it again, with --resume"
+            f"store: got {str(store)!r}, {missing:,} of whose {len(whole):,} chunks are missing, want a finished one: bake "
+            "it again, with --resume"
         )
     return about
 
@@ -75,7 +76,16 @@ def _run(about: dict[str, Any], mesh: Path, output: Path) -> Run:
     return Run(mesh, output, quantity, at, None if at else about["points"], about["count"], None, up, options)
 
 
-def _arrays(store: Path) -> dict[str, np.ndarray]:
-    kept = dict(zarr.open_group(store, mode="r").arrays())
+def _result(about: dict[str, Any]) -> type:
+    return SkyView if about["call"] == CALLS["sky"] else Estimate
+
+
+def _names(about: dict[str, Any]) -> list[str]:
+    """The arrays of a store."""
+    return [*PLACES, *(item.name for item in fields(_result(about)) if item.name != "skipped")]
+
+
+def _arrays(store: Path, names: list[str]) -> dict[str, np.ndarray]:
+    kept = arrays_of(store, names, "store")
     check_memory(sum(array.nbytes for array in kept.values()), f"the numbers of {store}", "read it in parts, with xarray")
     return {name: array[:] for name, array in kept.items()}

@@ -26,6 +26,9 @@ from warpsample.sequences.record import STREAMS
 CHUNK = 65_536
 """Points: a second or two of one thread's work by 256 rays, beside which a task's overhead is nothing."""
 
+MOST_CHUNKS = 1 << 20
+"""Beyond it the lists of chunks and tasks alone take gigabytes."""
+
 VERSIONS = ("warpsample", "warp-lang")
 """Packages that the bits depend on."""
 
@@ -48,7 +51,8 @@ class Job:
         shared: the arguments that are large, by name.
         given: Dask arrays by the names of SurfacePoints' fields, cut into the chunks; empty if workers make the points.
         rows: Dask arrays by the names of arguments, cut into the chunks.
-        chunks: how many rows each has.
+        total: how many rows all chunks have.
+        chunk: how many rows each has, but the last.
         gives: (type, shape of a row) of the arrays of a result, by name.
         about: all that repeats the run, as texts and numbers.
     """
@@ -57,9 +61,31 @@ class Job:
     shared: dict[str, Any]
     given: dict[str, Array]
     rows: dict[str, Array]
-    chunks: tuple[int, ...]
+    total: int
+    chunk: int
     gives: dict[str, tuple[np.dtype, tuple[int, ...]]]
     about: dict[str, Any]
+
+    @property
+    def count(self) -> int:
+        """How many chunks there are; one of no row, if there is none."""
+        return max(1, -(-self.total // self.chunk))
+
+    def rows_of(self, index: int) -> int:
+        """How many rows a chunk has."""
+        return min(self.chunk, self.total - index * self.chunk)
+
+    def check_count(self) -> None:
+        """Refuses more chunks than Dask can keep in mind.
+
+        Raises:
+            ValueError: names the size that is enough.
+        """
+        if self.count > MOST_CHUNKS:
+            raise ValueError(
+                f"chunk: got {self.chunk:,} of {self.total:,} points, which makes {self.count:,} chunks, want at least "
+                f"{-(-self.total // MOST_CHUNKS):,}: at most {MOST_CHUNKS:,} chunks"
+            )
 
     @property
     def token(self) -> str:
@@ -103,10 +129,9 @@ def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk
         taken.pop(at)
     taken = {argument: named(argument, value, taken.get("integrand")) for argument, value in taken.items()}
     call = Call(name, taken, tuple(shared), tuple(rows), at if place else None, place or "", seed, first)
-    chunks = tuple(min(chunk, total - start) for start in range(0, max(total, 1), chunk))
     about = _about(call, {**shared, **given, **rows}, total, chunk)
-    given, rows = ({key: _cut(array, chunks) for key, array in arrays.items()} for arrays in (given, rows))
-    return Job(call, shared, given, rows, chunks, _gives(call, shared, rows), about)
+    given, rows = ({key: _cut(array, chunk) for key, array in arrays.items()} for arrays in (given, rows))
+    return Job(call, shared, given, rows, total, min(chunk, max(total, 1)), _gives(call, shared, rows), about)
 
 
 def _shared(taken: dict[str, Any], on: Any) -> dict[str, Any]:
@@ -157,12 +182,12 @@ def _rows(taken: dict[str, Any], names: list[str]) -> dict[str, Any]:
     return rows
 
 
-def _cut(array: Any, chunks: tuple[int, ...]) -> Array:
+def _cut(array: Any, chunk: int) -> Array:
     """An array of Dask's, or a copy of one of NumPy's, in the chunks of a job."""
-    wanted = (chunks, *((size,) for size in array.shape[1:]))
+    wanted = (chunk, *array.shape[1:])
     if isinstance(array, Array):
         return array.rechunk(wanted)
-    return from_array(array.copy(), wanted, name=_content(array, chunks))
+    return from_array(array.copy(), wanted, name=_content(array, chunk))
 
 
 def _content(value: Any, *more: Any) -> str:

@@ -41,7 +41,7 @@ def bake_run(run: Run, chunk: int | None, address: str | None, processes: int | 
     if run.quantity != "ao":
         options["up"] = run.up
     job = job_of(CALLS[run.quantity], (*arguments, run.samples), options, CHUNK if chunk is None else chunk)
-    with computing(address, processes, threads), _Watch(run, sum(job.chunks)) as watch:
+    with computing(address, processes, threads), _Watch(run, job.total) as watch:
         bake_job(job, store, resume, "--output", watch.hear)
     return watch.report()
 

@@ -1,10 +1,11 @@
 """A Zarr store of one run: its arrays, what repeats it, which of its chunks are whole, and who writes it."""
 
 import json
+import math
 import os
 import shutil
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from functools import lru_cache
 from pathlib import Path
@@ -19,6 +20,7 @@ from warpsample.cluster.content import difference
 from warpsample.cluster.job import STREAMS_OF, Job
 from warpsample.host.arguments import told
 from warpsample.host.files import WriteError
+from warpsample.host.locks import making
 
 try:
     import fcntl
@@ -86,25 +88,50 @@ def _lock(file: Any) -> bool:
     return True
 
 
-def begin(path: Path, job: Job, resume: bool, argument: str) -> None:
+def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
     """Makes the store of a job without its chunks, or finds the one that it is to go on with.
 
+    Returns:
+        which chunks are there already, and whole.
+
     Raises:
-        ValueError: there is one, and it is not to be resumed, or is of another run; names what differs.
-        WriteError: it cannot be made.
+        ValueError: there is one, and it is not to be resumed, or is of another run; names what differs. Or it is damaged, or
+            would have too many chunks.
+        WriteError: it cannot be made, or there is no room for it.
     """
-    if not path.exists():
-        try:
-            _make(path, job)
-        except OSError as error:
-            shutil.rmtree(_part(path), ignore_errors=True)
-            raise WriteError(f"{path} cannot be written: {error.strerror or error}") from error
-    elif not resume:
+    if path.exists() and not resume:
         raise ValueError(f"{argument}: got {str(path)!r}, which is there already, want a new name, or to resume it")
-    else:
+    if path.exists():
         check_same(path, job.about, argument)
         for part in path.rglob("*.partial"):  # of killed writers
             part.unlink(missing_ok=True)
+        whole = whole_chunks(path, (*places_of(job), *job.gives), argument)
+        _check_room(path, job, job.count - np.count_nonzero(whole))
+        return whole
+    _check_room(path, job, job.count)
+    job.check_count()
+    try:
+        _make(path, job)
+    except OSError as error:
+        shutil.rmtree(_part(path), ignore_errors=True)
+        raise WriteError(f"{path} cannot be written: {error.strerror or error}") from error
+    return np.zeros(job.count, np.bool_)
+
+
+def _check_room(path: Path, job: Job, chunks: int) -> None:
+    """Refuses more chunks than there is room for, before they are compressed: positions hardly can be.
+
+    Raises:
+        WriteError: says how much they take, and how much is free.
+    """
+    kinds = {**places_of(job), **job.gives}.values()
+    needed = sum(min(job.total, chunks * job.chunk) * dtype.itemsize * math.prod(shape) for dtype, shape in kinds)
+    free = shutil.disk_usage(path.parent).free
+    if needed > free:
+        raise WriteError(
+            f"{path} cannot be written: {min(job.total, chunks * job.chunk):,} points take {needed / 1e9:,.1f} GB, and "
+            f"{free / 1e9:,.1f} GB are free"
+        )
 
 
 def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
@@ -133,11 +160,35 @@ def about_of(path: Path, argument: str) -> dict[str, Any]:
     Raises:
         ValueError: its metadata cannot be read.
     """
-    try:
-        kept = zarr.open_group(path, mode="r").attrs.asdict()
-    except (ValueError, TypeError, KeyError) as error:
-        raise ValueError(f"{argument}: got {str(path)!r}, whose zarr.json cannot be read: {error}") from None
+    kept = _opened(path, argument).attrs.asdict()
     return {name: value for name, value in kept.items() if name not in _ITS_OWN}
+
+
+def _opened(path: Path, argument: str) -> Any:
+    try:
+        return zarr.open_group(path, mode="r")
+    except Exception as error:  # a file that holds anything fails in any way
+        reason = " ".join(str(error).split())
+        raise ValueError(f"{argument}: got {str(path)!r}, whose zarr.json cannot be read: {reason}") from None
+
+
+def arrays_of(path: Path, names: Iterable[str], argument: str) -> dict[str, Any]:
+    """The arrays of a store.
+
+    Raises:
+        ValueError: one of these is not there, or cannot be read; names it.
+    """
+    group = _opened(path, argument)
+    return {name: _array(group, name, f"{argument}: got {str(path)!r}") for name in names}
+
+
+def _array(group: Any, name: str, got: str) -> Any:
+    try:
+        return group[name]
+    except KeyError:
+        raise ValueError(f"{got}, whose array {name!r} is missing; bake it anew") from None
+    except Exception as error:  # as for the group
+        raise ValueError(f"{got}, whose array {name!r} cannot be read: {' '.join(str(error).split())}") from None
 
 
 def _make(path: Path, job: Job) -> None:
@@ -149,14 +200,14 @@ def _make(path: Path, job: Job) -> None:
     for name, (dtype, shape) in {**places, **job.gives}.items():
         group.create_array(
             name,
-            shape=(sum(job.chunks), *shape),
-            chunks=(max(1, job.chunks[0]), *shape),
+            shape=(job.total, *shape),
+            chunks=(job.chunk, *shape),
             dtype=dtype,
             fill_value=_ABSENT[dtype.kind],
             compressors=[ZstdCodec(level=1), Crc32cCodec()],  # a chunk that is cut short does not read as whole
             dimension_names=dimensions(name, 1 + len(shape)),
         )
-    with warnings.catch_warnings():  # that the format's text does not have them yet, though its readers do
+    with making, warnings.catch_warnings():  # that the format's text does not have them yet, though its readers do
         warnings.simplefilter("ignore")
         zarr.consolidate_metadata(part)
     part.rename(path)
@@ -187,11 +238,16 @@ def _arrays(path: Path, _: int) -> dict[str, Any]:
     return {name: array.with_config({"write_empty_chunks": True}) for name, array in known.items()}
 
 
-def whole_chunks(path: Path) -> list[bool]:
-    """Which chunks are there in every array, and read as they were written."""
-    arrays = dict(zarr.open_group(path, mode="r").arrays())
-    rows, each = next(iter(arrays.values())).shape[0], next(iter(arrays.values())).chunks[0]
-    return [all(_is_whole(path / name, array, i) for name, array in arrays.items()) for i in range(-(-rows // each))]
+def whole_chunks(path: Path, names: Iterable[str], argument: str = "path") -> np.ndarray:
+    """(chunks,) bool: which chunks are there in every array of these names, and read as they were written.
+
+    Raises:
+        ValueError: as `arrays_of`.
+    """
+    arrays = arrays_of(path, names, argument)
+    first = next(iter(arrays.values()))
+    chunks = range(-(-first.shape[0] // first.chunks[0]))
+    return np.array([all(_is_whole(path / name, array, i) for name, array in arrays.items()) for i in chunks], np.bool_)
 
 
 def _is_whole(folder: Path, array: Any, chunk: int) -> bool:
