@@ -1,5 +1,7 @@
 """Stores: each chunk whole or absent, what is missing computed and nothing else, and nothing of another run."""
 
+import json
+import shutil
 import subprocess
 import sys
 from importlib import import_module
@@ -248,11 +250,45 @@ def test_a_store_that_cannot_be_written(path, tmp_path, mesh):
 # The command line
 
 
-def test_metadata_that_cannot_be_read_is_named(path, mesh):
-    cluster.bake(path, "ambient_occlusion", mesh, POINTS, RAYS, chunk=CHUNK)
-    (path / "zarr.json").write_text("garbage")
-    with pytest.raises(ValueError, match=r"path: got '.*out\.zarr', whose zarr\.json cannot be read"):
-        cluster.bake(path, "ambient_occlusion", mesh, POINTS, RAYS, chunk=CHUNK, resume=True)
+@pytest.mark.parametrize(
+    "text", ["garbage", "null", "3", "[]", "", '{"attributes": [1], "zarr_format": 3, "node_type": "group"}']
+)
+def test_metadata_that_cannot_be_read_is_named(path, mesh, text):
+    bake(path, mesh)
+    (path / "zarr.json").write_text(text)
+    with pytest.raises(ValueError, match=r"^path: got '.*out\.zarr', whose zarr\.json cannot be read"):
+        bake(path, mesh, resume=True)
+
+
+def without_consolidated(path):
+    """The metadata of all arrays are then those beside their chunks."""
+    kept = json.loads((path / "zarr.json").read_text())
+    del kept["consolidated_metadata"]
+    (path / "zarr.json").write_text(json.dumps(kept))
+
+
+def test_an_array_that_is_missing_or_damaged_is_named(path, mesh, computed):
+    bake(path, mesh)
+    without_consolidated(path)
+    computed.clear()
+    with pytest.warns(RuntimeWarning, match="consolidated metadata"):  # xarray's
+        bake(path, mesh, resume=True)
+    assert computed == []
+    (path / "spread/zarr.json").write_text("null")
+    with pytest.raises(ValueError, match=r"^path: got '.*out\.zarr', whose array 'spread' cannot be read"):
+        bake(path, mesh, resume=True)
+    shutil.rmtree(path / "spread")
+    with pytest.raises(ValueError, match=r"^path: got '.*out\.zarr', whose array 'spread' is missing; bake it anew$"):
+        bake(path, mesh, resume=True)
+
+
+def test_so_is_one_of_another_shape(path, mesh):
+    bake(path, mesh)
+    without_consolidated(path)
+    file = path / "spread/zarr.json"
+    file.write_text(file.read_text().replace('"float32"', '"float64"'))
+    with pytest.raises(ValueError, match=r"whose array 'spread' is of another shape or type; bake it anew$"):
+        bake(path, mesh, resume=True)
 
 
 def test_a_store_that_cannot_be_made_leaves_nothing(path, tmp_path, mesh):

@@ -1,6 +1,8 @@
 """Stores at the command line: `bake`, `export`, and what they say."""
 
+import json
 import re
+import shutil
 import zipfile
 from importlib import import_module
 
@@ -113,6 +115,19 @@ def test_only_a_finished_store_of_that_mesh_is_exported(call, path, cube, tmp_pa
     assert (status, err.count("\n")) == (2, 1)
     assert "1 of whose 3 chunks are missing" in err
     assert not (tmp_path / "x.vtp").exists()
+
+
+def test_a_store_without_an_array_is_not_exported(call, path, tmp_path):
+    assert call("bake", "courtyard", "-o", path, "--points", POINTS, "--samples", 2)[0] == 0
+    kept = json.loads((path / "zarr.json").read_text())
+    (path / "zarr.json").write_text(json.dumps({**kept, "consolidated_metadata": None}))
+    shutil.rmtree(path / "spread")
+    status, _, err = call("export", path, "courtyard", "-o", tmp_path / "x.vtp")
+    assert (status, err) == (2, f"error: store: got '{path}', whose array 'spread' is missing; bake it anew\n")
+    (path / "zarr.json").write_text("null")
+    status, _, err = call("export", path, "courtyard", "-o", tmp_path / "x.vtp")
+    assert (status, err.count("\n")) == (2, 1)
+    assert err.startswith(f"error: store: got '{path}', whose zarr.json cannot be read: ")
 
 
 def test_a_store_read_back_shows_what_was_computed(script, tmp_path, can_render):

@@ -26,6 +26,7 @@ At = Annotated[
 FigureFile = Annotated[Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)]
 Size = Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")]
 
+_OF_SIGPIPE = 128 + 13  # the status of what ends by that signal
 _PIPE_WIDTH = 120  # width of tables without a terminal
 _SILENCE = 1.0  # seconds that a step may take without a message
 
@@ -59,10 +60,21 @@ def saying_what_fails(**options: str) -> Iterator[None]:
     """The same for a block of code; `options` by the names of arguments."""
     try:
         yield
+    except SystemExit as stop:
+        if stop.code == 1 and _closed_pipe(stop):  # as rich and click end when nobody reads on
+            raise SystemExit(_OF_SIGPIPE) from None
+        raise
     except (ValueError, TypeError, OSError, EOFError, MemoryError, ModuleNotFoundError, RuntimeError) as error:
         if signals.heard() or isinstance(error, typer.Exit):  # a closed terminal can fail in many ways
             raise
         _fail(error, options)
+
+
+def _closed_pipe(error: BaseException | None) -> bool:
+    """Whether an error came of a pipe that is closed."""
+    while error is not None and not isinstance(error, BrokenPipeError):
+        error = error.__context__
+    return error is not None
 
 
 def _options_of(command: Callable[..., Any]) -> dict[str, str]:
@@ -83,7 +95,7 @@ def _fail(error: Exception, options: dict[str, str]) -> None:
         if type(error) is OSError and error.errno == flaw.errno and error.filename is None:
             error = WriteError(f"standard output cannot be written: {flaw.strerror}")
     if isinstance(error, BrokenPipeError):
-        raise SystemExit(128 + 13) from None  # the status of SIGPIPE
+        raise SystemExit(_OF_SIGPIPE) from None
     message = re.sub(r"^\w+(?=: )", lambda name: options.get(name[0], name[0]), str(error) or type(error).__name__)
     signals.say(f"error: {message}")
     raise SystemExit(1 if isinstance(error, WriteError) else 2) from error

@@ -105,6 +105,7 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
         check_same(path, job.about, argument)
         for part in path.rglob("*.partial"):  # of killed writers
             part.unlink(missing_ok=True)
+        _check_arrays(path, job, argument)
         whole = whole_chunks(path, (*places_of(job), *job.gives), argument)
         _check_room(path, job, job.count - np.count_nonzero(whole))
         return whole
@@ -116,6 +117,20 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
         shutil.rmtree(_part(path), ignore_errors=True)
         raise WriteError(f"{path} cannot be written: {error.strerror or error}") from error
     return np.zeros(job.count, np.bool_)
+
+
+def _check_arrays(path: Path, job: Job, argument: str) -> None:
+    """Refuses a store whose arrays are not those of the job, though its attributes are.
+
+    Raises:
+        ValueError: names the array.
+    """
+    kinds = {**places_of(job), **job.gives}
+    for name, array in arrays_of(path, kinds, argument).items():
+        dtype, shape = kinds[name]
+        if (array.dtype, array.shape, array.chunks) != (dtype, (job.total, *shape), (job.chunk, *shape)):
+            got = f"{argument}: got {str(path)!r}, whose array {name!r}"
+            raise ValueError(f"{got} is of another shape or type; bake it anew")
 
 
 def _check_room(path: Path, job: Job, chunks: int) -> None:

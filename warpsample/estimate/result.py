@@ -108,7 +108,7 @@ class Estimate:
             >>> mesh = ws.load_mesh("courtyard")
             >>> found = ws.ambient_occlusion(mesh, ws.sample_surface(mesh, 100), 64)
             >>> lower, upper = found.interval(0.95)
-            >>> print(lower.shape, (lower < found.value).all(), (found.value < upper).all())
+            >>> print(lower.shape, (lower < found.value).all(), (found.value <= upper).all())
             (100,) True True
         """
         level = check_number(level, "level", 0.01, 0.9999)
