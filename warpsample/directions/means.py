@@ -5,6 +5,7 @@ import warp as wp
 from warpsample.directions.variates import CHUNK, LANES, fill_variates
 from warpsample.distributions.parameters import Parameters
 from warpsample.host.locks import once
+from warpsample.maths.numerics import high_word, low_word
 from warpsample.sequences.record import Sequence
 
 _Z = wp.constant(wp.vec3(0.0, 0.0, 1.0))
@@ -19,7 +20,7 @@ def direction_means(sequence: Sequence, about: wp.Function, function: wp.Functio
         about: (unit normal, u, Parameters) -> (direction, pdf).
         function: (w: vec3) -> float32.
     """
-    fill, key_of = fill_variates(sequence, CHUNK), sequence.key
+    fill, run_of, key_of = fill_variates(sequence, CHUNK), sequence.run, sequence.key
     variates = 2 * CHUNK
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
@@ -37,7 +38,8 @@ def direction_means(sequence: Sequence, about: wp.Function, function: wp.Functio
         # A sum for each place in the chunk: one for all would be added up in order, a sample at a time.
         lanes = wp.zeros(shape=(CHUNK,), dtype=wp.float64)
         sums = wp.array(ptr=lanes.ptr, shape=(CHUNK,), dtype=wp.float64)
-        key = key_of(seed, first_point + point)
+        id = first_point + point
+        key = key_of(run_of(seed, high_word(id)), low_word(id))
         for first in range(0, count, CHUNK):
             length = wp.min(CHUNK, count - first)
             padded = (length + LANES - 1) / LANES * LANES

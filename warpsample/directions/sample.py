@@ -11,7 +11,7 @@ import warp as wp
 
 from warpsample import sequences
 from warpsample.directions import samples
-from warpsample.directions.plan import Plan
+from warpsample.directions.plan import Plan, same_high_word
 from warpsample.directions.square import square_blocks
 from warpsample.distributions import as_spatial
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
@@ -216,9 +216,10 @@ def sample_square(sequence: str, points: int, count: int, seed: int = 0, first_p
     total = points * count
     check_memory(8 * total, f"{total:,} points of the square", "take them in parts with first_point")
     square = np.empty((points, count, 2), np.float32)
-    inputs = [total, FLAT_BLOCK, count, seed, first_point, square.ctypes.data]
-    tasks = -(-total // FLAT_BLOCK)
-    run(square_blocks(record), tasks, inputs, cpu(), check_workers(None), total)
+    for start, end in same_high_word(first_point, points):
+        pairs = (end - start) * count
+        inputs = [pairs, FLAT_BLOCK, count, seed, first_point + start, square[start:].ctypes.data]
+        run(square_blocks(record), -(-pairs // FLAT_BLOCK), inputs, cpu(), check_workers(None), pairs)
     return square
 
 

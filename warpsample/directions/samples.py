@@ -10,7 +10,7 @@ import warp as wp
 
 from warpsample.distributions.parameters import Parameters
 from warpsample.host.locks import once
-from warpsample.maths.numerics import high_word, low_word, scaled_to_unit
+from warpsample.maths.numerics import scaled_to_unit
 
 OK = 0
 INACTIVE = 1
@@ -87,13 +87,6 @@ class Samples:
 
 SamplesArgs = type(Samples().__ctype__())
 """As ctypes takes it: made in 2 us, where setting the fields of `Samples` one by one takes 50."""
-
-
-@wp.func
-def point_id(samples: Samples, point: wp.uint32) -> wp.uint64:
-    """The global id of a point, by words: the high one is the same for all, so a loop over points has 32-bit lanes."""
-    low = low_word(samples.first_point) + point
-    return (wp.uint64(high_word(samples.first_point)) << wp.uint64(32)) | wp.uint64(low)
 
 
 @once

@@ -3,13 +3,14 @@
 import warp as wp
 
 from warpsample.host.locks import once
+from warpsample.maths.numerics import high_word, low_word
 from warpsample.sequences.record import Sequence
 
 
 @once
 def square_blocks(sequence: Sequence) -> wp.Kernel:
-    """A kernel over blocks of consecutive (point, sample) pairs of a sequence alone."""
-    key_of, sample_of = sequence.key, sequence.sample
+    """A kernel over blocks of consecutive (point, sample) pairs of a sequence alone; all ids have the same high word."""
+    run_of, key_of, sample_of = sequence.run, sequence.key, sequence.sample
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def square_blocks(
@@ -28,13 +29,14 @@ def square_blocks(sequence: Sequence) -> wp.Kernel:
         middle = wp.float64(start) + wp.float64(0.5)
         per_count = wp.float64(1.0) / wp.float64(count)
         y = wp.array(ptr=target + wp.uint64(first * wp.int64(8)), shape=(2 * length,), dtype=wp.float32)
+        run = run_of(seed, high_word(first_point))
+        low = low_word(first_point) + wp.uint32(point)
         i = wp.int32(0)
         while i < length:
             # The half keeps the quotient off the integers by more than float64 errs below 2^52.
             q = wp.int32((middle + wp.float64(i)) * per_count)
             sample = start + wp.uint32(i) - wp.uint32(q) * wp.uint32(count)
-            key = key_of(seed, first_point + wp.uint64(point) + wp.uint64(q))
-            u = sample_of(key, sample, wp.uint32(count))
+            u = sample_of(key_of(run, low + wp.uint32(q)), sample, wp.uint32(count))
             y[2 * i] = u[0]
             y[2 * i + 1] = u[1]
             i += 1

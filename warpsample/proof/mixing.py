@@ -12,6 +12,7 @@ import warp as wp
 
 from warpsample import sequences
 from warpsample.host.kernel_cache import load
+from warpsample.maths.numerics import high_word, low_word
 from warpsample.proof.verify import LEVEL, Verdict
 from warpsample.sequences.hashing import point_key, seed_for, stream_key
 
@@ -31,13 +32,14 @@ _PURPOSES = ("trial", "ground", "sky", "sun", "faces")
 @cache
 def _first_variates(name: str) -> wp.Kernel:
     """A kernel that writes the first variates of points, or of one of their streams."""
-    key_of, sample_of = sequences.get(name).key, sequences.get(name).sample
+    sequence = sequences.get(name)
+    run_of, key_of, sample_of = sequence.run, sequence.key, sequence.sample
 
     @wp.kernel(module="unique", enable_backward=False)
     def first_variates(seed: wp.uint64, first: wp.uint64, stream: wp.int64, out: wp.array[wp.vec2]):
         """One point."""
         point = first + wp.uint64(wp.tid())
-        key = key_of(seed, point)
+        key = key_of(run_of(seed, high_word(point)), low_word(point))
         if stream >= wp.int64(0):
             key = stream_key(point_key(seed, point), wp.uint32(stream))
         out[wp.tid()] = sample_of(key, wp.uint32(0), wp.uint32(1))

@@ -12,11 +12,13 @@ from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.distributions.uniform_sphere import UniformSphere
 from warpsample.host.kernel_cache import load
+from warpsample.maths.numerics import high_word, low_word
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import sample_surface
 from warpsample.proof import laws, twins
 from warpsample.proof.twins.sequences import expected
 from warpsample.proof.verify import LEVEL, Verdict
+from warpsample.sequences.record import Sequence
 
 _SAMPLES = 64
 _IDS = sorted({max(0, 2**k + step) for k in (24, 31, 32, 40, 63) for step in (-2, -1, 0, 1)} | {0, 1, 2**64 - 1})
@@ -102,8 +104,9 @@ def judge_bad_normals() -> Verdict:
 
 
 @cache
-def _at(key_of: wp.Function, sample_of: wp.Function) -> wp.Kernel:
+def _at(sequence: Sequence) -> wp.Kernel:
     """A kernel that evaluates a sequence at given points, samples and counts."""
+    run_of, key_of, sample_of = sequence.run, sequence.key, sequence.sample
 
     @wp.kernel(module="unique", enable_backward=False)
     def at(
@@ -115,7 +118,8 @@ def _at(key_of: wp.Function, sample_of: wp.Function) -> wp.Kernel:
     ):
         """One point of the square."""
         i = wp.tid()
-        out[i] = sample_of(key_of(seed, point[i]), sample[i], count[i])
+        key = key_of(run_of(seed, high_word(point[i])), low_word(point[i]))
+        out[i] = sample_of(key, sample[i], count[i])
 
     return at
 
@@ -126,8 +130,7 @@ def judge_indices(name: str) -> Verdict:
     columns = np.array(asked, np.uint64).T
     point, sample, count = (column.astype(kind) for column, kind in zip(columns, ("u8", "u4", "u4"), strict=True))
     worst = 0
-    record = sequences.get(name)
-    kernel = _at(record.key, record.sample)
+    kernel = _at(sequences.get(name))
     load(kernel, "cpu")
     for seed in _SEEDS:
         out = wp.empty(len(asked), dtype=wp.vec2, device="cpu")

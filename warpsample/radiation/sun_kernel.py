@@ -20,6 +20,7 @@ from warpsample.radiation.sun_rays import (
     way_of,
 )
 from warpsample.radiation.sun_view import CAST, KNOWN_FLOATS, PROVEN, WORDS, Suns, View, add, cosine_to, word
+from warpsample.sequences.hashing import point_key
 from warpsample.tracing.placement import local_origin, point_of, reach_along
 from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, SCRATCH, START_FLOATS, WIDTH, Accelerator
 
@@ -193,6 +194,8 @@ def sun_kernel(disc: bool) -> wp.Kernel:
         view.known = known.ptr
         view.words = words.ptr
         view.point = point_of(suns.placement, first_task + wp.int64(wp.tid()))
+        if wp.static(disc):
+            view.key = point_key(suns.seed, suns.first_point + wp.uint64(view.point))
         row = wp.uint64(view.point) * wp.uint64(12)
         normal = wp.array(ptr=suns.normals + row, shape=(1,), dtype=wp.vec3)[0]
         unit = scaled_to_unit(normal)

@@ -21,7 +21,7 @@ from warpsample.radiation.sun_view import (
     word,
 )
 from warpsample.sequences.fibonacci import fibonacci_sample
-from warpsample.sequences.hashing import point_key, stream_key
+from warpsample.sequences.hashing import stream_key
 from warpsample.tracing.placement import far_off, unit_in_double, vector_in_double, way_to_scene
 from warpsample.tracing.wide.layout import (
     CHUNK,
@@ -121,7 +121,7 @@ def aim_at_group(suns: Suns, view: View, group: wp.int32):
 def aim_at_disc(suns: Suns, view: View, column: wp.int32, sun: wp.vec3):
     """Makes the rays towards points of a sun's disc, evenly spread over its solid angle."""
     frame = frame_about(sun)
-    key = stream_key(point_key(suns.seed, suns.first_point + wp.uint64(view.point)), wp.uint32(column))
+    key = stream_key(view.key, wp.uint32(column))
     k = wp.int32(0)
     while k < DISC_RAYS:
         u = fibonacci_sample(key, wp.uint32(k), wp.uint32(DISC_RAYS))

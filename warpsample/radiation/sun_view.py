@@ -62,11 +62,12 @@ SunsArgs = type(Suns().__ctype__())
 class View:
     """A point.
 
-    Unit normal, place, origin of its rays, what is lower is below the horizon, reach; mask of the triangles around it;
-    whether anything may be proven; and addresses of memory to work in.
+    The key of its random numbers (where suns are discs), unit normal, place, origin of its rays, what is lower is below the
+    horizon, reach; mask of the triangles around it; whether anything may be proven; and addresses of memory to work in.
     """
 
     point: wp.int64
+    key: wp.vec4ui
     n: wp.vec3
     place: wp.vec3d
     o: wp.vec3

@@ -91,26 +91,33 @@ def finalised(word: wp.uint32) -> wp.uint32:
 
 
 @wp.func
-def premixed_key(seed: wp.uint64, point: wp.uint64) -> wp.vec4ui:
-    """Four words for one point of one run, of which the first alone depends on the lower half of its id.
+def run_key(seed: wp.uint64, high: wp.uint32) -> wp.vec4ui:
+    """Four random words for all points whose ids have the same upper half: kernels compute them once."""
+    return philox4x32_10(wp.vec4ui(high, ZERO_WORD, ZERO_WORD, _KEYS), low_word(seed), high_word(seed))
 
-    The others are the same for all points in a call, so a loop over points computes them once.
-    """
-    run = philox4x32_10(wp.vec4ui(high_word(point), ZERO_WORD, ZERO_WORD, _KEYS), low_word(seed), high_word(seed))
-    return wp.vec4ui(finalised(low_word(point) ^ run[0]), run[1], run[2], run[3])
+
+@wp.func
+def premixed_key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
+    """Four words for one point, of which the first alone depends on the lower half of its id."""
+    return wp.vec4ui(finalised(low ^ run[0]), run[1], run[2], run[3])
+
+
+@wp.func
+def mixed_key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
+    """Four random words for one point, by which a sequence scrambles or shifts its points."""
+    return pcg4d(finalised(low ^ run[0]), run[1], run[2], run[3])
 
 
 @wp.func
 def point_key(seed: wp.uint64, point: wp.uint64) -> wp.vec4ui:
-    """Four random words for one point of one run, by which a sequence scrambles or shifts its points."""
-    key = premixed_key(seed, point)
-    return pcg4d(key[0], key[1], key[2], key[3])
+    """The `mixed_key` of a point."""
+    return mixed_key(run_key(seed, high_word(point)), low_word(point))
 
 
 @wp.func
 def stream_key(key: wp.vec4ui, stream: wp.uint32) -> wp.vec4ui:
     """The key of one of a point's streams, from its `point_key`: those of different streams are independent."""
-    return pcg4d(finalised(stream ^ key[0]), key[1], key[2], key[3])
+    return mixed_key(key, stream)
 
 
 @wp.func

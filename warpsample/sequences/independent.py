@@ -2,7 +2,8 @@
 
 import warp as wp
 
-from warpsample.sequences.hashing import ONE_WORD, pcg4d, point_of_two, premixed_key, two_points
+from warpsample.maths.numerics import high_word, low_word
+from warpsample.sequences.hashing import ONE_WORD, pcg4d, point_of_two, premixed_key, run_key, two_points
 from warpsample.sequences.record import Sequence
 
 
@@ -30,7 +31,7 @@ def independent(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.
     pcg4d and what mixes its arguments are bijections, so of 2^32 points with one seed and the same upper half of their ids
     no two share random words; of others, two do by chance only (probability 2^-128).
     """
-    return independent_sample(premixed_key(seed, point), sample, count)
+    return independent_sample(premixed_key(run_key(seed, high_word(point)), low_word(point)), sample, count)
 
 
 RECORD = Sequence(

@@ -8,9 +8,14 @@ from warpsample.sequences.record import Sequence
 
 
 @wp.func
-def _key(seed: wp.uint64, point: wp.uint64) -> wp.vec4ui:
-    """As it is: Philox mixes all bits of its counter and its key."""
-    return wp.vec4ui(low_word(point), high_word(point), low_word(seed), high_word(seed))
+def _run(seed: wp.uint64, high: wp.uint32) -> wp.vec4ui:
+    """The words as they are: Philox mixes all bits of its counter and its key."""
+    return wp.vec4ui(ZERO_WORD, high, low_word(seed), high_word(seed))
+
+
+@wp.func
+def _key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
+    return wp.vec4ui(low, run[1], run[2], run[3])
 
 
 @wp.func
@@ -33,11 +38,12 @@ def philox_pair(key: wp.vec4ui, half: wp.uint32, count: wp.uint32) -> wp.vec4:
 @wp.func
 def philox(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
     """An independent point of the square; different arguments never share random words."""
-    return philox_sample(_key(seed, point), sample, count)
+    return philox_sample(_key(_run(seed, high_word(point)), low_word(point)), sample, count)
 
 
 RECORD = Sequence(
     name="philox",
+    run=_run,
     key=_key,
     sample=philox_sample,
     progressive=True,

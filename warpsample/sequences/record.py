@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import warp as wp
 
-from warpsample.sequences.hashing import point_key
+from warpsample.sequences.hashing import mixed_key, run_key
 
 STREAMS = 2
 """The number of the definition of all random streams: it grows when the same seed gives other numbers."""
@@ -21,8 +21,10 @@ class Sequence:
             count points under that key, most often that of the surface point with a global id. Averages over the count
             points are unbiased, and independent between keys; the sequences differ in how evenly the points under one key
             cover the square.
-        key: `wp.func` (seed: uint64, point: uint64) -> vec4ui, the key of a surface point. Streams of a point have a
-            `stream_key`.
+        run: `wp.func` (seed: uint64, high: uint32) -> vec4ui, what the keys of all surface points have in common whose ids
+            have that upper half.
+        key: `wp.func` (run: vec4ui, low: uint32) -> vec4ui, the key of a surface point, from the lower half of its id.
+            Streams of a point have a `stream_key`.
         pair: `wp.func` (key, half: uint32, count) -> vec4, the points of samples 2 half and 2 half + 1, if one evaluation
             gives both.
         rate: the RMSE of n samples of a step function, such as visibility, falls about as n to the power of -rate.
@@ -47,7 +49,8 @@ class Sequence:
     marker: str
     summary: str
     source: str
-    key: wp.Function = point_key
+    run: wp.Function = run_key
+    key: wp.Function = mixed_key
     pair: wp.Function | None = None
     rate: float = 0.75
     edge: float = 0.25

@@ -2,8 +2,8 @@
 
 import warp as wp
 
-from warpsample.maths.numerics import uniform_from_double
-from warpsample.sequences.hashing import premixed_key
+from warpsample.maths.numerics import high_word, low_word, uniform_from_double
+from warpsample.sequences.hashing import premixed_key, run_key
 from warpsample.sequences.independent import independent_sample
 from warpsample.sequences.record import Sequence
 
@@ -36,7 +36,7 @@ def stratified_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp
 @wp.func
 def stratified(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
     """An independent point of the sample-th of `count` cells of area 1/count."""
-    return stratified_sample(premixed_key(seed, point), sample, count)
+    return stratified_sample(premixed_key(run_key(seed, high_word(point)), low_word(point)), sample, count)
 
 
 RECORD = Sequence(
