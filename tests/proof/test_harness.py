@@ -40,7 +40,7 @@ CAUGHT_BY = {
     "one point in 10⁵ has another's stream": {"shared streams"},
     "the seed is ignored": {"correlation of seeds"},
     "u[1] is the next point's u[0]": {"correlation of points"},
-    "raw words as a key": {"bits of seeds", "bits of ids", "streams and purposes"},
+    "raw words as a key": {"bits of seeds", "bits of ids", "bits of samples", "streams and purposes"},
     "ids of 32 bits": {"bits of ids"},
 }
 

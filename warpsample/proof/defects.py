@@ -136,16 +136,16 @@ def _second_is_the_next_first(points: int, count: int, seed: int) -> np.ndarray:
     return np.stack([u[:-1, :, 0], u[1:, :, 0]], axis=-1)
 
 
-def _raw_words_as_key(seed: int, first: int, stream: int | None = None) -> np.ndarray:
-    """The words of seed, id and stream as they are: pcg4d alone, which carries a bit only to higher ones but once."""
+def _raw_words_as_key(seed: int, first: int, stream: int | None = None, sample: int = 0) -> np.ndarray:
+    """The words of seed, id, stream and sample as they are: pcg4d alone carries a bit only to higher ones, but once."""
     point = first + np.arange(POINTS, dtype=np.uint64)
-    words = [point % 2**32, point >> 32, seed % 2**32, (seed >> 32) ^ (0x9E3779B9 * (stream or 0) % 2**32)]
+    words = [point % 2**32, (point >> 32) ^ sample, seed % 2**32, (seed >> 32) ^ (0x9E3779B9 * (stream or 0) % 2**32)]
     x, y, _, _ = pcg4d(*(np.full(POINTS, word, np.uint64) for word in words))
     return np.array([x >> 8, y >> 8]).astype(np.int64)
 
 
-def _ids_of_32_bits(seed: int, first: int, stream: int | None = None) -> np.ndarray:
-    return cells_of("independent")(seed, first % 2**32, stream)
+def _ids_of_32_bits(seed: int, first: int, stream: int | None = None, sample: int = 0) -> np.ndarray:
+    return cells_of("independent")(seed, first % 2**32, stream, sample)
 
 
 _SAMPLERS = {

@@ -1,6 +1,6 @@
-"""That every bit of a seed, of an id and of a stream's number mixes: whatever differs, the random numbers are independent.
+"""That every bit of a seed, an id, a stream's and a sample's number mixes: whatever differs, variates are independent.
 
-A pair of runs that differ in one bit is judged by a chi-square test of the first variate of 2^16 points in one against the
+A pair of runs that differ in one bit is judged by a chi-square test of one variate of each of 2^16 points against the
 other, on 16 x 16 cells, and by the share of points at which each of the 24 bits of a variate changes, which is a half.
 """
 
@@ -17,7 +17,7 @@ from warpsample.proof.verify import LEVEL, Verdict
 from warpsample.sequences.hashing import point_key, seed_for, stream_key
 
 Cells = Callable[..., np.ndarray]
-"""(seed, first point, stream or None) -> (2, POINTS) integers below 2^24: the first variates of consecutive points."""
+"""(seed, first point, stream or None, sample) -> (2, POINTS) integers below 2^24: a variate of consecutive points each."""
 
 Pair = tuple[np.ndarray, np.ndarray]
 
@@ -30,32 +30,34 @@ _PURPOSES = ("trial", "ground", "sky", "sun", "faces")
 
 
 @cache
-def _first_variates(name: str) -> wp.Kernel:
-    """A kernel that writes the first variates of points, or of one of their streams."""
+def _one_variate(name: str) -> wp.Kernel:
+    """A kernel that writes one variate of each point, or of one of its streams."""
     sequence = sequences.get(name)
     run_of, key_of, sample_of = sequence.run, sequence.key, sequence.sample
 
     @wp.kernel(module="unique", enable_backward=False)
-    def first_variates(seed: wp.uint64, first: wp.uint64, stream: wp.int64, out: wp.array[wp.vec2]):
+    def one_variate(seed: wp.uint64, first: wp.uint64, stream: wp.int64, sample: wp.uint32, out: wp.array[wp.vec2]):
         """One point."""
         point = first + wp.uint64(wp.tid())
         key = key_of(run_of(seed, high_word(point)), low_word(point))
         if stream >= wp.int64(0):
             key = stream_key(point_key(seed, point), wp.uint32(stream))
-        out[wp.tid()] = sample_of(key, wp.uint32(0), wp.uint32(1))
+        out[wp.tid()] = sample_of(key, sample, sample + wp.uint32(1))
 
-    return first_variates
+    return one_variate
 
 
 def cells_of(name: str) -> Cells:
-    """The first variates of a sequence of the package."""
-    kernel = _first_variates(name)
+    """The variates of a sequence of the package."""
+    kernel = _one_variate(name)
     load(kernel, "cpu")
 
-    def cells(seed: int, first: int, stream: int | None = None) -> np.ndarray:
-        """The first variates of POINTS points as integers."""
+    def cells(seed: int, first: int, stream: int | None = None, sample: int = 0) -> np.ndarray:
+        """A variate of each of POINTS points as integers."""
         out = wp.empty(POINTS, dtype=wp.vec2, device="cpu")
-        wp.launch(kernel, POINTS, inputs=[seed, first, -1 if stream is None else stream], outputs=[out], device="cpu")
+        wp.launch(
+            kernel, POINTS, inputs=[seed, first, -1 if stream is None else stream, sample], outputs=[out], device="cpu"
+        )
         return (out.numpy().T * np.float32(2**_BITS)).astype(np.int64)
 
     return cells
@@ -113,18 +115,26 @@ def stream_pairs(cells: Cells) -> Iterator[Pair]:
     yield from ((one, other) for k, one in enumerate([own, *inner]) for other in inner[k:])
 
 
+def sample_pairs(cells: Cells) -> Iterator[Pair]:
+    """Samples of a point whose numbers differ in one of 31 bits, for sequences of independent ones."""
+    for base in (0, 0x2468ACE1):
+        own = cells(_SEED, 0, sample=base)
+        yield from ((own, cells(_SEED, 0, sample=base ^ (1 << bit))) for bit in range(31))
+
+
 _LAWS = {"bits of seeds": seed_pairs, "bits of ids": point_pairs, "streams and purposes": stream_pairs}
+_OF_RANDOM = {"bits of samples": sample_pairs}
 
 
-def judge_cells(name: str, cells: Cells, laws: tuple[str, ...] = tuple(_LAWS)) -> list[Verdict]:
-    """The laws for any generator of first variates."""
+def judge_cells(name: str, cells: Cells, random: bool = True) -> list[Verdict]:
+    """The laws for any generator of variates; `random` are those whose samples of one point are independent, too."""
     verdicts = []
-    for law in laws:
-        p_values = [dependence_p_value(*pair) for pair in _LAWS[law](cells)]
+    for law, pairs in (_LAWS | (_OF_RANDOM if random else {})).items():
+        p_values = [dependence_p_value(*pair) for pair in pairs(cells)]
         verdicts.append(Verdict(law, name, min(1.0, len(p_values) * min(p_values)), LEVEL, True, f"{len(p_values)} pairs"))
     return verdicts
 
 
 def judge_mixing(name: str) -> list[Verdict]:
     """The laws for a sequence of the package."""
-    return judge_cells(name, cells_of(name))
+    return judge_cells(name, cells_of(name), sequences.get(name).random)

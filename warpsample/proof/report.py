@@ -22,6 +22,7 @@ _SUMMARIES = {
     "indices": "greatest difference from exact integers, in cells of 2⁻²⁴",
     "bits of seeds": "seeds that differ in one of 64 bits, follow each other, or are random: chi-square, bits changed",
     "bits of ids": "points whose ids do: the same tests",
+    "bits of samples": "samples of one point whose numbers differ in one of 31 bits: the same tests",
     "streams and purposes": "streams of a point that differ in one of 32 bits, and the seeds of trial, ground, sky and sun",
     "correlation of dimensions": "u[0] against u[1]",
     "correlation of points": "neighbouring point ids, each dimension against each",

@@ -81,7 +81,7 @@ def _half(words: Sequence[int], sample: int) -> tuple[int, int]:
 
 
 def _independent(key: Key, sample: int, count: int) -> tuple[int, int]:
-    return _half(pcg4d(key[1] ^ (sample >> 1), key[0], key[2], key[3]), sample)
+    return _half(pcg4d(key[1] ^ (sample >> 1) ^ (sample >> 17), key[0], key[2], key[3]), sample)
 
 
 def _philox(key: Key, sample: int, count: int) -> tuple[int, int]:
