@@ -274,11 +274,30 @@ def test_an_array_that_is_missing_or_damaged_is_named(path, mesh, computed):
     with pytest.warns(RuntimeWarning, match="consolidated metadata"):  # xarray's
         bake(path, mesh, resume=True)
     assert computed == []
+    damage_an_array(path, mesh)
+
+
+def test_an_array_that_is_damaged_is_named_beside_metadata_that_are_not(path, mesh):
+    bake(path, mesh)
+    damage_an_array(path, mesh)
+
+
+def damage_an_array(path, mesh):
     (path / "spread/zarr.json").write_text("null")
     with pytest.raises(ValueError, match=r"^path: got '.*out\.zarr', whose array 'spread' cannot be read"):
         bake(path, mesh, resume=True)
     shutil.rmtree(path / "spread")
     with pytest.raises(ValueError, match=r"^path: got '.*out\.zarr', whose array 'spread' is missing; bake it anew$"):
+        bake(path, mesh, resume=True)
+
+
+@pytest.mark.parametrize(("key", "value"), [("dimension_names", None), ("shape", []), ("data_type", 3)])
+def test_consolidated_metadata_that_are_damaged_are_named(path, mesh, key, value):
+    bake(path, mesh)
+    kept = json.loads((path / "zarr.json").read_text())
+    kept["consolidated_metadata"]["metadata"]["value"][key] = value
+    (path / "zarr.json").write_text(json.dumps(kept))
+    with pytest.raises(ValueError, match=r"^path: got '.*out\.zarr', whose zarr\.json cannot be read: .*"):
         bake(path, mesh, resume=True)
 
 

@@ -118,3 +118,13 @@ def test_smooth_integrands_take_what_they_need(sequence):
     unit = normals[:, 2] / np.linalg.norm(normals, axis=1)
     error = found.value - (0.25 + 0.25 * unit**2)  # the mean of z^2 over the cosine lobe about n
     assert (0.25 if sequence == "sobol" else 0.7) <= root_mean_square(error) / 0.001 <= 1.1
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("sequence", sorted(set(ws.sequences.names()) - {"fibonacci"}))
+@pytest.mark.parametrize("tolerance", [0.04, 0.02, 0.0175, 0.0135])
+def test_other_sequences_reach_it_too(sequence, tolerance):
+    """Where cells become finer, and where the error falls by no power: the last round is near what is needed."""
+    points = spread_below(7)
+    found = ws.ambient_occlusion(square(), points, MOST, sequence=sequence, seed=8, tolerance=tolerance)
+    assert 0.5 <= root_mean_square(found.value - below_the_square(points)) / tolerance <= 1.1

@@ -1,5 +1,6 @@
 """Calls that are interrupted leave nothing behind: no thread at work, no lock taken, no launch half-changed."""
 
+import os
 import signal
 import subprocess
 import sys
@@ -13,6 +14,7 @@ import warp as wp
 from hangs import HANGS
 
 from warpsample.host import engine
+from warpsample.host.arguments import naming_file
 from warpsample.host.interrupts import uninterrupted
 from warpsample.host.locks import making, once
 
@@ -224,3 +226,57 @@ def test_two_thousand_interrupts_of_all_kinds_of_calls(child_environment):
     command = [sys.executable, "-X", "faulthandler", str(script), "2000"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=HANGS, env=child_environment, check=False)
     assert done.returncode == 0, done.stderr[-4000:]
+
+
+FORK = """
+import os, threading
+from warpsample.host import sharing
+
+begun, go, parent, children = threading.Event(), threading.Event(), os.getpid(), []
+
+def own():
+    begun.wait()
+    children.append(os.fork())  # as a signal's handler may; the child goes on within the call
+    go.set()
+
+def other():
+    begun.set()
+    go.wait()
+
+try:
+    sharing.share([own, other], stop=lambda: None)
+except RuntimeError as error:
+    os._exit(7 if os.getpid() != parent and "forked within a call" in str(error) else 1)
+print(os.waitstatus_to_exitcode(os.waitpid(children[0], 0)[1]))
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
+def test_a_child_that_is_forked_within_a_call_says_so(child_environment):
+    """The threads that have a part of the call are not there: it would wait for them forever, or miss what they did."""
+    command = [sys.executable, "-W", "ignore", "-c", FORK]
+    said = subprocess.run(command, env=child_environment, capture_output=True, text=True, check=True, timeout=HANGS)
+    assert said.stdout == "7\n"
+
+
+@pytest.mark.parametrize("wrapped", [False, True])
+def test_what_a_handler_raises_is_no_damaged_file(tmp_path, wrapped):
+    file = tmp_path / "large.ply"
+    file.write_text("ply")
+
+    def late(*_):
+        raise TimeoutError("my deadline")
+
+    def read():
+        try:
+            signal.raise_signal(signal.SIGINT)
+        except TimeoutError as error:
+            if wrapped:
+                raise ValueError("line 3") from error
+            raise
+
+    signal.signal(signal.SIGINT, late)
+    with pytest.raises(TimeoutError, match="^my deadline$"), naming_file("path", file, "a mesh"):
+        read()
+    with pytest.raises(ValueError, match="line 4"), naming_file("path", file, "a mesh"):
+        raise ValueError("line 4")

@@ -79,7 +79,8 @@ def test_every_sequence_tells_right_from_wrong(sequence, points):
         assert ("p = " in seen.verdict(), "χ²" in seen.verdict()) == (independent, independent)
         assert ("largest residual " in seen.verdict()) == (not independent)
     if not independent:
-        assert right.theta.test.largest_residual < 2.0  # of independent points, the largest of 45 is above 2
+        # Stratified points have 0.65 times those of independent ones: the largest of 45 is above 3 once in 10^4.
+        assert right.theta.test.largest_residual < 3.0
     for wrong in (ws.OffsetSphere(0.9), ws.OffsetSphere(0.98), ws.OffsetSphere(1.02), ws.OffsetBall(), ws.PowerCosine(1.1)):
         seen = clouds.all_clouds(Choice(wrong, COSINE, sequence), few, 1.0).theta
         assert seen.wrong

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import xarray as xr
 import zarr
 from zarr.codecs import Crc32cCodec, ZstdCodec
 
@@ -131,6 +132,13 @@ def _check_arrays(path: Path, job: Job, argument: str) -> None:
         if (array.dtype, array.shape, array.chunks) != (dtype, (job.total, *shape), (job.chunk, *shape)):
             got = f"{argument}: got {str(path)!r}, whose array {name!r}"
             raise ValueError(f"{got} is of another shape or type; bake it anew")
+    try:
+        with making, warnings.catch_warnings():  # that there are none, from which xarray takes the arrays' own
+            warnings.simplefilter("ignore")
+            xr.open_zarr(path)  # by the consolidated metadata
+    except Exception as error:
+        told = f"whose zarr.json cannot be read: {' '.join(str(error).split())}; bake it anew"
+        raise ValueError(f"{argument}: got {str(path)!r}, {told}") from None
 
 
 def _check_room(path: Path, job: Job, chunks: int) -> None:
@@ -144,8 +152,8 @@ def _check_room(path: Path, job: Job, chunks: int) -> None:
     free = shutil.disk_usage(path.parent).free
     if needed > free:
         raise WriteError(
-            f"{path} cannot be written: {min(job.total, chunks * job.chunk):,} points take {needed / 1e9:,.1f} GB, and "
-            f"{free / 1e9:,.1f} GB are free"
+            f"{path} cannot be written: {min(job.total, chunks * job.chunk):,} points take {needed / 1e9:,.3f} GB, and "
+            f"{free / 1e9:,.3f} GB are free"
         )
 
 
@@ -181,7 +189,7 @@ def about_of(path: Path, argument: str) -> dict[str, Any]:
 
 def _opened(path: Path, argument: str) -> Any:
     try:
-        return zarr.open_group(path, mode="r")
+        return zarr.open_group(path, mode="r", use_consolidated=False)
     except Exception as error:  # a file that holds anything fails in any way
         reason = " ".join(str(error).split())
         raise ValueError(f"{argument}: got {str(path)!r}, whose zarr.json cannot be read: {reason}") from None

@@ -19,9 +19,9 @@ _SHARE, _LEAST_SHARE = 12, 48  # one point in so many: the more cells a lobe has
 _FEWEST_POINTS, _MOST_POINTS = 256, 1 << 14
 _TURN = 0.6180339887498949  # 1 / phi: points that are evenly spread over the rows, however many are taken
 _FIRST, _LEAST = 8, 4  # rays of the first round; and the fewest of the result, two of each replicate
-_NEAR, _FAR, _FARTHEST = 3.0, 4.0, 32.0  # rays needed of those tried: sought, foretold; rays of a round of the one before
+_FAR, _FAR_OF_ONE_CELL, _FARTHEST = 1.3, 2.0, 32.0  # needed of those tried: foretold; tried of those of the round before
 _WORTH_TRYING = 1.5  # rays where finer cells begin, of those needed
-_SLOWEST, _FASTEST = 0.5, 2.0  # powers of the rays with which an error falls
+_SLOWEST, _FASTEST, _APART = 0.5, 2.0, 4.0  # powers of the rays with which an error falls; told by so many times the rays
 _ROUNDS = 8
 _PRIOR = 16.0  # points' worth of what edges let expect, for few points and for where no ray has met anything
 
@@ -35,16 +35,17 @@ def count_within(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
     trial, most, traced = _Trial(runner), runner.plan.count, runner.scene is not None
     trial.run(_FIRST)
     for _ in range(_ROUNDS):
-        needed = trial.needed(_AIM * tolerance)
-        _, top = counts_with_the_cells_of(trial.count, traced)
+        needed = max(_LEAST, trial.needed(_AIM * tolerance))
+        fewest, top = counts_with_the_cells_of(trial.count, traced)
         if needed > top and trial.needed(tolerance) <= top:
             needed = top
-        if trial.count == most or needed <= min(_FAR * trial.count, top):
+        if fewest / 2 <= needed < fewest:
+            needed = fewest  # coarser cells may have a larger error
+        far = (_FAR if fewest > _FIRST else _FAR_OF_ONE_CELL) * trial.count
+        if fewest <= needed <= min(far, top) or (trial.count == most and needed >= fewest):
             break
-        fewest, _ = counts_with_the_cells_of(needed, traced)
-        trial.run(min(max(needed / _NEAR, fewest), _FARTHEST * trial.count))
-    needed = max(_LEAST, _finer_if_less(trial, needed, _AIM * tolerance) if traced else needed)
-    return trial.whole(needed), trial.rays
+        trial.run(min(needed, _FARTHEST * trial.count))
+    return trial.whole(_finer_if_less(trial, needed, _AIM * tolerance) if traced else needed), trial.rays
 
 
 def _finer_if_less(trial: "_Trial", needed: float, aim: float) -> float:
@@ -97,7 +98,7 @@ class _Trial:
         good = chosen & (found.status == 0)
         error = _error_of(found, good)
         alike = counts_with_the_cells_of(self.count, traced) == counts_with_the_cells_of(count, traced)
-        if self.count and count >= _FAR * self.count and alike and error > 0.0:
+        if self.count and count >= _APART * self.count and alike and error > 0.0:
             self.rate = min(max(log(self.error / error) / log(count / self.count), _SLOWEST), _FASTEST)
         self.count, self.error, self.rays = count, error, self.rays + found.rays
         self.cast = float(found.rays[good].mean()) / count if good.any() else 0.0

@@ -11,6 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.host.interrupts import raised_by_a_handler
+
 _LONGEST = 80  # characters of a value in a message
 _FLAGS = (bool, np.bool_)
 
@@ -74,7 +76,7 @@ def naming_file(argument: str, path: Path, wants: str) -> Iterator[None]:
 
     Raises:
         ValueError: the file cannot be read; names it and says why.
-        ModuleNotFoundError, MemoryError: as they come.
+        ModuleNotFoundError, MemoryError, and what a signal's handler raises: as they come.
     """
     try:
         if not path.stat().st_size:
@@ -83,6 +85,8 @@ def naming_file(argument: str, path: Path, wants: str) -> Iterator[None]:
     except (ModuleNotFoundError, MemoryError):
         raise
     except Exception as error:
+        if own := raised_by_a_handler(error):  # as of a deadline, which says nothing of the file
+            raise own from None
         reason = (str(error).strip().splitlines() or [""])[0]
         if not isinstance(error, ValueError) or not reason:
             reason = f"{reason} ({type(error).__name__})".strip()

@@ -114,6 +114,8 @@ def read_arrays(path: Path) -> dict[str, np.ndarray]:
     Raises:
         ValueError, BadZipFile: a file that cannot hold what its headers declare, or that is damaged.
     """
+    if not zipfile.is_zipfile(path):
+        raise ValueError("it is no .npz")
     most, found = _DEFLATED * path.stat().st_size, {}
     with zipfile.ZipFile(path) as archive:
         for name in archive.namelist():

@@ -9,10 +9,23 @@ import _signal  # the functions behind `signal`, which spends a hundred times as
 import signal
 import threading
 from collections.abc import Callable
+from traceback import walk_tb
 from types import FrameType
 from typing import TypeVar
 
 T = TypeVar("T")
+
+
+def raised_by_a_handler(error: BaseException) -> BaseException | None:
+    """What a signal's handler has raised, of an error and those that led to it; None if it is something else's."""
+    handlers = (signal.getsignal(n) for n in signal.valid_signals())
+    codes = {getattr(getattr(handler, "__func__", handler), "__code__", None) for handler in handlers} - {None}
+    cause: BaseException | None = error
+    while cause:
+        if any(frame.f_code in codes for frame, _ in walk_tb(cause.__traceback__)):
+            return cause
+        cause = cause.__cause__ or cause.__context__
+    return None
 
 
 def uninterrupted(work: Callable[[], T], stop: Callable[[], None] | None = None) -> T:

@@ -30,6 +30,7 @@ class _Helper:
         self._part: Callable[[], None] | None = part
         self._stop = stop
         self._held = threading.RLock()
+        self._process = os.getpid()
         self.error: BaseException | None = None
 
     def work(self) -> None:
@@ -47,6 +48,9 @@ class _Helper:
 
     def end(self) -> None:
         """Waits until nobody works on it and lets nobody begin: in the caller's thread, as often as it likes."""
+        if self._process != os.getpid():  # forked within the call, from a signal's handler: its thread does not exist here
+            self.error = RuntimeError("this process was forked within a call, and has none of its threads: call again")
+            return
         self._held.acquire()
         self._part = None  # it holds memory, and may wait for a thread for long
 

@@ -41,7 +41,8 @@ def joined(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None]]) ->
 def _placed(points: np.ndarray, triangles: np.ndarray, matrix: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
     if matrix is None:
         return points, triangles
-    placed = points @ matrix[:3, :3]
-    placed += matrix[3, :3]
+    with np.errstate(all="ignore"):  # what is not finite is refused by the mesh
+        placed = points @ matrix[:3, :3]
+        placed += matrix[3, :3]
     is_mirrored = np.linalg.det(matrix[:3, :3]) < 0.0
     return placed, triangles[:, ::-1] if is_mirrored else triangles
