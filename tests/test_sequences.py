@@ -13,7 +13,7 @@ from warpsample.proof.laws import uniform_p_value
 from warpsample.proof.mixing import judge_mixing
 from warpsample.proof.streams import emitted_bytes, judge_sequence
 from warpsample.proof.stress import judge_indices
-from warpsample.sequences.hashing import philox4x32_10
+from warpsample.sequences.hashing import philox4x32_10, run_key, run_words
 
 NAMES = ws.sequences.names()
 GRID = 2**24
@@ -36,6 +36,11 @@ def _philox(counter: wp.array[wp.vec4ui], key: wp.array[wp.vec2ui], out: wp.arra
     out[i] = philox4x32_10(counter[i], key[i][0], key[i][1])
 
 
+@wp.kernel(enable_backward=False)
+def _common(seed: wp.uint64, high: wp.uint32, out: wp.array[wp.vec4ui]):
+    out[0] = run_key(seed, high)
+
+
 def cells(u):
     """Coordinates as exact integers on the 2^24 grid."""
     scaled = u.astype(np.float64) * GRID
@@ -49,6 +54,13 @@ def test_philox_gives_its_published_answers():
     inputs = [wp.array(counters, dtype=wp.vec4ui, device="cpu"), wp.array(keys, dtype=wp.vec2ui, device="cpu")]
     wp.launch(_philox, 3, inputs=inputs, outputs=[out], device="cpu")
     assert out.numpy().tolist() == answers.tolist()
+
+
+@pytest.mark.parametrize(("seed", "high"), [(0, 0), (2**64 - 1, 2**32 - 1), (0x0123456789ABCDEF, 7)])
+def test_the_words_of_a_run_are_the_same_on_the_host(seed, high):
+    out = wp.zeros(1, dtype=wp.vec4ui, device="cpu")
+    wp.launch(_common, 1, inputs=[seed, high], outputs=[out], device="cpu")
+    assert tuple(out.numpy()[0]) == run_words(seed, high)
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -57,6 +57,7 @@ def test_directions(count):
     distribution, sequence = ws.CosineHemisphere(), ws.sequences.get("sobol")
     slots = (sequence, distribution.about(), None, 0.0, False, False)
     samples = SamplesArgs()
+    samples.run_0, samples.run_1, samples.run_2, samples.run_3 = sequence.run_words(0, 0)
     samples.points, samples.count, samples.segment, samples.rows = points, count, count, 1
     samples.normals, samples.vectors, samples.status = normals.ctypes.data, vectors.ctypes.data, status.ctypes.data
     if count == 64:
@@ -78,9 +79,14 @@ def test_no_job_has_ids_of_two_high_words(first, monkeypatch):
     normals, out = reserved(np.float32, 3 * points, 3 * points)
     monkeypatch.setattr(plan, "run", lambda *arguments: jobs.append(arguments[2][0]))
     ws.sample_directions(normals.reshape(-1, 3), 1, first_point=first, out=out.reshape(-1, 1, 3))
-    ends = [job.first_point + job.points for job in jobs]
-    assert [first, *ends] == [*(job.first_point for job in jobs), first + points]
-    assert all(job.first_point >> 32 == end - 1 >> 32 for job, end in zip(jobs, ends, strict=True))
+    ends = np.cumsum([first, *(job.points for job in jobs)], dtype=object)
+    assert ends[-1] == first + points
+    for job, start, end in zip(jobs, ends, ends[1:], strict=False):
+        high, low = divmod(start, 2**32)
+        assert job.first_point == low
+        assert high == end - 1 >> 32
+        words = (job.run_0, job.run_1, job.run_2, job.run_3)
+        assert words == ws.sequences.get("sobol").run_words(0, high)
 
 
 @pytest.mark.parametrize("per_point", [1, MANY])

@@ -2,11 +2,11 @@
 
 import warp as wp
 
-from warpsample.directions.samples import Samples, accessors, normal_status, unit_normals
+from warpsample.directions.samples import Samples, accessors, normal_status, run_of, unit_normals
 from warpsample.directions.variates import LANES
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.host.locks import once
-from warpsample.maths.numerics import high_word, low_word, normalize
+from warpsample.maths.numerics import normalize
 from warpsample.sequences.record import Sequence
 
 _BLOCK = wp.constant(wp.int64(FLAT_BLOCK))
@@ -19,7 +19,7 @@ def _mender(
 ) -> wp.Function:
     """A function that clears what has no direction, says why, and redraws; scalar, for the few blocks with such a pair."""
     (store, weigh), redraws = accessors(with_pdf, masked), redraw is not None
-    run_of, key_of, sample_of = sequence.run, sequence.key, sequence.sample
+    key_of, sample_of = sequence.key, sequence.sample
 
     @wp.func
     def mend(
@@ -42,8 +42,7 @@ def _mender(
                 store(vectors, pdf, i, wp.vec4(0.0))
             elif wp.static(redraws):
                 n = normalize(given)
-                run = run_of(samples.seed, high_word(samples.first_point))
-                key = key_of(run, low_word(samples.first_point) + wp.uint32(point) + wp.uint32(q))
+                key = key_of(run_of(samples), samples.first_point + wp.uint32(point) + wp.uint32(q))
                 u = sample_of(key, wp.uint32(start + i - q * samples.count), wp.uint32(samples.count))
                 if about(n, u, samples.parameters)[3] < redraw_below:
                     store(vectors, pdf, i, redraw(n, u, samples.parameters))
@@ -54,7 +53,7 @@ def _mender(
 @once
 def _block_variates(sequence: Sequence, one_sample: bool) -> wp.Function:
     """A function that writes the variates of a block: u[0] of each pair, then, from FLAT_BLOCK on, u[1]."""
-    run_of, key_of, sample_of = sequence.run, sequence.key, sequence.sample
+    key_of, sample_of = sequence.key, sequence.sample
 
     @wp.func
     def fill(samples: Samples, point: wp.int64, start: wp.int32, length: wp.int32, u: wp.array[wp.float32]):
@@ -62,8 +61,8 @@ def _block_variates(sequence: Sequence, one_sample: bool) -> wp.Function:
         if wp.static(not one_sample):
             count = samples.count
         per_count = 1.0 / wp.float32(samples.count)
-        run = run_of(samples.seed, high_word(samples.first_point))
-        low = low_word(samples.first_point) + wp.uint32(point)
+        run = run_of(samples)
+        low = samples.first_point + wp.uint32(point)
         total = wp.uint32(count)
         i = wp.int32(0)
         while i < length:

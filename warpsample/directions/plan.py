@@ -43,7 +43,6 @@ class Plan:
         for rows in memory.parts(normals.count, 16 * self.count + 14):
             with memory.loan() as loan:
                 args = SamplesArgs(
-                    seed=self.seed,
                     count=self.count,
                     normals=loan.put(normals.owner, rows),
                     vectors=loan.room(vectors.owner, rows),
@@ -66,7 +65,9 @@ class Plan:
                 args.pdf += 4 * start * self.count if whole.pdf else 0
                 args.status += start
                 args.active += start if whole.active else 0
-            args.first_point, args.points = first_point + start, end - start
+            high, args.first_point = divmod(first_point + start, 2**32)
+            args.run_0, args.run_1, args.run_2, args.run_3 = self.sequence.run_words(self.seed, high)
+            args.points = end - start
             kernel, tasks, args.segment, args.rows = self.kernel(device, args.points, masked=whole.active != 0)
             run(kernel, tasks, [args], device, self.workers, args.points * self.count)
 

@@ -2,10 +2,9 @@
 
 import warp as wp
 
-from warpsample.directions.samples import Samples, accessors, normal_status, unit_normals
+from warpsample.directions.samples import Samples, accessors, normal_status, run_of, unit_normals
 from warpsample.directions.variates import LANES, fill_variates
 from warpsample.host.locks import once
-from warpsample.maths.numerics import high_word, low_word
 from warpsample.sequences.record import Sequence
 
 MOST_ROWS = 128
@@ -121,7 +120,7 @@ def direction_rows(
     """
     move, clear = _mover(with_pdf), _clearer(with_pdf, masked)
     fill_chunk = _chunk_filler(sequence, about, redraw, redraw_below, with_pdf, chunk)
-    run_of, key_of, lanes, most_rows = sequence.run, sequence.key, min(LANES, chunk), MOST_ROWS if chunk > 1 else 1
+    key_of, lanes, most_rows = sequence.key, min(LANES, chunk), MOST_ROWS if chunk > 1 else 1
     write_units, floats = unit_normals(masked, most_rows, True), 6 * chunk + 4 * most_rows
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
@@ -139,11 +138,11 @@ def direction_rows(
         write_units(normals, active, rows, units)
         start = wp.int32(first_segment - first_point * segments) * samples.segment
         end = wp.min(start + samples.segment, samples.count)
-        run = run_of(samples.seed, high_word(samples.first_point))
+        run = run_of(samples)
         for k in range(rows):
             point = first_point + wp.int64(k)
             n = wp.vec3(units[k], units[most_rows + k], units[2 * most_rows + k])
-            key = key_of(run, low_word(samples.first_point) + wp.uint32(point))
+            key = key_of(run, samples.first_point + wp.uint32(point))
             row = wp.uint64(point) * wp.uint64(samples.count)
             if wp.abs(units[3 * most_rows + k]) < 0.1:
                 for first in range(start, end, chunk):

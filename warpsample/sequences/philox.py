@@ -13,6 +13,10 @@ def _run(seed: wp.uint64, high: wp.uint32) -> wp.vec4ui:
     return wp.vec4ui(ZERO_WORD, high, low_word(seed), high_word(seed))
 
 
+def _run_words(seed: int, high: int) -> tuple[int, int, int, int]:
+    return 0, high, seed % 2**32, seed >> 32
+
+
 @wp.func
 def _key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
     return wp.vec4ui(low, run[1], run[2], run[3])
@@ -44,6 +48,7 @@ def philox(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint3
 RECORD = Sequence(
     name="philox",
     run=_run,
+    run_words=_run_words,
     key=_key,
     sample=philox_sample,
     progressive=True,

@@ -1,11 +1,12 @@
 """The record of a sequence."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 import warp as wp
 
-from warpsample.sequences.hashing import mixed_key, run_key
+from warpsample.sequences.hashing import mixed_key, run_key, run_words
 
 STREAMS = 2
 """The number of the definition of all random streams: it grows when the same seed gives other numbers."""
@@ -23,6 +24,7 @@ class Sequence:
             cover the square.
         run: `wp.func` (seed: uint64, high: uint32) -> vec4ui, what the keys of all surface points have in common whose ids
             have that upper half.
+        run_words: the same four words on the host, a function (seed, high).
         key: `wp.func` (run: vec4ui, low: uint32) -> vec4ui, the key of a surface point, from the lower half of its id.
             Streams of a point have a `stream_key`.
         pair: `wp.func` (key, half: uint32, count) -> vec4, the points of samples 2 half and 2 half + 1, if one evaluation
@@ -50,6 +52,7 @@ class Sequence:
     summary: str
     source: str
     run: wp.Function = run_key
+    run_words: Callable[[int, int], tuple[int, int, int, int]] = run_words
     key: wp.Function = mixed_key
     pair: wp.Function | None = None
     rate: float = 0.75
