@@ -37,7 +37,8 @@ def test_one_cell_by_hand(bunny, points):
     free = first + second
     mixed = (free > 0) & (free < count)
     binomial = np.minimum(free * (count - free) / (count - 1), 0.5 * 15**0.25)
-    edges = np.where(mixed, binomial + 0.6, 1.64**2)
+    unseen = np.where(np.minimum(free, count - free) == 1, 3.85, 0.6)
+    edges = np.where(mixed, binomial + unseen, 1.64**2)
     squares = (first - second) ** 2
     worth = np.where(mixed, 16.0, 9.0) / np.maximum(squares / edges, 1.0) ** 2
     assert np.abs(found.degrees_of_freedom - (worth + mixed)).max() <= 1e-5  # float32 of numbers up to 17

@@ -134,7 +134,7 @@ def free_lobe(slots: Slots) -> wp.Function:
                         variance += squares
                         unseen += wp.cw_mul(mean, mean)
                         fourth += wp.cw_mul(squares, squares)
-        width, degrees = widths(variance, NOTHING, unseen, variance, fourth, 0, lobes.sectors)
+        width, degrees = widths(variance, NOTHING, unseen, variance, fourth, 0, 0, lobes.sectors)
         return total, variance, width, degrees, 2 * lobes.each * lobes.sectors, 0
 
     return sum_lobe

@@ -9,7 +9,8 @@ make, as among leaves, it counts for less. Cells without an edge speak for thems
 What no ray has met may be there all the same. If all rays agree, as they do under a small opening or below a wire, 3.7 rays
 are compatible with none at 95 %, by the bounds of Clopper1934, which hold for stratified rays, too; and so it is, within
 2 %, at all levels from 0.9 to 0.99, by a t distribution of 9 degrees of freedom and a scale of 1.64 rays. Else, `unseen` of
-the sequence is added: half a ray of a lattice, more of independent rays, of which one may be met where four are expected.
+the sequence is added: half a ray of a lattice, more of independent rays, of which two may be met where six are expected. If
+a single ray differs from the others of its cell, 5.6 are compatible with it.
 """
 
 from typing import NamedTuple
@@ -17,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 import warp as wp
 
-_HALF_A_RAY, _IF_ALL_AGREE = 0.25, 1.64**2  # variances of what no ray has met, in rays squared
+_HALF_A_RAY, _IF_ALL_AGREE, _IF_ONE_DIFFERS = 0.25, 1.64**2, 3.85  # variances of what no ray has met, in rays squared
 _WORTH_IF_ALL_AGREE = 9.0
 _WORTH_OF_COUNTS = 16.0  # differences: the variance varies by a third of itself from edge to edge, at 4 to 8 samples
 _WORTH_OF_WEIGHTS = 4.0  # by how much an edge changes a weight is not known, but read off the rays
@@ -52,16 +53,17 @@ class Prior:
     """What is expected before any ray is cast.
 
     worth, unseen: differences that the expectation is worth, and the variance of what no ray has met, in rays squared.
-    worth_if_all_agree, unseen_if_all_agree: likewise where no cell is mixed.
+    worth_if_all_agree, unseen_if_all_agree: likewise where no cell is mixed. unseen_if_one_differs: where one ray is all.
     """
 
     worth: wp.float64
     unseen: wp.float64
     worth_if_all_agree: wp.float64
     unseen_if_all_agree: wp.float64
+    unseen_if_one_differs: wp.float64
 
 
-def prior_numbers(counts: bool, unseen: float, traced: bool) -> tuple[float, float, float, float]:
+def prior_numbers(counts: bool, unseen: float, traced: bool) -> tuple[float, ...]:
     """The fields of a Prior.
 
     Args:
@@ -71,8 +73,8 @@ def prior_numbers(counts: bool, unseen: float, traced: bool) -> tuple[float, flo
     """
     worth = _WORTH_OF_COUNTS if counts else _WORTH_OF_WEIGHTS
     if not traced:
-        return worth, _HALF_A_RAY, worth, _HALF_A_RAY
-    return worth, unseen, _WORTH_IF_ALL_AGREE, _IF_ALL_AGREE
+        return worth, _HALF_A_RAY, worth, _HALF_A_RAY, _HALF_A_RAY
+    return worth, unseen, _WORTH_IF_ALL_AGREE, _IF_ALL_AGREE, _IF_ONE_DIFFERS
 
 
 @wp.func
@@ -93,6 +95,7 @@ def posterior(
     rest: wp.float64,
     fourth: wp.float64,
     mixed: wp.int32,
+    fewer: wp.int32,
     cells: wp.int32,
     prior: Prior,
 ):
@@ -105,11 +108,13 @@ def posterior(
         rest: the part of `variance` that is of other cells.
         fourth: the sum of the squares of what adds up to `rest`.
         mixed: cells.
+        fewer: rays of these that differ from most of their cell.
         cells: all.
         prior: differences that the expectation is worth count for less by the square of how far they exceed it.
     """
     worth = wp.where(mixed > 0, prior.worth, prior.worth_if_all_agree)
-    edges = expected + wp.where(mixed > 0, prior.unseen, prior.unseen_if_all_agree) * unseen
+    of_ray = wp.where(fewer == 1, prior.unseen_if_one_differs, prior.unseen)
+    edges = expected + wp.where(mixed > 0, of_ray, prior.unseen_if_all_agree) * unseen
     seen = wp.where(mixed > 0, variance - rest, _ZERO)
     if seen > edges:
         worth *= (edges / seen) * (edges / seen)

@@ -46,7 +46,7 @@ def widths_of(slots: Slots) -> wp.Function:
     """A function that says how wide an estimate's interval is."""
     channels = slots.channels
     numbers = prior_numbers(slots.counts, slots.sequence.unseen, slots.query is not None)
-    worth, unseen_ray, worth_if_all_agree, unseen_if_all_agree = (wp.constant(wp.float64(x)) for x in numbers)
+    worth, unseen_ray, worth_if_agreed, unseen_if_agreed, unseen_if_one = (wp.constant(wp.float64(x)) for x in numbers)
 
     @wp.func
     def widths_of(
@@ -56,15 +56,16 @@ def widths_of(slots: Slots) -> wp.Function:
         rest: wp.vec3d,
         fourth: wp.vec3d,
         mixed: wp.int32,
+        fewer: wp.int32,
         cells: wp.int32,
     ):
         """`posterior` of each channel; `unseen` is summed over the cells."""
         width = NOTHING
         degrees = NOTHING
-        prior = Prior(worth, unseen_ray, worth_if_all_agree, unseen_if_all_agree)
+        prior = Prior(worth, unseen_ray, worth_if_agreed, unseen_if_agreed, unseen_if_one)
         for c in range(channels):
             of_ray = unseen[c] / wp.float64(cells)
-            square, freedom = posterior(variance[c], expected[c], of_ray, rest[c], fourth[c], mixed, cells, prior)
+            square, freedom = posterior(variance[c], expected[c], of_ray, rest[c], fourth[c], mixed, fewer, cells, prior)
             width[c] = square
             degrees[c] = freedom
         return width, degrees
@@ -101,6 +102,7 @@ def counted_lobe(slots: Slots) -> wp.Function:
         squared = _ZERO
         edges = _ZERO
         mixed = wp.int32(0)
+        fewer = wp.int32(0)
         cast = wp.int32(0)
         empty = wp.int32(0)
         seen, near, beams = open_around(lobes, accelerator, spot)
@@ -125,11 +127,12 @@ def counted_lobe(slots: Slots) -> wp.Function:
                     if free > 0 and free < 2 * lobes.each:
                         edges += edge_variance(free, 2 * lobes.each, lobes.edge)
                         mixed += 1
+                        fewer += wp.min(free, 2 * lobes.each - free)
         cells = lobes.bands * lobes.sectors
         variance = wp.vec3d(squared, _ZERO, _ZERO)
         expected = wp.vec3d(edges, _ZERO, _ZERO)
         unseen = wp.vec3d(wp.float64(cells), _ZERO, _ZERO)
-        width, degrees = widths(variance, expected, unseen, NOTHING, NOTHING, mixed, cells)
+        width, degrees = widths(variance, expected, unseen, NOTHING, NOTHING, mixed, fewer, cells)
         return wp.vec3d(wp.float64(hits), _ZERO, _ZERO), variance, width, degrees, cast, empty
 
     return sum_lobe
@@ -148,6 +151,7 @@ def weighed_lobe(slots: Slots) -> wp.Function:
         total = NOTHING
         variance = NOTHING
         mixed = wp.int32(0)
+        fewer = wp.int32(0)
         expected = NOTHING
         unseen = NOTHING
         rest = NOTHING
@@ -180,10 +184,11 @@ def weighed_lobe(slots: Slots) -> wp.Function:
                     if free > 0 and free < 2 * lobes.each:
                         expected += edge_variance(free, 2 * lobes.each, lobes.edge) * jump
                         mixed += 1
+                        fewer += wp.min(free, 2 * lobes.each - free)
                     else:
                         rest += squares
                         fourth += wp.cw_mul(squares, squares)
-        width, degrees = widths(variance, expected, unseen, rest, fourth, mixed, lobes.bands * lobes.sectors)
+        width, degrees = widths(variance, expected, unseen, rest, fourth, mixed, fewer, lobes.bands * lobes.sectors)
         return total, variance, width, degrees, cast, empty
 
     return sum_lobe
