@@ -66,6 +66,7 @@ class _Trial:
         count: rays of the last round.
         error: the standard error by these, root mean square.
         cast: the share of them that is cast; the rest is skipped.
+        rate: the error falls as the rays to the power of -rate: the sequence's, or as two rounds tell it.
         rays: (P,) int32, in all rounds.
     """
 

@@ -48,7 +48,7 @@ def rays_at_edges(mesh: Mesh, origin: tuple[float, float, float], count: int, se
 def _most_apart(rays: int) -> float:
     """How many rays may pass a silhouette's edge so near that the tracers' starts, a millionth apart, decide.
 
-    On the torus these are 0.85 in a million (34 of 40 million, by 16 seeds), on the others fewer; more by chance than this
+    On the torus these are 0.8 in a million (32 of 40 million, by 16 runs), on the others fewer; more by chance than this
     are one in 10^7.
     """
     from scipy.stats import poisson  # noqa: PLC0415  (slow to import)
