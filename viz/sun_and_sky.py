@@ -12,7 +12,7 @@ from warpsample.host.arguments import check_integer
 from warpsample.plotting import rendering
 from warpsample.plotting.scenes import Panel
 from warpsample.plotting.sky_scene import SkyMap, sun_and_sky
-from warpsample.radiation.weather import Weather, read_weather
+from warpsample.radiation.weather.weather import Weather, read_weather
 
 NORTH = {"x": (0, 0, 1), "y": (0, 0, -1), "z": (0, 1, 0)}  # by the axis that points up
 PATHS = ("12-21", "03-21", "06-21")

@@ -30,12 +30,12 @@ if TYPE_CHECKING:
     from warpsample.mesh.mesh import Mesh, as_mesh
     from warpsample.mesh.report import MeshReport
     from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
-    from warpsample.radiation.direct_sun import direct_sun
-    from warpsample.radiation.irradiation import Irradiation, irradiation
-    from warpsample.radiation.patches import SkyPatches, sky_patches
-    from warpsample.radiation.sky_matrix import sky_matrix
-    from warpsample.radiation.sky_result import SkyMatrix, SkySkipped
-    from warpsample.radiation.view_factors import ViewFactors, view_factors
+    from warpsample.radiation.exchange.view_factors import ViewFactors, view_factors
+    from warpsample.radiation.sky.patches import SkyPatches, sky_patches
+    from warpsample.radiation.sky.result import SkyMatrix, SkySkipped
+    from warpsample.radiation.sky.sky_matrix import sky_matrix
+    from warpsample.radiation.sun.direct_sun import direct_sun
+    from warpsample.radiation.weather.irradiation import Irradiation, irradiation
     from warpsample.tracing.scene import refit
     from warpsample.tracing.trace import Hits, trace
     from warpsample.tracing.tree import tree
@@ -108,12 +108,12 @@ _HOMES = {
     "mesh.files": ("load_mesh",),
     "mesh.report": ("MeshReport",),
     "mesh.surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
-    "radiation.direct_sun": ("direct_sun",),
-    "radiation.irradiation": ("Irradiation", "irradiation"),
-    "radiation.patches": ("SkyPatches", "sky_patches"),
-    "radiation.sky_matrix": ("sky_matrix",),
-    "radiation.sky_result": ("SkyMatrix", "SkySkipped"),
-    "radiation.view_factors": ("ViewFactors", "view_factors"),
+    "radiation.sun.direct_sun": ("direct_sun",),
+    "radiation.weather.irradiation": ("Irradiation", "irradiation"),
+    "radiation.sky.patches": ("SkyPatches", "sky_patches"),
+    "radiation.sky.sky_matrix": ("sky_matrix",),
+    "radiation.sky.result": ("SkyMatrix", "SkySkipped"),
+    "radiation.exchange.view_factors": ("ViewFactors", "view_factors"),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
     "tracing.tree": ("tree",),

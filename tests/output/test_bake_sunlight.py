@@ -7,11 +7,11 @@ from weather_files import write_epw
 
 import warpsample as ws
 from warpsample.output import bake
-from warpsample.radiation.direct_sun import direct_sun
-from warpsample.radiation.light import sun_directions
-from warpsample.radiation.matrix_files import read_matrix
-from warpsample.radiation.sky_matrix import sky_matrix
-from warpsample.radiation.weather import read_weather
+from warpsample.radiation.exchange.matrix_files import read_matrix
+from warpsample.radiation.sky.sky_matrix import sky_matrix
+from warpsample.radiation.sun.direct_sun import direct_sun
+from warpsample.radiation.weather.light import sun_directions
+from warpsample.radiation.weather.weather import read_weather
 
 pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 

@@ -5,8 +5,8 @@ import pytest
 import trimesh
 from weather_files import write_epw
 
-from warpsample.radiation.epw import YEAR
-from warpsample.radiation.weather import read_weather
+from warpsample.radiation.weather.epw import YEAR
+from warpsample.radiation.weather.weather import read_weather
 
 pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from warpsample.radiation.design_effects import shares_and_variances
+from warpsample.radiation.exchange.design_effects import shares_and_variances
 
 
 def by_hand(hits, rays):

@@ -8,11 +8,11 @@ from weather_files import write_epw
 
 import warpsample as ws
 from warpsample.estimate.plan import Plan
-from warpsample.radiation.irradiation import received
-from warpsample.radiation.light import light_of
-from warpsample.radiation.patches import sky_patches
-from warpsample.radiation.perez import perez_sky
-from warpsample.radiation.weather import read_weather
+from warpsample.radiation.sky.patches import sky_patches
+from warpsample.radiation.weather.irradiation import received
+from warpsample.radiation.weather.light import light_of
+from warpsample.radiation.weather.perez import perez_sky
+from warpsample.radiation.weather.weather import read_weather
 
 pytest.importorskip("pvlib")
 pyradiance = pytest.importorskip("pyradiance")

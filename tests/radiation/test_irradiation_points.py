@@ -84,7 +84,7 @@ WRONG = {
 @pytest.mark.parametrize("name", WRONG)
 def test_bad_input_is_a_sentence_before_any_work(athens, name, monkeypatch):
     value, kind, message = WRONG[name]
-    monkeypatch.setattr("warpsample.radiation.light.perez_sky", None)  # what would start the work
+    monkeypatch.setattr("warpsample.radiation.weather.light.perez_sky", None)  # what would start the work
     given = {"mesh": BEHIND, "points": points([(0, 0, 1)]), "weather": athens} | {name: value}
     with pytest.raises(kind, match=rf"^{name}: .*{message}"):
         ws.irradiation(**given)

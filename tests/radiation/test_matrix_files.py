@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import warpsample as ws
-from warpsample.radiation.matrix_files import read_matrix, write_matrix
+from warpsample.radiation.exchange.matrix_files import read_matrix, write_matrix
 
 
 @pytest.fixture(scope="module")
@@ -34,7 +34,7 @@ def test_a_matrix_of_radiances_comes_back(seen, tmp_path):
 
 def test_large_matrices_are_written_in_parts(tmp_path, monkeypatch):
     matrix = np.random.default_rng(1).uniform(size=(50, 7)).astype(np.float32)
-    monkeypatch.setattr("warpsample.radiation.matrix_files._BLOCK", 100)
+    monkeypatch.setattr("warpsample.radiation.exchange.matrix_files._BLOCK", 100)
     with (tmp_path / "part.mtx").open("wb") as stream:
         write_matrix(stream, matrix, ground=False)
     assert np.array_equal(read_matrix((tmp_path / "part.mtx").read_bytes()), np.repeat(matrix[:, :, None], 3, axis=2))

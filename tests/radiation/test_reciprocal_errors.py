@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from warpsample.radiation import reciprocity
-from warpsample.radiation.row_shares import Shares
-from warpsample.radiation.surfaces import surfaces_of
+from warpsample.radiation.exchange import reciprocity
+from warpsample.radiation.exchange.row_shares import Shares
+from warpsample.radiation.exchange.surfaces import surfaces_of
 
 
 def test_a_drawn_error_changes_factors_as_it_would_change_them_for_real(monkeypatch):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import warpsample as ws
-from warpsample.radiation.beams import beams_of, groups_of
+from warpsample.radiation.sky.shafts import beams_of, groups_of
 from warpsample.tracing.wide.layout import CORNERS, PLANES
 
 

@@ -10,7 +10,7 @@ from sky_cases import shares
 
 import warpsample as ws
 from warpsample.bench import scenes
-from warpsample.radiation.beams import beams_of
+from warpsample.radiation.sky.shafts import beams_of
 
 TILTS = np.array(
     [[0, 0, 1], [0, 1, 0], [1, 0, 0], [-0.3, 0.5, 0.6], [0.2, -0.9, -0.3], [0.7, 0.1, -0.7], [1, 0.3, 1e-7], [1e-4, 0, 1]]
@@ -132,7 +132,7 @@ def test_skipping_threads_parts_and_masks_change_no_bit(bunny, monkeypatch):
 
 
 def test_wrong_beams_would_be_seen(bunny, monkeypatch):
-    home = "warpsample.radiation.sky_matrix.beams_of"
+    home = "warpsample.radiation.sky.sky_matrix.beams_of"
     points = ws.sample_surface(bunny, 100, seed=3)
     right = ws.sky_matrix(bunny, points, 300)
     monkeypatch.setattr(home, lambda *a: np.roll(beams_of(*a), 7, axis=0))
@@ -185,7 +185,7 @@ def test_a_fold_is_the_matrix_times_skies(bunny, monkeypatch):
     assert np.array_equal(right.rays, matrix.rays)
     assert right.skipped == matrix.skipped
     assert not right.value[7].any()
-    monkeypatch.setattr("warpsample.radiation.sky_matrix._BLOCK_BYTES", 8 * 145 * 37)
+    monkeypatch.setattr("warpsample.radiation.sky.sky_matrix._BLOCK_BYTES", 8 * 145 * 37)
     assert same(ws.sky_matrix(bunny, points, 200, fold=skies, seed=2, workers=1), right)
     alone = ws.sky_matrix(bunny, points, 200, fold=skies[:, 3], seed=2)
     assert alone.value.shape == (150,)

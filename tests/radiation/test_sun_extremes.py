@@ -8,7 +8,7 @@ from sun_cases import GRAZING, at, call_of, mixed, traced, unit, year
 
 import warpsample as ws
 from warpsample.bench import scenes
-from warpsample.radiation.direct_sun import SunCall
+from warpsample.radiation.sun.direct_sun import SunCall
 
 pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 

@@ -6,8 +6,8 @@ import warp as wp
 from margin_cases import N, bits, launch, leaves, on_cpu, rays_into_the_scene
 from sun_cases import mixed, unit, year
 
-from warpsample.radiation.sun_beams import covering, highest
-from warpsample.radiation.suns import GROUP, SunTree
+from warpsample.radiation.sun.shafts import covering, highest
+from warpsample.radiation.sun.suns import GROUP, SunTree
 from warpsample.tracing.wide.layout import CORNERS, LEAF_BYTES, PLANES, WIDTH
 
 TURNED = 2.0**-20.4  # by which rays of a disc are rounded

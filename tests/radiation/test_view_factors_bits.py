@@ -6,10 +6,10 @@ from meshes import soup
 from view_factor_cases import CUBE, GROUND, LID, X, Y, Z, alike, rectangle, scene
 
 import warpsample as ws
-from warpsample.radiation import casting
-from warpsample.radiation.reciprocity import reciprocal_shares
-from warpsample.radiation.row_shares import Shares
-from warpsample.radiation.surfaces import surfaces_of
+from warpsample.radiation.exchange import casting
+from warpsample.radiation.exchange.reciprocity import reciprocal_shares
+from warpsample.radiation.exchange.row_shares import Shares
+from warpsample.radiation.exchange.surfaces import surfaces_of
 
 COURTYARD = ws.load_mesh("courtyard")
 

@@ -10,7 +10,7 @@ from scipy import sparse
 from view_factor_cases import box, scene
 
 import warpsample as ws
-from warpsample.radiation import casting
+from warpsample.radiation.exchange import casting
 
 pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 

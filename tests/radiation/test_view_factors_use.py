@@ -5,7 +5,7 @@ import pytest
 from view_factor_cases import CUBE
 
 import warpsample as ws
-from warpsample.radiation import hits_to_matrix
+from warpsample.radiation.exchange import hits_to_matrix
 
 pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
@@ -131,7 +131,7 @@ def test_a_damaged_archive_is_refused(tmp_path):
 
 def test_a_list_without_its_sky_is_not_left(room, tmp_path, monkeypatch):
     """uDALES reads both files: of two runs they must not be."""
-    from warpsample.radiation import view_factor_files
+    from warpsample.radiation.exchange import files as view_factor_files
 
     for name in ("vfsparse.inp", "svf.inp"):
         (tmp_path / name).write_text("old")

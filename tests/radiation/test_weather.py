@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from weather_files import ATHENS, COLUMNS, header, rows, sun_altitude, write_epw
 
-from warpsample.radiation.epw import YEAR
-from warpsample.radiation.weather import hours_of, read_weather
+from warpsample.radiation.weather.epw import YEAR
+from warpsample.radiation.weather.weather import hours_of, read_weather
 
 pytest.importorskip("pvlib")
 

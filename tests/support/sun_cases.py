@@ -5,7 +5,7 @@ from meshes import CLOSED, soup
 
 import warpsample as ws
 from warpsample.bench import scenes
-from warpsample.radiation.direct_sun import SunCall
+from warpsample.radiation.sun.direct_sun import SunCall
 
 GRAZING = 1e-6  # cosines whose sign float32 does not tell
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from warpsample.radiation.epw import YEAR
+from warpsample.radiation.weather.epw import YEAR
 
 ATHENS = {"latitude": 37.9, "longitude": 23.73, "zone": 2.0, "altitude": 107.0}
 COLUMNS = {"dni": 14, "dhi": 15}

@@ -28,7 +28,7 @@ def view_factors_command(
     workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
 ) -> None:
     """Estimate the view factors between all faces of a mesh, what is in the way included, into a sparse matrix."""
-    from warpsample.radiation.view_factor_run import run_view_factors  # noqa: PLC0415
+    from warpsample.radiation.exchange.run import run_view_factors  # noqa: PLC0415
 
     options = {"count": count, "reciprocal": reciprocal, "up": up, "seed": seed, "workers": workers}
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 5 s"):

@@ -19,7 +19,7 @@ from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.baked import MATRIX_WRITERS, SHARED, WRITERS, Baked, Run, check_glb
 from warpsample.output.places import check_places, points_on
 from warpsample.output.sunlight import SUNLIGHT, check_matrix
-from warpsample.radiation.sky_matrix import SkySkipped
+from warpsample.radiation.sky.sky_matrix import SkySkipped
 
 QUANTITIES = {
     "ao": "ambient occlusion",

@@ -13,7 +13,7 @@ from warpsample.host.files import write_array
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_glb, write_ply, write_vtp
-from warpsample.radiation.matrix_files import write_matrix
+from warpsample.radiation.exchange.matrix_files import write_matrix
 
 SHARED = ("skipped", "hours", "patches", "folded")
 """What a result has beside arrays with a row for each point."""

@@ -11,11 +11,11 @@ from warpsample.host.files import check_output, complete_or_absent
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints, sample_surface
-from warpsample.radiation.direct_sun import direct_sun
-from warpsample.radiation.epw import YEAR
-from warpsample.radiation.light import sun_directions
-from warpsample.radiation.patches import sky_patches
-from warpsample.radiation.weather import read_weather
+from warpsample.radiation.sky.patches import sky_patches
+from warpsample.radiation.sun.direct_sun import direct_sun
+from warpsample.radiation.weather.epw import YEAR
+from warpsample.radiation.weather.light import sun_directions
+from warpsample.radiation.weather.weather import read_weather
 
 _MOST_POINTS = 2**20  # of a group, whose suns stand in memory: four gigabytes
 

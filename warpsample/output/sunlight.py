@@ -13,12 +13,12 @@ from warpsample.host.vectors import as_directions
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.baked import Run
-from warpsample.radiation.direct_sun import direct_sun
-from warpsample.radiation.irradiation import received
-from warpsample.radiation.light import light_of, sun_directions
-from warpsample.radiation.patches import sky_patches
-from warpsample.radiation.sky_matrix import sky_matrix
-from warpsample.radiation.weather import read_weather
+from warpsample.radiation.sky.patches import sky_patches
+from warpsample.radiation.sky.sky_matrix import sky_matrix
+from warpsample.radiation.sun.direct_sun import direct_sun
+from warpsample.radiation.weather.irradiation import received
+from warpsample.radiation.weather.light import light_of, sun_directions
+from warpsample.radiation.weather.weather import read_weather
 
 _AXES = {"patches": "reinhart2", "north": (0.0, 1.0, 0.0)}  # where the command line says nothing
 

@@ -13,7 +13,7 @@ from warpsample.bench.radiation.sky_tools import SKY_TOOLS, VIEW
 from warpsample.bench.radiation.sun_tools import SUN_TOOLS
 from warpsample.bench.timing import stopwatch
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.radiation.irradiation import irradiation
+from warpsample.radiation.weather.irradiation import irradiation
 
 FEW = 16
 """Points whose year tells what a year costs whatever the points."""

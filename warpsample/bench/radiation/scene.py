@@ -8,7 +8,7 @@ from warpsample.directions.sample import sample_directions
 from warpsample.host.registry import look_up
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints, sample_surface
-from warpsample.radiation.sky_matrix import sky_matrix
+from warpsample.radiation.sky.sky_matrix import sky_matrix
 from warpsample.tracing.trace import trace
 
 OFF = 1e-5

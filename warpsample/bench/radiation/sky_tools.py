@@ -19,8 +19,8 @@ from warpsample.bench.visibility.tools import Peer, mitsuba_scene
 from warpsample.estimate.visibility import sky_view_factor
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.radiation.patches import sky_patches
-from warpsample.radiation.sky_matrix import sky_matrix
+from warpsample.radiation.sky.patches import sky_patches
+from warpsample.radiation.sky.sky_matrix import sky_matrix
 
 SkyTool = Callable[[int, int], np.ndarray]
 

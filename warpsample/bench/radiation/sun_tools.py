@@ -10,7 +10,7 @@ from warpsample.bench.tracers import embree_scene
 from warpsample.bench.visibility.tools import mitsuba_scene
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.radiation.direct_sun import direct_sun
+from warpsample.radiation.sun.direct_sun import direct_sun
 from warpsample.tracing.trace import trace
 
 SunTool = Callable[[], np.ndarray]

@@ -12,7 +12,7 @@ from warpsample.bench.timing import stopwatch
 from warpsample.bench.view_factors.scenes import scene_of
 from warpsample.bench.view_factors.tools import OURS, TOOLS, TRACE, Embree, Ours, Trace
 from warpsample.mesh.mesh import Mesh
-from warpsample.radiation.view_factors import view_factors
+from warpsample.radiation.exchange.view_factors import view_factors
 
 REFERENCE_RAYS = 1 << 17
 _REFERENCE_SEED = 1 << 40

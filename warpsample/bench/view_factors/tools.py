@@ -9,7 +9,7 @@ import numpy as np
 
 from warpsample.bench.tracers import embree_scene
 from warpsample.mesh.mesh import Mesh
-from warpsample.radiation.view_factors import view_factors
+from warpsample.radiation.exchange.view_factors import view_factors
 from warpsample.tracing.trace import trace
 
 _OFF = 1e-5  # of the mesh's size, by which peers move points off their face

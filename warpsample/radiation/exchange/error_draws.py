@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from warpsample.radiation.closure import rows_of
-from warpsample.radiation.row_shares import Shares
+from warpsample.radiation.exchange.closure import rows_of
+from warpsample.radiation.exchange.row_shares import Shares
 
 _FEWEST, _MOST = 16, 128
 """Draws. 16 tell a bar to 1 / sqrt(2 * 16), a sixth, at worst, and far better where an error is mostly its own.

@@ -4,9 +4,9 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.radiation.matrix_files import read_matrix
-from warpsample.radiation.patches import MULTIPLES, SkyPatches, sky_patches
-from warpsample.radiation.weather import Weather
+from warpsample.radiation.exchange.matrix_files import read_matrix
+from warpsample.radiation.sky.patches import MULTIPLES, SkyPatches, sky_patches
+from warpsample.radiation.weather.weather import Weather
 
 
 def perez_sky(weather: Weather, patches: str) -> np.ndarray:

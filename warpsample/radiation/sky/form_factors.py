@@ -9,7 +9,7 @@ a total differential but for the angle that the horizon turns by about n: by Sto
 import numpy as np
 import warp as wp
 
-from warpsample.radiation.patches import SkyPatches
+from warpsample.radiation.sky.patches import SkyPatches
 
 COLUMNS = 20
 """float64 of a patch: see `table_of`."""

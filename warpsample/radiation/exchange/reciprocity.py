@@ -4,10 +4,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from warpsample.radiation.closure import Closure, closure_of, rows_of
-from warpsample.radiation.error_draws import ErrorDraws
-from warpsample.radiation.row_shares import Shares
-from warpsample.radiation.surfaces import Surfaces
+from warpsample.radiation.exchange.closure import Closure, closure_of, rows_of
+from warpsample.radiation.exchange.error_draws import ErrorDraws
+from warpsample.radiation.exchange.row_shares import Shares
+from warpsample.radiation.exchange.surfaces import Surfaces
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from warpsample.radiation.design_effects import shares_and_variances
-from warpsample.radiation.hits_to_matrix import Counts
-from warpsample.radiation.surfaces import Surfaces
+from warpsample.radiation.exchange.design_effects import shares_and_variances
+from warpsample.radiation.exchange.hits_to_matrix import Counts
+from warpsample.radiation.exchange.surfaces import Surfaces
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array

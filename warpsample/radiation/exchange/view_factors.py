@@ -12,12 +12,12 @@ from warpsample.host.arrays import as_unit, check_active
 from warpsample.host.engine import check_workers
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import Mesh, as_mesh
-from warpsample.radiation.casting import Casting
-from warpsample.radiation.radiosity import radiosity_of
-from warpsample.radiation.reciprocity import reciprocal_shares
-from warpsample.radiation.row_shares import Shares, matrices_of, shares_of
-from warpsample.radiation.surfaces import Surfaces, check_groups, surfaces_of
-from warpsample.radiation.view_factor_files import check_factors_file, load, save
+from warpsample.radiation.exchange.casting import Casting
+from warpsample.radiation.exchange.files import check_factors_file, load, save
+from warpsample.radiation.exchange.radiosity import radiosity_of
+from warpsample.radiation.exchange.reciprocity import reciprocal_shares
+from warpsample.radiation.exchange.row_shares import Shares, matrices_of, shares_of
+from warpsample.radiation.exchange.surfaces import Surfaces, check_groups, surfaces_of
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array

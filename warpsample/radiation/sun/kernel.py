@@ -6,8 +6,8 @@ from warpsample.directions.samples import normal_status, weigh_by_mask
 from warpsample.estimate.skipping.frontier import HORIZON_MARGIN
 from warpsample.host.locks import once
 from warpsample.maths.numerics import scaled_to_unit
-from warpsample.radiation.sun_proofs import DARK, LIT, MET, darkened, open_around, proven
-from warpsample.radiation.sun_rays import (
+from warpsample.radiation.sun.proofs import DARK, LIT, MET, darkened, open_around, proven
+from warpsample.radiation.sun.rays import (
     DISC_RAYS,
     GROUP_BYTES,
     LEAST_COSINE,
@@ -19,7 +19,7 @@ from warpsample.radiation.sun_rays import (
     sun_of,
     way_of,
 )
-from warpsample.radiation.sun_view import CAST, KNOWN_FLOATS, PROVEN, WORDS, Suns, View, add, cosine_to, word
+from warpsample.radiation.sun.view import CAST, KNOWN_FLOATS, PROVEN, WORDS, Suns, View, add, cosine_to, word
 from warpsample.sequences.hashing import point_key
 from warpsample.tracing.placement import local_origin, point_of, reach_along
 from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, SCRATCH, START_FLOATS, WIDTH, Accelerator

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.host.arguments import check_file, naming_file, told
-from warpsample.radiation.epw import YEAR, checked_text, radiation
+from warpsample.radiation.weather.epw import YEAR, checked_text, radiation
 
 _NIGHT = -10.0  # degrees: in an hour whose middle is as deep, the sun is down all the time
 _PERIOD = re.compile(r"(\d\d)-(\d\d)(?:T(\d\d))?")

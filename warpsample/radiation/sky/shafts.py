@@ -10,7 +10,7 @@ from warpsample.estimate.skipping.beams import boxes_in, triangles_in
 from warpsample.estimate.skipping.frontier import NEAR
 from warpsample.estimate.spot import Spot, start_beam
 from warpsample.maths.numerics import lowest_bit
-from warpsample.radiation.patches import SkyPatches
+from warpsample.radiation.sky.patches import SkyPatches
 from warpsample.tracing.wide.corners import corner, size_of
 from warpsample.tracing.wide.layout import BEAM_FLOATS, CORNERS, LEAF_BYTES, NODE_BYTES, PLANES, WIDTH, Accelerator
 from warpsample.tracing.wide.query import put_aside

@@ -9,7 +9,7 @@ import warp as wp
 from warpsample.host.locks import once
 from warpsample.maths.frames import frame_about
 from warpsample.maths.numerics import lowest_bit
-from warpsample.radiation.face_rays import BACK, FaceRays, direction_of, face_at, start_of
+from warpsample.radiation.exchange.face_rays import BACK, FaceRays, direction_of, face_at, start_of
 from warpsample.sequences.hashing import point_key
 from warpsample.tracing.around import children_around, triangles_touched
 from warpsample.tracing.facets import in_double, vector_at

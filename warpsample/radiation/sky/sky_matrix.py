@@ -14,13 +14,13 @@ from warpsample.host.device_memory import Loan
 from warpsample.host.engine import check_memory, run
 from warpsample.host.progress import bar
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.radiation.beams import beams_of, groups_of
-from warpsample.radiation.folding import fold_rows
-from warpsample.radiation.patch_rays import SkyRowsArgs
-from warpsample.radiation.patches import SkyPatches, sky_patches
-from warpsample.radiation.shares import table_of
-from warpsample.radiation.sky_kernel import sky_kernel
-from warpsample.radiation.sky_result import SkyMatrix, SkySkipped
+from warpsample.radiation.sky.folding import fold_rows
+from warpsample.radiation.sky.form_factors import table_of
+from warpsample.radiation.sky.kernel import sky_kernel
+from warpsample.radiation.sky.patch_rays import SkyRowsArgs
+from warpsample.radiation.sky.patches import SkyPatches, sky_patches
+from warpsample.radiation.sky.result import SkyMatrix, SkySkipped
+from warpsample.radiation.sky.shafts import beams_of, groups_of
 from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.order import order_of
 from warpsample.tracing.rays import RAY_WORK

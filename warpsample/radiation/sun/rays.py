@@ -7,7 +7,7 @@ from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE
 from warpsample.host.locks import once
 from warpsample.maths.frames import frame_about, to_world
 from warpsample.maths.numerics import greater
-from warpsample.radiation.sun_view import (
+from warpsample.radiation.sun.view import (
     CAST,
     KNOWN,
     KNOWN_FLOATS,

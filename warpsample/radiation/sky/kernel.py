@@ -7,9 +7,9 @@ from warpsample.estimate.skipping.frontier import HORIZON_MARGIN, frontier
 from warpsample.estimate.spot import NONFINITE_POSITION, Spot, start
 from warpsample.host.locks import once
 from warpsample.maths.numerics import scaled_to_unit
-from warpsample.radiation.beams import CLOSED, OPEN, UNKNOWN, aim_at, look
-from warpsample.radiation.patch_rays import WEIGHTS, SkyRows, sum_rays
-from warpsample.radiation.shares import open_share, patch_at
+from warpsample.radiation.sky.form_factors import open_share, patch_at
+from warpsample.radiation.sky.patch_rays import WEIGHTS, SkyRows, sum_rays
+from warpsample.radiation.sky.shafts import CLOSED, OPEN, UNKNOWN, aim_at, look
 from warpsample.sequences.hashing import point_key
 from warpsample.tracing.facets import in_double
 from warpsample.tracing.placement import far_off, local_origin, point_of, reach_along

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from warpsample.host.arguments import check_number
-from warpsample.radiation.patches import SkyPatches, sky_patches
-from warpsample.radiation.perez import perez_sky
-from warpsample.radiation.weather import Weather, read_weather
+from warpsample.radiation.sky.patches import SkyPatches, sky_patches
+from warpsample.radiation.weather.perez import perez_sky
+from warpsample.radiation.weather.weather import Weather, read_weather
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,7 +11,7 @@ from warpsample.host.arrays import as_real
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-    from warpsample.radiation.view_factors import ViewFactors
+    from warpsample.radiation.exchange.view_factors import ViewFactors
 
 _PRECISION = 1e-12
 _EXACT, _ROUNDING = 1e-15, 1e-13  # of the largest: what sums of few and of many numbers come to

@@ -12,11 +12,11 @@ import numpy as np
 from warpsample.estimate.result import Skipped
 from warpsample.host.arguments import check_file, naming_file, told
 from warpsample.host.files import check_output, complete_or_absent, read_arrays, write_array
-from warpsample.radiation.radiosity import check_rows
-from warpsample.radiation.row_shares import matrices_of
+from warpsample.radiation.exchange.radiosity import check_rows
+from warpsample.radiation.exchange.row_shares import matrices_of
 
 if TYPE_CHECKING:
-    from warpsample.radiation.view_factors import ViewFactors
+    from warpsample.radiation.exchange.view_factors import ViewFactors
 
 WANTS = "a name that ends in .npz or .vf, or begins with vfsparse.inp"
 _SPARSE, _SKY = "vfsparse.inp", "svf.inp"

@@ -6,8 +6,8 @@ from warpsample.directions.variates import LANES
 from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE
 from warpsample.estimate.spot import Spot, bring_near
 from warpsample.maths.numerics import greater, lesser
-from warpsample.radiation.shares import COLUMNS, FAINT, Patch, highest
-from warpsample.radiation.spreading import LEAST, Slope, column_at, cube_root, slope_of, turned_by, weight_of
+from warpsample.radiation.sky.form_factors import COLUMNS, FAINT, Patch, highest
+from warpsample.radiation.sky.spreading import LEAST, Slope, column_at, cube_root, slope_of, turned_by, weight_of
 from warpsample.sequences.fibonacci import fibonacci_sample
 from warpsample.sequences.hashing import ONE_WORD, one_of, stream_key
 from warpsample.tracing.placement import Placement, far_off

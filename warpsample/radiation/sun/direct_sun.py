@@ -17,10 +17,10 @@ from warpsample.host.vectors import as_directions
 from warpsample.maths.numerics import scaled_to_unit
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.radiation.sun_kernel import sun_kernel
-from warpsample.radiation.sun_rays import DISC_RAYS
-from warpsample.radiation.sun_view import SunsArgs
-from warpsample.radiation.suns import SunTree
+from warpsample.radiation.sun.kernel import sun_kernel
+from warpsample.radiation.sun.rays import DISC_RAYS
+from warpsample.radiation.sun.suns import SunTree
+from warpsample.radiation.sun.view import SunsArgs
 from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.order import order_of
 from warpsample.tracing.placement import PlacementArgs, placed, unit_in_double, vector_in_double

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from warpsample.host.engine import check_memory
-from warpsample.radiation.face_rays import BACK, GROUND, SKY
+from warpsample.radiation.exchange.face_rays import BACK, GROUND, SKY
 
 SPECIAL = 3
 """Kinds of rays that meet no front: to the sky, to the ground, and those that meet a back."""

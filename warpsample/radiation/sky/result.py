@@ -11,8 +11,8 @@ import numpy as np
 from warpsample.estimate.result import PointStatus
 from warpsample.host.arguments import told
 from warpsample.host.files import check_output, complete_or_absent, write_array
-from warpsample.radiation.matrix_files import write_matrix
-from warpsample.radiation.patches import SkyPatches
+from warpsample.radiation.exchange.matrix_files import write_matrix
+from warpsample.radiation.sky.patches import SkyPatches
 
 _FORMATS = (".npz", ".mtx")
 

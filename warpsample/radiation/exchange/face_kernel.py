@@ -6,7 +6,7 @@ from warpsample.directions.variates import LANES
 from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE, frontier
 from warpsample.host.locks import once
 from warpsample.maths.frames import frame_about
-from warpsample.radiation.face_rays import (
+from warpsample.radiation.exchange.face_rays import (
     BACK,
     GROUND,
     SKY,

@@ -5,7 +5,7 @@ import warp as wp
 from warpsample.estimate.skipping.frontier import triangles_above, visible
 from warpsample.host.locks import once
 from warpsample.maths.numerics import lowest_bit
-from warpsample.radiation.face_rays import FaceRays, face_at, horizon_margin, lowest_start
+from warpsample.radiation.exchange.face_rays import FaceRays, face_at, horizon_margin, lowest_start
 from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, SCRATCH, WIDTH, Accelerator
 from warpsample.tracing.wide.query import put_aside

@@ -11,10 +11,10 @@ from warpsample.host.arguments import check_flag
 from warpsample.host.engine import check_memory
 from warpsample.host.vectors import as_directions
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.radiation.direct_sun import direct_sun
-from warpsample.radiation.light import Light, light_of
-from warpsample.radiation.patches import SkyPatches, sky_patches
-from warpsample.radiation.sky_matrix import SkySkipped, sky_matrix
+from warpsample.radiation.sky.patches import SkyPatches, sky_patches
+from warpsample.radiation.sky.sky_matrix import SkySkipped, sky_matrix
+from warpsample.radiation.sun.direct_sun import direct_sun
+from warpsample.radiation.weather.light import Light, light_of
 from warpsample.sequences.hashing import seed_for
 
 _BYTES = 5 * 4 + 5 * 8  # of each point and hour: five results, and what they are made of in float64

@@ -5,8 +5,8 @@ import warp as wp
 from warpsample.estimate.skipping.beams import meets, triangles_in
 from warpsample.estimate.skipping.frontier import NEAR, frontier
 from warpsample.estimate.spot import start_beam
-from warpsample.radiation.sun_beams import covering, highest
-from warpsample.radiation.sun_view import Suns, View, known_triangles
+from warpsample.radiation.sun.shafts import covering, highest
+from warpsample.radiation.sun.view import Suns, View, known_triangles
 from warpsample.tracing.placement import far_off
 from warpsample.tracing.wide.layout import Accelerator
 

@@ -3,7 +3,7 @@
 import warp as wp
 
 from warpsample.maths.numerics import greater, lesser, sincos_turns
-from warpsample.radiation.shares import Patch, azimuth_near, reaches
+from warpsample.radiation.sky.form_factors import Patch, azimuth_near, reaches
 
 LEAST = wp.constant(wp.float32(1e-20))
 """What keeps a quotient of two numbers that are 0 from being none."""

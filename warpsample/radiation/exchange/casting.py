@@ -12,11 +12,11 @@ from warpsample.host.engine import run
 from warpsample.host.progress import begin
 from warpsample.host.sharing import InOrder, share
 from warpsample.mesh.mesh import Mesh
-from warpsample.radiation.coincident import coincident_kernel
-from warpsample.radiation.face_kernel import face_kernel
-from warpsample.radiation.face_rays import BACK, FaceRaysArgs, step_of
-from warpsample.radiation.hits_to_matrix import Block, Collector, Counts, block_of
-from warpsample.radiation.open_faces import open_kernel
+from warpsample.radiation.exchange.coincident import coincident_kernel
+from warpsample.radiation.exchange.face_kernel import face_kernel
+from warpsample.radiation.exchange.face_rays import BACK, FaceRaysArgs, step_of
+from warpsample.radiation.exchange.hits_to_matrix import Block, Collector, Counts, block_of
+from warpsample.radiation.exchange.open_faces import open_kernel
 from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.rays import RAY_WORK
 from warpsample.tracing.scene import Scene, coarseness_of, scene_of

@@ -1,0 +1,1 @@
+"""Light that faces exchange: view factors and radiosity."""

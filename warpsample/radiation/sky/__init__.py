@@ -1,0 +1,1 @@
+"""Sky patches, and how much of each one points see."""

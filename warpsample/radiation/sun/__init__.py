@@ -1,0 +1,1 @@
+"""The sun: from where it stands, which points see it."""

@@ -1,0 +1,1 @@
+"""Weather files, the sky's radiance and a year's irradiation."""
