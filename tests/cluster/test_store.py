@@ -5,6 +5,7 @@ import shutil
 import subprocess
 import sys
 from importlib import import_module
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -216,6 +217,23 @@ def test_what_killed_writers_left_goes(path, mesh, right):
     (path / "value/c/0.0123abcd.partial").write_bytes(b"half")
     bake(path, mesh, resume=True)
     assert list(path.rglob("*.partial")) == []
+
+
+def test_what_a_worker_that_outlived_its_client_finishes_meanwhile_is_no_error(path, mesh, right, monkeypatch):
+    bake(path, mesh)
+    half, rglob = path / "value/c/0.0123abcd.partial", Path.rglob
+    half.write_bytes((path / "value/c/0").read_bytes())
+
+    def listed(folder, pattern, **options):
+        for file in rglob(folder, pattern, **options):
+            if file == half:
+                half.rename(path / "value/c/0")
+            yield file
+
+    monkeypatch.setattr(Path, "rglob", listed)
+    bake(path, mesh, resume=True)
+    assert not half.exists()
+    assert_whole(path, right)
 
 
 LIMITED = """
