@@ -45,6 +45,9 @@ def test_a_store_is_exported_as_bake_would_have_written(call, tmp_path):
     with zipfile.ZipFile(tmp_path / "a.npz") as one, zipfile.ZipFile(tmp_path / "b.npz") as other:
         assert one.namelist() == other.namelist()
         assert all(one.read(name) == other.read(name) for name in one.namelist() if name != "run.npy")
+    one, other = (json.loads(str(np.load(tmp_path / name)["run"])) for name in ("a.npz", "b.npz"))
+    assert one.keys() == other.keys()
+    assert {name for name in one if one[name] != other[name]} == {"output", "options"}  # a store has all options
 
 
 def test_the_command_says_what_it_did_and_goes_on(call, path, monkeypatch):
