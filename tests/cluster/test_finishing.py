@@ -1,0 +1,66 @@
+"""When a Client's scheduler or its workers are given up: by what they tell, without any process."""
+
+from importlib import import_module
+from itertools import repeat
+from types import SimpleNamespace
+
+import pytest
+
+pytest.importorskip("dask")
+distributed = pytest.importorskip("distributed")
+finishing = import_module("warpsample.cluster.finishing")
+
+MIB = 1 << 20
+
+
+def finished(monkeypatch, client, attempts):
+    """What is told of five chunks if each attempt finishes so many and is then forgotten; and how many there were."""
+    told, begun, attempts = [], [], iter(attempts)
+
+    def forgetful(client, job, tasks, chunks):
+        begun.append(chunks)
+        yield from [(chunk, -chunk) for chunk in chunks[: next(attempts)]]
+        raise distributed.CancelledError("lost")
+
+    monkeypatch.setattr(finishing, "_finished", forgetful)
+    try:
+        told.extend(finishing.finished(client, None, None, list(range(5))))
+    except ConnectionError as error:
+        told.append(str(error))
+    return told, len(begun)
+
+
+@pytest.mark.parametrize(
+    ("attempts", "right"),
+    [
+        ((0, 0, 5), ([0, -1, -2, -3, -4], 3)),
+        ((2, 0, 1, 0, 2), ([0, -1, -2, -3, -4], 5)),
+        (repeat(0), (["the scheduler forgets its tasks (lost)"], 3)),
+    ],
+)
+def test_a_scheduler_that_forgets_thrice_without_a_task_finished_is_given_up(monkeypatch, attempts, right):
+    assert finished(monkeypatch, SimpleNamespace(status="running"), attempts) == right
+
+
+def test_one_that_is_gone_is_not_asked_again(monkeypatch):
+    assert finished(monkeypatch, SimpleNamespace(status="closed"), repeat(0)) == (["the scheduler is gone"], 1)
+
+
+def check(limits):
+    """Checks workers a and b that may take so many MiB."""
+    workers = {name: {"memory_limit": limit and limit * MIB} for name, limit in zip("ab", limits, strict=False)}
+    client = SimpleNamespace(scheduler_info=lambda **_: {"workers": workers})
+    finishing.check_workers_of(client, SimpleNamespace(shared={}))
+
+
+@pytest.mark.parametrize("limits", [(), (0,), (None,), (361,), (300, 361), (300, 0), (300, None)])
+def test_one_worker_that_is_large_enough_or_without_a_limit_will_do(limits):
+    check(limits)
+
+
+@pytest.mark.parametrize("limits", [(300,), (200, 300), (359, 1)])
+def test_workers_that_are_all_too_small_are_refused_by_the_largest(limits):
+    """A process takes 288 MiB at least, and a worker pauses at 0.8 of its memory."""
+    largest = f"{'ab'[limits.index(max(limits))]} may take {max(limits)} MiB"
+    with pytest.raises(MemoryError, match=f"^the workers are too small: {largest}, want at least 360 MiB for each$"):
+        check(limits)
