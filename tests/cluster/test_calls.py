@@ -94,7 +94,8 @@ def test_every_estimate(mesh, points):
 def test_directions_and_what_they_meet(mesh, points):
     right = ws.sample_directions(points, 8, ws.GGX(alpha=0.3), seed=SEED, pdf=True, active=ACTIVE)
     options = {"seed": SEED, "pdf": True, "active": ACTIVE, "chunk": 40}
-    for normals in (points, points.normal, POINTS):
+    cut = {name: dask.array.from_array(np.array(getattr(points, name)), (50, 3)) for name in ("position", "normal")}
+    for normals in (points, points.normal, cut["normal"], POINTS):
         lazy = cluster.sample_directions(normals, 8, "ggx(alpha=0.3)", mesh=mesh, **options)
         assert_same(lazy, right)
     hits = ws.trace(mesh, points, right.vectors, any_hit=True)
@@ -106,6 +107,8 @@ def test_directions_and_what_they_meet(mesh, points):
     eye = [36.0, 36.0, 9.0]
     found = cluster.trace(mesh, eye, points.normal, chunk=70).compute()
     assert np.array_equal(found.distance, ws.trace(mesh, eye, points.normal).distance)
+    found = cluster.trace(mesh, cut["position"], cut["normal"], chunk=70).compute()
+    assert np.array_equal(found.distance, ws.trace(mesh, points.position, points.normal).distance)
 
 
 def test_nothing_is_computed_before_it_is_asked_for_and_then_once(mesh, monkeypatch):

@@ -166,7 +166,8 @@ def _place(points: Any, at: str, mesh: Mesh | None) -> tuple[str | None, int, di
 
 
 def _whole(value: Any) -> bool:
-    return hasattr(value, "__index__") and not isinstance(value, bool | np.ndarray)
+    """Whether a value is a whole number; arrays of Dask, PyTorch and JAX have an `__index__` too."""
+    return hasattr(value, "__index__") and not isinstance(value, bool | np.ndarray) and not getattr(value, "ndim", 0)
 
 
 def _rows(taken: dict[str, Any], names: list[str]) -> dict[str, Any]:
