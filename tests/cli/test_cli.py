@@ -43,7 +43,7 @@ def test_directions_file_holds_the_run(call, cube, tmp_path, where, rows, monkey
     assert np.array_equal(kept["face"], points.face)
     assert np.array_equal(kept["vectors"], again.vectors)
     assert np.array_equal(kept["status"], again.status)
-    assert set(run["versions"]) == {"warpsample", "warp-lang", "numpy", "trimesh", "streams"}
+    assert set(run["versions"]) == {"warpsample", "warp-lang", "numpy", "streams"}
     assert len(run["mesh_sha256"]) == 64
     assert list(tmp_path.iterdir()) == [cube, output] or set(tmp_path.iterdir()) == {cube, output}
 

@@ -1,12 +1,14 @@
 """The laws must reject wrong samplers: the law named beside each planted defect catches it."""
 
+import sys
+
 import numpy as np
 import pytest
 import trimesh
 from significance import ALPHA
 
 import warpsample as ws
-from warpsample.proof import defects, laws, routes, stress, twins, verify
+from warpsample.proof import defects, laws, rays, routes, run, stress, twins, verify
 from warpsample.proof.twins.sequences import expected
 from warpsample.statistics.charts import SPHERE, chart_of
 from warpsample.statistics.histogram import histogram_test, joined_test
@@ -151,6 +153,13 @@ def test_hostile_meshes_reject_float32_positions_and_a_heavy_last_face(monkeypat
     monkeypatch.setattr(stress, "ten_million_faces", lambda: ws.as_mesh(trimesh.creation.icosphere(4)))
     monkeypatch.setattr(stress, "sample_surface", in_float32)
     assert laws_broken(stress.judge_meshes()) == {"points on their face", "shares of the area"}
+
+
+def test_a_trial_without_trimesh_is_refused_before_any_work(monkeypatch):
+    rays.closed_meshes.cache_clear()
+    monkeypatch.setitem(sys.modules, "trimesh", None)
+    with pytest.raises(ModuleNotFoundError, match=r"^the laws of rays need trimesh: pip install 'warpsample\[test\]'$"):
+        run.trial()
 
 
 def test_routes_reject_another_law(monkeypatch):

@@ -24,13 +24,20 @@ _OFF = 1e-4  # of the mesh's size: above every tool's rounding, so that all trac
 
 
 def bunny(subdivisions: int) -> Mesh:
-    """The one inside warp-lang, its 12,200 triangles split in four so many times."""
-    import trimesh  # noqa: PLC0415
+    """The one inside warp-lang, its 12,200 triangles split in four so many times.
 
+    Raises:
+        ModuleNotFoundError: they are to be split, and trimesh is missing; says how to install it.
+    """
     mesh = load_mesh(Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd")
     vertices, faces = mesh.vertices, mesh.faces
-    for _ in range(subdivisions):
-        vertices, faces = trimesh.remesh.subdivide(vertices, faces)
+    if subdivisions:
+        try:
+            from trimesh.remesh import subdivide  # noqa: PLC0415
+        except ModuleNotFoundError:
+            raise ModuleNotFoundError("the split bunny needs trimesh: pip install 'warpsample[bench]'") from None
+        for _ in range(subdivisions):
+            vertices, faces = subdivide(vertices, faces)
     return as_mesh((vertices, faces))
 
 

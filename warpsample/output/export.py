@@ -164,5 +164,5 @@ def _record(run: Run) -> dict[str, object]:
     """All that is needed to repeat the run: arguments, digest of the mesh, and the versions that determine the bits."""
     digest = hashlib.sha256(content_of(run.mesh)).hexdigest()
     arguments = {key: str(value) if isinstance(value, Path) else value for key, value in asdict(run).items()}
-    versions = {name: version(name) for name in ("warpsample", "warp-lang", "numpy", "trimesh")} | {"streams": STREAMS}
+    versions = {name: version(name) for name in ("warpsample", "warp-lang", "numpy")} | {"streams": STREAMS}
     return {**arguments, "mesh_sha256": digest, "versions": versions, "cpu": cpu().name}

@@ -15,8 +15,15 @@ _PER_POINT = 64
 
 @cache
 def closed_meshes() -> dict[str, tuple[Mesh, tuple[float, float, float]]]:
-    """Closed meshes by name, with a point inside each."""
-    from trimesh import creation  # noqa: PLC0415  (heavy)
+    """Closed meshes by name, with a point inside each.
+
+    Raises:
+        ModuleNotFoundError: trimesh is missing, which makes them; says how to install it.
+    """
+    try:
+        from trimesh import creation  # noqa: PLC0415  (of the extra `test`)
+    except ModuleNotFoundError:
+        raise ModuleNotFoundError("the laws of rays need trimesh: pip install 'warpsample[test]'") from None
 
     torus = creation.torus(1.0, 0.3, major_sections=48, minor_sections=24)
     return {

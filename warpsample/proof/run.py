@@ -32,7 +32,12 @@ class Task:
 
 
 def trial() -> list[Task]:
-    """All tasks, the longest first: every case, sequence, second route and hostile input, and the rays."""
+    """All tasks, the longest first: every case, sequence, second route and hostile input, and the rays.
+
+    Raises:
+        ModuleNotFoundError: the extra `test` is missing; says so before any work.
+    """
+    rays.closed_meshes()
     cases = sorted(verify.cases(), key=lambda case: case.symmetric)
     return [
         Task("meshes"),
