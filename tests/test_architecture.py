@@ -61,8 +61,29 @@ UNRELATED = [
 ]
 
 
+HEAVY = {"pyvista", "matplotlib", "scipy", "trimesh", "pxr", "psutil", "rich", "pvlib", "pandas", "pyradiance"}
+"""Libraries that are imported where they are used."""
+NOT_EVERYWHERE = {"vtkmodules", "trame", "distributed", "fcntl"}
+"""Others that are imported where they are used: extras of extras, and what some systems do not have."""
+MOST_FILES = 20
+"""Files in a folder, besides `__init__.py`: what has more has stories of its own, a folder each."""
+MOST_CLASSES_TWICE = 5
+"""Class names that stand for different things in different files."""
+MOST_NOQA = 106
+"""Lines that say `noqa`; aim at 80."""
+SAYS_NOTHING = re.compile(r"(Of|As|Likewise|The same)\b|\S+(\s+\S+)?$")
+"""The first line of a docstring that a stranger does not understand: it leans on another one, or is one or two words."""
+NOT_YET = ("bench", "cli", "cluster", "estimate", "output", "radiation", "tracing")
+"""Rooms whose docstrings and class names are still to be said."""
+
+
+def trees(folder):
+    """(path, syntax tree) of each file."""
+    return [(path, ast.parse(path.read_text())) for path in sorted(folder.rglob("*.py"))]
+
+
 def imports(path):
-    """(module, whether it happens when the file is imported) of each import."""
+    """(module, when) of each import: "first" with the file, "late" within a function, or only for "types"."""
     tree = ast.parse(path.read_text())
     typing_only = {
         id(child)
@@ -80,7 +101,7 @@ def imports(path):
         else:
             continue
         for name in names:
-            yield name, id(node) in top and id(node) not in typing_only
+            yield name, "types" if id(node) in typing_only else "first" if id(node) in top else "late"
 
 
 def room_of(module):
@@ -110,12 +131,11 @@ def test_the_map_names_every_room_once(repository):
 
 
 def test_heavy_libraries_are_imported_where_they_are_used(repository):
-    heavy = {"pyvista", "matplotlib", "scipy", "trimesh", "pxr", "psutil", "rich", "pvlib", "pandas", "pyradiance"}
     for path in sorted((repository / "warpsample").rglob("*.py")):
-        for module, at_top in imports(path):
+        for module, when in imports(path):
             if (path.stem, module) == ("accessor", "pyvista"):
                 continue  # PyVista imports it, and nothing here does
-            assert not (at_top and module.split(".")[0] in heavy), f"{path} imports {module} when it is imported"
+            assert not (when == "first" and module.split(".")[0] in HEAVY), f"{path} imports {module} when it is imported"
             if module.split(".")[0] in {"dask", "distributed", "zarr", "xarray"}:
                 assert path.parent.name == "cluster", f"{path} imports {module}"
 
@@ -187,3 +207,53 @@ def test_public_names_are_documented():
     assert sorted(ws.__all__, key=str) == sorted(n for n in ws.__all__ if hasattr(ws, n))
     for name in ws.__all__:
         assert getattr(ws, name).__doc__, name
+
+
+def test_the_first_line_of_a_docstring_is_a_full_phrase(repository):
+    """Also in `tests/support`: what a test calls is read without the test."""
+    rooms = [folder for folder in sorted((repository / "warpsample").glob("*/")) if folder.name not in NOT_YET]
+    kinds = ast.Module | ast.ClassDef | ast.FunctionDef
+    found = [
+        f"{path.relative_to(repository)}: {text.splitlines()[0]}"
+        for folder in (*rooms, repository / "tests/support")
+        for path, tree in trees(folder)
+        for node in ast.walk(tree)
+        if isinstance(node, kinds) and (text := ast.get_docstring(node)) and SAYS_NOTHING.match(text.splitlines()[0])
+    ]
+    assert found == []
+    assert all(
+        map(SAYS_NOTHING.match, ("Of the command.", "As `FileIO.write`.", "Likewise of one.", "The same.", "1.", "A b."))
+    )
+
+
+def test_few_class_names_stand_for_two_things(repository):
+    homes = {}
+    for path, tree in trees(repository / "warpsample"):
+        if path.relative_to(repository / "warpsample").parts[0] != "bench":  # whose own names are still to be told apart
+            for node in ast.walk(tree):
+                if isinstance(node, ast.ClassDef):
+                    homes.setdefault(node.name, []).append(str(path.relative_to(repository)))
+    twice = {name: files for name, files in homes.items() if len(files) > 1}
+    assert len(homes) > 100
+    assert len(twice) <= MOST_CLASSES_TWICE, twice
+
+
+def test_no_folder_holds_more_files_than_one_sees_at_once(repository):
+    for folder in (repository / "warpsample", *(repository / "warpsample").rglob("*/")):
+        files = [path.name for path in folder.glob("*.py") if path.name != "__init__.py"]
+        assert len(files) <= MOST_FILES, f"{folder} holds {len(files)} files"
+
+
+def test_what_is_imported_late_is_heavy_or_missing_on_some_machines(repository):
+    """All else is imported at the top of its file, so that a circle of files shows; pyproject.toml tells the linter so."""
+    for room in ROOMS[: ROOMS.index("bench")]:
+        for path in sorted((repository / "warpsample" / room).rglob("*.py")):
+            if path.name == "__init__.py":
+                continue
+            for module, when in imports(path):
+                assert when != "late" or module.split(".")[0] in HEAVY | NOT_EVERYWHERE, f"{path} imports {module} late"
+
+
+def test_few_lines_are_kept_from_the_linter(repository):
+    kept = sum(path.read_text().count("# noqa") for path in (repository / "warpsample").rglob("*.py"))
+    assert 0 < kept <= MOST_NOQA

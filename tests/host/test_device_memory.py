@@ -25,7 +25,7 @@ def test_in_place_arrays_are_used_themselves():
     assert memory.fits(10**12)
     with memory.loan() as loan:
         assert loan.put(given) == given.ctypes.data
-        assert loan.room(found) == found.ctypes.data
+        assert loan.output(found) == found.ctypes.data
         array = wp.array(given, dtype=wp.float32, device="cpu")
         assert loan.clone(array) is array
         assert loan.put(None) == 0
@@ -60,8 +60,8 @@ def test_elsewhere_rows_are_copied_there_and_back():
             address = loan.put(given[:, ::-1], slice(2, 4))
             assert address not in (0, given.ctypes.data, given[2:].ctypes.data)
             assert numbers_at(address, 6).tolist() == [8.0, 7.0, 6.0, 11.0, 10.0, 9.0]
-            numbers_at(loan.room(found, slice(2, 4)), 6)[:] = numbers_at(address, 6)
-            assert not numbers_at(loan.room(found, slice(6, 7), zero=True), 3).any()
+            numbers_at(loan.output(found, slice(2, 4)), 6)[:] = numbers_at(address, 6)
+            assert not numbers_at(loan.output(found, slice(6, 7), zero=True), 3).any()
             assert (found == 7.0).all()
             assert allocator.live == 4 * (6 + 6 + 3)
         assert allocator.live == 0
@@ -76,7 +76,7 @@ def test_after_a_failure_nothing_is_fetched_and_all_is_given_back():
         memory = Memory.of(None)
         with suppress(KeyError), memory.loan() as loan:
             loan.put(found)
-            loan.room(found, zero=True)
+            loan.output(found, zero=True)
             assert allocator.live == 64
             raise KeyError
         assert allocator.live == 0

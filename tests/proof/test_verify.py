@@ -10,7 +10,7 @@ from rich.console import Console
 import warpsample as ws
 from warpsample import cli
 from warpsample.proof import defects, report, run, verify
-from warpsample.proof.run import Task
+from warpsample.proof.run import TrialPart
 from warpsample.proof.streams import judge_sequence
 from warpsample.proof.stress import judge_bad_normals, judge_indices, judge_normals
 
@@ -18,7 +18,7 @@ from warpsample.proof.stress import judge_bad_normals, judge_indices, judge_norm
 @pytest.fixture
 def call(monkeypatch, capsys):
     """Runs `warpsample verify ...` on a few tasks in this process; returns (exit status, stdout, stderr)."""
-    short = [Task("case", ws.OffsetCircle()), Task("case", ws.OffsetDisk())]
+    short = [TrialPart("case", ws.OffsetCircle()), TrialPart("case", ws.OffsetDisk())]
     monkeypatch.setattr(run, "trial", lambda: list(short))
     monkeypatch.setattr(run, "run", lambda tasks, thorough: ((task, task.verdicts(thorough)) for task in tasks))
 
@@ -68,11 +68,11 @@ def test_an_unknown_defect_lists_the_known_ones(call):
 
 @pytest.mark.slow
 def test_power_names_the_laws_and_a_defect_that_nobody_catches(call, monkeypatch):
-    monkeypatch.setattr(run, "planted", lambda: [Task("defect", "inverse with a swapped pair")])
+    monkeypatch.setattr(run, "planted", lambda: [TrialPart("defect", "inverse with a swapped pair")])
     status, out, _ = call("--power")
     assert status == 0
     assert "inverse with a swapped pair   round trip" in out
-    monkeypatch.setattr(run, "planted", lambda: [Task("case", ws.OffsetCircle())])  # correct, so nothing catches it
+    monkeypatch.setattr(run, "planted", lambda: [TrialPart("case", ws.OffsetCircle())])  # correct, so nothing catches it
     status, out, _ = call("--power")
     assert status == 1
     assert "nothing" in out
@@ -88,11 +88,11 @@ def test_every_verdict_has_a_table():
 
 @pytest.mark.slow
 def test_tasks_run_in_processes_and_an_error_reaches_the_caller():
-    task = Task("case", ws.OffsetCircle())
+    task = TrialPart("case", ws.OffsetCircle())
     (found,) = run.run([task])
     assert found == (task, task.verdicts())
     with pytest.raises(ValueError, match="sequence: got 'no such', want one of"):
-        list(run.run([Task("sequence", "no such")]))
+        list(run.run([TrialPart("sequence", "no such")]))
 
 
 def test_every_defect_can_be_planted():

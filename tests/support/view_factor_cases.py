@@ -94,7 +94,7 @@ FIELDS = ("outside", "outside_error", "behind", "behind_error", "sky", "sky_erro
 
 
 def alike(one, other):
-    """The same bits, but for what was skipped."""
+    """Whether two results have equal bits, but for what was skipped."""
     for a, b in ((one.matrix, other.matrix), (one.standard_error, other.standard_error)):
         for name in ("data", "indices", "indptr"):
             assert np.array_equal(getattr(a, name), getattr(b, name))

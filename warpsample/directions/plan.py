@@ -24,7 +24,7 @@ _ROW = 20  # samples from which rows are faster than blocks of pairs: 12 with 8 
 
 
 @dataclass(frozen=True)
-class Plan:
+class DirectionPlan:
     """A checked call of `sample_directions`, but for its arrays."""
 
     distribution: Distribution
@@ -45,9 +45,9 @@ class Plan:
                 args = SamplesArgs(
                     count=self.count,
                     normals=loan.put(normals.owner, rows),
-                    vectors=loan.room(vectors.owner, rows),
-                    pdf=loan.room(pdf.owner, rows) if pdf else 0,
-                    status=loan.room(status, rows, zero=True),
+                    vectors=loan.output(vectors.owner, rows),
+                    pdf=loan.output(pdf.owner, rows) if pdf else 0,
+                    status=loan.output(status, rows, zero=True),
                     active=loan.put(active, rows),
                     parameters=self.distribution.kernel_parameters().__ctype__(),
                 )

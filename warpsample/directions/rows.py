@@ -87,7 +87,7 @@ def _chunk_filler(
             if wp.static(redraws):
                 rare = rare | wp.where(d[3] < redraw_below, 1, 0)
             j += 1
-        if wp.static(redraws):  # noqa: SIM102  (one is decided when the kernel is built, the other when it runs)
+        if wp.static(redraws):
             if rare != 0:
                 for i in range(length):
                     p = wp.vec2(u[i], u[chunk + i])

@@ -11,7 +11,7 @@ import warp as wp
 
 from warpsample import sequences
 from warpsample.directions import samples
-from warpsample.directions.plan import Plan, same_high_word
+from warpsample.directions.plan import DirectionPlan, same_high_word
 from warpsample.directions.square import square_blocks
 from warpsample.distributions import as_spatial
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
@@ -164,7 +164,7 @@ def sample_directions(
     if len(given.shape) != 1 or given.count == 0:
         raise ValueError(f"normals: got shape {(*given.shape, 3)}, want (P, 3) with P of at least 1")
     count = check_integer(count, "count", 1, 2**31 - 1)
-    plan = Plan(
+    plan = DirectionPlan(
         as_spatial(distribution),
         sequences.get(sequence),
         count,

@@ -39,7 +39,7 @@ def with_parameters(func: wp.Function, argument: type, count: int) -> wp.Functio
 
         @wp.func
         def call(x: argument, parameters: Parameters):
-            """Without parameters."""
+            """Calls a function that takes no parameters."""
             return func(x)
 
     elif count == 1:

@@ -106,7 +106,7 @@ class UniformDisk(Distribution):
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
-        """Both methods."""
+        """An instance for each of both methods."""
         return tuple(cls(method) for method in get_args(Method))
 
     @property
@@ -116,7 +116,7 @@ class UniformDisk(Distribution):
 
     @property
     def largest_angle(self) -> float:
-        """The radius."""
+        """The radius of the unit disk, in place of an angle."""
         return 1.0
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:

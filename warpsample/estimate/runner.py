@@ -59,7 +59,7 @@ class Runner:
                 part = self._part(loan, rows, cells, self.plan.skip if skip is None else skip)
                 part.seed = seed
                 part.value, part.error, part.spread, part.degrees, part.cast, part.empty, part.status = (
-                    loan.room(array, rows, zero=chosen is not None)
+                    loan.output(array, rows, zero=chosen is not None)
                     for array in (value, error, spread, degrees, cast, empty, status)
                 )
                 self._run(loan, part, None if chosen is None else chosen[rows])

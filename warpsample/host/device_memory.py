@@ -91,7 +91,7 @@ class Loan:
         self._results: list[tuple[np.ndarray, wp.array]] = []
 
     def __enter__(self) -> "Loan":
-        """Itself."""
+        """The loan itself, for the body of a `with` statement."""
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
@@ -110,7 +110,7 @@ class Loan:
             return 0
         return self._keep(array) if self.memory.in_place else self._keep(self._copy(np.ascontiguousarray(array[rows])))
 
-    def room(self, array: Array, rows: slice = slice(None), zero: bool = False) -> int:
+    def output(self, array: Array, rows: slice = slice(None), zero: bool = False) -> int:
         """The address to which kernels write rows of an array: all of them, or those that are not 0 of an array that is."""
         if self.memory.in_place:
             return self._keep(array)

@@ -56,7 +56,7 @@ def check_memory(needed: int, what: str, remedy: str) -> None:
     """
     if needed < _ALWAYS_FREE:
         return
-    import psutil  # noqa: PLC0415  (20 ms that most imports of the package do not need)
+    import psutil  # 20 ms that most imports of the package do not need
 
     free = psutil.virtual_memory().available
     if needed > free:

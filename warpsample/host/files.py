@@ -53,7 +53,7 @@ def check_output(path: Path, argument: str, *inputs: Path | None) -> None:
 
 
 def check_output_folder(folder: Path, argument: str) -> None:
-    """The same for a folder of files, which is made if need be.
+    """Checks the path of a folder for output files, which is made if need be, as `check_output` does that of a file.
 
     Raises:
         ValueError: a file, or nothing can be written there.
@@ -137,7 +137,7 @@ class _Part(FileIO):
         super().__init__(part, "x")
 
     def write(self, data: Any) -> int | None:
-        """As `FileIO.write`."""
+        """Writes bytes as `FileIO.write` does."""
         with _told(self.path):
             return super().write(data)
 

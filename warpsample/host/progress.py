@@ -17,8 +17,8 @@ def bar(progress: bool, what: str, total: int | None = None) -> Iterator[None]:
     if not progress:
         yield
         return
-    from rich.console import Console  # noqa: PLC0415  (only bars need it)
-    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn  # noqa: PLC0415
+    from rich.console import Console  # only bars need it
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
 
     console = Console(stderr=True)
     columns = TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn()

@@ -64,7 +64,7 @@ def fma(a: wp.float32, b: wp.float32, c: wp.float32) -> wp.float32:
     adj_snippet=_FMA_ADJOINT,
 )
 def fma_double(a: wp.float64, b: wp.float64, c: wp.float64) -> wp.float64:
-    """As `fma`, in float64."""
+    """a * b + c in float64, rounded once; native as `fma` is."""
 
 
 @wp.func
@@ -128,7 +128,7 @@ def _adj_root(x: wp.float32, adj_ret: wp.float32):
 
 @wp.func
 def root_double(x: wp.float64) -> wp.float64:
-    """As `root`, in float64."""
+    """sqrt(x) in float64, with gradient 0 at 0, as `root` has it."""
     return wp.sqrt(x)
 
 
@@ -203,7 +203,7 @@ def scaled_to_unit(v: wp.vec3) -> wp.vec4:
 
 @wp.func
 def direction_to_unit(v: wp.vec3) -> wp.vec4:
-    """The same for a ray's direction, which most often has unit length but for rounding: then one Newton step is enough.
+    """`scaled_to_unit` for a ray's direction, of unit length but for rounding most often: then a Newton step will do.
 
     It leaves an error of 2^-39. A ray that is made alone waits for it a third as long as for `scaled_to_unit`.
     """

@@ -175,7 +175,7 @@ def as_mesh(mesh: Any) -> Mesh:
 
 
 def mesh_of(value: Any, argument: str, wants: str) -> Mesh:
-    """As `as_mesh`, for another argument."""
+    """The mesh that an argument of any name stands for, as `as_mesh` takes it."""
     if isinstance(value, Mesh):
         return value
     if isinstance(value, tuple) and len(value) == 2:

@@ -108,7 +108,7 @@ def place_points(block: int) -> wp.Kernel:
         barycentric: wp.uint64,
         first_task: wp.int64,
     ):
-        """One block."""
+        """Places one block of points, all by one thread."""
         start = (wp.int32(first_task) + wp.tid()) * block
         length = wp.min(block, points - start)
         corners = wp.array(ptr=vertices, shape=(vertex_count,), dtype=wp.vec3d)

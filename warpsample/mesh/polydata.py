@@ -12,7 +12,7 @@ def pyvista() -> Any:
         ModuleNotFoundError: it is missing; says how to install it.
     """
     try:
-        import pyvista as pv  # noqa: PLC0415
+        import pyvista as pv
     except ModuleNotFoundError:
         raise ModuleNotFoundError("PolyData needs PyVista: pip install pyvista") from None
     return pv

@@ -143,8 +143,8 @@ def sample_surface(
         for rows in memory.parts(count, size // count):
             points = rows.stop - rows.start
             with memory.loan() as loan:
-                found = [loan.room(array, rows) for array in (position, normal, face)]
-                found.append(loan.room(weights, rows) if barycentric else 0)
+                found = [loan.output(array, rows) for array in (position, normal, face)]
+                found.append(loan.output(weights, rows) if barycentric else 0)
                 inputs = [seed, first_point + rows.start, points, *surface, *found]
                 run(place_points(block), -(-points // block), inputs, memory.device, workers, 8 * points)
     return SurfacePoints(position, normal, face, weights if barycentric else None)

@@ -35,7 +35,7 @@ class CloudActor:
             point_size: pixels.
             bar: whether a colour bar stands below the points.
         """
-        import pyvista as pv  # noqa: PLC0415
+        import pyvista as pv
 
         cloud = pv.PolyData(np.zeros((1, 3), np.float32))
         cloud["pdf"] = np.zeros(1, np.float32)
@@ -63,7 +63,7 @@ class CloudActor:
             pdf: (N,) densities per steradian.
             peak: the density that has the last colour.
         """
-        import pyvista as pv  # noqa: PLC0415
+        import pyvista as pv
 
         cloud = pv.PolyData(position)
         cloud["pdf"] = np.where(pdf > 0.0, pdf, np.float32(-1.0))  # -1 is below the range and so has the colour OUTSIDE
@@ -81,7 +81,7 @@ def label_bar(bar: Any, high: float) -> None:
         bar: a VTK scalar bar whose range starts at 0.
         high: the end of its range.
     """
-    from vtkmodules.util.numpy_support import numpy_to_vtk  # noqa: PLC0415
+    from vtkmodules.util.numpy_support import numpy_to_vtk
 
     ticks = round_ticks(high, _MOST_STEPS)
     bar.SetCustomLabels(numpy_to_vtk(ticks[ticks <= high * (1.0 + 1e-6)], deep=True))
@@ -98,7 +98,7 @@ class LobeActor:
 
     def __init__(self, plotter: "pyvista.Plotter"):
         """Adds it to the plotter's current renderer."""
-        import pyvista as pv  # noqa: PLC0415
+        import pyvista as pv
 
         style = {"color": LOBE, "opacity": 0.25, "pickable": False, "reset_camera": False, "show_scalar_bar": False}
         self.actor = plotter.add_mesh(pv.Plane(i_resolution=1, j_resolution=1), **style)
@@ -116,8 +116,8 @@ class Sheet:
 
     def __init__(self, plotter: "pyvista.Plotter"):
         """Adds it to the plotter's current renderer."""
-        import pyvista as pv  # noqa: PLC0415
-        from vtkmodules.vtkRenderingCore import vtkCoordinate, vtkPolyDataMapper2D, vtkTexturedActor2D  # noqa: PLC0415
+        import pyvista as pv
+        from vtkmodules.vtkRenderingCore import vtkCoordinate, vtkPolyDataMapper2D, vtkTexturedActor2D
 
         corners = vtkCoordinate()
         corners.SetCoordinateSystemToNormalizedViewport()
@@ -130,7 +130,7 @@ class Sheet:
 
     def show(self, pixels: np.ndarray) -> None:
         """Replaces the pixels, (H, W, 3) uint8."""
-        import pyvista as pv  # noqa: PLC0415
+        import pyvista as pv
 
         self._actor.SetTexture(pv.Texture(pixels))
 
@@ -140,7 +140,7 @@ class Pin:
 
     def __init__(self, plotter: "pyvista.Plotter", colour: str):
         """Adds it to the plotter's current renderer."""
-        import pyvista as pv  # noqa: PLC0415
+        import pyvista as pv
 
         style = {"color": colour, "pickable": False, "reset_camera": False}
         self._shaft = plotter.add_mesh(pv.Line(), line_width=4, **style)
@@ -148,7 +148,7 @@ class Pin:
 
     def show(self, start: np.ndarray, end: np.ndarray) -> None:
         """Moves the pin: it stands on `start`, (3,), and its head is at `end`, (3,)."""
-        import pyvista as pv  # noqa: PLC0415
+        import pyvista as pv
 
         self._shaft.mapper.dataset = pv.Line(start, end)
         self._head.mapper.dataset = pv.PolyData(end[None])
@@ -167,7 +167,7 @@ class MeshPicker:
             actor: the drawn mesh.
             picked: is called with the place, (3,), and the face.
         """
-        from vtkmodules.vtkRenderingCore import vtkCellPicker  # noqa: PLC0415
+        from vtkmodules.vtkRenderingCore import vtkCellPicker
 
         self._renderer, self._picked, self._picker = plotter.renderer, picked, vtkCellPicker()
         self._picker.PickFromListOn()

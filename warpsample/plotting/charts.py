@@ -38,8 +38,8 @@ class LobeCharts:
 
     def __init__(self, size: tuple[int, int]):
         """Lays out a sheet of that width and height in pixels."""
-        from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
-        from matplotlib.figure import Figure  # noqa: PLC0415
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
 
         self.size = size
         self.figure = Figure(figsize=(_WIDTH, _WIDTH * size[1] / size[0]), dpi=size[0] / _WIDTH)

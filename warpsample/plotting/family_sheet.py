@@ -51,7 +51,7 @@ def family_sheet(sets: list[SetPanel], spheres: list[SetPanel], caption: str) ->
         spheres: three.
         caption: stands below.
     """
-    from matplotlib.figure import Figure  # noqa: PLC0415
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=(16.0, 16.5), layout="constrained", dpi=100)
     grid = figure.add_gridspec(4, 4, height_ratios=(1.15, 1.0, 1.15, 1.0))

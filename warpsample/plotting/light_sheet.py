@@ -21,7 +21,7 @@ def light_sheet(columns: dict[str, list[np.ndarray]], heights: tuple[float, ...]
         heights: of the rows, relative to each other.
         caption: stands below.
     """
-    from matplotlib.figure import Figure  # noqa: PLC0415
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=(_WIDTH, 6.8), layout="constrained", dpi=100)
     grid = figure.subplots(len(heights), len(columns), height_ratios=heights, squeeze=False)

@@ -47,7 +47,7 @@ def overlay_sheet(panels: list[tuple[str, str, np.ndarray, float]], caption: str
         panels: for each overlay, what is red, what is green, the picture, and the share of it that is yellow.
         caption: stands below.
     """
-    from matplotlib.figure import Figure  # noqa: PLC0415
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=(_WIDTH, _HEIGHT), facecolor="black", dpi=100)
     for k, (red, green, picture, share) in enumerate(panels):

@@ -1,5 +1,6 @@
 """Whether pictures can be made here, how much is drawn on one, its colours, and how it is saved."""
 
+import importlib
 import json
 import os
 import subprocess
@@ -89,8 +90,8 @@ def check_rendering() -> None:
         RuntimeError: rendering does not work; the message says what to install.
     """
     try:
-        import matplotlib  # noqa: F401, ICN001, PLC0415
-        import pyvista  # noqa: F401, PLC0415
+        importlib.import_module("matplotlib")
+        importlib.import_module("pyvista")
     except ModuleNotFoundError as error:
         raise ModuleNotFoundError(f"pictures need {error.name}: pip install {error.name}") from None
     if not has_screen():
@@ -134,7 +135,7 @@ def round_ticks(high: float, most: int) -> np.ndarray:
         high: above 0.
         most: the largest number of steps.
     """
-    from matplotlib.ticker import MaxNLocator  # noqa: PLC0415
+    from matplotlib.ticker import MaxNLocator
 
     return MaxNLocator(most, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, high)
 
@@ -172,12 +173,12 @@ def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
 def _offline() -> Iterator[None]:
     """Keeps trame from fetching its WebAssembly viewer from Kitware's server, which an .html by vtk.js does not need."""
     try:
-        from trame.widgets import vtklocal  # noqa: PLC0415  (an extra of an extra)
+        from trame.widgets import vtklocal
     except ImportError:
         yield
         return
     fetch = vtklocal.initialize
-    vtklocal.initialize = lambda server: None  # noqa: ARG005
+    vtklocal.initialize = lambda *_: None
     try:
         yield
     finally:
@@ -219,7 +220,7 @@ def save_figure(figure: "Figure", path: Path) -> None:
 
 def pixels_of(figure: "Figure") -> np.ndarray:
     """The pixels of a figure, (H, W, 3) uint8."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     canvas = FigureCanvasAgg(figure)
     canvas.draw()

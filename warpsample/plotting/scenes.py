@@ -55,7 +55,7 @@ def draw_normals(plotter: "pyvista.Plotter", position: np.ndarray, normal: np.nd
         normal: (P, 3) unit vectors.
         scale: the length at which normals are drawn, in world units.
     """
-    import pyvista as pv  # noqa: PLC0415
+    import pyvista as pv
 
     position, normal = position[:MOST_NORMALS], normal[:MOST_NORMALS]
     ends = np.stack([position, position + scale * normal], axis=1).reshape(-1, 3)
@@ -66,7 +66,7 @@ def draw_normals(plotter: "pyvista.Plotter", position: np.ndarray, normal: np.nd
 
 def draw_frame(plotter: "pyvista.Plotter") -> None:
     """Adds the tangent plane, as a unit disk, and the frame t, b, n about the origin, and looks at them from above."""
-    import pyvista as pv  # noqa: PLC0415
+    import pyvista as pv
 
     plotter.add_mesh(pv.Disc(inner=0.0, outer=1.0, c_res=72), color=SURFACE, opacity=0.5, lighting=False, pickable=False)
     for axis, colour in (("x", BARS), ("y", BARS), ("z", "black")):
@@ -110,7 +110,7 @@ def clouds_on_mesh(
         size: width and height in pixels.
         off_screen: whether no window is opened.
     """
-    import pyvista as pv  # noqa: PLC0415
+    import pyvista as pv
 
     plotter = pv.Plotter(off_screen=off_screen, window_size=size)
     plotter.set_background("white")
@@ -158,7 +158,7 @@ def meshes_side_by_side(
         off_screen: whether no window is opened.
         size: width and height of all panels together, in pixels.
     """
-    import pyvista as pv  # noqa: PLC0415
+    import pyvista as pv
 
     plotter = pv.Plotter(
         shape=(2, len(panels)),
@@ -197,7 +197,7 @@ def draw_panel(plotter: "pyvista.Plotter", mesh: "pyvista.PolyData", panel: Pane
 
 def figure_in_window(figure: "Figure") -> "pyvista.Plotter":
     """A plotter of the figure's size that shows it, for those who have no other window for figures."""
-    import pyvista as pv  # noqa: PLC0415
+    import pyvista as pv
 
     pixels = pixels_of(figure)
     plotter = pv.Plotter(window_size=(pixels.shape[1], pixels.shape[0]))

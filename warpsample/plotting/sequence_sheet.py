@@ -43,7 +43,7 @@ def sequence_sheet(
         curves: one for each integrand.
         caption: stands below.
     """
-    from matplotlib.figure import Figure  # noqa: PLC0415
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=(16.0, 11.0), layout="constrained", dpi=100)
     above, below = figure.subfigures(2, 1, height_ratios=(1.0, 1.1))

@@ -86,7 +86,7 @@ def sun_and_sky(
         off_screen: whether no window is opened.
         size: width and height in pixels.
     """
-    import pyvista as pv  # noqa: PLC0415
+    import pyvista as pv
 
     style = {"off_screen": off_screen, "window_size": size, "border": False}
     plotter = pv.Plotter(shape=(2, 3), row_weights=(0.91, 0.09), groups=[(1, np.s_[:])], **style)
@@ -124,7 +124,7 @@ def sun_and_sky(
 
 def _draw_sky(plotter: "pyvista.Plotter", sky: SkyMap) -> Any:
     """Draws the map into the current renderer; the dot of the sun."""
-    import pyvista as pv  # noqa: PLC0415
+    import pyvista as pv
 
     drawn = pv.PolyData.from_regular_faces(*patches_on_map(sky.altitudes, sky.azimuths))
     drawn[_TITLE] = np.repeat(sky.shares, _QUADS)

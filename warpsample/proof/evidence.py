@@ -48,7 +48,7 @@ class Evidence:
         self.chart = chart_of(subject.sampler)
 
     def draw(self, seed: int, draws: int) -> np.ndarray:
-        """Independent directions."""
+        """Directions of independent variates, `draws` of them."""
         u = self.subject.variates(draws // _SAMPLES, _SAMPLES, seed)
         return self.sampler.sample(u.reshape(-1, 2))
 

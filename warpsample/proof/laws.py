@@ -116,7 +116,7 @@ def cells_p_value(sampler: Sampler, w: np.ndarray, edges: np.ndarray) -> float:
     Raises:
         ValueError: the density does not integrate to 1 within 1e-3, or its integral does not converge.
     """
-    from scipy.stats import poisson  # noqa: PLC0415  (slow to import)
+    from scipy.stats import poisson
 
     chart = chart_of(sampler)
     observed, _, _ = np.histogram2d(
@@ -156,7 +156,7 @@ def tails_p_value(sampler: Sampler, a: np.ndarray) -> float:
 
 def moments_p_value(sampler: Sampler, a: np.ndarray, edges: np.ndarray) -> float:
     """Means of the chart's a and a^2 against their integrals under the density; twice the smaller p-value."""
-    from scipy.stats import norm  # noqa: PLC0415  (slow to import)
+    from scipy.stats import norm
 
     scale = np.abs(a).mean()
     first, second, fourth = (
@@ -187,21 +187,21 @@ def azimuth_gap_p_value(w: np.ndarray) -> float:
 
 def count_p_value(observed: int, draws: int, probability: float) -> float:
     """Two-sided p-value of a count of independent events of known probability."""
-    from scipy.stats import binomtest  # noqa: PLC0415  (slow to import)
+    from scipy.stats import binomtest
 
     return float(binomtest(int(observed), int(draws), probability).pvalue)
 
 
 def uniform_p_value(values: np.ndarray) -> float:
     """Kolmogorov-Smirnov p-value of independent values against the uniform distribution on (0, 1)."""
-    from scipy.stats import kstest  # noqa: PLC0415  (slow to import)
+    from scipy.stats import kstest
 
     return _number(kstest(np.asarray(values, np.float64), "uniform", method="asymp").pvalue)
 
 
 def correlation_p_value(a: np.ndarray, b: np.ndarray) -> float:
     """P-value of the sample correlation of independent uniform pairs."""
-    from scipy.stats import norm  # noqa: PLC0415  (slow to import)
+    from scipy.stats import norm
 
     return _number(2.0 * norm.sf(abs(np.corrcoef(a, b)[0, 1]) * np.sqrt(len(a))))
 

@@ -37,7 +37,7 @@ def _one_variate(name: str) -> wp.Kernel:
 
     @wp.kernel(module="unique", enable_backward=False)
     def one_variate(seed: wp.uint64, first: wp.uint64, stream: wp.int64, sample: wp.uint32, out: wp.array[wp.vec2]):
-        """One point."""
+        """Writes one variate of the point that this thread stands for."""
         point = first + wp.uint64(wp.tid())
         key = key_of(run_of(seed, high_word(point)), low_word(point))
         if stream >= wp.int64(0):
@@ -65,7 +65,7 @@ def cells_of(name: str) -> Cells:
 
 def dependence_p_value(first: np.ndarray, second: np.ndarray) -> float:
     """The smallest p-value of the tests of a pair, times their number."""
-    from scipy.special import chdtrc, erfc  # noqa: PLC0415  (slow to import)
+    from scipy.special import chdtrc, erfc
 
     coarse = [cells >> (_BITS - 4) for cells in (first, second)]
     counts = np.array([np.bincount(a * _SIDE + b, minlength=_SIDE**2) for a in coarse[0] for b in coarse[1]])

@@ -21,7 +21,7 @@ def closed_meshes() -> dict[str, tuple[Mesh, tuple[float, float, float]]]:
         ModuleNotFoundError: trimesh is missing, which makes them; says how to install it.
     """
     try:
-        from trimesh import creation  # noqa: PLC0415  (of the extra `test`)
+        from trimesh import creation
     except ModuleNotFoundError:
         raise ModuleNotFoundError("the laws of rays need trimesh: pip install 'warpsample[test]'") from None
 
@@ -58,7 +58,7 @@ def _most_apart(rays: int) -> float:
     On the torus these are 0.8 in a million (32 of 40 million, by 16 runs), on the others fewer; more by chance than this
     are one in 10^7.
     """
-    from scipy.stats import poisson  # noqa: PLC0415  (slow to import)
+    from scipy.stats import poisson
 
     return float(poisson.isf(LEVEL, 1e-6 * rays))
 

@@ -77,8 +77,8 @@ def conclusion(verdicts: list[Verdict]) -> str:
 
 
 def _table(title: str | None = None) -> Any:
-    from rich import box  # noqa: PLC0415
-    from rich.table import Table  # noqa: PLC0415
+    from rich import box
+    from rich.table import Table
 
     return Table(title=title, title_justify="left", box=box.SIMPLE_HEAD)
 

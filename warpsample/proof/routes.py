@@ -64,7 +64,7 @@ def by_rejection(u: np.ndarray) -> np.ndarray:
 
 
 def normalized(v: np.ndarray) -> np.ndarray:
-    """Unit vectors."""
+    """The vectors scaled to unit length."""
     return v / np.linalg.norm(v, axis=-1, keepdims=True)
 
 

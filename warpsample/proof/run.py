@@ -20,7 +20,7 @@ _MOST_PROCESSES = 8  # each uses up to 3 GB, and all cores for its kernels
 
 
 @dataclass(frozen=True)
-class Task:
+class TrialPart:
     """A part of the trial: a case, a sequence, a defect, or one of the words "routes", "meshes" and "rays"."""
 
     kind: str
@@ -31,7 +31,7 @@ class Task:
         return _KINDS[self.kind](self.key, thorough)
 
 
-def trial() -> list[Task]:
+def trial() -> list[TrialPart]:
     """All tasks, the longest first: every case, sequence, second route and hostile input, and the rays.
 
     Raises:
@@ -40,11 +40,11 @@ def trial() -> list[Task]:
     rays.closed_meshes()
     cases = sorted(verify.cases(), key=lambda case: case.symmetric)
     return [
-        Task("meshes"),
-        *(Task("case", case) for case in cases),
-        *(Task("sequence", name) for name in sequences.names()),
-        Task("routes"),
-        Task("rays"),
+        TrialPart("meshes"),
+        *(TrialPart("case", case) for case in cases),
+        *(TrialPart("sequence", name) for name in sequences.names()),
+        TrialPart("routes"),
+        TrialPart("rays"),
     ]
 
 
@@ -58,12 +58,12 @@ def extent(thorough: bool) -> str:
     )
 
 
-def planted() -> list[Task]:
+def planted() -> list[TrialPart]:
     """One task for each defect."""
-    return [Task("defect", name) for name in defects.names()]
+    return [TrialPart("defect", name) for name in defects.names()]
 
 
-def run(tasks: list[Task], thorough: bool = False) -> Iterator[tuple[Task, list[Verdict]]]:
+def run(tasks: list[TrialPart], thorough: bool = False) -> Iterator[tuple[TrialPart, list[Verdict]]]:
     """Yields tasks with their verdicts as they end, on one process for each core.
 
     Args:

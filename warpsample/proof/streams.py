@@ -80,7 +80,7 @@ def repeats_p_value(variates: Variates, points: int) -> float:
 
     A generator with a small state has too many, one that avoids repeats too few.
     """
-    from scipy.stats import poisson  # noqa: PLC0415  (slow to import)
+    from scipy.stats import poisson
 
     cells = integers(variates(points, 64, 5)).astype(np.uint64).reshape(-1, 2)
     packed = np.sort((cells[:, 0] << np.uint64(24)) | cells[:, 1])

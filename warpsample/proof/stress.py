@@ -116,7 +116,7 @@ def _at(sequence: Sequence) -> wp.Kernel:
         count: wp.array[wp.uint32],
         out: wp.array[wp.vec2],
     ):
-        """One point of the square."""
+        """Writes one point of the square."""
         i = wp.tid()
         key = key_of(run_of(seed, high_word(point[i])), low_word(point[i]))
         out[i] = sample_of(key, sample[i], count[i])

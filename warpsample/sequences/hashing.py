@@ -100,7 +100,7 @@ def run_key(seed: wp.uint64, high: wp.uint32) -> wp.vec4ui:
 
 @lru_cache(maxsize=1024)
 def run_words(seed: int, high: int) -> tuple[int, int, int, int]:
-    """As `run_key`, on the host: kernels for directions would spend a tenth of their time on it."""
+    """The words of `run_key`, on the host: kernels for directions would spend a tenth of their time on it."""
     x = [high, 0, 0, 2]
     key = [seed & _WORD, seed >> 32]
     for _ in range(10):

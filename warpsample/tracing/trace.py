@@ -137,8 +137,8 @@ def _parts(
             part.placement.origins = loan.put(start.owner.reshape(-1, 3), points)
             part.placement.normals = loan.put(normals, points)
             part.directions = loan.put(way.owner.reshape(-1, 3), rays)
-            part.distance = loan.room(hits.distance.reshape(-1), rays)
-            part.face = loan.room(hits.face.reshape(-1), rays)
+            part.distance = loan.output(hits.distance.reshape(-1), rays)
+            part.face = loan.output(hits.face.reshape(-1), rays)
             yield part
 
 

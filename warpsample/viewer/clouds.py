@@ -12,7 +12,7 @@ from warpsample.proof.twins import frames
 from warpsample.statistics.charts import SPHERE
 from warpsample.statistics.histogram import joined_test
 from warpsample.viewer.choice import Choice
-from warpsample.viewer.lobes import CELLS, SECTORS, Lobe, lobe_of
+from warpsample.viewer.lobes import CELLS, SECTORS, LobeShape, lobe_of
 
 OUTSIDE = 0.5
 """Where directions of density 0 are drawn, as a share of the lobe's length."""
@@ -73,7 +73,7 @@ def one_cloud(choice: Choice, point: SurfacePoints, first: int) -> Chosen:
     return Chosen(length * local[0], pdf[0], local[0, :, :2])
 
 
-def histograms(local: np.ndarray, lobe: Lobe, independent: bool) -> tuple[AngleHistogram, AngleHistogram]:
+def histograms(local: np.ndarray, lobe: LobeShape, independent: bool) -> tuple[AngleHistogram, AngleHistogram]:
     """The angles of directions to the normal and about it, each with what the lobe predicts.
 
     Args:

@@ -34,12 +34,12 @@ def made(name: str) -> Distribution:
 
 
 def tilted(distribution: Distribution, angle: float) -> Distribution:
-    """The same distribution, seen from `angle` degrees off the normal."""
+    """A distribution whose view is moved to `angle` degrees off the normal."""
     return replace(distribution, view=(sin(radians(angle)), 0.0, cos(radians(angle))))
 
 
 def with_scalar(distribution: Distribution, value: float) -> Distribution:
-    """The same distribution with another value of its first parameter."""
+    """A distribution whose first parameter is given another value."""
     kind = type(distribution)
     kept = {name: getattr(distribution, name) for name in kind.parameters[1:]}
     return kind(**{kind.parameters[0]: value}, **kept)

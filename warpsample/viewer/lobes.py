@@ -25,7 +25,7 @@ _ROUND = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 3, 6, 12, 18, 24, 30, 45, 60, 9
 
 
 @dataclass(frozen=True, eq=False)
-class Lobe:
+class LobeShape:
     """A density as a surface over the tangent plane, and the chances of its angles.
 
     Attributes:
@@ -48,7 +48,7 @@ class Lobe:
 
 
 @lru_cache(maxsize=256)
-def lobe_of(claim: Distribution) -> Lobe:
+def lobe_of(claim: Distribution) -> LobeShape:
     """The lobe of the density that a distribution claims.
 
     Raises:
@@ -64,7 +64,7 @@ def lobe_of(claim: Distribution) -> Lobe:
     pdf, on_grid = claim.pdf(pilot), claim.pdf(grid)
     peak = min(float(max(pdf.max(), on_grid.max())), _TALLEST * float(np.median(pdf)))
     surface = np.minimum(on_grid / peak, 1.0)[..., None] * grid
-    return Lobe(surface, peak, edges, theta, azimuth, 0.5 * (fine[1:] + fine[:-1]), line)
+    return LobeShape(surface, peak, edges, theta, azimuth, 0.5 * (fine[1:] + fine[:-1]), line)
 
 
 def _reach(claim: Distribution, pilot: np.ndarray) -> float:

@@ -21,7 +21,7 @@ _ASPECT = 16.0 / 9.0
 
 def fit_texts(plotter: "pyvista.Plotter") -> None:
     """Sizes all texts in a window so that they keep their share of its height, or of its width if it is narrow."""
-    import pyvista as pv  # noqa: PLC0415
+    import pyvista as pv
 
     width, height = plotter.window_size
     for renderer in plotter.renderers:

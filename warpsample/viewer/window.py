@@ -72,7 +72,7 @@ class Viewer:
         Raises:
             ValueError: the choice's lobe is too narrow to be seen.
         """
-        import pyvista as pv  # noqa: PLC0415
+        import pyvista as pv
 
         lobe_of(choice.claim)
         self._asked, self._normals, self._kinds = points, mesh.face_normals, set()

@@ -116,7 +116,7 @@ def _matrix(node: Part) -> np.ndarray:
 
 
 def _rotation(node: Part) -> np.ndarray:
-    from scipy.spatial.transform import Rotation  # noqa: PLC0415  (heavy, and only scenes need it)
+    from scipy.spatial.transform import Rotation  # heavy, and only scenes need it
 
     quaternion = node.reals("rotation", (0.0, 0.0, 0.0, 1.0))
     if not 0.5 < np.linalg.norm(quaternion) < 2.0:  # rounded ones are nearer to 1

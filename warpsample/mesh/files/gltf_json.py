@@ -36,7 +36,7 @@ class Part:
         return check_integer(self._member(key, default), self.at(key), 0, high)
 
     def reals(self, key: str, default: Sequence[float]) -> np.ndarray:
-        """As many finite numbers as the default has."""
+        """The list of finite numbers under a key, as many as the default has."""
         values = self._list(key, default)
         finite = [value for value in values if type(value) in (int, float) and abs(value) <= sys.float_info.max]
         if not len(finite) == len(values) == len(default):

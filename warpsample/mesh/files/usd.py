@@ -22,7 +22,7 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
         ValueError: a file that usd-core cannot open, or that refers to one; a surface that is no mesh, such as a sphere.
     """
     try:
-        from pxr import Tf, UsdUtils  # noqa: PLC0415  (an extra)
+        from pxr import Tf, UsdUtils
     except ModuleNotFoundError:
         raise ModuleNotFoundError(f"path: got {path.name!r}, which needs usd-core: pip install usd-core") from None
     heard = UsdUtils.CoalescingDiagnosticDelegate()  # while it exists, it receives the warnings instead of stderr
@@ -36,7 +36,7 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _open(path: Path) -> Any:
-    from pxr import Usd  # noqa: PLC0415
+    from pxr import Usd
 
     if path.suffix.lower() == ".usdz":
         with ZipFile(path) as archive:
@@ -58,7 +58,7 @@ def _layers(path: Path) -> list[Any]:
     Raises:
         ValueError: one is a device or a pipe, for which usd-core would wait for ever.
     """
-    from pxr import Sdf  # noqa: PLC0415
+    from pxr import Sdf
 
     layers = {str(path): Sdf.Layer.FindOrOpen(str(path))}
     left = [layers[str(path)]]
@@ -101,7 +101,7 @@ def _said(error: Any, path: Path) -> str:
 
 def _parts(stage: Any) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
     """Points, triangles and matrix of each mesh that has faces."""
-    from pxr import Usd, UsdGeom  # noqa: PLC0415
+    from pxr import Usd, UsdGeom
 
     first = Usd.TimeCode.EarliestTime()
     for prim, matrix in _surfaces(stage.GetPseudoRoot(), np.eye(4), UsdGeom.XformCache(first), Usd.PrimDefaultPredicate):
@@ -123,7 +123,7 @@ def _parts(stage: Any) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
 
 def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> Iterator[tuple[Any, np.ndarray]]:
     """The meshes at or below `root` that match `predicate`, with their matrices; `above` is that of the parent."""
-    from pxr import Usd, UsdGeom  # noqa: PLC0415
+    from pxr import Usd, UsdGeom
 
     prims = iter(Usd.PrimRange(root, Usd.TraverseInstanceProxies(predicate)))
     for prim in prims:
@@ -145,7 +145,7 @@ def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> 
 
 def _instances(prim: Any, above: np.ndarray, placements: Any) -> Iterator[tuple[Any, np.ndarray]]:
     """The meshes of a point instancer: each prototype at each of its places."""
-    from pxr import Usd, UsdGeom  # noqa: PLC0415
+    from pxr import Usd, UsdGeom
 
     are_drawn = Usd.PrimIsActive & Usd.PrimIsLoaded & ~Usd.PrimIsAbstract  # prototypes may be below an `over`
     instancer, time = UsdGeom.PointInstancer(prim), placements.GetTime()

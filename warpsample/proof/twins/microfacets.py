@@ -74,7 +74,7 @@ def _slopes_seen(d: Any) -> tuple[float, float]:
 
 def _visible_beckmann(d: Any, u: np.ndarray) -> np.ndarray:
     """Slope along the view by bisection of its distribution function, across it by SciPy's inverse of the normal one."""
-    from scipy.special import erfc, ndtri  # noqa: PLC0415  (slow to import)
+    from scipy.special import erfc, ndtri
 
     a, _ = _slopes_seen(d)
 
@@ -95,7 +95,7 @@ def _visible_beckmann(d: Any, u: np.ndarray) -> np.ndarray:
 
 def _visible_beckmann_density(d: Any, m: np.ndarray) -> np.ndarray:
     """The density of normals times their visible share, over the visible area: Heitz2014, equations 2 and 3."""
-    from scipy.special import erf  # noqa: PLC0415  (slow to import)
+    from scipy.special import erf
 
     a, across = _slopes_seen(d)
     area = across * (a * (1.0 + erf(a)) / 2.0 + np.exp(-a * a) / np.sqrt(4.0 * np.pi))

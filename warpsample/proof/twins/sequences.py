@@ -28,7 +28,7 @@ def names() -> set[str]:
 
 
 def pcg4d(x: int, y: int, z: int, w: int) -> Key:
-    """Jarzynski2020, listing 13."""
+    """The hash of Jarzynski2020, listing 13."""
     v = [(a * 1664525 + 1013904223) & _MASK for a in (x, y, z, w)]
     for turn in range(2):
         for k, (i, j) in enumerate([(1, 3), (2, 0), (0, 1), (1, 2)]):
@@ -39,7 +39,7 @@ def pcg4d(x: int, y: int, z: int, w: int) -> Key:
 
 
 def philox4x32_10(counter: Sequence[int], key: Sequence[int]) -> list[int]:
-    """Salmon2011, table 2 and section 4.3."""
+    """The counter-based generator of Salmon2011, table 2 and section 4.3."""
     x, key = list(counter), list(key)
     for _ in range(10):
         high_0, low_0 = divmod(0xD2511F53 * x[0], 2**32)
@@ -50,7 +50,7 @@ def philox4x32_10(counter: Sequence[int], key: Sequence[int]) -> list[int]:
 
 
 def _finalised(word: int) -> int:
-    """Appleby2016, fmix32."""
+    """The finaliser of Appleby2016, fmix32."""
     for shift, factor in ((16, 0x85EBCA6B), (13, 0xC2B2AE35), (16, 1)):
         word = (word ^ (word >> shift)) * factor & _MASK
     return word
