@@ -16,6 +16,7 @@ from scipy.sparse import csr_array
 
 import warpsample as ws
 from warpsample.distributions.record import Distribution
+from warpsample.output.quantities import quantities
 
 PACKAGE = Path(ws.__file__).parent
 RESULTS = (
@@ -23,14 +24,12 @@ RESULTS = (
     ws.Estimate,
     ws.Hits,
     ws.Interval,
-    ws.Irradiation,
     ws.MeshReport,
     ws.Skipped,
-    ws.SkyMatrix,
     ws.SkyPatches,
     ws.SkySkipped,
-    ws.SkyView,
     ws.ViewFactors,
+    *(quantity.result for quantity in quantities().values()),
 )  # which users read and do not make
 FOR_PROOFS = ("seam",)  # takes what `sample` has taken
 PLANE = pv.PolyData.from_regular_faces(VERTICES, FACES)
@@ -50,8 +49,11 @@ EXAMPLES = {
 }
 VIA = {  # whose arguments **options are
     type(PLANE.warpsample).sample_directions: ws.sample_directions,
-    type(PLANE.warpsample).ambient_occlusion: ws.ambient_occlusion,
-    type(PLANE.warpsample).sky_view_factor: ws.sky_view_factor,
+    **{
+        getattr(type(PLANE.warpsample), quantity.call.__name__): quantity.call
+        for quantity in quantities().values()
+        if quantity.in_stores
+    },
 }
 
 

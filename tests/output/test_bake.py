@@ -2,6 +2,8 @@
 
 import json
 import re
+from dataclasses import replace
+from functools import wraps
 
 import numpy as np
 import pytest
@@ -9,7 +11,9 @@ import trimesh
 
 import warpsample as ws
 from warpsample.output import bake
+from warpsample.output.baked import BakeRun
 from warpsample.output.places import PLACES
+from warpsample.output.quantities import quantity_of
 
 TORUS = trimesh.creation.torus(2.0, 0.6, 24, 12)
 
@@ -120,14 +124,15 @@ def test_an_interrupt_leaves_the_old_file_and_says_how_far_it_came(call, torus, 
             raise Terminated
         return ws.ambient_occlusion(*arguments, first_point=first_point, **rest)
 
-    monkeypatch.setattr(bake, "ambient_occlusion", interrupted)
+    changed = replace(quantity_of("ao"), call=wraps(ws.ambient_occlusion)(interrupted))
+    monkeypatch.setattr(bake, "quantity_of", lambda _: changed)
     monkeypatch.setattr(bake, "RAYS_PER_PART", 64 * 100)
     status, out, err = call("bake", torus, "-o", output, "--samples", 64)
     assert (status, out) == (130, "")
     assert err == f"interrupted after 100 of 288 points; {output} is as it was before\n"
     assert output.read_text() == "old"
     assert set(tmp_path.iterdir()) == {torus, output}
-    run = bake.Run(torus, output, "ao", "vertices", None, 64, None, (0, 0, 1), {"seed": 0})
+    run = BakeRun(torus, output, "ao", "vertices", None, {"samples": 64, "seed": 0})
     with pytest.raises(Terminated, match="^interrupted after 100 of 288 points"):
         bake.bake(run)
 

@@ -118,7 +118,7 @@ def test_a_glb_that_would_lose_faces_is_refused_before_the_work(call, placed, tm
     near = ground(1e-3)
     vertices = np.concatenate([near.vertices, near.vertices + np.array([1e4, 0.0, 0.0])])
     path = placed(ws.Mesh(vertices, np.concatenate([near.faces, near.faces + len(near.vertices)])))
-    monkeypatch.setattr(bake, "ambient_occlusion", None)
+    monkeypatch.setattr(bake, "points_on", None)
     status, _, err = call("bake", path, "-o", tmp_path / "out.glb")
     said = (
         r"error: --output: got 'out.glb', whose float32 would change the area of ([\d,]+) of 8,192 faces by more than 1%, "
@@ -243,7 +243,7 @@ def test_a_bake_takes_no_more_than_twice_its_file(tmp_path, suffix, at):
     mesh = ground()
     points = places.PLACES[at](mesh)
     found = ws.ambient_occlusion(mesh, points, 2)
-    run = bake.Run(tmp_path / "in", tmp_path / f"out{suffix}", "ao", at, None, 2, None, (0, 0, 1), {})
+    run = baked.BakeRun(tmp_path / "in", tmp_path / f"out{suffix}", "ao", at, None, {})
     written, held = traced(lambda sink: baked.WRITERS[suffix](sink, bake.Baked(run, mesh, points, found)))
     assert held <= 2 * written
 

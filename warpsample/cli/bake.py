@@ -1,114 +1,97 @@
 """What the command line says of `bake`: its options, and which of them apply to which quantity."""
 
+import inspect
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import typer
 
 from warpsample import sequences
 from warpsample.cli import stores
 from warpsample.cli.terminal import At, MeshFile, fail_plainly, working
+from warpsample.estimate.quantities.record import OPTIONS as NAMES
+from warpsample.output.baked import BakeRun
+from warpsample.output.quantities import quantities, quantity_of, taking
 
-_APPLIES = {  # options of bake, to these quantities
-    "max_distance": ("ao", "sky"),
-    "falloff": ("ao",),
-    "sequence": ("ao", "sky", "irradiance"),
-    "tolerance": ("ao", "sky", "irradiance"),
-    "period": ("irradiation", "sun-hours"),
-    "ground_albedo": ("irradiation",),
-    "patches": ("irradiation", "sky-matrix"),
-    "north": ("irradiation", "sun-hours", "sky-matrix"),
-    "device": ("ao", "sky", "irradiance"),
+OPTIONS: dict[str, tuple[Any, str]] = {
+    "samples": (int, "Rays of each point"),
+    "max_distance": (float, "How far rays go, in units of the mesh"),
+    "falloff": (float, "Exponent of the decline up to --max-distance"),
+    "environment": (Path, "Light, equirectangular: .hdr or .npy"),
+    "weather": (Path, "A year, .epw, or athens, an example"),
+    "period": (tuple[str, str], "Of the year, as 06-01 08-31 or 03-21T09 03-21T15"),
+    "ground_albedo": (float, "Of the ground beyond the mesh"),
+    "patches": (str, "Of the sky: tregenza, reinhart2, reinhart4"),
+    "up": (tuple[float, float, float], "The sky's axis"),
+    "north": (tuple[float, float, float], "Where north is"),
+    "sequence": (str, f"One of: {', '.join(sequences.names())}"),
+    "tolerance": (float, "Standard error to reach, root mean square over the points"),
+    "device": (str, "Where to compute, as cuda:0; by default the CPU"),
 }
+"""(type, help) of the options that apply to some quantities, by the records of these."""
 
 
-@fail_plainly(count="--samples", radiance="--environment")
 def bake_command(
     mesh: MeshFile,
     output: Annotated[
         Path, typer.Option("--output", "-o", help="The file to write: .ply .vtp .glb .npz .csv .zarr.", show_default=False)
     ],
-    quantity: Annotated[
-        Literal["ao", "sky", "irradiance", "irradiation", "sun-hours", "sky-matrix"],
-        typer.Option(help="Ambient occlusion, sky view, light; or what sun and sky bring by the weather of a year."),
-    ] = "ao",
+    quantity: str = "ao",
     points: Annotated[
         int | None, typer.Option(help="So many points, uniform by area; else those of --at.", show_default=False)
     ] = None,
     at: At = None,
-    samples: Annotated[
-        int | None,
-        typer.Option(help="Rays of each point; 256, or 1,024 for irradiation and sky-matrix.", show_default=False),
-    ] = None,
-    max_distance: Annotated[
-        float | None, typer.Option(help="Hits at or beyond it are ignored; ao and sky only.", show_default=False)
-    ] = None,
-    falloff: Annotated[
-        float | None,
-        typer.Option(help="Exponent of the decline up to --max-distance; ao only.", show_default=False),
-    ] = None,
-    environment: Annotated[
-        Path | None,
-        typer.Option(help="Light, equirectangular: .hdr or .npy; irradiance only.", show_default=False),
-    ] = None,
-    weather: Annotated[
-        Path | None,
-        typer.Option(help="A year, .epw, or athens, an example; irradiation and sun-hours only.", show_default=False),
-    ] = None,
-    period: Annotated[
-        tuple[str, str] | None,
-        typer.Option(help="Of the year, as 06-01 08-31 or 03-21T09 03-21T15; with --weather.", show_default=False),
-    ] = None,
-    ground_albedo: Annotated[
-        float | None, typer.Option(help="Of the ground beyond the mesh, 0.2; irradiation only.", show_default=False)
-    ] = None,
-    patches: Annotated[
-        str | None,
-        typer.Option(
-            help="Of the sky: tregenza (of a sky-matrix), reinhart2 (of irradiation), reinhart4.", show_default=False
-        ),
-    ] = None,
-    up: Annotated[tuple[float, float, float], typer.Option(help="The sky's axis.")] = (0.0, 0.0, 1.0),
-    north: Annotated[
-        tuple[float, float, float] | None, typer.Option(help="Where north is; 0 1 0.", show_default=False)
-    ] = None,
-    sequence: Annotated[
-        str | None,
-        typer.Option(help=f"One of: {', '.join(sequences.names())}; by default fibonacci.", show_default=False),
-    ] = None,
     seed: Annotated[int, typer.Option(help="Seed of points and rays.")] = 0,
-    tolerance: Annotated[
-        float | None, typer.Option(help="Standard error to reach, root mean square over the points.", show_default=False)
-    ] = None,
-    device: Annotated[
-        str | None, typer.Option(help="Where to compute, as cuda:0; by default the CPU.", show_default=False)
-    ] = None,
     workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
     chunk: stores.Chunk = None,
     cluster: stores.Cluster = None,
     processes: stores.Processes = None,
     resume: stores.Resume = False,
+    **options: Any,
 ) -> None:
     """Estimate a number at each vertex, face or point of a mesh, with its standard error, into a file."""
-    from warpsample.output.bake import Run, bake  # noqa: PLC0415
+    from warpsample.output.bake import bake  # noqa: PLC0415
 
-    options = {"seed": seed, "workers": workers}
-    given = {"max_distance": max_distance, "falloff": falloff, "sequence": sequence, "tolerance": tolerance}
-    given |= {"device": device, "period": period, "ground_albedo": ground_albedo, "patches": patches, "north": north}
-    for name, value in given.items():
-        if value is not None and quantity not in _APPLIES[name]:
-            raise ValueError(
-                f"--{name.replace('_', '-')}: got {value} for {quantity}; it applies only to {' and '.join(_APPLIES[name])}"
-            )
-        if value is not None:
-            options[name] = value
-    samples = (1024 if quantity in ("irradiation", "sky-matrix") else 256) if samples is None else samples
+    given = {name: value for name, value in options.items() if value is not None}
     at = "vertices" if points is None and at is None else at
+    run = BakeRun(mesh, output, quantity, at, points, {"seed": seed, "workers": workers, **given})
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
-        run = Run(mesh, output, quantity, at, points, samples, environment, up, options, weather)
         if output.suffix == stores.SUFFIX:
             summary = stores.bake_into_store(run, chunk, cluster, processes, resume)
         else:
             stores.refuse_for_files(output, chunk=chunk, cluster=cluster, processes=processes, resume=resume)
             summary = bake(run)
     print(summary)  # noqa: T201
+
+
+def _help_of(option: str) -> str:
+    """What an option is, what it is by default, and which quantities take it."""
+    defaults: dict[str, list[str]] = {}
+    for name in (names := taking(option)):
+        value = quantity_of(name).default(option)
+        if value is not None:
+            told = " ".join(f"{part:g}" for part in value) if isinstance(value, tuple) else str(value)
+            defaults.setdefault(told, []).append(name)
+    first, *others = defaults or ("",)
+    told = "".join(f", or {value} for {' and '.join(defaults[value])}" for value in others)
+    left = [name for name in quantities() if name not in names]
+    only = f"only for {', '.join(names)}" if len(names) <= len(left) else f"not for {', '.join(left)}"
+    return "; ".join([OPTIONS[option][1], *([f"by default {first}{told}"] if first else []), only]) + "."
+
+
+def _parameters() -> Iterator[inspect.Parameter]:
+    """The parameters of the command: its own, and in place of **options those of the quantities."""
+    *own, _ = inspect.signature(bake_command).parameters.values()
+    titles = ", ".join(f"{name}: {quantity.title}" for name, quantity in quantities().items())
+    kinds = {"quantity": Annotated[Literal[tuple(quantities())], typer.Option(help=f"{titles}.")]}
+    yield from (parameter.replace(annotation=kinds.get(parameter.name, parameter.annotation)) for parameter in own)
+    for name, (kind, _) in OPTIONS.items():
+        option = typer.Option(help=_help_of(name), show_default=False)
+        yield inspect.Parameter(name, own[-1].kind, default=None, annotation=Annotated[kind | None, option])
+
+
+_TAKEN = list(_parameters())
+bake_command.__signature__ = inspect.Signature(_TAKEN)  # type: ignore[attr-defined]
+bake_command.__annotations__ = {parameter.name: parameter.annotation for parameter in _TAKEN}
+bake_command = fail_plainly(**{argument: f"--{option}" for argument, option in NAMES.items()})(bake_command)

@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from warpsample.cli.terminal import working
-from warpsample.output.baked import Run
+from warpsample.output.baked import BakeRun
 
 SUFFIX = ".zarr"
 
@@ -16,7 +16,7 @@ Processes = Annotated[int | None, typer.Option(help="So many processes of a thre
 Resume = Annotated[bool, typer.Option("--resume", help="Go on with the store, if there is one; .zarr only.")]
 
 
-def bake_into_store(run: Run, chunk: int | None, cluster: str | None, processes: int | None, resume: bool) -> str:
+def bake_into_store(run: BakeRun, chunk: int | None, cluster: str | None, processes: int | None, resume: bool) -> str:
     """As `cluster.runs.bake_run`; says how to install what it needs."""
     try:
         from warpsample.cluster.runs import bake_run  # noqa: PLC0415

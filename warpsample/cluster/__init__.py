@@ -1,51 +1,38 @@
 """The calls of the package over Dask, lazily, and into Zarr stores that resume.
 
 `from warpsample import cluster`, then `cluster.ambient_occlusion(mesh, points, 256)`: as in `warpsample`, and the same bits.
+Each quantity that has `in_stores` in its record has its call here.
 """
 
 from importlib import import_module
+from typing import Any
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from warpsample.cluster.baking import bake
-    from warpsample.cluster.calls import (
-        ambient_occlusion,
-        bent_normals,
-        integrate,
-        irradiance,
-        sample_directions,
-        sky_view_factor,
-        trace,
-    )
+    from warpsample.cluster.calls import integrate, sample_directions, trace
 
-__all__ = [
-    "ambient_occlusion",
-    "bake",
-    "bent_normals",
-    "integrate",
-    "irradiance",
-    "sample_directions",
-    "sky_view_factor",
-    "trace",
-]
+__all__ = ["bake", "integrate", "sample_directions", "trace"]
 
 
-def __getattr__(name: str) -> object:
+def __getattr__(name: str) -> Any:
     """Imports a call, and with it Dask, when it is first used.
 
     Raises:
+        AttributeError: there is no such call.
         ModuleNotFoundError: Dask or xarray is missing; names the extra.
     """
-    if name not in __all__:
+    if name.startswith("_"):
         raise AttributeError(f"module 'warpsample.cluster' has no attribute {name!r}")
     try:
-        value = getattr(import_module(f"warpsample.cluster.{'baking' if name == 'bake' else 'calls'}"), name)
+        home = import_module(f"warpsample.cluster.{'baking' if name == 'bake' else 'calls'}")
     except ModuleNotFoundError as error:
         raise ModuleNotFoundError(f"warpsample.cluster needs {error.name}: pip install 'warpsample[cluster]'") from error
-    globals()[name] = value
+    globals()[name] = value = getattr(home, name) if name in __all__ else home.call_of(name)
     return value
 
 
 def __dir__() -> list[str]:
     """The calls, imported or not."""
-    return sorted({*globals(), *__all__})
+    quantities = import_module("warpsample.output.quantities").quantities().values()
+    return sorted({*globals(), *__all__, *(quantity.call.__name__ for quantity in quantities if quantity.in_stores)})

@@ -1,18 +1,37 @@
 """The calls of `warpsample`, lazily, over chunks of points."""
 
+from collections.abc import Callable
 from typing import Any
 
 import xarray as xr
 
 from warpsample.cluster.arrays import dataset_of
+from warpsample.cluster.chunks import CALLS
 from warpsample.cluster.job import CHUNK, job_of
 
 
-def ambient_occlusion(mesh: Any, points: Any, *arguments: Any, chunk: int = CHUNK, **options: Any) -> xr.Dataset:
-    """`warpsample.ambient_occlusion` over Dask: the same arguments, and the same bits when it is computed.
+def call_of(name: str) -> Callable[..., xr.Dataset]:
+    """The call of a quantity over Dask.
+
+    Raises:
+        AttributeError: no quantity has a call of that name.
+    """
+    if name not in CALLS:
+        raise AttributeError(f"module 'warpsample.cluster' has no attribute {name!r}")
+
+    def call(mesh: Any, points: Any, *arguments: Any, chunk: int = CHUNK, **options: Any) -> xr.Dataset:
+        return dataset_of(job_of(name, (mesh, points, *arguments), options, chunk))
+
+    call.__name__ = call.__qualname__ = name
+    call.__doc__ = _DOCUMENTATION.format(name=name)
+    return call
+
+
+_DOCUMENTATION = """`warpsample.{name}` over Dask: the same arguments, and the same bits when it is computed.
 
     Each process builds one tree, and each task is done by one thread: Dask runs as many at once as it has threads. With a
-    Client the mesh is sent now, once, and it is the one to compute with; it gives it again to workers that lost it.
+    Client the mesh is sent now, once, and it is the one to compute with; it gives it again to workers that lost it. So is a
+    picture; a file of one is read here. A wp.func is as for `integrate`.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
@@ -30,25 +49,6 @@ def ambient_occlusion(mesh: Any, points: Any, *arguments: Any, chunk: int = CHUN
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
         MemoryError: all workers of the Client are too small; says what they want.
     """
-    return dataset_of(job_of("ambient_occlusion", (mesh, points, *arguments), options, chunk))
-
-
-def sky_view_factor(mesh: Any, points: Any, *arguments: Any, chunk: int = CHUNK, **options: Any) -> xr.Dataset:
-    """`warpsample.sky_view_factor` over Dask; points and chunk as for `ambient_occlusion`."""
-    return dataset_of(job_of("sky_view_factor", (mesh, points, *arguments), options, chunk))
-
-
-def bent_normals(mesh: Any, points: Any, *arguments: Any, chunk: int = CHUNK, **options: Any) -> xr.Dataset:
-    """`warpsample.bent_normals` over Dask; points and chunk as for `ambient_occlusion`."""
-    return dataset_of(job_of("bent_normals", (mesh, points, *arguments), options, chunk))
-
-
-def irradiance(mesh: Any, points: Any, radiance: Any, *arguments: Any, chunk: int = CHUNK, **options: Any) -> xr.Dataset:
-    """`warpsample.irradiance` over Dask; points and chunk as for `ambient_occlusion`.
-
-    A picture goes to each worker once, as the mesh does; a file is read here. A wp.func as for `integrate`.
-    """
-    return dataset_of(job_of("irradiance", (mesh, points, radiance, *arguments), options, chunk))
 
 
 def integrate(points: Any, integrand: Any, *arguments: Any, chunk: int = CHUNK, **options: Any) -> xr.Dataset:

@@ -9,16 +9,18 @@ import numpy as np
 from warpsample.cluster.named import Named
 from warpsample.directions.sample import sample_directions
 from warpsample.estimate.integrate import integrate
-from warpsample.estimate.irradiance import irradiance
-from warpsample.estimate.visibility import ambient_occlusion, bent_normals, sky_view_factor
 from warpsample.mesh.surface import SurfacePoints, sample_surface
+from warpsample.output.quantities import quantities
 from warpsample.tracing.trace import trace
 
+CALLS = {quantity.call.__name__: quantity for quantity in quantities().values() if quantity.in_stores}
+"""The quantities that are computed in chunks, by the names of their calls."""
+
 FUNCTIONS: dict[str, Callable[..., Any]] = {
-    function.__name__: function
-    for function in (ambient_occlusion, bent_normals, integrate, irradiance, sample_directions, sky_view_factor, trace)
+    **{name: quantity.call for name, quantity in CALLS.items()},
+    **{function.__name__: function for function in (integrate, sample_directions, trace)},
 }
-"""The calls, by name."""
+"""All calls over chunks, by name."""
 
 
 @dataclass(frozen=True)

@@ -1,23 +1,19 @@
 """A finished store as a mesh file: `warpsample export`."""
 
-from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from warpsample.cluster.arrays import PLACES
-from warpsample.cluster.runs import CALLS
+from warpsample.cluster.chunks import CALLS
 from warpsample.cluster.store import about_of, arrays_of, check_store, whole_chunks
-from warpsample.estimate.result import Estimate, Skipped
-from warpsample.estimate.visibility import SkyView
+from warpsample.estimate.quantities.record import OPTIONS, Quantity
 from warpsample.host.engine import check_memory
 from warpsample.host.files import check_output, complete_or_absent
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.output.baked import WRITERS, Baked, Run, check_glb
-
-_RUN = ("call", "mesh", "place", "points", "chunk", "count", "up", "radiance", "workers", "first_point")
+from warpsample.output.baked import WRITERS, Baked, BakeRun, check_glb
 
 
 def export_store(store: Path, mesh: Path, output: Path) -> str:
@@ -34,7 +30,8 @@ def export_store(store: Path, mesh: Path, output: Path) -> str:
     if output.suffix not in WRITERS:
         raise ValueError(f"--output: got {str(output)!r}, want a file that ends in one of {' '.join(WRITERS)}")
     about = _about(store)
-    run = _run(about, mesh, output)
+    quantity = CALLS[about["call"]]
+    run = _run(quantity, about, mesh, output)
     check_output(output, "--output", mesh)
     if run.at is None and output.suffix in (".ply", ".glb"):
         raise ValueError(f"--output: got {output.name!r} for points, want .vtp, .npz or .csv")
@@ -43,9 +40,9 @@ def export_store(store: Path, mesh: Path, output: Path) -> str:
         raise ValueError(f"mesh: got {str(mesh)!r}, which is not the mesh of {str(store)!r}")
     if output.suffix == ".glb":
         check_glb(run, shape)
-    arrays = _arrays(store, _names(about))
+    arrays = _arrays(store, _names(quantity))
     points = SurfacePoints(*map(arrays.pop, PLACES))
-    found = _result(about)(**arrays, skipped=Skipped())
+    found = quantity.result(**arrays, **dict.fromkeys(quantity.shared))
     with complete_or_absent(output) as file:
         WRITERS[output.suffix](file, Baked(run, shape, points, found))
     return f"{output}: {run.quantity} of {len(points):,} {run.at or 'points'}"
@@ -56,9 +53,9 @@ def _about(store: Path) -> dict[str, Any]:
     if not path.exists():
         raise FileNotFoundError(f"store: got {str(store)!r}, which is missing, want what `warpsample bake` wrote")
     about = about_of(path, "store")
-    if about.get("call") not in CALLS.values():
-        raise ValueError(f"store: got {str(store)!r} of {about.get('call')}, want one of {', '.join(CALLS.values())}")
-    whole = whole_chunks(path, _names(about), "store")
+    if about.get("call") not in CALLS:
+        raise ValueError(f"store: got {str(store)!r} of {about.get('call')}, want one of {', '.join(CALLS)}")
+    whole = whole_chunks(path, _names(CALLS[about["call"]]), "store")
     if missing := np.count_nonzero(~whole):
         raise ValueError(
             f"store: got {str(store)!r}, {missing:,} of whose {len(whole):,} chunks are missing, want a finished one: bake "
@@ -67,22 +64,16 @@ def _about(store: Path) -> dict[str, Any]:
     return about
 
 
-def _run(about: dict[str, Any], mesh: Path, output: Path) -> Run:
+def _run(quantity: Quantity, about: dict[str, Any], mesh: Path, output: Path) -> BakeRun:
     """The arguments of `warpsample bake` that the store is of."""
     at = about["place"] if about["place"] in ("vertices", "faces") else None
-    options = {name: value for name, value in about.items() if name not in _RUN}
-    quantity = next(name for name, call in CALLS.items() if call == about["call"])
-    up = tuple(about.get("up", (0.0, 0.0, 1.0)))
-    return Run(mesh, output, quantity, at, None if at else about["points"], about["count"], None, up, options)
+    options = {OPTIONS.get(name, name): about[name] for name in quantity.parameters if name in about}
+    return BakeRun(mesh, output, quantity.name, at, None if at else about["points"], options)
 
 
-def _result(about: dict[str, Any]) -> type:
-    return SkyView if about["call"] == CALLS["sky"] else Estimate
-
-
-def _names(about: dict[str, Any]) -> list[str]:
+def _names(quantity: Quantity) -> list[str]:
     """The arrays of a store."""
-    return [*PLACES, *(item.name for item in fields(_result(about)) if item.name != "skipped")]
+    return [*PLACES, *quantity.arrays]
 
 
 def _arrays(store: Path, names: list[str]) -> dict[str, np.ndarray]:

@@ -2,7 +2,6 @@
 
 from time import perf_counter
 from types import TracebackType
-from typing import Any
 
 import numpy as np
 
@@ -12,14 +11,11 @@ from warpsample.cluster.job import CHUNK, job_of
 from warpsample.cluster.store import check_store
 from warpsample.host.arguments import check_integer
 from warpsample.mesh.files import load_mesh
-from warpsample.output.bake import QUANTITIES
-from warpsample.output.baked import Run
-
-CALLS = {"ao": "ambient_occlusion", "sky": "sky_view_factor", "irradiance": "irradiance"}
-"""The call of each quantity."""
+from warpsample.output.baked import BakeRun
+from warpsample.output.quantities import check_options, in_stores, quantity_of
 
 
-def bake_run(run: Run, chunk: int | None, address: str | None, processes: int | None, resume: bool) -> str:
+def bake_run(run: BakeRun, chunk: int | None, address: str | None, processes: int | None, resume: bool) -> str:
     """Computes a run into the store `run.output`.
 
     Returns:
@@ -33,28 +29,20 @@ def bake_run(run: Run, chunk: int | None, address: str | None, processes: int | 
     store = check_store(run.output, "--output")
     threads = run.options.get("workers")
     _check(run, address, processes, threads)
-    options = {name: value for name, value in run.options.items() if name != "workers"}
-    points = run.points if run.at is None else run.at
-    arguments: list[Any] = [load_mesh(run.mesh), points]
-    if run.quantity == "irradiance":
-        arguments.append(run.environment)
-    if run.quantity != "ao":
-        options["up"] = run.up
-    job = job_of(CALLS[run.quantity], (*arguments, run.samples), options, CHUNK if chunk is None else chunk)
+    quantity, points = quantity_of(run.quantity), run.points if run.at is None else run.at
+    options = quantity.arguments({name: value for name, value in run.options.items() if name != "workers"})
+    job = job_of(quantity.call.__name__, (load_mesh(run.mesh), points), options, CHUNK if chunk is None else chunk)
     with computing(address, processes, threads), _Watch(run, job.total) as watch:
         bake_job(job, store, resume, "--output", watch.hear)
     return watch.report()
 
 
-def _check(run: Run, address: str | None, processes: int | None, threads: int | None) -> None:
-    if run.quantity not in CALLS:
-        raise ValueError(f"--quantity: got {run.quantity} for {run.output.name}, want one of {', '.join(CALLS)}")
+def _check(run: BakeRun, address: str | None, processes: int | None, threads: int | None) -> None:
+    if run.quantity not in in_stores():
+        raise ValueError(f"--quantity: got {run.quantity} for {run.output.name}, want one of {', '.join(in_stores())}")
+    check_options(quantity_of(run.quantity), run.options)
     if run.points is not None and run.at is not None:
         raise ValueError(f"--points: got {run.points} together with --at {run.at}, want one of the two")
-    if run.environment is not None and run.quantity != "irradiance":
-        raise ValueError(f"--environment: got {run.environment} for {run.quantity}; it applies only to irradiance")
-    if run.weather is not None:
-        raise ValueError(f"--weather: got {run.weather} for {run.quantity}; it applies only to what a year's weather brings")
     if processes is not None:
         check_integer(processes, "--processes", 1, 1024)
     where = {"--cluster": address, "--processes": processes, "--workers": threads}
@@ -66,18 +54,19 @@ def _check(run: Run, address: str | None, processes: int | None, threads: int | 
 class _Watch:
     """A bar on stderr if that is a terminal, and the sums of what the chunks tell."""
 
-    def __init__(self, run: Run, points: int) -> None:
+    def __init__(self, run: BakeRun, points: int) -> None:
         """Of no chunk yet."""
         from rich.console import Console  # noqa: PLC0415
         from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn  # noqa: PLC0415
 
         self.run, self.points, self.start = run, points, perf_counter()
+        self.title = quantity_of(run.quantity).title
         self.there: int | None = None
         self.sums = np.zeros((), DONE)
         console = Console(stderr=True)
         told = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(), TextColumn("{task.fields[told]}"))
         self.bar = Progress(*told, console=console, disable=not console.is_terminal, transient=True)
-        self.task = self.bar.add_task(QUANTITIES[run.quantity], total=points, told="")
+        self.task = self.bar.add_task(self.title, total=points, told="")
 
     def __enter__(self) -> "_Watch":
         """Shows the bar."""
@@ -100,7 +89,7 @@ class _Watch:
 
     def report(self) -> str:
         """What was done, in lines."""
-        lines = [f"{self.run.output}: {QUANTITIES[self.run.quantity]} of {self.points:,} {self.run.at or 'points'}"]
+        lines = [f"{self.run.output}: {self.title} of {self.points:,} {self.run.at or 'points'}"]
         if self.there:
             lines.append(f"{self.there:,} of them were there already")
         if self.sums["points"]:

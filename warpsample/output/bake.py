@@ -1,50 +1,33 @@
 """Writes numbers at the points of a mesh into a file: `warpsample bake`."""
 
-from collections.abc import Callable, Iterator
-from dataclasses import fields, replace
+from collections.abc import Iterator
 from time import perf_counter
 from typing import Any
 
 import numpy as np
 
-from warpsample.estimate.irradiance import irradiance
-from warpsample.estimate.picture import read_picture
+from warpsample.estimate.quantities.record import Numbers, Quantity
 from warpsample.estimate.result import PointStatus, Skipped
-from warpsample.estimate.visibility import ambient_occlusion, sky_view_factor
 from warpsample.host.device_memory import Memory
 from warpsample.host.files import check_output, complete_or_absent
 from warpsample.mesh.files import load_mesh
-from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.output.baked import MATRIX_WRITERS, SHARED, WRITERS, Baked, Run, check_glb
+from warpsample.output.baked import WRITERS, Baked, BakeRun, check_glb, writers_of
 from warpsample.output.places import check_places, points_on
-from warpsample.output.sunlight import SUNLIGHT, check_matrix
+from warpsample.output.quantities import check_options, quantity_of
 from warpsample.radiation.sky.sky_matrix import SkySkipped
 
-QUANTITIES = {
-    "ao": "ambient occlusion",
-    "sky": "sky view factor",
-    "irradiance": "irradiance",
-    "irradiation": "irradiation",
-    "sun-hours": "sun hours",
-    "sky-matrix": "sky matrix",
-}
 SUFFIXES = tuple(WRITERS)
-
-_UNITS = {"irradiation": " kWh/m2", "sun-hours": " h", "sky-matrix": " a patch"}
-_INPUTS = {  # (the quantities that need a file, what it is)
-    "environment": (("irradiance",), "a picture of the light, .hdr or .npy"),
-    "weather": (("irradiation", "sun-hours"), "an EPW weather file"),
-}
 
 RAYS_PER_PART = 1 << 22
 """Rays, half a second, after which the progress moves and an interrupt says how far it came."""
 
 _TRIED = 1 << 14  # points of a part with a tolerance, whose trial takes a share of them
+_RAYS = 256  # of a point, where a quantity takes no number of them
 _FULL = 1 << 20  # points of a part on a CUDA device: with fewer it is idle for most of the time
 
 
-def bake(run: Run) -> str:
+def bake(run: BakeRun) -> str:
     """Runs and writes `run.output`, which appears when it is complete; an interrupted run leaves the old file.
 
     Returns:
@@ -55,55 +38,35 @@ def bake(run: Run) -> str:
         KeyboardInterrupt: with a sentence that says how far it was.
         WriteError: the file cannot be written.
     """
-    _check(run)
+    quantity = quantity_of(run.quantity)
+    _check(run, quantity)
     mesh = load_mesh(run.mesh)
     if run.output.suffix == ".glb":
         check_glb(run, mesh)
     points = points_on(mesh, run.points, run.at, run.options["seed"])
-    if run.quantity == "sky-matrix":
-        check_matrix(run, len(points))
-    estimate = _quantity(run, mesh)
-    estimate(_slice(points, 0, 1), 0)  # builds the tree and the kernel
+    numbers = quantity.numbers(mesh, len(points), run.options)
+    numbers(_slice(points, 0, 1), 0)  # builds the tree and the kernel
     start = perf_counter()
-    found = _join(list(_parts(points, run, estimate)))
+    found = quantity.joined(list(_parts(points, run, quantity, numbers)))
     seconds = perf_counter() - start
     with complete_or_absent(run.output) as file:
-        writers = MATRIX_WRITERS if run.quantity == "sky-matrix" else WRITERS
-        writers[run.output.suffix](file, Baked(run, mesh, points, found))
-    return _summary(run, found, seconds)
+        writers_of(quantity)[run.output.suffix](file, Baked(run, mesh, points, found))
+    return _summary(run, quantity, found, seconds)
 
 
-def _check(run: Run) -> None:
-    suffixes = tuple(MATRIX_WRITERS) if run.quantity == "sky-matrix" else SUFFIXES
+def _check(run: BakeRun, quantity: Quantity) -> None:
+    suffixes = tuple(writers_of(quantity))
     if run.output.suffix not in suffixes:
         raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(suffixes)}")
     Memory.of(run.options.get("device"))
-    check_output(run.output, "--output", run.mesh, run.environment, run.weather)
+    check_output(run.output, "--output", run.mesh, *(run.options.get(option) for option in quantity.files))
     check_places(run.points, run.at)
     if run.points is not None and run.output.suffix in (".ply", ".glb"):
         raise ValueError(
             f"--output: got {run.output.name!r} for --points, want .vtp, .npz or .csv; "
             f"a {run.output.suffix} holds the numbers of vertices or faces (--at)"
         )
-    for name, (quantities, wants) in _INPUTS.items():
-        value = getattr(run, name)
-        if value is None and run.quantity in quantities:
-            raise ValueError(f"--{name}: got None for {run.quantity}, want {wants}")
-        if value is not None and run.quantity not in quantities:
-            raise ValueError(f"--{name}: got {value} for {run.quantity}; it applies only to {' and '.join(quantities)}")
-
-
-def _quantity(run: Run, mesh: Mesh) -> Callable[[SurfacePoints, int], Any]:
-    """A function (points, id of the first) -> their numbers."""
-    if run.quantity in SUNLIGHT:
-        return SUNLIGHT[run.quantity](run, mesh)
-    if run.quantity == "ao":
-        return lambda points, first: ambient_occlusion(mesh, points, run.samples, first_point=first, **run.options)
-    if run.quantity == "sky":
-        return lambda points, first: sky_view_factor(mesh, points, run.samples, run.up, first_point=first, **run.options)
-    path = run.environment
-    picture = read_picture(path) if path else None
-    return lambda points, first: irradiance(mesh, points, picture, run.samples, run.up, first_point=first, **run.options)
+    check_options(quantity, run.options)
 
 
 def _slice(points: SurfacePoints, first: int, count: int) -> SurfacePoints:
@@ -111,21 +74,22 @@ def _slice(points: SurfacePoints, first: int, count: int) -> SurfacePoints:
     return SurfacePoints(points.position[rows], points.normal[rows], points.face[rows])
 
 
-def _parts(points: SurfacePoints, run: Run, estimate: Callable[[SurfacePoints, int], Any]) -> Iterator[Any]:
-    """Estimates part by part, with a progress bar if stderr is a terminal."""
+def _parts(points: SurfacePoints, run: BakeRun, quantity: Quantity, numbers: Numbers) -> Iterator[Any]:
+    """The numbers part by part, with a progress bar if stderr is a terminal."""
     from rich.console import Console  # noqa: PLC0415
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn  # noqa: PLC0415
 
     console = Console(stderr=True)
     told = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(), TextColumn("{task.fields[told]}"))
+    rays = run.options.get("samples") or quantity.default("samples") or _RAYS
     least = _TRIED if run.options.get("tolerance") else 1
-    step = max(least if Memory.of(run.options.get("device")).in_place else _FULL, RAYS_PER_PART // run.samples)
+    step = max(least if Memory.of(run.options.get("device")).in_place else _FULL, RAYS_PER_PART // rays)
     cast, start, done = 0, perf_counter(), 0
     with Progress(*told, console=console, disable=not console.is_terminal, transient=True) as progress:
-        task = progress.add_task(QUANTITIES[run.quantity], total=len(points), told="")
+        task = progress.add_task(quantity.title, total=len(points), told="")
         try:
             for first in range(0, len(points), step):
-                part = estimate(_slice(points, first, step), first)
+                part = numbers(_slice(points, first, step), first)
                 cast, done = cast + int(part.rays.sum()), min(first + step, len(points))
                 error = float(np.sqrt(np.mean(np.square(part.standard_error))))
                 speed = cast / (perf_counter() - start) / 1e6
@@ -136,29 +100,17 @@ def _parts(points: SurfacePoints, run: Run, estimate: Callable[[SurfacePoints, i
             raise
 
 
-def _join(parts: list[Any]) -> Any:
-    """One result of several: each array's rows, and the sums of what was skipped; the rest is that of the first."""
-    first = parts[0]
-    joined = {name: np.concatenate([getattr(part, name) for part in parts]) for name in vars(first) if name not in SHARED}
-    if hasattr(first, "skipped"):
-        names = [item.name for item in fields(first.skipped)]
-        joined["skipped"] = replace(
-            first.skipped, **{name: sum(getattr(part.skipped, name) for part in parts) for name in names}
-        )
-    return replace(first, **joined)
-
-
-def _summary(run: Run, found: Any, seconds: float) -> str:
+def _summary(run: BakeRun, quantity: Quantity, found: Any, seconds: float) -> str:
     good = found.status == 0
     cast = int(found.rays.sum(dtype=np.int64))
-    lines = [f"{run.output}: {QUANTITIES[run.quantity]} of {len(good):,} {run.at or 'points'}"]
+    lines = [f"{run.output}: {quantity.title} of {len(good):,} {run.at or 'points'}"]
     if good.any():
         error = float(np.sqrt(np.mean(np.square(found.standard_error[good]))))
-        mean = f"mean {found.value[good].mean():.4f}{_UNITS.get(run.quantity, '')}"
+        mean = f"mean {found.value[good].mean():.4f} {quantity.unit}".rstrip()
         lines.append(f"{mean}; standard error {error:.2g}, root mean square over the points" if cast else mean)
     rays = f"{cast:,} rays cast in {seconds:.2f} s, {cast / max(seconds, 1e-9) / 1e6:.1f} million a second"
     lines += [
-        rays if cast or run.quantity != "sun-hours" else f"took {seconds:.2f} s",
+        rays if cast else f"took {seconds:.2f} s",
         *_skips(getattr(found, "skipped", None)),
     ]
     bad = {PointStatus(code): int(n) for code, n in enumerate(np.bincount(found.status)) if n and code != PointStatus.OK}

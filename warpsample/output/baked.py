@@ -2,21 +2,21 @@
 
 import json
 import zipfile
-from dataclasses import dataclass, fields
+from collections.abc import Callable
+from dataclasses import dataclass
 from math import pi
 from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
 
+from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.files import write_array
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_glb, write_ply, write_vtp
+from warpsample.output.quantities import quantity_of
 from warpsample.radiation.exchange.matrix_files import write_matrix
-
-SHARED = ("skipped", "hours", "patches", "folded")
-"""What a result has beside arrays with a row for each point."""
 
 _KEPT = 0.01  # of its area a face may gain or lose by a .glb's float32
 
@@ -27,20 +27,16 @@ _BYTES_OF_CORNER = 12 + 4 + 8 * 4  # in a .glb, with all that is known of light
 
 
 @dataclass(frozen=True)
-class Run:
-    """The arguments of a run.
+class BakeRun:
+    """The arguments of `warpsample bake`.
 
     Attributes:
         mesh: the mesh file.
         output: the file to write, of WRITERS.
-        quantity: of bake.QUANTITIES.
+        quantity: its name.
         at: of places.PLACES; None: on the surface, uniform by area.
         points: how many on the surface; None: what `at` says.
-        samples: rays of each point.
-        environment: the picture of the light, .hdr or .npy; for irradiance.
-        up: the sky's axis.
-        options: keywords of `ambient_occlusion` and the others.
-        weather: an EPW file; for irradiation and sun hours.
+        options: those that were given of what the quantity takes, by their names on the command line, and the seed.
     """
 
     mesh: Path
@@ -48,24 +44,35 @@ class Run:
     quantity: str
     at: str | None
     points: int | None
-    samples: int
-    environment: Path | None
-    up: tuple[float, float, float]
     options: dict[str, Any]
-    weather: Path | None = None
 
 
 @dataclass(frozen=True)
 class Baked:
     """The content of a file: the mesh, the points and their numbers."""
 
-    run: Run
+    run: BakeRun
     mesh: Mesh
     points: SurfacePoints
     found: Any
 
+    @property
+    def quantity(self) -> Quantity:
+        """What the numbers are."""
+        return quantity_of(self.run.quantity)
 
-def check_glb(run: Run, mesh: Mesh) -> None:
+    @property
+    def arrays(self) -> dict[str, np.ndarray]:
+        """The arrays with a row for each point, by name."""
+        return {name: getattr(self.found, name) for name in self.quantity.arrays}
+
+    @property
+    def columns(self) -> dict[str, np.ndarray]:
+        """The numbers of each point in columns, by name."""
+        return self.quantity.columns(self.found)
+
+
+def check_glb(run: BakeRun, mesh: Mesh) -> None:
     """Refuses a mesh that needs more than float32 about its middle, or more than a file of 4 GiB.
 
     Raises:
@@ -93,40 +100,17 @@ def _local(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
     return (mesh.vertices - middle).astype(np.float32), middle
 
 
-def _columns(found: Any) -> dict[str, np.ndarray]:
-    """The columns of each point, by name; three numbers become red, green and blue."""
-    columns = {}
-    for name in ("value", "standard_error", "direct", "diffuse", "ground", "below_horizon"):
-        array = getattr(found, name, np.zeros((0, 0)))
-        split = (
-            {name: array} if array.ndim == 1 else {f"{name}_{c}": column for c, column in zip("rgb", array.T, strict=False)}
-        )
-        columns.update(split)
-    return {**columns, "rays": found.rays, "status": found.status}
-
-
-def _colours(found: Any) -> np.ndarray:
-    """(P, 4) uint8: black at 0, white at 1, or at the largest value if that is larger."""
-    value = found.value if found.value.ndim == 2 else np.repeat(found.value[:, None], 3, axis=1)
-    grey = np.clip(value / max(1.0, float(value.max(initial=0.0))), 0.0, 1.0)
-    return np.column_stack([np.round(255.0 * grey), np.full(len(grey), 255.0)]).astype(np.uint8)
-
-
 def _write_npz(file: BinaryIO, baked: Baked, **more: np.ndarray) -> None:
-    points, found = baked.points, baked.found
-    arrays = {"position": points.position, "normal": points.normal, "face": points.face, **_arrays(found), **more}
-    told = {item.name: str(getattr(baked.run, item.name)) for item in fields(baked.run)}
+    points, run = baked.points, vars(baked.run)
+    arrays = {"position": points.position, "normal": points.normal, "face": points.face, **baked.arrays, **more}
+    told = {name: str(value) for name, value in (run | run["options"]).items() if name != "options"}
     with zipfile.ZipFile(file, "w", allowZip64=True) as archive:
         for name, array in {**arrays, "run": np.array(json.dumps(told))}.items():
             write_array(archive, name, array)
 
 
-def _arrays(found: Any) -> dict[str, np.ndarray]:
-    return {item.name: getattr(found, item.name) for item in fields(found) if item.name not in SHARED}
-
-
 def _write_csv(file: BinaryIO, baked: Baked) -> None:
-    columns = _columns(baked.found)
+    columns = baked.columns
     formats = ["%.17g"] * 3 + ["%d" if name in ("rays", "status") else "%.9g" for name in columns]
     table = np.column_stack([baked.points.position, *columns.values()])
     np.savetxt(file, table, formats, delimiter=",", header=",".join(["x", "y", "z", *columns]), comments="")
@@ -139,8 +123,8 @@ def _write_ply(file: BinaryIO, baked: Baked) -> None:
     exact = all(np.array_equal(single[i : i + 65536], vertices[i : i + 65536]) for i in range(0, len(vertices), 65536))
     elements = {"vertex": {"x y z": single if exact else vertices}, "face": {"vertex_indices": baked.mesh.faces}}
     elements["face" if baked.run.at == "faces" else "vertex"] |= {
-        "red green blue alpha": _colours(baked.found),
-        **_columns(baked.found),
+        "red green blue alpha": baked.quantity.colours(baked.found),
+        **baked.columns,
     }
     write_ply(file, elements)
 
@@ -151,8 +135,10 @@ def _write_glb(file: BinaryIO, baked: Baked) -> None:
     faces, times = baked.mesh.faces, 3 if baked.run.at == "faces" else 1
     corners = Lazy(faces.shape, np.dtype(np.uint32), lambda i: faces[i] if times == 1 else 3 * i[:, None] + np.arange(3))
     vertices = local if times == 1 else Lazy((faces.size, 3), local.dtype, lambda i: local[faces.ravel()[i]])
-    attributes = {"COLOR_0": _repeated(_colours(baked.found), times, np.uint8)}  # custom names begin with an underscore
-    attributes |= {f"_{name}": _repeated(array, times, np.float32) for name, array in _columns(baked.found).items()}
+    attributes = {
+        "COLOR_0": _repeated(baked.quantity.colours(baked.found), times, np.uint8)
+    }  # custom names begin with an underscore
+    attributes |= {f"_{name}": _repeated(array, times, np.float32) for name, array in baked.columns.items()}
     write_glb(file, vertices, corners, attributes, tuple(middle.tolist()))
 
 
@@ -161,7 +147,7 @@ def _repeated(array: np.ndarray, times: int, dtype: type) -> Lazy:
 
 
 def _write_vtp(file: BinaryIO, baked: Baked) -> None:
-    points, arrays = baked.points, _arrays(baked.found)
+    points, arrays = baked.points, baked.arrays
     if baked.run.at is None:
         write_vtp(file, points.position, None, {"Normals": points.normal, "face": points.face, **arrays}, {})
     else:
@@ -182,4 +168,9 @@ def _write_mtx(file: BinaryIO, baked: Baked) -> None:
 WRITERS = {".ply": _write_ply, ".vtp": _write_vtp, ".glb": _write_glb, ".npz": _write_npz, ".csv": _write_csv}
 
 MATRIX_WRITERS = {".npz": _write_matrix_npz, ".mtx": _write_mtx}
-"""Of the sky matrix, whose rows are too long for columns."""
+"""For values that are too many for columns."""
+
+
+def writers_of(quantity: Quantity) -> dict[str, Callable[[BinaryIO, Baked], None]]:
+    """What writes the numbers of a quantity, by the suffix of the file."""
+    return MATRIX_WRITERS if quantity.is_matrix else WRITERS

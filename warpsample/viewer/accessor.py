@@ -1,5 +1,6 @@
 """`mesh.warpsample` on every pyvista.PolyData; PyVista finds this file by the entry point `pyvista.accessors`."""
 
+from collections.abc import Callable
 from typing import Any, Literal, get_args
 
 import pyvista as pv
@@ -7,19 +8,23 @@ import pyvista as pv
 from warpsample.directions.sample import sample_directions
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
+from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import Estimate
-from warpsample.estimate.visibility import ambient_occlusion, sky_view_factor
 from warpsample.host.arguments import check_choice, check_integer, check_scale
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
 from warpsample.output.export import CLOUD_SCALE
+from warpsample.output.quantities import quantities
 
 At = Literal["vertices", "faces"]
 
 
 @pv.register_dataset_accessor("warpsample", pv.PolyData)
 class WarpsampleAccessor:
-    """Directions and numbers per point for a PolyData, which stays as it is; other polygons are cut into triangles."""
+    """Directions and numbers per point for a PolyData, which stays as it is; other polygons are cut into triangles.
+
+    It has a method for each quantity that has `in_stores` in its record.
+    """
 
     def __init__(self, dataset: pv.PolyData):
         self._dataset, self._mesh, self._time = dataset, None, -1
@@ -70,52 +75,6 @@ class WarpsampleAccessor:
             at = sample_surface(self.mesh, check_integer(points, "points", 1, 2**31 - 1), seed)
         return sample_directions(at, count, distribution, seed=seed, **options).to_polydata(at, length)
 
-    def ambient_occlusion(self, count: int = 256, at: At = "vertices", **options: Any) -> pv.PolyData:
-        """Ambient occlusion at the vertices or the faces, on a copy of the dataset.
-
-        Args:
-            count: rays of each point.
-            at: "vertices" gives point data, "faces" cell data; faces are those of `mesh`.
-            **options: as `warpsample.ambient_occlusion` takes them: max_distance, falloff, sequence,
-                seed, active, tolerance, skip, tracer, workers, progress.
-
-        Returns:
-            "ambient_occlusion" (0: closed in, to 1: open), "standard_error", "rays", "status" and what else an `Estimate`
-            has, as point or cell data.
-
-        Raises:
-            TypeError, ValueError: an argument that cannot be used; names it.
-
-        Example:
-            >>> shaded = ws.load_mesh("courtyard").to_polydata().warpsample.ambient_occlusion(64, at="faces")
-            >>> print(shaded.n_cells, shaded.cell_data["ambient_occlusion"].shape)
-            2080 (2080,)
-        """
-        return self._with("ambient_occlusion", at, ambient_occlusion(self.mesh, self._points(at), count, **options))
-
-    def sky_view_factor(self, count: int = 256, at: At = "vertices", **options: Any) -> pv.PolyData:
-        """The sky view factor at the vertices or the faces, on a copy of the dataset.
-
-        Args:
-            count: rays of each point.
-            at: "vertices" gives point data, "faces" cell data; faces are those of `mesh`.
-            **options: as `warpsample.sky_view_factor` takes them: up, max_distance, sequence,
-                seed, active, tolerance, skip, tracer, workers, progress.
-
-        Returns:
-            "sky_view_factor" (0: no sky, to 1: all of it), "standard_error", "below_horizon", "rays", "status" and what
-            else a `SkyView` has, as point or cell data.
-
-        Raises:
-            TypeError, ValueError: an argument that cannot be used; names it.
-
-        Example:
-            >>> seen = ws.load_mesh("courtyard").to_polydata().warpsample.sky_view_factor(64, up=(0, 0, 1))
-            >>> print(seen.n_points, seen.point_data["sky_view_factor"].shape)
-            1089 (1089,)
-        """
-        return self._with("sky_view_factor", at, sky_view_factor(self.mesh, self._points(at), count, **options))
-
     def _points(self, at: At) -> SurfacePoints:
         at = check_choice(at, "at", get_args(At))
         return vertex_points(self.mesh) if at == "vertices" else face_centers(self.mesh)
@@ -127,3 +86,43 @@ class WarpsampleAccessor:
         for key in source:
             target[name if key == "value" else key] = source[key]
         return made
+
+
+_DOCUMENTATION = """The {title} at the vertices or the faces, on a copy of the dataset.
+
+        Args:
+            count: rays of each point.
+            at: "vertices" gives point data, "faces" cell data; faces are those of `mesh`.
+            **options: as `warpsample.{name}` takes them.
+
+        Returns:
+            "{name}" ({value}), "standard_error", "rays", "status" and what else the result of the function has, as point or
+            cell data.
+
+        Raises:
+            TypeError, ValueError: an argument that cannot be used; names it.
+
+        Example:
+            >>> made = ws.load_mesh("courtyard").to_polydata().warpsample.{name}(64, at="faces"{example})
+            >>> print(made.n_cells, len(made.cell_data["{name}"]))
+            2080 2080
+        """
+
+
+def _method(quantity: Quantity) -> Callable[..., pv.PolyData]:
+    """The accessor's method for a quantity."""
+    name = quantity.call.__name__
+
+    def method(self: WarpsampleAccessor, count: int = 256, at: At = "vertices", **options: Any) -> pv.PolyData:
+        return self._with(name, at, quantity.call(self.mesh, self._points(at), count=count, **options))
+
+    told = {"title": quantity.title, "value": quantity.value, "name": name}
+    example = f", {quantity.example}" if quantity.example else ""
+    method.__name__, method.__qualname__ = name, f"{WarpsampleAccessor.__qualname__}.{name}"
+    method.__doc__ = _DOCUMENTATION.format(**told, example=example)
+    return method
+
+
+for _quantity in quantities().values():
+    if _quantity.in_stores:
+        setattr(WarpsampleAccessor, _quantity.call.__name__, _method(_quantity))

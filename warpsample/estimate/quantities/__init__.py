@@ -1,0 +1,1 @@
+"""The quantities that rays around a normal make, a file each."""

@@ -1,0 +1,13 @@
+"""Bent normals as a quantity."""
+
+from warpsample.estimate.quantities.record import Quantity
+from warpsample.estimate.visibility import bent_normals
+
+RECORD = Quantity(
+    name="bent-normals",
+    call=bent_normals,
+    title="bent normals",
+    value="the mean direction in which it is open",
+    channels="xyz",
+    black=-1.0,
+)

@@ -1,0 +1,25 @@
+"""Irradiance as a quantity."""
+
+from typing import Any
+
+from warpsample.estimate.irradiance import irradiance
+from warpsample.estimate.picture import read_picture
+from warpsample.estimate.quantities.record import Numbers, Quantity
+from warpsample.mesh.mesh import Mesh
+
+
+def _prepare(mesh: Mesh, _total: int, *, radiance: Any, **options: Any) -> Numbers:
+    """The irradiance by a picture that is read once."""
+    picture = read_picture(radiance)
+    return lambda points, first: irradiance(mesh, points, picture, first_point=first, **options)
+
+
+RECORD = Quantity(
+    name="irradiance",
+    call=irradiance,
+    title="irradiance",
+    value="the light of an equirectangular picture, an .hdr or .npy file, or a `wp.func` of the direction",
+    files={"environment": "a picture of the light, .hdr or .npy"},
+    prepare=_prepare,
+    example="radiance=np.ones((2, 4))",
+)

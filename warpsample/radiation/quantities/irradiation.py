@@ -1,0 +1,40 @@
+"""The irradiation of a year or a period as a quantity."""
+
+from typing import Any
+
+from warpsample.estimate.plan import Plan
+from warpsample.estimate.quantities.record import Numbers, Quantity
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.radiation.weather.irradiation import Irradiation, irradiation, received
+from warpsample.radiation.weather.light import light_of
+
+WEATHER = {"weather": "an EPW weather file"}
+
+
+_OF_THE_LIGHT = ("weather", "period", "ground_albedo", "patches", "up", "north")
+
+
+def _prepare(mesh: Mesh, _total: int, *, count: int, seed: int, workers: int | None, **given: Any) -> Numbers:
+    """The irradiation by a light that is computed once."""
+    light = light_of(**{name: given[name] for name in _OF_THE_LIGHT})
+
+    def numbers(points: SurfacePoints, first: int) -> Irradiation:
+        plan = Plan.of(mesh, points, count, seed=seed, first_point=first, workers=workers)
+        return received(plan, light, series=False)
+
+    return numbers
+
+
+RECORD = Quantity(
+    name="irradiation",
+    call=irradiation,
+    title="irradiation",
+    value="what sun, sky and the ground beyond the mesh bring by a year's weather, and each of the three",
+    result=Irradiation,
+    shared=("hours", "skipped"),
+    unit="kWh/m2",
+    files=WEATHER,
+    prepare=_prepare,
+    in_stores=False,
+)

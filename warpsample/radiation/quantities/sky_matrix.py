@@ -1,0 +1,39 @@
+"""The sky matrix as a quantity."""
+
+from typing import Any
+
+from warpsample.estimate.quantities.record import Numbers, Quantity
+from warpsample.host.engine import check_memory
+from warpsample.mesh.mesh import Mesh
+from warpsample.radiation.sky.patches import sky_patches
+from warpsample.radiation.sky.result import SkyMatrix
+from warpsample.radiation.sky.sky_matrix import sky_matrix
+
+_COPIES = 2  # in parts, and as a whole
+_BYTES = 8  # of a value and its error
+
+
+def _prepare(mesh: Mesh, total: int, **options: Any) -> Numbers:
+    """The rows of the points, if all of them fit into memory.
+
+    Raises:
+        MemoryError: they do not; says how to take fewer points.
+    """
+    patches = len(sky_patches(options["patches"]))
+    what = f"{total:,} rows of {patches:,} patches and their errors"
+    check_memory(_COPIES * _BYTES * total * patches, what, "take fewer points, or coarser --patches")
+    return lambda points, first: sky_matrix(mesh, points, first_point=first, **options)
+
+
+RECORD = Quantity(
+    name="sky-matrix",
+    call=sky_matrix,
+    title="sky matrix",
+    value="the share of its lobe that each patch of the sky lights",
+    result=SkyMatrix,
+    shared=("skipped", "patches", "folded"),
+    unit="a patch",
+    prepare=_prepare,
+    in_stores=False,
+    is_matrix=True,
+)

@@ -1,0 +1,95 @@
+"""The hours in which points see the sun, and these as a quantity."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from warpsample.estimate.quantities.record import Numbers, Quantity
+from warpsample.estimate.result import PointStatus
+from warpsample.host.vectors import as_directions
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.radiation.quantities.irradiation import WEATHER
+from warpsample.radiation.sky.patches import sky_patches
+from warpsample.radiation.sun.direct_sun import direct_sun
+from warpsample.radiation.weather.light import sun_directions
+from warpsample.radiation.weather.weather import read_weather
+
+
+@dataclass(frozen=True, eq=False)
+class SunHours:
+    """In how many hours P points see the sun.
+
+    Attributes:
+        value: (P,) float32, hours in whose middle the sun's centre is above the horizon, in front of the point and not
+            hidden by the mesh; 0 where the status is not 0.
+        standard_error: (P,) float32, 0: nothing is drawn at random.
+        rays: (P,) int32, 0: those to the sun are not counted.
+        status: (P,) uint8, a `PointStatus`.
+    """
+
+    value: np.ndarray
+    standard_error: np.ndarray
+    rays: np.ndarray
+    status: np.ndarray
+
+
+def sun_hours(
+    mesh: Mesh,
+    points: SurfacePoints,
+    weather: Any,
+    *,
+    period: Sequence[str] | None = None,
+    up: Any = (0.0, 0.0, 1.0),
+    north: Any = (0.0, 1.0, 0.0),
+    seed: int = 0,
+    first_point: int = 0,
+    workers: int | None = None,
+) -> SunHours:
+    """In how many hours of a period each point sees the sun; the arguments are those of `irradiation`."""
+    options = {"weather": weather, "period": period, "up": up, "north": north, "seed": seed, "workers": workers}
+    return _prepare(mesh, len(points), **options)(points, first_point)
+
+
+def _prepare(
+    mesh: Mesh, _total: int, *, weather: Any, period: Any, up: Any, north: Any, seed: int, workers: int | None
+) -> Numbers:
+    """The hours of sun by a weather file that is read once."""
+    found = read_weather(weather, period)
+    suns = sun_directions(found.chosen(found.sun_altitude > 0.0), sky_patches(up=up, north=north).frame)
+
+    def numbers(points: SurfacePoints, first: int) -> SunHours:
+        hours = none = np.zeros(len(points), np.float32)
+        if len(suns):
+            given = {"weights": np.ones(len(suns)), "seed": seed, "first_point": first, "workers": workers}
+            hours = direct_sun(mesh, points, suns, **given)
+        return SunHours(hours.astype(np.float32), none, none.astype(np.int32), _status(points))
+
+    return numbers
+
+
+def _status(points: SurfacePoints) -> np.ndarray:
+    """(P,) uint8, a `PointStatus`, as the estimates have it."""
+    normal = as_directions(points.normal)
+    cases = {
+        PointStatus.NONFINITE_NORMAL: ~np.isfinite(normal).all(axis=1),
+        PointStatus.ZERO_NORMAL: ~normal.any(axis=1),
+        PointStatus.NONFINITE_POSITION: ~np.isfinite(points.position).all(axis=1),
+    }
+    return np.select(list(cases.values()), [np.uint8(status) for status in cases], np.uint8(PointStatus.OK))
+
+
+RECORD = Quantity(
+    name="sun-hours",
+    call=sun_hours,
+    title="sun hours",
+    value="in how many hours of a year, or of a period, it sees the sun",
+    result=SunHours,
+    shared=(),
+    unit="h",
+    files=WEATHER,
+    prepare=_prepare,
+    in_stores=False,
+)
