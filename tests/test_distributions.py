@@ -14,7 +14,7 @@ COSINE = [case for case in CASES if isinstance(case, ws.CosineHemisphere)]
 
 def independent_directions(distribution, count, seed=0):
     """Local directions of independent u; N = 64 * count."""
-    return distribution.sample(ws.sample_square("independent", count, 64, seed).reshape(-1, 2))
+    return distribution.sample(ws.sample_square("independent", count, 64, seed=seed).reshape(-1, 2))
 
 
 def broken(verdicts):
@@ -219,7 +219,7 @@ def test_bad_warp_arrays_are_named():
         (lambda: as_distribution("ggx(beta=1)"), TypeError, r"distribution: got 'ggx\(beta=1\)', want ggx\(alpha=...\)$"),
         (lambda: as_distribution("ggx(alpha=2)"), ValueError, "alpha: got 2, want a number from 1e-06 to 1"),
         (
-            lambda: ws.sample_directions(np.ones((1, 3), np.float32), 4, ws.OffsetDisk()),
+            lambda: ws.sample_directions(np.ones((1, 3), np.float32), 4, distribution=ws.OffsetDisk()),
             TypeError,
             r"distribution: got OffsetDisk\(\), which lies in a plane, want one of directions in space",
         ),

@@ -166,14 +166,17 @@ def test_progressive_sequences_extend_and_the_others_say_so(name):
         (("halton", 1, 1), "sequence: got 'halton', want one of fibonacci, independent, philox, r2, sobol, stratified"),
         (("sobol", 0, 1), "points: got 0, want a whole number of at least 1"),
         (("sobol", 1, -4), "count: got -4, want a whole number from 1 to 2147483647"),
-        (("sobol", 1, 1, -1), "seed: got -1, want a whole number of 64 bits"),
-        (("sobol", 1, 1, 2**64), "seed: got 18446744073709551616, want a whole number of 64 bits"),
-        (("sobol", 2, 1, 0, 2**64 - 1), "first_point: got 18446744073709551615, want an id of 64 bits with room for 2"),
+        (("sobol", 1, 1, {"seed": -1}), "seed: got -1, want a whole number of 64 bits"),
+        (("sobol", 1, 1, {"seed": 2**64}), "seed: got 18446744073709551616, want a whole number of 64 bits"),
+        (
+            ("sobol", 2, 1, {"first_point": 2**64 - 1}),
+            "first_point: got 18446744073709551615, want an id of 64 bits with room for 2",
+        ),
     ],
 )
 def test_bad_arguments_are_named(arguments, message):
     with pytest.raises(ValueError, match="^" + message.replace("^", r"\^")):
-        ws.sample_square(*arguments)
+        ws.sample_square(*arguments[:3], **dict(*arguments[3:]))
 
 
 def test_too_many_points_are_refused_with_a_way_out():

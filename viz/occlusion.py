@@ -45,7 +45,7 @@ def main(
     rendering.check_size(size, (900, 340))
     rendering.check_rendering()
     surface = ws.load_mesh(mesh or bunny())
-    found = ws.ambient_occlusion(surface, ws.vertex_points(surface), samples, max_distance, seed=seed)
+    found = ws.ambient_occlusion(surface, ws.vertex_points(surface), samples, max_distance=max_distance, seed=seed)
     cast, asked = int(found.rays.sum()), samples * len(found.rays)
     error = np.sqrt(np.mean(np.square(found.standard_error)))
     rays = f"{cast / asked:.0%} of {asked:,} rays cast"

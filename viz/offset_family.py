@@ -48,9 +48,9 @@ def panel(
         count: the number of directions.
         seed: of the points.
     """
-    u = [ws.sample_square(name, 1, SHOWN, seed)[0] for name in ("r2", "independent")]
+    u = [ws.sample_square(name, 1, SHOWN, seed=seed)[0] for name in ("r2", "independent")]
     moved = points(np.concatenate(u, axis=1)[:, :3].astype(np.float64)) + np.eye(distribution.width)[-1]
-    w = distribution.sample(ws.sample_square("independent", 1, count, seed)[0])
+    w = distribution.sample(ws.sample_square("independent", 1, count, seed=seed)[0])
     chart = chart_of(distribution)
     low = 0.0 if chart is SPHERE else -np.pi / 2
     high = np.pi if distribution.largest_angle > np.pi / 2 else np.pi / 2

@@ -54,7 +54,7 @@ def main(
     check_integer(randomisations, "--randomisations", 16, 100_000)
     rendering.check_rendering()
     names = ws.sequences.names()
-    squares = {name: ws.sample_square(name, 1, SHOWN, seed)[0] for name in names}
+    squares = {name: ws.sample_square(name, 1, SHOWN, seed=seed)[0] for name in names}
     lobes = {name: ws.CosineHemisphere("concentric").sample(u) for name, u in squares.items()}
     curves = errors(INTEGRANDS_SHOWN, randomisations, seed)
     what = f"{SHOWN} points; errors over {randomisations} randomisations; seed {seed}"

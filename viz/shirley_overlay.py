@@ -17,9 +17,9 @@ PIXELS = 700  # of a picture's side
 
 def directions(count: int, sequence: str, seed: int) -> dict[str, np.ndarray]:
     """(count, 3) directions of the sets "cosine", "sphere" and "ball", row by row from the same points of the square."""
-    u = ws.sample_square(sequence, 1, count, seed)[0]
+    u = ws.sample_square(sequence, 1, count, seed=seed)[0]
     sphere = ws.UniformSphere().sample(u).astype(np.float64)
-    radius = np.cbrt(ws.sample_square("independent", 1, count, seed)[0, :, :1].astype(np.float64))
+    radius = np.cbrt(ws.sample_square("independent", 1, count, seed=seed)[0, :, :1].astype(np.float64))
     return {
         "cosine": ws.CosineHemisphere("polar").sample(u),
         "sphere": plus_normal(sphere),

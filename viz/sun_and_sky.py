@@ -60,7 +60,7 @@ def main(
     points = ws.face_centers(surface)
     year = ws.irradiation(surface, points, weather, count=samples, seed=seed, **axes)
     hours = ws.irradiation(surface, points, weather, period=(day, day), count=samples, seed=seed, series=True, **axes)
-    matrix = ws.sky_matrix(surface, points, samples, "reinhart2", seed=seed, **axes)
+    matrix = ws.sky_matrix(surface, points, samples, patches="reinhart2", seed=seed, **axes)
     row = closed_in(points, matrix.value, np.array(axes["up"]))
     high = rendering.round_ticks(float(year.value.max()), 5)[-1]
     error = np.sqrt(np.mean(np.square(year.standard_error)))

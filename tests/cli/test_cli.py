@@ -33,11 +33,13 @@ def test_directions_file_holds_the_run(call, cube, tmp_path, where, rows, monkey
         kept = {name: file[name] for name in ("position", "normal", "face", "vectors", "status")}
     mesh = ws.load_mesh(run["mesh"])
     points = {
-        None: lambda: ws.sample_surface(mesh, run["points"], run["seed"]),
+        None: lambda: ws.sample_surface(mesh, run["points"], seed=run["seed"]),
         "faces": lambda: ws.face_centers(mesh),
         "vertices": lambda: ws.vertex_points(mesh),
     }[run["at"]]()
-    again = ws.sample_directions(points, run["samples"], run["distribution"], run["sequence"], run["seed"])
+    again = ws.sample_directions(
+        points, run["samples"], distribution=run["distribution"], sequence=run["sequence"], seed=run["seed"]
+    )
     assert np.array_equal(kept["position"], points.position)
     assert np.array_equal(kept["normal"], points.normal)
     assert np.array_equal(kept["face"], points.face)

@@ -73,7 +73,9 @@ def test_on_faces_and_vertices(mesh, place, make):
 
 
 def test_the_first_id_goes_with_points_and_rays(mesh):
-    right = ws.ambient_occlusion(mesh, ws.sample_surface(mesh, 90, SEED, first_point=40), RAYS, seed=SEED, first_point=40)
+    right = ws.ambient_occlusion(
+        mesh, ws.sample_surface(mesh, 90, seed=SEED, first_point=40), RAYS, seed=SEED, first_point=40
+    )
     assert_same(cluster.ambient_occlusion(mesh, 90, RAYS, seed=SEED, first_point=40, chunk=33), right)
 
 
@@ -92,11 +94,11 @@ def test_every_estimate(mesh, points):
 
 
 def test_directions_and_what_they_meet(mesh, points):
-    right = ws.sample_directions(points, 8, ws.GGX(alpha=0.3), seed=SEED, pdf=True, active=ACTIVE)
+    right = ws.sample_directions(points, 8, distribution=ws.GGX(alpha=0.3), seed=SEED, pdf=True, active=ACTIVE)
     options = {"seed": SEED, "pdf": True, "active": ACTIVE, "chunk": 40}
     cut = {name: dask.array.from_array(np.array(getattr(points, name)), (50, 3)) for name in ("position", "normal")}
     for normals in (points, points.normal, cut["normal"], POINTS):
-        lazy = cluster.sample_directions(normals, 8, "ggx(alpha=0.3)", mesh=mesh, **options)
+        lazy = cluster.sample_directions(normals, 8, distribution="ggx(alpha=0.3)", mesh=mesh, **options)
         assert_same(lazy, right)
     hits = ws.trace(mesh, points, right.vectors, any_hit=True)
     assert cluster.trace(mesh, POINTS, right.vectors).distance.dims == ("point", "sample")

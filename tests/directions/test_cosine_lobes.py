@@ -19,7 +19,9 @@ def test_offset_is_sphere_plus_normal_with_its_rim_redrawn():
     u = ws.sample_square("independent", len(n), 64, seed=7)
     total = n[:, None] + twins.directions(ws.UniformSphere(), u.astype(np.float64))
     length = np.linalg.norm(total, axis=-1)
-    got = ws.sample_directions(normals, 64, ws.CosineHemisphere("offset"), "independent", seed=7, pdf=True)
+    got = ws.sample_directions(
+        normals, 64, distribution=ws.CosineHemisphere("offset"), sequence="independent", seed=7, pdf=True
+    )
     clear = length > 2.0**-6 * 1.001
     # n and s are each 1e-7 off and their sum at least 2^-6 long.
     assert laws.angle_error(got.vectors[clear], total[clear] / length[clear, None]) <= 1.3e-5
@@ -37,7 +39,7 @@ def test_offset_is_sphere_plus_normal_with_its_rim_redrawn():
 @pytest.mark.parametrize("distribution", ws.CosineHemisphere.cases(), ids=repr)
 def test_mean_cosine_of_ten_million_directions_about_random_normals(distribution):
     normals = np.random.default_rng(6).normal(size=(160_000, 3)).astype(np.float32)
-    got = ws.sample_directions(normals, 64, distribution, "independent", seed=8)
+    got = ws.sample_directions(normals, 64, distribution=distribution, sequence="independent", seed=8)
     cosine = np.einsum("psk,pk->ps", got.vectors, unit(normals))
     assert cosine.size >= 10**7
     assert abs(cosine.mean(dtype=np.float64) - 2.0 / 3.0) <= 4.0 * np.sqrt(1.0 / 18.0 / cosine.size)  # standard errors
@@ -46,7 +48,7 @@ def test_mean_cosine_of_ten_million_directions_about_random_normals(distribution
 
 def test_rim_of_the_offset_method_is_neither_cut_nor_crowded(plausible):
     normals = np.random.default_rng(7).normal(size=(320_000, 3)).astype(np.float32)
-    got = ws.sample_directions(normals, 64, ws.CosineHemisphere("offset"), "independent", seed=9)
+    got = ws.sample_directions(normals, 64, distribution=ws.CosineHemisphere("offset"), sequence="independent", seed=9)
     cosine = np.einsum("psk,pk->ps", got.vectors, unit(normals))
     for limit in (0.002, 0.005, 2.0**-7, 0.01):  # inside the rim, across it, outside
         plausible(laws.count_p_value((cosine < limit).sum(), cosine.size, limit**2))

@@ -164,7 +164,7 @@ def test_a_parameter_reaches_the_kernels_and_a_new_value_compiles_nothing(normal
         assert (distribution.sample(u)[:, 0] == tilt).all()
         assert distribution.pdf(up).tolist() == [tilt]
         assert (distribution.invert(up)[:, 0] == tilt).all()
-        assert np.abs(ws.sample_directions(up, 64, distribution).vectors[0, :, 0] - tilt).max() <= 1e-7
+        assert np.abs(ws.sample_directions(up, 64, distribution=distribution).vectors[0, :, 0] - tilt).max() <= 1e-7
     assert len(direction_rows.known) == built + 1
 
 
@@ -172,5 +172,5 @@ def test_kernels_are_built_once_for_equal_jobs(normals):
     ws.sample_directions(normals, 32)
     built = len(direction_rows.known)
     ws.sample_directions(normals, 64, seed=9)
-    ws.sample_directions(normals, 32, ws.CosineHemisphere("polar"))
+    ws.sample_directions(normals, 32, distribution=ws.CosineHemisphere("polar"))
     assert len(direction_rows.known) == built

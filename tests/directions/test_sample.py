@@ -21,22 +21,24 @@ COUNTS = [3, 23, *(pytest.param(n, marks=SLOW) for n in (1, 16, 64, 100))]
 def test_same_bits_in_chunks_threads_offsets_and_with_half_inactive(distribution, count, monkeypatch):
     """Global ids pass a multiple of 2^32 in the middle of the call, and at the start of one of its parts."""
     normals = np.random.default_rng(3).normal(size=(9001, 3)).astype(np.float32)
-    whole = ws.sample_directions(normals, count, distribution, seed=5, first_point=2**32 - 4000, pdf=True, workers=1)
+    whole = ws.sample_directions(
+        normals, count, distribution=distribution, seed=5, first_point=2**32 - 4000, pdf=True, workers=1
+    )
     monkeypatch.setattr("warpsample.host.engine.LEAST_WORK", 1)
     for workers in (2, 3):
         threaded = ws.sample_directions(
-            normals, count, distribution, seed=5, first_point=2**32 - 4000, pdf=True, workers=workers
+            normals, count, distribution=distribution, seed=5, first_point=2**32 - 4000, pdf=True, workers=workers
         )
         assert np.array_equal(whole.vectors, threaded.vectors)
     cuts = [0, 1, 257, 1500, 4000, 4001, 8000, 9001]
     for start, end in pairwise(cuts):
         part = ws.sample_directions(
-            normals[start:end], count, distribution, seed=5, first_point=2**32 - 4000 + start, pdf=True
+            normals[start:end], count, distribution=distribution, seed=5, first_point=2**32 - 4000 + start, pdf=True
         )
         assert np.array_equal(whole.vectors[start:end], part.vectors)
     active = np.arange(len(normals)) % 2 == 0
     half = ws.sample_directions(
-        normals, count, distribution, seed=5, first_point=2**32 - 4000, pdf=True, active=active, workers=2
+        normals, count, distribution=distribution, seed=5, first_point=2**32 - 4000, pdf=True, active=active, workers=2
     )
     assert np.array_equal(whole.vectors[active], half.vectors[active])
     assert np.array_equal(whole.pdf[active], half.pdf[active])
@@ -59,7 +61,9 @@ def test_directions_about_z_are_the_map_of_the_sequence_bit_for_bit(sequence, di
     up = np.tile(np.float32([0.0, 0.0, 1.0]), (100, 1))
     for count in (1, 2, 23):
         u = ws.sample_square(sequence, 100, count, seed=5, first_point=2**40)
-        got = ws.sample_directions(up, count, distribution, sequence, seed=5, first_point=2**40, pdf=True)
+        got = ws.sample_directions(
+            up, count, distribution=distribution, sequence=sequence, seed=5, first_point=2**40, pdf=True
+        )
         assert np.array_equal(got.vectors, distribution.sample(u))
 
 
@@ -69,10 +73,10 @@ def test_few_samples_are_the_first_of_many_bit_for_bit(distribution, normals):
     counts = [1, 2, 11, 12, 23, 20_000]
     for less, more in pairwise(counts):
         some = normals[:: 1 if more < 100 else 200]
-        few, many = (ws.sample_directions(some, count, distribution, pdf=True) for count in (less, more))
+        few, many = (ws.sample_directions(some, count, distribution=distribution, pdf=True) for count in (less, more))
         assert np.array_equal(few.vectors, many.vectors[:, :less])
         assert np.array_equal(few.pdf, many.pdf[:, :less])
-    parts = ws.sample_directions(some, 40_000, distribution, pdf=True)
+    parts = ws.sample_directions(some, 40_000, distribution=distribution, pdf=True)
     assert np.array_equal(parts.vectors[:, :20_000], many.vectors)
 
 
@@ -83,7 +87,7 @@ def test_bad_normals_get_zero_vectors_a_status_and_a_count(distribution, count, 
     normals[4] = (np.nan, 0, 1)
     normals[500] = (0, np.inf, 0)
     normals[999] = -0.0
-    got = ws.sample_directions(normals, count, distribution, pdf=True)
+    got = ws.sample_directions(normals, count, distribution=distribution, pdf=True)
     assert got.counts() == {ws.Status.OK: 996, ws.Status.ZERO_NORMAL: 2, ws.Status.NONFINITE_NORMAL: 2}
     assert got.status[[3, 4, 500, 999]].tolist() == [2, 3, 3, 2]
     assert np.array_equal(got.vectors[got.status > 0], np.zeros((4, count, 3)))
@@ -127,9 +131,11 @@ def test_kinds_in_are_kinds_out(normals):
 
 
 def test_defaults_are_a_polar_cosine_lobe_from_sobol(normals):
-    named = ws.sample_directions(normals, 16, "cosine_hemisphere", "sobol", 0, 0)
+    named = ws.sample_directions(normals, 16, distribution="cosine_hemisphere", sequence="sobol", seed=0, first_point=0)
     assert np.array_equal(ws.sample_directions(normals, 16).vectors, named.vectors)
-    assert np.array_equal(ws.sample_directions(normals, 16, ws.CosineHemisphere("polar")).vectors, named.vectors)
+    assert np.array_equal(
+        ws.sample_directions(normals, 16, distribution=ws.CosineHemisphere("polar")).vectors, named.vectors
+    )
 
 
 @pytest.mark.skipif(not wp.is_cuda_available(), reason="no CUDA device")
@@ -139,7 +145,9 @@ def test_cuda_agrees_with_the_cpu(distribution, points, count):
     """The last case has more than 2^28 bytes, so that it goes to the device in parts."""
     normals = np.random.default_rng(1).normal(size=(points, 3)).astype(np.float32)
     normals[3] = 0.0
-    here, there = (ws.sample_directions(normals, count, distribution, pdf=True, device=d) for d in ("cpu", "cuda"))
+    here, there = (
+        ws.sample_directions(normals, count, distribution=distribution, pdf=True, device=d) for d in ("cpu", "cuda")
+    )
     assert isinstance(there.vectors, np.ndarray)
     assert np.abs(here.vectors - there.vectors).max() <= 3e-5  # the offset rim loses digits
     assert np.array_equal(here.status, there.status)

@@ -94,16 +94,16 @@ def test_data_that_cannot_go_to_a_device_is_refused(some):
     data = Chosen()
     numbers = wp.array([3.0, 5.0], dtype=wp.float32, device="cpu")
     data.numbers = wp.indexedarray(numbers, [wp.array([1], dtype=wp.int32, device="cpu")])
-    assert np.isin(ws.integrate(some, first_chosen, 2, data).value, (0.0, 5.0)).all()  # 0 without a normal
+    assert np.isin(ws.integrate(some, first_chosen, 2, data=data).value, (0.0, 5.0)).all()  # 0 without a normal
     with second_device(), pytest.raises(TypeError, match="^data: got .*indexedarray as numbers, want a wp.array for cpu$"):
-        ws.integrate(some, first_chosen, 2, data)
+        ws.integrate(some, first_chosen, 2, data=data)
 
 
 def test_data_with_an_array_that_is_not_set_goes_to_a_device(some):
     data = data_of(300)
     data.weights.by_id = None
     with second_device():
-        found = ws.integrate(some, without_weights, 2, data)
+        found = ws.integrate(some, without_weights, 2, data=data)
     assert np.array_equal(found.value, np.where(found.status == 0, np.arange(300) % 7, 0.0))
 
 

@@ -149,9 +149,9 @@ def test_estimates_and_rays_do_not_depend_on_the_scale(bunny, scale):
     hits = ws.trace(mesh, points, ways)
     assert np.array_equal(hits.face >= 0, np.isfinite(hits.distance))
     assert 1e-7 * scale <= hits.distance.min()
-    near = ws.ambient_occlusion(mesh, points, 64, 0.3 * scale, falloff=1.0)
+    near = ws.ambient_occlusion(mesh, points, 64, max_distance=0.3 * scale, falloff=1.0)
     assert 0.9 <= near.value.mean() < 1.0
-    far = ws.ambient_occlusion(mesh, points, 64, 1e300, falloff=1.0)
+    far = ws.ambient_occlusion(mesh, points, 64, max_distance=1e300, falloff=1.0)
     # t / max_distance is 0 for all that is met: nothing is left of it.
     assert np.array_equal(far.value, ws.ambient_occlusion(mesh, points, 64).value)
 

@@ -79,7 +79,7 @@ def test_a_sky_of_the_users(number):
 @pytest.mark.parametrize("distribution", [FEW[0], pytest.param(FEW[2], marks=pytest.mark.slow)], ids=repr)
 def test_the_mean_of_each_lobe_is_that_of_its_directions(distribution):
     found = ws.integrate(UP, cosine, 4096, distribution=distribution)
-    d = ws.sample_directions(UP, 1 << 16, distribution, "sobol")
+    d = ws.sample_directions(UP, 1 << 16, distribution=distribution, sequence="sobol")
     unit = (UP / np.linalg.norm(UP, axis=1, keepdims=True))[:, None]
     exact = (d.vectors.astype(np.float64) * unit).sum(axis=2).mean(axis=1)
     assert np.abs(found.value - exact).max() <= 6.0 * found.standard_error.max() + 1e-4  # the second of 65,536 points

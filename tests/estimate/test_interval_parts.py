@@ -52,8 +52,8 @@ def test_one_cell_by_hand(bunny, points):
 
 def _estimates(mesh, where, **options):
     yield ws.ambient_occlusion(mesh, where, 500, **options)
-    yield ws.ambient_occlusion(mesh, where, 300, 0.3, falloff=1.5, **options)
-    yield ws.sky_view_factor(mesh, where, 300, (0.3, 1.0, 0.2), **options)
+    yield ws.ambient_occlusion(mesh, where, 300, max_distance=0.3, falloff=1.5, **options)
+    yield ws.sky_view_factor(mesh, where, 300, up=(0.3, 1.0, 0.2), **options)
     yield ws.bent_normals(mesh, where, 300, **options)
     yield irradiance(mesh, where, 40, **options)
 

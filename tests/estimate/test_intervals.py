@@ -134,7 +134,7 @@ def test_wrong_rules_are_rejected(on_bunny, covers, rule):
 
 
 def _obscurance(mesh, points, count, **options):
-    return ws.ambient_occlusion(mesh, points, count, 0.3, falloff=1.0, **options)
+    return ws.ambient_occlusion(mesh, points, count, max_distance=0.3, falloff=1.0, **options)
 
 
 @pytest.mark.slow

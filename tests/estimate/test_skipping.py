@@ -23,7 +23,9 @@ def test_skipping_changes_no_bit(bunny, name):
     cast = skipped = 0
     for where in (above, ws.vertex_points(mesh), ws.face_centers(mesh), floating):
         for count, reach in ((40, None), (300, 0.1 * size), (500, None)):
-            with_skipping, without = (ws.ambient_occlusion(mesh, where, count, reach, skip=skip) for skip in (True, False))
+            with_skipping, without = (
+                ws.ambient_occlusion(mesh, where, count, max_distance=reach, skip=skip) for skip in (True, False)
+            )
             assert same(with_skipping, without)
             cast, skipped = cast + int(without.rays.sum()), skipped + with_skipping.skipped.empty_rays
             assert with_skipping.rays.sum(dtype=np.int64) + with_skipping.skipped.empty_rays == without.rays.sum()
@@ -41,19 +43,21 @@ def test_a_wrong_beam_would_be_seen(bunny, points, monkeypatch):
 def test_skipping_under_other_weights(bunny, points):
     up = (0.3, 1.0, 0.2)
     for count in (300, 500):
-        skipping, plain = (ws.sky_view_factor(bunny, points, count, up, skip=skip) for skip in (True, False))
+        skipping, plain = (ws.sky_view_factor(bunny, points, count, up=up, skip=skip) for skip in (True, False))
         assert same(skipping, plain)
         assert skipping.skipped.weightless_rays > 0
         total = len(points) * cells_of(count).rays
         assert skipping.rays.sum() + skipping.skipped.empty_rays + skipping.skipped.weightless_rays == total
-        shaded = [ws.ambient_occlusion(bunny, points, count, 0.3, falloff=1.5, skip=skip) for skip in (True, False)]
+        shaded = [
+            ws.ambient_occlusion(bunny, points, count, max_distance=0.3, falloff=1.5, skip=skip) for skip in (True, False)
+        ]
         assert same(*shaded)
         assert shaded[0].rays.sum() < 0.8 * shaded[1].rays.sum()
 
 
 def test_obscurance_lies_between_what_it_blends(bunny, points):
-    near, open_far = (ws.ambient_occlusion(bunny, points, 512, reach).value for reach in (0.3, None))
-    blended = ws.ambient_occlusion(bunny, points, 512, 0.3, falloff=1.0).value
+    near, open_far = (ws.ambient_occlusion(bunny, points, 512, max_distance=reach).value for reach in (0.3, None))
+    blended = ws.ambient_occlusion(bunny, points, 512, max_distance=0.3, falloff=1.0).value
     assert (blended >= near - 1e-6).all()
     assert (near >= open_far).all()
     assert blended.mean() > near.mean() + 0.01
@@ -62,7 +66,7 @@ def test_obscurance_lies_between_what_it_blends(bunny, points):
     ceiling = ws.as_mesh((np.array([(-1, -1, 0.1), (3, -1, 0.1), (-1, 3, 0.1)]) * [99, 99, 1], [(0, 2, 1)]))
     h, r = 0.1, 0.4
     exact = (1.0 - (h / r) ** 2) - 2.0 * (h / r) * (1.0 - h / r)
-    found = ws.ambient_occlusion(ceiling, ground, RAYS, r, falloff=1.0)
+    found = ws.ambient_occlusion(ceiling, ground, RAYS, max_distance=r, falloff=1.0)
     assert abs(1.0 - found.value[0] - exact) <= 4.0 * found.standard_error[0] + 1e-5
 
 

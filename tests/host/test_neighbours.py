@@ -57,7 +57,7 @@ def occlusion(of):
 
 def light(of):
     picture, up = np.linspace(0.0, 1.0, 96).reshape(4, 8, 3), np.array([0.6, 0.0, 0.8])
-    return (ws.irradiance((VERTICES, FACES), surface_points(np.asarray), of(picture), COUNT, of(up)).value,)
+    return (ws.irradiance((VERTICES, FACES), surface_points(np.asarray), of(picture), COUNT, up=of(up)).value,)
 
 
 def maps(of):

@@ -74,9 +74,13 @@ def test_the_accessor_comes_by_entry_point(child_environment):
 
 def test_the_accessor_gives_what_the_functions_give(ball):
     mesh = ws.as_mesh(ball)
-    cloud = ball.warpsample.sample_directions(12, "uniform_sphere", points=30, scale=0.5, seed=4, sequence="r2", pdf=True)
-    points = ws.sample_surface(mesh, 30, 4)
-    assert cloud == ws.sample_directions(points, 12, "uniform_sphere", "r2", 4, pdf=True).to_polydata(points, 0.5)
+    cloud = ball.warpsample.sample_directions(
+        12, distribution="uniform_sphere", points=30, scale=0.5, seed=4, sequence="r2", pdf=True
+    )
+    points = ws.sample_surface(mesh, 30, seed=4)
+    assert cloud == ws.sample_directions(
+        points, 12, distribution="uniform_sphere", sequence="r2", seed=4, pdf=True
+    ).to_polydata(points, 0.5)
     shaded = ball.warpsample.ambient_occlusion(32, seed=2)
     right = ws.ambient_occlusion(mesh, ws.vertex_points(mesh), 32, seed=2)
     assert np.array_equal(shaded["ambient_occlusion"], right.value)
@@ -112,7 +116,7 @@ def test_a_cloud_in_a_file(call, cube, tmp_path, suffix):
     status, out, err = call("directions", cube, "-o", output, "--points", 9, "--samples", 5, "--seed", 2)
     assert (status, err, out) == (0, "", f"{output}: 45 directions at 9 points\n")
     mesh = ws.load_mesh(cube)
-    points = ws.sample_surface(mesh, 9, 2)
+    points = ws.sample_surface(mesh, 9, seed=2)
     w = ws.sample_directions(points, 5, seed=2).vectors
     found = pv.read(output)
     scale = export.CLOUD_SCALE * np.sqrt(3.0)

@@ -117,11 +117,12 @@ def test_bad_own_points_are_named(arguments, message):
         ((CUBE, 0), ValueError, "count: got 0, want a whole number from 1"),
         ((CUBE, 2**31), ValueError, "count: got 2147483648"),
         ((CUBE, 1.0), TypeError, "count: got 1.0"),
-        ((CUBE, 1, -1), ValueError, "seed: got -1"),
+        ((CUBE, 1, {"seed": -1}), ValueError, "seed: got -1"),
         (("cube", 1), TypeError, "mesh: got .cube., want a mesh"),
         (((np.zeros((3, 3)), [(0, 1, 2)]), 1), ValueError, "mesh: got a mesh whose faces have no area"),
     ],
 )
 def test_bad_arguments_are_named(arguments, error, message):
+    mesh, count, *options = arguments
     with pytest.raises(error, match="^" + message):
-        ws.sample_surface(*arguments)
+        ws.sample_surface(mesh, count, **dict(*options))

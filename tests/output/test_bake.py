@@ -91,7 +91,7 @@ def test_sky_at_points_and_light(call, torus, tmp_path):
     assert "without weight" in out
     found = read(output)
     mesh = ws.load_mesh(torus)
-    right = ws.sky_view_factor(mesh, ws.sample_surface(mesh, 100), 64, (1, 0, 0))
+    right = ws.sky_view_factor(mesh, ws.sample_surface(mesh, 100), 64, up=(1, 0, 0))
     assert np.array_equal(found["value"], right.value)
     assert np.array_equal(found["below_horizon"], right.below_horizon)
     assert json.loads(str(found["run"]))["quantity"] == "sky"

@@ -39,7 +39,15 @@ def test_irradiation_of_faces(call, athens, yard, tmp_path, monkeypatch):
     status, out, err = call("bake", "courtyard", "-o", output, "--quantity", "irradiation", *given, *where)
     assert (status, err) == (0, "")
     right = ws.irradiation(
-        yard, ws.face_centers(yard), athens, 0.5, ("06-21", "06-22"), "tregenza", 64, north=(1, 1, 0), seed=2
+        yard,
+        ws.face_centers(yard),
+        athens,
+        ground_albedo=0.5,
+        period=("06-21", "06-22"),
+        patches="tregenza",
+        count=64,
+        north=(1, 1, 0),
+        seed=2,
     )
     found = pv.read(output).cell_data
     for name in ("value", "standard_error", "direct", "diffuse", "ground", "rays", "status"):
@@ -113,7 +121,7 @@ def test_points_without_a_normal_have_no_sun_hours(call, athens, tmp_path):
 def test_a_sky_matrix_with_its_directions_and_for_radiance(call, yard, tmp_path, monkeypatch):
     monkeypatch.setattr(bake, "RAYS_PER_PART", 64 * 10)  # several parts
     given = ["--quantity", "sky-matrix", "--points", 25, "--samples", 64, "--patches", "reinhart2", "--seed", 3]
-    right = sky_matrix(yard, ws.sample_surface(yard, 25, 3), 64, "reinhart2", seed=3)
+    right = sky_matrix(yard, ws.sample_surface(yard, 25, seed=3), 64, patches="reinhart2", seed=3)
     for name in ("sky.npz", "sky.mtx"):
         status, out, err = call("bake", "courtyard", "-o", tmp_path / name, *given)
         assert (status, err) == (0, "")

@@ -19,7 +19,7 @@ COSINE = ws.CosineHemisphere()
 
 def judged(distribution, claim, draws=60_000, seed=5):
     """The two histograms of independent local directions of one distribution held against another."""
-    u = ws.sample_square("independent", 1, draws, seed)[0]
+    u = ws.sample_square("independent", 1, draws, seed=seed)[0]
     return clouds.histograms(distribution.sample(u), lobes.lobe_of(claim), independent=True)
 
 

@@ -88,7 +88,7 @@ def test_cut_patches_in_the_open_are_exact(patches):
     sides = np.radians(6.0 + 12.0 * np.arange(60)) + rng.uniform(-0.016, 0.016, 60)
     level = np.stack([np.cos(sides), -np.sin(sides), rng.uniform(-2e-3, 2e-3, 60)], axis=1)
     normals = np.concatenate([rng.normal(size=(60, 3)), level]).astype(np.float32)
-    found = ws.sky_matrix(FAR, at(np.zeros((120, 3)), normals), 64, patches)
+    found = ws.sky_matrix(FAR, at(np.zeros((120, 3)), normals), 64, patches=patches)
     units = np.array([unit(n) for n in normals])
     exact = by_altitude(units, {"tregenza": 1, "reinhart2": 2}[patches])
     assert np.abs(found.value - exact).max() <= 3e-7
@@ -104,7 +104,7 @@ def test_rows_of_tilted_points_sum_to_the_sky_view_factor(bunny, name):
     for first, last in ((-0.9, -0.1), (0.1, 0.6)):
         chosen = (tilt > first) & (tilt < last)
         some = ws.SurfacePoints(points.position[chosen], points.normal[chosen], points.face[chosen])
-        view = ws.sky_view_factor(mesh, some, 2**15, up)
+        view = ws.sky_view_factor(mesh, some, 2**15, up=up)
         apart = []
         for count in (256, 4096):
             found = ws.sky_matrix(mesh, some, count, up=up)

@@ -150,13 +150,13 @@ def test_sums_are_those_of_the_array(bunny, points, disc):
     seen = ws.direct_sun(bunny, some, suns, disc=disc).astype(np.float64)
     cosine = np.maximum(0.0, unit(some.normal) @ unit(suns).T)
     for weights in (rng.uniform(0, 900, len(suns)), rng.normal(size=(len(suns), 7)), np.ones((len(suns), 1), np.int64)):
-        plain, tilted = (ws.direct_sun(bunny, some, suns, weights, disc, cosine=c) for c in (False, True))
+        plain, tilted = (ws.direct_sun(bunny, some, suns, weights=weights, disc=disc, cosine=c) for c in (False, True))
         assert plain.dtype == tilted.dtype == np.float64
         assert plain.shape == tilted.shape == (80, *weights.shape[1:])
         scale = np.abs(weights).sum()
         assert np.abs(plain - seen @ weights).max() <= 1e-13 * scale
         assert np.abs(tilted - (seen * cosine) @ weights).max() <= 3e-7 * scale
-        again = ws.direct_sun(bunny, some, suns, weights, disc, skip=False, cosine=True)
+        again = ws.direct_sun(bunny, some, suns, weights=weights, disc=disc, skip=False, cosine=True)
         assert np.array_equal(again, tilted)
 
 
@@ -164,7 +164,7 @@ def test_irradiation_is_at_most_what_comes_in():
     mesh = scenes.city(8)
     points, suns = ws.sample_surface(mesh, 300, seed=2), year(20)
     direct = np.random.default_rng(0).uniform(0, 900, len(suns))
-    received = ws.direct_sun(mesh, points, suns, direct, cosine=True)
+    received = ws.direct_sun(mesh, points, suns, weights=direct, cosine=True)
     open_sky = np.maximum(0.0, unit(points.normal) @ unit(suns).T) @ direct
     assert (received >= 0.0).all()
     assert (received <= open_sky * (1.0 + 1e-6) + 1e-9).all()
@@ -181,15 +181,15 @@ def test_parts_threads_masks_and_order_change_no_bit(bunny, monkeypatch, disc):
     points, suns = ws.sample_surface(bunny, 4200, seed=1), year(40)
     weights = np.random.default_rng(0).uniform(size=(len(suns), 2))
     options = {"disc": disc, "seed": 5}
-    right, total = (ws.direct_sun(bunny, points, suns, w, first_point=2**40, **options) for w in (None, weights))
+    right, total = (ws.direct_sun(bunny, points, suns, weights=w, first_point=2**40, **options) for w in (None, weights))
     monkeypatch.setattr("warpsample.host.engine.LEAST_WORK", 1)
     monkeypatch.setattr("warpsample.tracing.order.MANY_FACES", 1)
     for w, whole in ((None, right), (weights, total)):
-        assert np.array_equal(ws.direct_sun(bunny, points, suns, w, first_point=2**40, workers=3, **options), whole)
+        assert np.array_equal(ws.direct_sun(bunny, points, suns, weights=w, first_point=2**40, workers=3, **options), whole)
         half = ws.SurfacePoints(points.position[300:], points.normal[300:], points.face[300:])
-        assert np.array_equal(ws.direct_sun(bunny, half, suns, w, first_point=2**40 + 300, **options), whole[300:])
+        assert np.array_equal(ws.direct_sun(bunny, half, suns, weights=w, first_point=2**40 + 300, **options), whole[300:])
         active = np.arange(4200) % 3 == 0
-        masked = ws.direct_sun(bunny, points, suns, w, first_point=2**40, active=active, **options)
+        masked = ws.direct_sun(bunny, points, suns, weights=w, first_point=2**40, active=active, **options)
         assert np.array_equal(masked, np.where(active[:, None], whole, 0))
 
 

@@ -48,7 +48,7 @@ def test_an_open_horizontal_plane_receives_what_the_file_says(athens, grey):
 def test_an_open_slope_receives_its_share_of_sun_sky_and_ground(athens):
     weather = read_weather(athens, DAY)
     sun, radiation = suns(weather)
-    found = ws.irradiation(BEHIND, points(TILTS), athens, 0.3, DAY, "tregenza")
+    found = ws.irradiation(BEHIND, points(TILTS), athens, ground_albedo=0.3, period=DAY, patches="tregenza")
     direct = (radiation[:, None] * np.maximum(sun @ TILTS.T, 0.0)).sum(axis=0) / 1000.0
     np.testing.assert_allclose(found.direct, direct, rtol=2e-6, atol=1e-6)
     horizontal = (radiation * sun[:, 2] + weather.diffuse_horizontal).sum() / 1000.0
@@ -125,10 +125,23 @@ def test_the_sun_comes_from_the_east_and_goes_by_the_south(athens):
         for side, dark, lit in ((0, range(6, 10), range(14, 18)), (np.pi, range(15, 19), range(6, 11))):
             wall = np.array([[np.cos(side), y, z] for y, z in ((-99, -1), (99, -1), (99, 99), (-99, 99))]) @ axes
             mesh = ws.as_mesh((wall, np.array([[0, 1, 2], [0, 2, 3]])))
-            found = ws.irradiation(mesh, points(axes[2:], 0.0), athens, 0.0, DAY, "tregenza", 64, up, north, series=True)
+            found = ws.irradiation(
+                mesh,
+                points(axes[2:], 0.0),
+                athens,
+                ground_albedo=0.0,
+                period=DAY,
+                patches="tregenza",
+                count=64,
+                up=up,
+                north=north,
+                series=True,
+            )
             assert not found.direct[0, dark].any()
             assert found.direct[0, lit].all()
-    south = ws.irradiation(BEHIND, points([(0, -1, 0), (0, 1, 0)]), athens, 0.0, ("12-21", "12-21"), series=True).direct
+    south = ws.irradiation(
+        BEHIND, points([(0, -1, 0), (0, 1, 0)]), athens, ground_albedo=0.0, period=("12-21", "12-21"), series=True
+    ).direct
     assert south[0, 8:16].min() > 0.0
     assert not south[1].any()
 
@@ -184,9 +197,9 @@ def test_the_ground_beyond_the_mesh_has_rays_of_its_own(athens):
     """A wall that looks down past a floor of half of its view sees half of the ground; a floor below sees none."""
     floor = (np.array([[-500.0, 0, -1], [0, 0, -1], [0, 500, -1], [-500, 500, -1]]), np.array([[0, 1, 2], [0, 2, 3]]))
     where = points([(0, 1, 0), (0, 1, 0), (0, 0, 1)], 0.0)
-    found = ws.irradiation(floor, where, athens, 1.0, DAY, "tregenza", 1024)
+    found = ws.irradiation(floor, where, athens, ground_albedo=1.0, period=DAY, patches="tregenza", count=1024)
     light = light_of(athens, DAY, 1.0, "tregenza", (0, 0, 1), (0, 1, 0))
     np.testing.assert_allclose(found.ground[:2], light.ground.sum() / 4000.0, rtol=0.01)
     assert found.ground[2] == 0.0
     assert (found.standard_error[:2] > 0.0).all()
-    assert not ws.irradiation(floor, where, athens, 0.0, DAY, "tregenza", 64).ground.any()
+    assert not ws.irradiation(floor, where, athens, ground_albedo=0.0, period=DAY, patches="tregenza", count=64).ground.any()

@@ -49,7 +49,7 @@ def test_rcontrib_agrees_patch_by_patch(scene, patches, multiple, tmp_path):
     mesh = ws.Mesh(100.0 / size * mesh.vertices, mesh.faces)  # sensors are lifted by 1e-4
     points = ws.sample_surface(mesh, 24, seed=5)
     runs = rcontrib(tmp_path, mesh, points, multiple)
-    found = ws.sky_matrix(mesh, points, 16384, patches)
+    found = ws.sky_matrix(mesh, points, 16384, patches=patches)
     bars = np.var(runs, axis=0, ddof=1) / RUNS + np.square(found.standard_error.astype(np.float64))
     error = found.value - runs.mean(axis=0)
     known = bars > 0.0

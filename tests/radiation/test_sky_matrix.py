@@ -49,7 +49,7 @@ def test_wrong_patches_would_be_seen(tested):
 @pytest.mark.parametrize("name", ["reinhart2", "reinhart4"])
 def test_finer_patches_of_open_planes(name):
     multiple = {"reinhart2": 2, "reinhart4": 4}[name]
-    found = ws.sky_matrix(FAR, at(np.zeros((4, 3)), TILTS[3:7]), 64, name)
+    found = ws.sky_matrix(FAR, at(np.zeros((4, 3)), TILTS[3:7]), 64, patches=name)
     assert np.abs(found.value - shares(TILTS[3:7], multiple=multiple, cells=60)).max() <= 1e-6
     assert found.rays.sum() == 0
 
@@ -90,9 +90,9 @@ def test_rows_sum_to_the_sky_view_factor(bunny, name):
     mesh = bunny if name == "bunny" else scenes.city(8)
     points = ws.sample_surface(mesh, 400, seed=3)
     up = (0.2, -0.1, 1.0)
-    view = ws.sky_view_factor(mesh, points, 16384, up)
+    view = ws.sky_view_factor(mesh, points, 16384, up=up)
     for patches, count in (("tregenza", 64), ("tregenza", 1024), ("reinhart2", 512)):
-        found = ws.sky_matrix(mesh, points, count, patches, up, (1, 1, 0))
+        found = ws.sky_matrix(mesh, points, count, patches=patches, up=up, north=(1, 1, 0))
         sums = found.value.sum(axis=1, dtype=np.float64)
         bars = np.square(found.standard_error.astype(np.float64)).sum(axis=1) + np.square(
             view.standard_error, dtype=np.float64
@@ -109,8 +109,8 @@ def test_skipping_threads_parts_and_masks_change_no_bit(bunny, monkeypatch):
         points = ws.sample_surface(mesh, 150, seed=3)
         for count, patches in ((40, "tregenza"), (1024, "reinhart2")):
             options = {"up": (0.1, 0.2, 1.0), "north": (1.0, 1.0, 0.0), "seed": 5}
-            right = ws.sky_matrix(mesh, points, count, patches, **options)
-            plain = ws.sky_matrix(mesh, points, count, patches, **options, skip=False)
+            right = ws.sky_matrix(mesh, points, count, patches=patches, **options)
+            plain = ws.sky_matrix(mesh, points, count, patches=patches, **options, skip=False)
             assert same(right, plain)
             assert (plain.rays >= right.rays).all()
             assert plain.skipped.open_patches == plain.skipped.closed_patches == 0
@@ -166,7 +166,7 @@ def test_error_bars_are_honest(bunny):
     for mesh in (bunny, scenes.city(8)):
         points = ws.sample_surface(mesh, 200, seed=9)
         for count, patches in ((128, "tregenza"), (1024, "tregenza")):
-            runs = [ws.sky_matrix(mesh, points, count, patches, seed=s) for s in range(24)]
+            runs = [ws.sky_matrix(mesh, points, count, patches=patches, seed=s) for s in range(24)]
             between = np.var([run.value.astype(np.float64) for run in runs], axis=0, ddof=1).mean()
             told = np.mean([np.square(run.standard_error.astype(np.float64)).mean() for run in runs])
             assert 0.9 * between <= told <= 1.1 * between

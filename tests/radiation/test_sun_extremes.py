@@ -70,7 +70,7 @@ def test_points_without_a_normal_or_a_place_are_dark(bunny, points):
         got = ws.direct_sun(bunny, broken, suns, disc=disc)
         assert not got[1:5].any()
         assert got[[0, 5]].any(axis=1).all()
-    assert np.array_equal(ws.direct_sun(bunny, broken, suns, np.ones(len(suns)))[1:5], np.zeros(4))
+    assert np.array_equal(ws.direct_sun(bunny, broken, suns, weights=np.ones(len(suns)))[1:5], np.zeros(4))
 
 
 def test_no_points(bunny):
@@ -78,8 +78,8 @@ def test_no_points(bunny):
     suns = np.eye(3)
     assert ws.direct_sun(bunny, none, suns).shape == (0, 3)
     assert ws.direct_sun(bunny, none, suns, disc=1.0).dtype == np.float32
-    assert ws.direct_sun(bunny, none, suns, np.ones(3)).shape == (0,)
-    assert ws.direct_sun(bunny, none, suns, np.ones((3, 2))).shape == (0, 2)
+    assert ws.direct_sun(bunny, none, suns, weights=np.ones(3)).shape == (0,)
+    assert ws.direct_sun(bunny, none, suns, weights=np.ones((3, 2))).shape == (0, 2)
 
 
 # Bad input

@@ -47,13 +47,15 @@ ACTIVE = np.arange(300) % 3 > 0
 ESTIMATES = {
     "occlusion": lambda mesh, at, **o: ws.ambient_occlusion(mesh, at, 64, active=ACTIVE, first_point=2**33, **o),
     "tolerance": lambda mesh, at, **o: ws.ambient_occlusion(mesh, at, 256, tolerance=0.05, **o),
-    "data": lambda _, at, **o: ws.integrate(at, weighed, 64, data_of(300), first_point=1000, **o),
+    "data": lambda _, at, **o: ws.integrate(at, weighed, 64, data=data_of(300), first_point=1000, **o),
     "falloff": lambda mesh, at, **o: ws.ambient_occlusion(mesh, at, 32, max_distance=0.5, falloff=1.5, **o),
     "sky": lambda mesh, at, **o: ws.sky_view_factor(mesh, at, 64, up=(0, 1, 0), **o),
     "bent": lambda mesh, at, **o: ws.bent_normals(mesh, at, 64, **o),
     "picture": lambda mesh, at, **o: ws.irradiance(mesh, at, PICTURE, 64, **o),
     "function": lambda mesh, at, **o: ws.irradiance(mesh, at, blue, 64, **o),
-    "glossy": lambda mesh, at, **o: ws.integrate(at, weighed, 64, data_of(300), ws.GGX(0.3), mesh, first_point=1000, **o),
+    "glossy": lambda mesh, at, **o: ws.integrate(
+        at, weighed, 64, data=data_of(300), distribution=ws.GGX(0.3), mesh=mesh, first_point=1000, **o
+    ),
 }
 
 CALLS = {

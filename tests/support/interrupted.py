@@ -63,7 +63,7 @@ CALLS = {
 
 def cold(kind, sequence):
     """Directions by a kernel that no other call has."""
-    return ws.sample_directions(np.eye(3), 20, kind.cases()[0], sequence=sequence).vectors
+    return ws.sample_directions(np.eye(3), 20, distribution=kind.cases()[0], sequence=sequence).vectors
 
 
 def write_cold(path):

@@ -28,7 +28,7 @@ def answers(mesh, first=0, last=None):
     centers = ws.face_centers(mesh)
     rows = slice(first, last)
     points = ws.SurfacePoints(centers.position[rows], centers.normal[rows], centers.face[rows])
-    directions = ws.sample_directions(points, 16, "beckmann(alpha=0.5)", first_point=first, pdf=True)
+    directions = ws.sample_directions(points, 16, distribution="beckmann(alpha=0.5)", first_point=first, pdf=True)
     hits = ws.trace(mesh, points, directions.vectors)
     occlusion = ws.ambient_occlusion(mesh, points, 64, first_point=first)
     blocked = ws.trace(mesh, points.position, points.normal, any_hit=True, tracer="warp").face >= 0
@@ -177,7 +177,9 @@ def stress(seconds=60.0, threads=16):
         "refit": lambda k: answers(ws.refit(shared[k], moved[k])),
         "surface": lambda k: (ws.sample_surface(torus(k), 1000, seed=k).position,),
         "sky": lambda k: (ws.sky_view_factor(shared[k], ws.vertex_points(shared[k]), 40).value,),
-        "cold": lambda k: (ws.sample_directions(np.eye(3), 20, KINDS[k].cases()[0], sequence=SEQUENCES[k]).vectors,),
+        "cold": lambda k: (
+            ws.sample_directions(np.eye(3), 20, distribution=KINDS[k].cases()[0], sequence=SEQUENCES[k]).vectors,
+        ),
     }
 
     def work(thread):

@@ -59,7 +59,9 @@ def test_a_triangle(tracer, any_hit):
 @queries
 def test_only_what_is_nearer_than_max_distance(tracer, any_hit):
     for limit, expected in ((3.01, 0), (2.99, -1), (0.0, -1), (0, -1), (np.inf, 0), (None, 0)):
-        assert ws.trace(TRIANGLE, [0.5, 0.5, 3.0], [[0, 0, -7.0]], limit, any_hit, tracer).face == [expected]
+        assert ws.trace(
+            TRIANGLE, [0.5, 0.5, 3.0], [[0, 0, -7.0]], max_distance=limit, any_hit=any_hit, tracer=tracer
+        ).face == [expected]
 
 
 @queries
@@ -70,9 +72,9 @@ def test_max_distance_is_kept_to_the_last_bit(any_hit):
     assert np.isfinite(distances).sum() >= 30
     for o, d, distance in zip(origins, directions, distances, strict=True):
         if np.isfinite(distance):
-            assert ws.trace(SPHERE, o, d[None], float(distance), any_hit=any_hit).face[0] == -1
+            assert ws.trace(SPHERE, o, d[None], max_distance=float(distance), any_hit=any_hit).face[0] == -1
             next_one = float(np.nextafter(distance, np.float32(np.inf)))
-            assert ws.trace(SPHERE, o, d[None], next_one, any_hit=any_hit).face[0] >= 0
+            assert ws.trace(SPHERE, o, d[None], max_distance=next_one, any_hit=any_hit).face[0] >= 0
 
 
 @queries

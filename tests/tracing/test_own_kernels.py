@@ -73,7 +73,7 @@ def test_answers_are_those_of_trace(mesh, origins, directions, limit):
     directions = directions.astype(np.float32)
     distance, face, met = asked(ws.tree(mesh), origins, directions, limit)
     for any_hit in (False, True):
-        hits = ws.trace(mesh, origins, directions, None if limit == np.inf else limit, any_hit=any_hit)
+        hits = ws.trace(mesh, origins, directions, max_distance=None if limit == np.inf else limit, any_hit=any_hit)
         assert np.array_equal(met == 1, hits.face >= 0)
         if not any_hit:
             assert np.array_equal(face, hits.face)

@@ -99,7 +99,7 @@ def ray_set(mesh: Mesh, kind: str, count: int) -> tuple[np.ndarray, np.ndarray]:
     if kind == "random":
         origins = np.random.default_rng(SEED).uniform(lower, upper, (count, 3)).astype(np.float32)
         up = np.broadcast_to(np.float32([0.0, 0.0, 1.0]), (count, 3))
-        return origins, sample_directions(up, 1, UniformSphere(), sequence="independent").vectors[:, 0]
+        return origins, sample_directions(up, 1, distribution=UniformSphere(), sequence="independent").vectors[:, 0]
     points = sample_surface(mesh, count // PER_POINT)
     order = np.argsort(points.face, kind="stable")
     side = 1.0 if kind == "outward" else -1.0

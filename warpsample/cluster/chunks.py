@@ -54,7 +54,7 @@ def points_in(call: Call, start: int, stop: int, shared: list[Any], given: list[
         return SurfacePoints(*given) if given else None
     mesh = shared[0]
     if call.place == "area":
-        return sample_surface(mesh, stop - start, call.seed, call.first_point + start, workers=1)
+        return sample_surface(mesh, stop - start, seed=call.seed, first_point=call.first_point + start, workers=1)
     rows = slice(start, stop)
     if call.place == "vertices":
         return SurfacePoints(mesh.vertices[rows].copy(), mesh.vertex_normals[rows].copy())

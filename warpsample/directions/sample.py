@@ -113,6 +113,7 @@ class Directions:
 def sample_directions(
     normals: Any,
     count: int,
+    *,
     distribution: Distribution | str = CosineHemisphere(),  # noqa: B008  (frozen)
     sequence: str = "sobol",
     seed: int = 0,
@@ -187,7 +188,7 @@ def sample_directions(
     return Directions(vectors.owner, densities and densities.owner, status)
 
 
-def sample_square(sequence: str, points: int, count: int, seed: int = 0, first_point: int = 0) -> np.ndarray:
+def sample_square(sequence: str, points: int, count: int, *, seed: int = 0, first_point: int = 0) -> np.ndarray:
     """The points of the square that `sample_directions` maps to directions.
 
     Args:

@@ -21,6 +21,7 @@ def integrate(
     points: Any,
     integrand: Any,
     count: int = 256,
+    *,
     data: Any = None,
     distribution: Distribution | str = CosineHemisphere(),  # noqa: B008  (frozen)
     mesh: Any = None,

@@ -25,6 +25,7 @@ def irradiance(
     points: SurfacePoints,
     radiance: Any,
     count: int = 256,
+    *,
     up: Any = (0.0, 0.0, 1.0),
     sequence: str = "fibonacci",
     seed: int = 0,

@@ -89,6 +89,7 @@ class SurfacePoints:
 def sample_surface(
     mesh: Any,
     count: int,
+    *,
     seed: int = 0,
     first_point: int = 0,
     barycentric: bool = False,

@@ -113,7 +113,9 @@ def _write_cloud(file: BinaryIO, scale: float, points: SurfacePoints, run: Run, 
     check_memory(
         size, f"the {len(points) * run.samples:,} directions of the cloud", "take fewer, or write .npz, which is streamed"
     )
-    found = sample_directions(points, run.samples, run.distribution, run.sequence, run.seed, workers=workers)
+    found = sample_directions(
+        points, run.samples, distribution=run.distribution, sequence=run.sequence, seed=run.seed, workers=workers
+    )
     rows = np.flatnonzero(found.status == 0)
     ways = (found.vectors if len(rows) == len(points) else found.vectors[rows]).reshape(-1, 3)
     position = Lazy(
@@ -154,7 +156,13 @@ def _parts(points: SurfacePoints, run: Run, workers: int | None) -> Iterator[tup
             yield (
                 start,
                 sample_directions(
-                    normals, run.samples, run.distribution, run.sequence, run.seed, first_point=start, workers=workers
+                    normals,
+                    run.samples,
+                    distribution=run.distribution,
+                    sequence=run.sequence,
+                    seed=run.seed,
+                    first_point=start,
+                    workers=workers,
                 ),
             )
             progress.advance(task, len(normals))

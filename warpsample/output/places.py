@@ -25,4 +25,4 @@ def check_places(points: int | None, at: str | None) -> None:
 
 def points_on(mesh: Mesh, points: int | None, at: str | None, seed: int) -> SurfacePoints:
     """The points of checked options: uniform by area if their number is given, else at the vertices or what is named."""
-    return PLACES[at or "vertices"](mesh) if points is None else sample_surface(mesh, points, seed)
+    return PLACES[at or "vertices"](mesh) if points is None else sample_surface(mesh, points, seed=seed)

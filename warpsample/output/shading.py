@@ -110,5 +110,5 @@ def _groups(path: Path, mesh: Mesh) -> tuple[list[str], np.ndarray]:
 
 def _points_of(mesh: Mesh, faces: np.ndarray, count: int, seed: int, first_point: int) -> SurfacePoints:
     """Points on some faces, uniform by area; other groups of faces have other ids, so independent points."""
-    points = sample_surface(Mesh(mesh.vertices, mesh.faces[faces]), count, seed, first_point)
+    points = sample_surface(Mesh(mesh.vertices, mesh.faces[faces]), count, seed=seed, first_point=first_point)
     return SurfacePoints(points.position, points.normal, faces[points.face].astype(np.int32))

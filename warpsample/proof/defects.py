@@ -132,7 +132,7 @@ def _one_stream_for_all_seeds(points: int, count: int, seed: int) -> np.ndarray:
 
 
 def _second_is_the_next_first(points: int, count: int, seed: int) -> np.ndarray:
-    u = sample_square("independent", points + 1, count, seed)
+    u = sample_square("independent", points + 1, count, seed=seed)
     return np.stack([u[:-1, :, 0], u[1:, :, 0]], axis=-1)
 
 

@@ -19,7 +19,7 @@ _ROWS = 40
 
 def independent(points: int, count: int, seed: int) -> np.ndarray:
     """(points, count, 2) float32 variates of the sequence that the statistics assume."""
-    return sample_square("independent", points, count, seed)
+    return sample_square("independent", points, count, seed=seed)
 
 
 @dataclass(frozen=True)

@@ -69,7 +69,7 @@ def judge_sequence(name: str, points: int = 1_000_000) -> list[Verdict]:
 
     def variates(points: int, samples: int, seed: int) -> np.ndarray:
         """The points of the sequence."""
-        return sample_square(name, points, samples, seed)
+        return sample_square(name, points, samples, seed=seed)
 
     frozen = Verdict("frozen stream", name, float(digest(name) != frozen_digest(name)), 0.0, False, digest(name))
     return [*judge_stream(name, variates, points, sequences.get(name).random), frozen]

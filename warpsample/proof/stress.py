@@ -59,7 +59,7 @@ def exact_directions(distribution: Distribution, normals: np.ndarray, u: np.ndar
 def judge_normals(distribution: Distribution) -> list[Verdict]:
     """Unit length, angle and density of directions about hostile normals."""
     normals = hostile_normals()
-    got = sample_directions(normals, _SAMPLES, distribution, "independent", pdf=True)
+    got = sample_directions(normals, _SAMPLES, distribution=distribution, sequence="independent", pdf=True)
     u = sample_square("independent", len(normals), _SAMPLES)
     w = got.vectors.astype(np.float64)
     kept = np.ones(w.shape[:2], bool)

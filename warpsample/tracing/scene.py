@@ -131,7 +131,7 @@ def coarseness_of(scene: Scene, double: bool) -> float:
     return 2.0 * float(np.spacing((np.float64 if double else np.float32)(largest))) * scene.scale
 
 
-def refit(mesh: Any, vertices: Any, workers: int | None = None) -> Mesh:
+def refit(mesh: Any, vertices: Any, *, workers: int | None = None) -> Mesh:
     """The mesh with its vertices moved, ready to be traced: several times as fast as building its tree anew.
 
     Rays get the same answers as from a new tree, but for which of several faces at one distance is named. They get them more

@@ -53,6 +53,7 @@ def trace(
     mesh: Any,
     origins: Any,
     directions: Any,
+    *,
     max_distance: float | None = None,
     any_hit: bool = False,
     tracer: str = "auto",

@@ -39,6 +39,7 @@ class WarpsampleAccessor:
     def sample_directions(
         self,
         count: int,
+        *,
         distribution: Distribution | str = CosineHemisphere(),  # noqa: B008  (frozen)
         points: int | None = None,
         scale: float | None = None,
@@ -72,8 +73,8 @@ class WarpsampleAccessor:
         if points is None:
             at = vertex_points(self.mesh)
         else:
-            at = sample_surface(self.mesh, check_integer(points, "points", 1, 2**31 - 1), seed)
-        return sample_directions(at, count, distribution, seed=seed, **options).to_polydata(at, length)
+            at = sample_surface(self.mesh, check_integer(points, "points", 1, 2**31 - 1), seed=seed)
+        return sample_directions(at, count, distribution=distribution, seed=seed, **options).to_polydata(at, length)
 
     def _points(self, at: At) -> SurfacePoints:
         at = check_choice(at, "at", get_args(At))

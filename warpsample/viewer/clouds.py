@@ -118,7 +118,13 @@ def _directions(choice: Choice, points: SurfacePoints, first: int) -> tuple[np.n
     """Directions (P, n, 3) in the world, the same in the tangent frames, and (P, n) claimed densities."""
     own = choice.claim == choice.distribution
     found = sample_directions(
-        points.normal, choice.samples, choice.distribution, choice.sequence, choice.seed, first_point=first, pdf=own
+        points.normal,
+        choice.samples,
+        distribution=choice.distribution,
+        sequence=choice.sequence,
+        seed=choice.seed,
+        first_point=first,
+        pdf=own,
     )
     unit = points.normal / np.linalg.norm(points.normal, axis=1, keepdims=True)
     local = np.matmul(found.vectors, frames(unit.astype(np.float64)).astype(np.float32))

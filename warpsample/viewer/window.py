@@ -78,7 +78,7 @@ class Viewer:
         self._asked, self._normals, self._kinds = points, mesh.face_normals, set()
         self._middle = 0.5 * (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0))
         self.scale, self.vertices = LENGTH * mesh.diagonal, mesh.vertices - self._middle
-        at = sample_surface(mesh, budgeted(points, 1)[0], choice.seed)
+        at = sample_surface(mesh, budgeted(points, 1)[0], seed=choice.seed)
         self.points = replace(at, position=at.position - self._middle)
         self.plotter = pv.Plotter(
             shape=(2, 3),

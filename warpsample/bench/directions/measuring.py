@@ -131,7 +131,7 @@ def worst_errors(case: Distribution) -> dict[str, float]:
     if case.width == 2:
         return {name: local[name] for name in ("length", "angle", "pdf") if name in local}
     normals = np.random.default_rng(1).normal(size=(_ERROR_POINTS, 3)).astype(np.float32)
-    got = sample_directions(normals, SAMPLES, case, "independent", pdf=True)
+    got = sample_directions(normals, SAMPLES, distribution=case, sequence="independent", pdf=True)
     w = got.vectors.astype(np.float64)
     exact, in_frame = exact_directions(case, normals, sample_square("independent", len(normals), SAMPLES))
     # Where the offset method draws its rim anew, by another hash, it has no twin.
@@ -181,6 +181,8 @@ def _work(
     normals: np.ndarray, out: np.ndarray, case: Distribution, sequence: str, workers: int, pdf: bool
 ) -> Callable[[], object]:
     if sequence != GIVEN:
-        return partial(sample_directions, normals, out.shape[1], case, sequence, pdf=pdf, out=out, workers=workers)
+        return partial(
+            sample_directions, normals, out.shape[1], distribution=case, sequence=sequence, pdf=pdf, out=out, workers=workers
+        )
     u = sample_square("independent", *out.shape[:2])
     return partial(case.sample, wp.array(u, dtype=wp.vec2, device="cpu", copy=False))

@@ -139,6 +139,7 @@ class ViewFactors:
 def view_factors(
     mesh: Any,
     count: int = 4096,
+    *,
     groups: Any = None,
     reciprocal: bool = False,
     replicates: int = 4,

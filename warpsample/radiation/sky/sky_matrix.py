@@ -33,6 +33,7 @@ def sky_matrix(
     mesh: Any,
     points: SurfacePoints,
     count: int = 1024,
+    *,
     patches: str = "tregenza",
     up: Any = (0.0, 0.0, 1.0),
     north: Any = (0.0, 1.0, 0.0),

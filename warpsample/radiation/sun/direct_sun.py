@@ -124,6 +124,7 @@ def direct_sun(
     mesh: Any,
     points: SurfacePoints,
     directions: Any,
+    *,
     weights: Any = None,
     disc: float = 0.0,
     seed: int = 0,

@@ -52,6 +52,7 @@ def irradiation(
     mesh: Any,
     points: SurfacePoints,
     weather: Any,
+    *,
     ground_albedo: float = 0.2,
     period: Sequence[str] | None = None,
     patches: str = "reinhart2",
@@ -173,7 +174,9 @@ def _keywords(plan: Plan) -> dict[str, Any]:
 def _seen(plan: Plan, patches: SkyPatches, fold: np.ndarray, seed: int) -> Any:
     """What of the lobes sees patches, weighted by `fold`."""
     name, up, north = patches.name, patches.up, patches.north
-    return sky_matrix(plan.mesh, plan.points, plan.count, name, up, north, fold=fold, seed=seed, **_keywords(plan))
+    return sky_matrix(
+        plan.mesh, plan.points, plan.count, patches=name, up=up, north=north, fold=fold, seed=seed, **_keywords(plan)
+    )
 
 
 def _direct(plan: Plan, light: Light, series: bool) -> np.ndarray:
@@ -182,7 +185,7 @@ def _direct(plan: Plan, light: Light, series: bool) -> np.ndarray:
         return np.zeros((len(plan.points), 0) if series else len(plan.points))
     if not series:
         weights = light.direct / 1000.0
-        return direct_sun(plan.mesh, plan.points, light.sun, weights, cosine=True, seed=plan.seed, **_keywords(plan))
+        return direct_sun(plan.mesh, plan.points, light.sun, weights=weights, cosine=True, seed=plan.seed, **_keywords(plan))
     lit = direct_sun(plan.mesh, plan.points, light.sun, seed=plan.seed, **_keywords(plan))
     normal = as_directions(plan.points.normal).astype(np.float64)
     length = np.linalg.norm(normal, axis=1, keepdims=True)
