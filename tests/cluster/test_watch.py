@@ -8,14 +8,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from warpsample.output.baked import Run
+from warpsample.output.baked import BakeRun
 
 pytest.importorskip("dask")
 pytest.importorskip("zarr")
 DONE = import_module("warpsample.cluster.baking").DONE
 runs = import_module("warpsample.cluster.runs")
 
-RUN = Run(Path("courtyard"), Path("out.zarr"), "ao", None, 100, 8, None, (0.0, 0.0, 1.0), {})
+RUN = BakeRun(Path("courtyard"), Path("out.zarr"), "ao", None, 100, {"samples": 8, "up": (0.0, 0.0, 1.0)})
 
 
 class Stream(io.StringIO):
