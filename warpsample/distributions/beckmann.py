@@ -8,9 +8,7 @@ import warp as wp
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.maths.angles import tan_squared, turns_of
 from warpsample.maths.exponentials import exp_double, log1p
-from warpsample.maths.numerics import ONE, clamp_uniform, root, sincos_turns
-
-_INV_PI = wp.constant(wp.float64(0.3183098861837907))
+from warpsample.maths.numerics import INV_PI_DOUBLE, ONE, clamp_uniform, root, sincos_turns
 
 
 @wp.func
@@ -29,7 +27,7 @@ def square_to_beckmann_pdf(w: wp.vec3, alpha: wp.float32) -> wp.float32:
     t = tan_squared(w)
     square = wp.float64(alpha) * wp.float64(alpha)
     secant_squared = ONE + t
-    density = exp_double(-t / square)[1] * secant_squared * wp.sqrt(secant_squared) * _INV_PI / square
+    density = exp_double(-t / square)[1] * secant_squared * wp.sqrt(secant_squared) * INV_PI_DOUBLE / square
     return wp.where(w[2] > 0.0, wp.float32(density), 0.0)
 
 
@@ -57,16 +55,12 @@ class Beckmann(Distribution):
     shown = (0.01, 1.0)
     bounds = (1e-6, 1.0)
     source = "Nori2025, Beckmann; Walter2007, equations 25, 28 and 29"
+    maps = Maps(square_to_beckmann, square_to_beckmann_pdf, beckmann_to_square)
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
         """From a mirror's polish to chalk."""
         return tuple(cls(alpha) for alpha in (1e-6, 1e-3, 0.01, 0.1, 0.5, 1.0))
-
-    @property
-    def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
-        return Maps(square_to_beckmann, square_to_beckmann_pdf, beckmann_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - exp(-tan^2 theta / alpha^2). See `Distribution.cdf`."""

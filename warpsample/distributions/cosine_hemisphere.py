@@ -13,13 +13,11 @@ from warpsample.distributions.uniform_sphere import square_to_uniform_sphere
 from warpsample.host.arguments import check_choice
 from warpsample.maths.angles import turns_of
 from warpsample.maths.frames import frame_about, to_world
-from warpsample.maths.numerics import GRID, clamp_uniform, fma, root, sincos_turns
+from warpsample.maths.numerics import GRID, INV_PI, INV_TWO_PI, clamp_uniform, fma, root, sincos_turns
 from warpsample.sequences.hashing import pcg4d
 
 Method = Literal["polar", "concentric", "inversion", "offset"]
 
-_INV_PI = wp.constant(wp.float32(0.3183098861837907))
-_INV_TWO_PI = wp.constant(wp.float32(0.15915494309189535))
 _GRID_SIZE = wp.constant(wp.float32(GRID))
 _HALF_RIM = wp.constant(wp.float32(2.0**-7))
 _RIM_PDF = 2.0**-6 * 0.15915494309189535  # abs(n + s) = 2^-6
@@ -40,7 +38,7 @@ def square_to_cosine_hemisphere(u: wp.vec2) -> wp.vec3:
 @wp.func
 def square_to_cosine_hemisphere_pdf(w: wp.vec3) -> wp.float32:
     """cos(theta) / pi per steradian above the surface, else 0. Cranberry2020, equation 5."""
-    return wp.where(w[2] > 0.0, w[2] * _INV_PI, 0.0)
+    return wp.where(w[2] > 0.0, w[2] * INV_PI, 0.0)
 
 
 @wp.func
@@ -100,7 +98,7 @@ def cosine_offset_about(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.ve
     z = n[2] + s[2]
     length = wp.sqrt(fma(x, x, fma(y, y, z * z)))
     inverse = 1.0 / length
-    return wp.vec4(x * inverse, y * inverse, z * inverse, length * _INV_TWO_PI)
+    return wp.vec4(x * inverse, y * inverse, z * inverse, length * INV_TWO_PI)
 
 
 @wp.func
@@ -117,7 +115,7 @@ def cosine_offset_redraw(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.v
     sin_theta = wp.sqrt(1.0 - cos_theta * cos_theta)
     cs = sincos_turns(turns)
     d = to_world(frame_about(n), wp.vec3(sin_theta * cs[0], sin_theta * cs[1], cos_theta))
-    return wp.vec4(d[0], d[1], d[2], cos_theta * _INV_PI)
+    return wp.vec4(d[0], d[1], d[2], cos_theta * INV_PI)
 
 
 _POLAR = Maps(square_to_cosine_hemisphere, square_to_cosine_hemisphere_pdf, cosine_hemisphere_to_square)

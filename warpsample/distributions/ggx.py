@@ -7,9 +7,7 @@ import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.maths.angles import turns_of
-from warpsample.maths.numerics import clamp_uniform, fma, root, sincos_turns
-
-_INV_PI = wp.constant(wp.float32(0.3183098861837907))
+from warpsample.maths.numerics import INV_PI, clamp_uniform, fma, root, sincos_turns
 
 
 @wp.func
@@ -28,7 +26,7 @@ def square_to_ggx_pdf(w: wp.vec3, alpha: wp.float32) -> wp.float32:
     """alpha^2 cos theta / (pi (sin^2 theta + alpha^2 cos^2 theta)^2) per steradian above the surface, else 0."""
     across = fma(w[0], w[0], w[1] * w[1])
     ratio = alpha / fma(alpha * w[2], alpha * w[2], across)
-    return wp.where(w[2] > 0.0, _INV_PI * w[2] * ratio * ratio, 0.0)
+    return wp.where(w[2] > 0.0, INV_PI * w[2] * ratio * ratio, 0.0)
 
 
 @wp.func
@@ -55,16 +53,12 @@ class GGX(Distribution):
     shown = (0.01, 1.0)
     bounds = (1e-6, 1.0)
     source = "Walter2007, equations 33, 35 and 36"
+    maps = Maps(square_to_ggx, square_to_ggx_pdf, ggx_to_square)
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
         """From almost a mirror to the cosine lobe."""
         return tuple(cls(alpha) for alpha in (1e-6, 0.01, 0.3, 1.0))
-
-    @property
-    def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
-        return Maps(square_to_ggx, square_to_ggx_pdf, ggx_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """sin^2 theta / (sin^2 theta + alpha^2 cos^2 theta). See `Distribution.cdf`."""

@@ -7,9 +7,7 @@ import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.maths.angles import turns_of
-from warpsample.maths.numerics import clamp_uniform, root, sincos_turns
-
-_TWO_OVER_PI = wp.constant(wp.float32(0.6366197723675814))
+from warpsample.maths.numerics import TWO_OVER_PI, clamp_uniform, root, sincos_turns
 
 
 @wp.func
@@ -24,7 +22,7 @@ def square_to_offset_ball(u: wp.vec2) -> wp.vec3:
 @wp.func
 def square_to_offset_ball_pdf(w: wp.vec3) -> wp.float32:
     """2 cos^3 theta / pi per steradian above the surface, else 0. Chizhov2019, section 4.1."""
-    return wp.where(w[2] > 0.0, _TWO_OVER_PI * (w[2] * w[2] * w[2]), 0.0)
+    return wp.where(w[2] > 0.0, TWO_OVER_PI * (w[2] * w[2] * w[2]), 0.0)
 
 
 @wp.func
@@ -45,11 +43,7 @@ class OffsetBall(Distribution):
     density = "2cos³θ/π"
     support = "hemisphere"
     source = "Chizhov2019, sections 4.1 and 4.2"
-
-    @property
-    def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
-        return Maps(square_to_offset_ball, square_to_offset_ball_pdf, offset_ball_to_square)
+    maps = Maps(square_to_offset_ball, square_to_offset_ball_pdf, offset_ball_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - cos^4 theta. See `Distribution.cdf`."""

@@ -7,9 +7,7 @@ import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.maths.angles import turns_of
-from warpsample.maths.numerics import clamp_uniform, sincos_turns
-
-_INV_PI = wp.constant(wp.float32(0.3183098861837907))
+from warpsample.maths.numerics import INV_PI, clamp_uniform, sincos_turns
 
 
 @wp.func
@@ -22,7 +20,7 @@ def square_to_offset_circle(u: wp.vec2) -> wp.vec2:
 @wp.func
 def square_to_offset_circle_pdf(w: wp.vec2) -> wp.float32:
     """1 / pi per radian on the half circle above, else 0. Chizhov2019, section 3.3."""
-    return wp.where(w[1] >= 0.0, _INV_PI, 0.0)
+    return wp.where(w[1] >= 0.0, INV_PI, 0.0)
 
 
 @wp.func
@@ -42,11 +40,7 @@ class OffsetCircle(Distribution):
     width = 2
     variates = 1
     source = "Chizhov2019, sections 3.3 and 3.4"
-
-    @property
-    def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
-        return Maps(square_to_offset_circle, square_to_offset_circle_pdf, offset_circle_to_square)
+    maps = Maps(square_to_offset_circle, square_to_offset_circle_pdf, offset_circle_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """Theta / pi + 1/2, where Chizhov2019 prints + 1. See `Distribution.cdf`."""

@@ -6,9 +6,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
-from warpsample.maths.numerics import root, sincos_turns
-
-_TWO_OVER_PI = wp.constant(wp.float32(0.6366197723675814))
+from warpsample.maths.numerics import TWO_OVER_PI, root, sincos_turns
 
 
 @wp.func
@@ -26,7 +24,7 @@ def square_to_offset_disk(u: wp.vec2) -> wp.vec2:
 @wp.func
 def square_to_offset_disk_pdf(w: wp.vec2) -> wp.float32:
     """2 cos^2 theta / pi per radian on the half circle above, else 0. Chizhov2019, section 3.1."""
-    return wp.where(w[1] > 0.0, _TWO_OVER_PI * (w[1] * w[1]), 0.0)
+    return wp.where(w[1] > 0.0, TWO_OVER_PI * (w[1] * w[1]), 0.0)
 
 
 @dataclass(frozen=True)
@@ -40,11 +38,7 @@ class OffsetDisk(Distribution):
     width = 2
     source = "Chizhov2019, sections 3.1 and 3.2"
     limits = "two variates give one angle, so there is no inverse"
-
-    @property
-    def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
-        return Maps(square_to_offset_disk, square_to_offset_disk_pdf)
+    maps = Maps(square_to_offset_disk, square_to_offset_disk_pdf)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """(theta + sin theta cos theta) / pi + 1/2, where Chizhov2019 prints + 1. See `Distribution.cdf`."""

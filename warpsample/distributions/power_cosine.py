@@ -8,9 +8,7 @@ import warp as wp
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.maths.angles import tan_squared, turns_of
 from warpsample.maths.exponentials import exp_double, log1p_double
-from warpsample.maths.numerics import HALF, ONE, clamp_uniform, root_double, sincos_turns
-
-_INV_TWO_PI = wp.constant(wp.float64(0.15915494309189535))
+from warpsample.maths.numerics import HALF, INV_TWO_PI_DOUBLE, ONE, clamp_uniform, root_double, sincos_turns
 
 
 @wp.func
@@ -30,7 +28,7 @@ def square_to_power_cosine_pdf(w: wp.vec3, exponent: wp.float32) -> wp.float32:
     """(exponent + 1) / (2 pi) cos^exponent theta per steradian above the surface, else 0."""
     n = wp.float64(exponent)
     power = exp_double(-HALF * n * log1p_double(tan_squared(w)))
-    return wp.where(w[2] > 0.0, wp.float32((n + ONE) * _INV_TWO_PI * power[1]), 0.0)
+    return wp.where(w[2] > 0.0, wp.float32((n + ONE) * INV_TWO_PI_DOUBLE * power[1]), 0.0)
 
 
 @wp.func
@@ -57,16 +55,12 @@ class PowerCosine(Distribution):
     shown = (0.1, 1000.0)
     bounds = (0.0, 1e9)
     source = "Lafortune1994, equation 8 (Phong's lobe); exponent 3: Chizhov2019, section 4.1"
+    maps = Maps(square_to_power_cosine, square_to_power_cosine_pdf, power_cosine_to_square)
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
         """From the uniform hemisphere to a lobe of 3e-5 rad."""
         return tuple(cls(n) for n in (0.0, 1.0, 2.5, 100.0, 1e9))
-
-    @property
-    def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
-        return Maps(square_to_power_cosine, square_to_power_cosine_pdf, power_cosine_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - cos^(n + 1) theta. See `Distribution.cdf`."""

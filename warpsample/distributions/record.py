@@ -44,6 +44,7 @@ class Distribution:
     """A density of directions about a normal. Subclasses are frozen dataclasses of its parameters.
 
     Attributes:
+        maps: the `wp.func`s to use in kernels of your own.
         name, density: what users call it by; the formula of the pdf, for tables.
         measure: what the pdf is per: "per steradian", "per unit area" or "per radian".
         support: where the pdf is above 0, in words.
@@ -59,6 +60,7 @@ class Distribution:
         limits: where an error is worse than those, or the density is not the formula, and why; for tables.
     """
 
+    maps: ClassVar[Maps]
     name: ClassVar[str]
     density: ClassVar[str]
     measure: ClassVar[str] = "per steradian"
@@ -95,11 +97,6 @@ class Distribution:
             4 PowerCosine(exponent=0.0)
         """
         return (cls(),)
-
-    @property
-    def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
-        raise NotImplementedError
 
     @property
     def largest_angle(self) -> float:

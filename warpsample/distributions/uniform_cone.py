@@ -8,9 +8,8 @@ import warp as wp
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.host.arguments import check_number
 from warpsample.maths.angles import turns_of, versine
-from warpsample.maths.numerics import TWO, clamp_uniform, root, sincos_turns
+from warpsample.maths.numerics import INV_TWO_PI, TWO, clamp_uniform, root, sincos_turns
 
-_INV_TWO_PI = wp.constant(wp.float32(0.15915494309189535))
 _RIM = wp.constant(wp.float64(5e-7))  # directions within rounding of the edge are in the cone
 _LEAST = 1e-24
 
@@ -32,7 +31,7 @@ def square_to_uniform_cone(u: wp.vec2, one_minus_cos: wp.float32) -> wp.vec3:
 def square_to_uniform_cone_pdf(w: wp.vec3, one_minus_cos: wp.float32) -> wp.float32:
     """1 / (2 pi (1 - cos of the cone's angle)) per steradian inside the cone, else 0."""
     edge = wp.float64(one_minus_cos)
-    return wp.where(versine(w) <= edge + _RIM * wp.min(edge, TWO - edge), _INV_TWO_PI / one_minus_cos, 0.0)
+    return wp.where(versine(w) <= edge + _RIM * wp.min(edge, TWO - edge), INV_TWO_PI / one_minus_cos, 0.0)
 
 
 @wp.func
@@ -60,6 +59,7 @@ class UniformCone(Distribution):
     parameters = ("one_minus_cos",)
     shown = (1e-4, 2.0)
     source = "Pharr2023, section A.5.4"
+    maps = Maps(square_to_uniform_cone, square_to_uniform_cone_pdf, uniform_cone_to_square)
 
     def __post_init__(self) -> None:
         """Checks that one of the two is given, and derives the other."""
@@ -81,11 +81,6 @@ class UniformCone(Distribution):
     def cases(cls) -> tuple[Distribution, ...]:
         """From the whole sphere to the sun's disk and beyond."""
         return tuple(cls(one_minus_cos=c) for c in (2.0, 1.999, 1.0, 0.25, 1.08e-5, 1e-24))
-
-    @property
-    def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
-        return Maps(square_to_uniform_cone, square_to_uniform_cone_pdf, uniform_cone_to_square)
 
     @property
     def largest_angle(self) -> float:

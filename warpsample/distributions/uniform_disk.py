@@ -9,11 +9,10 @@ import warp as wp
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.host.arguments import check_choice
 from warpsample.maths.angles import turns_of
-from warpsample.maths.numerics import GRID, clamp_uniform, root, sincos_eighth, sincos_turns
+from warpsample.maths.numerics import GRID, INV_PI, clamp_uniform, root, sincos_eighth, sincos_turns
 
 Method = Literal["polar", "concentric"]
 
-_INV_PI = wp.constant(wp.float32(0.3183098861837907))
 _HALF_CELL = wp.constant(wp.float32(1.0 / GRID))
 _RIM = wp.constant(wp.float32(1.0 + 5e-7))  # points within rounding of the edge are in the disk
 
@@ -74,7 +73,7 @@ def uniform_disk_to_square_concentric(p: wp.vec2) -> wp.vec2:
 @wp.func
 def square_to_uniform_disk_pdf(p: wp.vec2) -> wp.float32:
     """1 / pi per unit area inside the unit circle, else 0."""
-    return wp.where(p[0] * p[0] + p[1] * p[1] <= _RIM, _INV_PI, 0.0)
+    return wp.where(p[0] * p[0] + p[1] * p[1] <= _RIM, INV_PI, 0.0)
 
 
 _MAPS = {

@@ -7,9 +7,7 @@ import warp as wp
 
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.maths.angles import turns_of
-from warpsample.maths.numerics import clamp_uniform, root, sincos_turns
-
-_PDF = wp.constant(wp.float32(0.15915494309189535))  # 1 / (2 pi)
+from warpsample.maths.numerics import INV_TWO_PI, clamp_uniform, root, sincos_turns
 
 
 @wp.func
@@ -23,7 +21,7 @@ def square_to_uniform_hemisphere(u: wp.vec2) -> wp.vec3:
 @wp.func
 def square_to_uniform_hemisphere_pdf(w: wp.vec3) -> wp.float32:
     """1 / (2 pi) per steradian where z >= 0, else 0."""
-    return wp.where(w[2] >= 0.0, _PDF, 0.0)
+    return wp.where(w[2] >= 0.0, INV_TWO_PI, 0.0)
 
 
 @wp.func
@@ -40,11 +38,7 @@ class UniformHemisphere(Distribution):
     density = "1/(2π)"
     support = "hemisphere"
     source = "Nori2025, P(θ) = 1 − cosθ; Pharr2023, section A.5.2"
-
-    @property
-    def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
-        return Maps(square_to_uniform_hemisphere, square_to_uniform_hemisphere_pdf, uniform_hemisphere_to_square)
+    maps = Maps(square_to_uniform_hemisphere, square_to_uniform_hemisphere_pdf, uniform_hemisphere_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - cos theta. See `Distribution.cdf`."""

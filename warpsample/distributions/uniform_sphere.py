@@ -41,11 +41,7 @@ class UniformSphere(Distribution):
     density = "1/(4π)"
     support = "sphere"
     source = "Nori2025, UniformSphere; Pharr2023, section A.5.2"
-
-    @property
-    def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
-        return Maps(square_to_uniform_sphere, square_to_uniform_sphere_pdf, uniform_sphere_to_square)
+    maps = Maps(square_to_uniform_sphere, square_to_uniform_sphere_pdf, uniform_sphere_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """(1 - cos theta) / 2. See `Distribution.cdf`."""

@@ -9,9 +9,8 @@ from warpsample.distributions.visible_ggx import blurred_facing
 from warpsample.host.arrays import as_view
 from warpsample.maths.error_function import erfc_double, erfc_inverse_roughly
 from warpsample.maths.exponentials import exp_double, logarithm
-from warpsample.maths.numerics import GRID, HALF, ONE, TWO, ZERO, clamp_uniform, root_double
+from warpsample.maths.numerics import GRID, HALF, INV_PI_DOUBLE, ONE, TWO, ZERO, clamp_uniform, root_double
 
-_INV_PI = wp.constant(wp.float64(0.3183098861837907))
 _ROOT_PI = wp.constant(wp.float64(1.7724538509055160))
 _HALF_INV_ROOT_PI = wp.constant(wp.float64(0.28209479177387814))
 _HALF_CELL = wp.constant(wp.float64(0.5 / GRID))
@@ -130,7 +129,7 @@ def square_to_visible_beckmann_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3)
     area = v[1] * visible_share_above(-v[0], v[0])
     cosine_squared = z * z
     spread = exp_double(-(x * x + y * y) / (cosine_squared * square))[1]
-    normals = spread * _INV_PI / (square * cosine_squared * cosine_squared)
+    normals = spread * INV_PI_DOUBLE / (square * cosine_squared * cosine_squared)
     return wp.where(facing > 0.0 and w[2] > 0.0, wp.float32(wp.float64(facing) * normals / area), 0.0)
 
 
@@ -169,6 +168,7 @@ class VisibleBeckmann(Distribution):
     symmetric = False
     source = "HeitzDEon2014, section 5; Walter2007, equation 25"
     limits = "the horizon of the view is blurred by rounding"
+    maps = Maps(square_to_visible_beckmann, square_to_visible_beckmann_pdf, visible_beckmann_to_square)
 
     def __post_init__(self) -> None:
         """Checks the roughness and the view."""
@@ -180,11 +180,6 @@ class VisibleBeckmann(Distribution):
         """From above, from the side, from the horizon."""
         views = ((0.5, (0.0, 0.0, 1.0)), (0.3, (0.6, -0.64, 0.48)), (1.0, (1.0, 0.0, 0.0)), (1e-6, (1.0, 0.0, 0.0)))
         return tuple(cls(alpha, view) for alpha, view in views)
-
-    @property
-    def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
-        return Maps(square_to_visible_beckmann, square_to_visible_beckmann_pdf, visible_beckmann_to_square)
 
 
 RECORD = VisibleBeckmann

@@ -7,9 +7,8 @@ import warp as wp
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.host.arrays import as_view
 from warpsample.maths.angles import turns_of
-from warpsample.maths.numerics import ZERO, clamp_uniform, fma, polish, root, sincos_turns
+from warpsample.maths.numerics import INV_PI, ZERO, clamp_uniform, fma, polish, root, sincos_turns
 
-_INV_PI = wp.constant(wp.float32(0.3183098861837907))
 _BLUR = wp.constant(wp.float64(2.0**-21))
 _TINY = wp.constant(wp.float32(1e-30))
 
@@ -77,7 +76,7 @@ def square_to_visible_ggx_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> w
     ratio = alpha / fma(alpha * w[2], alpha * w[2], across)
     length = wp.sqrt(fma(alpha * alpha, fma(view[0], view[0], view[1] * view[1]), view[2] * view[2]))
     facing = blurred_facing(w, view)
-    density = 2.0 * _INV_PI * facing * ratio * ratio / (view[2] + length)
+    density = 2.0 * INV_PI * facing * ratio * ratio / (view[2] + length)
     return wp.where(facing > 0.0 and w[2] > 0.0, density, 0.0)
 
 
@@ -120,6 +119,7 @@ class VisibleGGX(Distribution):
         "the horizon of the view is blurred by rounding; "
         "the error of the inverse holds off the cap's poles, for u[0] from 0.06 to 0.94"
     )
+    maps = Maps(square_to_visible_ggx, square_to_visible_ggx_pdf, visible_ggx_to_square)
 
     def __post_init__(self) -> None:
         """Checks the roughness and the view."""
@@ -137,11 +137,6 @@ class VisibleGGX(Distribution):
             (1e-6, (1.0, 0.0, 0.0)),
         )
         return tuple(cls(alpha, view) for alpha, view in views)
-
-    @property
-    def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
-        return Maps(square_to_visible_ggx, square_to_visible_ggx_pdf, visible_ggx_to_square)
 
     def seam(self, u):
         """The cap's poles. See `Distribution.seam`."""

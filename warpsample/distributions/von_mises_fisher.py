@@ -8,9 +8,8 @@ import warp as wp
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.maths.angles import turns_of, versine
 from warpsample.maths.exponentials import exp_double, log1p_double
-from warpsample.maths.numerics import ONE, TWO, clamp_uniform, root_double, sincos_turns
+from warpsample.maths.numerics import INV_TWO_PI_DOUBLE, ONE, TWO, clamp_uniform, root_double, sincos_turns
 
-_INV_TWO_PI = wp.constant(wp.float64(0.15915494309189535))
 # Above this kappa no variate of the grid reaches the lower hemisphere, and e^(2 kappa) could overflow.
 _NO_BACK = wp.constant(wp.float64(20.0))
 
@@ -37,7 +36,7 @@ def square_to_von_mises_fisher(u: wp.vec2, kappa: wp.float32) -> wp.vec3:
 def square_to_von_mises_fisher_pdf(w: wp.vec3, kappa: wp.float32) -> wp.float32:
     """kappa e^(-kappa (1 - cos theta)) / (2 pi (1 - e^(-2 kappa))) per steradian."""
     k = wp.float64(kappa)
-    density = k * _INV_TWO_PI * exp_double(-k * versine(w))[1] / -exp_double(-TWO * k)[0]
+    density = k * INV_TWO_PI_DOUBLE * exp_double(-k * versine(w))[1] / -exp_double(-TWO * k)[0]
     return wp.where(w[2] == w[2], wp.float32(density), 0.0)
 
 
@@ -66,16 +65,12 @@ class VonMisesFisher(Distribution):
     shown = (0.1, 10000.0)
     bounds = (1e-6, 1e12)
     source = "Fisher1953; sampled as in Jakob2012"
+    maps = Maps(square_to_von_mises_fisher, square_to_von_mises_fisher_pdf, von_mises_fisher_to_square)
 
     @classmethod
     def cases(cls) -> tuple[Distribution, ...]:
         """From almost uniform to a millionth of a radian."""
         return tuple(cls(kappa) for kappa in (1e-6, 0.5, 8.0, 20.0, 1000.0, 1e12))
-
-    @property
-    def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
-        return Maps(square_to_von_mises_fisher, square_to_von_mises_fisher_pdf, von_mises_fisher_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """The share of e^(kappa cos theta) within theta. See `Distribution.cdf`."""

@@ -2,9 +2,8 @@
 
 import warp as wp
 
-from warpsample.maths.numerics import TWO, ZERO
+from warpsample.maths.numerics import INV_TWO_PI_DOUBLE, TWO, ZERO
 
-_TURNS_PER_RADIAN = wp.constant(wp.float64(0.15915494309189535))
 _POLE = wp.constant(wp.float32(1e-30))  # nearer to it the azimuth's gradient does not fit into float32
 _TINY = wp.constant(wp.float64(1e-90))
 _LARGEST_TAN_SQUARED = wp.constant(wp.float64(1e37))
@@ -35,7 +34,7 @@ def turns_of(x: wp.float32, y: wp.float32) -> wp.float32:
 def _adj_turns_of(x: wp.float32, y: wp.float32, adj_ret: wp.float32):
     # Of the azimuth itself: the octants' polynomial has a worse derivative, and none on their borders.
     dx, dy = wp.float64(x), wp.float64(y)
-    turn = _TURNS_PER_RADIAN * wp.float64(adj_ret) / (dx * dx + dy * dy)
+    turn = INV_TWO_PI_DOUBLE * wp.float64(adj_ret) / (dx * dx + dy * dy)
     if wp.max(wp.abs(x), wp.abs(y)) > _POLE:
         wp.adjoint[x] -= wp.float32(dy * turn)
         wp.adjoint[y] += wp.float32(dx * turn)

@@ -13,7 +13,7 @@ import warp as wp
 from warpsample import sequences
 from warpsample.host.kernel_cache import load
 from warpsample.maths.numerics import high_word, low_word
-from warpsample.proof.verify import LEVEL, Verdict
+from warpsample.proof.verify import Verdict
 from warpsample.sequences.hashing import point_key, seed_for, stream_key
 
 Cells = Callable[..., np.ndarray]
@@ -131,7 +131,7 @@ def judge_cells(name: str, cells: Cells, random: bool = True) -> list[Verdict]:
     verdicts = []
     for law, pairs in (_LAWS | (_OF_RANDOM if random else {})).items():
         p_values = [dependence_p_value(*pair) for pair in pairs(cells)]
-        verdicts.append(Verdict(law, name, min(1.0, len(p_values) * min(p_values)), LEVEL, True, f"{len(p_values)} pairs"))
+        verdicts.append(Verdict.of_chance(law, name, min(1.0, len(p_values) * min(p_values)), f"{len(p_values)} pairs"))
     return verdicts
 
 

@@ -96,23 +96,11 @@ def judge_mesh(name: str, mesh: Mesh, origin: tuple[float, float, float], inside
     clear = (cosines * points.normal[:, None]).sum(axis=2) > 1e-5
     own = np.count_nonzero((wide == points.face[:, None]) & clear)
     differ = np.count_nonzero(((wide < 0) != (warp < 0)) & clear)
+    everywhere = f"of {inside:,} in all directions, by either query"
+    aimed_at = f"of {at_edges:,} at edges; wp.Mesh {through[1]:,}"
     return [
-        Verdict(
-            "rays that leave a closed mesh",
-            name,
-            float(escaped),
-            0.0,
-            False,
-            f"of {inside:,} in all directions, by either query",
-        ),
-        Verdict(
-            "rays between two faces",
-            name,
-            float(through[0]),
-            0.0,
-            False,
-            f"of {at_edges:,} at edges; wp.Mesh {through[1]:,}",
-        ),
-        Verdict("rays that meet their own face", name, float(own), 0.0, False, "of surface points, outward"),
-        Verdict("tracers that differ", name, float(differ), _most_apart(inside), False, "wide and wp.Mesh"),
+        Verdict.of_error("rays that leave a closed mesh", name, escaped, note=everywhere),
+        Verdict.of_error("rays between two faces", name, through[0], note=aimed_at),
+        Verdict.of_error("rays that meet their own face", name, own, note="of surface points, outward"),
+        Verdict.of_error("tracers that differ", name, differ, _most_apart(inside), "wide and wp.Mesh"),
     ]

@@ -29,7 +29,7 @@ from warpsample.distributions.visible_ggx import VisibleGGX
 from warpsample.proof import laws
 from warpsample.proof.evidence import Evidence, Subject
 from warpsample.proof.twins import polar_angle
-from warpsample.proof.verify import LEVEL, Verdict
+from warpsample.proof.verify import Verdict
 from warpsample.statistics.charts import chart_of
 
 _DRAWS = 1 << 18
@@ -195,9 +195,7 @@ def judge_routes() -> list[Verdict]:
             "route, angle": laws.angles_p_value(route.to, chart_of(route.to).polar(w)),
             **({"route, azimuth": laws.azimuth_p_value(w)} if route.to.measure != "per radian" else {}),
         }
-        verdicts += [Verdict(law, name, p_value, LEVEL, True) for law, p_value in p_values.items()]
+        verdicts += [Verdict.of_chance(law, name, p_value) for law, p_value in p_values.items()]
     # Both maps are accurate to 2e-7, and the rounding of u moves a float64 formula by 6e-8 of a turn.
-    verdicts += [Verdict("one map, two routes", n, value, 5e-7, False) for n, value in _point_by_point().items()]
-    return verdicts + [
-        Verdict("one density, two routes", n, value, 2e-6, False) for n, value in _density_by_density().items()
-    ]
+    verdicts += [Verdict.of_error("one map, two routes", n, value, 5e-7) for n, value in _point_by_point().items()]
+    return verdicts + [Verdict.of_error("one density, two routes", n, v, 2e-6) for n, v in _density_by_density().items()]

@@ -15,7 +15,7 @@ from warpsample.directions.sample import sample_square
 from warpsample.maths.numerics import GRID
 from warpsample.proof import laws
 from warpsample.proof.twins.sequences import frozen_digest
-from warpsample.proof.verify import LEVEL, Verdict
+from warpsample.proof.verify import Verdict
 
 Variates = Callable[..., np.ndarray]
 
@@ -58,10 +58,10 @@ def judge_stream(name: str, variates: Variates, points: int = 1_000_000, random:
     # One sample from each of many points is uniform, whatever those of one point share. Half a cell up, to a cell's middle.
     one_each = first[np.arange(len(first)), np.arange(len(first)) % 4] + 0.5 / GRID
     p_values["uniform"] = min(1.0, 2.0 * min(laws.uniform_p_value(one_each[:, axis]) for axis in (0, 1)))
-    verdicts = [Verdict(law, name, p_value, LEVEL, True) for law, p_value in p_values.items()]
     if random:
-        verdicts.append(Verdict("repeats", name, repeats_p_value(variates, points), LEVEL, True))
-    return [*verdicts, Verdict("shared streams", name, float(shared_streams(variates, points)), 0.0, False)]
+        p_values["repeats"] = repeats_p_value(variates, points)
+    verdicts = [Verdict.of_chance(law, name, p_value) for law, p_value in p_values.items()]
+    return [*verdicts, Verdict.of_error("shared streams", name, shared_streams(variates, points))]
 
 
 def judge_sequence(name: str, points: int = 1_000_000) -> list[Verdict]:
@@ -71,7 +71,7 @@ def judge_sequence(name: str, points: int = 1_000_000) -> list[Verdict]:
         """The points of the sequence."""
         return sample_square(name, points, samples, seed=seed)
 
-    frozen = Verdict("frozen stream", name, float(digest(name) != frozen_digest(name)), 0.0, False, digest(name))
+    frozen = Verdict.of_error("frozen stream", name, digest(name) != frozen_digest(name), note=digest(name))
     return [*judge_stream(name, variates, points, sequences.get(name).random), frozen]
 
 

@@ -17,7 +17,7 @@ from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import sample_surface
 from warpsample.proof import laws, twins
 from warpsample.proof.twins.sequences import expected
-from warpsample.proof.verify import LEVEL, Verdict
+from warpsample.proof.verify import Verdict
 from warpsample.sequences.record import Sequence
 
 _SAMPLES = 64
@@ -70,20 +70,14 @@ def judge_normals(distribution: Distribution) -> list[Verdict]:
         angle, density, note = 1.3e-5, 1.3e-5, "frame-free: n and s are each 1e-7 off, their sum as short as 2^-6"
     exact, local = exact_directions(distribution, normals, u)
     name = repr(distribution)
-    lost = float(sum(n for status, n in got.counts().items() if status is not Status.OK))
+    lost = sum(n for status, n in got.counts().items() if status is not Status.OK)
+    densities = twins.density(distribution, local)[kept]
     return [
-        Verdict("hostile normals, lost", name, lost, 0.0, False),
+        Verdict.of_error("hostile normals, lost", name, lost),
         # The columns of the frame add 1e-7 to the 2e-7 of the local direction.
-        Verdict("hostile normals, unit length", name, laws.length_error(w), 2.5e-7, False),
-        Verdict("hostile normals, direction", name, laws.angle_error(w[kept], exact[kept]), angle, False, note),
-        Verdict(
-            "hostile normals, density",
-            name,
-            laws.density_error(got.pdf[kept], twins.density(distribution, local)[kept]),
-            density,
-            False,
-            note,
-        ),
+        Verdict.of_error("hostile normals, unit length", name, laws.length_error(w), 2.5e-7),
+        Verdict.of_error("hostile normals, direction", name, laws.angle_error(w[kept], exact[kept]), angle, note),
+        Verdict.of_error("hostile normals, density", name, laws.density_error(got.pdf[kept], densities), density, note),
     ]
 
 
@@ -100,7 +94,7 @@ def judge_bad_normals() -> Verdict:
         alone = sample_directions(normals[1:2], count, first_point=1)
         wrong += int((got.status[::2] != want).sum()) + int(got.vectors[::2].any()) + int(got.pdf[::2].any())
         wrong += int((got.status[1::2] != 0).sum()) + int((got.vectors[1] != alone.vectors[0]).any())
-    return Verdict("bad normals", "zero, NaN, infinite", float(wrong), 0.0, False, "wrong rows or neighbours")
+    return Verdict.of_error("bad normals", "zero, NaN, infinite", wrong, note="wrong rows or neighbours")
 
 
 @cache
@@ -139,10 +133,8 @@ def judge_indices(name: str) -> Verdict:
         cells = (out.numpy().astype(np.float64) * 2**24).astype(np.int64)
         want = np.array([expected(name, seed, p, s, c) for p, s, c in asked])
         worst = max(worst, int(np.abs(cells - want).max()))
-    limit = float(sequences.get(name).cells_off)
-    return Verdict(
-        "indices", name, float(worst), limit, False, f"cells of 2^-24; ids to 2^64, indices to 2^31, {len(_SEEDS)} seeds"
-    )
+    note = f"cells of 2^-24; ids to 2^64, indices to 2^31, {len(_SEEDS)} seeds"
+    return Verdict.of_error("indices", name, worst, float(sequences.get(name).cells_off), note)
 
 
 def judge_meshes() -> list[Verdict]:
@@ -156,18 +148,16 @@ def judge_meshes() -> list[Verdict]:
         a, b, c = (vertices[faces[points.face, k]] for k in range(3))
         normal = np.cross(b - a, c - a)
         height = np.abs(((points.position - a) * normal).sum(axis=1)) / np.linalg.norm(normal, axis=1)
-        ulps = float(height.max() / np.spacing(scale + offset))
-        verdicts.append(
-            Verdict("points on their face", f"edges of {scale:g} at {offset:g}", ulps, 4.0, False, "in float64 ulps")
-        )
+        ulps, edges = height.max() / np.spacing(scale + offset), f"edges of {scale:g} at {offset:g}"
+        verdicts.append(Verdict.of_error("points on their face", edges, ulps, 4.0, "in float64 ulps"))
     bad = np.concatenate([faces, [(0, 0, 1), (1, 1, 1), (0, 1, 4), (0, 1, 2)]])  # degenerate, a sliver, a duplicate
     points = sample_surface((np.concatenate([corner, [(0.5, 1e-300, 0.0)]]), bad), 100_000)
-    on_bad = float(np.isin(points.face, (4, 5, 6)).sum() + (~np.isfinite(points.position)).sum())
-    verdicts.append(Verdict("points on faces without area", "degenerate faces and a sliver", on_bad, 0.0, False))
+    on_bad = np.isin(points.face, (4, 5, 6)).sum() + (~np.isfinite(points.position)).sum()
+    verdicts.append(Verdict.of_error("points on faces without area", "degenerate faces and a sliver", on_bad))
     many = ten_million_faces()
     points = sample_surface(many, 1_000_000)
     p_value = laws.uniform_p_value((points.face + 0.5) / len(many.faces))
-    return [*verdicts, Verdict("shares of the area", f"{len(many.faces):,} equal faces", p_value, LEVEL, True)]
+    return [*verdicts, Verdict.of_chance("shares of the area", f"{len(many.faces):,} equal faces", p_value)]
 
 
 def ten_million_faces() -> Mesh:

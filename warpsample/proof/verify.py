@@ -40,6 +40,16 @@ class Verdict:
     statistical: bool
     note: str = ""
 
+    @classmethod
+    def of_error(cls, law: str, subject: str, measured: float, limit: float = 0.0, note: str = "") -> "Verdict":
+        """The verdict on a worst error or a number of failures, which may be `limit` at most."""
+        return cls(law, subject, float(measured), limit, False, note)
+
+    @classmethod
+    def of_chance(cls, law: str, subject: str, p_value: float, note: str = "") -> "Verdict":
+        """The verdict on a statistic, whose p-value must be at least LEVEL."""
+        return cls(law, subject, p_value, LEVEL, True, note)
+
     @property
     def passed(self) -> bool:
         """Whether the law holds."""
@@ -66,14 +76,15 @@ class Law:
 
     def judge(self, evidence: Evidence) -> Verdict:
         """The verdict; a law that cannot be evaluated counts as broken."""
-        note = ""
+        note, subject = "", evidence.subject
         try:
             with np.errstate(all="ignore"):  # a wrong sampler may return anything
                 measured = self.measure(evidence)
         except ValueError as error:  # a density whose integral is not 1 or does not converge
             measured, note = 0.0 if self.limit is None else float("inf"), str(error)
-        limit = LEVEL if self.limit is None else self.limit(evidence.subject.twin)
-        return Verdict(self.name, evidence.subject.name, measured, limit, self.limit is None, note)
+        if self.limit is None:
+            return Verdict.of_chance(self.name, subject.name, measured, note)
+        return Verdict.of_error(self.name, subject.name, measured, self.limit(subject.twin), note)
 
 
 def _fixed(limit: float) -> Callable[[Distribution], float]:
