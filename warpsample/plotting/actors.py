@@ -155,7 +155,7 @@ class Pin:
 
 
 class MeshPicker:
-    """Finds the place on a mesh that is under the mouse."""
+    """Finds the point of a mesh that is under the mouse."""
 
     def __init__(self, plotter: "pyvista.Plotter", actor: Any, picked: Callable[[np.ndarray, int], None]):
         """Listens to double clicks on an actor of the plotter's current renderer.
@@ -165,7 +165,7 @@ class MeshPicker:
         Args:
             plotter: whose mouse events are heard.
             actor: the drawn mesh.
-            picked: is called with the place, (3,), and the face.
+            picked: is called with the point, (3,), and its face.
         """
         from vtkmodules.vtkRenderingCore import vtkCellPicker
 

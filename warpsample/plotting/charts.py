@@ -185,9 +185,9 @@ class DiskChart:
         frame: the span of the axes, which is always the same.
     """
 
-    def __init__(self, figure: Any, place: tuple[float, ...]):
-        """Adds it to a figure; `place` is its left, bottom, width and height, as shares of the figure."""
-        axes: Axes = figure.add_axes(place)
+    def __init__(self, figure: Any, box: tuple[float, ...]):
+        """Adds it to a figure; `box` is its left, bottom, width and height, as shares of the figure."""
+        axes: Axes = figure.add_axes(box)
         (points,) = axes.plot([], [], "o", markersize=2.2, color=DOTS, markeredgewidth=0, animated=True)
         turn = np.linspace(0.0, 2.0 * np.pi, 181)
         (rim,) = axes.plot(np.cos(turn), np.sin(turn), color=INK, linewidth=1, animated=True)

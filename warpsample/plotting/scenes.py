@@ -23,12 +23,15 @@ if TYPE_CHECKING:
     import pyvista
     from matplotlib.figure import Figure
 
-_TEXT = 11
-_ZOOM = 1.08  # leaves room for a panel's title and colour bar
+ZOOM = 1.08
+"""How much a mesh is enlarged in a panel: it leaves space for the panel's title and colour bar."""
+# A bar's title takes no space: only a browser draws it, which does not show the texts above the panels.
+BAR = {"title_font_size": 1, "label_font_size": 18, "height": 0.06, "width": 0.7, "color": "black", "fmt": "%.4g"}
+BAR |= {"position_x": 0.15, "position_y": 0.01}
+"""The look of a panel's colour bar."""
+
+_TEXT = {"font_size": 11, "color": "black"}
 _ROWS = (0.91, 0.09)  # the panels' share of the height, and the caption's
-# A bar's title takes no room: only a browser draws it, which does not show the texts above the panels.
-_BAR = {"title_font_size": 1, "label_font_size": 18, "height": 0.06, "width": 0.7, "color": "black", "fmt": "%.4g"}
-_BAR |= {"position_x": 0.15, "position_y": 0.01}
 
 
 def draw_mesh(plotter: "pyvista.Plotter", vertices: np.ndarray, faces: np.ndarray) -> Any:
@@ -158,26 +161,31 @@ def meshes_side_by_side(
         off_screen: whether no window is opened.
         size: width and height of all panels together, in pixels.
     """
-    import pyvista as pv
-
-    plotter = pv.Plotter(
-        shape=(2, len(panels)),
-        row_weights=_ROWS,
-        groups=[(1, np.s_[:])],
-        off_screen=off_screen,
-        window_size=size,
-        border=False,
-    )
-    plotter.set_background(SKY, all_renderers=True)
+    plotter = columns_over_caption(len(panels), caption, off_screen, size)
     for column, panel in enumerate(panels):
         plotter.subplot(0, column)
         draw_panel(plotter, surface(vertices, faces), panel, panel.title)
-        look_from(plotter, up, _ZOOM)
-    plotter.subplot(1, 0)
-    plotter.add_text(caption, font_size=_TEXT, color="black", position="lower_edge")
+        look_from(plotter, up, ZOOM)
     plotter.link_views()
+    return plotter
+
+
+def columns_over_caption(columns: int, caption: str, off_screen: bool, size: tuple[int, int]) -> "pyvista.Plotter":
+    """A plotter with empty renderers side by side, `subplot(0, column)`, and a caption below all of them."""
+    import pyvista as pv
+
+    style = {"off_screen": off_screen, "window_size": size, "border": False}
+    plotter = pv.Plotter(shape=(2, columns), row_weights=_ROWS, groups=[(1, np.s_[:])], **style)
+    plotter.set_background(SKY, all_renderers=True)
+    plotter.subplot(1, 0)
+    plotter.add_text(caption, position="lower_edge", **_TEXT)
     plotter.enable_anti_aliasing("ssaa", all_renderers=True)
     return plotter
+
+
+def add_title(plotter: "pyvista.Plotter", title: str, name: str | None = None) -> None:
+    """Writes a title above the plotter's current renderer; one with the same name replaces it."""
+    plotter.add_text(title, position="upper_edge", name=name, **_TEXT)
 
 
 def draw_panel(plotter: "pyvista.Plotter", mesh: "pyvista.PolyData", panel: Panel, title: str) -> None:
@@ -189,10 +197,10 @@ def draw_panel(plotter: "pyvista.Plotter", mesh: "pyvista.PolyData", panel: Pane
         cmap=panel.colours,
         clim=(0.0, panel.high),
         lighting=False,
-        scalar_bar_args={**_BAR, "title": panel.title},
+        scalar_bar_args={**BAR, "title": panel.title},
     )
     label_bar(plotter.scalar_bars[panel.title], panel.high)
-    plotter.add_text(title, font_size=_TEXT, color="black", position="upper_edge")
+    add_title(plotter, title)
 
 
 def figure_in_window(figure: "Figure") -> "pyvista.Plotter":

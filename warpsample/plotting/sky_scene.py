@@ -8,18 +8,15 @@ import numpy as np
 
 from warpsample.mesh.polydata import surface
 from warpsample.plotting.actors import label_bar
-from warpsample.plotting.rendering import INK, LOBE, SKY, round_ticks
-from warpsample.plotting.scenes import Panel, draw_panel, look_from
+from warpsample.plotting.rendering import INK, LOBE, round_ticks
+from warpsample.plotting.scenes import BAR, ZOOM, Panel, add_title, columns_over_caption, draw_panel, look_from
 
 if TYPE_CHECKING:
     import pyvista
 
 SUN = "#ffd23f"
 _QUADS = 8  # of each patch: its sides are arcs
-_TEXT = 11
 _TITLE = "Share of each sky patch"
-_BAR = {"title": _TITLE, "fmt": "%.4g", "color": "black", "title_font_size": 1, "label_font_size": 18}
-_BAR |= {"position_x": 0.15, "position_y": 0.01, "height": 0.06, "width": 0.7}
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +39,7 @@ class SkyMap:
 
 
 def on_map(altitude: np.ndarray, azimuth: np.ndarray) -> np.ndarray:
-    """(..., 3) places on a map of the sky, from degrees: the zenith at the origin, the horizon a circle of radius 1.
+    """(..., 3) positions on a map of the sky, from degrees: the zenith at the origin, the horizon a circle of radius 1.
 
     North is up (+y) and east at the right (+x), as on a map of the ground; a photograph of the sky mirrors this.
     """
@@ -66,7 +63,7 @@ def sun_and_sky(
     hours: np.ndarray,
     hour: int,
     sky: SkyMap,
-    place: np.ndarray,
+    point: np.ndarray,
     captions: tuple[str, Callable[[int], str]],
     up: str,
     off_screen: bool,
@@ -79,8 +76,8 @@ def sun_and_sky(
         year: the sum at the faces.
         hours: (T, F), the same in each hour.
         hour: the first that is shown.
-        sky: of the point.
-        place: (3,), the point.
+        sky: above the point.
+        point: (3,), marked on both meshes.
         captions: one below all, and a function of the hour for its title.
         up: "x", "y" or "z", the axis that points up.
         off_screen: whether no window is opened.
@@ -88,21 +85,17 @@ def sun_and_sky(
     """
     import pyvista as pv
 
-    style = {"off_screen": off_screen, "window_size": size, "border": False}
-    plotter = pv.Plotter(shape=(2, 3), row_weights=(0.91, 0.09), groups=[(1, np.s_[:])], **style)
-    plotter.set_background(SKY, all_renderers=True)
+    plotter = columns_over_caption(3, captions[0], off_screen, size)
     high = round_ticks(float(max(hours.max(), 1.0)), 5)[-1]
     shown = Panel(hours[hour], "W/m2", year.colours, high)
     made = [surface(*mesh) for _ in range(2)]
     for column, (drawn, panel) in enumerate(zip(made, (year, shown), strict=True)):
         plotter.subplot(0, column)
         draw_panel(plotter, drawn, panel, "" if column else panel.title)
-        plotter.add_mesh(pv.PolyData(place[None]), color=LOBE, point_size=14, render_points_as_spheres=True)
-        look_from(plotter, up, 1.08)
+        plotter.add_mesh(pv.PolyData(point[None]), color=LOBE, point_size=14, render_points_as_spheres=True)
+        look_from(plotter, up, ZOOM)
     plotter.subplot(0, 2)
     dot = _draw_sky(plotter, sky)
-    plotter.subplot(1, 0)
-    plotter.add_text(captions[0], font_size=_TEXT, color="black", position="lower_edge")
     plotter.subplot(0, 1)
 
     def show(value: float) -> None:
@@ -111,14 +104,13 @@ def sun_and_sky(
         made[1]["W/m2"] = hours[now]
         dot.points = on_map(*sky.sun[now].T)[None]
         plotter.subplot(0, 1)
-        plotter.add_text(captions[1](now), name="hour", font_size=_TEXT, color="black", position="upper_edge")
+        add_title(plotter, captions[1](now), "hour")
 
     show(hour)
     if not off_screen:
         slider = {"fmt": "%.0f h", "pointa": (0.15, 0.17), "pointb": (0.85, 0.17), "color": INK}
         plotter.add_slider_widget(show, (0, len(hours) - 1), value=hour, **slider)
     plotter.link_views([0, 1])
-    plotter.enable_anti_aliasing("ssaa", all_renderers=True)
     return plotter
 
 
@@ -129,7 +121,7 @@ def _draw_sky(plotter: "pyvista.Plotter", sky: SkyMap) -> Any:
     drawn = pv.PolyData.from_regular_faces(*patches_on_map(sky.altitudes, sky.azimuths))
     drawn[_TITLE] = np.repeat(sky.shares, _QUADS)
     high = round_ticks(float(max(sky.shares.max(), 1e-6)), 5)[-1]
-    look = {"cmap": "gray", "clim": (0.0, high), "lighting": False, "scalar_bar_args": _BAR}
+    look = {"cmap": "gray", "clim": (0.0, high), "lighting": False, "scalar_bar_args": {**BAR, "title": _TITLE}}
     plotter.add_mesh(drawn, scalars=_TITLE, **look)
     label_bar(plotter.scalar_bars[_TITLE], high)
     ends = {}
@@ -143,7 +135,7 @@ def _draw_sky(plotter: "pyvista.Plotter", sky: SkyMap) -> Any:
     plotter.add_point_labels(np.array(list(ends.values())), list(ends), **style)
     dot = pv.PolyData(np.zeros((1, 3)))
     plotter.add_mesh(dot, color=SUN, point_size=22, render_points_as_spheres=True)
-    plotter.add_text(_TITLE, font_size=_TEXT, color="black", position="upper_edge")
+    add_title(plotter, _TITLE)
     plotter.view_xy()
     plotter.enable_parallel_projection()
     plotter.camera.parallel_scale = 1.35
