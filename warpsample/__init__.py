@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from warpsample.estimate.integrate import integrate
     from warpsample.estimate.intervals import Interval
     from warpsample.estimate.irradiance import irradiance
+    from warpsample.estimate.quantities.mean_distance import MeanDistance, mean_distance
     from warpsample.estimate.result import Estimate, PointStatus, Skipped
     from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
     from warpsample.mesh.files import load_mesh
@@ -49,6 +50,7 @@ __all__ = [
     "Hits",
     "Interval",
     "Irradiation",
+    "MeanDistance",
     "Mesh",
     "MeshReport",
     "OffsetBall",
@@ -82,6 +84,7 @@ __all__ = [
     "irradiance",
     "irradiation",
     "load_mesh",
+    "mean_distance",
     "refit",
     "sample_directions",
     "sample_square",
@@ -102,6 +105,7 @@ _HOMES = {
     "estimate.integrate": ("integrate",),
     "estimate.intervals": ("Interval",),
     "estimate.irradiance": ("irradiance",),
+    "estimate.quantities.mean_distance": ("MeanDistance", "mean_distance"),
     "estimate.result": ("Estimate", "PointStatus", "Skipped"),
     "estimate.visibility": ("SkyView", "ambient_occlusion", "bent_normals", "sky_view_factor"),
     "mesh.mesh": ("Mesh", "as_mesh"),
