@@ -1,7 +1,8 @@
 """All quantities, by the names that the command line has for them."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cache
+from inspect import Parameter
 from typing import Any
 
 from warpsample.estimate import quantities as of_rays
@@ -48,3 +49,32 @@ def check_options(quantity: Quantity, options: Mapping[str, Any]) -> None:
         if not quantity.takes(option):
             names = " and ".join(taking(option))
             raise ValueError(f"--{option.replace('_', '-')}: got {value} for {quantity.name}; it applies only to {names}")
+
+
+def call_table() -> str:
+    """The table of the calls of `estimate` for its README, in Markdown."""
+    of = list(records_of(of_rays).values())
+    everywhere = set.intersection(*(set(quantity.parameters) for quantity in of))
+    rows = [("call", "value at each point"), ("---", "---")]
+    for quantity in of:
+        own = [
+            name if default is Parameter.empty else f"{name}="
+            for name, default in quantity.parameters.items()
+            if name not in everywhere
+        ]
+        rows.append((f"`ws.{quantity.call.__name__}({', '.join(['mesh', 'points', *own])})`", quantity.value))
+    return _markdown(rows)
+
+
+def name_table() -> str:
+    """The table of all quantities by the names of the command line, in Markdown."""
+    rows = [("`--quantity`", "value at each point", "unit"), ("---", "---", "---")]
+    return _markdown([*rows, *((f"`{name}`", quantity.value, quantity.unit) for name, quantity in quantities().items())])
+
+
+def _markdown(rows: Iterable[tuple[str, ...]]) -> str:
+    return "".join(f"| {' | '.join(row)} |\n" for row in rows)
+
+
+if __name__ == "__main__":
+    print(call_table(), name_table(), sep="\n", end="")  # noqa: T201

@@ -1,0 +1,59 @@
+"""The records of quantities: each is whole, and the command line and the READMEs say what they say."""
+
+from dataclasses import fields, replace
+from inspect import Parameter, signature
+
+import numpy as np
+import pytest
+
+import warpsample as ws
+from warpsample.cli.bake import OPTIONS
+from warpsample.estimate.quantities.record import ARGUMENTS
+from warpsample.output import quantities as registry
+
+QUANTITIES = registry.quantities()
+
+
+@pytest.mark.parametrize("name", QUANTITIES)
+def test_a_record_fits_its_call(name):
+    quantity = QUANTITIES[name]
+    assert quantity.name == name
+    assert list(signature(quantity.call).parameters)[:2] == ["mesh", "points"]
+    assert signature(quantity.call).return_annotation in (quantity.result, *quantity.result.__mro__[1:-1])
+    needed = {option for option, default in quantity.parameters.items() if default is Parameter.empty}
+    assert needed == {ARGUMENTS.get(option, option) for option in quantity.files}
+    assert {"value", "standard_error", "rays", "status"} <= set(quantity.arrays)
+    assert set(quantity.shared) <= {item.name for item in fields(quantity.result)}
+    assert all(quantity.takes(option) for option in ("seed", "workers", "first_point"))
+
+
+def test_every_call_of_estimate_is_public():
+    assert {quantity.call.__name__ for quantity in QUANTITIES.values() if quantity.in_stores} <= set(ws.__all__)
+
+
+def test_every_option_of_the_command_line_is_for_some_quantity(call):
+    assert all(registry.taking(option) for option in OPTIONS)
+    told = call("bake", "--help")[1]
+    assert all(name in told.replace("\n", "") for name in ("sky-matrix", "--max-distance", "--ground-albedo"))
+
+
+def test_the_tables_of_the_readmes_are_those_of_the_records(repository):
+    for room, table in (("estimate", registry.call_table()), ("output", registry.name_table())):
+        assert table in (repository / "warpsample" / room / "README.md").read_text()
+
+
+def test_colours_go_from_black_to_white():
+    values = np.float32([-1.0, 0.0, 0.5, 4.0])
+    found = ws.Estimate(values, *(None,) * 6)
+    for black, white, shades in ((0.0, 1.0, [0, 0, 32, 255]), (-1.0, 1.0, [0, 51, 76, 255]), (0.0, 9.0, [0, 0, 14, 113])):
+        quantity = replace(QUANTITIES["ao"], black=black, white=white)
+        assert quantity.colours(found).tolist() == [[shade] * 3 + [255] for shade in shades]
+    nothing = ws.Estimate(np.zeros(2, np.float32), *(None,) * 6)
+    assert QUANTITIES["mean-distance"].colours(nothing)[:, 0].tolist() == [0, 0]
+
+
+def test_values_of_three_components_have_letters():
+    three, one = np.zeros((2, 3)), np.zeros(2)
+    found = ws.Estimate(three, three, three, three, one, one, ws.Skipped())
+    letters = [f"{name}_{letter}" for name in ("value", "standard_error") for letter in "xyz"]
+    assert list(QUANTITIES["bent-normals"].columns(found)) == [*letters, "rays", "status"]
