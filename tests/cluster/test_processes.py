@@ -22,7 +22,7 @@ pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run r
 distributed = pytest.importorskip("distributed")
 pytest.importorskip("zarr")
 xr = pytest.importorskip("xarray")
-clients, store = (import_module(f"warpsample.cluster.{name}") for name in ("clients", "store"))
+clients, holdings = (import_module(f"warpsample.cluster.{name}") for name in ("clients", "holdings"))
 
 POINTS, RAYS, CHUNK = 400, 40, 60
 
@@ -104,7 +104,7 @@ def bake(path, *more):
 
 
 def whole_chunks(path):
-    return store.whole_chunks(path, [file.parent.name for file in path.glob("*/zarr.json")])
+    return holdings.whole_chunks(path, [file.parent.name for file in path.glob("*/zarr.json")])
 
 
 def begun(path, chunks=3):

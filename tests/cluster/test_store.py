@@ -18,7 +18,7 @@ pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run r
 dask = pytest.importorskip("dask")
 pytest.importorskip("zarr")
 xr = pytest.importorskip("xarray")
-baking, store = (import_module(f"warpsample.cluster.{name}") for name in ("baking", "store"))
+baking, holdings = (import_module(f"warpsample.cluster.{name}") for name in ("baking", "holdings"))
 
 POINTS, RAYS, CHUNK = 130, 40, 50
 ARRAYS = ("value", "standard_error", "spread", "degrees_of_freedom", "rays", "status")
@@ -53,7 +53,7 @@ def bake(path, mesh, *more, **options):
 
 
 def whole_chunks(path):
-    return store.whole_chunks(path, [file.parent.name for file in path.glob("*/zarr.json")])
+    return holdings.whole_chunks(path, [file.parent.name for file in path.glob("*/zarr.json")])
 
 
 def assert_whole(path, right):
@@ -188,7 +188,7 @@ def test_a_store_is_not_written_over_or_mixed_with_another_run(path, mesh, right
 HOLD = """
 import sys
 from pathlib import Path
-from warpsample.cluster.store import locked
+from warpsample.cluster.lock import locked
 with locked(Path(sys.argv[1])):
     print("held", flush=True)
     sys.stdin.read()

@@ -15,8 +15,9 @@ from warpsample.cluster.arrays import PLACES, blocks_of
 from warpsample.cluster.chunks import FUNCTIONS, Call, numbers, points_in
 from warpsample.cluster.finishing import AT_A_TIME, check_workers_of, finished
 from warpsample.cluster.job import CHUNK, Job, job_of
+from warpsample.cluster.lock import locked
 from warpsample.cluster.sending import current_client, shared_by_key
-from warpsample.cluster.store import begin, check_store, locked, put
+from warpsample.cluster.store import begin, check_store, put
 from warpsample.host.arguments import check_choice, check_flag
 
 DONE = np.dtype([("points", np.int64), ("rays", np.int64), ("squared_error", np.float64)])

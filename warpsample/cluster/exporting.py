@@ -7,7 +7,8 @@ import numpy as np
 
 from warpsample.cluster.arrays import PLACES
 from warpsample.cluster.chunks import CALLS
-from warpsample.cluster.store import about_of, arrays_of, check_store, whole_chunks
+from warpsample.cluster.holdings import about_of, arrays_of, whole_chunks
+from warpsample.cluster.store import check_store
 from warpsample.estimate.quantities.record import OPTIONS, Quantity
 from warpsample.host.engine import check_memory
 from warpsample.host.files import check_output, complete_or_absent

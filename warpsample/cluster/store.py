@@ -1,12 +1,9 @@
-"""A Zarr store of one run: its arrays, what repeats it, which of its chunks are whole, and who writes it."""
+"""A Zarr store of one run as it is made, gone on with, and written chunk by chunk."""
 
 import json
 import math
-import os
 import shutil
 import warnings
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager, suppress
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -18,20 +15,15 @@ from zarr.codecs import Crc32cCodec, ZstdCodec
 
 from warpsample.cluster.arrays import dimensions, places_of
 from warpsample.cluster.content import difference
+from warpsample.cluster.holdings import about_of, arrays_of, whole_chunks
 from warpsample.cluster.job import STREAMS_OF, Job
 from warpsample.host.arguments import told
 from warpsample.host.files import WriteError
 from warpsample.host.locks import making
 
-try:
-    import fcntl
-except ModuleNotFoundError:  # Windows
-    fcntl = None  # type: ignore[assignment]
-
 SUFFIX = ".zarr"
 
 _ABSENT = {"f": float("nan"), "i": -2, "u": 255}  # what is read where no chunk is
-_ITS_OWN = ("coordinates",)  # attributes that xarray reads
 
 
 def check_store(path: Any, argument: str) -> Path:
@@ -48,45 +40,6 @@ def check_store(path: Any, argument: str) -> Path:
     if not found.parent.is_dir():
         raise ValueError(f"{argument}: got {str(path)!r}, whose folder does not exist")
     return found
-
-
-@contextmanager
-def locked(path: Path) -> Iterator[None]:
-    """Within, this process alone writes the store. The lock, a file beside it, goes with a process that is killed.
-
-    Raises:
-        WriteError: another process writes it, or it cannot be written at all.
-    """
-    file = path.with_name(f".{path.name}.lock")
-    while True:  # again, if who had it removed it in between
-        try:
-            held = file.open("a")
-        except OSError as error:
-            raise WriteError(f"{path} cannot be written: {error.strerror}") from error
-        if not _lock(held):
-            held.close()
-            raise WriteError(f"{path} cannot be written: another process is writing it")
-        with suppress(FileNotFoundError):
-            if file.stat().st_ino == os.fstat(held.fileno()).st_ino:
-                break
-        held.close()
-    try:
-        yield
-    finally:
-        file.unlink(missing_ok=True)
-        held.close()
-
-
-def _lock(file: Any) -> bool:
-    """Whether no other process has locked the file, which this one does now."""
-    if fcntl is not None:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            return False
-        except OSError:  # of file systems without locks
-            pass
-    return True
 
 
 def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
@@ -177,43 +130,6 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
             raise ValueError(f"{argument}: got {str(path)!r} of {name} {told(old)}, want one of {name} {told(new)}")
 
 
-def about_of(path: Path, argument: str) -> dict[str, Any]:
-    """All that repeats the run of a store.
-
-    Raises:
-        ValueError: its metadata cannot be read.
-    """
-    kept = _opened(path, argument).attrs.asdict()
-    return {name: value for name, value in kept.items() if name not in _ITS_OWN}
-
-
-def _opened(path: Path, argument: str) -> Any:
-    try:
-        return zarr.open_group(path, mode="r", use_consolidated=False)
-    except Exception as error:  # a file that holds anything fails in any way
-        reason = " ".join(str(error).split())
-        raise ValueError(f"{argument}: got {str(path)!r}, whose zarr.json cannot be read: {reason}") from None
-
-
-def arrays_of(path: Path, names: Iterable[str], argument: str) -> dict[str, Any]:
-    """The arrays of a store.
-
-    Raises:
-        ValueError: one of these is not there, or cannot be read; names it.
-    """
-    group = _opened(path, argument)
-    return {name: _array(group, name, f"{argument}: got {str(path)!r}") for name in names}
-
-
-def _array(group: Any, name: str, got: str) -> Any:
-    try:
-        return group[name]
-    except KeyError:
-        raise ValueError(f"{got}, whose array {name!r} is missing; bake it anew") from None
-    except Exception as error:  # as for the group
-        raise ValueError(f"{got}, whose array {name!r} cannot be read: {' '.join(str(error).split())}") from None
-
-
 def _make(path: Path, job: Job) -> None:
     """The metadata, complete or absent."""
     places, part = places_of(job), _part(path)
@@ -259,25 +175,3 @@ def _arrays(path: Path, _: int) -> dict[str, Any]:
     """The arrays of a store, to be written; anew if it has been replaced."""
     known = dict(zarr.open_group(path, mode="r+").arrays())
     return {name: array.with_config({"write_empty_chunks": True}) for name, array in known.items()}
-
-
-def whole_chunks(path: Path, names: Iterable[str], argument: str = "path") -> np.ndarray:
-    """(chunks,) bool: which chunks are there in every array of these names, and read as they were written.
-
-    Raises:
-        ValueError: as `arrays_of`.
-    """
-    arrays = arrays_of(path, names, argument)
-    first = next(iter(arrays.values()))
-    chunks = range(-(-first.shape[0] // first.chunks[0]))
-    return np.array([all(_is_whole(path / name, array, i) for name, array in arrays.items()) for i in chunks], np.bool_)
-
-
-def _is_whole(folder: Path, array: Any, chunk: int) -> bool:
-    if not folder.joinpath("c", str(chunk), *("0" for _ in array.shape[1:])).is_file():
-        return False
-    try:
-        array[chunk * array.chunks[0] : (chunk + 1) * array.chunks[0]]
-    except Exception:  # of the checksum, or of a decompressor
-        return False
-    return True

@@ -1,0 +1,53 @@
+"""The lock of a store: a file beside it, which one process has at a time."""
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import Any
+
+from warpsample.host.files import WriteError
+
+try:
+    import fcntl
+except ModuleNotFoundError:  # Windows
+    fcntl = None  # type: ignore[assignment]
+
+
+@contextmanager
+def locked(path: Path) -> Iterator[None]:
+    """Within, this process alone writes the store. The lock, a file beside it, goes with a process that is killed.
+
+    Raises:
+        WriteError: another process writes it, or it cannot be written at all.
+    """
+    file = path.with_name(f".{path.name}.lock")
+    while True:  # again, if who had it removed it in between
+        try:
+            held = file.open("a")
+        except OSError as error:
+            raise WriteError(f"{path} cannot be written: {error.strerror}") from error
+        if not _lock(held):
+            held.close()
+            raise WriteError(f"{path} cannot be written: another process is writing it")
+        with suppress(FileNotFoundError):
+            if file.stat().st_ino == os.fstat(held.fileno()).st_ino:
+                break
+        held.close()
+    try:
+        yield
+    finally:
+        file.unlink(missing_ok=True)
+        held.close()
+
+
+def _lock(file: Any) -> bool:
+    """Whether no other process has locked the file, which this one does now."""
+    if fcntl is not None:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return False
+        except OSError:  # of file systems without locks
+            pass
+    return True
