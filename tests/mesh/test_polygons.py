@@ -69,7 +69,25 @@ def test_what_is_no_polygon_is_named(counts, indices, message):
         triangles(np.eye(3), np.array(counts), np.array(indices))
 
 
-def test_a_polygon_that_crosses_itself_and_has_no_ear_becomes_a_fan():
-    """Each corner turns right or has another corner in its triangle."""
+def test_corners_that_repeat_or_lie_in_a_line_leave_triangles_without_area():
+    notch = [(0, 0), (0, 0), (4, 0), (4, 4), (2, 1), (2, 1), (0, 4), (0, 2), (0, 1)]
+    points = np.pad(np.float64(notch), ((0, 0), (0, 1)))
+    faces = triangles(points, np.array([len(points)]), np.arange(len(points)))
+    found = areas(points, faces)[:, 2]
+    assert (len(faces), np.count_nonzero(found)) == (7, 5)  # a triangle less for each repeated corner
+    assert (found >= 0.0).all()
+    assert found.sum() == pytest.approx(area_of(points)[2])
+
+
+def test_a_polygon_that_crosses_itself_stays_a_fan():
+    """Its triangles overlap, and none of its corners is lost."""
     points = np.array([(2, 0, 0), (1, 4, 0), (0, 4, 0), (3, 2, 0), (4, 4, 0)], float)
     assert triangles(points, np.array([5]), np.arange(5)).tolist() == [[0, 1, 2], [0, 2, 3], [0, 3, 4]]
+    bow = np.array([(0, 0, 0), (1, 1, 0), (1, 0, 0), (0, 1, 0)], float)
+    assert triangles(bow, np.array([4]), np.arange(4)).tolist() == [[0, 1, 2], [0, 2, 3]]
+
+
+def test_a_polygon_of_ten_thousand_corners_is_covered_once():
+    points = star(10_000, 1)
+    faces = triangles(points, np.array([len(points)]), np.arange(len(points)))
+    assert np.linalg.norm(areas(points, faces), axis=1).sum() == pytest.approx(np.linalg.norm(area_of(points)), abs=1e-7)

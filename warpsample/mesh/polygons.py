@@ -1,12 +1,21 @@
-"""Polygons cut into triangles: as a fan where it lies inside the polygon, else by ear clipping."""
+"""Polygons cut into triangles: as a fan where it lies inside the polygon, else by the library earcut.
+
+The fans are ours, because they are made for all polygons of a file in one step, and most are convex; earcut takes one at a
+time. It leaves out what has no area, and all of some polygons that cross themselves: `_cut` sees to both.
+"""
 
 from typing import Any
 
 import numpy as np
+from mapbox_earcut import triangulate_float64
+
+_COVERS = 1e-9  # of a polygon's area: by what its triangles may miss it, some roundings of their sum
 
 
 def triangles(points: np.ndarray, counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
     """(F, 3) indices: each polygon of n corners as n - 2 triangles of the same winding, in the order of the polygons.
+
+    A polygon that crosses itself stays a fan, in which triangles overlap.
 
     Args:
         points: (V, 3) float64.
@@ -31,7 +40,9 @@ def triangles(points: np.ndarray, counts: np.ndarray, indices: np.ndarray) -> np
     for polygon in _folded(points, faces, counts):
         corners = indices[starts[polygon] : ends[polygon]]
         first = starts[polygon] - 2 * polygon
-        faces[first : first + len(corners) - 2] = corners[_ears(points[corners])]
+        cut = _cut(points[corners])
+        if cut is not None:
+            faces[first : first + len(cut)] = corners[cut]
     return faces
 
 
@@ -50,39 +61,27 @@ def _folded(points: np.ndarray, fans: np.ndarray, counts: np.ndarray) -> np.ndar
         return np.unique(owner[np.einsum("ij,ij->i", crosses, normals[owner]) < 0.0])
 
 
-def _ears(corners: np.ndarray) -> list[tuple[int, int, int]]:
-    """n - 2 triangles of a polygon (n, 3), by ear clipping; the rest of one that crosses itself becomes a fan."""
-    flat, left, found = _flattened(corners), list(range(len(corners))), []
-    while len(left) > 3:
-        ears = (at for at in range(len(left)) if _is_ear(flat[left], at))
-        ear = next(ears, 1)
-        found.append((left[ear - 1], left[ear], left[(ear + 1) % len(left)]))
-        del left[ear]
-    return [*found, (left[0], left[1], left[2])]
+def _cut(corners: np.ndarray) -> np.ndarray | None:
+    """(n - 2, 3) corners of the triangles of a polygon (n, 3); None where they do not cover it: it crosses itself.
+
+    Where corners repeat or lie in a line fewer triangles will do; the others are corner 0 three times, without an area.
+    """
+    flat, whole = _flattened(corners)
+    found = triangulate_float64(flat, np.array([len(flat)], np.uint32)).reshape(-1, 3)
+    first, second = flat[found[:, 1]] - flat[found[:, 0]], flat[found[:, 2]] - flat[found[:, 0]]
+    covered = np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]).sum()
+    if not abs(covered - whole) <= _COVERS * whole:
+        return None
+    return np.pad(found, ((0, len(corners) - 2 - len(found)), (0, 0)))
 
 
-def _flattened(corners: np.ndarray) -> np.ndarray:
-    """The polygon as (n, 2), counter-clockwise, in the plane of the two axes where its area is largest."""
+def _flattened(corners: np.ndarray) -> tuple[np.ndarray, float]:
+    """The polygon as (n, 2), counter-clockwise, in the plane of the two axes where its area is largest; twice that area."""
     about = corners - corners[0]
     normal = np.cross(about[1:-1], about[2:]).sum(axis=0)
     axis = int(np.argmax(np.abs(normal)))
     seen = about[:, [(axis + 1) % 3, (axis + 2) % 3]]
-    return seen if normal[axis] >= 0.0 else seen * (-1.0, 1.0)
-
-
-def _is_ear(corners: np.ndarray, at: int) -> bool:
-    """Whether corner `at` of (n, 2) is convex and its triangle contains no other corner."""
-    a, b, c = corners[at - 1], corners[at], corners[(at + 1) % len(corners)]
-    if _turn(a, b, c) <= 0.0:
-        return False
-    inside = (_turn(a, b, corners) >= 0.0) & (_turn(b, c, corners) >= 0.0) & (_turn(c, a, corners) >= 0.0)
-    at_corner = (corners == a).all(axis=1) | (corners == b).all(axis=1) | (corners == c).all(axis=1)
-    return not (inside & ~at_corner).any()
-
-
-def _turn(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
-    """Twice the signed area of the triangle abc, positive for a left turn."""
-    return (b[..., 0] - a[..., 0]) * (c[..., 1] - a[..., 1]) - (b[..., 1] - a[..., 1]) * (c[..., 0] - a[..., 0])
+    return np.ascontiguousarray(seen if normal[axis] >= 0.0 else seen * (-1.0, 1.0)), abs(normal[axis])
 
 
 def faces_of_cells(value: Any, argument: str) -> np.ndarray:
