@@ -7,12 +7,9 @@ from warpsample.estimate.rays import distance_of, spread_of
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.spot import Lobes, Spot, bring_near
 from warpsample.host.locks import once
+from warpsample.maths.numerics import HALF, ONE, ZERO
 from warpsample.tracing.placement import far_off
 from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, REACH, Accelerator
-
-_ZERO = wp.constant(wp.float64(0.0))
-_ONE = wp.constant(wp.float64(1.0))
-_HALF = wp.constant(wp.float64(0.5))
 
 
 @once
@@ -26,12 +23,12 @@ def jump_of(slots: Slots) -> wp.Function:
 
         w is the weight of one ray, for where none is free.
         """
-        jump = wp.vec3d(_ONE, _ZERO, _ZERO)
+        jump = wp.vec3d(ONE, ZERO, ZERO)
         if wp.static(not any_hit):
             # What ends at an edge occludes by anything from nothing to what the others do, and so does what begins there.
             if free < rays:
                 jump[0] = (wp.float64(rays) - total[0]) / wp.float64(rays - free)
-            return wp.vec3d(_HALF * jump[0] * jump[0], _ZERO, _ZERO)
+            return wp.vec3d(HALF * jump[0] * jump[0], ZERO, ZERO)
         if wp.static(not counts):
             jump = wp.vec3d(wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2]))
             if free > 0:
@@ -79,12 +76,12 @@ def cell_sum(slots: Slots) -> wp.Function:
         # Scalars: a vector of doubles goes through memory, and costs half as much as a ray. Hits are whole numbers.
         hits = wp.int32(0)
         more_hits = wp.int32(0)
-        x = _ZERO
-        y = _ZERO
-        z = _ZERO
-        more_x = _ZERO
-        more_y = _ZERO
-        more_z = _ZERO
+        x = ZERO
+        y = ZERO
+        z = ZERO
+        more_x = ZERO
+        more_y = ZERO
+        more_z = ZERO
         cast = wp.int32(0)
         free = 2 * lobes.each
         w = wp.vec3(1.0, 0.0, 0.0)

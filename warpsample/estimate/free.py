@@ -8,6 +8,7 @@ from warpsample.estimate.rays import LAST_UNIFORM
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.spot import Lobes, Spot
 from warpsample.host.locks import once
+from warpsample.maths.numerics import ZERO
 from warpsample.sequences.hashing import stream_key
 from warpsample.tracing.wide.layout import Accelerator
 
@@ -15,7 +16,6 @@ BLOCK = 256
 """Directions that are made and integrated together: those of a lobe of as many, a stream for each cell and half."""
 
 _ROOM = wp.constant(wp.int32(2 * LANES))  # variates are filled by multiples of it
-_ZERO = wp.constant(wp.float64(0.0))
 
 
 @once
@@ -83,7 +83,7 @@ def _rounded_up(length: wp.int32) -> wp.int32:
 def _sum_of(row: wp.uint64, length: wp.int32) -> wp.float64:
     """The sum of float32 numbers in float64: four sums, so that no addition waits for the last."""
     values = wp.array(ptr=row, shape=(BLOCK,), dtype=wp.float32)
-    sums = wp.vec4d(_ZERO, _ZERO, _ZERO, _ZERO)
+    sums = wp.vec4d(ZERO, ZERO, ZERO, ZERO)
     k = wp.int32(0)
     while k + 3 < length:
         for j in range(4):

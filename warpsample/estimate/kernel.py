@@ -10,7 +10,8 @@ from warpsample.estimate.skipping.frontier import HORIZON_MARGIN
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.spot import NONFINITE_POSITION, NONFINITE_VALUE, Lobes, Spot, start
 from warpsample.host.locks import once
-from warpsample.maths.numerics import scaled_to_unit
+from warpsample.maths.memory import set_byte, set_int, vec3_at
+from warpsample.maths.numerics import ZERO, scaled_to_unit
 from warpsample.sequences.hashing import point_key
 from warpsample.tracing.placement import lift, local_origin, point_of, reach_along
 from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, PREPARED, SCRATCH, START_FLOATS, Accelerator
@@ -18,7 +19,6 @@ from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, PREPARED, 
 _NONFINITE_POSITION = wp.constant(wp.int32(NONFINITE_POSITION))
 _NONFINITE_VALUE = wp.constant(wp.int32(NONFINITE_VALUE))
 _ANYTHING = wp.constant(wp.float32(2.0**60))  # nothing is so low below a horizon
-_ZERO = wp.constant(wp.float64(0.0))
 
 
 @once
@@ -53,11 +53,9 @@ def _placer(slots: Slots) -> wp.Function:
         if wp.static(traced):
             spot.place = local_origin(lobes.placement, point)
             if wp.static(wide):
-                spot.o = wp.array(ptr=lobes.placement.starts + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[
-                    0
-                ]
+                spot.o = vec3_at(lobes.placement.starts, point)
             else:
-                side = wp.array(ptr=lobes.placement.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+                side = vec3_at(lobes.placement.normals, point)
                 spot.o = wp.vec3(spot.place) + wp.copysign(lift(lobes.placement, side), wp.dot(side, spot.n)) * side
             spot.low = _ANYTHING
             if wp.static(upward):
@@ -79,7 +77,7 @@ def _estimator(slots: Slots) -> wp.Function:
     def estimate_point(lobes: Lobes, accelerator: Accelerator, data: struct, visit: wp.int64, spot: Spot):
         """The numbers of the point that is visited so many points after the first; `spot` has the memory to work in."""
         point = point_of(lobes.placement, visit)
-        normal = wp.array(ptr=lobes.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+        normal = vec3_at(lobes.normals, point)
         unit = scaled_to_unit(normal)
         spot.n = wp.vec3(unit[0], unit[1], unit[2])
         spot.lobe.normal = spot.n
@@ -91,7 +89,7 @@ def _estimator(slots: Slots) -> wp.Function:
             weight = weigh_by_mask(wp.array(ptr=lobes.active + wp.uint64(point), shape=(1,), dtype=wp.uint8), 0)
         status = normal_status(normal, weight)
         spot = place(lobes, point, spot)
-        if status == 0 and wp.dot(spot.place - spot.place, spot.place - spot.place) != _ZERO:
+        if status == 0 and wp.dot(spot.place - spot.place, spot.place - spot.place) != ZERO:
             status = _NONFINITE_POSITION
         total = NOTHING
         variance = NOTHING
@@ -101,7 +99,7 @@ def _estimator(slots: Slots) -> wp.Function:
         empty = wp.int32(0)
         if status == 0:
             total, variance, width, degrees, cast, empty = sum_lobe(lobes, accelerator, data, spot)
-            if wp.dot(total - total, total - total) != _ZERO:
+            if wp.dot(total - total, total - total) != ZERO:
                 status = _NONFINITE_VALUE
                 total = NOTHING
                 variance = NOTHING
@@ -109,9 +107,9 @@ def _estimator(slots: Slots) -> wp.Function:
                 degrees = NOTHING
         keep(lobes, point, total, variance, width, degrees)
         at = wp.uint64(point) * wp.uint64(4)
-        wp.array(ptr=lobes.cast + at, shape=(1,), dtype=wp.int32)[0] = cast
-        wp.array(ptr=lobes.empty + at, shape=(1,), dtype=wp.int32)[0] = empty
-        wp.array(ptr=lobes.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)[0] = wp.uint8(status)
+        set_int(lobes.cast + at, 0, cast)
+        set_int(lobes.empty + at, 0, empty)
+        set_byte(lobes.status, point, status)
 
     return estimate_point
 

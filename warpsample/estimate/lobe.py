@@ -8,14 +8,11 @@ from warpsample.estimate.skipping.frontier import frontier
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.spot import Lobes, Spot, found_in
 from warpsample.host.locks import once
+from warpsample.maths.numerics import HALF, ONE, ZERO
 from warpsample.tracing.placement import far_off
 from warpsample.tracing.wide.layout import Accelerator
 
 NOTHING = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
-
-_ZERO = wp.constant(wp.float64(0.0))
-_ONE = wp.constant(wp.float64(1.0))
-_HALF = wp.constant(wp.float64(0.5))
 
 
 @once
@@ -99,8 +96,8 @@ def counted_lobe(slots: Slots) -> wp.Function:
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, spot: Spot):
         """(sum of the weights of all rays, squares of its standard error and spread, degrees, rays cast, in empty cells)."""
         hits = wp.int32(0)
-        squared = _ZERO
-        edges = _ZERO
+        squared = ZERO
+        edges = ZERO
         mixed = wp.int32(0)
         fewer = wp.int32(0)
         cast = wp.int32(0)
@@ -129,11 +126,11 @@ def counted_lobe(slots: Slots) -> wp.Function:
                         mixed += 1
                         fewer += wp.min(free, 2 * lobes.each - free)
         cells = lobes.bands * lobes.sectors
-        variance = wp.vec3d(squared, _ZERO, _ZERO)
-        expected = wp.vec3d(edges, _ZERO, _ZERO)
-        unseen = wp.vec3d(wp.float64(cells), _ZERO, _ZERO)
+        variance = wp.vec3d(squared, ZERO, ZERO)
+        expected = wp.vec3d(edges, ZERO, ZERO)
+        unseen = wp.vec3d(wp.float64(cells), ZERO, ZERO)
         width, degrees = widths(variance, expected, unseen, NOTHING, NOTHING, mixed, fewer, cells)
-        return wp.vec3d(wp.float64(hits), _ZERO, _ZERO), variance, width, degrees, cast, empty
+        return wp.vec3d(wp.float64(hits), ZERO, ZERO), variance, width, degrees, cast, empty
 
     return sum_lobe
 
@@ -141,7 +138,7 @@ def counted_lobe(slots: Slots) -> wp.Function:
 @once
 def weighed_lobe(slots: Slots) -> wp.Function:
     """A function that sums a lobe whose rays add any weights."""
-    constant, struct, open_jump = slots.constant, slots.struct, _ONE if slots.any_hit else _HALF
+    constant, struct, open_jump = slots.constant, slots.struct, ONE if slots.any_hit else HALF
     open_around, search, sum_cell, widths = opened_for(slots), search_of(slots), cell_sum(slots), widths_of(slots)
     jump_at = jump_of(slots)
 

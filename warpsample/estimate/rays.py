@@ -6,6 +6,7 @@ from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.spot import Lobes, Spot
 from warpsample.host.locks import once
+from warpsample.maths.memory import float_at
 from warpsample.sequences.hashing import ONE_WORD, one_of, stream_key
 from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, Accelerator
 from warpsample.tracing.wide.prepare import ray_in
@@ -99,13 +100,13 @@ def distance_of(slots: Slots) -> wp.Function:
         distance = wp.float32(wp.INF)
         if wp.static(wide):
             if near != 0:
-                edge = wp.array(ptr=spot.room + NEAR_EDGE, shape=(1,), dtype=wp.float32)
+                edge = float_at(spot.room + NEAR_EDGE, 0)
                 leaf = spot.room + NEAR
                 if wp.static(any_hit):
-                    if any_of(leaf, near, ray_in(column), reach, edge[0]) >= 0:
+                    if any_of(leaf, near, ray_in(column), reach, edge) >= 0:
                         distance = 0.0
                 else:
-                    met, triangle = nearest_of(leaf, near, ray_in(column), reach, edge[0])
+                    met, triangle = nearest_of(leaf, near, ray_in(column), reach, edge)
                     if triangle >= 0:
                         distance = met
                         reach = met

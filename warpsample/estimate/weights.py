@@ -7,6 +7,7 @@ import warp as wp
 
 from warpsample.estimate.integrand import Integrand, Lobe
 from warpsample.maths.frames import frame_about, to_local
+from warpsample.maths.memory import vec3_at
 
 _TURNS = wp.constant(wp.float32(0.15915494309189535))
 
@@ -50,7 +51,7 @@ def _pixel(weights: Weights, column: wp.int32, row: wp.int32) -> wp.vec3:
     column = wp.where(column >= weights.width, column - weights.width, column)
     row = wp.clamp(row, 0, weights.height - 1)
     at = wp.uint64(row) * wp.uint64(weights.width) + wp.uint64(column)
-    return wp.array(ptr=weights.pixels + at * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+    return vec3_at(weights.pixels + at * wp.uint64(12), 0)
 
 
 @wp.func

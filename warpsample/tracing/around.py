@@ -5,10 +5,9 @@ import warp as wp
 from warpsample.maths.numerics import greater, lesser
 from warpsample.tracing.wide.corners import corner, size_of
 from warpsample.tracing.wide.lanes import lanes_with
-from warpsample.tracing.wide.layout import NODE_BYTES, WIDTH
+from warpsample.tracing.wide.layout import LINKS, NODE_BYTES, WIDTH
 
 _ROUNDING = wp.constant(wp.float32(2.0**-18))
-_PLACES = wp.constant(wp.uint64(6 * WIDTH * 4))
 _NODE_FLOATS = NODE_BYTES // 4
 
 
@@ -16,14 +15,14 @@ _NODE_FLOATS = NODE_BYTES // 4
 def children_around(node: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
     """Mask of the children whose boxes are as near to a point as r along each axis."""
     rows = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
-    places = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)
+    links = wp.array(ptr=node + wp.uint64(4 * LINKS), shape=(WIDTH,), dtype=wp.int32)
     near = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
     k = wp.int32(0)
     while k < WIDTH:
         x = wp.where(rows[k] <= p[0] + r, 1, 0) & wp.where(rows[3 * WIDTH + k] >= p[0] - r, 1, 0)
         y = wp.where(rows[WIDTH + k] <= p[1] + r, 1, 0) & wp.where(rows[4 * WIDTH + k] >= p[1] - r, 1, 0)
         z = wp.where(rows[2 * WIDTH + k] <= p[2] + r, 1, 0) & wp.where(rows[5 * WIDTH + k] >= p[2] - r, 1, 0)
-        near[k] = x & y & z & wp.where(places[k] != 0, 1, 0)
+        near[k] = x & y & z & wp.where(links[k] != 0, 1, 0)
         k += 1
     return lanes_with(near.ptr, 0)
 

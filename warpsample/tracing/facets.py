@@ -2,11 +2,11 @@
 
 import warp as wp
 
-from warpsample.tracing.placement import LIFT, Placement
+from warpsample.maths.memory import vec3_at, vec3i_at
+from warpsample.maths.numerics import TWO, ZERO
+from warpsample.tracing.placement import LIFT, Placement, in_double
 
 _LIFT = wp.constant(wp.float64(LIFT))
-_ZERO = wp.constant(wp.float64(0.0))
-_TWO = wp.constant(wp.float64(2.0))
 
 NOWHERE = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 
@@ -54,18 +54,6 @@ class Facet:
 
 
 @wp.func
-def vector_at(address: wp.uint64, i: wp.int64) -> wp.vec3:
-    """The i-th vector of an array."""
-    return wp.array(ptr=address + wp.uint64(i) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
-
-
-@wp.func
-def in_double(v: wp.vec3) -> wp.vec3d:
-    """The same vector in float64."""
-    return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
-
-
-@wp.func
 def with_normal(seats: Seats, facet: Facet, n: wp.vec3d) -> Facet:
     """A facet with that unit normal, along which points are moved off it by 32 roundings of its corners."""
     spread = wp.vec3d(wp.float64(seats.spread_x), wp.float64(seats.spread_y), wp.float64(seats.spread_z))
@@ -82,11 +70,11 @@ def with_normal(seats: Seats, facet: Facet, n: wp.vec3d) -> Facet:
 @wp.func
 def corners_of(seats: Seats, face: wp.int32) -> Facet:
     """A face without its normal."""
-    corners = wp.array(ptr=seats.triangles + wp.uint64(face) * wp.uint64(12), shape=(1,), dtype=wp.vec3i)[0]
+    corners = vec3i_at(seats.triangles, face)
     facet = Facet()
-    facet.a = in_double(vector_at(seats.vertices, wp.int64(corners[0])))
-    facet.b = in_double(vector_at(seats.vertices, wp.int64(corners[1])))
-    facet.c = in_double(vector_at(seats.vertices, wp.int64(corners[2])))
+    facet.a = in_double(vec3_at(seats.vertices, corners[0]))
+    facet.b = in_double(vec3_at(seats.vertices, corners[1]))
+    facet.c = in_double(vec3_at(seats.vertices, corners[2]))
     return facet
 
 
@@ -97,7 +85,7 @@ def facet_of(seats: Seats, face: wp.int32) -> Facet:
     n = wp.cross(facet.b - facet.a, facet.c - facet.a)
     facet.area = wp.length(n)
     longest = wp.max(wp.max(wp.length(facet.b - facet.a), wp.length(facet.c - facet.b)), wp.length(facet.a - facet.c))
-    if facet.area > _ZERO:
+    if facet.area > ZERO:
         facet = with_normal(seats, facet, n / facet.area)
     if facet.area <= facet.lift * longest:
         facet.n = NOWHERE
@@ -121,5 +109,5 @@ def within(facet: Facet, p: wp.vec3d) -> wp.float64:
 @wp.func
 def touches(facet: Facet, p: wp.vec3d, moved: wp.float64) -> wp.bool:
     """Whether a point is as near to a facet as two lifts, or may be brought as near by a move."""
-    near = wp.abs(wp.dot(facet.n, p - facet.a)) <= _TWO * facet.lift + moved
+    near = wp.abs(wp.dot(facet.n, p - facet.a)) <= TWO * facet.lift + moved
     return near and within(facet, p) >= -facet.slack - moved

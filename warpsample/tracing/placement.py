@@ -6,6 +6,8 @@ import numpy as np
 import warp as wp
 
 from warpsample.host.neighbours import address_of
+from warpsample.maths.memory import long_at, vec3_at, vec3d_at
+from warpsample.maths.numerics import ONE, ZERO
 from warpsample.tracing.scene import Scene, coarseness_of
 from warpsample.tracing.triples import Triples
 
@@ -21,11 +23,7 @@ LIFT = 2.0**-19
 _LIFT = wp.constant(wp.float32(LIFT))
 _FURTHEST = wp.constant(wp.float64(FURTHEST))
 _ENTRY = wp.constant(wp.float64(1.25))
-_ZERO = wp.constant(wp.float64(0.0))
-_ONE = wp.constant(wp.float64(1.0))
 _LEAST_STEP = wp.constant(wp.float64(1e-150))
-_FLOATS = wp.constant(wp.uint64(12))
-_DOUBLES = wp.constant(wp.uint64(24))
 
 
 @wp.struct
@@ -85,14 +83,17 @@ def placed(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:
 
 
 @wp.func
+def in_double(v: wp.vec3) -> wp.vec3d:
+    """The same vector in float64."""
+    return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
+
+
+@wp.func
 def vector_in_double(address: wp.uint64, double: wp.int32, i: wp.int64) -> wp.vec3d:
     """The i-th vector of an array of float32, or of float64 if `double` says so."""
     if double != 0:
-        doubles = wp.array(ptr=address + wp.uint64(i) * _DOUBLES, shape=(1,), dtype=wp.vec3d)
-        return doubles[0]
-    floats = wp.array(ptr=address + wp.uint64(i) * _FLOATS, shape=(1,), dtype=wp.vec3)
-    v = floats[0]
-    return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
+        return vec3d_at(address, i)
+    return in_double(vec3_at(address, i))
 
 
 @wp.func
@@ -100,7 +101,7 @@ def unit_in_double(d: wp.vec3d, double: wp.int32) -> wp.vec3d:
     """d / abs(d); NaN where d is zero or not finite."""
     if double != 0:  # whose squares may over- or underflow
         d = d / wp.max(wp.max(wp.abs(d[0]), wp.abs(d[1])), wp.abs(d[2]))
-    return (_ONE / wp.sqrt(wp.dot(d, d))) * d
+    return (ONE / wp.sqrt(wp.dot(d, d))) * d
 
 
 @wp.func
@@ -108,8 +109,7 @@ def point_of(placement: Placement, i: wp.int64) -> wp.int64:
     """The point that is the i-th to be visited."""
     if placement.order == wp.uint64(0):
         return i
-    order = wp.array(ptr=placement.order + wp.uint64(i) * wp.uint64(8), shape=(1,), dtype=wp.int64)
-    return order[0]
+    return long_at(placement.order, i)
 
 
 @wp.func
@@ -160,12 +160,12 @@ def way_to_scene(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
 
     Or comes from so far away that float64 does not tell.
     """
-    enter = _ZERO
+    enter = ZERO
     leave = wp.float64(wp.INF)
     for axis in range(3):
-        inverse = _ONE / wp.where(wp.abs(d[axis]) > _LEAST_STEP, d[axis], wp.copysign(_LEAST_STEP, d[axis]))
+        inverse = ONE / wp.where(wp.abs(d[axis]) > _LEAST_STEP, d[axis], wp.copysign(_LEAST_STEP, d[axis]))
         middle = -o[axis] * inverse
         half = wp.abs(_ENTRY * inverse)
         enter = wp.max(enter, middle - half)
         leave = wp.min(leave, middle + half)
-    return wp.where(enter < leave and not far_off(o + enter * d), enter, -_ONE)
+    return wp.where(enter < leave and not far_off(o + enter * d), enter, -ONE)

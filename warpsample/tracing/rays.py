@@ -5,7 +5,8 @@ import warp as wp
 from warpsample.host.device_memory import at_home
 from warpsample.host.engine import run
 from warpsample.host.locks import once
-from warpsample.maths.numerics import direction_to_unit
+from warpsample.maths.memory import float_at, set_float, set_int, vec3_at
+from warpsample.maths.numerics import ZERO, direction_to_unit
 from warpsample.tracing.order import order_of
 from warpsample.tracing.placement import (
     Placement,
@@ -34,10 +35,6 @@ from warpsample.tracing.wide.layout import (
 RAY_WORK = 64
 """Directions that take as long to sample as a ray to trace."""
 
-_ZERO = wp.constant(wp.float64(0.0))
-_FLOATS = wp.constant(wp.uint64(12))
-_DOUBLES = wp.constant(wp.uint64(24))
-
 
 @wp.struct
 class Rays:
@@ -64,8 +61,7 @@ RaysArgs = type(Rays().__ctype__())
 def _direction(rays: Rays, ray: wp.int64) -> wp.vec3:
     """The direction of a ray; one of float64 is brought to unit length."""
     if rays.double_directions == 0:
-        floats = wp.array(ptr=rays.directions + wp.uint64(ray) * _FLOATS, shape=(1,), dtype=wp.vec3)
-        return floats[0]
+        return vec3_at(rays.directions, ray)
     return wp.vec3(unit_in_double(vector_in_double(rays.directions, 1, ray), 1))
 
 
@@ -73,21 +69,19 @@ def _direction(rays: Rays, ray: wp.int64) -> wp.vec3:
 def _read(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.uint64):
     """A ray from o into its column."""
     d = _direction(rays, ray)
-    ahead = _ZERO
+    ahead = ZERO
     if far_off(o):
         unit = unit_in_double(vector_in_double(rays.directions, rays.double_directions, ray), rays.double_directions)
         ahead = way_to_scene(o, unit)
-        o = wp.where(ahead < _ZERO, o - o, o + ahead * unit)  # of a ray that misses: 0, and NaN where that is not finite
+        o = wp.where(ahead < ZERO, o - o, o + ahead * unit)  # of a ray that misses: 0, and NaN where that is not finite
     start = wp.vec3(o)
-    if rays.placement.normals != wp.uint64(0) and ahead == _ZERO:
-        n = wp.array(ptr=rays.placement.normals + wp.uint64(point) * _FLOATS, shape=(1,), dtype=wp.vec3)[0]
+    if rays.placement.normals != wp.uint64(0) and ahead == ZERO:
+        n = vec3_at(rays.placement.normals, point)
         forward = wp.dot(n, d)
         if rays.placement.starts == wp.uint64(0):
             start += wp.copysign(lift(rays.placement, n), forward) * n
         else:
-            start = wp.array(ptr=rays.placement.starts + wp.uint64(point) * _DOUBLES, shape=(2,), dtype=wp.vec3)[
-                wp.where(forward < 0.0, 1, 0)
-            ]
+            start = vec3_at(rays.placement.starts, wp.int64(2) * point + wp.where(forward < 0.0, wp.int64(1), wp.int64(0)))
     rows = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     rows[ORIGIN] = start[0]
     rows[ORIGIN + CHUNK] = start[1]
@@ -95,7 +89,7 @@ def _read(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.ui
     rows[DIRECTION] = d[0]
     rows[DIRECTION + CHUNK] = d[1]
     rows[DIRECTION + 2 * CHUNK] = d[2]
-    rows[REACH] = wp.where(ahead < _ZERO, -1.0, wp.float32(rays.placement.reach - ahead))
+    rows[REACH] = wp.where(ahead < ZERO, -1.0, wp.float32(rays.placement.reach - ahead))
     rows[AHEAD] = wp.float32(ahead)
 
 
@@ -158,21 +152,17 @@ def ray_kernel(prepare: wp.Function, query: wp.Function, size: int = CHUNK_FLOAT
             distance = wp.float32(wp.INF)
             face = wp.int32(-1)
             column = floats.ptr + wp.uint64(4 * k)
-            rows = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-            reach = rows[REACH]
+            reach = float_at(column, REACH)
             if reach > 0.0:
                 near, face, nodes, leaves = query(accelerator, column, reach, words.ptr)
-                distance = wp.float32((wp.float64(near) + wp.float64(rows[AHEAD])) * rays.placement.unit)
+                distance = wp.float32((wp.float64(near) + wp.float64(float_at(column, AHEAD))) * rays.placement.unit)
                 if rays.visits != wp.uint64(0):
-                    visits = wp.array(ptr=rays.visits + wp.uint64(ray) * wp.uint64(8), shape=(2,), dtype=wp.int32)
-                    visits[0] = nodes
-                    visits[1] = leaves
+                    set_int(rays.visits, wp.int64(2) * ray, nodes)
+                    set_int(rays.visits, wp.int64(2) * ray + wp.int64(1), leaves)
             elif not (reach <= 0.0):
                 distance = wp.float32(wp.NAN)
-            distances = wp.array(ptr=rays.distance + wp.uint64(ray) * wp.uint64(4), shape=(1,), dtype=wp.float32)
-            faces = wp.array(ptr=rays.face + wp.uint64(ray) * wp.uint64(4), shape=(1,), dtype=wp.int32)
-            distances[0] = distance
-            faces[0] = face
+            set_float(rays.distance, ray, distance)
+            set_int(rays.face, ray, face)
 
     return each_ray
 

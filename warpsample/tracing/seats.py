@@ -2,26 +2,18 @@
 
 import warp as wp
 
-from warpsample.maths.numerics import lowest_bit
+from warpsample.maths.memory import address_at
+from warpsample.maths.numerics import HALF, ONE, TWO, ZERO, lowest_bit
 from warpsample.tracing.around import children_around, triangles_touched
 from warpsample.tracing.facets import NOWHERE, Facet, Seats, facet_of, touches, with_normal, within
 from warpsample.tracing.placement import LIFT, lift
-from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH, Accelerator
-from warpsample.tracing.wide.query import put_aside
+from warpsample.tracing.wide.layout import Accelerator, face_in, leaf_at, link_in, node_at
+from warpsample.tracing.wide.query import WAITING, put_aside
 
 _TWICE = wp.constant(wp.float32(2.0 * LIFT))
-_NODE = wp.constant(wp.uint64(NODE_BYTES))
-_LEAF = wp.constant(wp.uint64(LEAF_BYTES))
-_PLACES = wp.constant(wp.uint64(6 * WIDTH * 4))
-_FACES = wp.constant(wp.uint64(9 * WIDTH * 4))
-_WAITING = wp.constant(wp.uint64(4 * 4))
 _THIRD = wp.constant(wp.float64(1.0 / 3.0))
-_HALF = wp.constant(wp.float64(0.5))
 _TENTH = wp.constant(wp.float64(0.1))
-_ZERO = wp.constant(wp.float64(0.0))
-_ONE = wp.constant(wp.float64(1.0))
 _SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # cosine of two normals that are one, rounded to float32
-_TWO = wp.constant(wp.float64(2.0))
 _THIN = wp.constant(wp.int32(-2))  # the face of a point that lies on none but those without a normal
 
 
@@ -64,9 +56,9 @@ def _settled(seat: Seat, other: Facet) -> Seat:
     across = wp.max(wp.max(a, b), c) > other.lift and wp.min(wp.min(a, b), c) < -other.lift
     across = across and within(own, seat.p) > own.slack  # and not at an edge of its face
     gain = (a + b + c) * _THIRD - wp.dot(other.n, seat.p - other.a)
-    side = wp.where(across, seat.side, wp.copysign(_ONE, gain))
+    side = wp.where(across, seat.side, wp.copysign(ONE, gain))
     height = side * wp.dot(other.n, seat.o - other.a)
-    if rises > own.lift and height < _HALF * other.lift:
+    if rises > own.lift and height < HALF * other.lift:
         if across:
             seat.aside += (side * (other.lift - height)) * other.n
         elif wp.abs(gain) > _THIRD * other.lift:
@@ -77,14 +69,14 @@ def _settled(seat: Seat, other: Facet) -> Seat:
 @wp.func
 def _better(cosine: wp.float64, face: wp.int32, best: wp.float64, known: wp.int32) -> wp.bool:
     """Whether a face is to be preferred to the one known; of equal ones the first, in whichever order they are looked at."""
-    return cosine >= _ZERO and (known < 0 or cosine > best or (cosine == best and face < known))
+    return cosine >= ZERO and (known < 0 or cosine > best or (cosine == best and face < known))
 
 
 @wp.func
 def _look_at(seats: Seats, seat: Seat, face: wp.int32, look: wp.vec3d, searching: wp.bool) -> Seat:
     """The seat after a look at another face that may touch the point: as its own, or else as one beside it."""
     facet = facet_of(seats, face)
-    if wp.dot(facet.n, facet.n) == _ZERO:
+    if wp.dot(facet.n, facet.n) == ZERO:
         if seat.own == -1:
             seat.own = _THIN
     elif touches(facet, seat.p, seat.moved):
@@ -115,18 +107,17 @@ def look_around(seats: Seats, tree: Accelerator, seat: Seat, look: wp.vec3d, sea
     top = scratch
     while mask != 0 or top != scratch:
         if mask == 0:
-            top -= _WAITING
-            node = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)[0]
+            top -= WAITING
+            node = address_at(top, 0)
             mask = wp.array(ptr=top, shape=(4,), dtype=wp.int32)[2]
         child = lowest_bit(mask)
         mask = mask & (mask - 1)
-        place = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)[child]
+        place = link_in(node, child)
         if place < 0:
-            leaf = tree.leaves + wp.uint64(~place) * _LEAF
+            leaf = leaf_at(tree, ~place)
             touched = triangles_touched(leaf, p, r)
-            faces = wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)
             for _ in range(wp.bit_count(touched)):
-                face = faces[lowest_bit(touched)]
+                face = face_in(leaf, lowest_bit(touched))
                 touched = touched & (touched - 1)
                 if face != seat.own:
                     seat.alone = wp.bool(False)
@@ -134,7 +125,7 @@ def look_around(seats: Seats, tree: Accelerator, seat: Seat, look: wp.vec3d, sea
         else:
             if mask != 0:
                 top = put_aside(top, node, mask, 0.0)
-            node = tree.nodes + wp.uint64(place) * _NODE
+            node = node_at(tree, place)
             mask = children_around(node, p, r)
     return seat
 
@@ -147,7 +138,7 @@ def own_face(seat: Seat) -> wp.int32:
     """
     along = seat.best_along > _SAME
     against = seat.best_against > _SAME
-    forward = seat.ahead >= _ZERO
+    forward = seat.ahead >= ZERO
     if along != against:
         forward = along
     found = wp.where(forward, seat.along, seat.against)
@@ -158,14 +149,14 @@ def own_face(seat: Seat) -> wp.int32:
 def sitting(seats: Seats, seat: Seat, look: wp.vec3d, known: wp.bool) -> Seat:
     """The seat a lift above its face, to the side to which the point looks."""
     own = seat.facet
-    seat.side = wp.copysign(_ONE, wp.dot(own.n, look))
-    seat.inwards = _ZERO
+    seat.side = wp.copysign(ONE, wp.dot(own.n, look))
+    seat.inwards = ZERO
     seat.aside = NOWHERE
     height = seat.side * wp.dot(own.n, seat.p - own.a)
-    away = wp.clamp(own.lift - height, _ZERO, _TWO * own.lift)
+    away = wp.clamp(own.lift - height, ZERO, TWO * own.lift)
     way = seat.side * own.n
     steep = wp.dot(way, look)
-    if not known and steep > _TENTH and away > _ZERO:  # a vertex: along its normal, above all faces if none is in the way
+    if not known and steep > _TENTH and away > ZERO:  # a vertex: along its normal, above all faces if none is in the way
         way = look
         away = wp.max(away / steep, with_normal(seats, own, look).lift)
     seat.o = seat.p + away * way
@@ -179,7 +170,7 @@ def start_of(seats: Seats, seat: Seat, look: wp.vec3d) -> wp.vec3:
     if seat.own == _THIN:
         towards = wp.vec3(look)
         return wp.vec3(seat.p) + lift(seats.placement, towards) * towards
-    if wp.dot(seat.facet.n, seat.facet.n) == _ZERO:
+    if wp.dot(seat.facet.n, seat.facet.n) == ZERO:
         return wp.vec3(seat.p)
     middle = (seat.facet.a + seat.facet.b + seat.facet.c) * _THIRD
-    return wp.vec3(seat.o + wp.min(seat.inwards, _HALF) * (middle - seat.p) + seat.aside)
+    return wp.vec3(seat.o + wp.min(seat.inwards, HALF) * (middle - seat.p) + seat.aside)

@@ -11,17 +11,16 @@ import warp as wp
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
 from warpsample.host.locks import once
-from warpsample.maths.numerics import normalize
+from warpsample.maths.memory import int_at, set_vec3, vec3_at
+from warpsample.maths.numerics import ZERO, normalize
 from warpsample.mesh.mesh import Mesh, unit_or_zero
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.tracing.facets import Seats, SeatsArgs, corners_of, facet_of, in_double, vector_at, with_normal
-from warpsample.tracing.placement import PlacementArgs, local_origin
+from warpsample.tracing.facets import Seats, SeatsArgs, corners_of, facet_of, with_normal
+from warpsample.tracing.placement import PlacementArgs, in_double, local_origin
 from warpsample.tracing.scene import Scene
 from warpsample.tracing.seats import Seat, look_around, own_face, sitting, start_of
 from warpsample.tracing.tracers import Tracer
 from warpsample.tracing.wide.layout import SCRATCH, Accelerator
-
-_ZERO = wp.constant(wp.float64(0.0))
 
 
 def faces_and_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origins") -> tuple[np.ndarray, np.ndarray]:
@@ -87,14 +86,14 @@ def _start_kernel() -> wp.Kernel:
         i = first_task + wp.int64(wp.tid())
         seat = Seat()
         seat.p = local_origin(seats.placement, i)
-        seat.own = wp.array(ptr=seats.face + wp.uint64(i) * wp.uint64(4), shape=(1,), dtype=wp.int32)[0]
+        seat.own = int_at(seats.face, i)
         seat.along = -1
         seat.against = -1
         seat.alone = wp.bool(False)
-        normal = vector_at(seats.placement.normals, i)
+        normal = vec3_at(seats.placement.normals, i)
         look = in_double(normal)
         if seats.sides == 1:
-            look = in_double(normalize(vector_at(seats.towards, i)))
+            look = in_double(normalize(vec3_at(seats.towards, i)))
         known = seat.own >= 0
         if known:
             # The normal is from before the corners were rounded.
@@ -103,7 +102,7 @@ def _start_kernel() -> wp.Kernel:
         for step in range(wp.where(known, 1, 0), seats.sides + 1):
             if step > 0 and seat.own >= 0:
                 seat = sitting(seats, seat, look, known)
-            if wp.dot(look, look) > _ZERO and (step == 0 or seat.own >= 0) and not seat.alone:
+            if wp.dot(look, look) > ZERO and (step == 0 or seat.own >= 0) and not seat.alone:
                 seat.alone = wp.bool(step > 0)
                 seat = look_around(seats, tree, seat, look, step == 0, words.ptr)
             if step == 0:
@@ -111,9 +110,7 @@ def _start_kernel() -> wp.Kernel:
                 if seat.own >= 0:
                     seat.facet = facet_of(seats, seat.own)
             else:
-                at = seats.starts + wp.uint64(12) * (wp.uint64(i) * wp.uint64(seats.sides) + wp.uint64(step - 1))
-                start = wp.array(ptr=at, shape=(1,), dtype=wp.vec3)
-                start[0] = start_of(seats, seat, look)
+                set_vec3(seats.starts, i * wp.int64(seats.sides) + wp.int64(step - 1), start_of(seats, seat, look))
                 look = -look
 
     return find_starts

@@ -7,7 +7,7 @@ import warp as wp
 
 from warpsample.host.arrays import check_device, cpu
 from warpsample.host.engine import check_workers
-from warpsample.maths.numerics import direction_to_unit
+from warpsample.maths.numerics import ONE, ZERO, direction_to_unit
 from warpsample.mesh.mesh import as_mesh
 from warpsample.tracing.placement import MOST_DISTANCE, far_off, lift_within, way_to_scene
 from warpsample.tracing.scene import coarseness_of, scene_of
@@ -16,8 +16,6 @@ from warpsample.tracing.wide.prepare import RAY_ROOM, ray_of
 from warpsample.tracing.wide.query import wide_walk
 
 _MOST_DISTANCE = wp.constant(wp.float32(MOST_DISTANCE))
-_ZERO = wp.constant(wp.float64(0.0))
-_ONE = wp.constant(wp.float64(1.0))
 _walk_to_any = wide_walk(True)
 _walk_to_nearest = wide_walk(False)
 
@@ -63,14 +61,14 @@ def _local(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.fl
     ray = Local()
     ray.d = wp.vec3(unit[0], unit[1], unit[2])
     reach = wp.float64(wp.where(max_distance > _MOST_DISTANCE, _MOST_DISTANCE, max_distance)) * tree.scale  # NaN stays
-    ahead = _ZERO
+    ahead = ZERO
     if far_off(o):
         w = _in_double(direction)
-        w = (_ONE / wp.sqrt(wp.dot(w, w))) * w
+        w = (ONE / wp.sqrt(wp.dot(w, w))) * w
         ahead = way_to_scene(o, w)
-        o = wp.where(ahead < _ZERO, o - o, o + ahead * w)
+        o = wp.where(ahead < ZERO, o - o, o + ahead * w)
     ray.o = wp.vec3(o)
-    ray.reach = wp.where(ahead < _ZERO, -1.0, wp.float32(reach - ahead))
+    ray.reach = wp.where(ahead < ZERO, -1.0, wp.float32(reach - ahead))
     ray.ahead = wp.float32(ahead)
     if not (wp.abs(unit[3]) < 0.1 and wp.dot(ray.o - ray.o, ray.o - ray.o) == 0.0):
         ray.reach = wp.float32(wp.NAN)
@@ -120,7 +118,7 @@ def _nearest_hit(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance:
             words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
             to = ray_of(ray.o, ray.d, room)
             near, face, _nodes, _leaves = _walk_to_nearest(_accelerator(tree), to, ray.reach, words.ptr)
-        distance = wp.float32((wp.float64(near) + wp.float64(ray.ahead)) * (_ONE / tree.scale))
+        distance = wp.float32((wp.float64(near) + wp.float64(ray.ahead)) * (ONE / tree.scale))
     elif not (ray.reach <= 0.0):
         distance = wp.float32(wp.NAN)
     return distance, face

@@ -8,15 +8,21 @@ import warp as wp
 
 from warpsample.maths.numerics import fma, greater, lesser, lowest_bit
 from warpsample.tracing.wide.corners import corner, size_of
-from warpsample.tracing.wide.layout import BEAM_FLOATS, LEAF_BYTES, NODE_BYTES, PLANES, WIDTH, Accelerator
-from warpsample.tracing.wide.query import put_aside
+from warpsample.tracing.wide.layout import (
+    BEAM_FLOATS,
+    LEAF_BYTES,
+    NODE_BYTES,
+    PLANES,
+    WIDTH,
+    Accelerator,
+    leaf_at,
+    link_in,
+    node_at,
+)
+from warpsample.tracing.wide.query import WAITING, put_aside
 
-_NODE = wp.constant(wp.uint64(NODE_BYTES))
-_LEAF = wp.constant(wp.uint64(LEAF_BYTES))
 _ROW = wp.constant(wp.uint64(4 * WIDTH))
 _UPPER = wp.constant(wp.uint64(3 * 4 * WIDTH))
-_PLACES = wp.constant(wp.uint64(6 * 4 * WIDTH))
-_WAITING = wp.constant(wp.uint64(4 * 4))
 _LEAF_FLOATS = LEAF_BYTES // 4
 _ORIGIN_AT = wp.constant(wp.int32(4 * WIDTH))
 _LOW_AT = wp.constant(wp.int32(4 * WIDTH + 3))
@@ -151,7 +157,7 @@ def meets(accelerator: Accelerator, beam: wp.uint64, visits: wp.int32, scratch: 
     met = wp.int32(0)
     top = scratch
     for other in range(1, accelerator.starts):
-        top = put_aside(top, accelerator.start + wp.uint64(other) * _NODE, -1, 0.0)
+        top = put_aside(top, accelerator.start + wp.uint64(other) * wp.uint64(NODE_BYTES), -1, 0.0)
     node = accelerator.start
     mask = wp.int32(-1)  # not found yet
     searching = wp.int32(1)
@@ -161,21 +167,20 @@ def meets(accelerator: Accelerator, beam: wp.uint64, visits: wp.int32, scratch: 
         elif mask != 0:
             child = lowest_bit(mask)
             mask = mask & (mask - 1)
-            places = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)
-            place = places[child]
+            place = link_in(node, child)
             if place < 0:
-                met = triangles_in(accelerator.leaves + wp.uint64(~place) * _LEAF, beam)
+                met = triangles_in(leaf_at(accelerator, ~place), beam)
             else:
                 if mask != 0:
                     top = put_aside(top, node, mask, 0.0)
-                node = accelerator.nodes + wp.uint64(place) * _NODE
+                node = node_at(accelerator, place)
                 mask = -1
             visits -= 1
             if met != 0 or visits == 0:
                 met = 1
                 searching = 0
         elif top != scratch:
-            top -= _WAITING
+            top -= WAITING
             address = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)
             waiting = wp.array(ptr=top, shape=(4,), dtype=wp.int32)
             node = address[0]

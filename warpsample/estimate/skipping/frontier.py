@@ -10,7 +10,18 @@ import warp as wp
 from warpsample.maths.numerics import fma, greater, lowest_bit
 from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.corners import highest_corner
-from warpsample.tracing.wide.layout import LEAF_BYTES, MOST_STARTS, NODE_BYTES, WIDTH, Accelerator
+from warpsample.tracing.wide.layout import (
+    LEAF_BYTES,
+    LINKS,
+    MOST_STARTS,
+    NODE_BYTES,
+    WIDTH,
+    Accelerator,
+    edge_in,
+    leaf_at,
+    link_in,
+    node_at,
+)
 
 NEAR = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES))
 """Where the leaf around the point is, in bytes from the point's first node on."""
@@ -25,12 +36,8 @@ A height's three products and sums, and the coordinates and the normal's compone
 An origin that is `rays.lift`ed off the surface, by 2^-19, thus has its own face, and all in its plane, below itself.
 """
 
-_NODE = wp.constant(wp.uint64(NODE_BYTES))
-_LEAF = wp.constant(wp.uint64(LEAF_BYTES))
 _NODE_FLOATS = NODE_BYTES // 4
 _LEAF_FLOATS = LEAF_BYTES // 4
-_PLACES = wp.constant(wp.uint64(6 * 4 * WIDTH))
-_EDGES = wp.constant(wp.uint64(7 * 4 * WIDTH))
 _PADDING = wp.constant(wp.float32(PADDING))
 _NOWHERE = wp.constant(wp.float32(2.0**60))
 _MOST_ENTRIES = wp.constant(wp.int32(MOST_STARTS * WIDTH))
@@ -47,7 +54,7 @@ def _beyond(low: wp.float32, high: wp.float32, x: wp.float32) -> wp.float32:
 def visible(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: wp.float32):
     """Masks of the children that reach above the horizon and into reach, and of those whose boxes the origin is in."""
     rows = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
-    places = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)
+    links = wp.array(ptr=node + wp.uint64(4 * LINKS), shape=(WIDTH,), dtype=wp.int32)
     visible = wp.int32(0)
     around = wp.int32(0)
     k = wp.int32(0)
@@ -60,7 +67,7 @@ def visible(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: w
         dy = _beyond(rows[WIDTH + k], rows[4 * WIDTH + k], o[1])
         dz = _beyond(rows[2 * WIDTH + k], rows[5 * WIDTH + k], o[2])
         apart = wp.sqrt(fma(dx, dx, fma(dy, dy, dz * dz)))
-        visible = visible | ((above & wp.where(apart < reach, 1, 0) & wp.where(places[k] != 0, 1, 0)) << k)
+        visible = visible | ((above & wp.where(apart < reach, 1, 0) & wp.where(links[k] != 0, 1, 0)) << k)
         around = around | (wp.where(apart == 0.0, 1, 0) << k)
         k += 1
     return visible, around
@@ -81,7 +88,7 @@ def triangles_above(leaf: wp.uint64, n: wp.vec3, limit: wp.float32) -> wp.int32:
 def _take_over(node: wp.uint64, child: wp.int32, room: wp.uint64, entry: wp.int32):
     """Makes a child of a node the entry-th of the point's own nodes."""
     source = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
-    target = wp.array(ptr=room + wp.uint64(entry / WIDTH) * _NODE, shape=(_NODE_FLOATS,), dtype=wp.float32)
+    target = wp.array(ptr=room + wp.uint64(entry / WIDTH) * wp.uint64(NODE_BYTES), shape=(_NODE_FLOATS,), dtype=wp.float32)
     lane = entry % WIDTH
     if lane == 0:
         for k in range(3 * WIDTH):
@@ -152,19 +159,17 @@ def frontier(
     for _ in range(_MOST_OPENED):
         if waits > 0:
             waits -= 1
-            node = accelerator.nodes + wp.uint64(waiting[waits]) * _NODE
-            places = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)
-            edges = wp.array(ptr=node + _EDGES, shape=(WIDTH,), dtype=wp.float32)
+            node = node_at(accelerator, waiting[waits])
             seen, around = visible(node, o, n, box_limit, reach)
             for _ in range(wp.bit_count(seen)):
                 child = lowest_bit(seen)
                 seen = seen & (seen - 1)
-                place = places[child]
+                place = link_in(node, child)
                 apart = wp.int32(-1)
                 if ((around >> child) & 1) != 0:
                     if place < 0:
-                        leaf = accelerator.leaves + wp.uint64(~place) * _LEAF
-                        apart = _take_apart(leaf, n, limit, edges[child], room, triangles)
+                        leaf = leaf_at(accelerator, ~place)
+                        apart = _take_apart(leaf, n, limit, edge_in(node, child), room, triangles)
                         triangles = wp.max(triangles, apart)
                     elif waits < WIDTH:
                         waiting[waits] = place

@@ -6,6 +6,7 @@ from warpsample.directions.variates import LANES
 from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE, frontier
 from warpsample.host.locks import once
 from warpsample.maths.frames import frame_about
+from warpsample.maths.memory import float_at, int_at, vec3_at
 from warpsample.radiation.exchange.face_rays import (
     BACK,
     GROUND,
@@ -19,7 +20,7 @@ from warpsample.radiation.exchange.face_rays import (
     start_of,
 )
 from warpsample.sequences.hashing import point_key
-from warpsample.tracing.facets import in_double, vector_at
+from warpsample.tracing.placement import in_double
 from warpsample.tracing.wide.layout import (
     CHUNK,
     CHUNK_FLOATS,
@@ -27,8 +28,8 @@ from warpsample.tracing.wide.layout import (
     ORIGIN,
     SCRATCH,
     START_FLOATS,
-    WIDTH,
     Accelerator,
+    face_in,
 )
 from warpsample.tracing.wide.prepare import prepare_wide, ray_in
 from warpsample.tracing.wide.query import nearest_of, wide_query
@@ -37,7 +38,6 @@ _SKY = wp.constant(wp.int32(SKY))
 _GROUND = wp.constant(wp.int32(GROUND))
 _BACK = wp.constant(wp.int32(BACK))
 _THREE = wp.constant(wp.float64(3.0))
-_FACES = wp.constant(wp.uint64(9 * WIDTH * 4))
 _REACH = wp.constant(wp.float32(2.0**60))  # of the scene's size
 _query = wide_query(False, several=True)
 
@@ -78,7 +78,7 @@ def _code(rays: FaceRays, face: wp.int32, d: wp.vec3) -> wp.int32:
     """What is kept of a ray that meets a face, or none."""
     if face < 0:
         return wp.where(wp.dot(wp.vec3(rays.up_x, rays.up_y, rays.up_z), d) < 0.0, _GROUND, _SKY)
-    return wp.where(wp.dot(vector_at(rays.normals, wp.int64(face)), d) < 0.0, face, _BACK - face)
+    return wp.where(wp.dot(vec3_at(rays.normals, face), d) < 0.0, face, _BACK - face)
 
 
 @wp.func
@@ -105,11 +105,11 @@ def _nearest(tree: Accelerator, near: wp.int32, room: wp.uint64, column: wp.uint
     reach = _REACH
     face = wp.int32(-1)
     if near != 0:
-        edge = wp.array(ptr=room + NEAR_EDGE, shape=(1,), dtype=wp.float32)
-        met, triangle = nearest_of(room + NEAR, near, ray_in(column), reach, edge[0])
+        edge = float_at(room + NEAR_EDGE, 0)
+        met, triangle = nearest_of(room + NEAR, near, ray_in(column), reach, edge)
         if triangle >= 0:
             reach = met
-            face = wp.array(ptr=room + NEAR + _FACES, shape=(WIDTH,), dtype=wp.int32)[triangle]
+            face = face_in(room + NEAR, triangle)
     if tree.starts > 0:
         _distance, other, _nodes, _leaves = _query(tree, column, reach, scratch)
         face = wp.where(other >= 0, other, face)
@@ -144,7 +144,7 @@ def face_kernel() -> wp.Kernel:
         floats = wp.zeros(shape=(CHUNK_FLOATS,), dtype=wp.float32)
         room = wp.zeros(shape=(START_FLOATS,), dtype=wp.float32)
         row = first_task + wp.int64(wp.tid())
-        face = wp.array(ptr=rays.rows + wp.uint64(row) * wp.uint64(4), shape=(1,), dtype=wp.int32)[0]
+        face = int_at(rays.rows, row)
         f = face_at(rays, face)
         tree, near = _opened(rays, accelerator, f, room.ptr, words.ptr)
         task = Task()

@@ -7,9 +7,9 @@ import warp as wp
 from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphere
 from warpsample.estimate.skipping.frontier import HORIZON_MARGIN
 from warpsample.maths.frames import to_world
-from warpsample.maths.numerics import uniform_from_bits, weyl
-from warpsample.tracing.facets import in_double, vector_at
-from warpsample.tracing.placement import lift_within
+from warpsample.maths.memory import vec3_at, vec3i_at
+from warpsample.maths.numerics import HALF, ONE, ZERO, uniform_from_bits, weyl
+from warpsample.tracing.placement import in_double, lift_within
 
 SKY, GROUND, BACK = -1, -2, -3
 """What is kept of a ray that meets nothing, above or below the horizon; a face met from behind is BACK - its number, one met
@@ -21,9 +21,6 @@ _STEP_B = wp.constant(wp.uint64(0xABC98388FB8FAC03))
 _STEP_TURN = wp.constant(wp.uint64(0x8CB92BA72F3D8DD7))
 _BIT = wp.constant(wp.uint32(1))
 _CELL = wp.constant(wp.float64(2.0**-31))
-_ZERO = wp.constant(wp.float64(0.0))
-_HALF = wp.constant(wp.float64(0.5))
-_ONE = wp.constant(wp.float64(1.0))
 _INWARDS = wp.constant(wp.float64(4.0))
 _ROUNDINGS = wp.constant(wp.float64(2.0**-22))
 
@@ -90,12 +87,12 @@ def face_at(rays: FaceRays, face: wp.int32) -> Face:
     a closed room, if the two are at an angle of 14 degrees or more. It is moved inwards to there: a share of the square of
     that over the face's size, so nothing is lost. Not further than half of the face.
     """
-    corners = wp.array(ptr=rays.triangles + wp.uint64(face) * wp.uint64(12), shape=(1,), dtype=wp.vec3i)[0]
+    corners = vec3i_at(rays.triangles, face)
     f = Face()
-    f.a = in_double(vector_at(rays.vertices, wp.int64(corners[0])))
-    f.b = in_double(vector_at(rays.vertices, wp.int64(corners[1]))) - f.a
-    f.c = in_double(vector_at(rays.vertices, wp.int64(corners[2]))) - f.a
-    f.n = vector_at(rays.normals, wp.int64(face))
+    f.a = in_double(vec3_at(rays.vertices, corners[0]))
+    f.b = in_double(vec3_at(rays.vertices, corners[1])) - f.a
+    f.c = in_double(vec3_at(rays.vertices, corners[2])) - f.a
+    f.n = vec3_at(rays.normals, face)
     extent = wp.vec3(rays.extent_x, rays.extent_y, rays.extent_z)
     f.lift = wp.float64(lift_within(extent, rays.coarseness, f.n))
     inwards = _INWARDS * f.lift + _ROUNDINGS * wp.float64(extent[0] + extent[1] + extent[2])
@@ -104,7 +101,7 @@ def face_at(rays: FaceRays, face: wp.int32) -> Face:
     f.inner_a = share * wp.length(f.c - f.b)
     f.inner_b = share * wp.length(f.c)
     f.inner_c = share * wp.length(f.b)
-    too_much = wp.max(_ONE, (f.inner_a + f.inner_b + f.inner_c) / _HALF)
+    too_much = wp.max(ONE, (f.inner_a + f.inner_b + f.inner_c) / HALF)
     f.inner_a = f.inner_a / too_much
     f.inner_b = f.inner_b / too_much
     f.inner_c = f.inner_c / too_much
@@ -114,7 +111,7 @@ def face_at(rays: FaceRays, face: wp.int32) -> Face:
 @wp.func
 def _uniform(bits: wp.uint32) -> wp.float64:
     """In (0, 1), by 31 bits: a signed integer becomes a float in one instruction."""
-    return (wp.float64(wp.int32(bits >> _BIT)) + _HALF) * _CELL
+    return (wp.float64(wp.int32(bits >> _BIT)) + HALF) * _CELL
 
 
 @wp.func
@@ -130,10 +127,10 @@ def start_of(f: Face, key: wp.vec4ui, i: wp.uint32) -> wp.vec3:
     """Where a replicate's i-th ray starts: a uniform point of the face (Turk1990, method 2), moved off it."""
     root = wp.sqrt(_uniform(weyl(i, _STEP_A) + key[2]))
     split = _uniform(weyl(i, _STEP_B) + key[3])
-    b = wp.max(root * (_ONE - split) - f.inner_b, _ZERO)
-    c = wp.max(root * split - f.inner_c, _ZERO)
-    room = _ONE - (f.inner_a + f.inner_b + f.inner_c)
-    less = wp.min(_ONE, room / wp.max(b + c, _CELL))
+    b = wp.max(root * (ONE - split) - f.inner_b, ZERO)
+    c = wp.max(root * split - f.inner_c, ZERO)
+    room = ONE - (f.inner_a + f.inner_b + f.inner_c)
+    less = wp.min(ONE, room / wp.max(b + c, _CELL))
     b = f.inner_b + less * b
     c = f.inner_c + less * c
     return wp.vec3(
@@ -147,7 +144,7 @@ def start_of(f: Face, key: wp.vec4ui, i: wp.uint32) -> wp.vec3:
 def lowest_start(f: Face) -> wp.float64:
     """How far along the normal the rays of a face start, at least."""
     along = in_double(f.n)
-    return wp.dot(along, f.a) + wp.min(wp.min(wp.dot(along, f.b), wp.dot(along, f.c)), _ZERO) + f.lift
+    return wp.dot(along, f.a) + wp.min(wp.min(wp.dot(along, f.b), wp.dot(along, f.c)), ZERO) + f.lift
 
 
 @wp.func

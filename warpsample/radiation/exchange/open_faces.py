@@ -4,18 +4,15 @@ import warp as wp
 
 from warpsample.estimate.skipping.frontier import triangles_above, visible
 from warpsample.host.locks import once
+from warpsample.maths.memory import address_at, int_at, set_byte
 from warpsample.maths.numerics import lowest_bit
 from warpsample.radiation.exchange.face_rays import FaceRays, face_at, horizon_margin, lowest_start
 from warpsample.tracing.wide.boxes import PADDING
-from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, SCRATCH, WIDTH, Accelerator
-from warpsample.tracing.wide.query import put_aside
+from warpsample.tracing.wide.layout import SCRATCH, Accelerator, leaf_at, link_in, node_at
+from warpsample.tracing.wide.query import WAITING, put_aside
 
 _VISITS = wp.constant(wp.int32(256))  # nodes and leaves that are looked into: as long as a few dozen rays take
 _PADDING = wp.constant(wp.float32(PADDING))
-_NODE = wp.constant(wp.uint64(NODE_BYTES))
-_LEAF = wp.constant(wp.uint64(LEAF_BYTES))
-_PLACES = wp.constant(wp.uint64(6 * 4 * WIDTH))
-_WAITING = wp.constant(wp.uint64(4 * 4))
 _ANYWHERE = wp.constant(wp.float32(wp.INF))
 
 
@@ -30,18 +27,18 @@ def _stands_above(tree: Accelerator, n: wp.vec3, limit: wp.float32, scratch: wp.
     mask, _around = visible(node, wp.vec3(0.0), n, box_limit, _ANYWHERE)
     while (mask != 0 or top != scratch) and not found:
         if mask == 0:
-            top -= _WAITING
-            node = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)[0]
+            top -= WAITING
+            node = address_at(top, 0)
             mask = wp.array(ptr=top, shape=(4,), dtype=wp.int32)[2]
         child = lowest_bit(mask)
         mask = mask & (mask - 1)
-        place = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)[child]
+        place = link_in(node, child)
         if place < 0:
-            found = triangles_above(tree.leaves + wp.uint64(~place) * _LEAF, n, limit) != 0
+            found = triangles_above(leaf_at(tree, ~place), n, limit) != 0
         else:
             if mask != 0:
                 top = put_aside(top, node, mask, 0.0)
-            node = tree.nodes + wp.uint64(place) * _NODE
+            node = node_at(tree, place)
             mask, _around = visible(node, wp.vec3(0.0), n, box_limit, _ANYWHERE)
         visits -= 1
         found = found or visits == 0
@@ -56,10 +53,9 @@ def open_kernel() -> wp.Kernel:
     def find_open(rays: FaceRays, tree: Accelerator, opens: wp.uint64, first_task: wp.int64):
         words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
         row = first_task + wp.int64(wp.tid())
-        face = wp.array(ptr=rays.rows + wp.uint64(row) * wp.uint64(4), shape=(1,), dtype=wp.int32)[0]
+        face = int_at(rays.rows, row)
         f = face_at(rays, face)
         limit = wp.float32(lowest_start(f)) - horizon_margin(rays, f.n)
-        answer = wp.array(ptr=opens + wp.uint64(row), shape=(1,), dtype=wp.uint8)
-        answer[0] = wp.uint8(wp.where(_stands_above(tree, f.n, limit, words.ptr), 0, 1))
+        set_byte(opens, row, wp.where(_stands_above(tree, f.n, limit, words.ptr), 0, 1))
 
     return find_open

@@ -9,12 +9,12 @@ import warp as wp
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
 from warpsample.host.locks import once
+from warpsample.maths.numerics import ZERO
 
 _ROWS = 8  # a task: each number of the sky is loaded once for them
 _COLUMNS = 64  # at a time
 _ROWS_IN_KERNEL = wp.constant(wp.int32(_ROWS))
 _SUMS = 2 * _ROWS * _COLUMNS
-_ZERO = wp.constant(wp.float64(0.0))
 
 
 @wp.struct
@@ -97,7 +97,7 @@ def _fold_kernel() -> wp.Kernel:
         for first in range(0, fold.columns, _COLUMNS):
             length = wp.min(_COLUMNS, fold.columns - first)
             for i in range(_SUMS):
-                sums[i] = _ZERO
+                sums[i] = ZERO
             for k in range(fold.patches):
                 place = wp.uint64(k) * wp.uint64(fold.columns) + wp.uint64(first)
                 weights = fold.weights + place * wp.uint64(8)
@@ -105,9 +105,9 @@ def _fold_kernel() -> wp.Kernel:
                     x = wp.float64(value[row * fold.patches + k])
                     e = wp.float64(error[row * fold.patches + k])
                     there = sums.ptr + wp.uint64(row) * wp.uint64(16 * _COLUMNS)
-                    if x != _ZERO:
+                    if x != ZERO:
                         _add(weights, length, x, there)
-                    if e != _ZERO:
+                    if e != ZERO:
                         _add_squares(weights, length, e, there + wp.uint64(8 * _COLUMNS))
             for row in range(rows):
                 place = (wp.uint64(points[row]) * wp.uint64(fold.columns) + wp.uint64(first)) * wp.uint64(4)

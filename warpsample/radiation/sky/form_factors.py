@@ -9,6 +9,7 @@ a total differential but for the angle that the horizon turns by about n: by Sto
 import numpy as np
 import warp as wp
 
+from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
 from warpsample.radiation.sky.patches import SkyPatches
 
 COLUMNS = 20
@@ -19,10 +20,6 @@ FAINT = 2.0**-12
 
 _COLUMN_BYTES = wp.constant(wp.uint64(8 * COLUMNS))
 _FAINT = wp.constant(wp.float64(FAINT))
-_ZERO = wp.constant(wp.float64(0.0))
-_ONE = wp.constant(wp.float64(1.0))
-_HALF = wp.constant(wp.float64(0.5))
-_TWO = wp.constant(wp.float64(2.0))
 _PI = wp.constant(wp.float64(np.pi))
 _INVERSE_PI = wp.constant(wp.float64(1.0 / np.pi))
 _UPRIGHT = wp.constant(wp.float64(1e-12))  # less of a normal lies in the horizontal plane than counts
@@ -102,18 +99,18 @@ def _turned(x: wp.float64, nz: wp.float64, level: wp.float64) -> wp.float64:
     """By which angle about the normal the horizon turns from the normal's azimuth to x beyond it; and h' a / 2 there."""
     s = wp.sin(x)
     c = wp.cos(x)
-    return _HALF * (level * s * wp.atan2(-level * c, nz) - wp.atan2(nz * s, c) + nz * x)
+    return HALF * (level * s * wp.atan2(-level * c, nz) - wp.atan2(nz * s, c) + nz * x)
 
 
 @wp.func
 def _below_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.float64, w_high: wp.float64, patch: Patch):
     """The integral from the normal's azimuth to x, 0 to pi, beyond it, at the lower edge of what is above the horizon."""
-    total = _HALF * nz * patch.sin_low * patch.sin_low * wp.min(x, w_low)
+    total = HALF * nz * patch.sin_low * patch.sin_low * wp.min(x, w_low)
     total += level * patch.along_low * wp.sin(wp.min(x, w_low))
     if x > w_low and w_high > w_low:
         total += _turned(wp.min(x, w_high), nz, level) - _turned(w_low, nz, level)
     if x > w_high:
-        total += _HALF * nz * patch.sin_high * patch.sin_high * (x - w_high)
+        total += HALF * nz * patch.sin_high * patch.sin_high * (x - w_high)
         total += level * patch.along_high * (wp.sin(x) - wp.sin(w_high))
     return total
 
@@ -122,23 +119,23 @@ def _below_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.floa
 def _odd_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.float64, w_high: wp.float64, patch: Patch):
     """The same for x from -2 pi to 2 pi: the integrand is even about the normal's azimuth, and about the opposite one."""
     size = wp.abs(x)
-    total = _below_edge(wp.min(size, _TWO * _PI - size), nz, level, w_low, w_high, patch)
+    total = _below_edge(wp.min(size, TWO * _PI - size), nz, level, w_low, w_high, patch)
     if size > _PI:
-        total = _TWO * _below_edge(_PI, nz, level, w_low, w_high, patch) - total
-    return wp.where(x < _ZERO, -total, total)
+        total = TWO * _below_edge(_PI, nz, level, w_low, w_high, patch) - total
+    return wp.where(x < ZERO, -total, total)
 
 
 @wp.func
 def reaches(slope: wp.float64, level: wp.float64) -> wp.float64:
     """How far from the normal's azimuth, 0 to pi, the horizon of a normal is below the altitude of a tangent slope / n_z."""
-    return wp.acos(wp.clamp(-slope / level, -_ONE, _ONE))
+    return wp.acos(wp.clamp(-slope / level, -ONE, ONE))
 
 
 @wp.func
 def azimuth_near(n: wp.vec3d, middle: wp.float64) -> wp.float64:
     """The normal's azimuth, within pi of a patch's middle."""
     azimuth = wp.atan2(n[0], n[1])
-    return azimuth + _TWO * _PI * wp.round((middle - azimuth) / (_TWO * _PI))
+    return azimuth + TWO * _PI * wp.round((middle - azimuth) / (TWO * _PI))
 
 
 @wp.func
@@ -146,8 +143,8 @@ def _cut(n: wp.vec3d, level: wp.float64, patch: Patch) -> wp.float64:
     """pi times the share of a patch that the horizon cuts; n_z at least 0."""
     w_low = reaches(n[2] * patch.tan_low, level)
     w_high = reaches(n[2] * patch.tan_high, level)
-    azimuth = azimuth_near(n, _HALF * (patch.first + patch.last))
-    upper = _HALF * n[2] * patch.sin_high * patch.sin_high * (patch.last - patch.first)
+    azimuth = azimuth_near(n, HALF * (patch.first + patch.last))
+    upper = HALF * n[2] * patch.sin_high * patch.sin_high * (patch.last - patch.first)
     across = n[0] * (patch.cos_first - patch.cos_last) + n[1] * (patch.sin_last - patch.sin_first)
     end = _odd_edge(patch.last - azimuth, n[2], level, w_low, w_high, patch)
     return upper + across * patch.along_high - (end - _odd_edge(patch.first - azimuth, n[2], level, w_low, w_high, patch))
@@ -157,7 +154,7 @@ def _cut(n: wp.vec3d, level: wp.float64, patch: Patch) -> wp.float64:
 def highest(n: wp.vec3d, patch: Patch) -> wp.vec3d:
     """The direction of a patch that is farthest above the point's horizon."""
     level = wp.sqrt(n[0] * n[0] + n[1] * n[1])
-    azimuth = azimuth_near(n, _HALF * (patch.first + patch.last))
+    azimuth = azimuth_near(n, HALF * (patch.first + patch.last))
     s = patch.sin_last
     c = patch.cos_last
     if level > _UPRIGHT and azimuth > patch.first and azimuth < patch.last:
@@ -186,7 +183,7 @@ def open_share(n: wp.vec3d, patch: Patch) -> wp.float64:
     at_last = n[0] * patch.sin_last + n[1] * patch.cos_last
     least = wp.max(wp.min(at_first, at_last) - level * patch.bulge, -level)
     most = wp.min(wp.max(at_first, at_last) + level * patch.bulge, level)
-    share = _ZERO
+    share = ZERO
     if wp.max(most * patch.cos_low + n[2] * patch.sin_low, most * patch.cos_high + n[2] * patch.sin_high) > _FAINT:
         whole = wp.dot(n, patch.moment)
         lowest = wp.min(least * patch.cos_low + n[2] * patch.sin_low, least * patch.cos_high + n[2] * patch.sin_high)
@@ -194,5 +191,5 @@ def open_share(n: wp.vec3d, patch: Patch) -> wp.float64:
             share = whole
         elif wp.dot(n, highest(n, patch)) > _FAINT:
             # max(0, c) = c + max(0, -c)
-            share = _cut(n, level, patch) if n[2] >= _ZERO else whole + _cut(-n, level, patch)
-    return wp.max(share, _ZERO) * _INVERSE_PI
+            share = _cut(n, level, patch) if n[2] >= ZERO else whole + _cut(-n, level, patch)
+    return wp.max(share, ZERO) * _INVERSE_PI

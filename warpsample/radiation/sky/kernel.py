@@ -6,13 +6,13 @@ from warpsample.directions.samples import normal_status, weigh_by_mask
 from warpsample.estimate.skipping.frontier import HORIZON_MARGIN, frontier
 from warpsample.estimate.spot import NONFINITE_POSITION, Spot, start
 from warpsample.host.locks import once
-from warpsample.maths.numerics import scaled_to_unit
+from warpsample.maths.memory import set_byte, set_int, vec3_at
+from warpsample.maths.numerics import HALF, ONE, ZERO, scaled_to_unit
 from warpsample.radiation.sky.form_factors import open_share, patch_at
 from warpsample.radiation.sky.patch_rays import WEIGHTS, SkyRows, sum_rays
 from warpsample.radiation.sky.shafts import CLOSED, OPEN, UNKNOWN, aim_at, look
 from warpsample.sequences.hashing import point_key
-from warpsample.tracing.facets import in_double
-from warpsample.tracing.placement import far_off, local_origin, point_of, reach_along
+from warpsample.tracing.placement import far_off, in_double, local_origin, point_of, reach_along
 from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, SCRATCH, START_FLOATS, Accelerator
 
 CONCENTRATION = 4.0
@@ -25,9 +25,6 @@ _NONFINITE_POSITION = wp.constant(wp.int32(NONFINITE_POSITION))
 _OPEN = wp.constant(wp.int32(OPEN))
 _CLOSED = wp.constant(wp.int32(CLOSED))
 _UNKNOWN = wp.constant(wp.int32(UNKNOWN))
-_ZERO = wp.constant(wp.float64(0.0))
-_ONE = wp.constant(wp.float64(1.0))
-_HALF = wp.constant(wp.float64(0.5))
 
 
 @wp.func
@@ -87,8 +84,8 @@ def _fill_row(sky: SkyRows, accelerator: Accelerator, spot: Spot, row: wp.int64)
     if sky.skip == 0:
         seen = accelerator
         near = 0
-    of_sky = _HALF + _HALF * n[2]
-    density = _HALF * wp.float64(sky.count) / wp.max(of_sky, _ONE / _CONCENTRATION)
+    of_sky = HALF + HALF * n[2]
+    density = HALF * wp.float64(sky.count) / wp.max(of_sky, ONE / _CONCENTRATION)
     at = wp.uint64(row) * wp.uint64(sky.patches) * wp.uint64(4)
     value = wp.array(ptr=sky.value + at, shape=(sky.patches,), dtype=wp.float32)
     error = wp.array(ptr=sky.error + at, shape=(sky.patches,), dtype=wp.float32)
@@ -99,8 +96,8 @@ def _fill_row(sky: SkyRows, accelerator: Accelerator, spot: Spot, row: wp.int64)
     for k in range(sky.patches):
         known = wp.int32(error[k])
         share = wp.float64(value[k])
-        part = wp.where(known == _CLOSED, _ZERO, _ONE)
-        deviation = _ZERO
+        part = wp.where(known == _CLOSED, ZERO, ONE)
+        deviation = ZERO
         if known == 0:
             below += 1
         elif known == _UNKNOWN or sky.skip == 0:
@@ -129,7 +126,7 @@ def sky_kernel() -> wp.Kernel:
         room = wp.zeros(shape=(START_FLOATS,), dtype=wp.float32)
         task = first_task + wp.int64(wp.tid())
         point = point_of(sky.placement, task)
-        normal = wp.array(ptr=sky.normals + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+        normal = vec3_at(sky.normals, point)
         unit = scaled_to_unit(normal)
         spot = Spot()
         spot.n = wp.vec3(unit[0], unit[1], unit[2])
@@ -140,7 +137,7 @@ def sky_kernel() -> wp.Kernel:
         spot.beam = beam.ptr
         spot.scratch = words.ptr
         spot.place = local_origin(sky.placement, point)
-        spot.o = wp.array(ptr=sky.placement.starts + wp.uint64(point) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+        spot.o = vec3_at(sky.placement.starts, point)
         spot.low = HORIZON_MARGIN * reach_along(sky.placement, spot.n, spot.o)
         spot.reach = wp.float32(sky.placement.reach)
         start(spot.chunk, spot.o, spot.reach)
@@ -148,7 +145,7 @@ def sky_kernel() -> wp.Kernel:
         if sky.active != wp.uint64(0):
             weight = weigh_by_mask(wp.array(ptr=sky.active + wp.uint64(point), shape=(1,), dtype=wp.uint8), 0)
         status = normal_status(normal, weight)
-        if status == 0 and wp.dot(spot.place - spot.place, spot.place - spot.place) != _ZERO:
+        if status == 0 and wp.dot(spot.place - spot.place, spot.place - spot.place) != ZERO:
             status = _NONFINITE_POSITION
         cast = wp.int32(0)
         open = wp.int32(0)
@@ -157,10 +154,10 @@ def sky_kernel() -> wp.Kernel:
         if status == 0:
             cast, open, closed, below = _fill_row(sky, accelerator, spot, wp.where(sky.by_task != 0, task, point))
         at = wp.uint64(point) * wp.uint64(4)
-        wp.array(ptr=sky.cast + at, shape=(1,), dtype=wp.int32)[0] = cast
-        wp.array(ptr=sky.open + at, shape=(1,), dtype=wp.int32)[0] = open
-        wp.array(ptr=sky.closed + at, shape=(1,), dtype=wp.int32)[0] = closed
-        wp.array(ptr=sky.below + at, shape=(1,), dtype=wp.int32)[0] = below
-        wp.array(ptr=sky.status + wp.uint64(point), shape=(1,), dtype=wp.uint8)[0] = wp.uint8(status)
+        set_int(sky.cast + at, 0, cast)
+        set_int(sky.open + at, 0, open)
+        set_int(sky.closed + at, 0, closed)
+        set_int(sky.below + at, 0, below)
+        set_byte(sky.status, point, status)
 
     return fill_rows

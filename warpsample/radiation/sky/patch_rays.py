@@ -5,7 +5,8 @@ import warp as wp
 from warpsample.directions.variates import LANES
 from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE
 from warpsample.estimate.spot import Spot, bring_near
-from warpsample.maths.numerics import greater, lesser
+from warpsample.maths.memory import float_at
+from warpsample.maths.numerics import TWO, ZERO, greater, lesser
 from warpsample.radiation.sky.form_factors import COLUMNS, FAINT, Patch, highest
 from warpsample.radiation.sky.spreading import LEAST, Slope, column_at, cube_root, slope_of, turned_by, weight_of
 from warpsample.sequences.fibonacci import fibonacci_sample
@@ -21,8 +22,6 @@ WEIGHTS = 2 * CHUNK
 _FAINT = wp.constant(wp.float32(FAINT))
 _LEAST_CUBE = wp.constant(wp.float32(1e-12))
 _COLUMN_BYTES = wp.constant(wp.uint64(8 * COLUMNS))
-_ZERO = wp.constant(wp.float64(0.0))
-_TWO = wp.constant(wp.float64(2.0))
 _query = wide_query(True, several=True)
 
 
@@ -134,11 +133,11 @@ def _to_highest(sky: SkyRows, spot: Spot, n: wp.vec3d, patch: Patch):
 @wp.func
 def _blocked(accelerator: Accelerator, spot: Spot, near: wp.int32, column: wp.uint64) -> wp.bool:
     """Whether a prepared ray meets something."""
-    reach = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)[REACH]
+    reach = float_at(column, REACH)
     blocked = wp.bool(False)
     if reach > 0.0:
         if near != 0:
-            edge = wp.array(ptr=spot.room + NEAR_EDGE, shape=(1,), dtype=wp.float32)[0]
+            edge = float_at(spot.room + NEAR_EDGE, 0)
             blocked = any_of(spot.room + NEAR, near, ray_in(column), reach, edge) >= 0
         if not blocked and accelerator.starts > 0:
             _distance, face, _nodes, _leaves = _query(accelerator, column, reach, spot.scratch)
@@ -161,10 +160,10 @@ def sum_rays(
 
     A share of the rays' weights: where none is blocked, it is 1 in every bit.
     """
-    free = _ZERO
-    free_first = _ZERO
-    all = _ZERO
-    all_first = _ZERO
+    free = ZERO
+    free_first = ZERO
+    all = ZERO
+    all_first = ZERO
     cast = wp.int32(0)
     row = wp.array(ptr=sky.table + wp.uint64(k) * _COLUMN_BYTES, shape=(COLUMNS,), dtype=wp.float64)
     slope = slope_of(n, patch, row)
@@ -179,22 +178,22 @@ def sum_rays(
         weights = wp.array(ptr=spot.square, shape=(WEIGHTS,), dtype=wp.float32)
         for i in range(length):
             weight = wp.float64(weights[i])
-            if weight > _ZERO:
+            if weight > ZERO:
                 cast += 1
-                seen = wp.where(_blocked(accelerator, spot, near, spot.chunk + wp.uint64(4 * i)), _ZERO, weight)
+                seen = wp.where(_blocked(accelerator, spot, near, spot.chunk + wp.uint64(4 * i)), ZERO, weight)
                 in_first = at + i < each
                 free += seen
                 all += weight
-                free_first += wp.where(in_first, seen, _ZERO)
-                all_first += wp.where(in_first, weight, _ZERO)
-    error = _ZERO
-    if all == _ZERO:
+                free_first += wp.where(in_first, seen, ZERO)
+                all_first += wp.where(in_first, weight, ZERO)
+    error = ZERO
+    if all == ZERO:
         # Few rays that are all but parallel to the horizon: one where the patch is highest above it.
         cast = 1
         _to_highest(sky, spot, n, patch)
-        share = wp.where(_blocked(accelerator, spot, near, spot.chunk), _ZERO, wp.float64(1.0))
+        share = wp.where(_blocked(accelerator, spot, near, spot.chunk), ZERO, wp.float64(1.0))
     else:
         share = free / all
         # The replicates' deviations from the share add up to 0: one is half of their difference.
-        error = wp.abs(free_first - share * all_first) * _TWO / all
+        error = wp.abs(free_first - share * all_first) * TWO / all
     return share, error, cast

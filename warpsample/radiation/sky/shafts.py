@@ -9,11 +9,22 @@ import warp as wp
 from warpsample.estimate.skipping.beams import boxes_in, triangles_in
 from warpsample.estimate.skipping.frontier import NEAR
 from warpsample.estimate.spot import Spot, start_beam
+from warpsample.maths.memory import address_at
 from warpsample.maths.numerics import lowest_bit
 from warpsample.radiation.sky.patches import SkyPatches
 from warpsample.tracing.wide.corners import corner, size_of
-from warpsample.tracing.wide.layout import BEAM_FLOATS, CORNERS, LEAF_BYTES, NODE_BYTES, PLANES, WIDTH, Accelerator
-from warpsample.tracing.wide.query import put_aside
+from warpsample.tracing.wide.layout import (
+    BEAM_FLOATS,
+    CORNERS,
+    NODE_BYTES,
+    PLANES,
+    WIDTH,
+    Accelerator,
+    leaf_at,
+    link_in,
+    node_at,
+)
+from warpsample.tracing.wide.query import WAITING, put_aside
 
 OPEN, CLOSED, UNKNOWN = 1, 2, 3
 """What is known of a patch: nothing is in it; one triangle fills it; neither."""
@@ -22,10 +33,6 @@ _OPEN = wp.constant(wp.int32(OPEN))
 _CLOSED = wp.constant(wp.int32(CLOSED))
 _UNKNOWN = wp.constant(wp.int32(UNKNOWN))
 _VISITS = wp.constant(wp.int32(32))  # nodes and leaves that a beam may look into
-_NODE = wp.constant(wp.uint64(NODE_BYTES))
-_LEAF = wp.constant(wp.uint64(LEAF_BYTES))
-_PLACES = wp.constant(wp.uint64(6 * 4 * WIDTH))
-_WAITING = wp.constant(wp.uint64(4 * 4))
 _BEAM = wp.constant(wp.uint64(12 * WIDTH))
 _INSIDE = wp.constant(wp.float32(2.0**-17))
 """Of an angle, by which a beam must be within a triangle: directions are rounded by less than 2^-20."""
@@ -158,7 +165,7 @@ def look(accelerator: Accelerator, spot: Spot, near: wp.int32, filled: wp.uint64
         leaf = spot.room + NEAR
         met = triangles_in(leaf, spot.beam) & near
     for other in range(1, accelerator.starts):
-        top = put_aside(top, accelerator.start + wp.uint64(other) * _NODE, -1, 0.0)
+        top = put_aside(top, accelerator.start + wp.uint64(other) * wp.uint64(NODE_BYTES), -1, 0.0)
     while known == 0:
         if met != 0:
             known, filled = _what_fills(spot, leaf, met, filled)
@@ -169,19 +176,19 @@ def look(accelerator: Accelerator, spot: Spot, near: wp.int32, filled: wp.uint64
         elif mask != 0:
             child = lowest_bit(mask)
             mask = mask & (mask - 1)
-            place = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)[child]
+            place = link_in(node, child)
             visits -= 1
             if place < 0:
-                leaf = accelerator.leaves + wp.uint64(~place) * _LEAF
+                leaf = leaf_at(accelerator, ~place)
                 met = triangles_in(leaf, spot.beam)
             else:
                 if mask != 0:
                     top = put_aside(top, node, mask, 0.0)
-                node = accelerator.nodes + wp.uint64(place) * _NODE
+                node = node_at(accelerator, place)
                 mask = -1
         elif top != spot.scratch:
-            top -= _WAITING
-            node = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)[0]
+            top -= WAITING
+            node = address_at(top, 0)
             mask = wp.array(ptr=top, shape=(4,), dtype=wp.int32)[2]
         else:
             known = _OPEN

@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.maths.numerics import greater, lesser, sincos_turns
+from warpsample.maths.numerics import HALF, TWO, ZERO, greater, lesser, sincos_turns
 from warpsample.radiation.sky.form_factors import Patch, azimuth_near, reaches
 
 LEAST = wp.constant(wp.float32(1e-20))
@@ -12,9 +12,6 @@ _ALIKE = wp.constant(wp.float32(0.05))
 _BENT = wp.constant(wp.float32(0.2))
 _THIRD = wp.constant(wp.float32(1.0 / 3.0))
 _ROOT_SEED = wp.constant(wp.int32(709921077))
-_ZERO = wp.constant(wp.float64(0.0))
-_HALF = wp.constant(wp.float64(0.5))
-_TWO = wp.constant(wp.float64(2.0))
 _PI = wp.constant(wp.float64(3.141592653589793))
 _TURN = wp.constant(wp.float64(0.15915494309189535))
 _UPRIGHT = wp.constant(wp.float64(1e-12))
@@ -30,12 +27,12 @@ def _azimuths(n: wp.vec3d, patch: Patch):
     last = patch.last
     level = wp.sqrt(n[0] * n[0] + n[1] * n[1])
     if level > _UPRIGHT:
-        half = reaches(wp.where(n[2] < _ZERO, n[2] * patch.tan_low, n[2] * patch.tan_high), level)
-        middle = azimuth_near(n, _HALF * (first + last))
+        half = reaches(wp.where(n[2] < ZERO, n[2] * patch.tan_low, n[2] * patch.tan_high), level)
+        middle = azimuth_near(n, HALF * (first + last))
         if last - first > _PI:  # the cap, which has all
             first = middle - half
             last = middle + half
-        elif middle + half - _TWO * _PI <= first and middle - half + _TWO * _PI >= last:
+        elif middle + half - TWO * _PI <= first and middle - half + TWO * _PI >= last:
             first = wp.max(first, middle - half)
             last = wp.max(first, wp.min(last, middle + half))
     return wp.float32(first * _TURN - wp.floor(first * _TURN)), wp.float32((last - first) * _TURN)

@@ -14,6 +14,7 @@ from warpsample.host.locks import once
 from warpsample.host.neighbours import kind_told
 from warpsample.host.progress import bar
 from warpsample.host.vectors import as_directions
+from warpsample.maths.memory import set_vec3
 from warpsample.maths.numerics import scaled_to_unit
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
@@ -235,12 +236,10 @@ def _unit_kernel() -> wp.Kernel:
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def to_unit(directions: wp.uint64, doubles: wp.int32, unit: wp.uint64, first_task: wp.int64):
         i = first_task + wp.int64(wp.tid())
-        d = wp.vec3(0.0)
+        d = wp.vec3(vector_in_double(directions, doubles, i))
         if doubles != 0:
             d = wp.vec3(unit_in_double(vector_in_double(directions, 1, i), 1))
-        else:
-            d = wp.array(ptr=directions + wp.uint64(i) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
         u = scaled_to_unit(d)
-        wp.array(ptr=unit + wp.uint64(i) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0] = wp.vec3(u[0], u[1], u[2])
+        set_vec3(unit, i, wp.vec3(u[0], u[1], u[2]))
 
     return to_unit

@@ -5,7 +5,8 @@ import warp as wp
 from warpsample.directions.samples import normal_status, weigh_by_mask
 from warpsample.estimate.skipping.frontier import HORIZON_MARGIN
 from warpsample.host.locks import once
-from warpsample.maths.numerics import scaled_to_unit
+from warpsample.maths.memory import set_byte, set_float, vec3_at
+from warpsample.maths.numerics import ONE, ZERO, scaled_to_unit
 from warpsample.radiation.sun.proofs import DARK, LIT, MET, darkened, open_around, proven
 from warpsample.radiation.sun.rays import (
     DISC_RAYS,
@@ -26,8 +27,6 @@ from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, SCRATCH, S
 
 _TALLIES = 3
 _WHOLE = wp.constant(wp.float64(2.0**-18))  # so far above the horizon no rounded ray of a disc is below it
-_ZERO = wp.constant(wp.float64(0.0))
-_ONE = wp.constant(wp.float64(1.0))
 
 
 @wp.func
@@ -50,11 +49,11 @@ def _keeper(disc: bool) -> wp.Function:
     def keep(suns: Suns, view: View, column: wp.int32, share: wp.float32, cosine: wp.float64):
         at = wp.uint64(view.point) * wp.uint64(suns.count) + wp.uint64(column)
         if suns.weights != wp.uint64(0):
-            _add_weights(suns, view, column, wp.float64(share) * wp.where(suns.cosine != 0, cosine, _ONE))
+            _add_weights(suns, view, column, wp.float64(share) * wp.where(suns.cosine != 0, cosine, ONE))
         elif wp.static(disc):
-            wp.array(ptr=suns.answer + at * wp.uint64(4), shape=(1,), dtype=wp.float32)[0] = share
+            set_float(suns.answer + at * wp.uint64(4), 0, share)
         else:
-            wp.array(ptr=suns.answer + at, shape=(1,), dtype=wp.uint8)[0] = wp.uint8(1)
+            set_byte(suns.answer + at, 0, 1)
 
     return keep
 
@@ -72,7 +71,7 @@ def _points() -> wp.Function:
         k = wp.int32(0)
         while k < WIDTH:
             cosine = cosine_to(view.n, sun_of(suns, group, k))
-            if cosine > _ZERO and state != DARK:
+            if cosine > ZERO and state != DARK:
                 column = column_of(suns, group, k)
                 if state == LIT and cosine >= LEAST_COSINE:
                     add(view, PROVEN, 1)
@@ -106,7 +105,7 @@ def _disc_share() -> wp.Function:
         k = wp.int32(0)
         while k < DISC_RAYS:
             cosine = cosine_to(view.n, way_of(view, k))
-            if cosine <= _ZERO:
+            if cosine <= ZERO:
                 dark += 1
             elif state != LIT or cosine < LEAST_COSINE:
                 dark += wp.where(blocked(suns, whole, seen, view, k, cosine), 1, 0)
@@ -129,7 +128,7 @@ def _discs() -> wp.Function:
         while k < WIDTH:
             sun = sun_of(suns, group, k)
             cosine = cosine_to(view.n, sun)
-            if cosine > _ZERO:
+            if cosine > ZERO:
                 column = column_of(suns, group, k)
                 own = state
                 if state == MET and view.skips and beam != wp.uint64(0):
@@ -197,11 +196,11 @@ def sun_kernel(disc: bool) -> wp.Kernel:
         if wp.static(disc):
             view.key = point_key(suns.seed, suns.first_point + wp.uint64(view.point))
         row = wp.uint64(view.point) * wp.uint64(12)
-        normal = wp.array(ptr=suns.normals + row, shape=(1,), dtype=wp.vec3)[0]
+        normal = vec3_at(suns.normals + row, 0)
         unit = scaled_to_unit(normal)
         view.n = wp.vec3(unit[0], unit[1], unit[2])
         view.place = local_origin(suns.placement, view.point)
-        side = wp.array(ptr=suns.placement.normals + row, shape=(1,), dtype=wp.vec3)[0]
+        side = vec3_at(suns.placement.normals + row, 0)
         starts = wp.array(ptr=suns.placement.starts + row + row, shape=(2,), dtype=wp.vec3)
         view.o = starts[wp.where(wp.dot(side, view.n) < 0.0, 1, 0)]
         view.low = HORIZON_MARGIN * reach_along(suns.placement, view.n, view.o)
@@ -209,7 +208,7 @@ def sun_kernel(disc: bool) -> wp.Kernel:
         weight = wp.float32(1.0)
         if suns.active != wp.uint64(0):
             weight = weigh_by_mask(wp.array(ptr=suns.active + wp.uint64(view.point), shape=(1,), dtype=wp.uint8), 0)
-        if normal_status(normal, weight) == 0 and wp.dot(view.place - view.place, view.place - view.place) == _ZERO:
+        if normal_status(normal, weight) == 0 and wp.dot(view.place - view.place, view.place - view.place) == ZERO:
             start_all(view)
             look_all(suns, accelerator, view)
         if suns.tally != wp.uint64(0):

@@ -6,7 +6,8 @@ from warpsample.distributions.uniform_cone import square_to_uniform_cone
 from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE
 from warpsample.host.locks import once
 from warpsample.maths.frames import frame_about, to_world
-from warpsample.maths.numerics import greater
+from warpsample.maths.memory import float_at, int_at, vec3_at, vec3i_at
+from warpsample.maths.numerics import ZERO, greater
 from warpsample.radiation.sun.view import (
     CAST,
     KNOWN,
@@ -32,6 +33,7 @@ from warpsample.tracing.wide.layout import (
     REACH,
     WIDTH,
     Accelerator,
+    face_in,
 )
 from warpsample.tracing.wide.prepare import prepare_wide, ray_in
 from warpsample.tracing.wide.query import any_of, wide_walk
@@ -48,14 +50,12 @@ GROUP_BYTES = wp.constant(wp.uint64(3 * 4 * WIDTH))
 _COLUMN_BYTES = wp.constant(wp.uint64(4 * WIDTH))
 _GROUP_FLOATS = 3 * WIDTH
 _EDGE = LEAF_BYTES // 4
-_FACES = wp.constant(wp.uint64(9 * WIDTH * 4))
-_ZERO = wp.constant(wp.float64(0.0))
 
 
 @wp.func
 def column_of(suns: Suns, group: wp.int32, k: wp.int32) -> wp.int32:
     """The caller's row of the k-th sun of a group."""
-    return wp.array(ptr=suns.columns + wp.uint64(group) * _COLUMN_BYTES, shape=(WIDTH,), dtype=wp.int32)[k]
+    return int_at(suns.columns + wp.uint64(group) * _COLUMN_BYTES, k)
 
 
 @wp.func
@@ -101,7 +101,7 @@ def _bring_near(suns: Suns, view: View, k: wp.int32, unit: wp.vec3d):
     o = wp.vec3(view.place + ahead * unit)
     for axis in range(3):
         rays[ORIGIN + axis * CHUNK + k] = o[axis]
-    rays[REACH + k] = wp.where(ahead < _ZERO, -1.0, wp.float32(suns.placement.reach - ahead))
+    rays[REACH + k] = wp.where(ahead < ZERO, -1.0, wp.float32(suns.placement.reach - ahead))
 
 
 @wp.func
@@ -137,12 +137,12 @@ def aim_at_disc(suns: Suns, view: View, column: wp.int32, sun: wp.vec3):
 def _remember(suns: Suns, view: View, face: wp.int32):
     """Keeps a triangle that blocked a ray, in the place of the oldest."""
     leaf = wp.array(ptr=view.known, shape=(KNOWN_FLOATS,), dtype=wp.float32)
-    corners = wp.array(ptr=suns.faces + wp.uint64(face) * wp.uint64(12), shape=(1,), dtype=wp.vec3i)[0]
+    corners = vec3i_at(suns.faces, face)
     lane = word(view, NEXT)
     low = wp.vec3(wp.INF)
     high = wp.vec3(-wp.INF)
     for i in range(3):
-        v = wp.array(ptr=suns.vertices + wp.uint64(corners[i]) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
+        v = vec3_at(suns.vertices, corners[i])
         low = wp.min(low, v)
         high = wp.max(high, v)
         for axis in range(3):
@@ -162,13 +162,13 @@ def blocked_by() -> wp.Function:
     def blocked(suns: Suns, whole: Accelerator, seen: Accelerator, view: View, k: wp.int32, cosine: wp.float64) -> wp.bool:
         """Whether the k-th ray, of that cosine to the normal, meets anything; known triangles are tried first."""
         column = view.chunk + wp.uint64(4 * k)
-        reach = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)[REACH]
+        reach = float_at(column, REACH)
         if not (reach > 0.0):
             return False
         ray = ray_in(column)
         known = known_triangles(view)
         if known != 0:
-            edge = wp.array(ptr=view.known, shape=(KNOWN_FLOATS,), dtype=wp.float32)[_EDGE]
+            edge = float_at(view.known, _EDGE)
             if any_of(view.known, known, ray, reach, edge) >= 0:
                 add(view, REMEMBERED, 1)
                 return True
@@ -177,10 +177,10 @@ def blocked_by() -> wp.Function:
         if cosine < LEAST_COSINE:
             seen = whole
         elif view.near != 0:
-            edge = wp.array(ptr=view.room + NEAR_EDGE, shape=(1,), dtype=wp.float32)[0]
+            edge = float_at(view.room + NEAR_EDGE, 0)
             lane = any_of(view.room + NEAR, view.near, ray, reach, edge)
             if lane >= 0:
-                face = wp.array(ptr=view.room + NEAR + _FACES, shape=(WIDTH,), dtype=wp.int32)[lane]
+                face = face_in(view.room + NEAR, lane)
         if face < 0 and seen.starts > 0:
             _distance, face, _nodes, _leaves = walk(seen, ray, reach, view.scratch)
         if face >= 0 and view.skips:

@@ -2,6 +2,7 @@
 
 import warp as wp
 
+from warpsample.maths.memory import int_at
 from warpsample.tracing.placement import Placement
 from warpsample.tracing.wide.layout import LEAF_BYTES
 
@@ -86,7 +87,7 @@ class View:
 @wp.func
 def word(view: View, i: wp.int32) -> wp.int32:
     """One of the point's words."""
-    return wp.array(ptr=view.words, shape=(WORDS,), dtype=wp.int32)[i]
+    return int_at(view.words, i)
 
 
 @wp.func

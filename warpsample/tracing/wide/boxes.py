@@ -9,6 +9,7 @@ import warp as wp
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
 from warpsample.host.locks import once
+from warpsample.maths.memory import float_at, set_float, vec3i_at
 from warpsample.tracing.wide.build import Topology
 from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH, AcceleratorArgs
 
@@ -106,7 +107,7 @@ def _fill_leaves() -> wp.Kernel:
             b = a
             c = a
             if mine[k] >= 0:
-                corners = wp.array(ptr=faces + wp.uint64(mine[k]) * wp.uint64(12), shape=(1,), dtype=wp.vec3i)[0]
+                corners = vec3i_at(faces, mine[k])
                 a = points[corners[0]]
                 b = points[corners[1]]
                 c = points[corners[2]]
@@ -123,8 +124,7 @@ def _fill_leaves() -> wp.Kernel:
             k += 1
         box[0] = low
         box[1] = high
-        edge = wp.array(ptr=edges + wp.uint64(leaf) * wp.uint64(4), shape=(1,), dtype=wp.float32)
-        edge[0] = longest
+        set_float(edges, leaf, longest)
 
     return fill_leaves
 
@@ -159,7 +159,7 @@ def _fill_nodes() -> wp.Kernel:
                 address = node_boxes + wp.uint64(place) * wp.uint64(24)
                 if place < 0:
                     address = leaf_boxes + wp.uint64(~place) * wp.uint64(24)
-                    edge = wp.array(ptr=edges + wp.uint64(~place) * wp.uint64(4), shape=(1,), dtype=wp.float32)[0]
+                    edge = float_at(edges, ~place)
                 box = wp.array(ptr=address, shape=(2,), dtype=wp.vec3)
                 low = wp.min(low, box[0])
                 high = wp.max(high, box[1])

@@ -12,6 +12,7 @@ import warp as wp
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
 from warpsample.host.locks import once
+from warpsample.maths.memory import int_at, vec3i_at
 from warpsample.tracing.wide.layout import WIDTH
 from warpsample.tracing.wide.sah import ALL_BINS, BINS, MOST_BINS, best_split, centres, fill_bins, partition
 
@@ -85,7 +86,7 @@ def _triangle_boxes() -> wp.Kernel:
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def triangle_boxes(vertices: wp.uint64, faces: wp.uint64, lower: wp.uint64, upper: wp.uint64, first_task: wp.int64):
         i = wp.int32(first_task) + wp.tid()
-        corners = wp.array(ptr=faces, shape=(i + 1,), dtype=wp.vec3i)[i]
+        corners = vec3i_at(faces, i)
         points = wp.array(ptr=vertices, shape=(_MOST_VERTICES,), dtype=wp.vec3)
         a = points[corners[0]]
         b = points[corners[1]]
@@ -137,7 +138,7 @@ def _split_nodes() -> wp.Kernel:
         first_task: wp.int64,
     ):
         node = wp.int32(first_task) + wp.tid()
-        end = wp.array(ptr=ends, shape=(node + 1,), dtype=wp.int32)[node]
+        end = int_at(ends, node)
         lows = wp.array(ptr=lower, shape=(end,), dtype=wp.vec4)
         highs = wp.array(ptr=upper, shape=(end,), dtype=wp.vec4)
         row = wp.uint64(node) * wp.uint64(4 * WIDTH)
@@ -149,7 +150,7 @@ def _split_nodes() -> wp.Kernel:
         bin_highs = wp.zeros(shape=(ALL_BINS,), dtype=wp.vec3)
         bin_counts = wp.zeros(shape=(ALL_BINS,), dtype=wp.int32)
         right = wp.zeros(shape=(ALL_BINS,), dtype=wp.float32)
-        begin_of[0] = wp.array(ptr=begins, shape=(node + 1,), dtype=wp.int32)[node]
+        begin_of[0] = int_at(begins, node)
         end_of[0] = end
         used[0] = 1
         children = wp.int32(1)

@@ -2,7 +2,7 @@
 
 Rows of sixteen float32 fill one AVX-512 register or two of AVX2:
 
-- a node is eight: the children's lower x, y, z, upper x, y, z, their places (below 0 a leaf, ~place; 0 none), and the
+- a node is eight: the children's lower x, y, z, upper x, y, z, their links (below 0 to a leaf, ~link; 0 none), and the
   longest side, along an axis, of the triangles in a leaf;
 - a leaf is ten: x, y, z of its triangles' first corners, of the second, of the third, and the faces' numbers; where there
   is no triangle, NaN and -1.
@@ -10,11 +10,16 @@ Rows of sixteen float32 fill one AVX-512 register or two of AVX2:
 
 import warp as wp
 
+from warpsample.maths.memory import float_at, int_at
+
 WIDTH = 16
 """Children of a node, triangles of a leaf."""
 
 NODE_BYTES = 8 * WIDTH * 4
 LEAF_BYTES = 10 * WIDTH * 4
+
+LINKS, EDGES, FACES = 6 * WIDTH, 7 * WIDTH, 9 * WIDTH
+"""Where rows start: of links and of longest sides in a node, of faces' numbers in a leaf."""
 
 MOST_DEPTH = 24
 """Nodes from the root to a leaf, at most; `build` keeps to it."""
@@ -58,3 +63,33 @@ class Accelerator:
 
 
 AcceleratorArgs = type(Accelerator().__ctype__())
+
+
+@wp.func
+def node_at(accelerator: Accelerator, i: wp.int32) -> wp.uint64:
+    """The address of the i-th node."""
+    return accelerator.nodes + wp.uint64(i) * wp.uint64(NODE_BYTES)
+
+
+@wp.func
+def leaf_at(accelerator: Accelerator, i: wp.int32) -> wp.uint64:
+    """The address of the i-th leaf."""
+    return accelerator.leaves + wp.uint64(i) * wp.uint64(LEAF_BYTES)
+
+
+@wp.func
+def link_in(node: wp.uint64, k: wp.int32) -> wp.int32:
+    """Where a node's k-th child is: the number of a node, or ~ that of a leaf; 0 if there is none."""
+    return int_at(node, LINKS + k)
+
+
+@wp.func
+def edge_in(node: wp.uint64, k: wp.int32) -> wp.float32:
+    """The longest side, along an axis, of the triangles in a node's k-th child, a leaf."""
+    return float_at(node, EDGES + k)
+
+
+@wp.func
+def face_in(leaf: wp.uint64, k: wp.int32) -> wp.int32:
+    """The number of the face that a leaf's k-th triangle is."""
+    return int_at(leaf, FACES + k)

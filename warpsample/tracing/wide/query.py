@@ -3,19 +3,26 @@
 import warp as wp
 
 from warpsample.host.locks import once
+from warpsample.maths.memory import address_at, int_at, set_address, set_float, set_int
 from warpsample.maths.numerics import lowest_bit
 from warpsample.tracing.wide.candidates import boxes_met, triangles_near
-from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH, Accelerator
+from warpsample.tracing.wide.layout import (
+    NODE_BYTES,
+    WIDTH,
+    Accelerator,
+    edge_in,
+    face_in,
+    leaf_at,
+    link_in,
+    node_at,
+)
 from warpsample.tracing.wide.prepare import Ray, ray_in
 from warpsample.tracing.wide.triangle import between_edges, plane_distance
 
-_NODE = wp.constant(wp.uint64(NODE_BYTES))
-_LEAF = wp.constant(wp.uint64(LEAF_BYTES))
-_PLACES = wp.constant(wp.uint64(6 * WIDTH * 4))
-_EDGES = wp.constant(wp.uint64(7 * WIDTH * 4))
-_FACES = wp.constant(wp.uint64(9 * WIDTH * 4))
+WAITING = wp.constant(wp.uint64(4 * 4))
+"""Bytes of a node that waits on the stack: its address, a mask of its children, and the reach they were found with."""
+
 _ALL = wp.constant(wp.int32(2**WIDTH - 1))
-_WAITING = wp.constant(wp.uint64(4 * 4))
 
 
 @wp.func
@@ -86,7 +93,7 @@ def _nearest_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.flo
     """(distance, face) of a triangle met, at the reach; (inf, -1) below 0."""
     if triangle < 0:
         return wp.float32(wp.INF), wp.int32(-1)
-    return reach, wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)[triangle]
+    return reach, face_in(leaf, triangle)
 
 
 @wp.func
@@ -94,19 +101,17 @@ def _any_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.float32
     """Likewise of one that is met somewhere before the reach."""
     if triangle < 0:
         return wp.float32(wp.INF), wp.int32(-1)
-    face = wp.array(ptr=leaf + _FACES, shape=(WIDTH,), dtype=wp.int32)[triangle]
+    face = face_in(leaf, triangle)
     return plane_distance(leaf, triangle, ray), face
 
 
 @wp.func
 def put_aside(top: wp.uint64, node: wp.uint64, mask: wp.int32, reach: wp.float32) -> wp.uint64:
     """The new top of the stack of nodes that wait, with the children to be visited and the reach they were found with."""
-    address = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)
-    address[0] = node
-    waiting = wp.array(ptr=top, shape=(4,), dtype=wp.int32)
-    waiting[2] = mask
-    waiting[3] = wp.cast(reach, wp.int32)
-    return top + _WAITING
+    set_address(top, 0, node)
+    set_int(top, 2, mask)
+    set_float(top, 3, reach)
+    return top + WAITING
 
 
 @wp.func
@@ -115,12 +120,10 @@ def _take_up(ray: Ray, reach: wp.float32, top: wp.uint64, bottom: wp.uint64):
     node = wp.uint64(0)
     mask = wp.int32(0)
     while mask == 0 and top != bottom:
-        top -= _WAITING
-        address = wp.array(ptr=top, shape=(1,), dtype=wp.uint64)
-        waiting = wp.array(ptr=top, shape=(4,), dtype=wp.int32)
-        node = address[0]
-        mask = waiting[2]
-        if waiting[3] != wp.cast(reach, wp.int32):
+        top -= WAITING
+        node = address_at(top, 0)
+        mask = int_at(top, 2)
+        if int_at(top, 3) != wp.cast(reach, wp.int32):
             still, _ = boxes_met(node, ray, reach, 0)
             mask = mask & still
     return node, mask, top
@@ -140,7 +143,7 @@ def _begin_at_several(accelerator: Accelerator, ray: Ray, reach: wp.float32, fli
     node = accelerator.start
     mask, child = boxes_met(node, ray, reach, flip)
     for other in range(1, accelerator.starts):
-        top = put_aside(top, node + wp.uint64(other) * _NODE, -1, -1.0)
+        top = put_aside(top, node + wp.uint64(other) * wp.uint64(NODE_BYTES), -1, -1.0)
     if mask == 0:
         node, mask, top = _take_up(ray, reach, top, scratch)
         child = lowest_bit(mask)
@@ -172,12 +175,12 @@ def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
         node, mask, child, top = begin(accelerator, ray, reach, flip, scratch)
         while mask != 0:
             mask = mask & (~(1 << child))
-            place = wp.array(ptr=node + _PLACES, shape=(WIDTH,), dtype=wp.int32)[child]
+            place = link_in(node, child)
             below = wp.int32(0)
             if place < 0:
                 visited_leaves += 1
-                leaf = accelerator.leaves + wp.uint64(~place) * _LEAF
-                edge = wp.array(ptr=node + _EDGES, shape=(WIDTH,), dtype=wp.float32)[child]
+                leaf = leaf_at(accelerator, ~place)
+                edge = edge_in(node, child)
                 reach, triangle = look_into(leaf, ray, reach, edge)
                 if triangle >= 0:
                     hit = triangle
@@ -190,7 +193,7 @@ def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
                         mask = mask & still
             else:
                 visited += 1
-                inner = accelerator.nodes + wp.uint64(place) * _NODE
+                inner = node_at(accelerator, place)
                 below, child = boxes_met(inner, ray, reach, flip)
                 if below != 0:
                     if mask != 0:

@@ -2,13 +2,14 @@
 
 import warp as wp
 
+from warpsample.maths.memory import float_at
+from warpsample.maths.numerics import ZERO
 from warpsample.tracing.wide.layout import WIDTH
 from warpsample.tracing.wide.prepare import Ray
 
 _LEAF_FLOATS = 9 * WIDTH
 _SECOND = wp.constant(wp.int32(3 * WIDTH))
 _THIRD = wp.constant(wp.int32(6 * WIDTH))
-_ZERO = wp.constant(wp.float64(0.0))
 
 
 @wp.func
@@ -17,13 +18,13 @@ def _inside(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: 
     u = cx * by - cy * bx
     v = ax * cy - ay * cx
     w = bx * ay - by * ax
-    return (u >= _ZERO and v >= _ZERO and w >= _ZERO) or (u <= _ZERO and v <= _ZERO and w <= _ZERO)
+    return (u >= ZERO and v >= ZERO and w >= ZERO) or (u <= ZERO and v <= ZERO and w <= ZERO)
 
 
 @wp.func
 def _direction(ray: Ray, row: wp.uint64) -> wp.float64:
     """Of a ray along an axis, which is told by the offset of its row in a leaf."""
-    return wp.float64(wp.array(ptr=ray.direction + row * ray.rows_of_leaf, shape=(1,), dtype=wp.float32)[0])
+    return wp.float64(float_at(ray.direction + row * ray.rows_of_leaf, 0))
 
 
 @wp.func
