@@ -13,6 +13,8 @@ from warpsample.radiation.weather.irradiation import received
 from warpsample.radiation.weather.light import light_of
 from warpsample.radiation.weather.perez import perez_sky
 from warpsample.radiation.weather.weather import read_weather
+from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
 
 pytest.importorskip("pvlib")
 pyradiance = pytest.importorskip("pyradiance")
@@ -105,7 +107,7 @@ def test_far_east_of_the_date_line_the_sky_is_bright_about_the_sun(tmp_path, lon
     path = write_epw(tmp_path / "samoa.epw", latitude=-13.8, longitude=longitude, zone=zone, altitude=2)
     light = light_of(path, ("02-27", "03-01"), 0.0, "reinhart2", (0, 0, 1), (0, 1, 0))
     high = light.sun[:, 2] > 0.3
-    brightest = light.patches.directions[light.radiance[:, np.isin(light.sky_rows, light.sun_rows[high])].argmax(axis=0)]
+    brightest = light.sky.directions[light.radiance[:, np.isin(light.sky_rows, light.sun_rows[high])].argmax(axis=0)]
     assert high.sum() > 20
     assert (brightest * light.sun[high]).sum(axis=1).min() > np.cos(np.radians(7.0))
 
@@ -186,7 +188,9 @@ def test_the_error_bars_are_honest(yard, athens):
     """The mean square of the differences between two runs is twice that of the error bars."""
     mesh, where = yard
     light = light_of(athens, ("06-21T12", "06-21T13"), 1.0, "tregenza", (0, 0, 1), (0, 1, 0))
-    runs = [received(Plan.of(mesh, where, 64, seed=seed), light, series=False) for seed in range(24)]
+    at = PlacedPoints.of(mesh, where)
+    plans = (Plan.of(at, 64, RayOptions.of(len(at), seed=seed)) for seed in range(24))
+    runs = [received(plan, light, series=False) for plan in plans]
     values, errors = (np.array([getattr(run, name) for run in runs], np.float64) for name in ("value", "standard_error"))
     told, seen = np.mean(np.square(errors)), np.mean(values.var(axis=0, ddof=1))
     assert told > 0.0

@@ -6,6 +6,8 @@ from meshes import CLOSED, soup
 import warpsample as ws
 from warpsample.bench import scenes
 from warpsample.radiation.sun.direct_sun import SunCall
+from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
 
 GRAZING = 1e-6  # cosines whose sign float32 does not tell
 
@@ -23,7 +25,8 @@ def mesh_of(name, bunny):
 
 
 def call_of(mesh, points, suns, disc=0.0, skip=True):
-    return SunCall(mesh, points, suns, None, disc, 0, 0, None, skip, 1, False)
+    at = PlacedPoints.of(mesh, points)
+    return SunCall(at, suns, None, RayOptions.of(len(at)).by(skip=skip, tracer="wide", workers=1), disc)
 
 
 def year(every=1, latitude=52.0):

@@ -13,8 +13,9 @@ from warpsample.directions.variates import CHUNK
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.distributions.record import Distribution
 from warpsample.host.arrays import Array
-from warpsample.host.device_memory import Memory, at_home
+from warpsample.host.device_memory import at_home
 from warpsample.host.engine import run
+from warpsample.host.options import CallOptions
 from warpsample.host.vectors import Vectors
 from warpsample.sequences.record import Sequence
 
@@ -30,14 +31,12 @@ class DirectionPlan:
     distribution: Distribution
     sequence: Sequence
     count: int
-    seed: int
     pdf: bool
-    workers: int
+    options: CallOptions
 
-    def fill(
-        self, memory: Memory, normals: Vectors, vectors: Vectors, pdf: Vectors | None, active: Array | None, first_point: int
-    ) -> Array:
+    def fill(self, normals: Vectors, vectors: Vectors, pdf: Vectors | None) -> Array:
         """Writes vectors and pdf, all arrays of one kind and in one place, and returns the status."""
+        memory, active = self.options.memory, _beside(normals, self.options.active)
         on_host = isinstance(normals.owner, np.ndarray)
         status = np.zeros(normals.count, np.uint8) if on_host else wp.zeros(normals.count, wp.uint8, memory.device)
         for rows in memory.parts(normals.count, 16 * self.count + 14):
@@ -51,7 +50,7 @@ class DirectionPlan:
                     active=loan.put(active, rows),
                     parameters=self.distribution.kernel_parameters().__ctype__(),
                 )
-                self._run(args, memory.device, first_point + rows.start, rows.stop - rows.start)
+                self._run(args, memory.device, self.options.first_point + rows.start, rows.stop - rows.start)
         return status
 
     def _run(self, whole: SamplesArgs, device: wp.Device, first_point: int, points: int) -> None:
@@ -66,10 +65,10 @@ class DirectionPlan:
                 args.status += start
                 args.active += start if whole.active else 0
             high, args.first_point = divmod(first_point + start, 2**32)
-            args.run_0, args.run_1, args.run_2, args.run_3 = self.sequence.run_words(self.seed, high)
+            args.run_0, args.run_1, args.run_2, args.run_3 = self.sequence.run_words(self.options.seed, high)
             args.points = end - start
             kernel, tasks, args.segment, args.rows = self.kernel(device, args.points, masked=whole.active != 0)
-            run(kernel, tasks, [args], device, self.workers, args.points * self.count)
+            run(kernel, tasks, [args], device, self.options.workers, args.points * self.count)
 
     def kernel(self, device: wp.Device, points: int, masked: bool) -> tuple[wp.Kernel, int, int, int]:
         """(kernel, tasks, samples of a segment, rows of a task): rows where one fills the vector lanes, and on CUDA."""
@@ -83,6 +82,13 @@ class DirectionPlan:
             tasks = -(-points * -(-self.count // segment) // rows)
             return direction_rows(*slots, CHUNK), tasks, segment, rows
         return direction_blocks(*slots, self.count == 1), -(-points * self.count // FLAT_BLOCK), FLAT_BLOCK, 1
+
+
+def _beside(normals: Vectors, active: np.ndarray | None) -> Array | None:
+    """The mask of a call where its normals lie."""
+    if active is None or isinstance(normals.owner, np.ndarray):
+        return active
+    return wp.array(active, dtype=wp.uint8, device=normals.device)
 
 
 def same_high_word(first_point: int, points: int) -> list[tuple[int, int]]:

@@ -17,12 +17,12 @@ from warpsample.distributions import as_spatial
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.distributions.record import Distribution
-from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_scale, check_seed, told
-from warpsample.host.arrays import Array, check_active, cpu
-from warpsample.host.device_memory import Memory
-from warpsample.host.engine import check_memory, check_workers, run
+from warpsample.host.arguments import check_flag, check_integer, check_scale, told
+from warpsample.host.arrays import Array, cpu
+from warpsample.host.engine import check_memory, run
+from warpsample.host.options import CallOptions, explained_by
 from warpsample.host.progress import bar
-from warpsample.host.vectors import Vectors, as_vectors, check_out, new_vectors
+from warpsample.host.vectors import as_vectors, check_out, new_vectors
 from warpsample.mesh.polydata import cloud
 from warpsample.mesh.surface import SurfacePoints
 
@@ -110,6 +110,7 @@ class Directions:
         )
 
 
+@explained_by(CallOptions)
 def sample_directions(
     normals: Any,
     count: int,
@@ -138,15 +139,12 @@ def sample_directions(
         count: directions per point, n, 1 to 2^31 - 1.
         distribution: an instance, or a name for one with its defaults.
         sequence: a name of `warpsample.sequences.names()`.
-        seed: of 64 bits.
-        first_point: the global id of row 0.
         pdf: whether to return the density of each direction.
         active: (P,) bool; rows that are False give zero vectors and cost next to nothing.
         out: a float32 array of shape (P, n, 3) to write into, of the same kind as the normals; another library's is written
             in place too, and `vectors` is a NumPy array or wp.array of its memory.
         device: where to compute, by default where the normals are; NumPy arrays go to a CUDA device in parts and back.
-        workers: threads on the CPU, all cores by default.
-        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+        seed, first_point, workers, progress: see `CallOptions`.
 
     Returns:
         vectors (P, n, 3) of unit length in world coordinates, pdf (P, n) if asked for, and a status per point.
@@ -165,29 +163,29 @@ def sample_directions(
     if len(given.shape) != 1 or given.count == 0:
         raise ValueError(f"normals: got shape {(*given.shape, 3)}, want (P, 3) with P of at least 1")
     count = check_integer(count, "count", 1, 2**31 - 1)
-    plan = DirectionPlan(
+    options = CallOptions.of(given.count, seed=seed, first_point=first_point, active=active).by(
+        device=device, workers=workers, progress=progress, given=given.owner, argument="normals"
+    )
+    sampling = DirectionPlan(
         as_spatial(distribution),
         sequences.get(sequence),
         count,
-        check_seed(seed),
         check_flag(pdf, "pdf"),
-        check_workers(workers),
+        options,
     )
-    progress, first_point = check_flag(progress, "progress"), check_first_point(first_point, given.count)
-    mask = _active_beside(given, active)
-    memory = Memory.of(device, given.owner, "normals")
     shape = (given.count, count)
     vectors = None if out is None else check_out(out, given, shape)
-    size = prod(shape) * ((12 if out is None else 0) + (4 if plan.pdf else 0)) + given.count
+    size = prod(shape) * ((12 if out is None else 0) + (4 if sampling.pdf else 0)) + given.count
     if given.device.is_cpu:
         check_memory(size, f"{prod(shape):,} directions", _STREAM_HINT)
     vectors = vectors or new_vectors(given, shape, 3)
-    densities = new_vectors(given, shape, 1) if plan.pdf else None
-    with bar(progress, "sampling directions"):
-        status = plan.fill(memory, given, vectors, densities, mask, first_point)
+    densities = new_vectors(given, shape, 1) if sampling.pdf else None
+    with bar(options.progress, "sampling directions"):
+        status = sampling.fill(given, vectors, densities)
     return Directions(vectors.owner, densities and densities.owner, status)
 
 
+@explained_by(CallOptions)
 def sample_square(sequence: str, points: int, count: int, *, seed: int = 0, first_point: int = 0) -> np.ndarray:
     """The points of the square that `sample_directions` maps to directions.
 
@@ -195,8 +193,7 @@ def sample_square(sequence: str, points: int, count: int, *, seed: int = 0, firs
         sequence: a name of `warpsample.sequences.names()`.
         points: how many surface points, P.
         count: points of the square for each, n, 1 to 2^31 - 1.
-        seed: of 64 bits.
-        first_point: the global id of row 0.
+        seed, first_point: see `CallOptions`.
 
     Returns:
         (P, n, 2) float32, multiples of 2^-24 in [0, 1).
@@ -213,19 +210,12 @@ def sample_square(sequence: str, points: int, count: int, *, seed: int = 0, firs
     record = sequences.get(sequence)
     points = check_integer(points, "points", 1, 2**63 - 1)
     count = check_integer(count, "count", 1, 2**31 - 1)
-    seed, first_point = check_seed(seed), check_first_point(first_point, points)
+    options = CallOptions.of(points, seed=seed, first_point=first_point)
     total = points * count
     check_memory(8 * total, f"{total:,} points of the square", "take them in parts with first_point")
     square = np.empty((points, count, 2), np.float32)
-    for start, end in same_high_word(first_point, points):
+    for start, end in same_high_word(options.first_point, points):
         pairs = (end - start) * count
-        inputs = [pairs, FLAT_BLOCK, count, seed, first_point + start, square[start:].ctypes.data]
-        run(square_blocks(record), -(-pairs // FLAT_BLOCK), inputs, cpu(), check_workers(None), pairs)
+        inputs = [pairs, FLAT_BLOCK, count, options.seed, options.first_point + start, square[start:].ctypes.data]
+        run(square_blocks(record), -(-pairs // FLAT_BLOCK), inputs, cpu(), options.workers, pairs)
     return square
-
-
-def _active_beside(normals: Vectors, active: Any) -> Array | None:
-    mask = check_active(active, normals.count)
-    if mask is None or isinstance(normals.owner, np.ndarray):
-        return mask
-    return wp.array(mask, dtype=wp.uint8, device=normals.device)

@@ -8,15 +8,23 @@ import numpy as np
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.estimate.definitions import naming_function
+from warpsample.estimate.estimating import estimate
 from warpsample.estimate.integrand import integrand_of
-from warpsample.estimate.plan import Plan, Quantity, reach_of
+from warpsample.estimate.plan import Plan, RaySum, reach_of
 from warpsample.estimate.result import Estimate, PointStatus
+from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.host.arguments import told
+from warpsample.host.options import explained_by
+from warpsample.host.vectors import as_directions
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
+from warpsample.tracing.triples import Triples
 
 _FEW_POINTS, _FEW_RAYS = 64, 64
 
 
+@explained_by(RayOptions, ambient_occlusion)
 def integrate(
     points: Any,
     integrand: Any,
@@ -51,18 +59,8 @@ def integrate(
         data: an instance of a wp.struct, which may hold arrays on the CPU or the device; a wp.Mesh's id only of one there.
         distribution: of the directions, an instance or a name for one with its defaults.
         mesh: if given, a direction counts 0 where a ray along it meets the mesh; rays where the function is 0 are not cast.
-        max_distance: hits at or beyond this distance are ignored, in units of the coordinates; by default there is no limit.
-        sequence: of the directions, a name of `warpsample.sequences.names()`.
-        seed: of 64 bits.
-        first_point: the global id of row 0.
-        active: (P,) bool; other points get 0 and a status.
-        tolerance: the standard error to reach in each component, as the root mean square over the points, by at most
-            `count` directions; as for `ambient_occlusion`.
-        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
-        tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
-        device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
-        workers: threads on the CPU, all cores by default.
-        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+        max_distance, tolerance: see `ambient_occlusion`.
+        sequence, seed, first_point, active, skip, tracer, device, workers, progress: see `RayOptions`.
 
     Returns:
         value (P,), or (P, 3) for a function that gives a vec3, its standard error, and for each point the rays cast
@@ -81,41 +79,44 @@ def integrate(
         >>> print(f"{up.value[0]:.2f}")
         0.67
     """
-    plan = Plan.of(
-        mesh,
-        points,
-        count,
-        sequence,
-        seed,
-        first_point,
-        active,
-        tolerance,
-        skip,
-        tracer,
-        workers,
-        progress,
-        distribution=distribution,
-        meshless=mesh is None,
-        device=device,
+    at = _without_mesh(points) if mesh is None else PlacedPoints.of(mesh, points)
+    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, active=active).by(
+        skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
     )
-    quantity = Quantity(integrand_of(integrand, data, device=plan.memory.device), reach=reach_of(max_distance))
+    plan = Plan.of(at, count, options, tolerance=tolerance, distribution=distribution)
+    summed = RaySum(integrand_of(integrand, data, device=options.memory.device), reach=reach_of(max_distance))
     if mesh is None and max_distance is not None:
         raise ValueError(f"max_distance: got {told(max_distance)} without a mesh, want it with one")
     first = _first_of(plan)
     with naming_function("integrand"):
-        found = first.estimate(quantity)
+        found = estimate(first, summed)
     _check_finite(found)
-    return found if first is plan else plan.estimate(quantity)
+    return found if first is plan else estimate(plan, summed)
+
+
+def _without_mesh(points: Any) -> PlacedPoints:
+    """Points, or normals alone, whose rays meet nothing.
+
+    Raises:
+        TypeError, ValueError: neither SurfacePoints nor (P, 3) numbers.
+    """
+    if not isinstance(points, SurfacePoints):
+        given = Triples.of(points, "points", "(P, 3)")
+        if len(given.shape) != 1:
+            raise ValueError(f"points: got shape {(*given.shape, 3)}, want (P, 3)")
+        normals = as_directions(given.owner)
+        points = SurfacePoints(np.zeros(normals.shape, np.float32), normals)
+    return PlacedPoints(points, None)
 
 
 def _first_of(plan: Plan) -> Plan:
     """The first points with few rays; of a call with no more points than that, the plan itself."""
-    if len(plan.points) <= _FEW_POINTS:
+    if len(plan.at) <= _FEW_POINTS:
         return plan
-    few = slice(_FEW_POINTS)
-    points = SurfacePoints(plan.points.position[few], plan.points.normal[few], plan.points.face[few])
-    active = None if plan.active is None else plan.active[few]
-    return replace(plan, points=points, active=active, count=min(plan.count, _FEW_RAYS), tolerance=None)
+    few, points, active = slice(_FEW_POINTS), plan.at.points, plan.options.active
+    at = PlacedPoints(SurfacePoints(points.position[few], points.normal[few], points.face[few]), plan.at.mesh)
+    options = replace(plan.options, active=None if active is None else active[few])
+    return replace(plan, at=at, options=options, count=min(plan.count, _FEW_RAYS), tolerance=None)
 
 
 def _check_finite(found: Estimate) -> None:

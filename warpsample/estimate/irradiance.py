@@ -9,17 +9,23 @@ import numpy as np
 import warp as wp
 
 from warpsample.estimate.definitions import naming_function
+from warpsample.estimate.estimating import estimate
 from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.picture import read_picture
-from warpsample.estimate.plan import Plan, Quantity
+from warpsample.estimate.plan import Plan, RaySum
 from warpsample.estimate.result import Estimate
+from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.estimate.weights import seen_in
 from warpsample.host.arrays import as_real, as_unit
+from warpsample.host.options import explained_by
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
 
 _BRIGHTEST = 1e37  # of a picture: pi times that is a float32
 
 
+@explained_by(RayOptions, ambient_occlusion)
 def irradiance(
     mesh: Any,
     points: SurfacePoints,
@@ -49,17 +55,8 @@ def irradiance(
             coordinates. A small bright sun takes many rays: they are spread by the cosine alone.
         count: rays of each point; none is cast where the radiance is 0.
         up: (3,), of any length; only for a picture.
-        sequence: of the rays, a name of `warpsample.sequences.names()`.
-        seed: of 64 bits.
-        first_point: the global id of row 0.
-        active: (P,) bool; other points get 0 and a status.
-        tolerance: the standard error to reach, in the result's unit, as the root mean square over the points, by at most
-            `count` rays; as for `ambient_occlusion`.
-        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
-        tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
-        device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
-        workers: threads on the CPU, all cores by default.
-        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+        tolerance: see `ambient_occlusion`.
+        sequence, seed, first_point, active, skip, tracer, device, workers, progress: see `RayOptions`.
 
     Returns:
         value (P,), or (P, 3) for a radiance of three numbers, in the radiance's unit times steradian, at least 0 where
@@ -75,17 +72,20 @@ def irradiance(
         >>> print(light.value.shape, 0.0 < light.value.min() < light.value.max() < 2.0 * np.pi)
         (100,) True
     """
-    plan = Plan.of(
-        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress, device=device
+    at = PlacedPoints.of(mesh, points)
+    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, active=active).by(
+        skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
     )
+    plan = Plan.of(at, count, options, tolerance=tolerance)
     axis = as_unit(up, "up")
     if isinstance(radiance, wp.Function):
         with naming_function("radiance"):
-            return plan.estimate(Quantity(integrand_of(radiance, argument="radiance", device=plan.memory.device), unit=pi))
+            integrand = integrand_of(radiance, argument="radiance", device=options.memory.device)
+            return estimate(plan, RaySum(integrand, unit=pi))
     picture = _picture(radiance)
     colour = picture.ndim == 3
     pixels = np.ascontiguousarray(np.broadcast_to(picture if colour else picture[..., None], (*picture.shape[:2], 3)))
-    found = plan.estimate(Quantity(seen_in(pixels, axis), unit=pi))
+    found = estimate(plan, RaySum(seen_in(pixels, axis), unit=pi))
     if colour:
         return found
     numbers = ("value", "standard_error", "spread", "degrees_of_freedom")

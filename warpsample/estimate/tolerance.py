@@ -32,7 +32,7 @@ def count_within(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
     Returns:
         (rays, at most those of the plan; rays that the trial cast from each point, (P,) int32).
     """
-    trial, most, traced = _Trial(runner), runner.plan.count, runner.scene is not None
+    trial, most, traced = _Trial(runner), runner.plan.count, runner.traced
     trial.run(_FIRST)
     for _ in range(_ROUNDS):
         needed = max(_LEAST, trial.needed(_AIM * tolerance))
@@ -72,30 +72,31 @@ class _Trial:
 
     def __init__(self, runner: Runner) -> None:
         """Orders the points that are active, so that the first ones are spread over all."""
-        self.runner, self.rate, self.count = runner, runner.plan.sequence.rate, 0
-        rows = np.arange(len(runner.plan.points)) if runner.plan.active is None else np.flatnonzero(runner.plan.active)
+        self.runner, self.rate, self.count = runner, runner.options.sequence.rate, 0
+        active = runner.options.active
+        rows = np.arange(len(runner.at)) if active is None else np.flatnonzero(active)
         some = min(max(len(rows) // _SHARE, _FEWEST_POINTS), _MOST_POINTS, len(rows))
         self.rows = rows if some == len(rows) else rows[(np.arange(some) * _TURN % 1.0 * len(rows)).astype(np.int64)]
-        self.active, self.rays = len(rows), np.zeros(len(runner.plan.points), np.int32)
+        self.active, self.rays = len(rows), np.zeros(len(runner.at), np.int32)
 
     def whole(self, count: float) -> int:
         """A count rounded up to what the cells and the sequence go into, but not beyond the plan's."""
         plan = self.runner.plan
         rays = int(np.ceil(min(count, plan.count)))
-        if plan.sequence.nets:  # of cells and replicates there are powers of two, too
+        if self.runner.options.sequence.nets:  # of cells and replicates there are powers of two, too
             return min(1 << (rays - 1).bit_length(), plan.count)
-        step = cells_of(rays, traced=self.runner.scene is not None).step
+        step = cells_of(rays, traced=self.runner.traced).step
         return min(-(-rays // step) * step, plan.count)
 
     def run(self, count: float) -> None:
         """A round: the rows that are taken fall with the root of the number of cells."""
-        plan, traced, count = self.runner.plan, self.runner.scene is not None, self.whole(count)
+        traced, count = self.runner.traced, self.whole(count)
         cells = cells_of(count, traced=traced)
         share = min(_SHARE * np.sqrt(cells.bands * cells.sectors), _LEAST_SHARE)
-        chosen = np.zeros(len(plan.points), bool)
+        chosen = np.zeros(len(self.runner.at), bool)
         chosen[self.rows[: max(int(self.active / share), _FEWEST_POINTS)]] = True
         # Skipping whatever the call says, as it changes no bit: so the count does not depend on it either.
-        found = self.runner.result(seed_for("trial", plan.seed), count, chosen, skip=True)
+        found = self.runner.result(seed_for("trial", self.runner.options.seed), count, chosen, skip=True)
         good = chosen & (found.status == 0)
         error = _error_of(found, good)
         alike = counts_with_the_cells_of(self.count, traced) == counts_with_the_cells_of(count, traced)

@@ -6,14 +6,19 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.estimate.plan import Plan, Quantity, reach_of
+from warpsample.estimate.estimating import estimate
+from warpsample.estimate.plan import Plan, RaySum, reach_of
 from warpsample.estimate.result import Estimate, Share
 from warpsample.estimate.weights import DIRECTION, OPEN, above_plane
 from warpsample.host.arguments import check_number
 from warpsample.host.arrays import as_unit
+from warpsample.host.options import explained_by
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
 
 
+@explained_by(RayOptions)
 def ambient_occlusion(
     mesh: Any,
     points: SurfacePoints,
@@ -36,7 +41,7 @@ def ambient_occlusion(
 
     The bits depend on (mesh, point, first_point + row, seed, count, sequence) alone: not on threads, on which points are
     together or active, nor on `skip`; a CUDA device has other roundings. Memory is that of the points. The first call ever
-    compiles for about 8 s.
+    compiles for about 8 s. Without `skip` it takes two to three times as long.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes; pass a Mesh to keep its tree from call to call.
@@ -50,19 +55,11 @@ def ambient_occlusion(
         max_distance: hits at or beyond this distance are ignored, in units of the coordinates; by default there is no limit.
         falloff: a hit at a distance t occludes by (1 - t / max_distance)^falloff, so that there is no edge at
             max_distance: ambient obscurance (Zhukov1998). 1 is a straight line.
-        sequence: of the rays of each cell, a name of `warpsample.sequences.names()`.
-        seed: of 64 bits.
-        first_point: the global id of row 0.
-        active: (P,) bool; other points get 0, a status, and cost next to nothing.
-        tolerance: the standard error to reach, in the root mean square over the points: by how many of `count` rays from
-            each, a trial of one in twelve points or fewer says. Its rays are forgotten, which keeps the result unbiased.
-            The count depends on all points of the call, so another choice of points or parts gives other last digits.
-        skip: whether to look for what cannot be met: parts of the mesh below a point's horizon, and, from 32 rays on, empty
-            cells of its lobe. Changes no bit; off, it takes two to three times as long.
-        tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
-        device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
-        workers: threads on the CPU, all cores by default.
-        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+        tolerance: the standard error to reach, of each component in the result's unit and in the root mean square over the
+            points: by how many of `count` rays from each, a trial of one in twelve points or fewer says. Its rays are
+            forgotten, which keeps the result unbiased. The count depends on all points of the call, so another choice of
+            points or parts gives other last digits.
+        sequence, seed, first_point, active, skip, tracer, device, workers, progress: see `RayOptions`.
 
     Returns:
         value (P,) from 0 to 1, its standard error, and for each point the rays cast and a status.
@@ -80,15 +77,17 @@ def ambient_occlusion(
         >>> print(open_share.value.shape, f"{open_share.value.mean():.1f}")
         (100,) 0.7
     """
-    plan = Plan.of(
-        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress, device=device
+    at = PlacedPoints.of(mesh, points)
+    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, active=active).by(
+        skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
     )
+    plan = Plan.of(at, count, options, tolerance=tolerance)
     reach = reach_of(max_distance)
     if falloff is not None:
         falloff = check_number(falloff, "falloff", 0.0, 1000.0)
         if not 0.0 < reach < inf:
             raise ValueError(f"max_distance: got {max_distance}, want a finite one above 0, to which falloff is relative")
-    return plan.estimate(Quantity(OPEN, reach=reach, falloff=falloff, result=Share))
+    return estimate(plan, RaySum(OPEN, reach=reach, falloff=falloff, result=Share))
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,6 +101,7 @@ class SkyView(Share):
     below_horizon: np.ndarray
 
 
+@explained_by(RayOptions, ambient_occlusion)
 def sky_view_factor(
     mesh: Any,
     points: SurfacePoints,
@@ -129,18 +129,8 @@ def sky_view_factor(
         points: P of them; as for `ambient_occlusion`.
         count: rays of each point.
         up: (3,), of any length; rays below the plane across it do not see the sky, whatever they meet, and are not cast.
-        max_distance: hits at or beyond this distance are ignored, in units of the coordinates; by default there is no limit.
-        sequence: of the rays, a name of `warpsample.sequences.names()`.
-        seed: of 64 bits.
-        first_point: the global id of row 0.
-        active: (P,) bool; other points get 0 and a status.
-        tolerance: the standard error to reach, as the root mean square over the points, by at most `count` rays; as for
-            `ambient_occlusion`.
-        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
-        tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
-        device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
-        workers: threads on the CPU, all cores by default.
-        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+        max_distance, tolerance: see `ambient_occlusion`.
+        sequence, seed, first_point, active, skip, tracer, device, workers, progress: see `RayOptions`.
 
     Returns:
         value (P,) from 0 to 1, its standard error, the share of the lobe below the horizon, and for each point the rays
@@ -156,12 +146,14 @@ def sky_view_factor(
         >>> print(sky.value.shape, f"{sky.value.max():.2f}", f"{sky.below_horizon.max():.2f}")  # a roof; an upright wall
         (2080,) 1.00 0.50
     """
-    plan = Plan.of(
-        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress, device=device
+    at = PlacedPoints.of(mesh, points)
+    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, active=active).by(
+        skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
     )
+    plan = Plan.of(at, count, options, tolerance=tolerance)
     reach = reach_of(max_distance)
     axis = as_unit(up, "up")
-    found = plan.estimate(Quantity(above_plane(axis), reach=reach, result=Share))
+    found = estimate(plan, RaySum(above_plane(axis), reach=reach, result=Share))
     normal = np.asarray(points.normal, np.float64)
     with np.errstate(invalid="ignore"):
         cosine = normal @ axis / np.linalg.norm(normal, axis=1)
@@ -169,6 +161,7 @@ def sky_view_factor(
     return SkyView(**{item.name: getattr(found, item.name) for item in fields(found)}, below_horizon=below)
 
 
+@explained_by(RayOptions, ambient_occlusion)
 def bent_normals(
     mesh: Any,
     points: SurfacePoints,
@@ -194,18 +187,8 @@ def bent_normals(
         mesh: a Mesh or whatever `as_mesh` takes.
         points: P of them; as for `ambient_occlusion`.
         count: rays of each point.
-        max_distance: hits at or beyond this distance are ignored, in units of the coordinates; by default there is no limit.
-        sequence: of the rays, a name of `warpsample.sequences.names()`.
-        seed: of 64 bits.
-        first_point: the global id of row 0.
-        active: (P,) bool; other points get 0 and a status.
-        tolerance: the standard error to reach in each component, as the root mean square over the points, by at most
-            `count` rays; as for `ambient_occlusion`.
-        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
-        tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
-        device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
-        workers: threads on the CPU, all cores by default.
-        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+        max_distance, tolerance: see `ambient_occlusion`.
+        sequence, seed, first_point, active, skip, tracer, device, workers, progress: see `RayOptions`.
 
     Returns:
         value (P, 3), vectors in world coordinates, of length 0 where all is closed to about 2/3 where all is open; the
@@ -221,8 +204,9 @@ def bent_normals(
         >>> print(bent.value.shape, f"{np.linalg.norm(bent.value, axis=1).max():.1f}")
         (100, 3) 0.7
     """
-    plan = Plan.of(
-        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress, device=device
+    at = PlacedPoints.of(mesh, points)
+    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, active=active).by(
+        skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
     )
-    reach = reach_of(max_distance)
-    return plan.estimate(Quantity(DIRECTION, reach=reach))
+    plan = Plan.of(at, count, options, tolerance=tolerance)
+    return estimate(plan, RaySum(DIRECTION, reach=reach_of(max_distance)))

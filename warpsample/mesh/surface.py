@@ -5,11 +5,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from warpsample.host.arguments import check_first_point, check_flag, check_integer, check_seed, told
+from warpsample.host.arguments import check_flag, check_integer, told
 from warpsample.host.arrays import as_real
-from warpsample.host.device_memory import Memory
-from warpsample.host.engine import check_memory, check_workers, run
+from warpsample.host.engine import check_memory, run
 from warpsample.host.neighbours import as_ndarray
+from warpsample.host.options import CallOptions, explained_by
 from warpsample.mesh.mesh import as_mesh
 from warpsample.mesh.placing import BLOCK, guide_to, place_points
 from warpsample.mesh.polydata import cloud
@@ -86,6 +86,7 @@ class SurfacePoints:
         return cloud(self.position, self.normal, face=self.face, barycentric=self.barycentric)
 
 
+@explained_by(CallOptions)
 def sample_surface(
     mesh: Any,
     count: int,
@@ -104,11 +105,8 @@ def sample_surface(
     Args:
         mesh: a Mesh or whatever `as_mesh` takes. Degenerate faces get no points.
         count: how many, 1 to 2^31 - 1.
-        seed: of 64 bits.
-        first_point: the global id of row 0.
         barycentric: whether to keep the weights of the corners.
-        device: where to compute, the CPU by default; on a CUDA device in parts, which come back as NumPy's arrays.
-        workers: threads on the CPU, all cores by default.
+        seed, first_point, device, workers: see `CallOptions`.
 
     Returns:
         position float64, normal float32 (of the face), face; barycentric if asked for.
@@ -127,8 +125,8 @@ def sample_surface(
     """
     mesh, barycentric = as_mesh(mesh), check_flag(barycentric, "barycentric")
     count = check_integer(count, "count", 1, 2**31 - 1)
-    seed, first_point, workers = check_seed(seed), check_first_point(first_point, count), check_workers(workers)
-    memory = Memory.of(device)
+    options = CallOptions.of(count, seed=seed, first_point=first_point).by(device=device, workers=workers)
+    memory = options.memory
     if not mesh.face_areas.any():
         raise ValueError("mesh: got a mesh whose faces have no area, want at least one that has")
     size = count * (BYTES_PER_POINT + (24 if barycentric else 0))
@@ -146,8 +144,8 @@ def sample_surface(
             with memory.loan() as loan:
                 found = [loan.output(array, rows) for array in (position, normal, face)]
                 found.append(loan.output(weights, rows) if barycentric else 0)
-                inputs = [seed, first_point + rows.start, points, *surface, *found]
-                run(place_points(block), -(-points // block), inputs, memory.device, workers, 8 * points)
+                inputs = [options.seed, options.first_point + rows.start, points, *surface, *found]
+                run(place_points(block), -(-points // block), inputs, memory.device, options.workers, 8 * points)
     return SurfacePoints(position, normal, face, weights if barycentric else None)
 
 

@@ -12,16 +12,17 @@ import warp as wp
 from warpsample.host.arguments import check_flag, check_number
 from warpsample.host.arrays import Array
 from warpsample.host.device_memory import Memory
-from warpsample.host.engine import check_memory, check_workers
+from warpsample.host.engine import check_memory
 from warpsample.host.neighbours import address_of, kind_told
+from warpsample.host.options import explained_by
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import as_mesh
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placement import MOST_DISTANCE, PlacementArgs, placed
 from warpsample.tracing.rays import RaysArgs, trace_rays
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.starts import faces_and_normals, set_starts
-from warpsample.tracing.tracers import tracer_of
 from warpsample.tracing.triples import Triples
 
 _BYTES_OF_POINT, _BYTES_OF_RAY = 24 + 12, 24 + 4 + 4  # on a device: origin, face's normal; direction, distance, face
@@ -49,6 +50,7 @@ class Hits:
         return int(np.count_nonzero(np.isnan(distance)))
 
 
+@explained_by(RayOptions)
 def trace(
     mesh: Any,
     origins: Any,
@@ -79,10 +81,8 @@ def trace(
         max_distance: meets only what is nearer, in units of the coordinates; in any case than float32 has distances, 3e38.
             Both are compared in float32, from where a ray that starts far away comes near the mesh.
         any_hit: whether some face is enough: up to twice as fast.
-        tracer: "wide", "warp" (wp.Mesh) or "auto": wide on the CPU.
         device: where to trace, by default where the rays are; NumPy's go to a CUDA device in parts, and hits come back.
-        workers: threads on the CPU, all cores by default.
-        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+        tracer, workers, progress: see `RayOptions`.
 
     Returns:
         distance, at least 0, inf where nothing is met and NaN for an invalid ray, and face, -1 for both; of the directions'
@@ -98,31 +98,31 @@ def trace(
         >>> print(hits.distance, hits.face >= 0)  # down into the yard, up into the sky
         [100.  inf] [ True False]
     """
-    mesh, workers = as_mesh(mesh), check_workers(workers)
-    any_hit, progress = check_flag(any_hit, "any_hit"), check_flag(progress, "progress")
+    mesh, any_hit = as_mesh(mesh), check_flag(any_hit, "any_hit")
     on_faces = isinstance(origins, SurfacePoints)
     start = Triples.of(origins.position if on_faces else origins, "origins", "(P, 3) or (3,)")
     way = Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
     _check_pair(start, way)
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
-    memory = Memory.of(device, way.owner, "directions")
-    chosen = tracer_of(tracer, memory.device)
+    options = RayOptions.of(prod(way.shape)).by(
+        tracer=tracer, device=device, workers=workers, progress=progress, given=way.owner, argument="directions"
+    )
     face, normals = faces_and_normals(mesh, origins) if on_faces else (None, None)
     rays = prod(way.shape)
     if way.device.is_cpu:
         check_memory(8 * rays, f"the hits of {rays:,} rays", "trace them in parts")
-    hits = Hits(way.empty(np.float32), way.empty(np.int32), chosen.name)
+    hits = Hits(way.empty(np.float32), way.empty(np.int32), options.tracer.name)
     if rays == 0:
         return hits
-    with bar(progress, "tracing rays"):
+    with bar(options.progress, "tracing rays"):
         scene = scene_of(mesh)
         placement = placed(scene, start, min(reach, MOST_DISTANCE))
         if normals is not None:
             placement.normals = normals.ctypes.data
-            starts = set_starts(scene, placement, face, None, chosen, workers)  # noqa: F841  (kept while it is read)
-        asked = rays_of(placement, way, hits)
+            starts = set_starts(scene, placement, face, None, options.tracer, options.workers)  # noqa: F841  (kept while it is read)
+        asked, memory = rays_of(placement, way, hits), options.memory
         for part in [asked] if memory.in_place else _parts(memory, asked, start, normals, way, hits):
-            trace_rays(scene, part, chosen, any_hit, memory.device, workers)
+            trace_rays(scene, part, options.tracer, any_hit, memory.device, options.workers)
     return hits
 
 

@@ -4,13 +4,16 @@ from dataclasses import dataclass, fields
 from math import inf
 from typing import Any
 
-from warpsample.estimate.plan import Plan, reach_of
-from warpsample.estimate.plan import Quantity as Summand
+from warpsample.estimate.estimating import estimate
+from warpsample.estimate.plan import Plan, RaySum, reach_of
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.weights import OPEN
 from warpsample.host.arguments import check_number
+from warpsample.host.options import explained_by
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
 
 _LEAST, _MOST = 1e-30, 1e30  # of a limit: its float32 and those of the errors are neither 0 nor infinite
 
@@ -31,6 +34,7 @@ class MeanDistance(Estimate):
         return 0.0, self.max_distance
 
 
+@explained_by(RayOptions)
 def mean_distance(
     mesh: Any,
     points: SurfacePoints,
@@ -62,17 +66,9 @@ def mean_distance(
             default, and if it is infinite, the diagonal of the mesh's box: from a point of the mesh nothing of it is
             farther, so that within a closed body no distance is cut. Each ray adds a float32 share of it, and so errs by up
             to 6e-8 of it.
-        sequence: of the rays, a name of `warpsample.sequences.names()`.
-        seed: of 64 bits.
-        first_point: the global id of row 0.
-        active: (P,) bool; other points get 0 and a status.
         tolerance: the standard error to reach, in units of the coordinates, as the root mean square over the points, by at
             most `count` rays; as for `ambient_occlusion`.
-        skip: whether to look for rays that meet nothing and leave them out; changes no bit.
-        tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto".
-        device: where to compute, the CPU by default; on a CUDA device by wp.Mesh, in parts that come back as NumPy's arrays.
-        workers: threads on the CPU, all cores by default.
-        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+        sequence, seed, first_point, active, skip, tracer, device, workers, progress: see `RayOptions`.
 
     Returns:
         value (P,) from 0 to `max_distance`, in units of the coordinates, its standard error, and for each point the rays
@@ -89,12 +85,14 @@ def mean_distance(
         >>> print(f"{free.value[0]:.1f} of {free.max_distance}")
         15.8 of 20.0
     """
-    plan = Plan.of(
-        mesh, points, count, sequence, seed, first_point, active, tolerance, skip, tracer, workers, progress, device=device
+    at = PlacedPoints.of(mesh, points)
+    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, active=active).by(
+        skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
     )
+    plan = Plan.of(at, count, options, tolerance=tolerance)
     limit = reach_of(max_distance)
-    limit = plan.mesh.diagonal if limit == inf else check_number(limit, "max_distance", _LEAST, _MOST)
-    found = plan.estimate(Summand(OPEN, reach=limit, unit=limit, falloff=1.0))
+    limit = at.mesh.diagonal if limit == inf else check_number(limit, "max_distance", _LEAST, _MOST)
+    found = estimate(plan, RaySum(OPEN, reach=limit, unit=limit, falloff=1.0))
     return MeanDistance(**{item.name: getattr(found, item.name) for item in fields(found)}, max_distance=limit)
 
 

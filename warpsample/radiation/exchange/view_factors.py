@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from warpsample.estimate.result import PointStatus, Skipped
-from warpsample.host.arguments import check_flag, check_integer, check_seed
-from warpsample.host.arrays import as_unit, check_active
-from warpsample.host.engine import check_workers
+from warpsample.host.arguments import check_flag, check_integer
+from warpsample.host.arrays import as_unit
+from warpsample.host.options import explained_by
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.radiation.exchange.casting import Casting
@@ -18,6 +18,7 @@ from warpsample.radiation.exchange.radiosity import radiosity_of
 from warpsample.radiation.exchange.reciprocity import reciprocal_shares
 from warpsample.radiation.exchange.row_shares import Shares, matrices_of, shares_of
 from warpsample.radiation.exchange.surfaces import Surfaces, check_groups, surfaces_of
+from warpsample.tracing.options import RayOptions
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -136,6 +137,7 @@ class ViewFactors:
         return ViewFactors(**load(path, "path"))
 
 
+@explained_by(RayOptions)
 def view_factors(
     mesh: Any,
     count: int = 4096,
@@ -172,13 +174,11 @@ def view_factors(
         replicates: independent parts of each face's rays, by whose differences errors are told, 1 to 64; with more of them
             the errors are told better, and are larger. One has none to differ from: errors are then told too large, by how
             much at least such a lattice is better than independent rays.
-        seed: of 64 bits.
         up: (3,), of any length, parts `outside` into `sky` and `ground`.
         first_face: the global id of face 0.
         active: (F,) bool; other faces are met, but their own rows stay empty. Not with `reciprocal`.
         skip: whether to cast no rays of faces that nothing stands above; changes no bit but of `rays` and `skipped`.
-        workers: threads, all cores by default.
-        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+        seed, workers, progress: see `RayOptions`.
 
     Returns:
         the matrix, its errors, what meets nothing, and what was done.
@@ -204,22 +204,22 @@ def view_factors(
     wants = f"a whole number from {replicates}, the number of replicates, to {_MOST_RAYS}"
     each = check_integer(count, "count", replicates, _MOST_RAYS, wants) // replicates
     groups = check_groups(groups, faces)
-    reciprocal, skip = check_flag(reciprocal, "reciprocal"), check_flag(skip, "skip")
-    progress, workers = check_flag(progress, "progress"), check_workers(workers)
+    reciprocal = check_flag(reciprocal, "reciprocal")
+    options = RayOptions.of(faces, seed=seed, active=active).by(skip=skip, workers=workers, progress=progress)
     casting = Casting(
         mesh,
         each,
         replicates,
-        check_seed(seed),
+        options.seed,
         None if up is None else as_unit(up, "up"),
         check_integer(first_face, "first_face", 0, 2**64 // replicates - faces),
-        skip,
-        workers,
+        options.skip,
+        options.workers,
     )
-    status = _status(mesh, check_active(active, faces))
+    status = _status(mesh, options.active)
     if active is not None and reciprocal:
         raise ValueError("active: got a mask with reciprocal=True, want None: that takes the rays of both faces of a pair")
-    with bar(progress, "casting rays"):
+    with bar(options.progress, "casting rays"):
         counts, cast = casting.counts(np.flatnonzero(status == PointStatus.OK).astype(np.int32), groups)
     surfaces = surfaces_of(mesh.face_areas, status == PointStatus.OK, groups)
     shares = shares_of(counts, casting.rays, casting.upward(), surfaces)

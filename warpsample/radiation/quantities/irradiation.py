@@ -8,6 +8,8 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.weather.irradiation import Irradiation, irradiation, received
 from warpsample.radiation.weather.light import light_of
+from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
 
 WEATHER = {"weather": "an EPW weather file"}
 
@@ -20,8 +22,9 @@ def _prepare(mesh: Mesh, _total: int, *, count: int, seed: int, workers: int | N
     light = light_of(**{name: given[name] for name in _OF_THE_LIGHT})
 
     def numbers(points: SurfacePoints, first: int) -> Irradiation:
-        plan = Plan.of(mesh, points, count, seed=seed, first_point=first, workers=workers)
-        return received(plan, light, series=False)
+        at = PlacedPoints.of(mesh, points)
+        options = RayOptions.of(len(at), seed=seed, first_point=first).by(workers=workers)
+        return received(Plan.of(at, count, options), light, series=False)
 
     return numbers
 

@@ -5,13 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.estimate.plan import Plan, Quantity
+from warpsample.estimate.plan import Plan
 from warpsample.estimate.result import PointStatus
-from warpsample.estimate.runner import Runner
-from warpsample.estimate.weights import OPEN
 from warpsample.host.arrays import as_real, cpu
-from warpsample.host.device_memory import Loan
 from warpsample.host.engine import check_memory, run
+from warpsample.host.options import explained_by
 from warpsample.host.progress import bar
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.sky.folding import fold_rows
@@ -22,13 +20,15 @@ from warpsample.radiation.sky.patches import SkyPatches, sky_patches
 from warpsample.radiation.sky.result import SkyMatrix, SkySkipped
 from warpsample.radiation.sky.shafts import beams_of, groups_of
 from warpsample.sequences.hashing import seed_for
-from warpsample.tracing.order import order_of
+from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.rays import RAY_WORK
 
 _BLOCK_BYTES = 1 << 25  # of the rows that stand at a time where they are folded
 _BYTES_OF_NUMBER = 8  # a value and its error
 
 
+@explained_by(RayOptions)
 def sky_matrix(
     mesh: Any,
     points: SurfacePoints,
@@ -63,12 +63,7 @@ def sky_matrix(
         up: (3,), towards the zenith, of any length.
         north: (3,), of any length; what of it is along up is left out.
         fold: (K,) or (K, T), skies: the result is the matrix times these, summed in float64, and never stands whole.
-        seed: of 64 bits.
-        first_point: the global id of row 0.
-        active: (P,) bool; other points get 0 and a status.
-        skip: whether what is known of a patch replaces its rays; changes no bit.
-        workers: threads, all cores by default.
-        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+        seed, first_point, active, skip, workers, progress: see `RayOptions`.
 
     Returns:
         value (P, K), or (P,) or (P, T), its standard error, the patches, and for each point the rays cast and a status.
@@ -85,26 +80,29 @@ def sky_matrix(
         >>> print(seen.value.shape, f"{seen.value.sum(axis=1).mean() - view.value.mean():.2f}")
         (100, 145) 0.00
     """
-    checked = (count, "fibonacci", seed, first_point, active, None, skip, "wide", workers)
-    plan = Plan.of(mesh, points, *checked, progress=progress)
+    at = PlacedPoints.of(mesh, points)
+    options = RayOptions.of(len(at), seed=seed, first_point=first_point, active=active)
+    plan = Plan.of(at, count, options.by(skip=skip, tracer="wide", workers=workers, progress=progress))
     sky = sky_patches(patches, up, north)
-    weights = None if fold is None else _skies(fold, len(sky))
-    columns = len(sky) if weights is None else weights.shape[1]
+    return sky_seen(plan, sky, None if fold is None else _check_fold(fold, len(sky)))
+
+
+def sky_seen(plan: Plan, sky: SkyPatches, fold: np.ndarray | None) -> SkyMatrix:
+    """The matrix of a sky at the points of a plan, or that times `fold`, (K,) or (K, T) finite numbers."""
+    columns = len(sky) if fold is None else prod(fold.shape[1:])
     check_memory(
-        _BYTES_OF_NUMBER * len(plan.points) * columns,
-        f"{len(plan.points):,} rows of {columns:,} numbers and their errors",
+        _BYTES_OF_NUMBER * len(plan.at) * columns,
+        f"{len(plan.at):,} rows of {columns:,} numbers and their errors",
         "take the points in parts" if fold is not None else "take the points in parts, or pass fold",
     )
-    with bar(plan.progress, "casting rays", len(plan.points)), plan.memory.loan() as loan:
-        rows = _Rows(plan, sky, loan)
-        out = rows.whole() if weights is None else rows.folded(weights)
-    if fold is not None and np.ndim(fold) == 1:
-        out = [array[:, 0] for array in out]
+    with bar(plan.options.progress, "casting rays", len(plan.at)):
+        rows = _Rows(plan, sky)
+        out = rows.whole() if fold is None else rows.folded(fold)
     return SkyMatrix(*out, rows.cast, rows.status, rows.skipped(), sky, fold is not None)
 
 
-def _skies(fold: Any, patches: int) -> np.ndarray:
-    """`fold` as a contiguous (K, T) of float64.
+def _check_fold(fold: Any, patches: int) -> np.ndarray:
+    """`fold` as (K,) or (K, T) of float32 or float64.
 
     Raises:
         TypeError, ValueError: no finite numbers, or of another shape.
@@ -115,18 +113,18 @@ def _skies(fold: Any, patches: int) -> np.ndarray:
         raise ValueError(f"fold: got shape {array.shape}, want {wants}")
     if not np.isfinite(array).all():
         raise ValueError(f"fold: got NaN or infinity, want {wants}")
-    return np.array(array.reshape(patches, -1), np.float64, order="C")
+    return array
 
 
 class _Rows:
     """The points of a plan under a sky, and the arrays that their rows are written to."""
 
-    def __init__(self, plan: Plan, sky: SkyPatches, loan: Loan) -> None:
-        """Places the points; the loan is one of the CPU's memory."""
-        self.plan, self.sky, points = plan, sky, len(plan.points)
+    def __init__(self, plan: Plan, sky: SkyPatches) -> None:
+        """Finds where the rays of the points start."""
+        self.plan, self.sky, points = plan, sky, len(plan.at)
         self.cast, self.open, self.closed, self.below = (np.zeros(points, np.int32) for _ in range(4))
         self.status = np.zeros(points, np.uint8)
-        self.runner = Runner(plan, Quantity(OPEN), loan)
+        self.placement = plan.at.facing(plan.options) if points else None
         self.table, self.frame, self.begins = table_of(sky), np.ascontiguousarray(sky.frame), groups_of(sky)
         self.beams = beams_of(sky, np.arange(len(sky) + 1))
         self.group_beams = beams_of(sky, self.begins)
@@ -137,8 +135,9 @@ class _Rows:
         self._run(*out, self._order(), False)
         return out
 
-    def folded(self, weights: np.ndarray) -> list[np.ndarray]:
-        """The matrix times (K, T), and the errors of that; a block of points at a time."""
+    def folded(self, fold: np.ndarray) -> list[np.ndarray]:
+        """The matrix times (K,) or (K, T), and the errors of that; a block of points at a time."""
+        weights = np.array(fold.reshape(len(fold), -1), np.float64, order="C")
         out = [np.zeros((len(self.status), weights.shape[1]), np.float32) for _ in range(2)]
         order = self._order()
         order = np.arange(len(self.status)) if order is None else order
@@ -150,8 +149,8 @@ class _Rows:
             good = self.status[chosen] == PointStatus.OK
             for array in rows:
                 array[: len(chosen)][~good] = 0.0
-            fold_rows(*rows, chosen, weights, out, self.plan.workers)
-        return out
+            fold_rows(*rows, chosen, weights, out, self.plan.options.workers)
+        return [array.reshape(len(array), *fold.shape[1:]) for array in out]
 
     def skipped(self) -> SkySkipped:
         """What was not done."""
@@ -166,17 +165,16 @@ class _Rows:
     def _order(self) -> np.ndarray | None:
         if not len(self.status):
             return None
-        return order_of(self.runner.scene, self.runner.placement, self.plan.count, self.plan.workers)
+        return self.plan.at.order(self.placement, self.plan.count, self.plan.options.workers)
 
     def _run(self, value: np.ndarray, error: np.ndarray, order: np.ndarray | None, by_task: bool) -> None:
         """Writes the rows of points."""
-        plan, points = self.plan, len(self.status) if order is None else len(order)
+        plan, options, points = self.plan, self.plan.options, len(self.status) if order is None else len(order)
         if not points:
             return
-        placement = self.runner.placement
-        placement.order = 0 if order is None else order.ctypes.data
+        self.placement.order = 0 if order is None else order.ctypes.data
         arrays = {
-            "normals": self.runner.normal,
+            "normals": plan.at.normal,
             "table": self.table,
             "beams": self.beams,
             "frame": self.frame,
@@ -191,17 +189,17 @@ class _Rows:
             "status": self.status,
         }
         rows = SkyRowsArgs(
-            placement=placement,
-            seed=seed_for("sky", plan.seed),
-            first_point=plan.first_point,
-            active=0 if plan.active is None else plan.active.ctypes.data,
+            placement=self.placement,
+            seed=seed_for("sky", options.seed),
+            first_point=options.first_point,
+            active=0 if options.active is None else options.active.ctypes.data,
             count=plan.count,
             patches=len(self.sky),
             groups=len(self.begins) - 1,
-            skip=plan.skip,
+            skip=options.skip,
             by_task=by_task,
             **{name: array.ctypes.data for name, array in arrays.items()},
         )
-        accelerator = plan.tracer.accelerator(self.runner.scene, cpu(), plan.workers)
+        accelerator = options.tracer.accelerator(plan.at.scene, cpu(), options.workers)
         work = prod((RAY_WORK, points, plan.count + len(self.sky)))
-        run(sky_kernel(), points, [rows, accelerator], cpu(), plan.workers, work)
+        run(sky_kernel(), points, [rows, accelerator], cpu(), options.workers, work)

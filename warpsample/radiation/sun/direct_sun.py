@@ -7,56 +7,45 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.host.arguments import check_first_point, check_flag, check_number, check_seed
-from warpsample.host.arrays import as_real, check_active, cpu
-from warpsample.host.engine import check_memory, check_workers, run
+from warpsample.host.arguments import check_flag, check_number
+from warpsample.host.arrays import as_real, cpu
+from warpsample.host.engine import check_memory, run
 from warpsample.host.locks import once
-from warpsample.host.neighbours import kind_told
+from warpsample.host.options import explained_by
 from warpsample.host.progress import bar
-from warpsample.host.vectors import as_directions
 from warpsample.maths.memory import set_vec3
 from warpsample.maths.numerics import scaled_to_unit
-from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.sun.kernel import sun_kernel
 from warpsample.radiation.sun.rays import DISC_RAYS
 from warpsample.radiation.sun.suns import SunTree
 from warpsample.radiation.sun.view import SunsArgs
 from warpsample.sequences.hashing import seed_for
-from warpsample.tracing.order import order_of
-from warpsample.tracing.placement import PlacementArgs, placed, unit_in_double, vector_in_double
+from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
+from warpsample.tracing.placement import MOST_DISTANCE, PlacementArgs, unit_in_double, vector_in_double
 from warpsample.tracing.rays import RAY_WORK
-from warpsample.tracing.scene import Scene, scene_of
-from warpsample.tracing.starts import faces_and_normals, set_starts
-from warpsample.tracing.tracers import WIDE
-from warpsample.tracing.triples import Triples
 
-_MOST_DISTANCE = float(np.finfo(np.float32).max)  # as `trace` has it
 _MOST_DISC = 45.0  # degrees: its beam is still a narrow one
 _MOST_SUNS = 2**24
 _FEW_RAYS = 16  # of a point: to look around it takes as long
 _BYTES_PER_POINT = 64
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SunCall:
     """The checked arguments of `direct_sun`."""
 
-    mesh: Mesh
-    points: SurfacePoints
+    at: PlacedPoints
     directions: np.ndarray
     weights: np.ndarray | None
-    disc: float
-    seed: int
-    first_point: int
-    active: np.ndarray | None
-    skip: bool
-    workers: int
-    cosine: bool
+    options: RayOptions
+    disc: float = 0.0
+    cosine: bool = False
 
     def answer(self, tally: np.ndarray | None = None) -> np.ndarray:
         """What `direct_sun` gives; and in (P, 3) int32 how many suns were found how, see `Suns`."""
-        points, suns = len(self.points), len(self.directions)
+        points, suns = len(self.at), len(self.directions)
         columns = suns if self.weights is None else self.weights[0].size
         kind: Any = np.float64 if self.weights is not None else np.float32 if self.disc else np.uint8
         needed = points * (columns * np.dtype(kind).itemsize + _BYTES_PER_POINT)
@@ -64,46 +53,35 @@ class SunCall:
         check_memory(needed, f"{columns:,} {what} of {points:,} points", "take the points in parts")
         answer = np.zeros((points, columns), kind)
         if points:
-            self._run(answer, tally)
+            with bar(self.options.progress, "looking at suns"):
+                self._run(answer, tally)
         if self.weights is not None:
             return answer.reshape(points, *self.weights.shape[1:])
         return answer if self.disc else answer.view(np.bool_)
 
     def _run(self, answer: np.ndarray, tally: np.ndarray | None) -> None:
         """Fills the answer."""
-        scene = scene_of(self.mesh)
-        position = Triples.of(self.points.position, "points.position")
-        normal = as_directions(Triples.of(self.points.normal, "points.normal").owner)
-        placement, kept = self._placement(scene, position)
+        at, workers, suns = self.at, self.options.workers, len(self.directions)
+        placement = at.two_sided(self.options, MOST_DISTANCE)
+        order = at.order(placement, suns, workers)
+        placement.order = 0 if order is None else order.ctypes.data
         tree = SunTree.of(_unit(self.directions), self.disc)
         args = self._args(tree, placement)
-        args.vertices, args.faces = scene.vertices.ctypes.data, scene.faces.ctypes.data
-        args.normals, args.answer = normal.ctypes.data, answer.ctypes.data
+        args.vertices, args.faces = at.scene.vertices.ctypes.data, at.scene.faces.ctypes.data
+        args.normals, args.answer = at.normal.ctypes.data, answer.ctypes.data
         args.tally = 0 if tally is None else tally.ctypes.data
-        points, work = len(answer), RAY_WORK * answer.shape[0] * len(self.directions) // 4
-        kernel = sun_kernel(self.disc > 0.0)
-        run(kernel, points, [args, WIDE.accelerator(scene, cpu(), self.workers)], cpu(), self.workers, work)
-        del kept
-
-    def _placement(self, scene: Scene, position: Triples) -> tuple[PlacementArgs, list[Any]]:
-        """The points, as `trace` places them, in an order that suits the tree; and what it has addresses of."""
-        placement = placed(scene, position, _MOST_DISTANCE)
-        face, side = faces_and_normals(self.mesh, self.points, "points")
-        placement.normals = side.ctypes.data
-        starts = set_starts(scene, placement, face, None, WIDE, self.workers)
-        order = order_of(scene, placement, len(self.directions), self.workers)
-        placement.order = 0 if order is None else order.ctypes.data
-        return placement, [side, starts, order]
+        inputs = [args, self.options.tracer.accelerator(at.scene, cpu(), workers)]
+        run(sun_kernel(self.disc > 0.0), len(answer), inputs, cpu(), workers, RAY_WORK * len(answer) * suns // 4)
 
     def _args(self, tree: SunTree, placement: PlacementArgs) -> SunsArgs:
         """What the kernel needs of the suns and the call."""
-        radius = radians(0.5 * self.disc)
+        options, radius = self.options, radians(0.5 * self.disc)
         return SunsArgs(
             placement=placement,
-            seed=seed_for("sun", self.seed),
-            first_point=self.first_point,
-            active=0 if self.active is None else self.active.ctypes.data,
-            skip=self.skip and len(self.directions) * (DISC_RAYS if self.disc else 1) > _FEW_RAYS,
+            seed=seed_for("sun", options.seed),
+            first_point=options.first_point,
+            active=0 if options.active is None else options.active.ctypes.data,
+            skip=options.skip and len(self.directions) * (DISC_RAYS if self.disc else 1) > _FEW_RAYS,
             count=len(self.directions),
             nodes=len(tree.spans),
             directions=self.directions.ctypes.data,
@@ -121,6 +99,7 @@ class SunCall:
         )
 
 
+@explained_by(RayOptions)
 def direct_sun(
     mesh: Any,
     points: SurfacePoints,
@@ -152,11 +131,8 @@ def direct_sun(
             takes 16 rays, evenly spread over its solid angle: an error of 0.04 (RMS) where an edge passes through it, at
             about one of a hundred suns. What of it is below the point's horizon is dark; a sun whose centre is has 0.
         seed: of 64 bits, of the discs' rays.
-        first_point: the global id of row 0, for these.
         active: (P,) bool; other points get 0.
-        skip: whether to leave out rays whose answer is known; changes no bit.
-        workers: threads, all cores by default.
-        progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
+        first_point, skip, workers, progress: see `RayOptions`.
         cosine: whether the weights are also multiplied by n.s: the irradiance on the surface, not across the ray.
 
     Returns:
@@ -173,29 +149,15 @@ def direct_sun(
         >>> print(ws.direct_sun(mesh, yard, np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.1], [0.0, 0.0, -1.0]])))
         [[ True False False]]
     """
-    mesh = as_mesh(mesh)
-    if not isinstance(points, SurfacePoints):
-        raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints, as sample_surface gives them")
+    at = PlacedPoints.of(mesh, points)
+    options = RayOptions.of(len(at), seed=seed, first_point=first_point, active=active)
+    options = options.by(skip=skip, tracer="wide", workers=workers, progress=progress)
     towards = _check_directions(directions)
     weights = None if weights is None else _check_weights(weights, len(towards))
     cosine = check_flag(cosine, "cosine")
     if cosine and weights is None:
         raise ValueError("cosine: got True without weights, want weights, which it multiplies")
-    call = SunCall(
-        mesh,
-        points,
-        towards,
-        weights,
-        check_number(disc, "disc", 0.0, _MOST_DISC),
-        check_seed(seed),
-        check_first_point(first_point, len(points)),
-        check_active(active, len(points)),
-        check_flag(skip, "skip"),
-        check_workers(workers),
-        cosine,
-    )
-    with bar(check_flag(progress, "progress"), "looking at suns"):
-        return call.answer()
+    return SunCall(at, towards, weights, options, check_number(disc, "disc", 0.0, _MOST_DISC), cosine).answer()
 
 
 def _check_directions(value: Any) -> np.ndarray:

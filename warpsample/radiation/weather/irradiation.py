@@ -1,7 +1,7 @@
 """What a year's sun and sky bring to points of a mesh, by the weather of a file."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -9,13 +9,15 @@ import numpy as np
 from warpsample.estimate.plan import Plan
 from warpsample.host.arguments import check_flag
 from warpsample.host.engine import check_memory
-from warpsample.host.vectors import as_directions
+from warpsample.host.options import explained_by
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.radiation.sky.patches import SkyPatches, sky_patches
-from warpsample.radiation.sky.sky_matrix import SkySkipped, sky_matrix
-from warpsample.radiation.sun.direct_sun import direct_sun
+from warpsample.radiation.sky.result import SkySkipped
+from warpsample.radiation.sky.sky_matrix import sky_seen
+from warpsample.radiation.sun.direct_sun import SunCall
 from warpsample.radiation.weather.light import Light, light_of
 from warpsample.sequences.hashing import seed_for
+from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
 
 _BYTES = 5 * 4 + 5 * 8  # of each point and hour: five results, and what they are made of in float64
 
@@ -48,6 +50,7 @@ class Irradiation:
     skipped: SkySkipped
 
 
+@explained_by(RayOptions)
 def irradiation(
     mesh: Any,
     points: SurfacePoints,
@@ -92,12 +95,7 @@ def irradiation(
         up: (3,), of any length.
         north: (3,), of any length, not along `up`; of it the part across `up` counts. East is north x up.
         series: whether to give each hour of the period.
-        seed: of 64 bits.
-        first_point: the global id of row 0.
-        active: (P,) bool; other points get 0 and a status.
-        skip: whether to leave out rays whose answer is known; changes no bit.
-        workers: threads, all cores by default.
-        progress: whether to show bars, on a terminal or in a notebook; changes no bit.
+        seed, first_point, active, skip, workers, progress: see `RayOptions`.
 
     Returns:
         value (P,) in kWh/m² of the period, or with `series` (P, T) in W/m²; its standard error, its three parts, and for
@@ -115,7 +113,9 @@ def irradiation(
         >>> print(june.value.shape, f"{june.value.max():.0f} kWh/m2")
         (2080,) 270 kWh/m2
     """
-    plan = Plan.of(mesh, points, count, "fibonacci", seed, first_point, active, None, skip, "auto", workers, progress)
+    at = PlacedPoints.of(mesh, points)
+    options = RayOptions.of(len(at), seed=seed, first_point=first_point, active=active)
+    plan = Plan.of(at, count, options.by(skip=skip, tracer="wide", workers=workers, progress=progress))
     series = check_flag(series, "series")
     return received(plan, light_of(weather, period, ground_albedo, patches, up, north), series)
 
@@ -124,12 +124,11 @@ def received(plan: Plan, light: Light, series: bool) -> Irradiation:
     """What the points of a plan receive by a light: its sums over the period in kWh/m², or each hour in W/m²."""
     hours = len(light.hours)
     if series:
-        size = _BYTES * len(plan.points) * hours
-        check_memory(size, f"{hours:,} hours of {len(plan.points):,} points", "take fewer points, or a shorter period")
-    above, radiance = light.patches, light.radiance if series else _sums(light.radiance)
-    below = sky_patches("tregenza", -np.array(above.up), above.north)
-    sky = _seen(plan, above, radiance, plan.seed)
-    ground = _seen(plan, below, np.ones(len(below)), seed_for("ground", plan.seed))
+        size = _BYTES * len(plan.at) * hours
+        check_memory(size, f"{hours:,} hours of {len(plan.at):,} points", "take fewer points, or a shorter period")
+    sky = sky_seen(plan, light.sky, light.radiance if series else _sums(light.radiance))
+    options = replace(plan.options, seed=seed_for("ground", plan.options.seed))
+    ground = sky_seen(replace(plan, options=options), light.below, np.ones(len(light.below)))
     bright = light.ground if series else _sums(light.ground)
     found = {
         "direct": (_direct(plan, light, series), light.sun_rows),
@@ -163,31 +162,14 @@ def _each_hour(part: np.ndarray, rows: np.ndarray, hours: int) -> np.ndarray:
     return made
 
 
-def _keywords(plan: Plan) -> dict[str, Any]:
-    """What all calls have in common."""
-    names = ("first_point", "skip", "workers", "progress")
-    return {name: getattr(plan, name) for name in names} | {
-        "active": None if plan.active is None else plan.active.view(bool)
-    }
-
-
-def _seen(plan: Plan, patches: SkyPatches, fold: np.ndarray, seed: int) -> Any:
-    """What of the lobes sees patches, weighted by `fold`."""
-    name, up, north = patches.name, patches.up, patches.north
-    return sky_matrix(
-        plan.mesh, plan.points, plan.count, patches=name, up=up, north=north, fold=fold, seed=seed, **_keywords(plan)
-    )
-
-
 def _direct(plan: Plan, light: Light, series: bool) -> np.ndarray:
     """What the sun brings: (P,) kWh/m², or (P, S) W/m² in the hours in which it shines."""
     if len(light.sun) == 0:
-        return np.zeros((len(plan.points), 0) if series else len(plan.points))
+        return np.zeros((len(plan.at), 0) if series else len(plan.at))
     if not series:
-        weights = light.direct / 1000.0
-        return direct_sun(plan.mesh, plan.points, light.sun, weights=weights, cosine=True, seed=plan.seed, **_keywords(plan))
-    lit = direct_sun(plan.mesh, plan.points, light.sun, seed=plan.seed, **_keywords(plan))
-    normal = as_directions(plan.points.normal).astype(np.float64)
+        return SunCall(plan.at, light.sun, light.direct / 1000.0, plan.options, cosine=True).answer()
+    lit = SunCall(plan.at, light.sun, None, plan.options).answer()
+    normal = plan.at.normal.astype(np.float64)
     length = np.linalg.norm(normal, axis=1, keepdims=True)
     normal = np.divide(normal, length, out=np.zeros_like(normal), where=np.isfinite(length) & (length > 0.0))
     return np.where(lit, np.maximum(normal @ light.sun.T, 0.0) * light.direct, 0.0)

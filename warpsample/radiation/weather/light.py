@@ -17,7 +17,8 @@ class Light:
     """Sun, sky and ground in the T hours of a period.
 
     Attributes:
-        patches: of the sky, with the mesh's sky.
+        sky: patches of the sky above.
+        below: patches of the half below the horizon, through which the ground is seen.
         hours: (T,) datetime64[m], where each hour begins.
         sun_rows: (S,) hours in which the sun shines.
         sun: (S, 3) unit vectors towards it, in the mesh's coordinates.
@@ -27,7 +28,8 @@ class Light:
         ground: (L,) W/m² that leave the ground.
     """
 
-    patches: SkyPatches
+    sky: SkyPatches
+    below: SkyPatches
     hours: np.ndarray
     sun_rows: np.ndarray
     sun: np.ndarray
@@ -46,7 +48,8 @@ def light_of(weather: Any, period: Sequence[str] | None, ground_albedo: Any, pat
     rows = np.flatnonzero(lit) if lit.any() else np.zeros(1, np.int64)  # a polar night has an hour without light
     horizontal = found.diffuse_horizontal + np.where(shining, found.direct_normal * np.sin(found.sun_altitude), 0.0)
     return Light(
-        patches=sky,
+        sky=sky,
+        below=sky_patches("tregenza", -np.array(sky.up), sky.north),
         hours=found.hours,
         sun_rows=np.flatnonzero(shining),
         sun=sun_directions(found.chosen(shining), sky.frame),

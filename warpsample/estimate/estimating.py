@@ -1,0 +1,26 @@
+"""Runs the plan of an estimate: by all of its rays, or by as many as reach a tolerance."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from warpsample.estimate.cells import cells_of
+from warpsample.estimate.plan import Plan, RaySum
+from warpsample.estimate.result import Estimate
+from warpsample.estimate.runner import Runner
+from warpsample.estimate.tolerance import count_within
+from warpsample.host.progress import bar
+
+
+def estimate(plan: Plan, summed: RaySum) -> Estimate:
+    """The estimate of a sum over the rays of each point of a plan."""
+    options, traced = plan.options, plan.at.scene is not None
+    with bar(options.progress, "casting rays" if traced else "sampling directions"), options.memory.loan() as loan:
+        runner = Runner(plan, summed, loan)
+        if plan.tolerance is None or len(plan.at) == 0:
+            return runner.result(options.seed, plan.count)
+        count, trial = count_within(runner, plan.tolerance)
+        main = runner.result(options.seed, count)
+    saved = cells_of(plan.count, traced=traced).rays - cells_of(count, traced=traced).rays
+    unneeded = saved * np.count_nonzero(main.status == 0) - int(trial.sum(dtype=np.int64))
+    return replace(main, rays=main.rays + trial, skipped=replace(main.skipped, unneeded_rays=max(0, unneeded)))

@@ -1,0 +1,54 @@
+"""The options of calls that cast rays from points, checked once and passed as one record."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from warpsample import sequences
+from warpsample.host.arguments import check_flag
+from warpsample.host.options import CallOptions
+from warpsample.sequences.record import Sequence
+from warpsample.tracing.tracers import WIDE, Tracer, tracer_of
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class RayOptions(CallOptions):
+    """What calls that cast rays have in common, checked; with the fields of `CallOptions`.
+
+    Attributes:
+        sequence: of the rays.
+        skip: whether rays are left out whose answer is known.
+        tracer: which answers for the others.
+    """
+
+    sequence: Sequence
+    skip: bool = True
+    tracer: Tracer = WIDE
+
+    @classmethod
+    def of(cls, points: int, *, sequence: str = "fibonacci", **drawn: Any) -> "RayOptions":
+        """The options of rays from so many points, cast on the CPU by all cores.
+
+        Args:
+            points: how many.
+            sequence: of the rays, a name of `warpsample.sequences.names()`.
+            drawn: `seed`, `first_point` and `active` as `CallOptions.of` takes them.
+
+        Raises:
+            TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
+        """
+        return cls(**vars(CallOptions.of(points, **drawn)), sequence=sequences.get(sequence))
+
+    def by(self, *, skip: bool = True, tracer: str = "auto", **how: Any) -> "RayOptions":
+        """The same rays, cast in another way.
+
+        Args:
+            skip: whether to leave out rays whose answer is known: parts of the mesh below a point's horizon are not looked
+                at, nor directions in which nothing is to be met; changes no bit.
+            tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto": wide on the CPU, wp.Mesh on a CUDA device.
+            how: `device`, `workers`, `progress`, `given` and `argument` as `CallOptions.by` takes them.
+
+        Raises:
+            TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
+        """
+        options = super().by(**how)
+        return replace(options, skip=check_flag(skip, "skip"), tracer=tracer_of(tracer, options.memory.device))
