@@ -35,7 +35,7 @@ def direction_means(sequence: Sequence, about: wp.Function, function: wp.Functio
         point = wp.uint64(first_task) + wp.uint64(wp.tid())
         buffer = wp.zeros(shape=(variates,), dtype=wp.float32)
         u = wp.array(ptr=buffer.ptr, shape=(variates,), dtype=wp.float32)
-        # A sum for each place in the chunk: one for all would be added up in order, a sample at a time.
+        # A sum for each index in the chunk: one for all would be added up in order, a sample at a time.
         lanes = wp.zeros(shape=(CHUNK,), dtype=wp.float64)
         sums = wp.array(ptr=lanes.ptr, shape=(CHUNK,), dtype=wp.float64)
         id = first_point + point

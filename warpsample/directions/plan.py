@@ -35,7 +35,7 @@ class DirectionPlan:
     options: CallOptions
 
     def fill(self, normals: Vectors, vectors: Vectors, pdf: Vectors | None) -> Array:
-        """Writes vectors and pdf, all arrays of one kind and in one place, and returns the status."""
+        """Writes vectors and pdf, all arrays of one kind and on one device, and returns the status."""
         memory, active = self.options.memory, _beside(normals, self.options.active)
         on_host = isinstance(normals.owner, np.ndarray)
         status = np.zeros(normals.count, np.uint8) if on_host else wp.zeros(normals.count, wp.uint8, memory.device)

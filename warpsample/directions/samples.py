@@ -33,7 +33,7 @@ def normal_status(n: wp.vec3, weight: wp.float32) -> wp.int32:
 
 @wp.func
 def store_direction(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.int32, d: wp.vec4):
-    """The direction in d, at place i."""
+    """Writes the direction in d at index i."""
     vectors[3 * i] = d[0]
     vectors[3 * i + 1] = d[1]
     vectors[3 * i + 2] = d[2]

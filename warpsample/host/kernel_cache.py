@@ -25,7 +25,7 @@ as fast. Others know no such preference."""
 
 _MARK = ".sha256"  # of a file's digest, beside it
 _SOURCES = (".cpp", ".cu")  # kept by Warp for reading only
-_ROOM = 1 << 20  # bytes; twice what the largest module takes
+_SPACE = 1 << 20  # bytes; twice what the largest module takes
 _NO_DRIVER = b"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver"
 
 
@@ -158,7 +158,7 @@ def _mark(entry: Path) -> None:
 
 
 def _build(module: wp.Module, load_module: Callable[[], None], entry: Path) -> None:
-    """Builds and loads a module in a new folder in the cache, or in a temporary one if the cache has no room."""
+    """Builds and loads a module in a new folder in the cache, or in a temporary one if the disk of the cache is full."""
     home = entry.parent
     try:
         with _workshop(home, entry.name) as built:
@@ -171,7 +171,7 @@ def _build(module: wp.Module, load_module: Callable[[], None], entry: Path) -> N
         except OSError as again:
             raise RuntimeError(
                 f"kernel cache: nothing can be written in {home} ({error.strerror}), nor in a temporary folder "
-                f"({again.strerror}); make room there or delete the cache"
+                f"({again.strerror}); free some disk space or delete the cache"
             ) from again
         _say_unwritable(str(home), str(error.strerror))
 
@@ -181,14 +181,14 @@ def _workshop(parent: Path, name: str) -> Iterator[Path]:
     """Makes a new folder Warp's cache for the time being, and yields the path in it of the module of that name.
 
     Raises:
-        OSError: there is no room; LLVM would end the process.
+        OSError: the disk is full; LLVM would end the process.
     """
     parent.mkdir(parents=True, exist_ok=True)
     folder = Path(tempfile.mkdtemp(prefix="wp_", dir=parent))  # wp.clear_kernel_cache() removes it if this process is killed
     usual = wp.config.kernel_cache_dir
     try:
-        (folder / f"{name}_room").write_bytes(os.urandom(_ROOM))  # zeros might not use disk space
-        (folder / f"{name}_room").unlink()
+        (folder / f"{name}_space").write_bytes(os.urandom(_SPACE))  # zeros might not use disk space
+        (folder / f"{name}_space").unlink()
         wp.config.kernel_cache_dir = str(folder)
         yield folder / name
     finally:

@@ -96,7 +96,7 @@ def _warp_vectors(array: wp.array, width: int, argument: str) -> Vectors:
 
 
 def new_vectors(like: Vectors, shape: tuple[int, ...], width: int) -> Vectors:
-    """Uninitialised vectors of the same kind and place: NumPy by NumPy, Warp by Warp. Width 1 has no axis of its own."""
+    """Uninitialised vectors of the same kind, NumPy's or Warp's, on the same device. Width 1 has no axis of its own."""
     if isinstance(like.owner, wp.array):
         kind = {1: wp.float32, 2: wp.vec2, 3: wp.vec3}[width]
         return Vectors(wp.empty(shape, dtype=kind, device=like.device), shape, width, like.device)
@@ -104,7 +104,7 @@ def new_vectors(like: Vectors, shape: tuple[int, ...], width: int) -> Vectors:
 
 
 def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
-    """The caller's own output array, if it can be written as it is: (*shape, 3) float32, C-contiguous, same kind and place.
+    """The caller's own output array, if it can be written as it is: (*shape, 3) float32, C-contiguous, same kind and device.
 
     Raises:
         TypeError: another kind of array than the input, or not float32.

@@ -34,7 +34,7 @@ def guide_to(sums: np.ndarray, points: int) -> np.ndarray:
 
 @once
 def _drawer(block: int) -> wp.Function:
-    """A function that draws shares of the area, the buckets of the guide that they are in, and two words for the place."""
+    """A function that draws shares of the area, their buckets of the guide, and two random words for points on faces."""
 
     @wp.func
     def draw(

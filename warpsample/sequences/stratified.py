@@ -1,4 +1,4 @@
-"""Jittered points: one in each of `count` cells of equal area, for any count."""
+"""Jittered points: one in each of `count` strata of equal area, for any count."""
 
 import warp as wp
 
@@ -10,10 +10,10 @@ from warpsample.sequences.record import Sequence
 
 @wp.func
 def stratified_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """An independent point of the sample-th of `count` cells of area 1/count.
+    """An independent point of the sample-th of `count` strata of area 1/count.
 
-    There are floor(sqrt(count)) rows of cells. If they do not divide count, the first rows hold one cell more and are
-    higher by as much, so all cells have equal area. Cells are filled in order: to pair two calls, shuffle one.
+    There are floor(sqrt(count)) rows of strata. If they do not divide count, the first rows hold one stratum more and are
+    higher by as much, so all strata have equal area. They are filled in order: to pair two calls, shuffle one.
     """
     n = wp.float64(count)
     rows = wp.floor(wp.sqrt(n))
@@ -35,7 +35,7 @@ def stratified_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp
 
 @wp.func
 def stratified(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """An independent point of the sample-th of `count` cells of area 1/count."""
+    """An independent point of the sample-th of `count` strata of area 1/count."""
     return stratified_sample(premixed_key(run_key(seed, high_word(point)), low_word(point)), sample, count)
 
 
@@ -49,6 +49,6 @@ RECORD = Sequence(
     colour="#8c6bb1",
     marker="D",
     cells_off=1,
-    summary="one jittered point in each cell of an equal-area grid",
+    summary="one jittered point in each stratum of an equal-area grid",
     source="Pharr2023, section 8.5, with rows of two lengths for any count",
 )

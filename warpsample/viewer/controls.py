@@ -97,11 +97,11 @@ class Controls:
         self.sliders["samples"].set(log2(choice.samples))
         self.sliders["seed"].set(float(choice.seed))
 
-    def place(self, *_: Any) -> None:
-        """Sizes the texts and puts the buttons into their places, whatever size the window has."""
+    def lay_out(self, *_: Any) -> None:
+        """Sizes the texts and puts the buttons beside their texts, whatever size the window has."""
         fit_texts(self._plotter)
         for menu in self.menus.values():
-            menu.place()
+            menu.lay_out()
 
     def _change(self, **what: Any) -> None:
         self.choice = replace(self.choice, **what)

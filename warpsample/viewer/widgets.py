@@ -65,9 +65,9 @@ class Menu:
                 color_off="#bbbbbb",
                 background_color="white",
             )
-        self.place()
+        self.lay_out()
 
-    def place(self) -> None:
+    def lay_out(self) -> None:
         """Puts the buttons beside their texts, whatever size the window has."""
         width, height = self._plotter.window_size
         side = _BUTTON * ROW * height

@@ -97,8 +97,8 @@ class Viewer:
         self._choose(int(np.argmax(self.points.normal @ np.array(VIEW[up]))))
         self.plotter.subplot(*_KNOBS)
         self.controls = Controls(self.plotter, choice, self.show)
-        self.controls.place()
-        self.plotter.render_window.AddObserver("WindowResizeEvent", self.controls.place)
+        self.controls.lay_out()
+        self.plotter.render_window.AddObserver("WindowResizeEvent", self.controls.lay_out)
         self.show(choice)
 
     def show(self, choice: Choice) -> None:

@@ -1,4 +1,8 @@
-"""Mesh files: `load_mesh`, with one reader for each format."""
+"""Mesh files: `load_mesh`, with one reader for each format.
+
+A file is read whole or refused in one sentence, before memory is taken for what it declares and does not hold. No library
+that we know keeps to that but usd-core; each reader says what others do. The tests are in `tests/mesh/test_mesh_files.py`.
+"""
 
 from os import PathLike
 

@@ -1,4 +1,7 @@
-"""Mesh files: .glb and .gltf."""
+"""Mesh files: .glb and .gltf.
+
+Not by trimesh, which takes a damaged .gltf for one without a name and reads the `model.gltf` beside it instead.
+"""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -8,7 +11,7 @@ import numpy as np
 
 from warpsample.mesh.files.gltf_data import Data, binary
 from warpsample.mesh.files.gltf_json import Part, parsed
-from warpsample.mesh.files.placing import joined
+from warpsample.mesh.files.joining import joined
 from warpsample.mesh.polygons import triangles
 
 _TRIANGLES, _STRIP, _FAN = 4, 5, 6
@@ -62,10 +65,10 @@ def _placed(tree: Part) -> Iterator[tuple[Part, np.ndarray]]:
     roots = scene.indices("nodes", nodes)
     for number in roots:
         if number in parents:
-            raise ValueError(f"{scene.place} lists node {number}, a child of node {parents[number]}, want nodes without one")
+            raise ValueError(f"{scene.path} lists node {number}, a child of node {parents[number]}, want nodes without one")
     for number, times in Counter(roots).items():
         if times > 1:
-            raise ValueError(f"{scene.place} lists node {number} {times} times, want each node once")
+            raise ValueError(f"{scene.path} lists node {number} {times} times, want each node once")
     left = [(number, np.eye(4)) for number in reversed(roots)]
     while left:  # ends, as nodes without a parent have trees below them
         number, above = left.pop()

@@ -71,7 +71,7 @@ class Data:
         data = self.buffers[view.index("buffer", self.buffers)]
         begin, length = view.whole("byteOffset", 0), view.whole("byteLength")
         if begin + length > len(data):
-            raise ValueError(f"{view.place} ends at byte {begin + length:,} of a buffer of {len(data):,}")
+            raise ValueError(f"{view.path} ends at byte {begin + length:,} of a buffer of {len(data):,}")
         return data[begin : begin + length]
 
 

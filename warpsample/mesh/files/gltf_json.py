@@ -1,4 +1,4 @@
-"""The JSON of a glTF file: what is read from it is checked there and then, and what is wrong is named by its place."""
+"""The JSON of a glTF file: what is read from it is checked there and then, and what is wrong is named by its JSON path."""
 
 import json
 import sys
@@ -14,10 +14,10 @@ from warpsample.host.arguments import check_flag, check_integer, told
 
 @dataclass(frozen=True)
 class Part:
-    """An object of the JSON, and where it stands there, as "nodes[3]"; the whole stands at ""."""
+    """An object of the JSON, and its path there, as "nodes[3]"; that of the whole is ""."""
 
     content: dict[str, Any]
-    place: str = ""
+    path: str = ""
 
     def __contains__(self, key: str) -> bool:
         """Whether it has a member of that name."""
@@ -25,7 +25,7 @@ class Part:
 
     def at(self, key: str) -> str:
         """Where a member stands."""
-        return f"{self.place}.{key}" if self.place else key
+        return f"{self.path}.{key}" if self.path else key
 
     def flag(self, key: str) -> bool:
         """True or false; false if it is not there."""
@@ -57,8 +57,8 @@ class Part:
 
     def parts(self, key: str) -> list["Part"]:
         """A list of objects; empty if it is not there."""
-        places = ((value, f"{self.at(key)}[{i}]") for i, value in enumerate(self._list(key)))
-        return [Part(_of_kind(value, place, dict, "an object"), place) for value, place in places]
+        members = ((value, f"{self.at(key)}[{i}]") for i, value in enumerate(self._list(key)))
+        return [Part(_of_kind(value, path, dict, "an object"), path) for value, path in members]
 
     def index(self, key: str, among: Sequence[Any], default: int | None = None) -> int:
         """The number of one of several items; one without a default must be there."""
@@ -106,11 +106,11 @@ def _refuse_constant(name: str) -> float:
     raise ValueError(f"its JSON has the number {name}, want finite ones")
 
 
-def _of_kind(value: Any, place: str, kind: type, wants: str) -> Any:
+def _of_kind(value: Any, path: str, kind: type, wants: str) -> Any:
     if not isinstance(value, kind):
-        raise TypeError(f"{place}: got {told(value)}, want {wants}")
+        raise TypeError(f"{path}: got {told(value)}, want {wants}")
     return value
 
 
-def _index(value: Any, place: str, among: Sequence[Any]) -> int:
-    return check_integer(value, place, 0, len(among) - 1, f"a whole number below {len(among)}, which is how many there are")
+def _index(value: Any, path: str, among: Sequence[Any]) -> int:
+    return check_integer(value, path, 0, len(among) - 1, f"a whole number below {len(among)}, which is how many there are")

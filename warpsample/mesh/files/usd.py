@@ -7,7 +7,7 @@ from zipfile import ZipFile
 
 import numpy as np
 
-from warpsample.mesh.files.placing import joined
+from warpsample.mesh.files.joining import joined
 from warpsample.mesh.polygons import triangles
 
 
@@ -144,7 +144,7 @@ def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> 
 
 
 def _instances(prim: Any, above: np.ndarray, placements: Any) -> Iterator[tuple[Any, np.ndarray]]:
-    """The meshes of a point instancer: each prototype at each of its places."""
+    """The meshes of a point instancer: each prototype by the matrix of each instance."""
     from pxr import Usd, UsdGeom
 
     are_drawn = Usd.PrimIsActive & Usd.PrimIsLoaded & ~Usd.PrimIsAbstract  # prototypes may be below an `over`
