@@ -55,12 +55,8 @@ class Beckmann(Distribution):
     shown = (0.01, 1.0)
     bounds = (1e-6, 1.0)
     source = "Nori2025, Beckmann; Walter2007, equations 25, 28 and 29"
+    case_values = ((1e-6,), (1e-3,), (0.01,), (0.1,), (0.5,), (1.0,))  # from a mirror's polish to chalk
     maps = Maps(square_to_beckmann, square_to_beckmann_pdf, beckmann_to_square)
-
-    @classmethod
-    def cases(cls) -> tuple[Distribution, ...]:
-        """From a mirror's polish to chalk."""
-        return tuple(cls(alpha) for alpha in (1e-6, 1e-3, 0.01, 0.1, 0.5, 1.0))
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - exp(-tan^2 theta / alpha^2). See `Distribution.cdf`."""

@@ -53,12 +53,8 @@ class GGX(Distribution):
     shown = (0.01, 1.0)
     bounds = (1e-6, 1.0)
     source = "Walter2007, equations 33, 35 and 36"
+    case_values = ((1e-6,), (0.01,), (0.3,), (1.0,))  # from almost a mirror to the cosine lobe
     maps = Maps(square_to_ggx, square_to_ggx_pdf, ggx_to_square)
-
-    @classmethod
-    def cases(cls) -> tuple[Distribution, ...]:
-        """From almost a mirror to the cosine lobe."""
-        return tuple(cls(alpha) for alpha in (1e-6, 0.01, 0.3, 1.0))
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """sin^2 theta / (sin^2 theta + alpha^2 cos^2 theta). See `Distribution.cdf`."""

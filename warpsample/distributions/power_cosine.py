@@ -55,12 +55,8 @@ class PowerCosine(Distribution):
     shown = (0.1, 1000.0)
     bounds = (0.0, 1e9)
     source = "Lafortune1994, equation 8 (Phong's lobe); exponent 3: Chizhov2019, section 4.1"
+    case_values = ((0.0,), (1.0,), (2.5,), (100.0,), (1e9,))  # from the uniform hemisphere to a lobe of 3e-5 rad
     maps = Maps(square_to_power_cosine, square_to_power_cosine_pdf, power_cosine_to_square)
-
-    @classmethod
-    def cases(cls) -> tuple[Distribution, ...]:
-        """From the uniform hemisphere to a lobe of 3e-5 rad."""
-        return tuple(cls(n) for n in (0.0, 1.0, 2.5, 100.0, 1e9))
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - cos^(n + 1) theta. See `Distribution.cdf`."""

@@ -45,6 +45,7 @@ class Distribution:
 
     Attributes:
         maps: the `wp.func`s to use in kernels of your own.
+        case_values: of the fields, those of `cases`, in tuples.
         name, density: what users call it by; the formula of the pdf, for tables.
         measure: what the pdf is per: "per steradian", "per unit area" or "per radian".
         support: where the pdf is above 0, in words.
@@ -61,6 +62,7 @@ class Distribution:
     """
 
     maps: ClassVar[Maps]
+    case_values: ClassVar[tuple[tuple[Any, ...], ...]] = ((),)
     name: ClassVar[str]
     density: ClassVar[str]
     measure: ClassVar[str] = "per steradian"
@@ -96,7 +98,7 @@ class Distribution:
             >>> print(len(ws.GGX.cases()), ws.PowerCosine.cases()[0])
             4 PowerCosine(exponent=0.0)
         """
-        return (cls(),)
+        return tuple(cls(*values) for values in cls.case_values)
 
     @property
     def largest_angle(self) -> float:

@@ -59,6 +59,8 @@ class UniformCone(Distribution):
     parameters = ("one_minus_cos",)
     shown = (1e-4, 2.0)
     source = "Pharr2023, section A.5.4"
+    # By one_minus_cos, from the whole sphere to the sun's disk and beyond.
+    case_values = ((None, 2.0), (None, 1.999), (None, 1.0), (None, 0.25), (None, 1.08e-5), (None, 1e-24))
     maps = Maps(square_to_uniform_cone, square_to_uniform_cone_pdf, uniform_cone_to_square)
 
     def __post_init__(self) -> None:
@@ -76,11 +78,6 @@ class UniformCone(Distribution):
             if beside not in (None, 1.0 - self.one_minus_cos):
                 raise TypeError(f"cos_angle: got {beside!r} beside one_minus_cos, want one of the two")
         object.__setattr__(self, "cos_angle", 1.0 - self.one_minus_cos)
-
-    @classmethod
-    def cases(cls) -> tuple[Distribution, ...]:
-        """From the whole sphere to the sun's disk and beyond."""
-        return tuple(cls(one_minus_cos=c) for c in (2.0, 1.999, 1.0, 0.25, 1.08e-5, 1e-24))
 
     @property
     def largest_angle(self) -> float:

@@ -98,15 +98,11 @@ class UniformDisk(Distribution):
     support = "disk"
     width = 2
     source = "Cranberry2020; Nori2025, UniformDisk; Shirley1997"
+    case_values = tuple((method,) for method in get_args(Method))
 
     def __post_init__(self) -> None:
         """Checks the method's name."""
         check_choice(self.method, "method", get_args(Method))
-
-    @classmethod
-    def cases(cls) -> tuple[Distribution, ...]:
-        """An instance for each of both methods."""
-        return tuple(cls(method) for method in get_args(Method))
 
     @property
     def maps(self) -> Maps:

@@ -168,18 +168,14 @@ class VisibleBeckmann(Distribution):
     symmetric = False
     source = "HeitzDEon2014, section 5; Walter2007, equation 25"
     limits = "the horizon of the view is blurred by rounding"
+    # From above, from the side, from the horizon.
+    case_values = ((0.5, (0.0, 0.0, 1.0)), (0.3, (0.6, -0.64, 0.48)), (1.0, (1.0, 0.0, 0.0)), (1e-6, (1.0, 0.0, 0.0)))
     maps = Maps(square_to_visible_beckmann, square_to_visible_beckmann_pdf, visible_beckmann_to_square)
 
     def __post_init__(self) -> None:
         """Checks the roughness and the view."""
         super().__post_init__()
         object.__setattr__(self, "view", as_view(self.view, "view"))
-
-    @classmethod
-    def cases(cls) -> tuple[Distribution, ...]:
-        """From above, from the side, from the horizon."""
-        views = ((0.5, (0.0, 0.0, 1.0)), (0.3, (0.6, -0.64, 0.48)), (1.0, (1.0, 0.0, 0.0)), (1e-6, (1.0, 0.0, 0.0)))
-        return tuple(cls(alpha, view) for alpha, view in views)
 
 
 RECORD = VisibleBeckmann

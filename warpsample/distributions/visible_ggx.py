@@ -119,24 +119,20 @@ class VisibleGGX(Distribution):
         "the horizon of the view is blurred by rounding; "
         "the error of the inverse holds off the cap's poles, for u[0] from 0.06 to 0.94"
     )
+    # From above, from the side, from the horizon.
+    case_values = (
+        (1.0, (0.0, 0.0, 1.0)),
+        (0.3, (0.6, -0.64, 0.48)),
+        (0.5, (1.0, 0.0, 0.0)),
+        (1e-6, (-0.8, 0.0, 0.6)),
+        (1e-6, (1.0, 0.0, 0.0)),
+    )
     maps = Maps(square_to_visible_ggx, square_to_visible_ggx_pdf, visible_ggx_to_square)
 
     def __post_init__(self) -> None:
         """Checks the roughness and the view."""
         super().__post_init__()
         object.__setattr__(self, "view", as_view(self.view, "view"))
-
-    @classmethod
-    def cases(cls) -> tuple[Distribution, ...]:
-        """From above, from the side, from the horizon."""
-        views = (
-            (1.0, (0.0, 0.0, 1.0)),
-            (0.3, (0.6, -0.64, 0.48)),
-            (0.5, (1.0, 0.0, 0.0)),
-            (1e-6, (-0.8, 0.0, 0.6)),
-            (1e-6, (1.0, 0.0, 0.0)),
-        )
-        return tuple(cls(alpha, view) for alpha, view in views)
 
     def seam(self, u):
         """The cap's poles. See `Distribution.seam`."""

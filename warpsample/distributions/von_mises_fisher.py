@@ -65,12 +65,8 @@ class VonMisesFisher(Distribution):
     shown = (0.1, 10000.0)
     bounds = (1e-6, 1e12)
     source = "Fisher1953; sampled as in Jakob2012"
+    case_values = ((1e-6,), (0.5,), (8.0,), (20.0,), (1000.0,), (1e12,))  # from almost uniform to a millionth of a radian
     maps = Maps(square_to_von_mises_fisher, square_to_von_mises_fisher_pdf, von_mises_fisher_to_square)
-
-    @classmethod
-    def cases(cls) -> tuple[Distribution, ...]:
-        """From almost uniform to a millionth of a radian."""
-        return tuple(cls(kappa) for kappa in (1e-6, 0.5, 8.0, 20.0, 1000.0, 1e12))
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """The share of e^(kappa cos theta) within theta. See `Distribution.cdf`."""

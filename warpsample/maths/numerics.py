@@ -19,6 +19,13 @@ _EXPONENT_MASK = wp.constant(wp.int32(0x7F800000))
 _INVERSE_ROOT_SEED = wp.constant(wp.int32(0x5F375A86 - 0x00400000))
 _EXPONENT_OF_2_127 = wp.constant(wp.int32(0x7F000000))
 _EXPONENT_OF_2_MINUS_126 = wp.constant(wp.int32(0x00800000))
+_FMA = """
+#if defined(__CUDA_ARCH__)
+    return fma{0}(a, b, c);
+#else
+    return __builtin_fma{0}(a, b, c);
+#endif
+"""
 _FMA_ADJOINT = """
     adj_a += b * adj_ret;
     adj_b += a * adj_ret;
@@ -40,16 +47,7 @@ EVEN_NIBBLES = wp.constant(wp.uint32(0x0F0F0F0F))
 EVEN_BYTES = wp.constant(wp.uint32(0x00FF00FF))
 
 
-@wp.func_native(
-    snippet="""
-#if defined(__CUDA_ARCH__)
-    return fmaf(a, b, c);
-#else
-    return __builtin_fmaf(a, b, c);
-#endif
-""",
-    adj_snippet=_FMA_ADJOINT,
-)
+@wp.func_native(snippet=_FMA.format("f"), adj_snippet=_FMA_ADJOINT)
 def fma(a: wp.float32, b: wp.float32, c: wp.float32) -> wp.float32:
     """a * b + c, rounded once.
 
@@ -58,16 +56,7 @@ def fma(a: wp.float32, b: wp.float32, c: wp.float32) -> wp.float32:
     """
 
 
-@wp.func_native(
-    snippet="""
-#if defined(__CUDA_ARCH__)
-    return fma(a, b, c);
-#else
-    return __builtin_fma(a, b, c);
-#endif
-""",
-    adj_snippet=_FMA_ADJOINT,
-)
+@wp.func_native(snippet=_FMA.format(""), adj_snippet=_FMA_ADJOINT)
 def fma_double(a: wp.float64, b: wp.float64, c: wp.float64) -> wp.float64:
     """a * b + c in float64, rounded once; native as `fma` is."""
 

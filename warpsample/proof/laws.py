@@ -134,7 +134,7 @@ def cells_p_value(sampler: Sampler, w: np.ndarray, edges: np.ndarray) -> float:
     inside = expected[full] * (observed[full].sum() / expected[full].sum())
     if inside.min() < 5.0:  # most directions are in cells that expect few: too few are left to compare
         return rest
-    return min(1.0, 2.0 * min(histogram_test(observed[full], inside).p_value, rest))
+    return joint_p_value(histogram_test(observed[full], inside).p_value, rest)
 
 
 def mass_error(sampler: Sampler, edges: np.ndarray) -> float:
@@ -151,7 +151,7 @@ def tails_p_value(sampler: Sampler, a: np.ndarray) -> float:
     """Counts in the tails of probability `thinnest_tail` at the pole and at the far end; twice the smaller p-value."""
     low, high = (_quantile(sampler, p) for p in (sampler.thinnest_tail, 1.0 - sampler.thinnest_tail))
     near = count_p_value((a < low).sum(), len(a), float(sampler.cdf(low)))
-    return min(1.0, 2.0 * near, 2.0 * count_p_value((~(a <= high)).sum(), len(a), 1.0 - float(sampler.cdf(high))))
+    return joint_p_value(near, count_p_value((~(a <= high)).sum(), len(a), 1.0 - float(sampler.cdf(high))))
 
 
 def moments_p_value(sampler: Sampler, a: np.ndarray, edges: np.ndarray) -> float:
@@ -166,7 +166,7 @@ def moments_p_value(sampler: Sampler, a: np.ndarray, edges: np.ndarray) -> float
         ((a / scale).mean() - first) / np.sqrt(second - first**2),
         (((a / scale) ** 2).mean() - second) / np.sqrt(fourth - second**2),
     ]
-    return min(1.0, *(_number(4.0 * norm.sf(abs(e) * np.sqrt(len(a)))) for e in errors))
+    return joint_p_value(*(_number(2.0 * norm.sf(abs(e) * np.sqrt(len(a)))) for e in errors))
 
 
 def azimuth_p_value(w: np.ndarray) -> float:
@@ -204,6 +204,11 @@ def correlation_p_value(a: np.ndarray, b: np.ndarray) -> float:
     from scipy.stats import norm
 
     return _number(2.0 * norm.sf(abs(np.corrcoef(a, b)[0, 1]) * np.sqrt(len(a))))
+
+
+def joint_p_value(*p_values: float) -> float:
+    """The smallest of several p-values times their number, at most 1 (Bonferroni): what all of them say together."""
+    return min(1.0, len(p_values) * min(p_values))
 
 
 def worst(errors: np.ndarray) -> float:

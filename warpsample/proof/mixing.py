@@ -13,6 +13,7 @@ import warp as wp
 from warpsample import sequences
 from warpsample.host.kernel_cache import load
 from warpsample.maths.numerics import high_word, low_word
+from warpsample.proof.laws import joint_p_value
 from warpsample.proof.verify import Verdict
 from warpsample.sequences.hashing import point_key, seed_for, stream_key
 
@@ -31,34 +32,49 @@ _PURPOSES = ("trial", "ground", "sky", "sun", "faces")
 
 @cache
 def _one_variate(name: str) -> wp.Kernel:
-    """A kernel that writes one variate of each point, or of one of its streams."""
+    """A kernel that evaluates a sequence at given points, or at one stream of each, samples and counts."""
     sequence = sequences.get(name)
     run_of, key_of, sample_of = sequence.run, sequence.key, sequence.sample
 
     @wp.kernel(module="unique", enable_backward=False)
-    def one_variate(seed: wp.uint64, first: wp.uint64, stream: wp.int64, sample: wp.uint32, out: wp.array[wp.vec2]):
-        """Writes one variate of the point that this thread stands for."""
-        point = first + wp.uint64(wp.tid())
-        key = key_of(run_of(seed, high_word(point)), low_word(point))
+    def one_variate(
+        seed: wp.uint64,
+        stream: wp.int64,
+        point: wp.array[wp.uint64],
+        sample: wp.array[wp.uint32],
+        count: wp.array[wp.uint32],
+        out: wp.array[wp.vec2],
+    ):
+        """Writes the point of the square that this thread stands for."""
+        i = wp.tid()
+        key = key_of(run_of(seed, high_word(point[i])), low_word(point[i]))
         if stream >= wp.int64(0):
-            key = stream_key(point_key(seed, point), wp.uint32(stream))
-        out[wp.tid()] = sample_of(key, sample, sample + wp.uint32(1))
+            key = stream_key(point_key(seed, point[i]), wp.uint32(stream))
+        out[i] = sample_of(key, sample[i], count[i])
 
+    load(one_variate, "cpu")
     return one_variate
+
+
+def grid_cells(name: str, seed: int, stream: int | None, *asked: np.ndarray) -> np.ndarray:
+    """(N, 2) points of a sequence as integers below 2^24; `asked`: (N,) point ids, samples and counts."""
+    columns = [
+        wp.array(a, dtype=kind, device="cpu") for a, kind in zip(asked, (wp.uint64, wp.uint32, wp.uint32), strict=True)
+    ]
+    out = wp.empty(len(asked[0]), dtype=wp.vec2, device="cpu")
+    inputs = [seed, -1 if stream is None else stream, *columns]
+    wp.launch(_one_variate(name), len(asked[0]), inputs=inputs, outputs=[out], device="cpu")
+    return (out.numpy() * np.float32(2**_BITS)).astype(np.int64)
 
 
 def cells_of(name: str) -> Cells:
     """The variates of a sequence of the package."""
-    kernel = _one_variate(name)
-    load(kernel, "cpu")
 
     def cells(seed: int, first: int, stream: int | None = None, sample: int = 0) -> np.ndarray:
         """A variate of each of POINTS points as integers."""
-        out = wp.empty(POINTS, dtype=wp.vec2, device="cpu")
-        wp.launch(
-            kernel, POINTS, inputs=[seed, first, -1 if stream is None else stream, sample], outputs=[out], device="cpu"
-        )
-        return (out.numpy().T * np.float32(2**_BITS)).astype(np.int64)
+        points = np.uint64(first) + np.arange(POINTS, dtype=np.uint64)
+        samples = np.full(POINTS, sample, np.uint32)
+        return grid_cells(name, seed, stream, points, samples, samples + np.uint32(1)).T
 
     return cells
 
@@ -73,7 +89,7 @@ def dependence_p_value(first: np.ndarray, second: np.ndarray) -> float:
     flips = np.concatenate([_bits_set(cells >> shift & 255) for cells in first ^ second for shift in (0, 8, 16)])
     scores = np.abs(flips - POINTS / 2) / np.sqrt(POINTS / 4)
     p_values = np.concatenate([chdtrc(_SIDE**2 - 1, square), erfc(scores / np.sqrt(2.0))])
-    return min(1.0, len(p_values) * float(p_values.min()))
+    return joint_p_value(*p_values.tolist())
 
 
 def _bits_set(octets: np.ndarray) -> np.ndarray:
@@ -131,7 +147,7 @@ def judge_cells(name: str, cells: Cells, random: bool = True) -> list[Verdict]:
     verdicts = []
     for law, pairs in (_LAWS | (_OF_RANDOM if random else {})).items():
         p_values = [dependence_p_value(*pair) for pair in pairs(cells)]
-        verdicts.append(Verdict.of_chance(law, name, min(1.0, len(p_values) * min(p_values)), f"{len(p_values)} pairs"))
+        verdicts.append(Verdict.of_chance(law, name, joint_p_value(*p_values), f"{len(p_values)} pairs"))
     return verdicts
 
 

@@ -51,13 +51,13 @@ def judge_stream(name: str, variates: Variates, points: int = 1_000_000, random:
         "samples": [(u[:, a], first[:, 2, a]) for a in (0, 1)] if random else [],
     }
     p_values = {
-        f"correlation of {which}": min(1.0, len(some) * min(laws.correlation_p_value(*pair) for pair in some))
+        f"correlation of {which}": laws.joint_p_value(*(laws.correlation_p_value(*pair) for pair in some))
         for which, some in pairs.items()
         if some
     }
     # One sample from each of many points is uniform, whatever those of one point share. Half a cell up, to a cell's middle.
     one_each = first[np.arange(len(first)), np.arange(len(first)) % 4] + 0.5 / GRID
-    p_values["uniform"] = min(1.0, 2.0 * min(laws.uniform_p_value(one_each[:, axis]) for axis in (0, 1)))
+    p_values["uniform"] = laws.joint_p_value(*(laws.uniform_p_value(one_each[:, axis]) for axis in (0, 1)))
     if random:
         p_values["repeats"] = repeats_p_value(variates, points)
     verdicts = [Verdict.of_chance(law, name, p_value) for law, p_value in p_values.items()]
@@ -86,7 +86,7 @@ def repeats_p_value(variates: Variates, points: int) -> float:
     packed = np.sort((cells[:, 0] << np.uint64(24)) | cells[:, 1])
     met = int((packed[1:] == packed[:-1]).sum())
     mean = len(packed) ** 2 / 2.0**49
-    return min(1.0, 2.0 * float(min(poisson.sf(met - 1, mean), poisson.cdf(met, mean))))
+    return laws.joint_p_value(float(poisson.sf(met - 1, mean)), float(poisson.cdf(met, mean)))
 
 
 def shared_streams(variates: Variates, points: int) -> int:

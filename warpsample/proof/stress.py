@@ -1,24 +1,20 @@
 """Hostile input: normals of all lengths and directions, ids and indices at the limits of words, bad and huge meshes."""
 
-from functools import cache
 from itertools import product
 
 import numpy as np
-import warp as wp
 
 from warpsample import sequences
 from warpsample.directions.sample import Status, sample_directions, sample_square
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.distributions.uniform_sphere import UniformSphere
-from warpsample.host.kernel_cache import load
-from warpsample.maths.numerics import high_word, low_word
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import sample_surface
 from warpsample.proof import laws, twins
+from warpsample.proof.mixing import grid_cells
 from warpsample.proof.twins.sequences import expected
 from warpsample.proof.verify import Verdict
-from warpsample.sequences.record import Sequence
 
 _SAMPLES = 64
 _IDS = sorted({max(0, 2**k + step) for k in (24, 31, 32, 40, 63) for step in (-2, -1, 0, 1)} | {0, 1, 2**64 - 1})
@@ -97,42 +93,14 @@ def judge_bad_normals() -> Verdict:
     return Verdict.of_error("bad normals", "zero, NaN, infinite", wrong, note="wrong rows or neighbours")
 
 
-@cache
-def _at(sequence: Sequence) -> wp.Kernel:
-    """A kernel that evaluates a sequence at given points, samples and counts."""
-    run_of, key_of, sample_of = sequence.run, sequence.key, sequence.sample
-
-    @wp.kernel(module="unique", enable_backward=False)
-    def at(
-        seed: wp.uint64,
-        point: wp.array[wp.uint64],
-        sample: wp.array[wp.uint32],
-        count: wp.array[wp.uint32],
-        out: wp.array[wp.vec2],
-    ):
-        """Writes one point of the square."""
-        i = wp.tid()
-        key = key_of(run_of(seed, high_word(point[i])), low_word(point[i]))
-        out[i] = sample_of(key, sample[i], count[i])
-
-    return at
-
-
 def judge_indices(name: str) -> Verdict:
     """Point ids, sample indices, counts and seeds at the limits of 32 and 64 bits, against exact integers."""
     asked = [(p, s, c) for p in _IDS for c in _COUNTS for s in {*_INDICES, c - 1} if s < c]
     columns = np.array(asked, np.uint64).T
-    point, sample, count = (column.astype(kind) for column, kind in zip(columns, ("u8", "u4", "u4"), strict=True))
     worst = 0
-    kernel = _at(sequences.get(name))
-    load(kernel, "cpu")
     for seed in _SEEDS:
-        out = wp.empty(len(asked), dtype=wp.vec2, device="cpu")
-        inputs = [seed, *(wp.array(a, device="cpu") for a in (point, sample, count))]
-        wp.launch(kernel, len(asked), inputs=inputs, outputs=[out], device="cpu")
-        cells = (out.numpy().astype(np.float64) * 2**24).astype(np.int64)
         want = np.array([expected(name, seed, p, s, c) for p, s, c in asked])
-        worst = max(worst, int(np.abs(cells - want).max()))
+        worst = max(worst, int(np.abs(grid_cells(name, seed, None, *columns) - want).max()))
     note = f"cells of 2^-24; ids to 2^64, indices to 2^31, {len(_SEEDS)} seeds"
     return Verdict.of_error("indices", name, worst, float(sequences.get(name).cells_off), note)
 

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 OWN, COSINE = "its own density", "the cosine lobe"
 """What a distribution can be compared with."""
 
+_CLAIMS = {OWN: None, COSINE: CosineHemisphere()}
 _MOST_SAMPLES, _MOST_SEED = 4096, 99
 
 
@@ -58,22 +59,22 @@ class Controls:
         """Adds them to the plotter's current renderer, which is at the left of the window."""
         self.choice, self._changed, self._plotter = choice, changed, plotter
         top, self.menus = 1.0 - 1.5 * ROW, {}
-        for name, title, entries in (
-            ("distribution", "Distribution", spatial()),
-            ("method", "Method", list(get_args(Method))),
-            ("density", "Compared with", [OWN, COSINE]),
-            ("sequence", "Point sequence", sequences.names()),
+        for name, title, entries, chosen in (
+            ("distribution", "Distribution", spatial(), self._choose_distribution),
+            ("method", "Method", list(get_args(Method)), lambda to: self._change(distribution=CosineHemisphere(to))),
+            ("density", "Compared with", [OWN, COSINE], lambda to: self._change(density=_CLAIMS[to])),
+            ("sequence", "Point sequence", sequences.names(), lambda to: self._change(sequence=to)),
         ):
-            self.menus[name] = Menu(plotter, title, entries, top, getattr(self, f"_choose_{name}"))
+            self.menus[name] = Menu(plotter, title, entries, top, chosen)
             top -= (len(entries) + 1.5) * ROW
         self.sliders = {}
-        for name, low, high, words in (
-            ("scalar", 0.0, 1.0, str),
-            ("view", 0.0, 89.0, lambda v: f"view at {v:.0f}° from the normal"),
-            ("samples", 0.0, log2(_MOST_SAMPLES), lambda v: f"{round(2**v):,} directions per point"),
-            ("seed", 0.0, float(_MOST_SEED), lambda v: f"seed: {round(v)}"),
+        for name, high, words, turned in (
+            ("scalar", 1.0, str, self._turn_scalar),
+            ("view", 89.0, "view at {:.0f}° from the normal".format, self._turn_view),
+            ("samples", log2(_MOST_SAMPLES), lambda v: f"{round(2**v):,} directions per point", self._turn_samples),
+            ("seed", float(_MOST_SEED), "seed: {:.0f}".format, lambda to: self._change(seed=round(to))),
         ):
-            self.sliders[name] = Slider(plotter, top, getattr(self, f"_turn_{name}"), words, low, high)
+            self.sliders[name] = Slider(plotter, top, turned, words, 0.0, high)
             top -= 2.0 * ROW
         self.show(choice)
 
@@ -111,15 +112,6 @@ class Controls:
         self.show(replace(self.choice, distribution=made(name), density=None))
         self._changed(self.choice)
 
-    def _choose_method(self, name: str) -> None:
-        self._change(distribution=CosineHemisphere(name))
-
-    def _choose_density(self, name: str) -> None:
-        self._change(density=CosineHemisphere() if name == COSINE else None)
-
-    def _choose_sequence(self, name: str) -> None:
-        self._change(sequence=name)
-
     def _turn_scalar(self, value: float) -> None:
         low, high = type(self.choice.distribution).shown
         self._change(distribution=with_scalar(self.choice.distribution, min(max(exp(value), low), high)))
@@ -129,6 +121,3 @@ class Controls:
 
     def _turn_samples(self, value: float) -> None:
         self._change(samples=round(2**value))
-
-    def _turn_seed(self, value: float) -> None:
-        self._change(seed=round(value))
