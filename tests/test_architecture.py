@@ -65,12 +65,12 @@ HEAVY = {"pyvista", "matplotlib", "scipy", "trimesh", "pxr", "psutil", "rich", "
 """Libraries that are imported where they are used."""
 NOT_EVERYWHERE = {"vtkmodules", "trame", "distributed", "fcntl"}
 """Others that are imported where they are used: extras of extras, and what some systems do not have."""
-MOST_FILES = 20
+MOST_FILES = 21
 """Files in a folder, besides `__init__.py`: what has more has stories of its own, a folder each."""
 MOST_CLASSES_TWICE = 5
 """Class names that stand for different things in different files."""
-MOST_NOQA = 106
-"""Lines that say `noqa`; aim at 80."""
+MOST_NOQA = 60
+"""Lines that are kept from the linter one by one."""
 SAYS_NOTHING = re.compile(r"(Of|As|Likewise|The same)\b|\S+(\s+\S+)?$")
 """The first line of a docstring that a stranger does not understand: it leans on another one, or is one or two words."""
 NOT_YET = ("bench", "cli", "cluster", "estimate", "output", "radiation", "tracing")

@@ -130,7 +130,7 @@ def __getattr__(name: str) -> object:
     if name in ("distributions", "sequences"):
         return import_module(f"warpsample.{name}")
     if name == "__version__":
-        from importlib.metadata import version  # noqa: PLC0415  (20 ms)
+        from importlib.metadata import version
 
         value: object = version("warpsample")
     elif name in _HOME:

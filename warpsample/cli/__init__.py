@@ -11,8 +11,8 @@ def main() -> None:
     """Entry point."""
     _open_what_is_closed()
     with listening():
-        from warpsample.cli.commands import app  # noqa: PLC0415  (takes a second, in which Ctrl-C must work)
-        from warpsample.cli.terminal import print_anything, saying_what_fails  # noqa: PLC0415
+        from warpsample.cli.commands import app
+        from warpsample.cli.terminal import print_anything, saying_what_fails
 
         warnings.formatwarning = lambda message, *_, **__: f"warning: {message}\n"
         print_anything()

@@ -51,7 +51,7 @@ def bake_command(
     **options: Any,
 ) -> None:
     """Estimate a number at each vertex, face or point of a mesh, with its standard error, into a file."""
-    from warpsample.output.bake import bake  # noqa: PLC0415
+    from warpsample.output.bake import bake
 
     given = {name: value for name, value in options.items() if value is not None}
     at = "vertices" if points is None and at is None else at
@@ -62,7 +62,7 @@ def bake_command(
         else:
             stores.refuse_for_files(output, chunk=chunk, cluster=cluster, processes=processes, resume=resume)
             summary = bake(run)
-    print(summary)  # noqa: T201
+    print(summary)
 
 
 def _help_of(option: str) -> str:

@@ -54,7 +54,7 @@ def _run_and_save(
         with working(f"drawing into {plot}"):
             files = pictures.save(benchmark.figures(result.found, str(result.machine)), plot)
         for file in files:
-            print(f"{file}", file=sys.stderr)  # noqa: T201
+            print(f"{file}", file=sys.stderr)
     if write:
         _write([(benchmark, result)])
     raise SystemExit(benchmark.wrong(result.found))
@@ -68,7 +68,7 @@ def _check_write() -> None:
 def _write(results: list[tuple[Benchmark, Result]]) -> None:
     """Keeps results and makes the README's measured part: after all are measured, so that an interrupt leaves both as is."""
     for file in [*(keep(*found, readme.RESULTS) for found in results), *readme.write()]:
-        print(f"{file}", file=sys.stderr)  # noqa: T201
+        print(f"{file}", file=sys.stderr)
 
 
 def _command(name: str, benchmark: Benchmark) -> Callable[..., None]:

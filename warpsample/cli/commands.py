@@ -22,7 +22,7 @@ DISTRIBUTION_HELP = f"A name, or one with parameters as in 'beckmann(alpha=0.1)'
 
 def _say_version(asked: bool) -> None:
     if asked:
-        print(f"warpsample {warpsample.__version__}")  # noqa: T201
+        print(f"warpsample {warpsample.__version__}")
         raise typer.Exit
 
 
@@ -39,9 +39,9 @@ def warpsample_command(
 @fail_plainly()
 def info(mesh: MeshFile) -> None:
     """Say what is in a mesh file and what is wrong with it."""
-    from rich.console import Console  # noqa: PLC0415
-    from rich.table import Table  # noqa: PLC0415
-    from rich.text import Text  # noqa: PLC0415
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
 
     with working(f"reading {mesh}"):
         report = load_mesh(mesh).report
@@ -87,12 +87,12 @@ def directions_command(
     workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
 ) -> None:
     """Sample directions at points of a mesh into a file; .npz holds all that is needed to repeat the run."""
-    from warpsample.output.export import Run, export  # noqa: PLC0415
+    from warpsample.output.export import Run, export
 
     points = 10_000 if points is None and at is None else points
     with working(f"reading {mesh}, sampling, writing {output}; a kernel is compiled when it is first used, for about 2 s"):
         summary = export(Run(mesh, output, points, samples, distribution, sequence, seed, at), workers)
-    print(f"{output}: {summary}")  # noqa: T201
+    print(f"{output}: {summary}")
 
 
 app.command("bake")(bake_command)
@@ -127,8 +127,8 @@ def view(
 
     It starts with sphere + normal, normalised, held against the cosine lobe: turn rho, and see when it is right.
     """
-    from warpsample.plotting import rendering  # noqa: PLC0415
-    from warpsample.viewer import start  # noqa: PLC0415
+    from warpsample.plotting import rendering
+    from warpsample.viewer import start
 
     rendering.check_output(screenshot, rendering.SCENE_SUFFIXES, mesh)
     choice = start.choice(distribution, density, sequence, samples, seed)
@@ -144,7 +144,7 @@ def view(
         return
     with working(f"drawing {screenshot}; kernels are compiled when first used, for about 10 s"):
         seen = start.save(surface, points, choice, up, size, screenshot)
-    print(f"{screenshot}: {seen}")  # noqa: T201
+    print(f"{screenshot}: {seen}")
 
 
 @app.command()
@@ -158,8 +158,8 @@ def verify(
     markdown: Annotated[bool, typer.Option("--markdown", help="The README's table of distributions instead.")] = False,
 ) -> None:
     """Prove every sampler: a table for each law. Exit status 1 if one is broken."""
-    from warpsample.host.registry import look_up  # noqa: PLC0415
-    from warpsample.proof import report, run  # noqa: PLC0415
+    from warpsample.host.registry import look_up
+    from warpsample.proof import report, run
 
     tasks = run.planted() if power else run.trial()
     if plant is not None:
@@ -174,7 +174,7 @@ def verify(
         tables.print(report.power_table({str(task.key): found for task, found in in_order.items()}))
         raise SystemExit(any(all(v.passed for v in found) for found in in_order.values()))
     if markdown:
-        print(report.markdown(verdicts))  # noqa: T201
+        print(report.markdown(verdicts))
     else:
         report.show(verdicts, tables)
         tables.print(run.extent(thorough))

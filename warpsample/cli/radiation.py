@@ -28,11 +28,11 @@ def view_factors_command(
     workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
 ) -> None:
     """Estimate the view factors between all faces of a mesh, what is in the way included, into a sparse matrix."""
-    from warpsample.radiation.exchange.run import run_view_factors  # noqa: PLC0415
+    from warpsample.radiation.exchange.run import run_view_factors
 
     options = {"count": count, "reciprocal": reciprocal, "up": up, "seed": seed, "workers": workers}
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 5 s"):
-        print(run_view_factors(mesh, output, groups, options))  # noqa: T201
+        print(run_view_factors(mesh, output, groups, options))
 
 
 def shading_command(
@@ -50,8 +50,8 @@ def shading_command(
     workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
 ) -> None:
     """Write the sunlit share of surfaces in each hour of a year, as EnergyPlus reads it: Schedule:File:Shading."""
-    from warpsample.output.shading import Shading, write_shading  # noqa: PLC0415
+    from warpsample.output.shading import Shading, write_shading
 
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
         summary = write_shading(Shading(mesh, groups, output, weather, samples, up, north, seed), workers)
-    print(f"{output}: {summary}")  # noqa: T201
+    print(f"{output}: {summary}")

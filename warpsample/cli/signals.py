@@ -85,7 +85,7 @@ def heard() -> bool:
 def say(sentence: str) -> None:
     """Prints a line on stderr, unless it is closed."""
     try:
-        print(sentence, file=sys.stderr, flush=True)  # noqa: T201
+        print(sentence, file=sys.stderr, flush=True)
     except OSError:
         forget(sys.stderr)
 

@@ -19,7 +19,7 @@ Resume = Annotated[bool, typer.Option("--resume", help="Go on with the store, if
 def bake_into_store(run: BakeRun, chunk: int | None, cluster: str | None, processes: int | None, resume: bool) -> str:
     """As `cluster.runs.bake_run`; says how to install what it needs."""
     try:
-        from warpsample.cluster.runs import bake_run  # noqa: PLC0415
+        from warpsample.cluster.runs import bake_run
     except ModuleNotFoundError as error:
         raise _needed(error) from error
     return bake_run(run, chunk, cluster, processes, resume)
@@ -45,12 +45,12 @@ def export_command(
 ) -> None:
     """Write the numbers of a finished Zarr store on their mesh, into a file as `bake` does."""
     try:
-        from warpsample.cluster.exporting import export_store  # noqa: PLC0415
+        from warpsample.cluster.exporting import export_store
     except ModuleNotFoundError as error:
         raise _needed(error) from error
     with working(f"reading {store} and {mesh}, writing {output}"):
         summary = export_store(store, mesh, output)
-    print(summary)  # noqa: T201
+    print(summary)
 
 
 def _needed(error: ModuleNotFoundError) -> ModuleNotFoundError:

@@ -146,7 +146,7 @@ def show_or_save(picture: Any, screenshot: Path | None, what: str) -> None:
         screenshot: the file; None opens a window.
         what: a description of the picture.
     """
-    from warpsample.plotting import rendering, scenes  # noqa: PLC0415
+    from warpsample.plotting import rendering, scenes
 
     figure = hasattr(picture, "savefig")
     if screenshot is None:
@@ -157,20 +157,20 @@ def show_or_save(picture: Any, screenshot: Path | None, what: str) -> None:
         rendering.save_figure(picture, screenshot)
     else:
         rendering.save_scene(picture, screenshot, what)
-    print(f"{screenshot}: {what}")  # noqa: T201
+    print(f"{screenshot}: {what}")
 
 
 def console() -> Any:
     """A rich Console for tables on stdout."""
-    from rich.console import Console  # noqa: PLC0415
+    from rich.console import Console
 
     return Console(width=None if sys.stdout.isatty() else _PIPE_WIDTH)
 
 
 def with_progress(items: Iterable[Any], total: int, what: str) -> Iterator[Any]:
     """Yields the items, with a bar on stderr if that is a terminal."""
-    from rich.console import Console  # noqa: PLC0415
-    from rich.progress import track  # noqa: PLC0415
+    from rich.console import Console
+    from rich.progress import track
 
     bar = Console(stderr=True)
     return track(items, what, total, console=bar, disable=not bar.is_terminal)

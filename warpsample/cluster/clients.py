@@ -44,7 +44,7 @@ def computing(address: str | None, processes: int | None, threads: int | None) -
 
 @contextmanager
 def _client(address: str | None, processes: int | None) -> Iterator[None]:
-    from distributed import Client, LocalCluster  # noqa: PLC0415
+    from distributed import Client, LocalCluster
 
     if address is None:
         options = {"n_workers": processes, "threads_per_worker": 1, "host": _ITS_OWN, "dashboard_address": f"{_ITS_OWN}:0"}

@@ -34,9 +34,9 @@ def finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks:
         ConnectionError: the scheduler is gone, or the workers end; says why.
         MemoryError: the workers are too small.
     """
-    from distributed import CancelledError  # noqa: PLC0415
-    from distributed.comm import CommClosedError  # noqa: PLC0415
-    from distributed.scheduler import KilledWorker  # noqa: PLC0415
+    from distributed import CancelledError
+    from distributed.comm import CommClosedError
+    from distributed.scheduler import KilledWorker
 
     left, tries = dict.fromkeys(chunks), _TRIES
     while left:
@@ -58,7 +58,7 @@ def finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks:
 
 def _finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks: list[int]) -> Iterator[tuple[int, Any]]:
     """(chunk, what its task tells): the next graph goes to the scheduler when half of the one before is done."""
-    from distributed import as_completed, futures_of  # noqa: PLC0415
+    from distributed import as_completed, futures_of
 
     size = max(AT_A_TIME, 8 * sum(client.nthreads().values()))
     parts = iter([chunks[start : start + size] for start in range(0, len(chunks), size)])

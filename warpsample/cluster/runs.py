@@ -56,8 +56,8 @@ class _Watch:
 
     def __init__(self, run: BakeRun, points: int) -> None:
         """Of no chunk yet."""
-        from rich.console import Console  # noqa: PLC0415
-        from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn  # noqa: PLC0415
+        from rich.console import Console
+        from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
         self.run, self.points, self.start = run, points, perf_counter()
         self.title = quantity_of(run.quantity).title

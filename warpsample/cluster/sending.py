@@ -22,7 +22,7 @@ def current_client() -> Any | None:
     """The Client that computes in this place, if there is one; one that found no scheduler is none."""
     if "distributed" not in sys.modules:
         return None
-    from distributed import Client  # noqa: PLC0415
+    from distributed import Client
 
     try:
         client = Client.current()

@@ -115,7 +115,7 @@ def sample_directions(
     normals: Any,
     count: int,
     *,
-    distribution: Distribution | str = CosineHemisphere(),  # noqa: B008  (frozen)
+    distribution: Distribution | str = CosineHemisphere(),
     sequence: str = "sobol",
     seed: int = 0,
     first_point: int = 0,

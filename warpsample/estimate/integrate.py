@@ -31,7 +31,7 @@ def integrate(
     count: int = 256,
     *,
     data: Any = None,
-    distribution: Distribution | str = CosineHemisphere(),  # noqa: B008  (frozen)
+    distribution: Distribution | str = CosineHemisphere(),
     mesh: Any = None,
     max_distance: float | None = None,
     sequence: str = "fibonacci",

@@ -42,7 +42,7 @@ class Interval(NamedTuple):
 
 def interval_of(value: np.ndarray, spread: np.ndarray, degrees: np.ndarray, level: float) -> Interval:
     """The interval about a value with that much of a t distribution, of a scale and degrees of freedom."""
-    from scipy.special import stdtrit  # noqa: PLC0415  (slow to import)
+    from scipy.special import stdtrit
 
     half = spread * stdtrit(np.maximum(degrees, 1.0).astype(np.float64), 0.5 + 0.5 * level)
     return Interval((value - half).astype(np.float32), (value + half).astype(np.float32))

@@ -100,7 +100,7 @@ class CallOptions:
         given: Array | None = None,
         argument: str = "",
     ) -> Options:
-        """The same options, computed in another way.
+        """A copy of the options that are computed in another way.
 
         Args:
             device: where to compute, the CPU by default; on a CUDA device in parts, which come back as NumPy's arrays.

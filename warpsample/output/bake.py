@@ -76,8 +76,8 @@ def _slice(points: SurfacePoints, first: int, count: int) -> SurfacePoints:
 
 def _parts(points: SurfacePoints, run: BakeRun, quantity: Quantity, numbers: Numbers) -> Iterator[Any]:
     """The numbers part by part, with a progress bar if stderr is a terminal."""
-    from rich.console import Console  # noqa: PLC0415
-    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn  # noqa: PLC0415
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
     console = Console(stderr=True)
     told = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(), TextColumn("{task.fields[told]}"))

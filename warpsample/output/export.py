@@ -144,8 +144,8 @@ def _check(run: Run) -> None:
 
 def _parts(points: SurfacePoints, run: Run, workers: int | None) -> Iterator[tuple[int, Directions]]:
     """(first row, directions) of parts that fit into memory, with a progress bar if stderr is a terminal."""
-    from rich.console import Console  # noqa: PLC0415
-    from rich.progress import Progress  # noqa: PLC0415
+    from rich.console import Console
+    from rich.progress import Progress
 
     step = max(1, DIRECTIONS_PER_PART // run.samples)
     console = Console(stderr=True)

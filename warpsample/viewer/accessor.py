@@ -40,7 +40,7 @@ class WarpsampleAccessor:
         self,
         count: int,
         *,
-        distribution: Distribution | str = CosineHemisphere(),  # noqa: B008  (frozen)
+        distribution: Distribution | str = CosineHemisphere(),
         points: int | None = None,
         scale: float | None = None,
         seed: int = 0,

@@ -56,7 +56,7 @@ def closure_of(pairs: "csr_array", areas: np.ndarray, lost: np.ndarray, densitie
     Warns:
         UserWarning: no u closes all rows.
     """
-    from scipy.sparse import csr_array  # noqa: PLC0415
+    from scipy.sparse import csr_array
 
     row, there = rows_of(pairs.indptr), areas > 0.0
     own = np.where(densities > 0.0, densities, 1.0)

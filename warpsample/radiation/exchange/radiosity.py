@@ -75,7 +75,7 @@ def _solved(matrix: "csr_array", emitted: np.ndarray, share: np.ndarray) -> np.n
 
 def _corrections(matrix: "csr_array", lacking: np.ndarray, share: np.ndarray) -> np.ndarray:
     """(N, k), what to add to each column, to some digits."""
-    from scipy.sparse.linalg import LinearOperator, gmres  # noqa: PLC0415
+    from scipy.sparse.linalg import LinearOperator, gmres
 
     equations = LinearOperator(matrix.shape, matvec=lambda leaving: leaving - share * (matrix @ leaving), dtype=np.float64)
     return np.stack([gmres(equations, column, restart=_PRODUCTS, maxiter=1, atol=0.0)[0] for column in lacking.T], axis=1)

@@ -60,7 +60,7 @@ class _Pooling:
 
     def pairs(self, value: np.ndarray) -> "csr_array":
         """The same as a matrix."""
-        from scipy.sparse import csr_array  # noqa: PLC0415
+        from scipy.sparse import csr_array
 
         size = len(self._indptr) - 1
         return csr_array((self.pooled(value), self.columns, self._indptr), shape=(size, size))

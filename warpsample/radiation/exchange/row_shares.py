@@ -55,7 +55,7 @@ def matrices_of(
     value: np.ndarray, error: np.ndarray, indices: np.ndarray, indptr: np.ndarray
 ) -> tuple["csr_array", "csr_array"]:
     """Two square matrices, each with a pattern of its own: who drops entries of one in place leaves the other as it is."""
-    from scipy.sparse import csr_array  # noqa: PLC0415
+    from scipy.sparse import csr_array
 
     kind, shape = np.int32 if len(indices) < 2**31 else np.int64, (len(indptr) - 1, len(indptr) - 1)
     pattern = indices.astype(kind, copy=False), indptr.astype(kind, copy=False)

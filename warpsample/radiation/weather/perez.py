@@ -56,7 +56,7 @@ def _gendaymtx(weather: Weather, split: int, patches: int) -> np.ndarray:
 
 def _pyradiance() -> Any:
     try:
-        import pyradiance  # noqa: PLC0415
+        import pyradiance
     except ModuleNotFoundError:
         raise ModuleNotFoundError("the Perez sky needs pyradiance: pip install 'warpsample[radiation]'") from None
     return pyradiance

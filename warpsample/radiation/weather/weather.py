@@ -78,7 +78,7 @@ def read_weather(weather: Any, period: Sequence[str] | None = None) -> Weather:
 
 def _athens(pvlib: Any) -> Weather:
     """A cloudless year in Athens, by the clear sky of Ineichen2008."""
-    import pandas  # noqa: PLC0415, ICN001
+    import pandas  # noqa: ICN001
 
     where = (37.98, 23.73, 2.0, 107.0)
     hours = pandas.date_range("2021-01-01", periods=len(YEAR), freq="h", tz=timezone(timedelta(hours=where[2])))
@@ -140,8 +140,8 @@ def _hour(match: re.Match[str], default: int) -> int:
 
 def _pvlib() -> Any:
     try:
-        import pvlib  # noqa: PLC0415  (a second, with pandas)
-        import pvlib.iotools  # noqa: PLC0415
+        import pvlib
+        import pvlib.iotools
     except ModuleNotFoundError:
         raise ModuleNotFoundError("weather needs pvlib: pip install 'warpsample[radiation]'") from None
     return pvlib
