@@ -77,6 +77,7 @@ def test_corners_that_repeat_or_lie_in_a_line_leave_triangles_without_area():
     assert (len(faces), np.count_nonzero(found)) == (7, 5)  # a triangle less for each repeated corner
     assert (found >= 0.0).all()
     assert found.sum() == pytest.approx(area_of(points)[2])
+    assert len(np.unique(points[faces[found > 0.0]].reshape(-1, 3), axis=0)) == 7  # none in a line is left out
 
 
 def test_a_polygon_that_crosses_itself_stays_a_fan():
