@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import warp as wp
-from jacobians import CASES, LAST, all_cases, by_tape, framed, kernels, like, of_case, parameters, places, slope
+from jacobians import CASES, LAST, all_cases, by_tape, framed, kernels, like, of_case, parameters, slope, square_points
 
 import warpsample as ws
 from warpsample import funcs
@@ -11,7 +11,7 @@ from warpsample.proof import twins
 from warpsample.proof.twins import microfacets, shapes
 
 pytestmark = pytest.mark.slow  # the backward passes of all functions are compiled, for each worker
-U = places()
+U = square_points()
 WITH_PARAMETER = [case for case in CASES if case.parameters]
 WITH_VIEW = [case for case in CASES if not case.symmetric]
 INVERTIBLE = [case for case in CASES if case.maps.invert is not None]
@@ -63,10 +63,10 @@ def fineness(case):
 
 def by_square(case, u):
     """(N, width, 2): how a twin's directions follow u, inside of the square."""
-    room = np.minimum(u, 1.0 - u)
+    gap = np.minimum(u, 1.0 - u)
     step = 1e-2 if case.name == "visible_beckmann" else 1e-3
     columns = [
-        slope(lambda h, k=k: twins.directions(case, u + h * room * np.eye(2)[k]), step) / room[:, k : k + 1] for k in (0, 1)
+        slope(lambda h, k=k: twins.directions(case, u + h * gap * np.eye(2)[k]), step) / gap[:, k : k + 1] for k in (0, 1)
     ]
     return np.stack(columns, axis=-1)
 
@@ -108,7 +108,7 @@ def test_every_smooth_function_is_tried():
 
 @pytest.mark.parametrize("case", WITH_PARAMETER, ids=repr)
 def test_maps_follow_their_parameters(case):
-    """At each place the error is relative to the derivative there and, where that is small, to its median."""
+    """At each point the error is relative to the derivative there and, where that is small, to its median."""
     _, found, by_v = of_case(case, case.maps.sample, U, case.width)
     u = np.maximum(U, (1e-12, 0.0))  # at 0 the twin of visible GGX normals takes the root of its rounding error
     pairs = [(found, by_scalar(case, lambda d: twins.directions(d, u), fineness(case))[..., None])]
@@ -135,8 +135,8 @@ def test_densities_follow_the_direction_and_the_parameters(case):
     errors = []
     if case.width == 3 or case.measure == "per radian":
         width = 1.0 / np.sqrt(sizes(case)[0]) if case.name in ("power_cosine", "von_mises_fisher") else scalar or 1.0
-        room = w[:, -1] if case.support == "hemisphere" else 1.0  # to the horizon
-        step = np.minimum(1e-5 * min(width, 1.0), 1e-2 * room) * np.ones(len(w))
+        gap = w[:, -1] if case.support == "hemisphere" else 1.0  # to the horizon
+        step = np.minimum(1e-5 * min(width, 1.0), 1e-2 * gap) * np.ones(len(w))
         for t in tangents(w).swapaxes(0, 1):
             exact = slope(lambda h, t=t: twins.density(like(case), moved(w, h[:, None] * t)), step)
             errors.append(np.abs(np.einsum("ni,ni->n", by_w, t) - exact) / (np.abs(exact) + value))
@@ -232,7 +232,7 @@ def test_what_has_no_derivative_has_gradient_0():
     pole = np.array([[0.0, 0.0, 1.0], [-0.0, 0.0, 1.0]])
     for case in (ws.UniformSphere(), ws.GGX(0.3), ws.VonMisesFisher(8.0), ws.CosineHemisphere("concentric")):
         assert not of_case(case, case.maps.invert, pole, 2)[0][:, 1].any()
-    for method in ("polar", "concentric"):  # a zero of either sign is the same place
+    for method in ("polar", "concentric"):  # a zero of either sign is the same point
         zeros = np.array([[0.5, 0.0], [0.5, -0.0], [0.0, 0.5], [-0.0, 0.5]])
         found = of_case(ws.UniformDisk(method), ws.UniformDisk(method).maps.invert, zeros, 2)[0]
         assert np.array_equal(found[::2], found[1::2])

@@ -79,31 +79,31 @@ def test_gltf_of_short_numbers_far_apart(tmp_path):
     """Positions are 16-bit shares of 32767, each followed by another number, and there are no indices."""
     path, data = tmp_path / "short.gltf", np.int16([(0, 0, 0, 9), (32767, 0, 0, 9), (0, -32767, -32768, 9)]).tobytes()
     (tmp_path / "some data.bin").write_bytes(data)
-    places = {"componentType": 5122, "type": "VEC3", "count": 3, "normalized": True}
-    path.write_text(gltf({}, [places], data, view={"byteStride": 8}))
+    positions = {"componentType": 5122, "type": "VEC3", "count": 3, "normalized": True}
+    path.write_text(gltf({}, [positions], data, view={"byteStride": 8}))
     assert ws.load_mesh(path).vertices.tolist() == [[0, 0, 1], [2, 0, 1], [0, -1, 0]]
 
 
 def test_gltf_is_not_read_by_half(tmp_path):
     path, data = tmp_path / "by_hand.gltf", STRIP[:3].tobytes()
-    places = {"componentType": 5126, "type": "VEC3", "count": 3}
+    positions = {"componentType": 5126, "type": "VEC3", "count": 3}
     (tmp_path / "some data.bin").write_bytes(data)
-    whole = gltf({}, [places], data)
+    whole = gltf({}, [positions], data)
     path.write_text(whole)
     assert ws.load_mesh(path).report.faces == 1
     (tmp_path / "model.gltf").write_text(whole)  # trimesh would take this one for one that is damaged
     for damaged, why in [
         (whole[:-1], "Expecting .*"),
-        (gltf({}, [{**places, "count": 4}], data), "it declares 4 VEC3 in 36 bytes"),
-        (gltf({}, [{**places, "byteOffset": 1}], data), "it declares 3 VEC3 in 36 bytes"),
-        (gltf({}, [{**places, "sparse": {"count": 1}}], data), "it has sparse data, want a file that holds all numbers"),
+        (gltf({}, [{**positions, "count": 4}], data), "it declares 4 VEC3 in 36 bytes"),
+        (gltf({}, [{**positions, "byteOffset": 1}], data), "it declares 3 VEC3 in 36 bytes"),
+        (gltf({}, [{**positions, "sparse": {"count": 1}}], data), "it has sparse data, want a file that holds all numbers"),
         (
-            gltf({"indices": 5}, [places], data),
+            gltf({"indices": 5}, [positions], data),
             r"meshes\[0\].primitives\[0\].indices: got 5, want a whole number below 1, .*",
         ),
-        (gltf({"mode": 1}, [places], data), "it has no faces"),
+        (gltf({"mode": 1}, [positions], data), "it has no faces"),
         (
-            gltf({}, [places], data, extensionsUsed=["KHR_draco_mesh_compression"]),
+            gltf({}, [positions], data, extensionsUsed=["KHR_draco_mesh_compression"]),
             "it uses KHR_draco.*, want a file that does not",
         ),
     ]:
@@ -116,16 +116,16 @@ def test_gltf_is_not_read_by_half(tmp_path):
         ws.load_mesh(path)
 
 
-PLACES = {"componentType": 5126, "type": "VEC3", "count": 3}
+POSITIONS = {"componentType": 5126, "type": "VEC3", "count": 3}
 CORNERS = {"componentType": 5123, "type": "SCALAR", "count": 3, "byteOffset": 36}
 DATA = STRIP[:3].tobytes() + np.uint16([0, 1, 2]).tobytes()
 
 
 def changed(**members):
-    """A tree of one triangle under two nodes, with other members at places such as nodes__0__scale."""
-    tree = json.loads(gltf({"indices": 1, "mode": 4}, [PLACES, CORNERS], DATA, nodes=[{"children": [1]}, {"mesh": 0}]))
-    for place, value in members.items():
-        *above, last = [int(key) if key.isdecimal() else key for key in place.split("__")]
+    """A tree of one triangle under two nodes, with other members at JSON paths such as nodes__0__scale."""
+    tree = json.loads(gltf({"indices": 1, "mode": 4}, [POSITIONS, CORNERS], DATA, nodes=[{"children": [1]}, {"mesh": 0}]))
+    for path, value in members.items():
+        *above, last = [int(key) if key.isdecimal() else key for key in path.split("__")]
         part = tree
         for key in above:
             part = part[key]

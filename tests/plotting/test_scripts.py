@@ -177,8 +177,8 @@ def test_occlusion_is_drawn_as_estimated(script, bunny):
 
 
 def test_the_sky_is_mapped_with_north_up_and_every_patch_once():
-    places = on_map(np.array([90.0, 0.0, 0.0, 45.0]), np.array([0.0, 0.0, 90.0, 180.0]))
-    assert np.allclose(places, [[0, 0, 0], [0, 1, 0], [1, 0, 0], [0, -0.5, 0]], atol=1e-12)
+    positions = on_map(np.array([90.0, 0.0, 0.0, 45.0]), np.array([0.0, 0.0, 90.0, 180.0]))
+    assert np.allclose(positions, [[0, 0, 0], [0, 1, 0], [1, 0, 0], [0, -0.5, 0]], atol=1e-12)
     patches = ws.sky_patches("tregenza")
     corners, quads = patches_on_map(patches.altitudes, patches.azimuths)
     x, y = np.moveaxis(corners[quads, :2], -1, 0)

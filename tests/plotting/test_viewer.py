@@ -153,7 +153,7 @@ def test_a_double_click_chooses_the_point_under_the_mouse(fresh, bunny):
             weights = np.linalg.lstsq(
                 np.vstack([corners.T, np.ones(3)]), np.append(fresh.chosen.position[0], 1.0), rcond=None
             )[0]
-            assert weights.min() >= -1e-3  # the place is on the face
+            assert weights.min() >= -1e-3  # the point is on the face
             assert fresh.chosen.normal[0] == pytest.approx(bunny.face_normals[fresh.chosen.face[0]])
     assert chosen > 5
     assert np.array_equal(drawn(fresh)[0], on_mesh)

@@ -31,7 +31,7 @@ CASES = [
 """Every distribution, from narrow to wide; a view from above, from the side, from the horizon."""
 
 
-def places(count=200):
+def square_points(count=200):
     """(N, 2) float64 on the grid: its corners, the pole u[0] = 0 and the horizon with them, and random ones."""
     edges = (0.0, CELL, 16777 * CELL, 0.25, 0.5, 0.75, LAST)
     corners = np.stack(np.meshgrid(edges, edges, indexing="ij"), axis=-1).reshape(-1, 2)
