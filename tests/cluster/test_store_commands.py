@@ -47,7 +47,7 @@ def test_a_store_is_exported_as_bake_would_have_written(call, tmp_path):
         assert all(one.read(name) == other.read(name) for name in one.namelist() if name != "run.npy")
     one, other = (json.loads(str(np.load(tmp_path / name)["run"])) for name in ("a.npz", "b.npz"))
     assert one.keys() == other.keys()
-    assert {name for name in one if one[name] != other[name]} == {"output", "options"}  # a store has all options
+    assert {name for name in one if one[name] != other[name]} == {"output"}
 
 
 def test_the_command_says_what_it_did_and_goes_on(call, path, monkeypatch):

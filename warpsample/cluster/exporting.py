@@ -68,7 +68,8 @@ def _about(store: Path) -> dict[str, Any]:
 def _run(quantity: Quantity, about: dict[str, Any], mesh: Path, output: Path) -> BakeRun:
     """The arguments of `warpsample bake` that the store is of."""
     at = about["place"] if about["place"] in ("vertices", "faces") else None
-    options = {OPTIONS.get(name, name): about[name] for name in quantity.parameters if name in about}
+    kept = {name: tuple(value) if isinstance(value, list) else value for name, value in about.items()}
+    options = {OPTIONS.get(name, name): kept[name] for name in quantity.parameters if name in kept}
     return BakeRun(mesh, output, quantity.name, at, None if at else about["points"], options)
 
 

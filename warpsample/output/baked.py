@@ -101,9 +101,9 @@ def _local(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _write_npz(file: BinaryIO, baked: Baked, **more: np.ndarray) -> None:
-    points, run = baked.points, vars(baked.run)
+    points, run = baked.points, vars(baked.run) | baked.quantity.told(baked.run.options)
     arrays = {"position": points.position, "normal": points.normal, "face": points.face, **baked.arrays, **more}
-    told = {name: str(value) for name, value in (run | run["options"]).items() if name != "options"}
+    told = {name: str(value) for name, value in run.items() if name != "options"}
     with zipfile.ZipFile(file, "w", allowZip64=True) as archive:
         for name, array in {**arrays, "run": np.array(json.dumps(told))}.items():
             write_array(archive, name, array)

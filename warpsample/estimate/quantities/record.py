@@ -19,6 +19,9 @@ OPTIONS = {argument: option for option, argument in ARGUMENTS.items()}
 _LAST = ("rays", "status")  # of the columns
 _OF_INTERVALS = ("spread", "degrees_of_freedom")  # in no column: what `interval` is made of
 
+_UNTOLD = ("active", "first_point", "progress", "workers")
+"""Arguments by which no bit changes, or that the command line has not."""
+
 Numbers = Callable[[SurfacePoints, int], Any]
 """(points, global id of the first of them) -> their numbers."""
 
@@ -86,6 +89,11 @@ class Quantity:
     def arguments(self, options: Mapping[str, Any]) -> dict[str, Any]:
         """The arguments of the call that options of the command line stand for."""
         return {ARGUMENTS.get(name, name): value for name, value in options.items()}
+
+    def told(self, options: Mapping[str, Any]) -> dict[str, Any]:
+        """All options that a file tells of its run, by their names on the command line: those given, and the defaults."""
+        names = [OPTIONS.get(name, name) for name in self.parameters if name not in _UNTOLD]
+        return {name: options.get(name, self.default(name)) for name in names}
 
     def numbers(self, mesh: Any, total: int, options: Mapping[str, Any]) -> Numbers:
         """How parts of the points get their numbers.
