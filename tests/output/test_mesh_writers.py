@@ -254,7 +254,9 @@ def test_a_cloud_takes_no_more_than_twice_its_file(placed, tmp_path, suffix):
     faces = ground().faces.copy()
     faces[::10, 1] = faces[::10, 0]
     output = tmp_path / f"x{suffix}"
-    run = export.Run(placed(ws.Mesh(ground().vertices, faces)), output, None, 96, "cosine_hemisphere", "sobol", 0, "faces")
+    run = export.DirectionsRun(
+        placed(ws.Mesh(ground().vertices, faces)), output, None, 96, "cosine_hemisphere", "sobol", 0, "faces"
+    )
     export.export(run, 1)  # builds the kernel
     _, held = traced(lambda _: export.export(run, 1))
     assert output.stat().st_size > 3600 * 96 * 36

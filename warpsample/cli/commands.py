@@ -87,11 +87,11 @@ def directions_command(
     workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
 ) -> None:
     """Sample directions at points of a mesh into a file; .npz holds all that is needed to repeat the run."""
-    from warpsample.output.export import Run, export
+    from warpsample.output.export import DirectionsRun, export
 
     points = 10_000 if points is None and at is None else points
     with working(f"reading {mesh}, sampling, writing {output}; a kernel is compiled when it is first used, for about 2 s"):
-        summary = export(Run(mesh, output, points, samples, distribution, sequence, seed, at), workers)
+        summary = export(DirectionsRun(mesh, output, points, samples, distribution, sequence, seed, at), workers)
     print(f"{output}: {summary}")
 
 

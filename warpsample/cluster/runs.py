@@ -13,6 +13,7 @@ from warpsample.host.arguments import check_integer
 from warpsample.mesh.files import load_mesh
 from warpsample.output.baked import BakeRun
 from warpsample.output.quantities import check_options, in_stores, quantity_of
+from warpsample.output.terminal_bar import terminal_bar
 
 
 def bake_run(run: BakeRun, chunk: int | None, address: str | None, processes: int | None, resume: bool) -> str:
@@ -55,17 +56,12 @@ class _Watch:
     """A bar on stderr if that is a terminal, and the sums of what the chunks tell."""
 
     def __init__(self, run: BakeRun, points: int) -> None:
-        """Of no chunk yet."""
-        from rich.console import Console
-        from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
-
+        """Starts the sums of a run of so many points, at no chunk."""
         self.run, self.points, self.start = run, points, perf_counter()
         self.title = quantity_of(run.quantity).title
         self.there: int | None = None
         self.sums = np.zeros((), DONE)
-        console = Console(stderr=True)
-        told = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(), TextColumn("{task.fields[told]}"))
-        self.bar = Progress(*told, console=console, disable=not console.is_terminal, transient=True)
+        self.bar = terminal_bar()
         self.task = self.bar.add_task(self.title, total=points, told="")
 
     def __enter__(self) -> "_Watch":
@@ -74,7 +70,7 @@ class _Watch:
         return self
 
     def __exit__(self, kind: type | None, error: BaseException | None, trace: TracebackType | None) -> None:
-        """Takes it away."""
+        """Takes the bar away."""
         self.bar.stop()
 
     def hear(self, told: np.void) -> None:

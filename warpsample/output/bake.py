@@ -15,6 +15,7 @@ from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.baked import WRITERS, Baked, BakeRun, check_glb, writers_of
 from warpsample.output.places import check_places, points_on
 from warpsample.output.quantities import check_options, quantity_of
+from warpsample.output.terminal_bar import terminal_bar
 from warpsample.radiation.sky.sky_matrix import SkySkipped
 
 SUFFIXES = tuple(WRITERS)
@@ -76,16 +77,11 @@ def _slice(points: SurfacePoints, first: int, count: int) -> SurfacePoints:
 
 def _parts(points: SurfacePoints, run: BakeRun, quantity: Quantity, numbers: Numbers) -> Iterator[Any]:
     """The numbers part by part, with a progress bar if stderr is a terminal."""
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
-
-    console = Console(stderr=True)
-    told = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn(), TextColumn("{task.fields[told]}"))
     rays = run.options.get("samples") or quantity.default("samples") or _RAYS
     least = _TRIED if run.options.get("tolerance") else 1
     step = max(least if Memory.of(run.options.get("device")).in_place else _FULL, RAYS_PER_PART // rays)
     cast, start, done = 0, perf_counter(), 0
-    with Progress(*told, console=console, disable=not console.is_terminal, transient=True) as progress:
+    with terminal_bar() as progress:
         task = progress.add_task(quantity.title, total=len(points), told="")
         try:
             for first in range(0, len(points), step):

@@ -22,6 +22,7 @@ from warpsample.mesh.files import load_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_ply, write_vtp
 from warpsample.output.places import check_places, points_on
+from warpsample.output.terminal_bar import terminal_bar
 from warpsample.sequences import get as get_sequence
 from warpsample.sequences.record import STREAMS
 
@@ -36,8 +37,8 @@ _BYTES_IN_CLOUD = 24  # of a direction: once as sampled, once without the points
 
 
 @dataclass(frozen=True)
-class Run:
-    """The arguments of a run; stored in the file.
+class DirectionsRun:
+    """The arguments of `warpsample directions`; stored in the file.
 
     Attributes:
         mesh: the mesh file.
@@ -60,7 +61,7 @@ class Run:
     at: str | None
 
 
-def export(run: Run, workers: int | None = None) -> str:
+def export(run: DirectionsRun, workers: int | None = None) -> str:
     """Runs and writes `run.output`.
 
     An .npz file holds position, normal, face, vectors, status and `run`, a JSON text; the points and one part of the
@@ -91,7 +92,7 @@ def export(run: Run, workers: int | None = None) -> str:
     return f"{total:,} directions at {len(points):,} points" + "".join(f", {n:,} {name}" for name, n in skipped.items())
 
 
-def _write_archive(file: BinaryIO, points: SurfacePoints, run: Run, workers: int | None) -> np.ndarray:
+def _write_archive(file: BinaryIO, points: SurfacePoints, run: DirectionsRun, workers: int | None) -> np.ndarray:
     record, status = _record(run), np.empty(len(points), np.uint8)
     with zipfile.ZipFile(file, "w", allowZip64=True) as archive:
         write_array(archive, "position", points.position)
@@ -108,7 +109,7 @@ def _write_archive(file: BinaryIO, points: SurfacePoints, run: Run, workers: int
     return status
 
 
-def _write_cloud(file: BinaryIO, scale: float, points: SurfacePoints, run: Run, workers: int | None) -> np.ndarray:
+def _write_cloud(file: BinaryIO, scale: float, points: SurfacePoints, run: DirectionsRun, workers: int | None) -> np.ndarray:
     size = len(points) * run.samples * _BYTES_IN_CLOUD
     check_memory(
         size, f"the {len(points) * run.samples:,} directions of the cloud", "take fewer, or write .npz, which is streamed"
@@ -131,7 +132,7 @@ def _write_cloud(file: BinaryIO, scale: float, points: SurfacePoints, run: Run, 
     return found.status
 
 
-def _check(run: Run) -> None:
+def _check(run: DirectionsRun) -> None:
     if run.output.suffix not in SUFFIXES:
         raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
     check_output(run.output, "--output", run.mesh)
@@ -142,15 +143,11 @@ def _check(run: Run) -> None:
     get_sequence(run.sequence)
 
 
-def _parts(points: SurfacePoints, run: Run, workers: int | None) -> Iterator[tuple[int, Directions]]:
+def _parts(points: SurfacePoints, run: DirectionsRun, workers: int | None) -> Iterator[tuple[int, Directions]]:
     """(first row, directions) of parts that fit into memory, with a progress bar if stderr is a terminal."""
-    from rich.console import Console
-    from rich.progress import Progress
-
     step = max(1, DIRECTIONS_PER_PART // run.samples)
-    console = Console(stderr=True)
-    with Progress(console=console, disable=not console.is_terminal, transient=True) as progress:
-        task = progress.add_task("sampling", total=len(points))
+    with terminal_bar() as progress:
+        task = progress.add_task("sampling", total=len(points), told="")
         for start in range(0, len(points), step):
             normals = points.normal[start : start + step]
             yield (
@@ -168,7 +165,7 @@ def _parts(points: SurfacePoints, run: Run, workers: int | None) -> Iterator[tup
             progress.advance(task, len(normals))
 
 
-def _record(run: Run) -> dict[str, object]:
+def _record(run: DirectionsRun) -> dict[str, object]:
     """All that is needed to repeat the run: arguments, digest of the mesh, and the versions that determine the bits."""
     digest = hashlib.sha256(content_of(run.mesh)).hexdigest()
     arguments = {key: str(value) if isinstance(value, Path) else value for key, value in asdict(run).items()}
