@@ -8,7 +8,7 @@ from warpsample.cli.signals import listening
 
 
 def main() -> None:
-    """Entry point."""
+    """Runs the command line, as `warpsample` and `python -m warpsample` do."""
     _open_what_is_closed()
     with listening():
         from warpsample.cli.commands import app

@@ -24,7 +24,7 @@ Write = Annotated[
 
 
 def _measure(benchmark: Benchmark, settings: Any) -> Result:
-    """Measures and prints."""
+    """Measures a benchmark, with a bar meanwhile, and prints its tables."""
     found = benchmark.measure(settings, lambda items, total: with_progress(items, total, f"measuring {benchmark.name}"))
     result = Result(this_machine(), settings, found)
     report.show(console(), [str(result.machine), *benchmark.tables(result)])

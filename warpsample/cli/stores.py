@@ -17,7 +17,11 @@ Resume = Annotated[bool, typer.Option("--resume", help="Go on with the store, if
 
 
 def bake_into_store(run: BakeRun, chunk: int | None, cluster: str | None, processes: int | None, resume: bool) -> str:
-    """As `cluster.runs.bake_run`; says how to install what it needs."""
+    """Computes a run into a Zarr store by `cluster.runs.bake_run`.
+
+    Raises:
+        ModuleNotFoundError: Dask or Zarr is missing; says how to install them.
+    """
     try:
         from warpsample.cluster.runs import bake_run
     except ModuleNotFoundError as error:

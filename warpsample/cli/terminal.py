@@ -41,7 +41,7 @@ def fail_plainly(**options: str) -> Callable[[Callable[..., Any]], Callable[...,
     """
 
     def decorate(command: Callable[..., Any]) -> Callable[..., Any]:
-        """The command, wrapped."""
+        """Makes the command end plainly."""
         names = _options_of(command) | options
 
         @wraps(command)
@@ -57,7 +57,7 @@ def fail_plainly(**options: str) -> Callable[[Callable[..., Any]], Callable[...,
 
 @contextmanager
 def saying_what_fails(**options: str) -> Iterator[None]:
-    """The same for a block of code; `options` by the names of arguments."""
+    """Ends a block of code plainly where it fails, as `fail_plainly` a command; `options` by the names of arguments."""
     try:
         yield
     except SystemExit as stop:

@@ -41,7 +41,7 @@ class Named:
         return self.value
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """What to import.
+        """Tells other processes what to import.
 
         Raises:
             TypeError: it cannot be imported.

@@ -46,7 +46,7 @@ class Tasks(MaterializedLayer):
         return super().__iter__()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """As another Client's scheduler gets them: an error here would lose its words on the way."""
+        """Gives another Client's scheduler tasks that say what is wrong: an error here would lose its words on the way."""
         return MaterializedLayer, (self.mapping if self._of_this_time() else dict.fromkeys(self.mapping, (_refuse,)),)
 
     def _of_this_time(self) -> bool:

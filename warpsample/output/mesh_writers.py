@@ -47,7 +47,7 @@ Rows = np.ndarray | Lazy
 
 
 def write_ply(file: BinaryIO, elements: dict[str, dict[str, Rows]]) -> None:
-    """Binary .ply.
+    """Writes a binary .ply.
 
     Args:
         file: open for writing.
