@@ -1,5 +1,6 @@
 """The records of quantities: each is whole, and the command line and the READMEs say what they say."""
 
+import re
 from dataclasses import fields, replace
 from inspect import Parameter, signature
 
@@ -40,6 +41,15 @@ def test_every_option_of_the_command_line_is_for_some_quantity(call):
 def test_the_tables_of_the_readmes_are_those_of_the_records(repository):
     for room, table in (("estimate", registry.call_table()), ("output", registry.name_table())):
         assert table in (repository / "warpsample" / room / "README.md").read_text()
+
+
+def test_the_example_of_how_to_add_one_is_its_source(repository):
+    room = repository / "warpsample" / "estimate"
+    (shown,) = re.findall(r"^```py\n(.*?)^```", (room / "README.md").read_text(), flags=re.DOTALL | re.MULTILINE)
+    source = (room / "quantities" / "mean_distance.py").read_text().replace("    found =", "found =")
+    found, record = re.sub(r"  # .*", "", shown).split("\n\n\n")
+    assert f"{found}\n" in source
+    assert source.endswith(record)
 
 
 def test_colours_go_from_black_to_white():
