@@ -66,7 +66,7 @@ def test_every_file_holds_the_numbers(call, torus, tmp_path, suffix, at, monkeyp
     assert first == f"{output}: ambient occlusion of {len(right.value):,} {at}"
     assert f"mean {right.value.mean():.4f}; standard error" in rest[0]
     assert re.search(rf"{right.rays.sum():,} rays cast in \d+\.\d\d s", rest[1])
-    assert f"{right.skipped.empty_rays:,} in empty cells" in rest[2]
+    assert f"{right.skipped.empty_rays:,} in empty strata" in rest[2]
     assert right.skipped.open_points == 0 or rest[3] == f"  {right.skipped.open_points:,} points needed no rays"
     assert set(tmp_path.iterdir()) == {torus, output}
 

@@ -14,7 +14,11 @@ from warpsample.cluster.finishing import check_workers_of
 from warpsample.cluster.job import Job
 from warpsample.cluster.sending import Tasks, current_client, shared_by_key
 
-PLACES = {"position": (np.dtype(np.float64), (3,)), "normal": (np.dtype(np.float32), (3,)), "face": (np.dtype(np.int32), ())}
+POINT_ARRAYS = {
+    "position": (np.dtype(np.float64), (3,)),
+    "normal": (np.dtype(np.float32), (3,)),
+    "face": (np.dtype(np.int32), ()),
+}
 """(type, shape of a row) of points that workers make."""
 
 _SAMPLES = {"pdf", "distance", "face", "vectors"}
@@ -38,8 +42,8 @@ def dataset_of(job: Job) -> xr.Dataset:
             tasks["points-" + work, i] = (points_in, *chunk)
     base = HighLevelGraph.from_collections(work, Tasks(tasks), dependencies=[*job.given.values(), *job.rows.values()])
     numbers_of = {name: _array(job, base, work, (getitem, (work,), name), kind) for name, kind in job.gives.items()}
-    places = {name: kind for name, kind in places_of(job).items() if name not in job.gives}
-    where = {name: _array(job, base, work, (getattr, ("points-" + work,), name), kind) for name, kind in places.items()}
+    coordinates = {name: kind for name, kind in point_arrays_of(job).items() if name not in job.gives}
+    where = {name: _array(job, base, work, (getattr, ("points-" + work,), name), kind) for name, kind in coordinates.items()}
     return xr.Dataset(_with_dimensions(numbers_of), _with_dimensions(where), job.about)
 
 
@@ -48,9 +52,9 @@ def blocks_of(job: Job) -> dict[str, list[Any]]:
     return {name: list(flatten(array.__dask_keys__())) for name, array in (job.given | job.rows).items()}
 
 
-def places_of(job: Job) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
+def point_arrays_of(job: Job) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
     """(type, shape of a row) of the coordinates; none if there are no SurfacePoints."""
-    made = {name: (job.given[name].dtype, kind[1]) if job.given else kind for name, kind in PLACES.items()}
+    made = {name: (job.given[name].dtype, kind[1]) if job.given else kind for name, kind in POINT_ARRAYS.items()}
     return made if job.call.at else {}
 
 
@@ -72,5 +76,5 @@ def _with_dimensions(arrays: dict[str, Array]) -> dict[str, tuple[tuple[str, ...
 
 def dimensions(name: str, count: int) -> tuple[str, ...]:
     """The names of an array's axes."""
-    second = "sample" if name in _SAMPLES else "axis" if name in PLACES else "channel"
+    second = "sample" if name in _SAMPLES else "axis" if name in POINT_ARRAYS else "channel"
     return ("point", second, "axis")[:count]

@@ -11,7 +11,7 @@ from dask.array import Array
 from dask.callbacks import Callback
 from dask.highlevelgraph import HighLevelGraph
 
-from warpsample.cluster.arrays import PLACES, blocks_of
+from warpsample.cluster.arrays import POINT_ARRAYS, blocks_of
 from warpsample.cluster.chunks import FUNCTIONS, Call, numbers, points_in
 from warpsample.cluster.finishing import AT_A_TIME, check_workers_of, finished
 from warpsample.cluster.job import CHUNK, Job, job_of
@@ -43,7 +43,7 @@ def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; or a store of another run, and what differs.
-        OSError: it cannot be written, there is no room for it, or another process is writing it; or the scheduler is gone.
+        OSError: it cannot be written, there is no space for it, or another process is writing it; or the scheduler is gone.
         MemoryError: all workers of the Client are too small; says what they want.
     """
     mesh = options.pop("mesh", None) if call == "sample_directions" else None
@@ -107,9 +107,9 @@ def _tasks(job: Job, store: Path, chunks: list[int]) -> Array:
     name = f"bake-{job.call.name}-{uuid4().hex}"
     tasks, shared = shared_by_key(job)
     blocks = blocks_of(job)
-    for place, i in enumerate(chunks):
+    for number, i in enumerate(chunks):
         given, rows = [blocks[key][i] for key in job.given], [blocks[key][i] for key in job.rows]
-        tasks[name, place] = (bake_chunk, job.call, str(store), i * job.chunk, job.rows_of(i), shared, given, rows)
+        tasks[name, number] = (bake_chunk, job.call, str(store), i * job.chunk, job.rows_of(i), shared, given, rows)
     graph = HighLevelGraph.from_collections(name, tasks, dependencies=[*job.given.values(), *job.rows.values()])
     return Array(graph, name, ((1,) * len(chunks),), dtype=DONE)
 
@@ -121,8 +121,8 @@ def bake_chunk(
     points = points_in(call, start, start + count, shared, given)
     found = numbers(call, start, points, shared, rows)
     arrays = {name: array for name, array in found.items() if isinstance(array, np.ndarray)}
-    places = {} if points is None else {name: getattr(points, name) for name in PLACES}
-    put(Path(store), start, places | arrays)
+    where = {} if points is None else {name: getattr(points, name) for name in POINT_ARRAYS}
+    put(Path(store), start, where | arrays)
     rays = int(found["rays"].sum(dtype=np.int64)) if "rays" in found else 0
     error = np.square(found["standard_error"], dtype=np.float64) if "standard_error" in found else np.zeros(1)
     return np.array([(count, rays, error.reshape(len(error), -1).mean(axis=1).sum())], DONE)

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.cluster.arrays import PLACES
+from warpsample.cluster.arrays import POINT_ARRAYS
 from warpsample.cluster.chunks import CALLS
 from warpsample.cluster.holdings import about_of, arrays_of, whole_chunks
 from warpsample.cluster.store import check_store
@@ -42,7 +42,7 @@ def export_store(store: Path, mesh: Path, output: Path) -> str:
     if output.suffix == ".glb":
         check_glb(run, shape)
     arrays = _arrays(store, _names(quantity))
-    points = SurfacePoints(*map(arrays.pop, PLACES))
+    points = SurfacePoints(*map(arrays.pop, POINT_ARRAYS))
     found = quantity.result(**arrays, **dict.fromkeys(quantity.shared))
     with complete_or_absent(output) as file:
         WRITERS[output.suffix](file, Baked(run, shape, points, found))
@@ -75,7 +75,7 @@ def _run(quantity: Quantity, about: dict[str, Any], mesh: Path, output: Path) ->
 
 def _names(quantity: Quantity) -> list[str]:
     """The arrays of a store."""
-    return [*PLACES, *quantity.arrays]
+    return [*POINT_ARRAYS, *quantity.arrays]
 
 
 def _arrays(store: Path, names: list[str]) -> dict[str, np.ndarray]:

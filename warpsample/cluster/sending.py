@@ -19,7 +19,7 @@ _QUIETLY = {"distributed.admin.large-graph-warning-threshold": "1PiB"}  # it is 
 
 
 def current_client() -> Any | None:
-    """The Client that computes in this place, if there is one; one that found no scheduler is none."""
+    """The Client that computes what is asked for here, if there is one; one that found no scheduler is none."""
     if "distributed" not in sys.modules:
         return None
     from distributed import Client

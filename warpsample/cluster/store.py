@@ -13,7 +13,7 @@ import xarray as xr
 import zarr
 from zarr.codecs import Crc32cCodec, ZstdCodec
 
-from warpsample.cluster.arrays import dimensions, places_of
+from warpsample.cluster.arrays import dimensions, point_arrays_of
 from warpsample.cluster.content import difference
 from warpsample.cluster.holdings import about_of, arrays_of, whole_chunks
 from warpsample.cluster.job import STREAMS_OF, Job
@@ -51,7 +51,7 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
     Raises:
         ValueError: there is one, and it is not to be resumed, or is of another run; names what differs. Or it is damaged, or
             would have too many chunks.
-        WriteError: it cannot be made, or there is no room for it.
+        WriteError: it cannot be made, or there is no space for it.
     """
     if path.exists() and not resume:
         raise ValueError(f"{argument}: got {str(path)!r}, which is there already, want a new name, or to resume it")
@@ -60,10 +60,10 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
         for part in path.rglob("*.partial"):  # of killed writers
             part.unlink(missing_ok=True)
         _check_arrays(path, job, argument)
-        whole = whole_chunks(path, (*places_of(job), *job.gives), argument)
-        _check_room(path, job, job.count - np.count_nonzero(whole))
+        whole = whole_chunks(path, (*point_arrays_of(job), *job.gives), argument)
+        _check_space(path, job, job.count - np.count_nonzero(whole))
         return whole
-    _check_room(path, job, job.count)
+    _check_space(path, job, job.count)
     job.check_count()
     try:
         _make(path, job)
@@ -79,7 +79,7 @@ def _check_arrays(path: Path, job: Job, argument: str) -> None:
     Raises:
         ValueError: names the array.
     """
-    kinds = {**places_of(job), **job.gives}
+    kinds = {**point_arrays_of(job), **job.gives}
     for name, array in arrays_of(path, kinds, argument).items():
         dtype, shape = kinds[name]
         if (array.dtype, array.shape, array.chunks) != (dtype, (job.total, *shape), (job.chunk, *shape)):
@@ -94,13 +94,13 @@ def _check_arrays(path: Path, job: Job, argument: str) -> None:
         raise ValueError(f"{argument}: got {str(path)!r}, {told}") from None
 
 
-def _check_room(path: Path, job: Job, chunks: int) -> None:
-    """Refuses more chunks than there is room for, before they are compressed: positions hardly can be.
+def _check_space(path: Path, job: Job, chunks: int) -> None:
+    """Refuses more chunks than there is space for, before they are compressed: positions hardly can be.
 
     Raises:
         WriteError: says how much they take, and how much is free.
     """
-    kinds = {**places_of(job), **job.gives}.values()
+    kinds = {**point_arrays_of(job), **job.gives}.values()
     needed = sum(min(job.total, chunks * job.chunk) * dtype.itemsize * math.prod(shape) for dtype, shape in kinds)
     free = shutil.disk_usage(path.parent).free
     if needed > free:
@@ -132,11 +132,11 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
 
 def _make(path: Path, job: Job) -> None:
     """The metadata, complete or absent."""
-    places, part = places_of(job), _part(path)
+    coordinates, part = point_arrays_of(job), _part(path)
     shutil.rmtree(part, ignore_errors=True)
-    attributes = {**job.about, "coordinates": " ".join(name for name in places if name not in job.gives)}
+    attributes = {**job.about, "coordinates": " ".join(name for name in coordinates if name not in job.gives)}
     group = zarr.create_group(part, zarr_format=3, attributes=attributes)
-    for name, (dtype, shape) in {**places, **job.gives}.items():
+    for name, (dtype, shape) in {**coordinates, **job.gives}.items():
         group.create_array(
             name,
             shape=(job.total, *shape),

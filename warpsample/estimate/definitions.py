@@ -79,7 +79,7 @@ def _named(function: wp.Function) -> Iterator[tuple[str, Any]]:
 
 @contextmanager
 def naming_function(argument: str) -> Iterator[None]:
-    """Names the argument whose function Warp cannot compile, and the place in it.
+    """Names the argument whose function Warp cannot compile, and what in it.
 
     Raises:
         TypeError: it cannot.

@@ -121,7 +121,7 @@ def _skips(skipped: Skipped | SkySkipped | None) -> Iterator[str]:
         yield from _told("sky patches without rays: ", {"open": skipped.open_patches, "closed": skipped.closed_patches})
     if isinstance(skipped, Skipped):
         told = {
-            "in empty cells": skipped.empty_rays,
+            "in empty strata": skipped.empty_rays,
             "without weight": skipped.weightless_rays,
             "not needed for the tolerance": skipped.unneeded_rays,
         }
