@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import warpsample as ws
-from warpsample.cli.bake import OPTIONS
+from warpsample.cli.bake import OPTIONS, bake_command
 from warpsample.estimate.quantities.record import ARGUMENTS
 from warpsample.output import quantities as registry
 
@@ -36,6 +36,38 @@ def test_every_option_of_the_command_line_is_for_some_quantity(call):
     assert all(registry.taking(option) for option in OPTIONS)
     told = call("bake", "--help")[1]
     assert all(name in told.replace("\n", "") for name in ("sky-matrix", "--max-distance", "--ground-albedo"))
+
+
+@pytest.mark.parametrize(
+    ("option", "text"),
+    [
+        ("samples", "Rays of each point; by default 256, or 1024 for irradiation and sky-matrix; not for sun-hours."),
+        ("ground_albedo", "Of the ground beyond the mesh; by default 0.2; only for irradiation."),
+        ("north", "Where north is; by default 0 1 0; only for irradiation, sky-matrix, sun-hours."),
+        ("period", "Of the year, as 06-01 08-31 or 03-21T09 03-21T15; only for irradiation, sun-hours."),
+    ],
+)
+def test_the_help_of_an_option_says_its_default_and_whom_it_is_for(option, text):
+    kind = signature(bake_command).parameters[option].annotation
+    assert kind.__metadata__[0].help == text
+
+
+def test_options_that_do_not_apply_are_refused_and_files_asked_for():
+    registry.check_options(QUANTITIES["ao"], {"seed": 0, "samples": 2, "falloff": 1.0})
+    for name, options, message in [
+        (
+            "ao",
+            {"up": (0, 0, 1)},
+            r"--up: got \(0, 0, 1\) for ao; it applies only to irradiance, sky, irradiation, sky-matrix and sun",
+        ),
+        ("sun-hours", {"weather": "athens", "samples": 2}, "--samples: got 2 for sun-hours; it applies only to ao, bent"),
+        ("sky", {"ground_albedo": 0.1}, "--ground-albedo: got 0.1 for sky; it applies only to irradiation$"),
+        ("irradiance", {"seed": 0}, "--environment: got None for irradiance, want a picture"),
+    ]:
+        with pytest.raises(ValueError, match=f"^{message}"):
+            registry.check_options(QUANTITIES[name], options)
+    with pytest.raises(ValueError, match="^quantity: got 'light', want one of ao, bent-normals"):
+        registry.quantity_of("light")
 
 
 def test_the_tables_of_the_readmes_are_those_of_the_records(repository):

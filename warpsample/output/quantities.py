@@ -47,7 +47,8 @@ def check_options(quantity: Quantity, options: Mapping[str, Any]) -> None:
             raise ValueError(f"--{option}: got None for {quantity.name}, want {wants}")
     for option, value in options.items():
         if not quantity.takes(option):
-            names = " and ".join(taking(option))
+            *others, last = taking(option)
+            names = f"{', '.join(others)} and {last}" if others else last
             raise ValueError(f"--{option.replace('_', '-')}: got {value} for {quantity.name}; it applies only to {names}")
 
 
