@@ -145,6 +145,26 @@ def test_files_with_kernels_keep_their_annotations(repository):
         assert "from __future__ import annotations" not in path.read_text()
 
 
+def host_functions(tree):
+    """Functions that Python runs: those that Warp compiles have no keyword-only parameters."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef):
+            decorators = {ast.unparse(decorator).split("(")[0] for decorator in node.decorator_list}
+            if not decorators & {"wp.func", "wp.kernel", "wp.func_grad"}:
+                yield node
+
+
+def test_functions_of_six_parameters_take_some_by_keyword(repository):
+    """A call of six arguments by position says nothing of what they are."""
+    package = repository / "warpsample"
+    files = [path for path in sorted(package.rglob("*.py")) if path.relative_to(package).parts[0] != "bench"]
+    for path in files:
+        for function in host_functions(ast.parse(path.read_text())):
+            taken = function.args
+            named = f"{path.relative_to(package)}: {function.name}"
+            assert taken.kwonlyargs or len(taken.posonlyargs) + len(taken.args) < 6, named
+
+
 def test_nothing_is_called_utils(repository):
     for path in (repository / "warpsample").rglob("*.py"):
         assert path.stem not in ("utils", "common", "misc", "helpers")

@@ -56,7 +56,9 @@ def main(
         found = baked(folder, of, samples, chunk, seed, up)
     chunks = -(-len(found["value"]) // chunk)
     what = f"{len(found['value']):,} vertices in {chunks:,} chunks of a store; {samples:,} rays each; seed {seed}"
-    plotter = meshes_side_by_side(of.vertices, of.faces, panels_of(found, chunk), what, up, screenshot is not None, size)
+    plotter = meshes_side_by_side(
+        of.vertices, of.faces, panels_of(found, chunk), caption=what, up=up, off_screen=screenshot is not None, size=size
+    )
     show_or_save(plotter, screenshot, what)
 
 

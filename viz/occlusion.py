@@ -51,7 +51,13 @@ def main(
     rays = f"{cast / asked:.0%} of {asked:,} rays cast"
     what = f"{len(found.rays):,} vertices; {rays}; RMS standard error {error:.4f}; seed {seed}"
     plotter = meshes_side_by_side(
-        surface.vertices, surface.faces, panels_of(found, samples), what, up, screenshot is not None, size
+        surface.vertices,
+        surface.faces,
+        panels_of(found, samples),
+        caption=what,
+        up=up,
+        off_screen=screenshot is not None,
+        size=size,
     )
     show_or_save(plotter, screenshot, what)
 

@@ -68,14 +68,14 @@ def main(
     plotter = sun_and_sky(
         (surface.vertices, surface.faces),
         Panel(year.value, "A year, kWh/m2", "inferno", high),
-        hours.value.T,
-        hour,
-        sky_map(matrix, row, weather, day),
-        points.position[row],
-        (what, lambda now: f"{day}, {now} to {now + 1} h, W/m2"),
-        up,
-        screenshot is not None,
-        size,
+        hours=hours.value.T,
+        hour=hour,
+        sky=sky_map(matrix, row, weather, day),
+        place=points.position[row],
+        captions=(what, lambda now: f"{day}, {now} to {now + 1} h, W/m2"),
+        up=up,
+        off_screen=screenshot is not None,
+        size=size,
     )
     show_or_save(plotter, screenshot, what)
 

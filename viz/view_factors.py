@@ -86,7 +86,7 @@ def main(
     corners = of.vertices[of.faces].reshape(-1, 3)
     faces = np.arange(len(corners), dtype=np.int32).reshape(-1, 3)
     panels = panels_of(found, face)
-    plotter = meshes_side_by_side(corners, faces, panels, what, up, screenshot is not None, size)
+    plotter = meshes_side_by_side(corners, faces, panels, caption=what, up=up, off_screen=screenshot is not None, size=size)
     outline(plotter, of, face, up, len(panels))
     show_or_save(plotter, screenshot, what)
 

@@ -40,9 +40,9 @@ def computed(monkeypatch):
     """The first rows of the chunks that are computed."""
     ran, bake_chunk = [], baking.bake_chunk
 
-    def counted(call, path, start, *rest):
-        ran.append(start)
-        return bake_chunk(call, path, start, *rest)
+    def counted(call, path, span, *rest):
+        ran.append(span.start)
+        return bake_chunk(call, path, span, *rest)
 
     monkeypatch.setattr(baking, "bake_chunk", counted)
     return ran
@@ -146,10 +146,10 @@ def test_so_is_one_with_another_byte(path, mesh, right):
 def test_an_interrupt_leaves_a_store_that_resumes(path, mesh, right, monkeypatch):
     bake_chunk = baking.bake_chunk
 
-    def interrupted(call, path, start, *rest):
-        if start == CHUNK:
+    def interrupted(call, path, span, *rest):
+        if span.start == CHUNK:
             raise KeyboardInterrupt
-        return bake_chunk(call, path, start, *rest)
+        return bake_chunk(call, path, span, *rest)
 
     with monkeypatch.context() as patch:
         patch.setattr(baking, "bake_chunk", interrupted)

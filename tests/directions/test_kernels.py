@@ -90,21 +90,24 @@ def test_every_loop_of_directions_is_vectorised(tmp_path, child_environment):
         assert max(widths) >= lanes
 
 
-def slots(sequence, case, with_pdf, masked):
-    maps = case.maps
-    return (ws.sequences.get(sequence), case.about(), maps.redraw, maps.redraw_below, with_pdf, masked)
+def directions_by(factory, sequence, case, **how):
+    maps = {"redraw": case.maps.redraw, "redraw_below": case.maps.redraw_below}
+    return factory(ws.sequences.get(sequence), case.about(), **maps, **how)
 
 
 def all_kernels():
     yield "place_points", place_points(1)
     for name in ws.sequences.names():
         yield f"square {name}", square_blocks(ws.sequences.get(name))
-        yield f"rows {name}", direction_rows(*slots(name, ws.CosineHemisphere(), True, True), 1)
+        yield f"rows {name}", directions_by(direction_rows, name, ws.CosineHemisphere(), with_pdf=True, masked=True, chunk=1)
     for case in dict.fromkeys(case for _, case in VECTORISED):
         w = case.width
         maps = [(case.maps.sample, 2, w), (case.maps.pdf, w, 1), (case.maps.invert, w, 2)]
         if w == 3:  # holds sample and pdf
-            yield f"blocks {case}", direction_blocks(*slots("sobol", case, True, False), False)
+            yield (
+                f"blocks {case}",
+                directions_by(direction_blocks, "sobol", case, with_pdf=True, masked=False, one_sample=False),
+            )
             maps = maps[2:]
         for func, width, out in maps:
             if func is not None:

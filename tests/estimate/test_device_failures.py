@@ -27,7 +27,7 @@ def test_a_full_device_is_an_error_and_gives_all_back(name, bunny, some):
 
 
 def test_an_interrupt_of_rays_gives_all_back(bunny, some, monkeypatch):
-    def interrupted(*_):
+    def interrupted(*_, **__):
         raise KeyboardInterrupt
 
     monkeypatch.setattr("warpsample.tracing.rays.run", interrupted)
@@ -40,8 +40,8 @@ def test_an_interrupt_of_rays_gives_all_back(bunny, some, monkeypatch):
 def test_an_interrupt_between_parts_fetches_nothing_more_and_gives_all_back(normals, monkeypatch):
     parts, run = [], engine.run
 
-    def interrupted(*arguments):
-        parts.append(run(*arguments))
+    def interrupted(*arguments, **how):
+        parts.append(run(*arguments, **how))
         if len(parts) == 3:
             raise KeyboardInterrupt
 

@@ -102,7 +102,7 @@ def test_a_device_has_a_task_for_each_sample_or_ray(bunny, some, monkeypatch):
     """As CUDA wants it, whose neighbouring threads then read and write side by side."""
     tasks = []
     for module in ("warpsample.tracing.rays", "warpsample.directions.plan"):
-        monkeypatch.setattr(f"{module}.run", lambda _, count, *__: tasks.append(count))
+        monkeypatch.setattr(f"{module}.run", lambda _, count, *__, **___: tasks.append(count))
     with second_device(budget=1 << 28):
         ws.trace(bunny, some, np.ones((300, 5, 3)))
         ws.sample_directions(some, 7)

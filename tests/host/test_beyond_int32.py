@@ -55,18 +55,19 @@ def test_directions(count):
     normals[-3000:] = tail.ravel()
     status = np.zeros(points, np.uint8)
     distribution, sequence = ws.CosineHemisphere(), ws.sequences.get("sobol")
-    slots = (sequence, distribution.about(), None, 0.0, False, False)
+    parts = sequence, distribution.about()
+    how = {"redraw": None, "redraw_below": 0.0, "with_pdf": False, "masked": False}
     samples = SamplesArgs()
     samples.run_0, samples.run_1, samples.run_2, samples.run_3 = sequence.run_words(0, 0)
     samples.points, samples.count, samples.segment, samples.rows = points, count, count, 1
     samples.normals, samples.vectors, samples.status = normals.ctypes.data, vectors.ctypes.data, status.ctypes.data
     if count == 64:
         last, written = 1000, 1000 * count
-        launch_last(last, direction_rows(*slots, VARIATES), [samples], points)
+        launch_last(last, direction_rows(*parts, **how, chunk=VARIATES), [samples], points)
     else:
         last = 1000 * count // FLAT_BLOCK
         written = last * FLAT_BLOCK - FLAT_BLOCK  # the very last block is not full
-        launch_last(last, direction_blocks(*slots, False), [samples], -(-size // FLAT_BLOCK))
+        launch_last(last, direction_blocks(*parts, **how, one_sample=False), [samples], -(-size // FLAT_BLOCK))
     expected = ws.sample_directions(tail, count, first_point=points - 1000).vectors.ravel()
     assert written > 2000
     assert np.array_equal(vectors[-3 * written :], expected[-3 * written :])
@@ -77,7 +78,7 @@ def test_no_job_has_ids_of_two_high_words(first, monkeypatch):
     """A kernel adds to the low word of an id alone. The jobs are looked at, and not run."""
     points, jobs = 2**32 + 5, []
     normals, out = reserved(np.float32, 3 * points, 3 * points)
-    monkeypatch.setattr(plan, "run", lambda *arguments: jobs.append(arguments[2][0]))
+    monkeypatch.setattr(plan, "run", lambda *arguments, **_: jobs.append(arguments[2][0]))
     ws.sample_directions(normals.reshape(-1, 3), 1, first_point=first, out=out.reshape(-1, 1, 3))
     ends = np.cumsum([first, *(job.points for job in jobs)], dtype=object)
     assert ends[-1] == first + points

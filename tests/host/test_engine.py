@@ -24,7 +24,7 @@ def _count(out: wp.array[wp.int32], first_task: wp.int64):
 
 def count(out, workers, work=MUCH):
     """Adds 1 to each number of an array, a task for each."""
-    engine.run(_count, len(out), [wp.array(out, device=CPU, copy=False)], CPU, workers, work)
+    engine.run(_count, len(out), [wp.array(out, device=CPU, copy=False)], CPU, workers=workers, work=work)
 
 
 @pytest.fixture
@@ -65,7 +65,7 @@ def test_a_cuda_device_gets_tasks_enough_at_a_time(monkeypatch):
         monkeypatch.setattr(
             engine, "_share", lambda _, batch, *__, found=(least, most): commands.append(found[0] <= batch <= found[1])
         )
-        engine.run(_count, 10**6, [], device, 8, 64 * rays * 10**6)
+        engine.run(_count, 10**6, [], device, workers=8, work=64 * rays * 10**6)
     assert commands == [0, True, 0, True]  # one command each: launches queue up
 
 

@@ -31,7 +31,7 @@ def _count(out: wp.array[wp.int32], first_task: wp.int64):
 
 def count(out, workers, work=MUCH):
     """Adds 1 to each number of an array, a task for each."""
-    engine.run(_count, len(out), [wp.array(out, device=CPU, copy=False)], CPU, workers, work)
+    engine.run(_count, len(out), [wp.array(out, device=CPU, copy=False)], CPU, workers=workers, work=work)
 
 
 @pytest.fixture(autouse=True)

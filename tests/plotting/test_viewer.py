@@ -214,7 +214,7 @@ def test_ten_million_directions_are_a_bounded_picture(can_render, monkeypatch):
     """Of a mesh on a map of cities: drawn about its middle, where float32 keeps the clouds' shape."""
     box = trimesh.creation.box()
     mesh = ws.Mesh(box.vertices + np.array([5e6, 4e6, 100.0]), box.faces)
-    made = window.Viewer(mesh, 10_000_000, Choice(COSINE, samples=1000), "z", (1200, 675), off_screen=True)
+    made = window.Viewer(mesh, 10_000_000, Choice(COSINE, samples=1000), up="z", size=(1200, 675), off_screen=True)
     on_mesh, near = drawn(made)
     assert (len(on_mesh), len(near)) == (1_000_000, 1000)
     assert "1,000,000 points x 1 directions (of 10,000,000 x 1,000 asked for)" in made.caption.input

@@ -105,7 +105,7 @@ def test_the_sky_is_that_of_gendaymtx_but_for_its_scale(patches, sky, request):
 def test_far_east_of_the_date_line_the_sky_is_bright_about_the_sun(tmp_path, longitude, zone):
     """gendaymtx itself has no zones beyond 12 hours."""
     path = write_epw(tmp_path / "samoa.epw", latitude=-13.8, longitude=longitude, zone=zone, altitude=2)
-    light = light_of(path, ("02-27", "03-01"), 0.0, "reinhart2", (0, 0, 1), (0, 1, 0))
+    light = light_of(path, period=("02-27", "03-01"), ground_albedo=0.0, patches="reinhart2", up=(0, 0, 1), north=(0, 1, 0))
     high = light.sun[:, 2] > 0.3
     brightest = light.sky.directions[light.radiance[:, np.isin(light.sky_rows, light.sun_rows[high])].argmax(axis=0)]
     assert high.sum() > 20
@@ -113,7 +113,7 @@ def test_far_east_of_the_date_line_the_sky_is_bright_about_the_sun(tmp_path, lon
 
 
 def test_the_ground_is_that_of_gendaymtx_but_for_the_sun_s_place(athens):
-    light = light_of(athens, DAY, 0.2, "tregenza", (0, 0, 1), (0, 1, 0))
+    light = light_of(athens, period=DAY, ground_albedo=0.2, patches="tregenza", up=(0, 0, 1), north=(0, 1, 0))
     content = pyradiance.gendaymtx(athens, outform="f", solar_radiance=True, sky_color=[1, 1, 1])
     rows = np.frombuffer(content.partition(b"\n\n")[2], "<f4").reshape(146, 8760, 3)
     noon = 171 * 24 + 12
@@ -187,7 +187,9 @@ def test_the_hours_add_up_to_the_sum(yard, athens):
 def test_the_error_bars_are_honest(yard, athens):
     """The mean square of the differences between two runs is twice that of the error bars."""
     mesh, where = yard
-    light = light_of(athens, ("06-21T12", "06-21T13"), 1.0, "tregenza", (0, 0, 1), (0, 1, 0))
+    light = light_of(
+        athens, period=("06-21T12", "06-21T13"), ground_albedo=1.0, patches="tregenza", up=(0, 0, 1), north=(0, 1, 0)
+    )
     at = PlacedPoints.of(mesh, where)
     plans = (Plan.of(at, 64, RayOptions.of(len(at), seed=seed)) for seed in range(24))
     runs = [received(plan, light, series=False) for plan in plans]
@@ -202,7 +204,7 @@ def test_the_ground_beyond_the_mesh_has_rays_of_its_own(athens):
     floor = (np.array([[-500.0, 0, -1], [0, 0, -1], [0, 500, -1], [-500, 500, -1]]), np.array([[0, 1, 2], [0, 2, 3]]))
     where = points([(0, 1, 0), (0, 1, 0), (0, 0, 1)], 0.0)
     found = ws.irradiation(floor, where, athens, ground_albedo=1.0, period=DAY, patches="tregenza", count=1024)
-    light = light_of(athens, DAY, 1.0, "tregenza", (0, 0, 1), (0, 1, 0))
+    light = light_of(athens, period=DAY, ground_albedo=1.0, patches="tregenza", up=(0, 0, 1), north=(0, 1, 0))
     np.testing.assert_allclose(found.ground[:2], light.ground.sum() / 4000.0, rtol=0.01)
     assert found.ground[2] == 0.0
     assert (found.standard_error[:2] > 0.0).all()

@@ -146,21 +146,18 @@ def fork_while_making():
 
 def faces_changed():
     """The caller's own faces of points, changed between their check and their use, as by another thread."""
-    from warpsample.estimate import runner
-    from warpsample.tracing import trace
+    from warpsample.tracing import placed_points
 
     mesh = torus()
     points = ws.sample_surface(mesh, 1000)
     right = ws.ambient_occlusion(mesh, points, 40).value, ws.trace(mesh, points, points.normal).distance
-    good = points.face.copy()
-    for module in (runner, trace):
-        set_starts = module.set_starts
+    good, set_starts = points.face.copy(), placed_points.set_starts
 
-        def changed_first(*arguments, set_starts=set_starts):
-            points.face[:] = 2**30
-            return set_starts(*arguments)
+    def changed_first(*arguments, **how):
+        points.face[:] = 2**30
+        return set_starts(*arguments, **how)
 
-        module.set_starts = changed_first
+    placed_points.set_starts = changed_first
     occlusion = ws.ambient_occlusion(mesh, points, 40).value
     points.face[:] = good
     return same((occlusion, ws.trace(mesh, points, points.normal).distance), right)

@@ -154,18 +154,18 @@ def test_a_wall_in_the_middle_of_a_floor_has_the_points_on_its_foot_on_its_front
 
 def test_what_floats_starts_where_it_is(bunny, points):
     """What is on the surface starts within a few millionths of it, on the side of its normal."""
-    from warpsample.tracing import trace as tracing
+    from warpsample.tracing import placed_points
 
     started = []
 
-    def watched(scene, *arguments):
-        starts = set_starts(scene, *arguments)
+    def watched(scene, *arguments, **how):
+        starts = set_starts(scene, *arguments, **how)
         started.append(starts / scene.scale + scene.centre)
         return starts
 
-    set_starts = tracing.set_starts
+    set_starts = placed_points.set_starts
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(tracing, "set_starts", watched)
+        patch.setattr(placed_points, "set_starts", watched)
         ways = points.normal[:, None]
         ws.trace(bunny, points, ways)
         floating = ws.SurfacePoints(points.position + 0.01 * points.normal, points.normal)

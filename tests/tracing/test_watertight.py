@@ -57,7 +57,7 @@ def test_leaks_are_found():
 def test_points_that_start_on_their_face_are_found(monkeypatch):
     mesh = ws.Mesh(SPHERE.vertices, SPHERE.faces)
 
-    def not_moved(scene, placement, *_):
+    def not_moved(scene, placement, *_, **__):
         """The starts, right on the faces."""
         memory = (ctypes.c_double * (3 * placement.points)).from_address(placement.origins)
         places = np.ctypeslib.as_array(memory).reshape(-1, 3)
@@ -65,7 +65,7 @@ def test_points_that_start_on_their_face_are_found(monkeypatch):
         placement.starts = starts.ctypes.data
         return starts
 
-    monkeypatch.setattr("warpsample.tracing.trace.set_starts", not_moved)
+    monkeypatch.setattr("warpsample.tracing.placed_points.set_starts", not_moved)
     broken = {v.law for v in judge_mesh("sphere", mesh, (0.0, 0.0, 0.0), 1 << 16, 64) if not v.passed}
     assert "rays that meet their own face" in broken
 

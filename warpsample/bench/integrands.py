@@ -133,7 +133,7 @@ def evaluate(integrand: Integrand, w: np.ndarray) -> np.ndarray:
     target = new_vectors(source, source.shape, 1)
     kernel = elementwise(with_parameters(integrand.function, wp.vec3, 0), 3, 1)
     inputs = [source.count, FLAT_BLOCK, source.address, target.address, CosineHemisphere().kernel_parameters()]
-    run(kernel, -(-source.count // FLAT_BLOCK), inputs, source.device, check_workers(None), source.count)
+    run(kernel, -(-source.count // FLAT_BLOCK), inputs, source.device, workers=check_workers(None), work=source.count)
     return target.owner
 
 

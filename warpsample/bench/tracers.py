@@ -51,7 +51,7 @@ class Wide:
         asked = rays_of(placed(scene, start, np.inf), way, hits)
         counts = np.zeros((*way.shape, 2), np.int32)
         asked.visits = counts.ctypes.data
-        trace_rays(scene, asked, WIDE, any_hit, way.device, 1)
+        trace_rays(scene, asked, tracer=WIDE, any_hit=any_hit, device=way.device, workers=1)
         nodes, leaves = counts.reshape(-1, 2).mean(axis=0)
         return float(nodes), float(leaves)
 

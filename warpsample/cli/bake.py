@@ -37,6 +37,7 @@ def bake_command(
     output: Annotated[
         Path, typer.Option("--output", "-o", help="The file to write: .ply .vtp .glb .npz .csv .zarr.", show_default=False)
     ],
+    *,
     quantity: str = "ao",
     points: Annotated[
         int | None, typer.Option(help="So many points, uniform by area; else those of --at.", show_default=False)

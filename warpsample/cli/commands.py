@@ -76,6 +76,7 @@ def info(mesh: MeshFile) -> None:
 def directions_command(
     mesh: MeshFile,
     output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: .npz .vtp .ply.", show_default=False)],
+    *,
     points: Annotated[
         int | None, typer.Option(help="So many points, uniform by area; 10,000 without --at.", show_default=False)
     ] = None,
@@ -105,6 +106,7 @@ app.command("view-factors")(fail_plainly()(radiation.view_factors_command))
 @fail_plainly()
 def view(
     mesh: Annotated[Path | None, typer.Argument(help=f"{MESH_HELP}; by default the bunny in warp-lang.")] = None,
+    *,
     points: Annotated[int, typer.Option(help="How many surface points, uniform by area.", min=1)] = 100,
     samples: Annotated[int, typer.Option(help="Directions at each point.", min=1)] = 1024,
     distribution: Annotated[
@@ -143,7 +145,7 @@ def view(
             start.window(surface, points, choice, up, size)
         return
     with working(f"drawing {screenshot}; kernels are compiled when first used, for about 10 s"):
-        seen = start.save(surface, points, choice, up, size, screenshot)
+        seen = start.save(surface, points, choice, up=up, size=size, path=screenshot)
     print(f"{screenshot}: {seen}")
 
 

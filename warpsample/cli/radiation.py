@@ -14,6 +14,7 @@ def view_factors_command(
         Path,
         typer.Option("--output", "-o", help="The file to write: .npz .vf, or vfsparse.inp and more.", show_default=False),
     ],
+    *,
     count: Annotated[int, typer.Option(help="Rays of each face.")] = 4096,
     groups: Annotated[
         Path | None,
@@ -42,6 +43,7 @@ def shading_command(
         typer.Argument(help="Text with a line for each triangle: its surface's name in EnergyPlus.", show_default=False),
     ],
     output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: .csv.", show_default=False)],
+    *,
     weather: Annotated[Path, typer.Option(help="The place and its hours, .epw, or athens, an example.", show_default=False)],
     samples: Annotated[int, typer.Option(help="Points of each surface, uniform by area.")] = 1024,
     up: Annotated[tuple[float, float, float], typer.Option(help="The sky's axis.")] = (0.0, 0.0, 1.0),

@@ -36,7 +36,7 @@ def dataset_of(job: Job) -> xr.Dataset:
     for i in range(job.count):
         given, rows = ([blocks[name][i] for name in names] for names in (job.given, job.rows))
         start = i * job.chunk
-        chunk = (job.call, start, start + job.rows_of(i), shared, given)
+        chunk = (job.call, range(start, start + job.rows_of(i)), shared, given)
         tasks[work, i] = (numbers_in, *chunk, rows)
         if job.call.at:
             tasks["points-" + work, i] = (points_in, *chunk)

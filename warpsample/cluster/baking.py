@@ -108,21 +108,21 @@ def _tasks(job: Job, store: Path, chunks: list[int]) -> Array:
     tasks, shared = shared_by_key(job)
     blocks = blocks_of(job)
     for number, i in enumerate(chunks):
-        given, rows = [blocks[key][i] for key in job.given], [blocks[key][i] for key in job.rows]
-        tasks[name, number] = (bake_chunk, job.call, str(store), i * job.chunk, job.rows_of(i), shared, given, rows)
+        own = [[blocks[key][i] for key in keys] for keys in (job.given, job.rows)]
+        start = i * job.chunk
+        tasks[name, number] = (bake_chunk, job.call, str(store), range(start, start + job.rows_of(i)), shared, own)
     graph = HighLevelGraph.from_collections(name, tasks, dependencies=[*job.given.values(), *job.rows.values()])
     return Array(graph, name, ((1,) * len(chunks),), dtype=DONE)
 
 
-def bake_chunk(
-    call: Call, store: str, start: int, count: int, shared: list[Any], given: list[np.ndarray], rows: list[np.ndarray]
-) -> np.ndarray:
-    """One task: computes a chunk and writes it."""
-    points = points_in(call, start, start + count, shared, given)
-    found = numbers(call, start, points, shared, rows)
+def bake_chunk(call: Call, store: str, span: range, shared: list[Any], blocks: list[list[np.ndarray]]) -> np.ndarray:
+    """One task: computes the rows of a span and writes them; `blocks` are of the points' arrays and of the arguments'."""
+    given, rows = blocks
+    points = points_in(call, span, shared, given)
+    found = numbers(call, span.start, points, shared, rows)
     arrays = {name: array for name, array in found.items() if isinstance(array, np.ndarray)}
     where = {} if points is None else {name: getattr(points, name) for name in POINT_ARRAYS}
-    put(Path(store), start, where | arrays)
+    put(Path(store), span.start, where | arrays)
     rays = int(found["rays"].sum(dtype=np.int64)) if "rays" in found else 0
     error = np.square(found["standard_error"], dtype=np.float64) if "standard_error" in found else np.zeros(1)
-    return np.array([(count, rays, error.reshape(len(error), -1).mean(axis=1).sum())], DONE)
+    return np.array([(len(span), rays, error.reshape(len(error), -1).mean(axis=1).sum())], DONE)

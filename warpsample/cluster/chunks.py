@@ -48,25 +48,25 @@ class Call:
     first_point: int
 
 
-def points_in(call: Call, start: int, stop: int, shared: list[Any], given: list[np.ndarray]) -> SurfacePoints | None:
-    """The points of a chunk, rows from start to stop: those given, or as the functions of `warpsample` make them."""
+def points_in(call: Call, span: range, shared: list[Any], given: list[np.ndarray]) -> SurfacePoints | None:
+    """The points of a chunk, rows of that span: those given, or as the functions of `warpsample` make them."""
     if given or not call.at:
         return SurfacePoints(*given) if given else None
     mesh = shared[0]
     if call.place == "area":
-        return sample_surface(mesh, stop - start, seed=call.seed, first_point=call.first_point + start, workers=1)
-    rows = slice(start, stop)
+        return sample_surface(mesh, len(span), seed=call.seed, first_point=call.first_point + span.start, workers=1)
+    rows = slice(span.start, span.stop)
     if call.place == "vertices":
         return SurfacePoints(mesh.vertices[rows].copy(), mesh.vertex_normals[rows].copy())
     position = mesh.vertices[mesh.faces[rows]].mean(axis=1)
-    return SurfacePoints(position, mesh.face_normals[rows].copy(), np.arange(start, stop, dtype=np.int32))
+    return SurfacePoints(position, mesh.face_normals[rows].copy(), np.arange(span.start, span.stop, dtype=np.int32))
 
 
 def numbers_in(
-    call: Call, start: int, stop: int, shared: list[Any], given: list[np.ndarray], rows: list[np.ndarray]
+    call: Call, span: range, shared: list[Any], given: list[np.ndarray], rows: list[np.ndarray]
 ) -> dict[str, Any]:
     """The fields of a chunk's result; its points are made on the way, which is faster than a task for them."""
-    return numbers(call, start, points_in(call, start, stop, shared, given), shared, rows)
+    return numbers(call, span.start, points_in(call, span, shared, given), shared, rows)
 
 
 def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[Any], rows: list[Any]) -> dict[str, Any]:

@@ -15,7 +15,7 @@ _STRIDE = FLAT_BLOCK + LANES
 
 @once
 def _mender(
-    sequence: Sequence, about: wp.Function, redraw: wp.Function | None, redraw_below: float, with_pdf: bool, masked: bool
+    sequence: Sequence, about: wp.Function, *, redraw: wp.Function | None, redraw_below: float, with_pdf: bool, masked: bool
 ) -> wp.Function:
     """A function that clears what has no direction, says why, and redraws; scalar, for the few blocks with such a pair."""
     (store, weigh), redraws = accessors(with_pdf, masked), redraw is not None
@@ -107,6 +107,7 @@ def _repeat(
 def direction_blocks(
     sequence: Sequence,
     about: wp.Function,
+    *,
     redraw: wp.Function | None,
     redraw_below: float,
     with_pdf: bool,
@@ -119,7 +120,7 @@ def direction_blocks(
     a gather from an array that the stores might alias would keep the loop scalar.
     """
     (store, _), redraws = accessors(with_pdf, masked), redraw is not None
-    mend = _mender(sequence, about, redraw, redraw_below, with_pdf, masked)
+    mend = _mender(sequence, about, redraw=redraw, redraw_below=redraw_below, with_pdf=with_pdf, masked=masked)
     write_units, fill = unit_normals(masked, _STRIDE, False), _block_variates(sequence, one_sample)
     floats = 2 * FLAT_BLOCK + (3 if one_sample else 6) * _STRIDE
     repeated_at = 4 * (floats - 3 * _STRIDE)  # bytes; where each point has one sample, that is where the units are

@@ -68,20 +68,21 @@ class DirectionPlan:
             args.run_0, args.run_1, args.run_2, args.run_3 = self.sequence.run_words(self.options.seed, high)
             args.points = end - start
             kernel, tasks, args.segment, args.rows = self.kernel(device, args.points, masked=whole.active != 0)
-            run(kernel, tasks, [args], device, self.options.workers, args.points * self.count)
+            run(kernel, tasks, [args], device, workers=self.options.workers, work=args.points * self.count)
 
     def kernel(self, device: wp.Device, points: int, masked: bool) -> tuple[wp.Kernel, int, int, int]:
         """(kernel, tasks, samples of a segment, rows of a task): rows where one fills the vector lanes, and on CUDA."""
-        maps = self.distribution.maps
-        slots = (self.sequence, self.distribution.about(), maps.redraw, maps.redraw_below, self.pdf, masked)
+        maps, parts = self.distribution.maps, (self.sequence, self.distribution.about())
+        how = {"redraw": maps.redraw, "redraw_below": maps.redraw_below, "with_pdf": self.pdf, "masked": masked}
         if not at_home(device):
-            return direction_rows(*slots, 1), points * self.count, 1, 1
+            return direction_rows(*parts, **how, chunk=1), points * self.count, 1, 1
         if self.count >= _ROW:
             segment = min(self.count, _SEGMENT)
             rows = min(max(1, _TASK // self.count), MOST_ROWS) if segment == self.count else 1
             tasks = -(-points * -(-self.count // segment) // rows)
-            return direction_rows(*slots, CHUNK), tasks, segment, rows
-        return direction_blocks(*slots, self.count == 1), -(-points * self.count // FLAT_BLOCK), FLAT_BLOCK, 1
+            return direction_rows(*parts, **how, chunk=CHUNK), tasks, segment, rows
+        kernel = direction_blocks(*parts, **how, one_sample=self.count == 1)
+        return kernel, -(-points * self.count // FLAT_BLOCK), FLAT_BLOCK, 1
 
 
 def _beside(normals: Vectors, active: np.ndarray | None) -> Array | None:

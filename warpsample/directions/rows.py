@@ -57,7 +57,7 @@ def _clearer(with_pdf: bool, masked: bool) -> wp.Function:
 
 @once
 def _chunk_filler(
-    sequence: Sequence, about: wp.Function, redraw: wp.Function | None, redraw_below: float, with_pdf: bool, chunk: int
+    sequence: Sequence, about: wp.Function, *, redraw: wp.Function | None, redraw_below: float, with_pdf: bool, chunk: int
 ) -> wp.Function:
     """A function that writes the directions of a chunk; what `redraw` is for, in a second pass, as it is rare."""
     fill, (store, _), redraws = fill_variates(sequence, chunk), accessors(with_pdf, False), redraw is not None
@@ -101,6 +101,7 @@ def _chunk_filler(
 def direction_rows(
     sequence: Sequence,
     about: wp.Function,
+    *,
     redraw: wp.Function | None,
     redraw_below: float,
     with_pdf: bool,
@@ -119,7 +120,7 @@ def direction_rows(
         chunk: samples whose variates are computed ahead: CHUNK, or 1.
     """
     move, clear = _mover(with_pdf), _clearer(with_pdf, masked)
-    fill_chunk = _chunk_filler(sequence, about, redraw, redraw_below, with_pdf, chunk)
+    fill_chunk = _chunk_filler(sequence, about, redraw=redraw, redraw_below=redraw_below, with_pdf=with_pdf, chunk=chunk)
     key_of, lanes, most_rows = sequence.key, min(LANES, chunk), MOST_ROWS if chunk > 1 else 1
     write_units, floats = unit_normals(masked, most_rows, True), 6 * chunk + 4 * most_rows
 

@@ -217,5 +217,5 @@ def sample_square(sequence: str, points: int, count: int, *, seed: int = 0, firs
     for start, end in same_high_word(options.first_point, points):
         pairs = (end - start) * count
         inputs = [pairs, FLAT_BLOCK, count, options.seed, options.first_point + start, square[start:].ctypes.data]
-        run(square_blocks(record), -(-pairs // FLAT_BLOCK), inputs, cpu(), options.workers, pairs)
+        run(square_blocks(record), -(-pairs // FLAT_BLOCK), inputs, cpu(), workers=options.workers, work=pairs)
     return square

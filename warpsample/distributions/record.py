@@ -168,7 +168,7 @@ class Distribution:
         """
         u = from_cuda(u, "u")
         u = u if isinstance(u, wp.array) else as_square(u, "u")
-        return self._map(self.maps.sample, u, 2, self.width, "u")
+        return self._map(self.maps.sample, u, width=2, out_width=self.width, argument="u")
 
     def pdf(self, w: Any) -> Array:
         """Density at unit directions, in the distribution's measure.
@@ -186,7 +186,7 @@ class Distribution:
             >>> print(ws.CosineHemisphere().pdf(np.array([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])).round(4))  # 1 / pi; below: 0
             [0.3183 0.    ]
         """
-        return self._map(self.maps.pdf, w, self.width, 1, "w")
+        return self._map(self.maps.pdf, w, width=self.width, out_width=1, argument="w")
 
     def invert(self, w: Any) -> Array:
         """The points of the square that `sample` sends to the directions w.
@@ -208,7 +208,7 @@ class Distribution:
         """
         if self.maps.invert is None:
             raise NotImplementedError(f"{self!r}: sample sends several u to one w, so it has no inverse")
-        return self._map(self.maps.invert, w, self.width, 2, "w")
+        return self._map(self.maps.invert, w, width=self.width, out_width=2, argument="w")
 
     def kernel_parameters(self) -> Parameters:
         """This instance's scalars as the kernels take them.
@@ -238,7 +238,7 @@ class Distribution:
         count = len(self.parameters)
         return about_frame(with_parameters(maps.sample, wp.vec2, count), with_parameters(maps.pdf, wp.vec3, count))
 
-    def _map(self, func: wp.Function, x: Any, width: int, out_width: int, argument: str) -> Array:
+    def _map(self, func: wp.Function, x: Any, *, width: int, out_width: int, argument: str) -> Array:
         source = as_vectors(x, width, argument)
         target = new_vectors(source, source.shape, out_width)
         bound = with_parameters(func, _VECTORS[width], len(self.parameters))
@@ -246,5 +246,5 @@ class Distribution:
         inputs = [source.count, block, source.address, target.address, self.kernel_parameters()]
         if source.count:
             kernel = elementwise(bound, width, out_width)
-            run(kernel, -(-source.count // block), inputs, source.device, check_workers(None), source.count)
+            run(kernel, -(-source.count // block), inputs, source.device, workers=check_workers(None), work=source.count)
         return target.owner

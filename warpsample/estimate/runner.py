@@ -42,17 +42,17 @@ class Runner:
         shape = (points,) if channels == 1 else (points, channels)
         value, error, spread, degrees = (np.zeros(shape, np.float32) for _ in range(4))
         cast, empty, status = (np.zeros(points, kind) for kind in (np.int32, np.int32, np.uint8))
-        cells = cells_of(count, self.plan.distribution, self.traced)
+        strata = cells_of(count, self.plan.distribution, self.traced)
         for rows in self.options.memory.parts(points, _BYTES_OF_POINT):
             with self.options.memory.loan() as loan:
-                part = self._part(loan, rows, cells, self.options.skip if skip is None else skip)
+                part = self._part(loan, rows, strata, self.options.skip if skip is None else skip)
                 part.seed = seed
                 part.value, part.error, part.spread, part.degrees, part.cast, part.empty, part.status = (
                     loan.output(array, rows, zero=chosen is not None)
                     for array in (value, error, spread, degrees, cast, empty, status)
                 )
                 self._run(loan, part, None if chosen is None else chosen[rows])
-        total = np.where(status == 0, cells.rays, 0)
+        total = np.where(status == 0, strata.rays, 0)
         skipped = Skipped(
             points=int(np.count_nonzero(status)),
             open_points=int(np.count_nonzero((empty == total) & (total > 0))),
@@ -70,7 +70,7 @@ class Runner:
             placement.reach = min(placement.reach, _MOST_REACH)
         return placement
 
-    def _part(self, loan: Loan, rows: slice, cells: Cells, skip: bool) -> LobesArgs:
+    def _part(self, loan: Loan, rows: slice, strata: Cells, skip: bool) -> LobesArgs:
         """The lobes of some points, without the seed of their rays and where their numbers go."""
         options = self.options
         part = LobesArgs(
@@ -79,12 +79,12 @@ class Runner:
             first_row=rows.start,
             normals=loan.put(self.at.normal, rows),
             active=loan.put(options.active, rows),
-            each=cells.each,
-            bands=cells.bands,
-            sectors=cells.sectors,
-            beams=loan.put(cells.beams) if cells.beams.size and skip and options.tracer.skips else 0,
+            each=strata.each,
+            bands=strata.bands,
+            sectors=strata.sectors,
+            beams=loan.put(strata.beams) if strata.beams.size and skip and options.tracer.skips else 0,
             skip=skip,
-            edge=options.sequence.edge_variance(cells.each),
+            edge=options.sequence.edge_variance(strata.each),
             falloff=self.summed.falloff or 0.0,
             parameters=self.plan.distribution.kernel_parameters().__ctype__(),
         )
@@ -111,7 +111,7 @@ class Runner:
         lobes.visits = len(rows)
         lobes.rows = min(max(1, _TASK // rays), _MOST_ROWS) if at_home(memory.device) else 1
         kernel, tasks = estimate_kernel(self._slots()), -(-len(rows) // lobes.rows)
-        run(kernel, tasks, [lobes, accelerator, self.data], memory.device, options.workers, work)
+        run(kernel, tasks, [lobes, accelerator, self.data], memory.device, workers=options.workers, work=work)
 
     def _slots(self) -> Slots:
         plan, integrand, any_hit = self.plan, self.summed.integrand, self.summed.falloff is None

@@ -1,7 +1,7 @@
 """How many rays reach a standard error: found by a trial, by more and more rays from some of the points.
 
 The trial has random numbers of its own and is then forgotten, so what its rays happened to meet does not sway the result.
-All points take one count: where nothing is to be met, cells of the lobe are found empty and cost no ray, so counts of their
+All points take one count: where nothing is to be met, strata of the lobe are found empty and cost no ray, so counts of their
 own would save little, and a trial of each point would cost more than that.
 """
 
@@ -15,12 +15,12 @@ from warpsample.estimate.runner import Runner
 from warpsample.sequences.hashing import seed_for
 
 _AIM = 0.98  # of the tolerance: the trial's own error is 3 %, what it foretells errs upwards, and counts are rounded up
-_SHARE, _LEAST_SHARE = 12, 48  # one point in so many: the more cells a lobe has, the more each point tells
+_SHARE, _LEAST_SHARE = 12, 48  # one point in so many: the more strata a lobe has, the more each point tells
 _FEWEST_POINTS, _MOST_POINTS = 256, 1 << 14
 _TURN = 0.6180339887498949  # 1 / phi: points that are evenly spread over the rows, however many are taken
 _FIRST, _LEAST = 8, 4  # rays of the first round; and the fewest of the result, two of each replicate
 _FAR, _FAR_OF_ONE_CELL, _FARTHEST = 1.3, 2.0, 32.0  # needed of those tried: foretold; tried of those of the round before
-_WORTH_TRYING = 1.5  # rays where finer cells begin, of those needed
+_WORTH_TRYING = 1.5  # rays where finer strata begin, of those needed
 _SLOWEST, _FASTEST, _APART = 0.5, 2.0, 4.0  # powers of the rays with which an error falls; told by so many times the rays
 _ROUNDS = 8
 _PRIOR = 16.0  # points' worth of what edges let expect, for few points and for where no ray has met anything
@@ -40,7 +40,7 @@ def count_within(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
         if needed > top and trial.needed(tolerance) <= top:
             needed = top
         if fewest / 2 <= needed < fewest:
-            needed = fewest  # coarser cells may have a larger error
+            needed = fewest  # coarser strata may have a larger error
         far = (_FAR if fewest > _FIRST else _FAR_OF_ONE_CELL) * trial.count
         if fewest <= needed <= min(far, top) or (trial.count == most and needed >= fewest):
             break
@@ -49,7 +49,7 @@ def count_within(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
 
 
 def _finer_if_less(trial: "_Trial", needed: float, aim: float) -> float:
-    """What is needed, or more with finer cells, if fewer rays of these are cast: more cells are empty."""
+    """What is needed, or more with finer strata, if fewer rays of these are cast: more strata are empty."""
     cast, top = trial.cast * needed, counts_with_the_cells_of(needed)[1]
     finer = counts_with_the_cells_of(_WORTH_TRYING * needed)[0]
     if not (counts_with_the_cells_of(_FIRST)[1] < top < finer <= trial.runner.plan.count):
@@ -80,19 +80,19 @@ class _Trial:
         self.active, self.rays = len(rows), np.zeros(len(runner.at), np.int32)
 
     def whole(self, count: float) -> int:
-        """A count rounded up to what the cells and the sequence go into, but not beyond the plan's."""
+        """A count rounded up to what the strata and the sequence go into, but not beyond the plan's."""
         plan = self.runner.plan
         rays = int(np.ceil(min(count, plan.count)))
-        if self.runner.options.sequence.nets:  # of cells and replicates there are powers of two, too
+        if self.runner.options.sequence.nets:  # of strata and replicates there are powers of two, too
             return min(1 << (rays - 1).bit_length(), plan.count)
         step = cells_of(rays, traced=self.runner.traced).step
         return min(-(-rays // step) * step, plan.count)
 
     def run(self, count: float) -> None:
-        """A round: the rows that are taken fall with the root of the number of cells."""
+        """A round: the rows that are taken fall with the root of the number of strata."""
         traced, count = self.runner.traced, self.whole(count)
-        cells = cells_of(count, traced=traced)
-        share = min(_SHARE * np.sqrt(cells.bands * cells.sectors), _LEAST_SHARE)
+        strata = cells_of(count, traced=traced)
+        share = min(_SHARE * np.sqrt(strata.bands * strata.sectors), _LEAST_SHARE)
         chosen = np.zeros(len(self.runner.at), bool)
         chosen[self.rows[: max(int(self.active / share), _FEWEST_POINTS)]] = True
         # Skipping whatever the call says, as it changes no bit: so the count does not depend on it either.

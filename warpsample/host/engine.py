@@ -63,7 +63,7 @@ def check_memory(needed: int, what: str, remedy: str) -> None:
         raise MemoryError(f"{what} need {needed / 1e9:.1f} GB and {free / 1e9:.1f} GB are free; {remedy}")
 
 
-def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, workers: int, work: int) -> None:
+def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, *, workers: int, work: int) -> None:
     """Runs `kernel(*inputs, first_task)` once for each task; `wp.tid()` counts from first_task, an int64.
 
     Args:

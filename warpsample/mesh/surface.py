@@ -145,7 +145,9 @@ def sample_surface(
                 found = [loan.output(array, rows) for array in (position, normal, face)]
                 found.append(loan.output(weights, rows) if barycentric else 0)
                 inputs = [options.seed, options.first_point + rows.start, points, *surface, *found]
-                run(place_points(block), -(-points // block), inputs, memory.device, options.workers, 8 * points)
+                run(
+                    place_points(block), -(-points // block), inputs, memory.device, workers=options.workers, work=8 * points
+                )
     return SurfacePoints(position, normal, face, weights if barycentric else None)
 
 

@@ -44,9 +44,11 @@ class LobeCharts:
         self.size = size
         self.figure = Figure(figsize=(_WIDTH, _WIDTH * size[1] / size[0]), dpi=size[0] / _WIDTH)
         self._canvas = FigureCanvasAgg(self.figure)
-        self.theta = HistogramChart(self.figure, (0.1, 0.685, 0.88, 0.25), (0.1, 0.575, 0.88, 0.085), "θ", "from the normal")
+        self.theta = HistogramChart(
+            self.figure, above=(0.1, 0.685, 0.88, 0.25), below=(0.1, 0.575, 0.88, 0.085), name="θ", label="from the normal"
+        )
         self.azimuth = HistogramChart(
-            self.figure, (0.1, 0.185, 0.37, 0.235), (0.1, 0.075, 0.37, 0.085), "φ", "about the normal"
+            self.figure, above=(0.1, 0.185, 0.37, 0.235), below=(0.1, 0.075, 0.37, 0.085), name="φ", label="about the normal"
         )
         style = {"frameon": False, "fontsize": _TEXT, "handlelength": 1.2}
         self.figure.legend(handles=self.theta.handles, loc="upper right", bbox_to_anchor=(0.99, 1.005), **style)
@@ -102,7 +104,7 @@ class HistogramChart:
         handles: the bars and the line, for a legend.
     """
 
-    def __init__(self, figure: Any, above: tuple[float, ...], below: tuple[float, ...], name: str, label: str):
+    def __init__(self, figure: Any, *, above: tuple[float, ...], below: tuple[float, ...], name: str, label: str):
         """Adds it to a figure.
 
         Args:

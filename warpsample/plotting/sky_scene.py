@@ -60,6 +60,7 @@ def patches_on_map(altitudes: np.ndarray, azimuths: np.ndarray) -> tuple[np.ndar
 def sun_and_sky(
     mesh: tuple[np.ndarray, np.ndarray],
     year: Panel,
+    *,
     hours: np.ndarray,
     hour: int,
     sky: SkyMap,

@@ -102,5 +102,5 @@ def judge_mesh(name: str, mesh: Mesh, origin: tuple[float, float, float], inside
         Verdict.of_error("rays that leave a closed mesh", name, escaped, note=everywhere),
         Verdict.of_error("rays between two faces", name, through[0], note=aimed_at),
         Verdict.of_error("rays that meet their own face", name, own, note="of surface points, outward"),
-        Verdict.of_error("tracers that differ", name, differ, _most_apart(inside), "wide and wp.Mesh"),
+        Verdict.of_error("tracers that differ", name, differ, limit=_most_apart(inside), note="wide and wp.Mesh"),
     ]

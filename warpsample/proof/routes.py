@@ -197,5 +197,7 @@ def judge_routes() -> list[Verdict]:
         }
         verdicts += [Verdict.of_chance(law, name, p_value) for law, p_value in p_values.items()]
     # Both maps are accurate to 2e-7, and the rounding of u moves a float64 formula by 6e-8 of a turn.
-    verdicts += [Verdict.of_error("one map, two routes", n, value, 5e-7) for n, value in _point_by_point().items()]
-    return verdicts + [Verdict.of_error("one density, two routes", n, v, 2e-6) for n, v in _density_by_density().items()]
+    verdicts += [Verdict.of_error("one map, two routes", n, value, limit=5e-7) for n, value in _point_by_point().items()]
+    return verdicts + [
+        Verdict.of_error("one density, two routes", n, v, limit=2e-6) for n, v in _density_by_density().items()
+    ]

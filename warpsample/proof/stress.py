@@ -71,9 +71,11 @@ def judge_normals(distribution: Distribution) -> list[Verdict]:
     return [
         Verdict.of_error("hostile normals, lost", name, lost),
         # The columns of the frame add 1e-7 to the 2e-7 of the local direction.
-        Verdict.of_error("hostile normals, unit length", name, laws.length_error(w), 2.5e-7),
-        Verdict.of_error("hostile normals, direction", name, laws.angle_error(w[kept], exact[kept]), angle, note),
-        Verdict.of_error("hostile normals, density", name, laws.density_error(got.pdf[kept], densities), density, note),
+        Verdict.of_error("hostile normals, unit length", name, laws.length_error(w), limit=2.5e-7),
+        Verdict.of_error("hostile normals, direction", name, laws.angle_error(w[kept], exact[kept]), limit=angle, note=note),
+        Verdict.of_error(
+            "hostile normals, density", name, laws.density_error(got.pdf[kept], densities), limit=density, note=note
+        ),
     ]
 
 
@@ -99,10 +101,10 @@ def judge_indices(name: str) -> Verdict:
     columns = np.array(asked, np.uint64).T
     worst = 0
     for seed in _SEEDS:
-        want = np.array([expected(name, seed, p, s, c) for p, s, c in asked])
+        want = np.array([expected(name, seed=seed, point=p, sample=s, count=c) for p, s, c in asked])
         worst = max(worst, int(np.abs(grid_cells(name, seed, None, *columns) - want).max()))
     note = f"cells of 2^-24; ids to 2^64, indices to 2^31, {len(_SEEDS)} seeds"
-    return Verdict.of_error("indices", name, worst, float(sequences.get(name).cells_off), note)
+    return Verdict.of_error("indices", name, worst, limit=float(sequences.get(name).cells_off), note=note)
 
 
 def judge_meshes() -> list[Verdict]:
@@ -117,7 +119,7 @@ def judge_meshes() -> list[Verdict]:
         normal = np.cross(b - a, c - a)
         height = np.abs(((points.position - a) * normal).sum(axis=1)) / np.linalg.norm(normal, axis=1)
         ulps, edges = height.max() / np.spacing(scale + offset), f"edges of {scale:g} at {offset:g}"
-        verdicts.append(Verdict.of_error("points on their face", edges, ulps, 4.0, "in float64 ulps"))
+        verdicts.append(Verdict.of_error("points on their face", edges, ulps, limit=4.0, note="in float64 ulps"))
     bad = np.concatenate([faces, [(0, 0, 1), (1, 1, 1), (0, 1, 4), (0, 1, 2)]])  # degenerate, a sliver, a duplicate
     points = sample_surface((np.concatenate([corner, [(0.5, 1e-300, 0.0)]]), bad), 100_000)
     on_bad = np.isin(points.face, (4, 5, 6)).sum() + (~np.isfinite(points.position)).sum()

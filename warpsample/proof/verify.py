@@ -41,7 +41,7 @@ class Verdict:
     note: str = ""
 
     @classmethod
-    def of_error(cls, law: str, subject: str, measured: float, limit: float = 0.0, note: str = "") -> "Verdict":
+    def of_error(cls, law: str, subject: str, measured: float, *, limit: float = 0.0, note: str = "") -> "Verdict":
         """The verdict on a worst error or a number of failures, which may be `limit` at most."""
         return cls(law, subject, float(measured), limit, False, note)
 
@@ -84,7 +84,7 @@ class Law:
             measured, note = 0.0 if self.limit is None else float("inf"), str(error)
         if self.limit is None:
             return Verdict.of_chance(self.name, subject.name, measured, note)
-        return Verdict.of_error(self.name, subject.name, measured, self.limit(subject.twin), note)
+        return Verdict.of_error(self.name, subject.name, measured, limit=self.limit(subject.twin), note=note)
 
 
 def _fixed(limit: float) -> Callable[[Distribution], float]:

@@ -39,7 +39,7 @@ class RayOptions(CallOptions):
         return cls(**vars(CallOptions.of(points, **drawn)), sequence=sequences.get(sequence))
 
     def by(self, *, skip: bool = True, tracer: str = "auto", **how: Any) -> "RayOptions":
-        """The same rays, cast in another way.
+        """A copy of the options of which one says how the rays are cast.
 
         Args:
             skip: whether to leave out rays whose answer is known: parts of the mesh below a point's horizon are not looked

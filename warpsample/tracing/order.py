@@ -27,7 +27,7 @@ def order_of(scene: Scene, placement: PlacementArgs, count: int, workers: int) -
     if len(scene.faces) < MANY_FACES or points < _FEW_POINTS or count < _FEW_RAYS:
         return None
     cells = np.empty(points, np.uint16)
-    run(_point_cells(), points, [placement, cells.ctypes.data], cpu(), workers, points)
+    run(_point_cells(), points, [placement, cells.ctypes.data], cpu(), workers=workers, work=points)
     if np.count_nonzero(cells[1:] != cells[:-1]) < _COHERENT * points:
         return None
     return np.argsort(cells, kind="stable")

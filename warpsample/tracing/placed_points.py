@@ -30,13 +30,17 @@ class PlacedPoints:
         side: (P, 3) float32, unit or zero, the normals of the faces that points lie on, else their own; None without a mesh.
     """
 
-    def __init__(self, points: SurfacePoints, mesh: Mesh | None) -> None:
-        """Finds faces and normals; where rays start is found when a placement is asked for."""
+    def __init__(self, points: SurfacePoints, mesh: Mesh | None, argument: str = "points") -> None:
+        """Finds faces and normals; where rays start is found when a placement is asked for.
+
+        Raises:
+            ValueError: a face that the mesh has not; names the argument.
+        """
         self.points, self.mesh = points, mesh
         self.scene: Scene | None = scene_of(mesh) if mesh else None
-        self.position = Triples.of(points.position, "points.position")
-        self.normal = as_directions(Triples.of(points.normal, "points.normal").owner)
-        self.face, self.side = faces_and_normals(mesh, points, "points") if mesh else (None, None)
+        self.position = Triples.of(points.position, f"{argument}.position")
+        self.normal = as_directions(Triples.of(points.normal, f"{argument}.normal").owner)
+        self.face, self.side = faces_and_normals(mesh, points, argument) if mesh else (None, None)
         self._known: dict[tuple[Tracer, bool], tuple[PlacementArgs, np.ndarray | None]] = {}
 
     @classmethod
@@ -80,7 +84,9 @@ class PlacedPoints:
         if key not in self._known:
             placement = placed(self.scene, self.position, inf)
             placement.normals = self.side.ctypes.data
-            starts = set_starts(self.scene, placement, self.face, towards, options.tracer, options.workers)
+            starts = set_starts(
+                self.scene, placement, self.face, towards=towards, tracer=options.tracer, workers=options.workers
+            )
             self._known[key] = placement, starts
         placement = PlacementArgs.from_buffer_copy(self._known[key][0])
         placement.reach = reach * self.scene.scale

@@ -167,7 +167,7 @@ def ray_kernel(prepare: wp.Function, query: wp.Function, size: int = CHUNK_FLOAT
     return each_ray
 
 
-def trace_rays(scene: Scene, rays: RaysArgs, tracer: Tracer, any_hit: bool, device: wp.Device, workers: int) -> None:
+def trace_rays(scene: Scene, rays: RaysArgs, *, tracer: Tracer, any_hit: bool, device: wp.Device, workers: int) -> None:
     """Traces rays against a scene, in the order that suits it.
 
     Args:
@@ -188,4 +188,4 @@ def launch_rays(kernel: wp.Kernel, accelerator: AcceleratorArgs, rays: RaysArgs,
     """Runs rays through a kernel of `ray_kernel`."""
     total = rays.placement.points * rays.count
     rays.each = CHUNK if at_home(device) else 1  # on CUDA neighbouring threads then trace neighbouring rays
-    run(kernel, -(-total // rays.each), [rays, accelerator], device, workers, RAY_WORK * total)
+    run(kernel, -(-total // rays.each), [rays, accelerator], device, workers=workers, work=RAY_WORK * total)

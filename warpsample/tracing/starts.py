@@ -43,7 +43,7 @@ def faces_and_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origin
 
 
 def set_starts(
-    scene: Scene, placement: PlacementArgs, face: np.ndarray, towards: np.ndarray | None, tracer: Tracer, workers: int
+    scene: Scene, placement: PlacementArgs, face: np.ndarray, *, towards: np.ndarray | None, tracer: Tracer, workers: int
 ) -> np.ndarray | None:
     """Tells a placement of points on faces where their rays start; gives the array of starts, which the caller keeps.
 
@@ -71,7 +71,7 @@ def set_starts(
     seats.spread_x, seats.spread_y, seats.spread_z = scene.spread
     seats.starts, seats.sides = starts.ctypes.data, sides
     tree = tracer.accelerator(scene, cpu(), workers)
-    run(_start_kernel(), placement.points, [seats, tree], cpu(), workers, 16 * placement.points)
+    run(_start_kernel(), placement.points, [seats, tree], cpu(), workers=workers, work=16 * placement.points)
     placement.starts = starts.ctypes.data
     return starts
 

@@ -19,10 +19,10 @@ from warpsample.host.progress import bar
 from warpsample.mesh.mesh import as_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.placement import MOST_DISTANCE, PlacementArgs, placed
 from warpsample.tracing.rays import RaysArgs, trace_rays
 from warpsample.tracing.scene import scene_of
-from warpsample.tracing.starts import faces_and_normals, set_starts
 from warpsample.tracing.triples import Triples
 
 _BYTES_OF_POINT, _BYTES_OF_RAY = 24 + 12, 24 + 4 + 4  # on a device: origin, face's normal; direction, distance, face
@@ -99,16 +99,15 @@ def trace(
         [100.  inf] [ True False]
     """
     mesh, any_hit = as_mesh(mesh), check_flag(any_hit, "any_hit")
-    on_faces = isinstance(origins, SurfacePoints)
-    start = Triples.of(origins.position if on_faces else origins, "origins", "(P, 3) or (3,)")
+    at = PlacedPoints(origins, mesh, "origins") if isinstance(origins, SurfacePoints) else None
+    start = Triples.of(origins, "origins", "(P, 3) or (3,)") if at is None else at.position
     way = Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
     _check_pair(start, way)
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
-    options = RayOptions.of(prod(way.shape)).by(
+    rays = prod(way.shape)
+    options = RayOptions.of(rays).by(
         tracer=tracer, device=device, workers=workers, progress=progress, given=way.owner, argument="directions"
     )
-    face, normals = faces_and_normals(mesh, origins) if on_faces else (None, None)
-    rays = prod(way.shape)
     if way.device.is_cpu:
         check_memory(8 * rays, f"the hits of {rays:,} rays", "trace them in parts")
     hits = Hits(way.empty(np.float32), way.empty(np.int32), options.tracer.name)
@@ -116,18 +115,17 @@ def trace(
         return hits
     with bar(options.progress, "tracing rays"):
         scene = scene_of(mesh)
-        placement = placed(scene, start, min(reach, MOST_DISTANCE))
-        if normals is not None:
-            placement.normals = normals.ctypes.data
-            starts = set_starts(scene, placement, face, None, options.tracer, options.workers)  # noqa: F841  (kept while it is read)
+        reach = min(reach, MOST_DISTANCE)
+        placement = placed(scene, start, reach) if at is None else at.two_sided(options, reach)
         asked, memory = rays_of(placement, way, hits), options.memory
-        for part in [asked] if memory.in_place else _parts(memory, asked, start, normals, way, hits):
-            trace_rays(scene, part, options.tracer, any_hit, memory.device, options.workers)
+        arrays = {"start": start, "normals": None if at is None else at.side, "way": way, "hits": hits}
+        for part in [asked] if memory.in_place else _parts(memory, asked, **arrays):
+            trace_rays(scene, part, tracer=options.tracer, any_hit=any_hit, device=memory.device, workers=options.workers)
     return hits
 
 
 def _parts(
-    memory: Memory, asked: RaysArgs, start: Triples, normals: np.ndarray | None, way: Triples, hits: Hits
+    memory: Memory, asked: RaysArgs, *, start: Triples, normals: np.ndarray | None, way: Triples, hits: Hits
 ) -> Iterator[RaysArgs]:
     """The rays of NumPy's arrays in parts, each on the device until the next is asked for."""
     for points, rays in _blocks(memory, asked.placement.points, asked.count):

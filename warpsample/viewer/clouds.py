@@ -88,13 +88,13 @@ def histograms(local: np.ndarray, lobe: LobeShape, independent: bool) -> tuple[A
     density = lobe.azimuth * SECTORS / (2.0 * np.pi)
     theta, azimuth = np.bincount(cell, minlength=CELLS + 1), np.bincount(sector, minlength=SECTORS)
     return (
-        _histogram(theta, lobe.theta, lobe.edges, lobe.angles, lobe.line, independent),
-        _histogram(azimuth, lobe.azimuth, around, middle, density, independent),
+        _histogram(theta, lobe.theta, lobe.edges, angles=lobe.angles, line=lobe.line, independent=independent),
+        _histogram(azimuth, lobe.azimuth, around, angles=middle, line=density, independent=independent),
     )
 
 
 def _histogram(
-    observed: np.ndarray, masses: np.ndarray, edges: np.ndarray, angles: np.ndarray, line: np.ndarray, independent: bool
+    observed: np.ndarray, masses: np.ndarray, edges: np.ndarray, *, angles: np.ndarray, line: np.ndarray, independent: bool
 ) -> AngleHistogram:
     """The bins that the chart shows; the test is over all bins, also those beyond the chart."""
     total = observed.sum()

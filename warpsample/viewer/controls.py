@@ -65,7 +65,7 @@ class Controls:
             ("density", "Compared with", [OWN, COSINE], lambda to: self._change(density=_CLAIMS[to])),
             ("sequence", "Point sequence", sequences.names(), lambda to: self._change(sequence=to)),
         ):
-            self.menus[name] = Menu(plotter, title, entries, top, chosen)
+            self.menus[name] = Menu(plotter, title, entries, top=top, choose=chosen)
             top -= (len(entries) + 1.5) * ROW
         self.sliders = {}
         for name, high, words, turned in (
@@ -74,7 +74,7 @@ class Controls:
             ("samples", log2(_MOST_SAMPLES), lambda v: f"{round(2**v):,} directions per point", self._turn_samples),
             ("seed", float(_MOST_SEED), "seed: {:.0f}".format, lambda to: self._change(seed=round(to))),
         ):
-            self.sliders[name] = Slider(plotter, top, turned, words, 0.0, high)
+            self.sliders[name] = Slider(plotter, top, turned, name=words, low=0.0, high=high)
             top -= 2.0 * ROW
         self.show(choice)
 

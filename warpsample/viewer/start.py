@@ -58,10 +58,10 @@ def _density(name: str) -> Distribution:
 
 def window(mesh: Mesh, points: int, chosen: Choice, up: str, size: tuple[int, int]) -> None:
     """Opens the viewer, and returns when it is closed."""
-    Viewer(mesh, points, chosen, up, size).plotter.show(title="warpsample")
+    Viewer(mesh, points, chosen, up=up, size=size).plotter.show(title="warpsample")
 
 
-def save(mesh: Mesh, points: int, chosen: Choice, up: str, size: tuple[int, int], path: Path) -> str:
+def save(mesh: Mesh, points: int, chosen: Choice, *, up: str, size: tuple[int, int], path: Path) -> str:
     """Writes a .png of the viewer, or an .html of its clouds on the mesh.
 
     Args:
@@ -75,7 +75,7 @@ def save(mesh: Mesh, points: int, chosen: Choice, up: str, size: tuple[int, int]
     Returns:
         A line about what the picture shows.
     """
-    viewer = Viewer(mesh, points, chosen, up, size, off_screen=True)
+    viewer = Viewer(mesh, points, chosen, up=up, size=size, off_screen=True)
     if path.suffix == ".png":
         viewer.plotter.enable_anti_aliasing("msaa", multi_samples=8, all_renderers=True)
         save_scene(viewer.plotter, path, viewer.summary())
@@ -83,6 +83,8 @@ def save(mesh: Mesh, points: int, chosen: Choice, up: str, size: tuple[int, int]
         at, clouds = viewer.points, viewer.clouds
         viewer.plotter.close()
         seen = (clouds.position, clouds.pdf, lobe_of(chosen.claim).peak)
-        scene = clouds_on_mesh(viewer.vertices, mesh.faces, at.position, at.normal, viewer.scale, seen, up, size)
+        scene = clouds_on_mesh(
+            viewer.vertices, mesh.faces, at.position, at.normal, scale=viewer.scale, clouds=seen, up=up, size=size
+        )
         save_scene(scene, path, viewer.summary())
     return viewer.summary()

@@ -38,7 +38,7 @@ class Menu:
     """
 
     def __init__(
-        self, plotter: "pyvista.Plotter", title: str, entries: list[str], top: float, choose: Callable[[str], None]
+        self, plotter: "pyvista.Plotter", title: str, entries: list[str], *, top: float, choose: Callable[[str], None]
     ):
         """Adds it to the plotter's current renderer.
 
@@ -97,6 +97,7 @@ class Slider:
         plotter: "pyvista.Plotter",
         top: float,
         turn: Callable[[float], None],
+        *,
         name: Callable[[float], str],
         low: float,
         high: float,

@@ -55,6 +55,7 @@ class Viewer:
         mesh: Mesh,
         points: int,
         choice: Choice,
+        *,
         up: str = "y",
         size: tuple[int, int] = (1600, 900),
         off_screen: bool = False,

@@ -38,7 +38,7 @@ class Data:
 
     def positions(self, by: Part, key: str) -> np.ndarray:
         """(V, 3) numbers of the accessor that a member refers to; without a copy unless they are normalized."""
-        accessor, found = self._numbers(by, key, "VEC3", 3, _KINDS)
+        accessor, found = self._numbers(by, key, shape="VEC3", width=3, kinds=_KINDS)
         if not accessor.flag("normalized"):
             return found
         if found.dtype.itemsize == 4:
@@ -47,9 +47,9 @@ class Data:
 
     def indices(self, by: Part, key: str) -> np.ndarray:
         """(N,) whole numbers of the accessor that a member refers to, without a copy."""
-        return self._numbers(by, key, "SCALAR", 1, _WHOLE)[1].ravel()
+        return self._numbers(by, key, shape="SCALAR", width=1, kinds=_WHOLE)[1].ravel()
 
-    def _numbers(self, by: Part, key: str, shape: str, width: int, kinds: Mapping[int, str]) -> tuple[Part, np.ndarray]:
+    def _numbers(self, by: Part, key: str, *, shape: str, width: int, kinds: Mapping[int, str]) -> tuple[Part, np.ndarray]:
         accessor = self.accessors[by.index(key, self.accessors)]
         if "sparse" in accessor or "bufferView" not in accessor:
             raise ValueError("it has sparse data, want a file that holds all numbers")

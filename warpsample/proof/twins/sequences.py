@@ -11,7 +11,7 @@ _CELLS = 2**24
 Key = tuple[int, int, int, int]
 
 
-def expected(name: str, seed: int, point: int, sample: int, count: int, stream: int | None = None) -> tuple[int, int]:
+def expected(name: str, *, seed: int, point: int, sample: int, count: int, stream: int | None = None) -> tuple[int, int]:
     """Both coordinates of a sequence's point, or of one of its streams' points, in cells of 2^-24."""
     twin, own_key, _ = _TWINS[name]
     return twin(own_key(seed, point) if stream is None else _stream_key(seed, point, stream), sample, count)

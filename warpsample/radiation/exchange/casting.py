@@ -61,7 +61,14 @@ class Casting:
         if self.skip and len(rows):
             opens = np.zeros(len(rows), np.uint8)
             rays.rows = rows.ctypes.data
-            run(open_kernel(), len(rows), [rays, tree, opens.ctypes.data], cpu(), self.workers, RAY_WORK * len(rows))
+            run(
+                open_kernel(),
+                len(rows),
+                [rays, tree, opens.ctypes.data],
+                cpu(),
+                workers=self.workers,
+                work=RAY_WORK * len(rows),
+            )
             collector.all_open(rows[opens == 1], self.each)
             rows = rows[opens == 0]
         done = begin(len(rows), RAY_WORK * self.rays * len(rows))
@@ -71,7 +78,7 @@ class Casting:
             if done:
                 done(len(block.rows))
 
-        self._cast(rays, tree, rows, surfaces, InOrder(take))
+        self._cast(rays, tree, rows=rows, surfaces=surfaces, blocks=InOrder(take))
         cast = np.zeros(len(self.mesh.faces), np.bool_)
         cast[rows] = True
         return collector.counts(), cast
@@ -80,6 +87,7 @@ class Casting:
         self,
         rays: FaceRaysArgs,
         tree: AcceleratorArgs,
+        *,
         rows: np.ndarray,
         surfaces: np.ndarray | None,
         blocks: InOrder[Block],
@@ -122,8 +130,15 @@ class Casting:
         codes = np.empty((len(rows), self.replicates, self.each), np.int32)
         rays = FaceRaysArgs.from_buffer_copy(of_all)
         rays.rows, rays.codes = rows.ctypes.data, codes.ctypes.data
-        run(face_kernel(), len(rows), [rays, tree], cpu(), 1, RAY_WORK * codes.size)
+        run(face_kernel(), len(rows), [rays, tree], cpu(), workers=1, work=RAY_WORK * codes.size)
         if codes.min() <= BACK:
             backs = np.flatnonzero(codes <= BACK)
-            run(coincident_kernel(), len(backs), [rays, tree, backs.ctypes.data], cpu(), 1, RAY_WORK * len(backs))
+            run(
+                coincident_kernel(),
+                len(backs),
+                [rays, tree, backs.ctypes.data],
+                cpu(),
+                workers=1,
+                work=RAY_WORK * len(backs),
+            )
         return block_of(rows, codes, surfaces)

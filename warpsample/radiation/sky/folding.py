@@ -40,7 +40,7 @@ FoldArgs = type(Fold().__ctype__())
 
 
 def fold_rows(
-    value: np.ndarray, error: np.ndarray, points: np.ndarray, weights: np.ndarray, out: list[np.ndarray], workers: int
+    value: np.ndarray, error: np.ndarray, points: np.ndarray, *, weights: np.ndarray, out: list[np.ndarray], workers: int
 ) -> None:
     """Writes what rows of a matrix sum to, and the standard error of that, the patches' being independent.
 
@@ -55,7 +55,14 @@ def fold_rows(
     fold = FoldArgs(rows=len(points), patches=weights.shape[0], columns=weights.shape[1])
     fold.value, fold.error, fold.points, fold.weights = (a.ctypes.data for a in (value, error, points, weights))
     fold.sums, fold.errors = (array.ctypes.data for array in out)
-    run(_fold_kernel(), -(-len(points) // _ROWS), [fold], cpu(), workers, len(points) * weights.size // _ROWS + 1)
+    run(
+        _fold_kernel(),
+        -(-len(points) // _ROWS),
+        [fold],
+        cpu(),
+        workers=workers,
+        work=len(points) * weights.size // _ROWS + 1,
+    )
 
 
 @wp.func

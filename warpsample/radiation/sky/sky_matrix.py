@@ -149,7 +149,7 @@ class _Rows:
             good = self.status[chosen] == PointStatus.OK
             for array in rows:
                 array[: len(chosen)][~good] = 0.0
-            fold_rows(*rows, chosen, weights, out, self.plan.options.workers)
+            fold_rows(*rows, chosen, weights=weights, out=out, workers=self.plan.options.workers)
         return [array.reshape(len(array), *fold.shape[1:]) for array in out]
 
     def skipped(self) -> SkySkipped:
@@ -202,4 +202,4 @@ class _Rows:
         )
         accelerator = options.tracer.accelerator(plan.at.scene, cpu(), options.workers)
         work = prod((RAY_WORK, points, plan.count + len(self.sky)))
-        run(sky_kernel(), points, [rows, accelerator], cpu(), options.workers, work)
+        run(sky_kernel(), points, [rows, accelerator], cpu(), workers=options.workers, work=work)

@@ -71,7 +71,9 @@ class SunCall:
         args.normals, args.answer = at.normal.ctypes.data, answer.ctypes.data
         args.tally = 0 if tally is None else tally.ctypes.data
         inputs = [args, self.options.tracer.accelerator(at.scene, cpu(), workers)]
-        run(sun_kernel(self.disc > 0.0), len(answer), inputs, cpu(), workers, RAY_WORK * len(answer) * suns // 4)
+        run(
+            sun_kernel(self.disc > 0.0), len(answer), inputs, cpu(), workers=workers, work=RAY_WORK * len(answer) * suns // 4
+        )
 
     def _args(self, tree: SunTree, placement: PlacementArgs) -> SunsArgs:
         """What the kernel needs of the suns and the call."""
@@ -187,7 +189,7 @@ def _unit(directions: np.ndarray) -> np.ndarray:
     """(T, 3) float32 unit vectors, with the bits that `trace` makes of these directions."""
     unit = np.empty(directions.shape, np.float32)
     inputs = [directions.ctypes.data, directions.dtype == np.float64, unit.ctypes.data]
-    run(_unit_kernel(), len(unit), inputs, cpu(), 1, len(unit))
+    run(_unit_kernel(), len(unit), inputs, cpu(), workers=1, work=len(unit))
     return unit
 
 

@@ -117,7 +117,9 @@ def irradiation(
     options = RayOptions.of(len(at), seed=seed, first_point=first_point, active=active)
     plan = Plan.of(at, count, options.by(skip=skip, tracer="wide", workers=workers, progress=progress))
     series = check_flag(series, "series")
-    return received(plan, light_of(weather, period, ground_albedo, patches, up, north), series)
+    return received(
+        plan, light_of(weather, period=period, ground_albedo=ground_albedo, patches=patches, up=up, north=north), series
+    )
 
 
 def received(plan: Plan, light: Light, series: bool) -> Irradiation:

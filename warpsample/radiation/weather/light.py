@@ -39,7 +39,7 @@ class Light:
     ground: np.ndarray
 
 
-def light_of(weather: Any, period: Sequence[str] | None, ground_albedo: Any, patches: Any, up: Any, north: Any) -> Light:
+def light_of(weather: Any, *, period: Sequence[str] | None, ground_albedo: Any, patches: Any, up: Any, north: Any) -> Light:
     """The light that the weather of a file makes; arguments as of `irradiation`."""
     albedo, sky = check_number(ground_albedo, "ground_albedo", 0.0, 1.0), sky_patches(patches, up, north)
     found = read_weather(weather, period)

@@ -64,10 +64,10 @@ def fill(topology: Topology, vertices: np.ndarray, faces: np.ndarray, workers: i
     leaf_boxes, node_boxes = np.empty((leaves, 2, 3), np.float32), np.empty((nodes, 2, 3), np.float32)
     edges = np.empty(leaves, np.float32)
     inputs = [a.ctypes.data for a in (topology.faces, vertices, faces, tree.leaves, leaf_boxes, edges)]
-    run(_fill_leaves(), leaves, inputs, cpu(), workers, 128 * leaves)
+    run(_fill_leaves(), leaves, inputs, cpu(), workers=workers, work=128 * leaves)
     for first, last in list(pairwise(topology.levels))[::-1]:  # from the bottom
         inputs = [a.ctypes.data for a in (topology.places, leaf_boxes, edges, node_boxes, tree.nodes)]
-        run(_fill_nodes(), last - first, [first, *inputs], cpu(), workers, 128 * (last - first))
+        run(_fill_nodes(), last - first, [first, *inputs], cpu(), workers=workers, work=128 * (last - first))
     return tree
 
 

@@ -48,7 +48,7 @@ def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
     count = len(faces)
     lower, upper = np.empty((count, 4), np.float32), np.empty((count, 4), np.float32)
     inputs = [a.ctypes.data for a in (vertices, faces, lower, upper)]
-    run(_triangle_boxes(), count, inputs, cpu(), workers, 8 * count)
+    run(_triangle_boxes(), count, inputs, cpu(), workers=workers, work=8 * count)
     begins, ends = np.array([0], np.int32), np.array([count], np.int32)
     places, leaf_begins, leaf_ends, levels = [], [], [], [0]
     leaves = 0
@@ -56,7 +56,7 @@ def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
         children = np.zeros((3, len(begins), WIDTH), np.int32)
         by_area = int(len(levels) <= SAH_LEVELS)
         inputs = [a.ctypes.data for a in (lower, upper, begins, ends, *children)]
-        run(_split_nodes(), len(begins), [by_area, *inputs], cpu(), workers, 128 * int((ends - begins).sum()))
+        run(_split_nodes(), len(begins), [by_area, *inputs], cpu(), workers=workers, work=128 * int((ends - begins).sum()))
         begin, end, used = children
         inner = end - begin > WIDTH
         leaf = (used != 0) & ~inner
