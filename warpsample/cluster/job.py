@@ -14,10 +14,10 @@ from dask.base import tokenize
 
 from warpsample.cluster.chunks import FUNCTIONS, Call, numbers
 from warpsample.cluster.named import Named, named
-from warpsample.estimate.picture import read_picture
 from warpsample.host.arguments import check_first_point, check_integer, check_seed, told
 from warpsample.host.arrays import check_active
 from warpsample.host.neighbours import as_ndarray
+from warpsample.host.picture import read_picture
 from warpsample.mesh.known import digest_of
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints

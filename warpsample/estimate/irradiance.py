@@ -11,13 +11,13 @@ import warp as wp
 from warpsample.estimate.definitions import naming_function
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.integrand import integrand_of
-from warpsample.estimate.picture import read_picture
 from warpsample.estimate.plan import Plan, RaySum
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.estimate.weights import seen_in
 from warpsample.host.arrays import as_real, as_unit
 from warpsample.host.options import explained_by
+from warpsample.host.picture import read_picture
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints

@@ -3,8 +3,8 @@
 from typing import Any
 
 from warpsample.estimate.irradiance import irradiance
-from warpsample.estimate.picture import read_picture
 from warpsample.estimate.quantities.record import Numbers, Quantity
+from warpsample.host.picture import read_picture
 from warpsample.mesh.mesh import Mesh
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import warpsample as ws
-from warpsample.estimate.picture import read_picture
+from warpsample.host.picture import read_picture
 
 HEIGHT, WIDTH = 12, 33
 
