@@ -1,16 +1,16 @@
 """The error of an estimate, from its few squared differences and from what is known of edges, as a t distribution.
 
-A cell that some rays left and some did not is *mixed*: an edge passes through it. How many rays of a low-discrepancy set are
-on one side of an edge varies by about one, whatever the edge (`Sequence.edge`). So the difference between a cell's two
-replicates is not the only witness of its error. What edges let expect counts as if it were some differences more, which is
-the conjugate prior of a normal's variance, and the posterior is a t distribution; where the differences exceed what edges
-make, as among leaves, it counts for less. Cells without an edge speak for themselves.
+A stratum that some rays left and some did not is *mixed*: an edge passes through it. How many rays of a low-discrepancy set
+are on one side of an edge varies by about one, whatever the edge (`Sequence.edge`). So the difference between a stratum's
+two replicates is not the only witness of its error. What edges let expect counts as if it were some differences more, which
+is the conjugate prior of a normal's variance, and the posterior is a t distribution; where the differences exceed what edges
+make, as among leaves, it counts for less. Strata without an edge speak for themselves.
 
 What no ray has met may be there all the same. If all rays agree, as they do under a small opening or below a wire, 3.7 rays
 are compatible with none at 95 %, by the bounds of Clopper1934, which hold for stratified rays, too; and so it is, within
 2 %, at all levels from 0.9 to 0.99, by a t distribution of 9 degrees of freedom and a scale of 1.64 rays. Else, `unseen` of
 the sequence is added: half a ray of a lattice, more of independent rays, of which two may be met where six are expected. If
-a single ray differs from the others of its cell, 5.6 are compatible with it.
+a single ray differs from the others of its stratum, 5.6 are compatible with it.
 """
 
 from typing import NamedTuple
@@ -53,7 +53,7 @@ class Prior:
     """What is expected before any ray is cast.
 
     worth, unseen: differences that the expectation is worth, and the variance of what no ray has met, in rays squared.
-    worth_if_all_agree, unseen_if_all_agree: likewise where no cell is mixed. unseen_if_one_differs: where one ray is all.
+    worth_if_all_agree, unseen_if_all_agree: likewise where no stratum is mixed. unseen_if_one_differs: where one ray is all.
     """
 
     worth: wp.float64
@@ -79,7 +79,7 @@ def prior_numbers(counts: bool, unseen: float, traced: bool) -> tuple[float, ...
 
 @wp.func
 def edge_variance(free: wp.int32, rays: wp.int32, limit: wp.float32) -> wp.float64:
-    """The variance to expect of the difference between a cell's replicates, in rays squared; 0 where all rays agree.
+    """The variance to expect of the difference between a stratum's replicates, in rays squared; 0 where all rays agree.
 
     That of independent rays, of which `free` went one way, or a limit if that is less.
     """
@@ -96,20 +96,20 @@ def posterior(
     fourth: wp.float64,
     mixed: wp.int32,
     fewer: wp.int32,
-    cells: wp.int32,
+    strata: wp.int32,
     prior: Prior,
 ):
     """(square of the scale, degrees of freedom) of the t distribution of a sum of rays.
 
     Args:
-        variance: the sum of the cells' squared differences.
-        expected: of the mixed cells, what `edge_variance` expects of that.
+        variance: the sum of the strata's squared differences.
+        expected: of the mixed strata, what `edge_variance` expects of that.
         unseen: what a ray more would add, squared.
-        rest: the part of `variance` that is of other cells.
+        rest: the part of `variance` that is of other strata.
         fourth: the sum of the squares of what adds up to `rest`.
-        mixed: cells.
-        fewer: rays of these that differ from most of their cell.
-        cells: all.
+        mixed: strata.
+        fewer: rays of these that differ from most of their stratum.
+        strata: all.
         prior: differences that the expectation is worth count for less by the square of how far they exceed it.
     """
     worth = wp.where(mixed > 0, prior.worth, prior.worth_if_all_agree)
@@ -123,7 +123,7 @@ def posterior(
     square = shrunk + rest
     if rest > _ZERO:
         # Welch and Satterthwaite; of normal differences, E[d^4] = 3 E[d^2]^2.
-        own = wp.clamp(_THREE * (rest / fourth) * rest - _TWO, _ONE, wp.float64(cells))
+        own = wp.clamp(_THREE * (rest / fourth) * rest - _TWO, _ONE, wp.float64(strata))
         first = shrunk / square
         second = rest / square
         degrees = _ONE / (first * first / degrees + second * second / own)

@@ -54,12 +54,12 @@ class Estimate:
 
     Attributes:
         value: (P,) float32, or (P, 3); 0 where the status is not 0.
-        standard_error: of the same shape and unit. Each cell of the lobe has two independent randomisations of its rays; the
-            squares of their differences add up to an unbiased estimate of the variance, whatever the sequence. Below 32 rays
-            there is one cell, so one difference, then 4 cells, 8 from 256 rays on, 32 from 448. 0 where all rays agree. So
-            it is right on average, not at each point. Of the points that are not proven open what is right is within one
-            of them at 44 % on the bunny and 62 % in the city by 64 rays, 52 and 66 % by 256; within two at 58 and 82 %, 70
-            and 89 %. `interval` is for that.
+        standard_error: of the same shape and unit. Each stratum of the lobe has two independent randomisations of its rays;
+            the squares of their differences add up to an unbiased estimate of the variance, whatever the sequence. Below 32
+            rays there is one stratum, so one difference, then 4 strata, 8 from 256 rays on, 32 from 448. 0 where all rays
+            agree. So it is right on average, not at each point. Of the points that are not proven open what is right is
+            within one of them at 44 % on the bunny and 62 % in the city by 64 rays, 52 and 66 % by 256; within two at 58 and
+            82 %, 70 and 89 %. `interval` is for that.
         spread: of the same shape and unit, the scale of the t distribution by which `interval` goes; never 0 where there is
             a number, but under no light.
         degrees_of_freedom: of the same shape, those of that distribution, float32: at least 1, or 0 without a number.
@@ -90,8 +90,8 @@ class Estimate:
         Of thin slits 97 % in the mean over all, but as few as 77 % where one lies along a row of the Fibonacci lattice; by
         `independent` rays 95 %. Other quantities have as many, but for a short `max_distance` and `falloff` on the bunny (up
         to 98 %), and for a picture with a bright part that few rays meet: what none has met is in no interval. Among leaves,
-        many edges to a cell, they are 88 to 94 %. Below 32 rays nothing is promised. Measured again by
-        `pytest -m slow tests/estimate/test_intervals.py`.
+        many edges to a stratum, they are 88 to 94 %. Below 32 rays nothing is promised. Measured again by `pytest -m slow
+        tests/estimate/test_intervals.py`.
 
         A pure function of the numbers above, so that `skip` changes none of its bits: a point that is proven open has the
         interval of any point all of whose rays agree, from which up to 3.7 rays may differ by chance, at a level of 0.95.

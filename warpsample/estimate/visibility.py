@@ -50,7 +50,7 @@ def ambient_occlusion(
             what points of its own face just beside it see: at the foot of a wall half of the sky, in a closed room none. If
             no face is given, that is the one of those at the point that faces the normal best. On a wall's foot in the
             middle of a floor, off its edges, a point is in front of the wall.
-        count: rays of each point, 2 to 2^24. Rounded down, so that all cells have as many: to a multiple of 2, from 32 on
+        count: rays of each point, 2 to 2^24. Rounded down, so that all strata have as many: to a multiple of 2, from 32 on
             of 8, from 256 of 16, from 448 of 64, from 4,096 of 128, from 16,384 of 256.
         max_distance: hits at or beyond this distance are ignored, in units of the coordinates; by default there is no limit.
         falloff: a hit at a distance t occludes by (1 - t / max_distance)^falloff, so that there is no edge at
