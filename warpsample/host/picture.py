@@ -70,7 +70,7 @@ def _header(file: BinaryIO) -> tuple[slice, slice, int, int]:
 
 
 def _line(data: bytes, at: int, width: int) -> tuple[np.ndarray, int]:
-    """(W, 4) uint8 of the line that begins at a place, and where it ends."""
+    """(W, 4) uint8 of the line that begins at an offset, and where it ends."""
     start = data[at : at + 4].ljust(4)
     if not (_SHORTEST <= width <= _LONGEST and start[:2] == b"\2\2" and start[2] < 128):
         return _plain_line(data[at : at + 4 * width], width), at + 4 * width

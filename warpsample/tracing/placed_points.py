@@ -72,7 +72,7 @@ class PlacedPoints:
         return self._placement(options, reach, self.normal)
 
     def two_sided(self, options: RayOptions, reach: float) -> PlacementArgs:
-        """The placement for rays that leave on either side of each point's face, as those of `trace`; likewise."""
+        """The placement for rays that leave on either side of each point's face, as those of `trace`; at least one point."""
         return self._placement(options, reach, None)
 
     def order(self, placement: PlacementArgs, count: int, workers: int) -> np.ndarray | None:

@@ -163,7 +163,7 @@ def view_factors(
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes. The front of a face is the side from which its corners run
-            counter-clockwise. Where two faces lie in one place back to back, rays meet the one that is turned to them; of
+            counter-clockwise. Where two faces coincide back to back, rays meet the one that is turned to them; of
             two that are turned the same way, one. Rays start two millionths of the mesh's extent in front of their face, at
             its edges four times that inside: a gap between faces at less than 14 degrees may leak as much.
         count: rays of each face, from `replicates` to 2^24; rounded down to a multiple of it.
@@ -202,13 +202,13 @@ def view_factors(
     faces = len(mesh.faces)
     replicates = check_integer(replicates, "replicates", 1, _MOST_REPLICATES)
     wants = f"a whole number from {replicates}, the number of replicates, to {_MOST_RAYS}"
-    each = check_integer(count, "count", replicates, _MOST_RAYS, wants) // replicates
+    rays = check_integer(count, "count", replicates, _MOST_RAYS, wants) // replicates
     groups = check_groups(groups, faces)
     reciprocal = check_flag(reciprocal, "reciprocal")
     options = RayOptions.of(faces, seed=seed, active=active).by(skip=skip, workers=workers, progress=progress)
     casting = Casting(
         mesh,
-        each,
+        rays,
         replicates,
         options.seed,
         None if up is None else as_unit(up, "up"),

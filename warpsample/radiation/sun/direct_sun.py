@@ -26,7 +26,7 @@ from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.placement import MOST_DISTANCE, PlacementArgs, unit_in_double, vector_in_double
 from warpsample.tracing.rays import RAY_WORK
 
-_MOST_DISC = 45.0  # degrees: its beam is still a narrow one
+_MOST_DISC = 45.0  # degrees: the shaft about it is still a narrow one
 _MOST_SUNS = 2**24
 _FEW_RAYS = 16  # of a point: to look around it takes as long
 _BYTES_PER_POINT = 64
@@ -120,7 +120,7 @@ def direct_sun(
     """Which sun positions each point sees, or, with weights, what these add up to: sun hours, direct irradiation.
 
     A point sees a sun in front of it, n.s > 0, if the ray towards it meets nothing: the same rays from the same starts as
-    those of `trace` from SurfacePoints. Most pairs need no ray: a sun behind, a group of up to 16 neighbours whose beam
+    those of `trace` from SurfacePoints. Most pairs need no ray: a sun behind, a group of up to 16 neighbours whose shaft
     meets nothing or is covered by one triangle, a triangle that blocked another sun.
 
     Args:
@@ -139,7 +139,7 @@ def direct_sun(
 
     Returns:
         (P, T), bool, or with a disc float32, the share of it that is seen; with weights (P,) or (P, M) float64. Points
-        without a normal or a place have 0.
+        without a normal or a finite position have 0.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
