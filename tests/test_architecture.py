@@ -10,7 +10,7 @@
 - `plotting`: arrays to PyVista actors and matplotlib figures, imported lazily; computes nothing else
 - `estimate`: numbers per point (ambient occlusion, sky view, bent normals, irradiance); what is skipped
 - `proof`: the laws that judge a sampler, for the tests and `warpsample verify`
-- `tracing`: rays against the mesh; `wide/` is the 16-wide tree, `builtin.py` is `wp.Mesh`
+- `tracing`: rays against the mesh; `sight/` is what a point sees, `wide/` the 16-wide tree, `builtin.py` is `wp.Mesh`
 - `directions`: directions at points: the call and its kernels
 - `mesh`: a validated mesh and points on it
 - `distributions`: from the unit square to a direction, a file each
@@ -121,6 +121,15 @@ def test_rooms_import_only_from_rooms_below(repository):
             if other in ROOMS and other != room:
                 assert ROOMS.index(other) < ROOMS.index(room), f"{path} imports {module}, which is above it"
                 assert (room, other) not in UNRELATED, f"{path} imports {module}"
+
+
+def test_nothing_but_tracing_knows_the_wide_tree(repository):
+    """Others ask `tracing.sight`, and a user's rays `trace` and `tree`: the tree is changed in one place."""
+    package = repository / "warpsample"
+    for path in sorted(package.rglob("*.py")):
+        if path.relative_to(package).parts[0] != "tracing":
+            inner = [module for module, _ in imports(path) if module.startswith("warpsample.tracing.wide")]
+            assert inner == [], f"{path} imports {inner}"
 
 
 def test_the_map_names_every_room_once(repository):

@@ -16,10 +16,10 @@ from warpsample.directions.variates import CHUNK as VARIATES
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.tracing import trace
 from warpsample.tracing.placement import placed
+from warpsample.tracing.queries import CHUNK
 from warpsample.tracing.rays import ray_kernel
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.triples import Triples
-from warpsample.tracing.wide.layout import CHUNK
 from warpsample.tracing.wide.prepare import prepare_wide
 from warpsample.tracing.wide.query import wide_query
 

@@ -6,9 +6,11 @@ import warp as wp
 from margin_cases import N, bits, launch, leaves, on_cpu, rays_into_the_scene
 from sun_cases import mixed, unit, year
 
-from warpsample.radiation.sun.shafts import covering, highest
+from warpsample.radiation.sun.proofs import COVER_MARGIN, highest
 from warpsample.radiation.sun.suns import GROUP, SunTree
-from warpsample.tracing.wide.layout import CORNERS, LEAF_BYTES, PLANES, WIDTH
+from warpsample.tracing.sight.cover import covering
+from warpsample.tracing.sight.shafts import CORNERS, PLANES, VECTORS_BYTES
+from warpsample.tracing.wide.layout import LEAF_BYTES, WIDTH
 
 TURNED = 2.0**-20.4  # by which rays of a disc are rounded
 CASES = {
@@ -109,8 +111,8 @@ def _cover(
     most: wp.array[wp.float32],
 ):
     i = wp.tid()
-    beam = beams.ptr + wp.uint64(i) * wp.uint64(12 * WIDTH)
-    masks[i] = covering(triangles.ptr + wp.uint64(i) * wp.uint64(LEAF_BYTES), beam, origins[i])
+    beam = beams.ptr + wp.uint64(i) * VECTORS_BYTES
+    masks[i] = covering(triangles.ptr + wp.uint64(i) * wp.uint64(LEAF_BYTES), beam, origins[i], COVER_MARGIN)
     most[i] = highest(beam, normals[i])
 
 

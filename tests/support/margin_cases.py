@@ -3,8 +3,9 @@
 import numpy as np
 import warp as wp
 
+from warpsample.tracing.queries import CHUNK, CHUNK_FLOATS
 from warpsample.tracing.wide.boxes import PADDING
-from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, LEAF_BYTES, NODE_BYTES, WIDTH
+from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH
 
 N = 4096
 NODE_FLOATS, LEAF_FLOATS = NODE_BYTES // 4, LEAF_BYTES // 4

@@ -18,9 +18,10 @@ from margin_cases import (
     triangles_about,
 )
 
+from warpsample.tracing.queries import CHUNK_FLOATS
 from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.candidates import boxes_met, triangles_near
-from warpsample.tracing.wide.layout import CHUNK_FLOATS, LEAF_BYTES, NODE_BYTES, WIDTH
+from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH
 from warpsample.tracing.wide.prepare import prepare_wide, ray_in
 from warpsample.tracing.wide.triangle import between_edges, plane_distance
 

@@ -2,14 +2,15 @@
 
 import warp as wp
 
-from warpsample.directions.variates import LANES
-from warpsample.estimate.rays import distance_of, spread_of
+from warpsample.estimate.lobes import Lobes, lobe_of
+from warpsample.estimate.rays import spread_of
 from warpsample.estimate.slots import Slots
-from warpsample.estimate.spot import Lobes, Spot, bring_near
 from warpsample.host.locks import once
+from warpsample.maths.memory import float_at
 from warpsample.maths.numerics import HALF, ONE, ZERO
-from warpsample.tracing.placement import far_off
-from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, REACH, Accelerator
+from warpsample.tracing.queries import CHUNK, REACH, Accelerator, column_of, direction_of
+from warpsample.tracing.sight.point import ShadingPoint
+from warpsample.tracing.sight.rays import first_hit, prepare_rays, rays_from_afar, whole_vectors
 
 
 @once
@@ -41,21 +42,18 @@ def jump_of(slots: Slots) -> wp.Function:
 @once
 def share_of(slots: Slots) -> wp.Function:
     """A function that traces a ray and gives the share of its weight that it adds."""
-    any_hit, distance_to = slots.any_hit, distance_of(slots)
+    any_hit, hit = slots.any_hit, first_hit(slots.any_hit, slots.query, slots.wide)
 
     @wp.func
-    def share_of(lobes: Lobes, accelerator: Accelerator, spot: Spot, near: wp.int32, column: wp.uint64):
+    def share_of(lobes: Lobes, tree: Accelerator, point: ShadingPoint, local: wp.int32, k: wp.int32):
         """(the share of its weight that a ray adds, 1 if it meets something and else 0)."""
-        ray = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-        reach = ray[REACH]
-        distance = wp.float32(wp.INF)
-        if reach > 0.0:
-            distance = distance_to(accelerator, spot, near, column, reach)
+        distance, _face = hit(tree, point, local, k)
         share = wp.float32(1.0)
         if distance < wp.INF:
             share = 0.0
             if wp.static(not any_hit):
-                t = (distance + (spot.reach - reach)) / spot.reach
+                reach = float_at(column_of(point.chunk, k), REACH)
+                t = (distance + (point.reach - reach)) / point.reach
                 share = 1.0 - wp.pow(1.0 - t, lobes.falloff)
         return share, wp.where(distance < wp.INF, 1, 0)
 
@@ -66,11 +64,12 @@ def share_of(slots: Slots) -> wp.Function:
 def cell_sum(slots: Slots) -> wp.Function:
     """A function that sums a cell."""
     spread, share_left = spread_of(slots), share_of(slots)
-    weigh, struct, prepare, counts, channels = slots.weigh, slots.struct, slots.prepare, slots.counts, slots.channels
+    weigh, struct, counts, channels = slots.weigh, slots.struct, slots.counts, slots.channels
+    prepare = prepare_rays(slots.prepare)
 
     @wp.func
     def sum_cell(
-        lobes: Lobes, accelerator: Accelerator, data: struct, spot: Spot, cell: wp.int32, found: wp.int32, near: wp.int32
+        lobes: Lobes, tree: Accelerator, data: struct, point: ShadingPoint, cell: wp.int32, found: wp.int32, local: wp.int32
     ):
         """(sum of the weights of both replicates' rays, how much more the first has, rays cast, free, a weight)."""
         # Scalars: a vector of doubles goes through memory, and costs half as much as a ray. Hits are whole numbers.
@@ -85,23 +84,19 @@ def cell_sum(slots: Slots) -> wp.Function:
         cast = wp.int32(0)
         free = 2 * lobes.each
         w = wp.vec3(1.0, 0.0, 0.0)
+        lobe = lobe_of(lobes, point)
         for first in range(0, 2 * lobes.each, CHUNK):
             length = wp.min(CHUNK, 2 * lobes.each - first)
-            padded = (length + LANES - 1) / LANES * LANES
-            spread(lobes, spot, cell, first, padded)
-            if far_off(spot.place):
-                for k in range(length):
-                    bring_near(spot, spot.chunk + wp.uint64(4 * k))
+            spread(lobes, point, cell, first, whole_vectors(length))
             if found != 0:
-                prepare(spot.chunk, padded)
+                rays_from_afar(point, length)
+                prepare(tree, point, local, length)
             for k in range(length):
-                column = spot.chunk + wp.uint64(4 * k)
-                ray = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-                w = weigh(wp.vec3(ray[DIRECTION], ray[DIRECTION + CHUNK], ray[DIRECTION + 2 * CHUNK]), spot.lobe, data)
+                w = weigh(direction_of(point.chunk, k), lobe, data)
                 share = wp.float32(1.0)
                 if found != 0 and (w[0] != 0.0 or w[1] != 0.0 or w[2] != 0.0):
                     cast += 1
-                    share, met = share_left(lobes, accelerator, spot, near, column)
+                    share, met = share_left(lobes, tree, point, local, k)
                     free -= met
                 sign = wp.where(first + k < lobes.each, 1, -1)
                 if wp.static(counts):

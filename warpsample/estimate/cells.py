@@ -13,7 +13,7 @@ import numpy as np
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.host.locks import once
-from warpsample.tracing.wide.layout import CORNERS, PLANES, WIDTH
+from warpsample.tracing.sight.shafts import shaft_vectors
 
 REPLICATES = 2
 """Randomisations of a cell's rays: with more, each has fewer rays, and low-discrepancy ones lose what sets them apart."""
@@ -36,9 +36,8 @@ class Cells:
         bands: of sin^2 theta, of equal width.
         sectors: of azimuth; 1, without beams, or at least 4.
         each: rays of a replicate of a cell.
-        beams: (sectors, bands + 1, 3, 16) float32, local frame: x, y, z of vectors of each sector and of its bands. These
-            are the inward normals of five planes (the horizon's, two at the azimuths, the one towards the normal and the
-            one towards the horizon), the directions of the four corners, and zeros.
+        beams: (sectors, bands + 1, 3, 16) float32, local frame: of each sector and of its bands, as `shaft_vectors` has
+            them, with two planes at the azimuths, the one towards the normal and the one towards the horizon.
     """
 
     bands: int
@@ -70,10 +69,9 @@ def cells_of(count: int, lobe: Distribution = POLAR_COSINE, traced: bool = True)
         [_beam(s / sectors, (s + 1) / sectors, *span) for span in spans]
         for s in range(sectors if sectors > 1 and spans else 0)
     ]
-    vectors = np.zeros((len(beams), bands + 1, 3, WIDTH), np.float32)
-    if beams:
-        vectors[..., : PLANES + CORNERS] = np.swapaxes(beams, 2, 3)
-    return Cells(bands, sectors, count // (bands * sectors * REPLICATES), vectors)
+    vectors = np.reshape(beams, (-1, bands + 1, 8, 3))
+    beams = shaft_vectors(vectors[:, :, :4], vectors[:, :, 4:])
+    return Cells(bands, sectors, count // (bands * sectors * REPLICATES), beams)
 
 
 def counts_with_the_cells_of(count: float, traced: bool = True) -> tuple[int, float]:
@@ -117,7 +115,6 @@ def _beam(first: float, last: float, low: float, high: float) -> list[tuple[floa
         for along, up in ((sqrt(low), sqrt(1.0 - low)), (sqrt(high) / half, sqrt(1.0 - high)))
     ]
     return [
-        (0.0, 0.0, 1.0),
         (-sin(start), cos(start), 0.0),
         (sin(stop), -cos(stop), 0.0),
         _unit(sqrt(1.0 - low), -sqrt(low) * half, middle),

@@ -4,18 +4,19 @@ import warp as wp
 
 from warpsample.directions.variates import LANES, fill_variates
 from warpsample.estimate.lobe import NOTHING, widths_of
+from warpsample.estimate.lobes import Lobes, lobe_of
 from warpsample.estimate.rays import LAST_UNIFORM
 from warpsample.estimate.slots import Slots
-from warpsample.estimate.spot import Lobes, Spot
 from warpsample.host.locks import once
 from warpsample.maths.numerics import ZERO
 from warpsample.sequences.hashing import stream_key
-from warpsample.tracing.wide.layout import Accelerator
+from warpsample.tracing.queries import Accelerator
+from warpsample.tracing.sight.point import ShadingPoint
 
 BLOCK = 256
 """Directions that are made and integrated together: those of a lobe of as many, a stream for each cell and half."""
 
-_ROOM = wp.constant(wp.int32(2 * LANES))  # variates are filled by multiples of it
+_TOGETHER = wp.constant(wp.int32(2 * LANES))  # variates are filled by multiples of it
 
 
 @once
@@ -24,13 +25,13 @@ def _stream_fill(slots: Slots) -> wp.Function:
     fill = fill_variates(slots.sequence, BLOCK)
 
     @wp.func
-    def fill_stream(lobes: Lobes, key: wp.vec4ui, stream: wp.int32, first: wp.int32, room: wp.int32, at: wp.uint64):
+    def fill_stream(lobes: Lobes, key: wp.vec4ui, stream: wp.int32, first: wp.int32, filled: wp.int32, at: wp.uint64):
         u = wp.array(ptr=at, shape=(2 * BLOCK,), dtype=wp.float32)
-        fill(stream_key(key, wp.uint32(stream)), first, room, wp.uint32(lobes.each), u)
+        fill(stream_key(key, wp.uint32(stream)), first, filled, wp.uint32(lobes.each), u)
         sector = wp.float32(stream / 2)
         size = 1.0 / wp.float32(lobes.sectors)
         k = wp.int32(0)
-        while k < room:
+        while k < filled:
             y = (u[BLOCK + k] + sector) * size
             u[BLOCK + k] = wp.where(y < LAST_UNIFORM, y, LAST_UNIFORM)
             k += 1
@@ -45,11 +46,11 @@ def _block_values(slots: Slots) -> wp.Function:
     redraw, redraw_below, redraws = slots.redraw, slots.redraw_below, slots.redraw is not None
 
     @wp.func
-    def evaluate(lobes: Lobes, data: struct, spot: Spot, length: wp.int32, square: wp.uint64, target: wp.uint64):
+    def evaluate(lobes: Lobes, data: struct, point: ShadingPoint, length: wp.int32, square: wp.uint64, target: wp.uint64):
         u = wp.array(ptr=square, shape=(2 * BLOCK,), dtype=wp.float32)
         values = wp.array(ptr=target, shape=(channels * BLOCK,), dtype=wp.float32)
-        n = spot.n
-        lobe = spot.lobe
+        n = point.n
+        lobe = lobe_of(lobes, point)
         rare = wp.int32(0)
         k = wp.int32(0)
         while k < length:
@@ -76,7 +77,7 @@ def _block_values(slots: Slots) -> wp.Function:
 @wp.func
 def _rounded_up(length: wp.int32) -> wp.int32:
     """To a multiple of as many variates as are filled at a time."""
-    return (length + _ROOM - 1) / _ROOM * _ROOM
+    return (length + _TOGETHER - 1) / _TOGETHER * _TOGETHER
 
 
 @wp.func
@@ -102,8 +103,8 @@ def free_lobe(slots: Slots) -> wp.Function:
     struct, channels = slots.struct, slots.channels
 
     @wp.func
-    def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, spot: Spot):
-        """The same sums as in `counted_lobe`; `spot` has room for a block of variates and its values."""
+    def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
+        """The same sums as in `counted_lobe`; the workspace has a block of variates and its values."""
         total = NOTHING
         variance = NOTHING
         unseen = NOTHING
@@ -116,14 +117,14 @@ def free_lobe(slots: Slots) -> wp.Function:
             taken = wp.min(together, streams - lowest)
             for first in range(0, lobes.each, BLOCK):
                 length = wp.min(BLOCK, lobes.each - first)
-                room = _rounded_up(length)
+                filled = _rounded_up(length)
                 for i in range(taken):  # each overwrites what was filled beyond the one before it
-                    fill_stream(lobes, spot.key, lowest + i, first, room, spot.square + wp.uint64(4 * i * length))
-                evaluate(lobes, data, spot, _rounded_up(taken * length), spot.square, spot.chunk)
+                    fill_stream(lobes, point.key, lowest + i, first, filled, point.own + wp.uint64(4 * i * length))
+                evaluate(lobes, data, point, _rounded_up(taken * length), point.own, point.chunk)
                 for i in range(taken):
                     part = NOTHING
                     for c in range(channels):
-                        part[c] = _sum_of(spot.chunk + wp.uint64(4 * (c * BLOCK + i * length)), length)
+                        part[c] = _sum_of(point.chunk + wp.uint64(4 * (c * BLOCK + i * length)), length)
                     second_half = (lowest + i) % 2 == 1
                     one = wp.where(second_half, one, wp.where(first == 0, part, one + part))
                     other = wp.where(second_half, wp.where(first == 0, part, other + part), other)

@@ -4,13 +4,13 @@ import warp as wp
 
 from warpsample.estimate.cell import cell_sum, jump_of
 from warpsample.estimate.intervals import Prior, edge_variance, posterior, prior_numbers
-from warpsample.estimate.skipping.frontier import frontier
+from warpsample.estimate.lobes import Lobes, found_in
 from warpsample.estimate.slots import Slots
-from warpsample.estimate.spot import Lobes, Spot, found_in
 from warpsample.host.locks import once
 from warpsample.maths.numerics import HALF, ONE, ZERO
-from warpsample.tracing.placement import far_off
-from warpsample.tracing.wide.layout import Accelerator
+from warpsample.tracing.queries import Accelerator
+from warpsample.tracing.sight.frontier import open_around
+from warpsample.tracing.sight.point import ShadingPoint
 
 NOTHING = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 
@@ -21,21 +21,16 @@ def opened_for(slots: Slots) -> wp.Function:
     wide = slots.wide
 
     @wp.func
-    def open_around(lobes: Lobes, accelerator: Accelerator, spot: Spot):
-        """(the tree as the point's rays see it, mask of the triangles around the point, whether beams are of use)."""
-        starts = wp.int32(-1)
-        near = wp.int32(0)
+    def open_lobe(lobes: Lobes, tree: Accelerator, point: ShadingPoint):
+        """(the tree as the point's rays see it, mask of the triangles of its local leaf, whether shafts are of use)."""
+        local = wp.int32(0)
+        opened = wp.bool(False)
         if wp.static(wide):
-            if lobes.skip != 0 and not far_off(spot.place):
-                starts, around = frontier(accelerator, spot.o, spot.n, spot.low, spot.reach, spot.room, spot.scratch)
-                near = (1 << around) - 1
-                if starts >= 0:
-                    accelerator.start = spot.room
-                    accelerator.starts = starts
-        beams = (starts > 0 or (starts == 0 and near != 0)) and lobes.beams != wp.uint64(0)
-        return accelerator, near, beams
+            if lobes.skip != 0:
+                tree, local, opened = open_around(tree, point)
+        return tree, local, opened and (tree.starts > 0 or local != 0) and lobes.beams != wp.uint64(0)
 
-    return open_around
+    return open_lobe
 
 
 @once
@@ -76,12 +71,14 @@ def search_of(slots: Slots) -> wp.Function:
     wide = slots.wide
 
     @wp.func
-    def search(lobes: Lobes, seen: Accelerator, spot: Spot, beam: wp.int32, found: wp.int32, near: wp.int32, beams: wp.bool):
-        """(whether anything is found there, which of the triangles around the point); as it is known without beams."""
+    def search(
+        lobes: Lobes, seen: Accelerator, point: ShadingPoint, i: wp.int32, found: wp.int32, local: wp.int32, shafts: wp.bool
+    ):
+        """(whether anything is found in the i-th shaft, which triangles of the local leaf); as is known without shafts."""
         if wp.static(wide):
-            if beams and found != 0:
-                found, near = found_in(lobes, seen, spot, beam, near)
-        return found, near
+            if shafts and found != 0:
+                found, local = found_in(lobes, seen, point, i, local)
+        return found, local
 
     return search
 
@@ -90,10 +87,10 @@ def search_of(slots: Slots) -> wp.Function:
 def counted_lobe(slots: Slots) -> wp.Function:
     """A function that sums a lobe whose rays add 1 or 0: scalars, and where all rays agree their difference is 0."""
     constant, struct = slots.constant, slots.struct
-    open_around, search, sum_cell, widths = opened_for(slots), search_of(slots), cell_sum(slots), widths_of(slots)
+    open_lobe, search, sum_cell, widths = opened_for(slots), search_of(slots), cell_sum(slots), widths_of(slots)
 
     @wp.func
-    def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, spot: Spot):
+    def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
         """(sum of the weights of all rays, squares of its standard error and spread, degrees, rays cast, in empty cells)."""
         hits = wp.int32(0)
         squared = ZERO
@@ -102,12 +99,14 @@ def counted_lobe(slots: Slots) -> wp.Function:
         fewer = wp.int32(0)
         cast = wp.int32(0)
         empty = wp.int32(0)
-        seen, near, beams = open_around(lobes, accelerator, spot)
-        anything = wp.where(seen.starts == 0 and near == 0, 0, 1)
+        seen, local, shafts = open_lobe(lobes, accelerator, point)
+        anything = wp.where(seen.starts == 0 and local == 0, 0, 1)
         for sector in range(lobes.sectors):
             sector_found = anything
             for step in range(wp.where(lobes.bands == 1, 1, 0), lobes.bands + 1):  # the whole sector, then its bands
-                found, cell_near = search(lobes, seen, spot, sector * (lobes.bands + 1) + step, sector_found, near, beams)
+                found, cell_local = search(
+                    lobes, seen, point, sector * (lobes.bands + 1) + step, sector_found, local, shafts
+                )
                 if step == 0:
                     sector_found = found
                 elif wp.static(constant) and found == 0:
@@ -116,7 +115,7 @@ def counted_lobe(slots: Slots) -> wp.Function:
                 else:
                     empty += wp.where(found == 0, 2 * lobes.each, 0)
                     _add, difference, rays, free, _w = sum_cell(
-                        lobes, seen, data, spot, sector * lobes.bands + step - 1, found, cell_near
+                        lobes, seen, data, point, sector * lobes.bands + step - 1, found, cell_local
                     )
                     cast += rays
                     hits += free
@@ -139,11 +138,11 @@ def counted_lobe(slots: Slots) -> wp.Function:
 def weighed_lobe(slots: Slots) -> wp.Function:
     """A function that sums a lobe whose rays add any weights."""
     constant, struct, open_jump = slots.constant, slots.struct, ONE if slots.any_hit else HALF
-    open_around, search, sum_cell, widths = opened_for(slots), search_of(slots), cell_sum(slots), widths_of(slots)
+    open_lobe, search, sum_cell, widths = opened_for(slots), search_of(slots), cell_sum(slots), widths_of(slots)
     jump_at = jump_of(slots)
 
     @wp.func
-    def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, spot: Spot):
+    def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
         """The same sums as in `counted_lobe`."""
         total = NOTHING
         variance = NOTHING
@@ -155,12 +154,14 @@ def weighed_lobe(slots: Slots) -> wp.Function:
         fourth = NOTHING
         cast = wp.int32(0)
         empty = wp.int32(0)
-        seen, near, beams = open_around(lobes, accelerator, spot)
-        anything = wp.where(seen.starts == 0 and near == 0, 0, 1)
+        seen, local, shafts = open_lobe(lobes, accelerator, point)
+        anything = wp.where(seen.starts == 0 and local == 0, 0, 1)
         for sector in range(lobes.sectors):
             sector_found = anything
             for step in range(wp.where(lobes.bands == 1, 1, 0), lobes.bands + 1):
-                found, cell_near = search(lobes, seen, spot, sector * (lobes.bands + 1) + step, sector_found, near, beams)
+                found, cell_local = search(
+                    lobes, seen, point, sector * (lobes.bands + 1) + step, sector_found, local, shafts
+                )
                 if step == 0:
                     sector_found = found
                 elif wp.static(constant) and found == 0:
@@ -170,7 +171,7 @@ def weighed_lobe(slots: Slots) -> wp.Function:
                 else:
                     empty += wp.where(found == 0, 2 * lobes.each, 0)
                     add, difference, rays, free, w = sum_cell(
-                        lobes, seen, data, spot, sector * lobes.bands + step - 1, found, cell_near
+                        lobes, seen, data, point, sector * lobes.bands + step - 1, found, cell_local
                     )
                     cast += rays
                     squares = wp.cw_mul(difference, difference)

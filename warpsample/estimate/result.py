@@ -9,10 +9,11 @@ import numpy as np
 
 from warpsample.directions.sample import Status
 from warpsample.estimate.intervals import Interval, interval_of
-from warpsample.estimate.spot import NONFINITE_POSITION, NONFINITE_VALUE
+from warpsample.estimate.lobes import NONFINITE_VALUE
 from warpsample.host.arguments import check_choice, check_number
 from warpsample.mesh.mesh import mesh_of
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.tracing.sight.point import NONFINITE_POSITION
 
 if TYPE_CHECKING:
     from pyvista import PolyData

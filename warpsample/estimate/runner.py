@@ -4,15 +4,15 @@ import numpy as np
 
 from warpsample.estimate.cells import POLAR_COSINE, Cells, cells_of
 from warpsample.estimate.kernel import estimate_kernel
+from warpsample.estimate.lobes import LobesArgs
 from warpsample.estimate.plan import Plan, RaySum
 from warpsample.estimate.result import Estimate, Skipped
 from warpsample.estimate.slots import Slots
-from warpsample.estimate.spot import LobesArgs
 from warpsample.host.device_memory import Loan, at_home
 from warpsample.host.engine import run
 from warpsample.tracing.placement import PlacementArgs
+from warpsample.tracing.queries import AcceleratorArgs
 from warpsample.tracing.rays import RAY_WORK
-from warpsample.tracing.wide.layout import AcceleratorArgs
 
 _BYTES_OF_POINT = 128  # on a device: position, two normals, mask, order, and at most three of each number
 _TASK, _MOST_ROWS = 1 << 11, 16  # rays and points of a task on the CPU, where to clear memory takes as long as ten rays

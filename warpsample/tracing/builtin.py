@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, Accelerator
+from warpsample.tracing.queries import CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, Accelerator
 
 
 @wp.func

@@ -18,19 +18,10 @@ from warpsample.tracing.placement import (
     vector_in_double,
     way_to_scene,
 )
+from warpsample.tracing.queries import AHEAD, CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, REACH, Accelerator, AcceleratorArgs
 from warpsample.tracing.scene import Scene
 from warpsample.tracing.tracers import Tracer
-from warpsample.tracing.wide.layout import (
-    AHEAD,
-    CHUNK,
-    CHUNK_FLOATS,
-    DIRECTION,
-    ORIGIN,
-    REACH,
-    SCRATCH,
-    Accelerator,
-    AcceleratorArgs,
-)
+from warpsample.tracing.wide.layout import SCRATCH
 
 RAY_WORK = 64
 """Directions that take as long to sample as a ray to trace."""

@@ -12,9 +12,9 @@ from warpsample.host.arrays import as_real
 from warpsample.host.engine import check_workers
 from warpsample.host.locks import make, making, read_only
 from warpsample.mesh.mesh import Mesh, as_mesh
+from warpsample.tracing.queries import AcceleratorArgs
 from warpsample.tracing.wide.boxes import Tree, fill
 from warpsample.tracing.wide.build import Topology, build
-from warpsample.tracing.wide.layout import AcceleratorArgs
 
 SMALLEST = 1e-30
 """Half size of a mesh that is traced: distances, which are float32, keep their digits."""

@@ -2,13 +2,11 @@
 
 import warp as wp
 
-from warpsample.maths.memory import address_at
-from warpsample.maths.numerics import HALF, ONE, TWO, ZERO, lowest_bit
-from warpsample.tracing.around import children_around, triangles_touched
+from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
 from warpsample.tracing.facets import NOWHERE, Facet, Seats, facet_of, touches, with_normal, within
 from warpsample.tracing.placement import LIFT, lift
-from warpsample.tracing.wide.layout import Accelerator, face_in, leaf_at, link_in, node_at
-from warpsample.tracing.wide.query import WAITING, put_aside
+from warpsample.tracing.queries import Accelerator
+from warpsample.tracing.sight.touching import faces_touching
 
 _TWICE = wp.constant(wp.float32(2.0 * LIFT))
 _THIRD = wp.constant(wp.float64(1.0 / 3.0))
@@ -73,7 +71,7 @@ def _better(cosine: wp.float64, face: wp.int32, best: wp.float64, known: wp.int3
 
 
 @wp.func
-def _look_at(seats: Seats, seat: Seat, face: wp.int32, look: wp.vec3d, searching: wp.bool) -> Seat:
+def _look_at_other(seats: Seats, seat: Seat, face: wp.int32, look: wp.vec3d, searching: wp.bool) -> Seat:
     """The seat after a look at another face that may touch the point: as its own, or else as one beside it."""
     facet = facet_of(seats, face)
     if wp.dot(facet.n, facet.n) == ZERO:
@@ -94,40 +92,43 @@ def _look_at(seats: Seats, seat: Seat, face: wp.int32, look: wp.vec3d, searching
     return seat
 
 
+@wp.struct
+class Around:
+    """What is asked of the faces around a point: where it is, how near they are, the direction in which it looks.
+
+    searching: whether the face that the point is of is searched for, else those beside it are looked at.
+    """
+
+    seats: Seats
+    p: wp.vec3
+    r: wp.float32
+    look: wp.vec3d
+    searching: wp.bool
+
+
+@wp.func
+def _look_at(face: wp.int32, around: Around, seat: Seat) -> Seat:
+    """The seat after a look at a face that may touch the point."""
+    if face != seat.own:
+        seat.alone = wp.bool(False)
+        seat = _look_at_other(around.seats, seat, face, around.look, around.searching)
+    return seat
+
+
+_look_around = faces_touching(_look_at, Around, Seat)
+
+
 @wp.func
 def look_around(seats: Seats, tree: Accelerator, seat: Seat, look: wp.vec3d, searching: wp.bool, scratch: wp.uint64) -> Seat:
     """The seat after a look at all faces that touch the point."""
-    p = wp.vec3(seat.p)
-    r = (
-        2.0 * _TWICE * (seats.placement.extent_x + seats.placement.extent_y + seats.placement.extent_z)
-        + 4.0 * seats.placement.coarseness
-    )
-    node = tree.nodes
-    mask = children_around(node, p, r)
-    top = scratch
-    while mask != 0 or top != scratch:
-        if mask == 0:
-            top -= WAITING
-            node = address_at(top, 0)
-            mask = wp.array(ptr=top, shape=(4,), dtype=wp.int32)[2]
-        child = lowest_bit(mask)
-        mask = mask & (mask - 1)
-        place = link_in(node, child)
-        if place < 0:
-            leaf = leaf_at(tree, ~place)
-            touched = triangles_touched(leaf, p, r)
-            for _ in range(wp.bit_count(touched)):
-                face = face_in(leaf, lowest_bit(touched))
-                touched = touched & (touched - 1)
-                if face != seat.own:
-                    seat.alone = wp.bool(False)
-                    seat = _look_at(seats, seat, face, look, searching)
-        else:
-            if mask != 0:
-                top = put_aside(top, node, mask, 0.0)
-            node = node_at(tree, place)
-            mask = children_around(node, p, r)
-    return seat
+    extent = seats.placement.extent_x + seats.placement.extent_y + seats.placement.extent_z
+    around = Around()
+    around.seats = seats
+    around.p = wp.vec3(seat.p)
+    around.r = 2.0 * _TWICE * extent + 4.0 * seats.placement.coarseness
+    around.look = look
+    around.searching = searching
+    return _look_around(tree, around, seat, scratch)
 
 
 @wp.func

@@ -17,10 +17,11 @@ from warpsample.mesh.mesh import Mesh, unit_or_zero
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.facets import Seats, SeatsArgs, corners_of, facet_of, with_normal
 from warpsample.tracing.placement import PlacementArgs, in_double, local_origin
+from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.scene import Scene
 from warpsample.tracing.seats import Seat, look_around, own_face, sitting, start_of
 from warpsample.tracing.tracers import Tracer
-from warpsample.tracing.wide.layout import SCRATCH, Accelerator
+from warpsample.tracing.wide.layout import SCRATCH
 
 
 def faces_and_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origins") -> tuple[np.ndarray, np.ndarray]:

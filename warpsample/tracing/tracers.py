@@ -10,8 +10,8 @@ import warp as wp
 from warpsample.host.arguments import check_choice
 from warpsample.host.device_memory import at_home
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
+from warpsample.tracing.queries import CHUNK_FLOATS, PREPARED, AcceleratorArgs
 from warpsample.tracing.scene import Scene
-from warpsample.tracing.wide.layout import CHUNK_FLOATS, PREPARED, AcceleratorArgs
 from warpsample.tracing.wide.prepare import prepare_wide
 from warpsample.tracing.wide.query import wide_query
 

@@ -10,8 +10,9 @@ from warpsample.host.engine import check_workers
 from warpsample.maths.numerics import ONE, ZERO, direction_to_unit
 from warpsample.mesh.mesh import as_mesh
 from warpsample.tracing.placement import MOST_DISTANCE, far_off, lift_within, way_to_scene
+from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.scene import coarseness_of, scene_of
-from warpsample.tracing.wide.layout import SCRATCH, Accelerator
+from warpsample.tracing.wide.layout import SCRATCH
 from warpsample.tracing.wide.prepare import RAY_ROOM, ray_of
 from warpsample.tracing.wide.query import wide_walk
 

@@ -18,10 +18,10 @@ from warpsample.radiation.exchange.face_rays import BACK, FaceRaysArgs, step_of
 from warpsample.radiation.exchange.hits_to_matrix import Block, Collector, Counts, block_of
 from warpsample.radiation.exchange.open_faces import open_kernel
 from warpsample.sequences.hashing import seed_for
+from warpsample.tracing.queries import AcceleratorArgs
 from warpsample.tracing.rays import RAY_WORK
 from warpsample.tracing.scene import Scene, coarseness_of, scene_of
 from warpsample.tracing.tracers import WIDE
-from warpsample.tracing.wide.layout import AcceleratorArgs
 
 _BLOCK = 256  # faces whose rays are kept at a time, as long as they are fewer than
 _BLOCK_RAYS = 1 << 22

@@ -8,21 +8,14 @@ import warp as wp
 
 from warpsample.host.locks import once
 from warpsample.maths.frames import frame_about
-from warpsample.maths.memory import address_at, int_at, long_at, set_int, vec3_at
-from warpsample.maths.numerics import lowest_bit
+from warpsample.maths.memory import int_at, long_at, set_int, vec3_at
+from warpsample.maths.numerics import ZERO
 from warpsample.radiation.exchange.face_rays import BACK, FaceRays, direction_of, face_at, start_of
 from warpsample.sequences.hashing import point_key
-from warpsample.tracing.around import children_around, triangles_touched
 from warpsample.tracing.placement import in_double
-from warpsample.tracing.wide.layout import (
-    SCRATCH,
-    Accelerator,
-    face_in,
-    leaf_at,
-    link_in,
-    node_at,
-)
-from warpsample.tracing.wide.query import WAITING, put_aside
+from warpsample.tracing.queries import Accelerator
+from warpsample.tracing.sight.point import SCRATCH
+from warpsample.tracing.sight.touching import faces_touching
 
 _BACK = wp.constant(wp.int32(BACK))
 _NEAR = wp.constant(wp.float32(2.0**-21))  # of the scene's size, as far as eight roundings: so near is in one place
@@ -30,42 +23,25 @@ _OPPOSITE = wp.constant(wp.float32(-0.999))
 _NONE = wp.constant(wp.int32(2**31 - 1))
 
 
-@wp.func
-def _first_opposite(rays: FaceRays, leaf: wp.uint64, p: wp.vec3, n: wp.vec3) -> wp.int32:
-    """The lowest number of the faces of a leaf that touch a point and are turned against n."""
-    best = _NONE
-    touched = triangles_touched(leaf, p, _NEAR)
-    for _ in range(wp.bit_count(touched)):
-        face = face_in(leaf, lowest_bit(touched))
-        touched = touched & (touched - 1)
-        if wp.dot(vec3_at(rays.normals, face), n) < _OPPOSITE:
-            best = wp.min(best, face)
-    return best
+@wp.struct
+class Hit:
+    """A hit: where, how near to it a face touches it, the normal of the face, and those of all faces, (F, 3) float32."""
+
+    p: wp.vec3
+    r: wp.float32
+    n: wp.vec3
+    normals: wp.uint64
 
 
 @wp.func
-def _opposite(rays: FaceRays, tree: Accelerator, p: wp.vec3, n: wp.vec3, scratch: wp.uint64) -> wp.int32:
-    """The same of all faces."""
-    best = _NONE
-    node = tree.nodes
-    mask = children_around(node, p, _NEAR)
-    top = scratch
-    while mask != 0 or top != scratch:
-        if mask == 0:
-            top -= WAITING
-            node = address_at(top, 0)
-            mask = wp.array(ptr=top, shape=(4,), dtype=wp.int32)[2]
-        child = lowest_bit(mask)
-        mask = mask & (mask - 1)
-        place = link_in(node, child)
-        if place < 0:
-            best = wp.min(best, _first_opposite(rays, leaf_at(tree, ~place), p, n))
-        else:
-            if mask != 0:
-                top = put_aside(top, node, mask, 0.0)
-            node = node_at(tree, place)
-            mask = children_around(node, p, _NEAR)
+def _lowest(face: wp.int32, hit: Hit, best: wp.int32) -> wp.int32:
+    """The lower of two faces' numbers, if the one found is turned against the one that was hit."""
+    if wp.dot(vec3_at(hit.normals, face), hit.n) < _OPPOSITE:
+        best = wp.min(best, face)
     return best
+
+
+_look_around = faces_touching(_lowest, Hit, wp.int32)
 
 
 @once
@@ -89,9 +65,14 @@ def coincident_kernel() -> wp.Kernel:
         met = face_at(rays, _BACK - int_at(rays.codes, ray))
         across = wp.cross(met.b, met.c)
         slope = wp.dot(across, d)
-        if slope != wp.float64(0.0):
+        if slope != ZERO:
             p = o + (wp.dot(across, met.a - o) / slope) * d
-            found = _opposite(rays, tree, wp.vec3(p), met.n, words.ptr)
+            hit = Hit()
+            hit.p = wp.vec3(p)
+            hit.r = _NEAR
+            hit.n = met.n
+            hit.normals = rays.normals
+            found = _look_around(tree, hit, _NONE, words.ptr)
             if found != _NONE:
                 set_int(rays.codes, ray, found)
 

@@ -5,11 +5,11 @@ from fractions import Fraction
 import warp as wp
 
 from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphere
-from warpsample.estimate.skipping.frontier import HORIZON_MARGIN
 from warpsample.maths.frames import to_world
 from warpsample.maths.memory import vec3_at, vec3i_at
 from warpsample.maths.numerics import HALF, ONE, ZERO, uniform_from_bits, weyl
 from warpsample.tracing.placement import in_double, lift_within
+from warpsample.tracing.sight.point import HORIZON_MARGIN
 
 SKY, GROUND, BACK = -1, -2, -3
 """What is kept of a ray that meets nothing, above or below the horizon; a face met from behind is BACK - its number, one met

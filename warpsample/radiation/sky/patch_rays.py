@@ -2,19 +2,16 @@
 
 import warp as wp
 
-from warpsample.directions.variates import LANES
-from warpsample.estimate.skipping.frontier import NEAR, NEAR_EDGE
-from warpsample.estimate.spot import Spot, bring_near
 from warpsample.maths.memory import float_at
-from warpsample.maths.numerics import TWO, ZERO, greater, lesser
+from warpsample.maths.numerics import ONE, TWO, ZERO, greater, lesser
 from warpsample.radiation.sky.form_factors import COLUMNS, FAINT, Patch, highest
 from warpsample.radiation.sky.spreading import LEAST, Slope, column_at, cube_root, slope_of, turned_by, weight_of
 from warpsample.sequences.fibonacci import fibonacci_sample
 from warpsample.sequences.hashing import ONE_WORD, one_of, stream_key
-from warpsample.tracing.placement import Placement, far_off
-from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, REACH, Accelerator
-from warpsample.tracing.wide.prepare import prepare_wide, ray_in
-from warpsample.tracing.wide.query import any_of, wide_query
+from warpsample.tracing.placement import Placement
+from warpsample.tracing.queries import CHUNK, Accelerator, set_direction
+from warpsample.tracing.sight.point import ShadingPoint
+from warpsample.tracing.sight.rays import first_hit, prepare_rays, rays_from_afar, whole_vectors
 
 WEIGHTS = 2 * CHUNK
 """Floats for the weights of a chunk's rays; a chunk more than there are, as all loops run over whole vectors."""
@@ -22,7 +19,8 @@ WEIGHTS = 2 * CHUNK
 _FAINT = wp.constant(wp.float32(FAINT))
 _LEAST_CUBE = wp.constant(wp.float32(1e-12))
 _COLUMN_BYTES = wp.constant(wp.uint64(8 * COLUMNS))
-_query = wide_query(True, several=True)
+_hit = first_hit(True)
+_prepare = prepare_rays()
 
 
 @wp.struct
@@ -65,26 +63,25 @@ SkyRowsArgs = type(SkyRows().__ctype__())
 
 
 @wp.func
-def _spread(sky: SkyRows, spot: Spot, slope: Slope, k: wp.int32, each: wp.int32, at: wp.int32, length: wp.int32):
+def _spread(sky: SkyRows, point: ShadingPoint, slope: Slope, k: wp.int32, each: wp.int32, at: wp.int32, length: wp.int32):
     """Writes directions of a patch's rays, both replicates one after the other, from the at-th on, and their weights.
 
     They are about as dense as the cosine: linear in the height along a column, and columns by their weights.
     """
-    rays = wp.array(ptr=spot.chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-    weights = wp.array(ptr=spot.square, shape=(WEIGHTS,), dtype=wp.float32)
+    weights = wp.array(ptr=point.own, shape=(WEIGHTS,), dtype=wp.float32)
     frame = wp.array(ptr=sky.frame, shape=(9,), dtype=wp.float64)
     east = wp.vec3(wp.float32(frame[0]), wp.float32(frame[1]), wp.float32(frame[2]))
     north = wp.vec3(wp.float32(frame[3]), wp.float32(frame[4]), wp.float32(frame[5]))
     up = wp.vec3(wp.float32(frame[6]), wp.float32(frame[7]), wp.float32(frame[8]))
-    n = spot.n
+    n = point.n
     cubes = slope.start * slope.start * slope.start
     more = slope.end * slope.end * slope.end - cubes
     steeper = slope.end - slope.start
     even = steeper == 0.0
     inverse = 1.0 / wp.where(even, 1.0, steeper)
     stream = wp.uint32(2 * k)
-    key = stream_key(spot.key, stream)
-    other = stream_key(spot.key, stream + ONE_WORD)
+    key = stream_key(point.key, stream)
+    other = stream_key(point.key, stream + ONE_WORD)
     i = wp.int32(0)
     while i < length:
         j = at + i
@@ -107,9 +104,7 @@ def _spread(sky: SkyRows, spot: Spot, slope: Slope, k: wp.int32, each: wp.int32,
         dx = x * east[0] + y * north[0] + z * up[0]
         dy = x * east[1] + y * north[1] + z * up[1]
         dz = x * east[2] + y * north[2] + z * up[2]
-        rays[DIRECTION + i] = dx
-        rays[DIRECTION + CHUNK + i] = dy
-        rays[DIRECTION + 2 * CHUNK + i] = dz
+        set_direction(point.chunk, i, wp.vec3(dx, dy, dz))
         cosine = n[0] * dx + n[1] * dy + n[2] * dz
         density = (a + down * (b - a)) * root * root + LEAST
         weights[i] = wp.where(cosine >= _FAINT, cosine * weight_of(column) / density, 0.0)
@@ -117,40 +112,22 @@ def _spread(sky: SkyRows, spot: Spot, slope: Slope, k: wp.int32, each: wp.int32,
 
 
 @wp.func
-def _to_highest(sky: SkyRows, spot: Spot, n: wp.vec3d, patch: Patch):
+def _to_highest(sky: SkyRows, tree: Accelerator, point: ShadingPoint, local: wp.int32, n: wp.vec3d, patch: Patch):
     """Prepares one ray, to where a patch is highest above the point's horizon."""
     frame = wp.array(ptr=sky.frame, shape=(3,), dtype=wp.vec3d)
-    rays = wp.array(ptr=spot.chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     w = highest(n, patch)
     d = w[0] * frame[0] + w[1] * frame[1] + w[2] * frame[2]
-    for axis in range(3):
-        rays[DIRECTION + axis * CHUNK] = wp.float32(d[axis])
-    if far_off(spot.place):
-        bring_near(spot, spot.chunk)
-    prepare_wide(spot.chunk, LANES)
-
-
-@wp.func
-def _blocked(accelerator: Accelerator, spot: Spot, near: wp.int32, column: wp.uint64) -> wp.bool:
-    """Whether a prepared ray meets something."""
-    reach = float_at(column, REACH)
-    blocked = wp.bool(False)
-    if reach > 0.0:
-        if near != 0:
-            edge = float_at(spot.room + NEAR_EDGE, 0)
-            blocked = any_of(spot.room + NEAR, near, ray_in(column), reach, edge) >= 0
-        if not blocked and accelerator.starts > 0:
-            _distance, face, _nodes, _leaves = _query(accelerator, column, reach, spot.scratch)
-            blocked = face >= 0
-    return blocked
+    set_direction(point.chunk, 0, wp.vec3(d))
+    rays_from_afar(point, 1)
+    _prepare(tree, point, local, 1)
 
 
 @wp.func
 def sum_rays(
     sky: SkyRows,
-    accelerator: Accelerator,
-    spot: Spot,
-    near: wp.int32,
+    tree: Accelerator,
+    point: ShadingPoint,
+    local: wp.int32,
     n: wp.vec3d,
     k: wp.int32,
     patch: Patch,
@@ -169,18 +146,15 @@ def sum_rays(
     slope = slope_of(n, patch, row)
     for at in range(0, 2 * each, CHUNK):
         length = wp.min(CHUNK, 2 * each - at)
-        padded = (length + LANES - 1) / LANES * LANES
-        _spread(sky, spot, slope, k, each, at, padded)
-        if far_off(spot.place):
-            for i in range(length):
-                bring_near(spot, spot.chunk + wp.uint64(4 * i))
-        prepare_wide(spot.chunk, padded)
-        weights = wp.array(ptr=spot.square, shape=(WEIGHTS,), dtype=wp.float32)
+        _spread(sky, point, slope, k, each, at, whole_vectors(length))
+        rays_from_afar(point, length)
+        _prepare(tree, point, local, length)
         for i in range(length):
-            weight = wp.float64(weights[i])
+            weight = wp.float64(float_at(point.own, i))
             if weight > ZERO:
                 cast += 1
-                seen = wp.where(_blocked(accelerator, spot, near, spot.chunk + wp.uint64(4 * i)), ZERO, weight)
+                distance, _face = _hit(tree, point, local, i)
+                seen = wp.where(distance < wp.INF, ZERO, weight)
                 in_first = at + i < each
                 free += seen
                 all += weight
@@ -190,8 +164,9 @@ def sum_rays(
     if all == ZERO:
         # Few rays that are all but parallel to the horizon: one where the patch is highest above it.
         cast = 1
-        _to_highest(sky, spot, n, patch)
-        share = wp.where(_blocked(accelerator, spot, near, spot.chunk), ZERO, wp.float64(1.0))
+        _to_highest(sky, tree, point, local, n, patch)
+        distance, _face = _hit(tree, point, local, 0)
+        share = wp.where(distance < wp.INF, ZERO, ONE)
     else:
         share = free / all
         # The replicates' deviations from the share add up to 0: one is half of their difference.

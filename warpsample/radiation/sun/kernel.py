@@ -2,29 +2,27 @@
 
 import warp as wp
 
-from warpsample.directions.samples import normal_status, weigh_by_mask
-from warpsample.estimate.skipping.frontier import HORIZON_MARGIN
 from warpsample.host.locks import once
-from warpsample.maths.memory import set_byte, set_float, vec3_at
-from warpsample.maths.numerics import ONE, ZERO, scaled_to_unit
-from warpsample.radiation.sun.proofs import DARK, LIT, MET, darkened, open_around, proven
+from warpsample.maths.memory import set_byte, set_float, set_int
+from warpsample.maths.numerics import ONE, ZERO
+from warpsample.radiation.sun.proofs import DARK, LIT, MET, darkened, opened, proven
 from warpsample.radiation.sun.rays import (
     DISC_RAYS,
     GROUP_BYTES,
     LEAST_COSINE,
     aim_at_disc,
     aim_at_group,
-    blocked_by,
-    column_of,
-    start_all,
+    blocked,
+    sun_number,
     sun_of,
-    way_of,
 )
-from warpsample.radiation.sun.view import CAST, KNOWN_FLOATS, PROVEN, WORDS, Suns, View, add, cosine_to, word
+from warpsample.radiation.sun.suns import GROUP
+from warpsample.radiation.sun.view import CAST, OWN_FLOATS, PROVEN, Suns, View, add, cosine_to, view_of, word
 from warpsample.sequences.hashing import point_key
-from warpsample.tracing.placement import local_origin, point_of, reach_along
-from warpsample.tracing.wide.layout import BEAM_FLOATS, CHUNK_FLOATS, SCRATCH, START_FLOATS, WIDTH, Accelerator
+from warpsample.tracing.queries import CHUNK_FLOATS, Accelerator, direction_of
+from warpsample.tracing.sight.point import point_in, standing, turned, workspace_floats
 
+_FLOATS = workspace_floats(OWN_FLOATS)
 _TALLIES = 3
 _WHOLE = wp.constant(wp.float64(2.0**-18))  # so far above the horizon no rounded ray of a disc is below it
 
@@ -33,7 +31,7 @@ _WHOLE = wp.constant(wp.float64(2.0**-18))  # so far above the horizon no rounde
 def _add_weights(suns: Suns, view: View, column: wp.int32, factor: wp.float64):
     """Adds a sun's weights, times a factor, to the point's sums."""
     row = wp.uint64(8 * suns.channels)
-    total = wp.array(ptr=suns.answer + wp.uint64(view.point) * row, shape=(suns.channels,), dtype=wp.float64)
+    total = wp.array(ptr=suns.answer + wp.uint64(view.point.index) * row, shape=(suns.channels,), dtype=wp.float64)
     weights = wp.array(ptr=suns.weights + wp.uint64(column) * row, shape=(suns.channels,), dtype=wp.float64)
     m = wp.int32(0)
     while m < suns.channels:
@@ -47,7 +45,7 @@ def _keeper(disc: bool) -> wp.Function:
 
     @wp.func
     def keep(suns: Suns, view: View, column: wp.int32, share: wp.float32, cosine: wp.float64):
-        at = wp.uint64(view.point) * wp.uint64(suns.count) + wp.uint64(column)
+        at = wp.uint64(view.point.index) * wp.uint64(suns.count) + wp.uint64(column)
         if suns.weights != wp.uint64(0):
             _add_weights(suns, view, column, wp.float64(share) * wp.where(suns.cosine != 0, cosine, ONE))
         elif wp.static(disc):
@@ -61,7 +59,7 @@ def _keeper(disc: bool) -> wp.Function:
 @once
 def _points() -> wp.Function:
     """A function that looks at the suns of a group, each a point."""
-    keep, blocked = _keeper(False), blocked_by()
+    keep = _keeper(False)
 
     @wp.func
     def look(
@@ -69,16 +67,16 @@ def _points() -> wp.Function:
     ):
         aimed = wp.int32(0)
         k = wp.int32(0)
-        while k < WIDTH:
-            cosine = cosine_to(view.n, sun_of(suns, group, k))
+        while k < GROUP:
+            cosine = cosine_to(view.point.n, sun_of(suns, group, k))
             if cosine > ZERO and state != DARK:
-                column = column_of(suns, group, k)
+                column = sun_number(suns, group, k)
                 if state == LIT and cosine >= LEAST_COSINE:
                     add(view, PROVEN, 1)
                     keep(suns, view, column, 1.0, cosine)
                 else:
                     if aimed == 0:
-                        aim_at_group(suns, view, group)
+                        aim_at_group(suns, seen, view, group)
                         aimed = 1
                     cast = word(view, CAST)
                     if not blocked(suns, whole, seen, view, k, cosine):
@@ -93,7 +91,6 @@ def _points() -> wp.Function:
 @once
 def _disc_share() -> wp.Function:
     """A function that samples a sun's disc."""
-    blocked = blocked_by()
 
     @wp.func
     def share_of(
@@ -101,10 +98,10 @@ def _disc_share() -> wp.Function:
     ) -> wp.float32:
         """The share of a disc that is above the horizon and not blocked; none is if it is LIT."""
         dark = wp.int32(0)
-        aim_at_disc(suns, view, column, sun)
+        aim_at_disc(suns, seen, view, column, sun)
         k = wp.int32(0)
         while k < DISC_RAYS:
-            cosine = cosine_to(view.n, way_of(view, k))
+            cosine = cosine_to(view.point.n, direction_of(view.point.chunk, k))
             if cosine <= ZERO:
                 dark += 1
             elif state != LIT or cosine < LEAST_COSINE:
@@ -125,14 +122,14 @@ def _discs() -> wp.Function:
         suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, beam: wp.uint64, state: wp.int32
     ):
         k = wp.int32(0)
-        while k < WIDTH:
+        while k < GROUP:
             sun = sun_of(suns, group, k)
-            cosine = cosine_to(view.n, sun)
+            cosine = cosine_to(view.point.n, sun)
             if cosine > ZERO:
-                column = column_of(suns, group, k)
+                column = sun_number(suns, group, k)
                 own = state
                 if state == MET and view.skips and beam != wp.uint64(0):
-                    own = proven(seen, view, suns.disc_beams + wp.uint64(group * WIDTH + k) * GROUP_BYTES)
+                    own = proven(seen, view, suns.disc_beams + wp.uint64(group * GROUP + k) * GROUP_BYTES)
                 if own == LIT and cosine > suns.sine + _WHOLE:
                     add(view, PROVEN, 1)
                     keep(suns, view, column, 1.0, cosine)
@@ -151,7 +148,7 @@ def _looker(disc: bool) -> wp.Function:
     @wp.func
     def look_all(suns: Suns, accelerator: Accelerator, view: View):
         """Walks the tree of suns, without what is below a node that is proven lit or dark."""
-        view, seen = open_around(suns, accelerator, view)
+        view, seen = opened(suns, accelerator, view)
         node = wp.int32(0)
         while node < suns.nodes:
             span = wp.array(ptr=suns.spans + wp.uint64(node) * wp.uint64(16), shape=(4,), dtype=wp.int32)
@@ -179,41 +176,18 @@ def sun_kernel(disc: bool) -> wp.Kernel:
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def each_point(suns: Suns, accelerator: Accelerator, first_task: wp.int64):
-        scratch = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
-        floats = wp.zeros(shape=(CHUNK_FLOATS,), dtype=wp.float32)
-        beam = wp.zeros(shape=(BEAM_FLOATS,), dtype=wp.float32)
-        room = wp.zeros(shape=(START_FLOATS,), dtype=wp.float32)
-        known = wp.zeros(shape=(KNOWN_FLOATS,), dtype=wp.float32)
-        words = wp.zeros(shape=(WORDS,), dtype=wp.int32)
-        view = View()
-        view.chunk = floats.ptr
-        view.room = room.ptr
-        view.beam = beam.ptr
-        view.scratch = scratch.ptr
-        view.known = known.ptr
-        view.words = words.ptr
-        view.point = point_of(suns.placement, first_task + wp.int64(wp.tid()))
+        memory = wp.zeros(shape=(_FLOATS,), dtype=wp.float32)
+        task = first_task + wp.int64(wp.tid())
+        point = turned(point_in(memory.ptr, OWN_FLOATS, CHUNK_FLOATS), suns.placement, suns.normals, suns.active, task)
+        point = standing(point, suns.placement, 2)
         if wp.static(disc):
-            view.key = point_key(suns.seed, suns.first_point + wp.uint64(view.point))
-        row = wp.uint64(view.point) * wp.uint64(12)
-        normal = vec3_at(suns.normals + row, 0)
-        unit = scaled_to_unit(normal)
-        view.n = wp.vec3(unit[0], unit[1], unit[2])
-        view.place = local_origin(suns.placement, view.point)
-        side = vec3_at(suns.placement.normals + row, 0)
-        starts = wp.array(ptr=suns.placement.starts + row + row, shape=(2,), dtype=wp.vec3)
-        view.o = starts[wp.where(wp.dot(side, view.n) < 0.0, 1, 0)]
-        view.low = HORIZON_MARGIN * reach_along(suns.placement, view.n, view.o)
-        view.reach = wp.float32(suns.placement.reach)
-        weight = wp.float32(1.0)
-        if suns.active != wp.uint64(0):
-            weight = weigh_by_mask(wp.array(ptr=suns.active + wp.uint64(view.point), shape=(1,), dtype=wp.uint8), 0)
-        if normal_status(normal, weight) == 0 and wp.dot(view.place - view.place, view.place - view.place) == ZERO:
-            start_all(view)
+            point.key = point_key(suns.seed, suns.first_point + wp.uint64(point.index))
+        view = view_of(point)
+        if point.status == 0:
             look_all(suns, accelerator, view)
         if suns.tally != wp.uint64(0):
-            tally = wp.array(ptr=suns.tally + row, shape=(_TALLIES,), dtype=wp.int32)
+            row = suns.tally + wp.uint64(point.index) * wp.uint64(4 * _TALLIES)
             for i in range(_TALLIES):
-                tally[i] = words[PROVEN + i]
+                set_int(row, i, word(view, PROVEN + i))
 
     return each_point

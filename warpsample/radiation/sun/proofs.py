@@ -2,32 +2,42 @@
 
 import warp as wp
 
-from warpsample.estimate.skipping.beams import meets, triangles_in
-from warpsample.estimate.skipping.frontier import NEAR, frontier
-from warpsample.estimate.spot import start_beam
-from warpsample.radiation.sun.shafts import covering, highest
+from warpsample.maths.numerics import greater
 from warpsample.radiation.sun.view import Suns, View, known_triangles
 from warpsample.tracing.placement import far_off
-from warpsample.tracing.wide.layout import Accelerator
+from warpsample.tracing.queries import Accelerator
+from warpsample.tracing.sight.cover import covering
+from warpsample.tracing.sight.frontier import open_around
+from warpsample.tracing.sight.search import EMPTY, search_shaft
+from warpsample.tracing.sight.shafts import CORNERS, aim_at, corner_of, triangles_in
 
 MET, LIT, DARK = (wp.constant(wp.int32(i)) for i in range(3))
 """What is known of a beam: nothing; none of its rays meets anything; all do, or are below the horizon."""
 
-_VISITS = wp.constant(wp.int32(32))  # nodes and leaves that a beam may look into: as long as five rays take
 _AVERTED = wp.constant(wp.float32(-(2.0**-18)))
 
 
+COVER_MARGIN = wp.constant(wp.float32(2.0**-19))
+"""By which a shaft must be within a triangle that darkens it: directions are rounded by at most 2^-20.4."""
+
+
 @wp.func
-def open_around(suns: Suns, accelerator: Accelerator, view: View):
+def opened(suns: Suns, tree: Accelerator, view: View):
     """(the point, the tree as its rays see it); the tree is opened around the point if anything may be skipped."""
-    view.skips = suns.skip != 0 and not far_off(view.place)
+    view.skips = suns.skip != 0 and not far_off(view.point.position)
     if view.skips:
-        starts, around = frontier(accelerator, view.o, view.n, view.low, view.reach, view.room, view.scratch)
-        view.near = (1 << around) - 1
-        if starts >= 0:
-            accelerator.start = view.room
-            accelerator.starts = starts
-    return view, accelerator
+        tree, local, _opened = open_around(tree, view.point)
+        view.local = local
+    return view, tree
+
+
+@wp.func
+def highest(vectors: wp.uint64, n: wp.vec3) -> wp.float32:
+    """The greatest cosine of a shaft's corners to a unit vector: none of its directions has a greater one above 0."""
+    most = wp.float32(-1.0)
+    for i in range(CORNERS):
+        most = greater(most, wp.dot(corner_of(vectors, i), n))
+    return most
 
 
 @wp.func
@@ -36,30 +46,27 @@ def darkened(view: View, vectors: wp.uint64) -> wp.bool:
     known = known_triangles(view)
     if known == 0:
         return False
-    return (covering(view.known, vectors, view.o) & known) != 0  # within reach: coordinates are below 1e36
+    return (
+        covering(view.known, vectors, view.point.o, COVER_MARGIN) & known
+    ) != 0  # within reach: coordinates are below 1e36
 
 
 @wp.func
 def _met(seen: Accelerator, view: View, vectors: wp.uint64) -> wp.bool:
     """Whether a ray of a beam may meet something."""
-    if seen.starts == 0 and view.near == 0:
+    if seen.starts == 0 and view.local == 0:
         return False
-    start_beam(vectors, view.n, view.o, view.low, view.beam)
-    found = wp.int32(0)
+    aim_at(vectors, view.point)
     known = known_triangles(view)
-    if known != 0:
-        found = triangles_in(view.known, view.beam) & known
-    if found == 0 and view.near != 0:
-        found = triangles_in(view.room + NEAR, view.beam) & view.near
-    if found == 0 and seen.starts > 0:
-        found = meets(seen, view.beam, _VISITS, view.scratch)
-    return found != 0
+    if known != 0 and (triangles_in(view.known, view.point.shaft) & known) != 0:
+        return True
+    return search_shaft(seen, view.point, view.local).state != EMPTY
 
 
 @wp.func
 def proven(seen: Accelerator, view: View, vectors: wp.uint64) -> wp.int32:
     """MET, LIT or DARK. Of what is LIT, rays below `LEAST_COSINE` are to be traced all the same."""
-    if highest(vectors, view.n) < _AVERTED:
+    if highest(vectors, view.point.n) < _AVERTED:
         return DARK
     if darkened(view, vectors):
         return DARK

@@ -9,9 +9,9 @@ from math import radians
 
 import numpy as np
 
-from warpsample.tracing.wide.layout import CORNERS, PLANES, WIDTH
+from warpsample.tracing.sight.shafts import shaft_vectors
 
-GROUP = WIDTH
+GROUP = 16
 """Suns of a group, at most: as many as are looked at at once."""
 
 _WIDEST = 0.6  # radians from its axis: a beam that is wider meets something anyway
@@ -48,18 +48,18 @@ class SunTree:
             order = order[_sorted(directions[order], bounds[level])]
         suns, leaves = directions[order].astype(np.float64), bounds[levels]
         of, lane = _members(leaves)
-        groups = np.zeros((2**levels, 3, WIDTH), np.float32)
+        groups = np.zeros((2**levels, 3, GROUP), np.float32)
         groups[of, :, lane] = suns
-        columns = np.zeros((2**levels, WIDTH), np.int32)
+        columns = np.zeros((2**levels, GROUP), np.int32)
         columns[of, lane] = order
         nodes = 2 ** (levels + 1) - 1
-        spans, beams = np.zeros((nodes, 4), np.int32), np.zeros((nodes, 3, WIDTH), np.float32)
+        spans, beams = np.zeros((nodes, 4), np.int32), np.zeros((nodes, 3, GROUP), np.float32)
         for level, at in enumerate(_places(levels)):
             beams[at], of_use = _beams(suns, bounds[level], radius)
             first = np.arange(2**level) << (levels - level)
             below = 2 ** (levels - level + 1) - 1
             spans[at] = np.stack([first, first + 2 ** (levels - level), at + below, of_use], axis=1)
-        disc_beams = np.zeros((2**levels if disc else 0, WIDTH, 3, WIDTH), np.float32)
+        disc_beams = np.zeros((2**levels if disc else 0, GROUP, 3, GROUP), np.float32)
         if disc:
             disc_beams[of, lane] = _beams(suns, np.arange(count + 1), radius)[0]
         return cls(groups, columns, spans, beams, disc_beams)
@@ -108,11 +108,8 @@ def _beams(suns: np.ndarray, bounds: np.ndarray, radius: float) -> tuple[np.ndar
         normals += [np.cos(low) * side - np.sin(low) * axis, np.sin(high) * axis - np.cos(high) * side]
         tangents.append((np.tan(low) * side, np.tan(high) * side))
     corners = [axis + x + y for x in tangents[0] for y in tangents[1]]
-    vectors = np.zeros((len(first), 3, WIDTH), np.float32)
-    vectors[..., 1:PLANES] = np.stack(normals, axis=2)
     lengths = np.linalg.norm(corners, axis=2, keepdims=True)
-    vectors[..., PLANES : PLANES + CORNERS] = np.moveaxis(corners / lengths, 0, 2)
-    return vectors, of_use
+    return shaft_vectors(np.stack(normals, axis=1), np.moveaxis(corners / lengths, 0, 1)), of_use
 
 
 def _sides(

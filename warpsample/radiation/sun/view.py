@@ -1,19 +1,22 @@
-"""The arguments of the suns' kernel, and one point as it sees the suns: its rays, and memory to work in."""
+"""The arguments of the suns' kernel, and one point as it sees the suns: what it knows, and memory to work in."""
 
 import warp as wp
 
-from warpsample.maths.memory import int_at
+from warpsample.maths.memory import int_at, set_int
 from warpsample.tracing.placement import Placement
-from warpsample.tracing.wide.layout import LEAF_BYTES
-
-KNOWN_FLOATS = LEAF_BYTES // 4 + 1
-"""A leaf of triangles that blocked rays of the point, and their longest side along an axis."""
+from warpsample.tracing.sight.leaves import OWN_LEAF_FLOATS
+from warpsample.tracing.sight.point import ShadingPoint
 
 KNOWN, NEXT, PROVEN, REMEMBERED, CAST = range(5)
-"""Words of a point: triangles in that leaf, and where the next one goes; suns found lit by a beam; rays that a known
+"""Words of a point: known triangles in their leaf, and where the next one goes; suns found lit by a beam; rays that a known
 triangle blocked; rays cast."""
 
 WORDS = 5
+
+OWN_FLOATS = 16 * -(-(OWN_LEAF_FLOATS + WORDS) // 16)
+"""float32 numbers that a point needs: a leaf of triangles that blocked rays of it, and the words."""
+
+_WORDS_BYTES = wp.constant(wp.uint64(4 * OWN_LEAF_FLOATS))
 
 
 @wp.struct
@@ -61,27 +64,27 @@ SunsArgs = type(Suns().__ctype__())
 
 @wp.struct
 class View:
-    """A point.
+    """A shading point, with what it knows of the suns.
 
-    The key of its random numbers (where suns are discs), unit normal, place, origin of its rays, what is lower is below the
-    horizon, reach; mask of the triangles around it; whether anything may be proven; and addresses of memory to work in.
+    local: mask of the triangles of its local leaf. skips: whether anything may be proven. known: address of the leaf of
+    triangles that blocked rays of the point. words: address of its words.
     """
 
-    point: wp.int64
-    key: wp.vec4ui
-    n: wp.vec3
-    place: wp.vec3d
-    o: wp.vec3
-    low: wp.float32
-    reach: wp.float32
-    near: wp.int32
+    point: ShadingPoint
+    local: wp.int32
     skips: wp.bool
-    chunk: wp.uint64
-    room: wp.uint64
-    beam: wp.uint64
-    scratch: wp.uint64
     known: wp.uint64
     words: wp.uint64
+
+
+@wp.func
+def view_of(point: ShadingPoint) -> View:
+    """A point that knows nothing yet."""
+    view = View()
+    view.point = point
+    view.known = point.own
+    view.words = point.own + _WORDS_BYTES
+    return view
 
 
 @wp.func
@@ -93,8 +96,7 @@ def word(view: View, i: wp.int32) -> wp.int32:
 @wp.func
 def add(view: View, i: wp.int32, more: wp.int32):
     """Adds to one of the point's words."""
-    words = wp.array(ptr=view.words, shape=(WORDS,), dtype=wp.int32)
-    words[i] = words[i] + more
+    set_int(view.words, i, word(view, i) + more)
 
 
 @wp.func

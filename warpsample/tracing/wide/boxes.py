@@ -10,8 +10,9 @@ from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
 from warpsample.host.locks import once
 from warpsample.maths.memory import float_at, set_float, vec3i_at
+from warpsample.tracing.queries import AcceleratorArgs
 from warpsample.tracing.wide.build import Topology
-from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH, AcceleratorArgs
+from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH
 
 PADDING = 2.0**-17
 """By which boxes are larger than what is in them, on each side; the mesh is within 1 of 0, ray origins within 6.

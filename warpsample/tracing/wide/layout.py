@@ -1,4 +1,4 @@
-"""How a tree, a chunk of rays and the scratch space of a query lie in memory.
+"""How a tree and the scratch space of a query lie in memory.
 
 Rows of sixteen float32 fill one AVX-512 register or two of AVX2:
 
@@ -11,6 +11,7 @@ Rows of sixteen float32 fill one AVX-512 register or two of AVX2:
 import warp as wp
 
 from warpsample.maths.memory import float_at, int_at
+from warpsample.tracing.queries import Accelerator
 
 WIDTH = 16
 """Children of a node, triangles of a leaf."""
@@ -27,42 +28,8 @@ MOST_DEPTH = 24
 SCRATCH = 4 * (MOST_DEPTH + 3)
 """int32 words that a query needs: nodes that wait."""
 
-CHUNK = 64
-"""Rays that are prepared together: columns of rows of float32."""
-
-ORIGIN, DIRECTION, REACH, AHEAD, PREPARED = (row * CHUNK for row in (0, 3, 6, 7, 8))
-"""Where rows start: origin and unit direction, 3 each; reach; how far the ray came before its origin; the tracer's own."""
-
-CHUNK_FLOATS = PREPARED + 18 * CHUNK
-
-PLANES, CORNERS = 5, 4
-"""Of a beam. It is five rows of sixteen float32: x, y, z of its planes' inward normals and then of its corners' unit
-directions; the planes' limits for boxes; the origin, and how far below the horizon what is in the beam may be."""
-
-BEAM_FLOATS = 5 * WIDTH
-
 MOST_STARTS = 4
 """Nodes that the rays of a point start from."""
-
-START_FLOATS = MOST_STARTS * NODE_BYTES // 4 + LEAF_BYTES // 4 + 1
-"""These, the leaf of the triangles around the point, and their longest side."""
-
-
-@wp.struct
-class Accelerator:
-    """Addresses of a tree's nodes and leaves, or the id of a wp.Mesh.
-
-    Queries start from `starts` nodes, at most MOST_STARTS, from the address `start` on; without any, nothing is met.
-    """
-
-    nodes: wp.uint64
-    leaves: wp.uint64
-    mesh: wp.uint64
-    start: wp.uint64
-    starts: wp.int32
-
-
-AcceleratorArgs = type(Accelerator().__ctype__())
 
 
 @wp.func

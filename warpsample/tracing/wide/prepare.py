@@ -3,7 +3,8 @@
 import warp as wp
 
 from warpsample.maths.numerics import greater
-from warpsample.tracing.wide.layout import CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, PREPARED, WIDTH
+from warpsample.tracing.queries import CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, PREPARED
+from warpsample.tracing.wide.layout import WIDTH
 
 _INVERSE, _SHIFT, _NEAR, _ORIGIN, _SHEAR, _AXES = (PREPARED + row * CHUNK for row in range(0, 18, 3))
 

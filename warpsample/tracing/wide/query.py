@@ -3,24 +3,14 @@
 import warp as wp
 
 from warpsample.host.locks import once
-from warpsample.maths.memory import address_at, int_at, set_address, set_float, set_int
+from warpsample.maths.memory import address_at, int_at
 from warpsample.maths.numerics import lowest_bit
+from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.wide.candidates import boxes_met, triangles_near
-from warpsample.tracing.wide.layout import (
-    NODE_BYTES,
-    WIDTH,
-    Accelerator,
-    edge_in,
-    face_in,
-    leaf_at,
-    link_in,
-    node_at,
-)
+from warpsample.tracing.wide.layout import NODE_BYTES, WIDTH, edge_in, face_in, leaf_at, link_in, node_at
 from warpsample.tracing.wide.prepare import Ray, ray_in
 from warpsample.tracing.wide.triangle import between_edges, plane_distance
-
-WAITING = wp.constant(wp.uint64(4 * 4))
-"""Bytes of a node that waits on the stack: its address, a mask of its children, and the reach they were found with."""
+from warpsample.tracing.wide.walk import WAITING, put_aside
 
 _ALL = wp.constant(wp.int32(2**WIDTH - 1))
 
@@ -103,15 +93,6 @@ def _any_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.float32
         return wp.float32(wp.INF), wp.int32(-1)
     face = face_in(leaf, triangle)
     return plane_distance(leaf, triangle, ray), face
-
-
-@wp.func
-def put_aside(top: wp.uint64, node: wp.uint64, mask: wp.int32, reach: wp.float32) -> wp.uint64:
-    """The new top of the stack of nodes that wait, with the children to be visited and the reach they were found with."""
-    set_address(top, 0, node)
-    set_int(top, 2, mask)
-    set_float(top, 3, reach)
-    return top + WAITING
 
 
 @wp.func

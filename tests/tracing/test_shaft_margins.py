@@ -1,4 +1,4 @@
-"""Margins of skipping: what is above a point's horizon, in its reach or in a beam is never passed over, and little else."""
+"""Margins of skipping: what is above a point's horizon, in its reach or in a shaft is never passed over, and little else."""
 
 import numpy as np
 import pytest
@@ -7,11 +7,11 @@ from margin_cases import N, bits, launch, leaves, meets, nodes, on_cpu, places_o
 
 import warpsample as ws
 from warpsample.estimate.cells import cells_of
-from warpsample.estimate.skipping.beams import boxes_in, triangles_in
-from warpsample.estimate.skipping.frontier import HORIZON_MARGIN, triangles_above, visible
-from warpsample.estimate.spot import aim
+from warpsample.tracing.sight.frontier import limit_of_boxes, triangles_above, visible
+from warpsample.tracing.sight.point import HORIZON_MARGIN, SHAFT_FLOATS, ShadingPoint
+from warpsample.tracing.sight.shafts import VECTORS_BYTES, aim_about, boxes_in, triangles_in
 from warpsample.tracing.wide.boxes import PADDING
-from warpsample.tracing.wide.layout import BEAM_FLOATS, LEAF_BYTES, NODE_BYTES, WIDTH
+from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH
 
 LOW = float(HORIZON_MARGIN)
 
@@ -30,28 +30,32 @@ def _above(
     o = origins[i]
     n = normals[i]
     limit = wp.dot(n, o) - low
-    padding = wp.static(PADDING) * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
-    seen, around = visible(nodes.ptr + wp.uint64(i) * wp.uint64(NODE_BYTES), o, n, limit + padding, reach)
+    seen, around = visible(nodes.ptr + wp.uint64(i) * wp.uint64(NODE_BYTES), o, n, limit_of_boxes(limit, n), reach)
     masks[i, 0] = seen
     masks[i, 1] = triangles_above(leaves.ptr + wp.uint64(i) * wp.uint64(LEAF_BYTES), n, limit)
     masks[i, 2] = around
 
 
 @wp.kernel(enable_backward=False, module="unique")
-def _in_beam(
+def _in_shaft(
     nodes: wp.array2d[wp.float32],
     leaves: wp.array2d[wp.float32],
-    beams: wp.array2d[wp.float32],
+    vectors: wp.array2d[wp.float32],
     origins: wp.array[wp.vec3],
     normals: wp.array[wp.vec3],
     low: wp.float32,
     masks: wp.array2d[wp.int32],
 ):
     i = wp.tid()
-    beam = wp.zeros(shape=(BEAM_FLOATS,), dtype=wp.float32)
-    aim(beams.ptr + wp.uint64(i) * wp.uint64(12 * WIDTH), normals[i], origins[i], low, beam.ptr)
-    masks[i, 0] = boxes_in(nodes.ptr + wp.uint64(i) * wp.uint64(NODE_BYTES), beam.ptr)
-    masks[i, 1] = triangles_in(leaves.ptr + wp.uint64(i) * wp.uint64(LEAF_BYTES), beam.ptr)
+    shaft = wp.zeros(shape=(SHAFT_FLOATS,), dtype=wp.float32)
+    point = ShadingPoint()
+    point.n = normals[i]
+    point.o = origins[i]
+    point.low = low
+    point.shaft = shaft.ptr
+    aim_about(vectors.ptr + wp.uint64(i) * VECTORS_BYTES, point)
+    masks[i, 0] = boxes_in(nodes.ptr + wp.uint64(i) * wp.uint64(NODE_BYTES), shaft.ptr)
+    masks[i, 1] = triangles_in(leaves.ptr + wp.uint64(i) * wp.uint64(LEAF_BYTES), shaft.ptr)
 
 
 def lobes(seed, flat):
@@ -121,7 +125,7 @@ def test_what_is_out_of_reach_is_not_seen_and_what_is_around_is_known():
 
 
 @pytest.mark.parametrize("count", [64, 256, 448, 4096, 16384])
-def test_a_beam_holds_what_its_rays_meet_and_not_what_is_clearly_beside_it(count):
+def test_a_shaft_holds_what_its_rays_meet_and_not_what_is_clearly_beside_it(count):
     """Rays in the middle, on the edges and at the corners of a cell meet boxes and triangles that are put on them."""
     cells = cells_of(count)
     rng, origins, normals = lobes(5, False)
@@ -133,25 +137,25 @@ def test_a_beam_holds_what_its_rays_meet_and_not_what_is_clearly_beside_it(count
     local = about.sample(u.astype(np.float32)).astype(np.float64)
     frame = frames(normals)
     ways = unit((local[:, :, None] * frame).sum(axis=1))
-    beams = on_cpu(cells.beams[sector, band + 1].reshape(N, -1))
+    shafts = on_cpu(cells.beams[sector, band + 1].reshape(N, -1))
     places, there, t = places_on(rng, origins, ways, furthest=3.0)
     size = t * rng.uniform(1e-3, 1.0, (N, WIDTH))
     triangles = triangles_about(rng, places, ways, size, hit=True)
     hits, clear = meets(origins, ways, triangles)
     there &= (np.abs(triangles) <= 1.0).all(axis=(2, 3)) & (t > 1e-5)
     low = LOW * 3.0**0.5
-    inputs = [nodes(places, places), leaves(triangles), beams, on_cpu(origins, wp.vec3), on_cpu(normals, wp.vec3), low]
-    masks = bits(launch(_in_beam, N, inputs, wp.zeros((N, 2), wp.int32, device="cpu"))[0])
+    inputs = [nodes(places, places), leaves(triangles), shafts, on_cpu(origins, wp.vec3), on_cpu(normals, wp.vec3), low]
+    masks = bits(launch(_in_shaft, N, inputs, wp.zeros((N, 2), wp.int32, device="cpu"))[0])
     assert masks[:, 0][there].all()
     met = there & np.isfinite(hits) & (clear > 1e-6)
     assert met.mean() >= 0.05
     assert masks[:, 1][met].all()
-    # Beside the beam, by ten times its margins: across an edge of its sector, or under the horizon.
+    # Beside the shaft, by ten times its margins: across an edge of its sector, or under the horizon.
     n = normals[:, None].astype(np.float64)
     under = places - n * ((places - origins[:, None]) * n).sum(axis=2, keepdims=True) - 10.0 * low * n
     tiny = (under[:, :, None] + 1e-9 * rng.normal(size=(N, WIDTH, 3, 3))).astype(np.float32)
-    inputs = [nodes(under, under), leaves(tiny), beams, on_cpu(origins, wp.vec3), on_cpu(normals, wp.vec3), low]
-    masks = bits(launch(_in_beam, N, inputs, wp.zeros((N, 2), wp.int32, device="cpu"))[0])
+    inputs = [nodes(under, under), leaves(tiny), shafts, on_cpu(origins, wp.vec3), on_cpu(normals, wp.vec3), low]
+    masks = bits(launch(_in_shaft, N, inputs, wp.zeros((N, 2), wp.int32, device="cpu"))[0])
     inside = (np.abs(under) <= 1.0).all(axis=2)
     assert not masks[:, 0][inside].any()
     assert not masks[:, 1][inside].any()
@@ -162,13 +166,13 @@ def test_a_beam_holds_what_its_rays_meet_and_not_what_is_clearly_beside_it(count
         places, there, t = places_on(rng, origins, other, furthest=3.0)
         there &= t > 2.0**-12  # the margin for boxes, of 2^-16, is an angle there
         tiny = (places[:, :, None] + 1e-9 * rng.normal(size=(N, WIDTH, 3, 3))).astype(np.float32)
-        inputs = [nodes(places, places), leaves(tiny), beams, on_cpu(origins, wp.vec3), on_cpu(normals, wp.vec3), low]
-        masks = bits(launch(_in_beam, N, inputs, wp.zeros((N, 2), wp.int32, device="cpu"))[0])
+        inputs = [nodes(places, places), leaves(tiny), shafts, on_cpu(origins, wp.vec3), on_cpu(normals, wp.vec3), low]
+        masks = bits(launch(_in_shaft, N, inputs, wp.zeros((N, 2), wp.int32, device="cpu"))[0])
         assert not masks[:, 0][there].any()
         assert not masks[:, 1][there].any()
 
 
-def test_a_beam_holds_the_sheet_that_its_lowest_rays_meet():
+def test_a_shaft_holds_the_sheet_that_its_lowest_rays_meet():
     """Large triangles lie along the horizon, above the origin by less than the rounding of their corners."""
     cells = cells_of(448)
     rng, origins, normals = lobes(6, False)
@@ -185,7 +189,7 @@ def test_a_beam_holds_the_sheet_that_its_lowest_rays_meet():
     hits, clear = meets(origins, ways, triangles)
     met = np.isfinite(hits) & (clear > 1e-6)
     assert met.mean() >= 0.3
-    beams = on_cpu(cells.beams[sector, cells.bands].reshape(N, -1))
-    inputs = [nodes(places, places), leaves(triangles), beams, on_cpu(origins, wp.vec3), on_cpu(normals, wp.vec3), LOW]
-    masks = bits(launch(_in_beam, N, inputs, wp.zeros((N, 2), wp.int32, device="cpu"))[0])
+    shafts = on_cpu(cells.beams[sector, cells.bands].reshape(N, -1))
+    inputs = [nodes(places, places), leaves(triangles), shafts, on_cpu(origins, wp.vec3), on_cpu(normals, wp.vec3), LOW]
+    masks = bits(launch(_in_shaft, N, inputs, wp.zeros((N, 2), wp.int32, device="cpu"))[0])
     assert masks[:, 1][met].all()

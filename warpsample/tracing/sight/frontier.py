@@ -2,42 +2,21 @@
 
 All rays from a point on a surface would open the same nodes and leaves around it. So these are opened once: their other
 children become nodes of the point's own, which its rays start from, and the few triangles around the point that reach
-above its horizon become a leaf. What is below the horizon or out of reach is left out. No ray gets another answer.
+above its horizon become its local leaf. What is below the horizon or out of reach is left out. No ray gets another answer.
 """
 
 import warp as wp
 
 from warpsample.maths.numerics import fma, greater, lowest_bit
+from warpsample.tracing.placement import far_off
+from warpsample.tracing.queries import Accelerator
+from warpsample.tracing.sight.leaves import clear_leaf, copy_triangle, lengthen
+from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint
 from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.corners import highest_corner
-from warpsample.tracing.wide.layout import (
-    LEAF_BYTES,
-    LINKS,
-    MOST_STARTS,
-    NODE_BYTES,
-    WIDTH,
-    Accelerator,
-    edge_in,
-    leaf_at,
-    link_in,
-    node_at,
-)
-
-NEAR = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES))
-"""Where the leaf around the point is, in bytes from the point's first node on."""
-
-NEAR_EDGE = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES + LEAF_BYTES))
-"""Where its triangles' longest side is, seen along an axis."""
-
-HORIZON_MARGIN = wp.constant(wp.float32(2.0**-20))
-"""Times `rays.reach_along` the normal: what is lower than this below the origin's horizon plane is below it for sure.
-
-A height's three products and sums, and the coordinates and the normal's components in them, are rounded to 2^-21.4 of that.
-An origin that is `rays.lift`ed off the surface, by 2^-19, thus has its own face, and all in its plane, below itself.
-"""
+from warpsample.tracing.wide.layout import LINKS, MOST_STARTS, NODE_BYTES, WIDTH, edge_in, leaf_at, link_in, node_at
 
 _NODE_FLOATS = NODE_BYTES // 4
-_LEAF_FLOATS = LEAF_BYTES // 4
 _PADDING = wp.constant(wp.float32(PADDING))
 _NOWHERE = wp.constant(wp.float32(2.0**60))
 _MOST_ENTRIES = wp.constant(wp.int32(MOST_STARTS * WIDTH))
@@ -48,6 +27,12 @@ _MOST_OPENED = 2 * WIDTH
 def _beyond(low: wp.float32, high: wp.float32, x: wp.float32) -> wp.float32:
     """From x to an interval; 0 inside."""
     return greater(greater(low - x, x - high), 0.0)
+
+
+@wp.func
+def limit_of_boxes(limit: wp.float32, n: wp.vec3) -> wp.float32:
+    """The limit along a normal for boxes, which are padded, from that for the triangles in them, which are not."""
+    return limit + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
 
 
 @wp.func
@@ -85,10 +70,10 @@ def triangles_above(leaf: wp.uint64, n: wp.vec3, limit: wp.float32) -> wp.int32:
 
 
 @wp.func
-def _take_over(node: wp.uint64, child: wp.int32, room: wp.uint64, entry: wp.int32):
+def _take_over(node: wp.uint64, child: wp.int32, nodes: wp.uint64, entry: wp.int32):
     """Makes a child of a node the entry-th of the point's own nodes."""
     source = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
-    target = wp.array(ptr=room + wp.uint64(entry / WIDTH) * wp.uint64(NODE_BYTES), shape=(_NODE_FLOATS,), dtype=wp.float32)
+    target = wp.array(ptr=nodes + wp.uint64(entry / WIDTH) * wp.uint64(NODE_BYTES), shape=(_NODE_FLOATS,), dtype=wp.float32)
     lane = entry % WIDTH
     if lane == 0:
         for k in range(3 * WIDTH):
@@ -99,87 +84,85 @@ def _take_over(node: wp.uint64, child: wp.int32, room: wp.uint64, entry: wp.int3
 
 
 @wp.func
-def _copy_triangle(leaf: wp.uint64, k: wp.int32, near: wp.uint64, lane: wp.int32):
-    source = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
-    target = wp.array(ptr=near, shape=(_LEAF_FLOATS,), dtype=wp.float32)
-    for row in range(10):
-        target[row * WIDTH + lane] = source[row * WIDTH + k]
-
-
-@wp.func
 def _take_apart(
-    leaf: wp.uint64,
-    n: wp.vec3,
-    limit: wp.float32,
-    edge: wp.float32,
-    room: wp.uint64,
-    triangles: wp.int32,
+    leaf: wp.uint64, n: wp.vec3, limit: wp.float32, edge: wp.float32, local: wp.uint64, triangles: wp.int32
 ) -> wp.int32:
-    """How many triangles are around the point with those of a leaf that it is in; -1 if there is no room for them."""
+    """How many triangles are in the local leaf with those of a leaf that the point is in; -1 if they do not fit."""
     met = triangles_above(leaf, n, limit)
     count = wp.bit_count(met)
     if triangles + count > WIDTH:
         return -1
     if count > 0:
-        longest = wp.array(ptr=room + NEAR_EDGE, shape=(1,), dtype=wp.float32)
-        longest[0] = wp.max(longest[0], edge)
+        lengthen(local, edge)
     for _ in range(count):
-        _copy_triangle(leaf, lowest_bit(met), room + NEAR, triangles)
+        copy_triangle(leaf, lowest_bit(met), local, triangles)
         met = met & (met - 1)
         triangles += 1
     return triangles
 
 
 @wp.func
-def frontier(
-    accelerator: Accelerator, o: wp.vec3, n: wp.vec3, low: wp.float32, reach: wp.float32, room: wp.uint64, scratch: wp.uint64
-):
-    """(nodes to start from, triangles in the leaf at NEAR): the rays from o above the horizon of n meet nothing else.
+def _frontier(tree: Accelerator, point: ShadingPoint):
+    """(nodes to start from, triangles in the local leaf): the rays of a point above its horizon meet nothing else.
 
     With neither, nothing is above. -1 nodes: there was no room for all, and rays are to start from the root.
 
     Args:
-        accelerator: the tree.
-        o: the rays' origin.
-        n: unit; the rays' cosines to it are at least 2^-12, as the cosine lobe's are.
-        low: what is lower than this below the horizon is below it.
-        reach: what is as far is left out.
-        room: address of START_FLOATS floats.
-        scratch: address of SCRATCH words.
+        tree: all of it.
+        point: whose rays' cosines to its normal are at least 2^-12, as the cosine lobe's are.
     """
-    longest = wp.array(ptr=room + NEAR_EDGE, shape=(1,), dtype=wp.float32)
-    longest[0] = 0.0
-    waiting = wp.array(ptr=scratch, shape=(WIDTH,), dtype=wp.int32)
+    local = point.opened + LOCAL_LEAF
+    clear_leaf(local)
+    waiting = wp.array(ptr=point.scratch, shape=(WIDTH,), dtype=wp.int32)
     waiting[0] = 0
     waits = wp.int32(1)
-    limit = wp.dot(n, o) - low
-    box_limit = limit + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))  # boxes are padded, triangles are not
+    n = point.n
+    limit = wp.dot(n, point.o) - point.low
+    box_limit = limit_of_boxes(limit, n)
     entries = wp.int32(0)
     triangles = wp.int32(0)
     for _ in range(_MOST_OPENED):
         if waits > 0:
             waits -= 1
-            node = node_at(accelerator, waiting[waits])
-            seen, around = visible(node, o, n, box_limit, reach)
+            node = node_at(tree, waiting[waits])
+            seen, around = visible(node, point.o, n, box_limit, point.reach)
             for _ in range(wp.bit_count(seen)):
                 child = lowest_bit(seen)
                 seen = seen & (seen - 1)
-                place = link_in(node, child)
+                link = link_in(node, child)
                 apart = wp.int32(-1)
                 if ((around >> child) & 1) != 0:
-                    if place < 0:
-                        leaf = leaf_at(accelerator, ~place)
-                        apart = _take_apart(leaf, n, limit, edge_in(node, child), room, triangles)
+                    if link < 0:
+                        leaf = leaf_at(tree, ~link)
+                        apart = _take_apart(leaf, n, limit, edge_in(node, child), local, triangles)
                         triangles = wp.max(triangles, apart)
                     elif waits < WIDTH:
-                        waiting[waits] = place
+                        waiting[waits] = link
                         waits += 1
                         apart = 0
                 if apart < 0:
                     if entries < _MOST_ENTRIES:
-                        _take_over(node, child, room, entries)
+                        _take_over(node, child, point.opened, entries)
                     entries += 1
     starts = (entries + WIDTH - 1) / WIDTH
     if entries > _MOST_ENTRIES or waits > 0:
         starts = -1
     return starts, triangles
+
+
+@wp.func
+def open_around(tree: Accelerator, point: ShadingPoint):
+    """(the tree as the point's rays see it, mask of the triangles in its local leaf, whether it was opened).
+
+    Not opened, it is the whole tree: where the point is far off, or where there is no room for all that is around it.
+    """
+    local = wp.int32(0)
+    opened = wp.bool(False)
+    if not far_off(point.position):
+        starts, around = _frontier(tree, point)
+        opened = starts >= 0
+        if opened:
+            local = (1 << around) - 1
+            tree.start = point.opened
+            tree.starts = starts
+    return tree, local, opened

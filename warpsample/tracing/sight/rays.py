@@ -1,0 +1,91 @@
+"""The rays of a point, a chunk at a time: prepared together, then each asked what it meets.
+
+A traversal of all rays of a chunk together belongs into `prepare_rays`, which has all that it needs; what `first_hit` then
+reads off is what it found.
+"""
+
+import warp as wp
+
+from warpsample.directions.variates import LANES
+from warpsample.host.locks import once
+from warpsample.maths.memory import float_at
+from warpsample.tracing.placement import far_off, in_double
+from warpsample.tracing.queries import REACH, Accelerator, column_of, direction_of
+from warpsample.tracing.sight.leaves import any_in_leaf, face_of, nearest_in_leaf
+from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint, bring_near
+from warpsample.tracing.wide.prepare import prepare_wide
+from warpsample.tracing.wide.query import wide_query
+
+
+@wp.func
+def whole_vectors(length: wp.int32) -> wp.int32:
+    """How many directions are written for so many rays: whole vectors, as all loops over a chunk run."""
+    return (length + LANES - 1) / LANES * LANES
+
+
+@wp.func
+def rays_from_afar(point: ShadingPoint, length: wp.int32):
+    """Lets the first rays of a chunk start near the mesh, where the point is far off."""
+    if far_off(point.position):
+        for k in range(length):
+            bring_near(point, k, in_double(direction_of(point.chunk, k)))
+
+
+@once
+def prepare_rays(prepare: wp.Function = prepare_wide) -> wp.Function:
+    """A function (tree, point, local, rays) that prepares the first rays of a point's chunk, whose directions are written.
+
+    Args:
+        prepare: the tracer's, (chunk, rays).
+    """
+
+    @wp.func
+    def prepare_chunk(tree: Accelerator, point: ShadingPoint, local: wp.int32, length: wp.int32):
+        prepare(point.chunk, whole_vectors(length))
+
+    return prepare_chunk
+
+
+@once
+def first_hit(any_hit: bool, query: wp.Function | None = None, wide: bool = True) -> wp.Function:
+    """A function (tree, point, local, k) -> (distance, face) of the nearest face that the k-th prepared ray meets.
+
+    inf and -1 if it meets none or has no reach; with any_hit 0 and some face.
+
+    Args:
+        any_hit: whether some face is enough.
+        query: the tracer's; that of the wide tree by default.
+        wide: whether it is that of the wide tree: then the triangles in the mask `local` of the local leaf are tried first.
+    """
+    query = query or wide_query(any_hit, several=True)
+
+    @wp.func
+    def hit(tree: Accelerator, point: ShadingPoint, local: wp.int32, k: wp.int32):
+        column = column_of(point.chunk, k)
+        reach = float_at(column, REACH)
+        distance = wp.float32(wp.INF)
+        face = wp.int32(-1)
+        if reach > 0.0:
+            if wp.static(wide):
+                if local != 0:
+                    leaf = point.opened + LOCAL_LEAF
+                    if wp.static(any_hit):
+                        lane = any_in_leaf(leaf, local, column, reach)
+                        if lane >= 0:
+                            distance = 0.0
+                            face = face_of(leaf, lane)
+                    else:
+                        met, lane = nearest_in_leaf(leaf, local, column, reach)
+                        if lane >= 0:
+                            distance = met
+                            reach = met
+                            face = face_of(leaf, lane)
+            if tree.starts > 0 and (wp.static(not any_hit) or not (distance < wp.INF)):
+                met, other, _nodes, _leaves = query(tree, column, reach, point.scratch)
+                if wp.static(any_hit):  # so that nobody computes how far away it is
+                    met = wp.where(other >= 0, 0.0, wp.float32(wp.INF))
+                distance = wp.min(distance, met)
+                face = wp.where(other >= 0, other, face)
+        return distance, face
+
+    return hit

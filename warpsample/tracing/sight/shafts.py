@@ -1,0 +1,212 @@
+"""Shafts: pyramids of directions from one point, against the tree. One that meets nothing needs no ray.
+
+A box or a triangle is outside of a shaft if all its corners are outside of one of the shaft's planes; a triangle also if the
+whole shaft moves away from its plane. What is neither may still be missed by all rays: these tests err to that side only.
+
+A shaft is five rows of sixteen float32: x, y, z of its planes' inward normals and then of its corners' unit directions; the
+planes' limits for boxes; the origin, and how far below the horizon what is in it may be. The first plane is the horizon.
+"""
+
+import numpy as np
+import warp as wp
+
+from warpsample.maths.frames import frame_about, to_world
+from warpsample.maths.memory import float_at, set_float, set_vec3, vec3_at
+from warpsample.maths.numerics import fma, greater, lesser
+from warpsample.tracing.sight.point import SHAFT_FLOATS, ShadingPoint
+from warpsample.tracing.wide.boxes import PADDING
+from warpsample.tracing.wide.corners import corner, size_of
+from warpsample.tracing.wide.layout import WIDTH
+
+PLANES, CORNERS = 5, 4
+"""Of a shaft."""
+
+VECTORS_SHAPE = (3, WIDTH)
+"""Of what is known of a shaft without its point: x, y, z of its vectors; see `shaft_vectors`."""
+
+VECTORS_BYTES = wp.constant(wp.uint64(4 * 3 * WIDTH))
+
+_VECTORS_FLOATS = 3 * WIDTH
+_ROW = wp.constant(wp.uint64(4 * WIDTH))
+_UPPER = wp.constant(wp.uint64(3 * 4 * WIDTH))
+_ORIGIN = wp.constant(wp.uint64(4 * 4 * WIDTH))
+_LOW = 4 * WIDTH + 3
+_PADDING = wp.constant(wp.float32(PADDING))
+_MARGIN = wp.constant(wp.float32(2.0**-19))
+"""Times the distance of what is compared: a direction is rounded by 2^-20.4 (its variates' stratum, sine and frame), a
+shaft's plane by 2^-22, and a corner in the test of a ray by 2^-22."""
+
+
+def shaft_vectors(normals: np.ndarray, corners: np.ndarray) -> np.ndarray:
+    """(..., 3, 16) float32 rows of the vectors of shafts, for `aim_about` or `aim_at`.
+
+    Args:
+        normals: (..., 4, 3), the inward normals of their sides; the point's horizon is another.
+        corners: (..., 4, 3), the unit directions between which all others are.
+    """
+    vectors = np.zeros((*normals.shape[:-2], WIDTH, 3))
+    vectors[..., 1:PLANES, :] = normals
+    vectors[..., PLANES : PLANES + CORNERS, :] = corners
+    return np.ascontiguousarray(np.swapaxes(vectors, -1, -2), np.float32)
+
+
+@wp.func
+def _vector(rows: wp.uint64, k: wp.int32) -> wp.vec3:
+    """The k-th vector of three rows."""
+    view = wp.array(ptr=rows, shape=(_VECTORS_FLOATS,), dtype=wp.float32)
+    return wp.vec3(view[k], view[WIDTH + k], view[2 * WIDTH + k])
+
+
+@wp.func
+def corner_of(vectors: wp.uint64, i: wp.int32) -> wp.vec3:
+    """The direction of a shaft's i-th corner."""
+    return _vector(vectors, PLANES + i)
+
+
+@wp.func
+def _set_plane(shaft: wp.uint64, k: wp.int32, n: wp.vec3, limit: wp.float32):
+    """Writes the k-th plane, or a corner and what is never read."""
+    view = wp.array(ptr=shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
+    view[k] = n[0]
+    view[WIDTH + k] = n[1]
+    view[2 * WIDTH + k] = n[2]
+    view[3 * WIDTH + k] = limit
+
+
+@wp.func
+def _set_horizon(point: ShadingPoint):
+    """Makes a point's horizon the first plane of its shaft: boxes are padded, what is in them is not."""
+    n = point.n
+    padding = _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
+    _set_plane(point.shaft, 0, n, wp.dot(n, point.o) - point.low + padding)
+    set_vec3(point.shaft + _ORIGIN, 0, point.o)
+    set_float(point.shaft, _LOW, point.low)
+
+
+@wp.func
+def aim_about(vectors: wp.uint64, point: ShadingPoint):
+    """Aims a shaft from a point: vectors in the frame about its normal."""
+    frame = frame_about(point.n)
+    k = wp.int32(0)
+    while k < WIDTH:
+        v = to_world(frame, _vector(vectors, k))
+        # Directions are rounded by 2^-20.4, at 7 from the point by 2^-17.6; boxes are padded by 2^-17 along each axis.
+        _set_plane(point.shaft, k, v, wp.dot(v, point.o))
+        k += 1
+    _set_horizon(point)
+
+
+@wp.func
+def aim_at(vectors: wp.uint64, point: ShadingPoint):
+    """Aims a shaft from a point: vectors in the scene's coordinates."""
+    k = wp.int32(0)
+    while k < WIDTH:
+        v = _vector(vectors, k)
+        _set_plane(point.shaft, k, v, wp.dot(v, point.o))
+        k += 1
+    _set_horizon(point)
+
+
+@wp.struct
+class Plane:
+    """A side of a shaft: x nx + y ny + z nz is at least the limit inside; and the rows that lie farthest inwards."""
+
+    nx: wp.float32
+    ny: wp.float32
+    nz: wp.float32
+    limit: wp.float32
+    x_row: wp.uint64
+    y_row: wp.uint64
+    z_row: wp.uint64
+
+
+@wp.func
+def _side(shaft: wp.uint64, i: wp.int32) -> Plane:
+    """The i-th plane."""
+    rows = wp.array(ptr=shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
+    plane = Plane()
+    plane.nx = rows[i]
+    plane.ny = rows[WIDTH + i]
+    plane.nz = rows[2 * WIDTH + i]
+    plane.limit = rows[3 * WIDTH + i]
+    plane.x_row = wp.where(plane.nx > 0.0, _UPPER, wp.uint64(0))
+    plane.y_row = wp.where(plane.ny > 0.0, _UPPER, wp.uint64(0)) + _ROW
+    plane.z_row = wp.where(plane.nz > 0.0, _UPPER, wp.uint64(0)) + _ROW + _ROW
+    return plane
+
+
+@wp.func
+def _box_inside(node: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
+    """1 where some corner of the k-th box is inside of the plane."""
+    x = wp.array(ptr=node + plane.x_row, shape=(WIDTH,), dtype=wp.float32)
+    y = wp.array(ptr=node + plane.y_row, shape=(WIDTH,), dtype=wp.float32)
+    z = wp.array(ptr=node + plane.z_row, shape=(WIDTH,), dtype=wp.float32)
+    return wp.where(fma(x[k], plane.nx, fma(y[k], plane.ny, z[k] * plane.nz)) >= plane.limit, 1, 0)
+
+
+@wp.func
+def _inside(a: wp.vec3, b: wp.vec3, c: wp.vec3, plane: Plane, margin: wp.float32) -> wp.int32:
+    """1 where some corner, seen from the origin, is inside of the plane."""
+    n = wp.vec3(plane.nx, plane.ny, plane.nz)
+    return wp.where(greater(greater(wp.dot(a, n), wp.dot(b, n)), wp.dot(c, n)) >= -margin, 1, 0)
+
+
+@wp.func
+def _faced(a: wp.vec3, b: wp.vec3, c: wp.vec3, shaft: wp.uint64) -> wp.int32:
+    """0 where all of the shaft moves away from the plane of a triangle, its corners seen from the origin."""
+    e = b - a
+    f = c - a
+    n = wp.cross(e, f)
+    height = -wp.dot(n, a)
+    p = wp.dot(n, corner_of(shaft, 0))
+    q = wp.dot(n, corner_of(shaft, 1))
+    r = wp.dot(n, corner_of(shaft, 2))
+    s = wp.dot(n, corner_of(shaft, 3))
+    least = lesser(lesser(p, q), lesser(r, s))
+    most = greater(greater(p, q), greater(r, s))
+    margin = _MARGIN * size_of(e) * size_of(f)
+    height_margin = margin * size_of(a)
+    from_above = wp.where(height > -height_margin, 1, 0) & wp.where(least < margin, 1, 0)
+    from_below = wp.where(height < height_margin, 1, 0) & wp.where(most > -margin, 1, 0)
+    return from_above | from_below
+
+
+@wp.func
+def boxes_in(node: wp.uint64, shaft: wp.uint64) -> wp.int32:
+    """Mask of the children whose boxes a ray of the shaft may meet."""
+    p = _side(shaft, 0)
+    q = _side(shaft, 1)
+    r = _side(shaft, 2)
+    s = _side(shaft, 3)
+    t = _side(shaft, 4)
+    mask = wp.int32(0)
+    k = wp.int32(0)
+    while k < WIDTH:
+        inside = _box_inside(node, p, k) & _box_inside(node, q, k) & _box_inside(node, r, k) & _box_inside(node, s, k)
+        mask = mask | ((inside & _box_inside(node, t, k)) << k)
+        k += 1
+    return mask
+
+
+@wp.func
+def triangles_in(leaf: wp.uint64, shaft: wp.uint64) -> wp.int32:
+    """Mask of the triangles that a ray of the shaft may meet."""
+    o = vec3_at(shaft + _ORIGIN, 0)
+    low = float_at(shaft, _LOW)
+    p = _side(shaft, 0)
+    q = _side(shaft, 1)
+    r = _side(shaft, 2)
+    s = _side(shaft, 3)
+    t = _side(shaft, 4)
+    mask = wp.int32(0)
+    k = wp.int32(0)
+    while k < WIDTH:
+        a = corner(leaf, 0, k, o)
+        b = corner(leaf, 3, k, o)
+        c = corner(leaf, 6, k, o)
+        margin = _MARGIN * greater(greater(size_of(a), size_of(b)), size_of(c))
+        inside = _inside(a, b, c, p, low) & _inside(a, b, c, q, margin) & _inside(a, b, c, r, margin)
+        inside = inside & _inside(a, b, c, s, margin) & _inside(a, b, c, t, margin)
+        mask = mask | ((inside & _faced(a, b, c, shaft)) << k)
+        k += 1
+    return mask
