@@ -8,7 +8,7 @@ import pytest
 from bench_output import give, run_command
 from matplotlib.figure import Figure
 
-from warpsample.bench import benchmarks, readme
+from warpsample.bench import benchmarks, pictures, readme
 from warpsample.bench.result import RESULTS, kept
 
 
@@ -16,9 +16,9 @@ from warpsample.bench.result import RESULTS, kept
 def found():
     """What every benchmark has found, as its files hold it, with repeats made up."""
     results = kept(readme.processors(RESULTS)[0], benchmarks())
-    peers = results["peers"].found
-    rows = [replace(row, seconds=[1.0, 2.0]) for row in peers.rows]
-    return {name: result.found for name, result in results.items()} | {"peers": replace(peers, rows=rows)}
+    found = {name: result.found for name, result in results.items()}
+    found["peers"]["rows"] = [replace(row, seconds=[1.0, 2.0]) for row in found["peers"]["rows"]]
+    return found
 
 
 @pytest.fixture
@@ -26,7 +26,7 @@ def measured(found, monkeypatch):
     """The settings that each benchmark was asked for; nothing is measured."""
     asked = {}
     for name in found:
-        give(monkeypatch, name, measure=lambda settings, _, name=name: asked.update({name: settings}) or found[name])
+        give(monkeypatch, name, measure=lambda _, *, name=name, **settings: asked.update({name: settings}) or found[name])
     return asked
 
 
@@ -34,15 +34,15 @@ def measured(found, monkeypatch):
 @pytest.mark.parametrize(
     ("name", "options", "pictures"),
     [
-        ("cluster", {"points": 1000}, ["cluster"]),
+        ("cluster", {"points": 1000}, ["cluster_memory", "cluster_plan"]),
         ("directions", {"points": 64}, ["maps", "sequences"]),
         ("error", {"rmse": 0.01, "largest": 64}, ["error"]),
         ("kernels", {"points": 64}, ["kernels"]),
-        ("peers", {"points": 64}, ["peers_directions", "peers_surface"]),
+        ("peers", {"points": 64}, ["peers"]),
         ("radiation", {"scene": "city", "points": 64}, ["radiation"]),
         ("rays", {"scene": "bunny", "rays": 64}, ["rays"]),
         ("scaling", {"largest": 1000}, ["scaling"]),
-        ("startup", {"processes": 1}, ["startup"]),
+        ("startup", {"processes": 1}, ["startup_calls", "startup_processes"]),
         ("view-factors", {"side": 2, "rays": 64}, ["view_factors"]),
         ("visibility", {"scene": "city", "points": 64}, ["visibility"]),
     ],
@@ -66,12 +66,12 @@ def test_a_command_keeps_what_it_finds(measured, monkeypatch, capsys, tmp_path, 
 
 
 def test_what_is_wrong_ends_with_a_status(measured, found, monkeypatch):
-    wrong = replace(found["peers"], rows=[replace(row, agrees=False) for row in found["peers"].rows])
-    give(monkeypatch, "peers", measure=lambda *_: wrong)
+    wrong = found["peers"] | {"rows": [replace(row, agrees=False) for row in found["peers"]["rows"]]}
+    give(monkeypatch, "peers", measure=lambda *_, **__: wrong)
     assert run_command(monkeypatch, "peers") == 1
-    unconfirmed = [replace(c, agrees=False) for c in found["visibility"].confirmed]
-    again = replace(found["visibility"], confirmed=unconfirmed)
-    give(monkeypatch, "visibility", measure=lambda *_: again)
+    unconfirmed = [replace(c, agrees=False) for c in found["visibility"]["confirmed"]]
+    again = found["visibility"] | {"confirmed": unconfirmed}
+    give(monkeypatch, "visibility", measure=lambda *_, **__: again)
     assert run_command(monkeypatch, "visibility") == 1
 
 
@@ -80,32 +80,30 @@ def test_all_are_run_and_written(measured, monkeypatch, capsys, tmp_path):
     monkeypatch.setattr(readme, "README", tmp_path / "README.md")
     monkeypatch.setattr(readme, "PICTURES", tmp_path / "viz")
     monkeypatch.setattr(readme, "RESULTS", tmp_path / "results")
-    (tmp_path / "README.md").write_text(f"Before.\n{readme.BEGIN}\n{readme.END}\nAfter.\n")
+    blocks = "".join(f"<!-- bench {name} -->\n<!-- end -->\n" for name in benchmarks())
+    (tmp_path / "README.md").write_text(f"Before.\n{blocks}![A picture](../../viz/bench_maps.png)\nAfter.\n")
     assert run_command(monkeypatch, "all", "--write") == 2
     assert "--write: got an installed package, want a checkout" in capsys.readouterr().err
     (tmp_path / "results").mkdir()
     (tmp_path / "viz").mkdir()
     (tmp_path / "viz" / "gallery.py").touch()
     assert measured == {}
-    for name, benchmark in benchmarks().items():  # small pictures: the others are drawn above
-        drawn = {picture: Figure((1.0, 1.0)) for picture in benchmark.pictures}
-        give(monkeypatch, name, figures=lambda *_, drawn=drawn: drawn)
+    monkeypatch.setattr(pictures, "draw", lambda *_: Figure((1.0, 1.0)))  # all are drawn above
     assert run_command(monkeypatch, "all", "--write") == 0
     assert measured == {name: benchmark.settings() for name, benchmark in benchmarks().items()}
     text = (tmp_path / "README.md").read_text(encoding="utf-8")
     assert text.startswith("Before.\n")
     assert text.endswith("After.\n")
-    assert all(f"### {benchmark.title}" in text for benchmark in benchmarks().values())
+    assert all(f"(`warpsample bench {name}`: " in text for name in benchmarks())
     assert len(list((tmp_path / "results").iterdir())) == len(benchmarks())
-    shown = {f"bench_{name}.png" for benchmark in benchmarks().values() for name in benchmark.pictures}
-    assert {path.name for path in (tmp_path / "viz").glob("*.png")} == shown
+    assert [path.name for path in (tmp_path / "viz").glob("*.png")] == ["bench_maps.png"]
 
 
 def test_an_end_before_the_last_result_leaves_results_and_readme_as_they_were(measured, monkeypatch, tmp_path, repository):
     monkeypatch.setattr(readme, "PICTURES", repository / "viz")
     monkeypatch.setattr(readme, "RESULTS", tmp_path)
 
-    def stopped(*_):
+    def stopped(*_, **__):
         raise KeyboardInterrupt
 
     give(monkeypatch, list(benchmarks())[-1], measure=stopped)

@@ -4,25 +4,25 @@ import pytest
 from bench_output import drawn, lines_of
 
 import warpsample as ws
-from warpsample.bench import timing
-from warpsample.bench.directions import measuring
+from warpsample.bench import directions, timing
+from warpsample.bench.worst_errors import worst_errors
 
 
 @pytest.fixture(scope="module")
 def rows():
-    groups = measuring.groups(64, 2)
+    groups = directions.groups(64, 2)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(timing, "WARM_UP", 0.0)
         return [row for group in (groups[0], groups[-6], groups[-2]) for row in group()]
 
 
 def test_every_distribution_method_sequence_and_count_is_measured():
-    names = {case.name for case in measuring.maps()}
+    names = {case.name for case in directions.maps()}
     assert names == set(ws.distributions.names())
-    assert {case.method for case in measuring.maps() if case.name == "cosine_hemisphere"} == {
+    assert {case.method for case in directions.maps() if case.name == "cosine_hemisphere"} == {
         *("polar", "concentric", "inversion", "offset")
     }
-    assert len(measuring.groups(64, 2)) == len(measuring.maps()) + len(measuring.COUNTS)
+    assert len(directions.groups(64, 2)) == len(directions.maps()) + len(directions.COUNTS)
 
 
 @pytest.mark.slow
@@ -41,7 +41,7 @@ def test_rows_say_what_was_measured(rows):
 @pytest.mark.slow
 @pytest.mark.parametrize("case", [ws.CosineHemisphere("offset"), ws.UniformDisk()], ids=str)
 def test_worst_errors_are_those_of_the_world_too(case):
-    worst = measuring.worst_errors(case)
+    worst = worst_errors(case)
     assert set(worst) == ({"angle", "pdf"} if case.width == 2 else {"length", "angle", "pdf"})
     # The offset method's errors are those of its sum of two vectors, which its local map does not have.
     assert (5e-7 < worst["angle"] <= 1.3e-5) if case.width == 3 else (5e-8 < worst["angle"] <= 3e-7)
@@ -49,9 +49,9 @@ def test_worst_errors_are_those_of_the_world_too(case):
 
 @pytest.mark.slow
 def test_directions_tables_and_pictures(rows, capsys, tmp_path):
-    found = measuring.Found(rows)
-    lines = lines_of("directions", measuring.Settings(), found, capsys)
+    found = {"rows": rows}
+    lines = lines_of("directions", {}, found, capsys)
     assert [line for line in lines if line.startswith(" CosineHemisphere(polar)") and line.count("e-07") == 3]
     assert [line for line in lines if line.startswith(" independent")]
-    assert [line for line in lines if line.startswith("ceiling: NumPy's out.fill(0)")]
+    assert len([line for line in lines if line.startswith(" fill ")]) == 3
     assert drawn("directions", found, tmp_path) == ["maps.png", "sequences.png"]

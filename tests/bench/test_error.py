@@ -1,6 +1,7 @@
 """The benchmark of errors: its integrals are right, and so is what it makes of them."""
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,10 +9,9 @@ from bench_output import drawn, lines_of, untracked
 from scipy.stats import norm
 
 import warpsample as ws
-from warpsample.bench import timing
-from warpsample.bench.error import measuring
+from warpsample.bench import error, timing
 from warpsample.bench.integrands import INTEGRANDS, estimates, evaluate
-from warpsample.bench.timing import Spread
+from warpsample.bench.rows import Spread
 
 
 @pytest.mark.slow
@@ -37,11 +37,11 @@ def test_fused_means_are_those_of_the_directions(sequence, count):
 
 @pytest.mark.slow
 def test_every_sequence_is_measured(monkeypatch, capsys, tmp_path):
-    monkeypatch.setattr(measuring, "INTEGRANDS", INTEGRANDS[2:3])
+    monkeypatch.setattr(error, "INTEGRANDS", INTEGRANDS[2:3])
     monkeypatch.setattr(timing, "WARM_UP", 0.0)
-    settings = measuring.Settings(randomisations=64, largest=64, repeats=1)
-    found = measuring.measure(settings, untracked)
-    by_sequence = {sequence: curve for (_, sequence), curve in measuring.curves(found.points).items()}
+    settings = {"randomisations": 64, "largest": 64, "repeats": 1}
+    found = error.measure(untracked, **settings)
+    by_sequence = {curve.sequence: curve for curve in error.curves(found["points"], 1e-3)}
     assert set(by_sequence) == set(ws.sequences.names())
     for curve in by_sequence.values():
         assert [p.count for p in curve.points] == [4, 16, 64]
@@ -58,10 +58,10 @@ def test_every_sequence_is_measured(monkeypatch, capsys, tmp_path):
 
 def test_a_time_to_an_error_lies_on_the_line_between_its_neighbours():
     data = ((4, 1e-1, 1.0), (16, 1e-2, 4.0), (64, 1e-3, 16.0))
-    points = [measuring.Point("f", "sobol", n, 64, e, Spread(t, t, t)) for n, e, t in data]
-    curve = measuring.Curve(points)
+    points = [error.ErrorPoint("f", "sobol", n, 64, e, Spread(t, t, t)) for n, e, t in data]
+    curve = error.Curve("f", "sobol", points, 1e-3, 1.0)
     assert curve.reaching(10**-2.5) == (pytest.approx(8.0), False)
     assert curve.reaching(1e-4) == (pytest.approx(64.0), True)
     assert curve.reaching(0.5) == (1.0, True)
-    assert measuring.Curve(points[:2]).reaching(1e-4) is None  # one point alone has no slope
+    assert replace(curve, points=points[:2]).reaching(1e-4) is None  # one point alone has no slope
     assert curve.efficiency == pytest.approx(1.0 / (1e-6 * 16.0))

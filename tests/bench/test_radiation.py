@@ -7,13 +7,13 @@ import pytest
 from bench_output import drawn, lines_of
 
 import warpsample as ws
-from warpsample.bench.radiation import RECORD, measuring
-from warpsample.bench.radiation.jobs import errors
-from warpsample.bench.radiation.scene import points_of, sky_reference, year_of_suns
-from warpsample.bench.radiation.sky_tools import OURS, SKY_TOOLS, VIEW, patch_of
-from warpsample.bench.radiation.sun_tools import SUN_TOOLS, TRACE
+from warpsample.bench import radiation
+from warpsample.bench.radiation import RECORD, errors, sky_reference
+from warpsample.bench.scenes import clear_points_of, year_of_suns
+from warpsample.bench.tools.sky import OURS, SKY_TOOLS, VIEW, patch_of
+from warpsample.bench.tools.sun import SUN_TOOLS, TRACE
 
-SETTINGS = measuring.Settings(scene=["bunny"], points=32, year_points=64, repeats=1)
+SETTINGS = {"scene": ["bunny"], "points": 32, "year_points": 64, "repeats": 1}
 
 
 @pytest.mark.parametrize("turned", [0.0, 0.7])
@@ -48,48 +48,52 @@ def test_errors_tell_what_is_apart():
     mse, variance, apart = errors(runs, right)
     assert mse == pytest.approx(1e-4, rel=0.05)
     assert apart / variance == pytest.approx(1.0, abs=0.1)
-    assert errors(runs + 0.02, right)[2] / variance > measuring._MOST_APART
+    assert errors(runs + 0.02, right)[2] / variance > radiation.MOST_APART
 
 
 def test_equal_errors_take_as_many_more_rays():
     """Independent rays with four times the error need sixteen times the rays; what is fixed stays."""
     ours, theirs = {"rmse": 1e-4}, {"rmse": 4e-4, "rate": 0.5, "fixed": 0.5}
-    assert measuring.at_equal_error([1.5], theirs, [0.1], ours).median == pytest.approx((0.5 + 16.0) / 0.1)
+    assert radiation.at_equal_error([1.5], theirs, [0.1], ours).median == pytest.approx((0.5 + 16.0) / 0.1)
 
 
 def test_a_tool_that_disagrees_is_wrong_and_one_that_is_missing_is_not():
-    right = measuring.Found([measuring.Sky("city", 1, OURS, agrees=True)], [measuring.Sun("city", 1, TRACE, 9, "no")], [])
+    right = {
+        "sky": [radiation.SkyTime("city", 1, OURS, agrees=True)],
+        "sun": [radiation.SunTime("city", 1, TRACE, 9, "no")],
+        "year": [],
+    }
     assert not RECORD.wrong(right)
-    assert RECORD.wrong(replace(right, sky=[replace(right.sky[0], agrees=False)]))
-    assert RECORD.wrong(replace(right, sun=[replace(right.sun[0], agrees=False)]))
+    assert RECORD.wrong(right | {"sky": [replace(right["sky"][0], agrees=False)]})
+    assert RECORD.wrong(right | {"sun": [replace(right["sun"][0], agrees=False)]})
 
 
 def test_years_are_on_a_line():
-    assert measuring.Year("city", 2, 400, 200, None, 5.0, 4.0).extrapolated(1000) == pytest.approx(8.0)
-    assert measuring.Year("city", 2, 400, 200, "no pvlib").extrapolated() is None
+    assert radiation.YearTime("city", 2, 400, 200, None, 5.0, 4.0).extrapolated(1000) == pytest.approx(8.0)
+    assert radiation.YearTime("city", 2, 400, 200, "no pvlib").extrapolated() is None
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("tool", ["embreex", "Mitsuba", "Radiance rcontrib", OURS])
 def test_tools_see_the_same_sky(tool):
-    mesh, at = points_of("bunny", 64)
+    mesh, at = clear_points_of("bunny", 64)
     try:
-        run = SKY_TOOLS[tool][1](mesh, at, 2)
+        run = SKY_TOOLS[tool].make(mesh, at, 2)
         runs = run(2048, 3)
     except (ImportError, RuntimeError) as error:
         pytest.skip(str(error))
     right = sky_reference(mesh, at, 2)
     _, variance, apart = errors(runs, right)
-    assert apart <= measuring._MOST_APART * variance
+    assert apart <= radiation.MOST_APART * variance
     for wrong in (right * np.pi, np.roll(right, 5, axis=1), right[:, ::-1]):
-        assert errors(runs, wrong)[2] > 2.0 * measuring._MOST_APART * variance
+        assert errors(runs, wrong)[2] > 2.0 * radiation.MOST_APART * variance
 
 
 @pytest.mark.slow
 def test_all_is_measured_and_shown(tmp_path, capsys):
-    sky = measuring.compare_skies("bunny", 32, 1, 1, [OURS, VIEW, "embreex", "nobody"])
-    sun = measuring.compare_suns("bunny", 32, 1, 1, ["warpsample", TRACE, "embreex"])
-    found = measuring.Found(sky, sun, [measuring.measure_year("bunny", 64, 1)])
+    sky = radiation.compare_skies("bunny", 32, 1, 1, [OURS, VIEW, "embreex", "nobody"])
+    sun = radiation.compare_suns("bunny", 32, 1, 1, ["warpsample", TRACE, "embreex"])
+    found = {"sky": sky, "sun": sun, "year": [radiation.measure_year("bunny", 64, 1)]}
     by_tool = {row.tool: row for row in sky}
     assert "KeyError" in by_tool["nobody"].failure
     assert by_tool[OURS].times_ours.median == 1.0
@@ -102,6 +106,6 @@ def test_all_is_measured_and_shown(tmp_path, capsys):
     assert not RECORD.wrong(found)
     text = "\n".join(lines_of("radiation", SETTINGS, found, capsys))
     assert "nobody did not run here: KeyError" in text
-    assert "Sky matrix, bunny, 1,024 rays a point, 32 points, threads: 1" in text
-    assert "100,000 points would take" in text
+    assert "Sky matrix, 1,024 rays a point: bunny, threads 1" in text
+    assert "s of 100,000 points" in text
     assert drawn("radiation", found, tmp_path) == ["radiation.png"]

@@ -1,25 +1,23 @@
 """The benchmark of rays: its scenes and rays are what it says, all tools answer alike, and what they took is kept."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from bench_output import drawn, lines_of, untracked
 
-from warpsample.bench import scenes, timing, tracers
-from warpsample.bench.rays import measuring
+from warpsample.bench import rays, scenes, timing
+from warpsample.bench.tools import tracers
 
 pytestmark = pytest.mark.slow  # peers and timers, in processes of their own
 
 
-SETTINGS = measuring.Settings(scene=["bunny"], rays=2048, repeats=2)
+SETTINGS = {"scene": ["bunny"], "rays": 2048, "repeats": 2}
 
 
 @pytest.fixture(scope="module")
 def measured():
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(timing, "WARM_UP", 0.0)
-        return measuring.measure(SETTINGS, untracked)
+        return rays.measure(untracked, **SETTINGS)
 
 
 @pytest.mark.parametrize(
@@ -46,7 +44,7 @@ def test_rays_are_of_their_kind():
         "inward": [(64, 3), (64, 64, 3)],
         "random": [(4096, 3), (4096, 3)],
     }
-    share = {kind: tracers.Wide(mesh, kind, 4096).hits(True, 1)().mean() for kind in scenes.KINDS}
+    share = {kind: tracers.wide_tree(mesh, kind, 4096)(True, 1)().mean() for kind in scenes.KINDS}
     assert share["inward"] == 1.0  # the bunny is closed
     assert 0.03 < share["outward"] < 0.2  # its mean occlusion is 0.091
     assert 0.2 < share["camera"] < 0.5
@@ -54,8 +52,8 @@ def test_rays_are_of_their_kind():
 
 
 def test_every_tool_is_measured_and_agrees(measured):
-    rows = measured.rows
-    assert {row.tool for row in rows} | {missing.tool for missing in measured.missing} == set(tracers.TRACERS)
+    rows = measured["rows"]
+    assert {row.tool for row in rows} | {missing.tool for missing in measured["missing"]} == set(tracers.TRACERS)
     assert {row.tool for row in rows} >= {"wide", "wp.Mesh", "Embree"}
     assert {(row.kind, row.any_hit) for row in rows} == {(kind, q) for kind in scenes.KINDS for q in (True, False)}
     for row in rows:
@@ -71,42 +69,38 @@ def test_every_tool_is_measured_and_agrees(measured):
 
 
 def test_builds_are_measured(measured):
-    tools = {build.tool for build in measured.builds}
+    tools = {build.tool for build in measured["builds"]}
     assert tools >= {"wide", "wide, refit", "wp.Mesh", "Embree"}
-    assert all(build.milliseconds.median > 0.0 for build in measured.builds)
+    assert all(build.milliseconds.median > 0.0 for build in measured["builds"])
 
 
 def test_a_tool_that_answers_otherwise_is_seen(monkeypatch):
-    class Blind(tracers.Wide):
-        def hits(self, any_hit, workers):
-            return lambda: np.zeros(self.rays[1].size // 3, bool)
-
     monkeypatch.setattr(timing, "WARM_UP", 0.0)
     mesh = scenes.bunny(0)
-    tools = {"wide": tracers.Wide(mesh, "inward", 256), "blind": Blind(mesh, "inward", 256)}
-    assert [row.differ for row in measuring.compare("bunny", mesh, "inward", True, tools, [1], 1)] == [0, 256]
+    tools = {"wide": tracers.wide_tree(mesh, "inward", 256), "blind": lambda *_: lambda: np.zeros(256, bool)}
+    visited = {"nodes": 1.0, "leaves": 1.0}
+    case = {"scene": "bunny", "triangles": 12_200, "kind": "inward", "any_hit": True}
+    assert [row.differ for row in rays.compare(tools, [1], 1, visited, **case)] == [0, 256]
 
 
 def test_a_missing_tool_is_a_line(monkeypatch):
     def absent(*_):
         raise ModuleNotFoundError("No module named 'embreex'")
 
-    monkeypatch.setitem(tracers.TRACERS, "Embree", absent)
+    monkeypatch.setitem(tracers.TRACERS, "Embree", tracers.TRACERS["Embree"]._replace(make=absent))
     missing = {}
-    assert "Embree" not in measuring.tracers_of(scenes.bunny(0), "camera", 64, missing)
+    assert "Embree" not in rays.tracers_of(scenes.bunny(0), "camera", 64, missing)
     assert missing["Embree"] == "No module named 'embreex'; pip install embreex"
 
 
 def test_tables_and_picture(measured, capsys, tmp_path):
-    lines = lines_of(
-        "rays", SETTINGS, replace(measured, missing=[measuring.Missing("Open3D", "pip install open3d")]), capsys
-    )
+    lines = lines_of("rays", SETTINGS, measured | {"missing": [rays.MissingTool("Open3D", "pip install open3d")]}, capsys)
     for kind in scenes.KINDS:
-        assert len([line for line in lines if line.startswith(f" 12,200 {kind}")]) == 2
-    assert "Open3D: pip install open3d" in lines
+        assert len([line for line in lines if line.startswith(f" 12,200     {kind}")]) == 2
+    assert "Open3D did not run here: pip install open3d." in lines
     assert drawn("rays", measured, tmp_path) == ["rays.png"]
 
 
 def test_an_unknown_scene_is_refused():
     with pytest.raises(ValueError, match="^scene: got 'teapot', want one of bunny, "):
-        measuring.Settings(scene=["bunny", "teapot"])
+        scenes.check_scenes(["bunny", "teapot"])

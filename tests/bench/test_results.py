@@ -37,6 +37,16 @@ def scale(path):
     path.write_text(json.dumps(content), encoding="utf-8")
 
 
+def block(name):
+    """An empty place for the tables of a benchmark."""
+    return f"<!-- bench {name} -->\n<!-- end -->"
+
+
+def test_the_readme_shows_every_benchmark_once():
+    text = readme.README.read_text(encoding="utf-8")
+    assert sorted(re.findall("<!-- bench ([a-z-]+) -->", text)) == NAMES
+
+
 def test_the_readme_is_made_from_the_results():
     text = readme.README.read_text(encoding="utf-8")
     assert readme.fill(text, RESULTS) == text
@@ -51,10 +61,9 @@ def test_an_edit_of_a_result_is_seen(copied, name):
 
 def test_an_edit_of_the_readme_is_seen_where_it_is_measured_and_only_there():
     text = readme.README.read_text(encoding="utf-8")
-    head, middle = text.split(readme.BEGIN)
-    figures = [found.start() for found in re.finditer(r"\d", middle.split(readme.END)[0])]
-    for place in figures[:: len(figures) // 8]:
-        at = len(head) + len(readme.BEGIN) + place
+    blocks = re.finditer("<!-- bench .*?<!-- end -->", text, flags=re.DOTALL)
+    figures = [block.start() + found.start() for block in blocks for found in re.finditer(r"\d", block[0])]
+    for at in figures[:: len(figures) // 8]:
         edited = text[:at] + str((int(text[at]) + 1) % 10) + text[at + 1 :]
         assert readme.fill(edited, RESULTS) == text
     assert readme.fill(f"{text}More.", RESULTS) == f"{text}More."
@@ -77,7 +86,7 @@ def test_a_damaged_file_of_results_is_named(copied, content):
     path = copied / f"rays-{readme.processors(copied)[0]}.json"
     path.write_text(content, encoding="utf-8")
     with pytest.raises(ValueError, match=rf"^{re.escape(str(path))}: got \w+Error .*, want results as `warpsample bench"):
-        readme.fill(readme.BEGIN + readme.END, copied)
+        readme.fill(block("rays"), copied)
 
 
 def test_results_are_small():
@@ -98,27 +107,27 @@ def test_the_first_page_says_what_was_measured(repository):
     assert [phrase for phrase in readme.headline() if phrase not in text] == []
 
 
-def test_pictures_are_of_the_results(results, repository):
-    for name, benchmark in benchmarks().items():
-        path = RESULTS / f"{name}-{readme.processors(RESULTS)[0]}.json"
-        for picture in benchmark.pictures:
-            with Image.open(repository / "viz" / f"bench_{picture}.png") as image:
-                assert image.text["Description"] == readme.digest(path)
+def test_pictures_are_of_the_results(repository):
+    shown = readme.pictures_in(readme.README.read_text(encoding="utf-8"))
+    drawn = {picture.name: name for name, benchmark in benchmarks().items() for picture in benchmark.pictures}
+    assert shown == ["error", "rays", "visibility"]
+    for picture in shown:
+        path = RESULTS / f"{drawn[picture]}-{readme.processors(RESULTS)[0]}.json"
+        with Image.open(repository / "viz" / f"bench_{picture}.png") as image:
+            assert image.text["Description"] == readme.digest(path)
 
 
-def test_each_processor_has_a_heading_and_the_first_the_pictures(results, tmp_path):
+def test_each_processor_has_its_tables_the_first_before_the_others(results, tmp_path):
     for name, result in results.items():
         keep(benchmarks()[name], replace(result, machine=replace(result.machine, cpu="One", instructions="avx2")), tmp_path)
     result = results["peers"]
     keep(benchmarks()["peers"], replace(result, machine=replace(result.machine, cpu="Two", instructions="avx512")), tmp_path)
-    text = readme.fill(readme.BEGIN + readme.END, tmp_path)
-    headings = re.findall("^##+ .*$", text, flags=re.MULTILINE)
-    assert headings[0].startswith("## Two, AVX-512")
-    assert headings[1] == f"### {benchmarks()['peers'].title}"
-    assert headings[2].startswith("## One, AVX2")
-    assert headings[3:] == [f"### {benchmarks()[name].title}" for name in NAMES]
+    text = readme.fill("\n".join(map(block, NAMES)), tmp_path)
+    told = re.findall("`warpsample bench ([a-z-]+)`:[^;]*;\\s(One|Two),\\s(AVX2|AVX-512)", text)
+    others = [(name, "One", "AVX2") for name in NAMES]
+    others.insert(NAMES.index("peers"), ("peers", "Two", "AVX-512"))
+    assert told == others
     assert readme.fill(text, tmp_path) == text
-    assert "](../../viz/" not in text  # of the benchmark of peers the README shows no picture
 
 
 def test_every_figure_of_the_first_page_follows_its_result(copied):

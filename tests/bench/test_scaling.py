@@ -25,9 +25,9 @@ def test_a_stream_computes_every_direction(monkeypatch):
 @pytest.mark.slow
 def test_each_case_is_measured_in_a_process_of_its_own(monkeypatch, capsys, tmp_path):
     monkeypatch.setattr(scaling, "cases", lambda _: [("points", 1000, 16, 1), ("points", 4000, 16, 1)])
-    settings = scaling.Settings(largest=4000, repeats=2)
-    found = scaling.measure(settings, untracked)
-    assert [(row.points, len(row.seconds)) for row in found.rows] == [(1000, 2), (4000, 2)]
-    assert all(row.nanoseconds.median > 0.0 and row.peak_megabytes > 50.0 for row in found.rows)
-    assert [line for line in lines_of("scaling", settings, found, capsys) if line.startswith(" 4,000 ")]
+    settings = {"largest": 4000, "repeats": 2}
+    found = scaling.measure(untracked, **settings)
+    assert [(row.points, len(row.seconds)) for row in found["rows"]] == [(1000, 2), (4000, 2)]
+    assert all(row.nanoseconds.median > 0.0 and row.peak_megabytes > 50.0 for row in found["rows"])
+    assert [line for line in lines_of("scaling", settings, found, capsys) if line.startswith(" points  4,000 ")]
     assert drawn("scaling", found, tmp_path) == ["scaling.png"]

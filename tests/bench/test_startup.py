@@ -5,14 +5,12 @@ from pathlib import Path
 import pytest
 from bench_output import drawn, lines_of, untracked
 
-from warpsample.bench import timing
-from warpsample.bench.startup import measuring, processes
-from warpsample.bench.startup.measuring import IN_A_ROW, PAUSED
+from warpsample.bench import new_processes, startup, timing
 
 
 @pytest.mark.slow
 def test_new_processes_compile_once(monkeypatch):
-    run, built = processes._run, []
+    run, built = new_processes._run, []
 
     def watched(script, folder):
         before = set(Path(folder).rglob("*.o"))
@@ -20,9 +18,9 @@ def test_new_processes_compile_once(monkeypatch):
         built.append(len(set(Path(folder).rglob("*.o")) - before))
         return seconds
 
-    monkeypatch.setattr(processes, "_run", watched)
-    found = processes.start_processes()
-    assert set(found) == {(cache, step) for cache in processes.CACHES for step in processes.STEPS}
+    monkeypatch.setattr(new_processes, "_run", watched)
+    found = new_processes.start_processes()
+    assert set(found) == {(cache, step) for cache in new_processes.CACHES for step in new_processes.STEPS}
     assert min(found.values()) >= 0.0
     assert built[0] >= 2  # directions, and a further kernel
     assert built[2] >= 2  # points, and their occlusion
@@ -33,14 +31,17 @@ def test_new_processes_compile_once(monkeypatch):
 def test_calls_are_measured_and_shown(monkeypatch, capsys, tmp_path):
     monkeypatch.setattr(timing, "WARM_UP", 0.0)
     times = iter(range(1, 100))
-    fake = lambda: {(c, s): float(next(times)) for c in processes.CACHES for s in processes.STEPS}  # noqa: E731
-    monkeypatch.setattr(measuring, "start_processes", fake)
-    found = measuring.measure(measuring.Settings(processes=3, repeats=12), untracked)
-    assert [len(wait.seconds) for wait in found.waits] == [3] * len(found.waits)
-    assert [len(call.seconds) for call in found.calls] == [12] * len(found.calls)
-    assert {call.when for call in found.calls if call.what == "65,536 x 64 directions"} == {IN_A_ROW, PAUSED}
-    assert all(call.gain.median == 1.0 for call in found.calls if call.workers == 1)
-    lines = lines_of("startup", measuring.Settings(), found, capsys)
+    fake = lambda: {(c, s): float(next(times)) for c in new_processes.CACHES for s in new_processes.STEPS}  # noqa: E731
+    monkeypatch.setattr(startup, "start_processes", fake)
+    found = startup.measure(untracked, processes=3, repeats=12)
+    assert [len(wait.seconds) for wait in found["waits"]] == [3] * len(found["waits"])
+    assert [len(call.seconds) for call in found["calls"]] == [12] * len(found["calls"])
+    assert {call.when for call in found["calls"] if call.what == "65,536 x 64 directions"} == {
+        startup.IN_A_ROW,
+        startup.PAUSED,
+    }
+    assert all(call.gain.median == 1.0 for call in found["calls"] if call.workers == 1)
+    lines = lines_of("startup", {}, found, capsys)
     assert [line for line in lines if line.startswith(" 1,000 x 16 directions ")]
     assert [line for line in lines if line.startswith(" first points and their occlusion ")]
-    assert drawn("startup", found, tmp_path) == ["startup.png"]
+    assert drawn("startup", found, tmp_path) == ["startup_processes.png", "startup_calls.png"]

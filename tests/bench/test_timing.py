@@ -11,7 +11,7 @@ import warpsample
 from warpsample.bench import timing
 from warpsample.bench.child import Child, Failure
 from warpsample.bench.machine import commit, peak_megabytes, this_machine
-from warpsample.bench.timing import Spread
+from warpsample.bench.rows import Spread
 
 
 def test_rounds_are_interleaved_and_each_timed_run_follows_one_of_its_kind(monkeypatch):

@@ -7,11 +7,20 @@ import pytest
 from bench_output import drawn, lines_of
 
 import warpsample as ws
-from warpsample.bench.view_factors import RECORD, measuring
-from warpsample.bench.view_factors.scenes import blocks, boxes, scene_of
-from warpsample.bench.view_factors.tools import OURS, TOOLS, TRACE, Embree, PyViewFactor, rays_of
+from warpsample.bench import view_factors
+from warpsample.bench.blocks import blocks, boxes, mesh_of
+from warpsample.bench.tools.view_factors import (
+    FACTOR_TOOLS,
+    OURS,
+    TRACE,
+    EmbreeFactors,
+    PyViewFactor,
+    normals_of,
+    rays_of,
+)
+from warpsample.bench.view_factors import RECORD
 
-SETTINGS = measuring.Settings(side=1, rays=256, repeats=1)
+SETTINGS = {"side": 1, "rays": 256, "repeats": 1}
 
 
 def outward(mesh):
@@ -33,7 +42,7 @@ def test_a_city_has_faces_of_one_size_and_no_other_gap_than_its_border():
     assert (times == 1).sum() == 4 * 10
     v = ws.view_factors(mesh, 64)
     assert v.behind.max() == 0.0
-    assert len(scene_of("city 2").faces) == len(mesh.faces)
+    assert len(mesh_of("city 2").faces) == len(mesh.faces)
 
 
 @pytest.mark.slow
@@ -51,20 +60,20 @@ def test_boxes_are_closed_and_the_inner_one_sees_the_outer_alone():
 def test_peers_rays_are_uniform_on_faces_and_cosine_weighted():
     mesh = boxes(1)
     faces = np.array([0, 7, 20])
-    origins, directions, normals = rays_of(mesh, faces, 20_000, np.random.default_rng(3))
+    origins, directions = rays_of(mesh, faces, 20_000, np.random.default_rng(3))
     o, d = (array.reshape(3, -1, 3).astype(np.float64) for array in (origins, directions))
     centre = mesh.vertices[mesh.faces[faces]].mean(axis=1)
     assert np.abs(o.mean(axis=1) - centre).max() <= 5.0 * 3.0 * 0.24 / np.sqrt(20_000)
-    cosine = np.einsum("frk,fk->fr", d, normals.astype(np.float64))
+    cosine = np.einsum("frk,fk->fr", d, normals_of(mesh, faces).astype(np.float64))
     assert np.abs(cosine.mean(axis=1) - 2.0 / 3.0).max() <= 0.009  # 5 of 0.236 / sqrt(20,000)
     assert np.abs(np.linalg.norm(d, axis=2) - 1.0).max() <= 1e-5
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("make", [Embree, PyViewFactor])
+@pytest.mark.parametrize("make", [EmbreeFactors, PyViewFactor])
 def test_tools_compute_the_same(make):
     """The two small boxes have few enough faces that a ray between centroids says little: these are free of obstacles."""
-    pytest.importorskip("embreex" if make is Embree else "pyviewfactor")
+    pytest.importorskip("embreex" if make is EmbreeFactors else "pyviewfactor")
     mesh = ws.Mesh(boxes(2).vertices, boxes(2).faces[: 6 * 4 * 2])  # the outer box alone
     right = ws.view_factors(mesh, 16_384).matrix.toarray()
     tool = make(mesh, 2)
@@ -79,27 +88,31 @@ def test_tools_compute_the_same(make):
 
 
 def test_equal_errors_take_more_rays_or_fewer_of_ours():
-    told = {"rmse": 2e-4, "due": 4e-8, "relative": 0.1, "rate": None, "entries": 9, "peak_megabytes": 1.0, "above": 0.5}
-    ours = {"rmse": 1e-4, "rate": 0.625}
-    rays = measuring.judged({**told, "independent": True}, ours, [3.0], [1.0])
+    ours = {"row": {"rmse": 1e-4, "rate": 0.625}}
+
+    def judged(times, independent, **changes):
+        row = {"rmse": 2e-4, "due": 1.0, "relative": 0.1} | changes
+        return view_factors.judged({"row": row, "independent": independent}, ours, times, [1.0])
+
+    rays = judged([3.0], True)
     assert rays["times_ours"].median == pytest.approx(12.0)
     assert rays["agrees"]
-    exact = measuring.judged({**told, "due": None, "independent": False}, ours, [3.0], [1.0])
+    exact = judged([3.0], False, due=None)
     assert exact["times_ours"].median == pytest.approx(3.0 * 2.0**1.6)
     assert exact["agrees"]
-    assert not measuring.judged({**told, "due": 2e-8, "independent": True}, ours, [3.0], [1.0])["agrees"]
-    assert not measuring.judged({**told, "due": None, "relative": 0.4, "independent": False}, ours, [1.0], [1.0])["agrees"]
+    assert not judged([3.0], True, due=2.0)["agrees"]
+    assert not judged([1.0], False, due=None, relative=0.4)["agrees"]
 
 
 def test_a_tool_that_disagrees_is_wrong_and_one_that_is_missing_is_not():
-    missing, right = (measuring.Factors("city 1", 104, 1, OURS, *rest) for rest in (("no",), ()))
-    assert not RECORD.wrong(measuring.Found([missing, replace(right, agrees=True)]))
-    assert RECORD.wrong(measuring.Found([missing, replace(right, agrees=False)]))
+    missing, right = (view_factors.FactorTime("city 1", 104, 1, OURS, *rest) for rest in (("no",), ()))
+    assert not RECORD.wrong({"rows": [missing, replace(right, agrees=True)]})
+    assert RECORD.wrong({"rows": [missing, replace(right, agrees=False)]})
 
 
 @pytest.mark.slow
 def test_all_is_measured_and_shown(tmp_path, capsys):
-    rows = measuring.compare("city 1", 1, [*TOOLS, TRACE, "nobody"], 1, 256)
+    rows = view_factors.compare("city 1", 1, [*FACTOR_TOOLS, TRACE, "nobody"], 1, 256)
     by_tool = {row.tool: row for row in rows}
     assert "KeyError" in by_tool["nobody"].failure
     ran = [row for row in rows if not row.failure]
@@ -108,9 +121,9 @@ def test_all_is_measured_and_shown(tmp_path, capsys):
     assert by_tool[OURS].times_ours.median == 1.0
     assert by_tool["embreex"].rmse > by_tool[OURS].rmse
     assert 50.0 < by_tool[OURS].peak_megabytes < 700.0
-    found = measuring.Found(rows)
+    found = {"rows": rows}
     assert not RECORD.wrong(found)
     text = "\n".join(lines_of("view-factors", SETTINGS, found, capsys))
-    assert "city 1, 104 faces, threads: 1" in text
+    assert "city 1, faces 104, threads 1" in text
     assert "nobody did not run here: KeyError" in text
     assert drawn("view-factors", found, tmp_path) == ["view_factors.png"]

@@ -6,26 +6,28 @@ import numpy as np
 import pytest
 from bench_output import drawn, lines_of
 
-from warpsample.bench.visibility import measuring
-from warpsample.bench.visibility.reference import confirm, points_of, reference_of
-from warpsample.bench.visibility.tools import ESTIMATORS, Ours, Peer
+from warpsample.bench import visibility
+from warpsample.bench.reference import confirm, reference_of
+from warpsample.bench.scenes import points_of
+from warpsample.bench.tools.numpy_rays import CosineRays, size_of
+from warpsample.bench.tools.occlusion import ESTIMATORS, Occlusion
 
 pytestmark = pytest.mark.slow  # peers and timers, in processes of their own
 
 TOOLS = ["warpsample", "trimesh + embreex"]
-SETTINGS = measuring.Settings(scene=["bunny"], points=200, repeats=1)
+SETTINGS = {"scene": ["bunny"], "points": 200, "repeats": 1}
 
 
 @pytest.fixture(scope="module")
 def found():
-    found = measuring.Found([], [], [])
-    measuring.measure_scene("bunny", SETTINGS, found, {0.02: TOOLS}, ["warpsample"])
+    found = {"rows": [], "many": [], "confirmed": []}
+    visibility.measure_scene("bunny", 200, 1, found, targets={0.02: TOOLS}, ours=["warpsample"])
     return found
 
 
 @pytest.fixture(scope="module")
 def rows(found):
-    return found.rows
+    return found["rows"]
 
 
 def test_every_tool_reaches_the_error(rows):
@@ -44,16 +46,15 @@ def test_every_tool_reaches_the_error(rows):
     assert sky[0].cast < 0.8 * sky[0].rays
 
 
-def test_a_tool_that_is_missing_says_so(tmp_path):
-    np.save(tmp_path / "right.npy", np.ones(16))
+def test_a_tool_that_is_missing_says_so():
     arguments = {"scene": "bunny", "points": 16, "workers": 1, "target": 0.1, "open_points": False}
-    (found,) = measuring.compare(["nobody"], 1, reference=str(tmp_path / "right.npy"), **arguments)
+    (found,) = visibility.compare(["nobody"], 1, reference=np.ones(16), **arguments)
     assert found.tool == "nobody"
     assert "KeyError" in found.failure
 
 
 def test_embree_confirms_the_reference(found):
-    (confirmed,) = found.confirmed
+    (confirmed,) = found["confirmed"]
     assert confirmed.points == 200
     assert confirmed.agrees
     assert 0.7 < confirmed.rms < 1.3  # 200 differences in their standard errors: 1, to within 0.05 (one sigma)
@@ -65,14 +66,14 @@ def test_a_wrong_reference_is_not_confirmed(wrong):
     """All values by little, or one by much."""
     mesh, at = points_of("bunny", 200)
     right = reference_of(mesh, at, 1, rays=4096)
-    assert confirm("bunny", mesh, at, right, 1).agrees
+    assert confirm("bunny", mesh, at, right, workers=1).agrees
     changed = replace(right, values=np.clip(wrong(right.values), 0.0, 1.0))
-    assert not confirm("bunny", mesh, at, changed, 1).agrees
+    assert not confirm("bunny", mesh, at, changed, workers=1).agrees
 
 
 @pytest.fixture(scope="module")
 def many():
-    return measuring.measure_many("bunny", 20_000, 2048)
+    return visibility.measure_many("bunny", 20_000, 2048)
 
 
 def test_memory_is_that_of_the_points(many):
@@ -81,34 +82,36 @@ def test_memory_is_that_of_the_points(many):
 
 
 def test_what_is_shown_and_drawn(found, many, tmp_path, capsys):
-    both = measuring.Found(found.rows, [many], found.confirmed)
+    both = found | {"many": [many]}
     text = "\n".join(lines := lines_of("visibility", SETTINGS, both, capsys))
-    assert "20,000 points in the scene bunny with 2048 rays each take " in text
-    assert "MB at most" in text
-    assert "bunny, 200 points" in text
+    assert [line for line in lines if line.startswith(" bunny  20,000  2,048 ")]
+    assert "bunny, to 0.02, all points, points 200" in text
     assert "only points that see nothing but sky" in text
-    assert "Embree confirms it" in text
-    assert sum("trimesh + embreex (" in line for line in lines) == 1
+    assert "The reference against Embree" in text
+    assert sum(line.startswith(" trimesh + embreex ") for line in lines) == 3
+    assert "trimesh + embreex 5" in text
     assert drawn("visibility", both, tmp_path) == ["visibility.png"]
 
 
 @pytest.mark.parametrize("tool", ["embreex", "trimesh + embreex", "warpsample, skip=False"])
 def test_tools_estimate_the_same(tool):
     mesh, at = points_of("bunny", 100)
-    right = Ours(mesh, at, 1)(4096)
-    found = ESTIMATORS[tool][1](mesh, at, 1)(1024)
+    right = Occlusion(mesh, at, 1)(4096)
+    found = ESTIMATORS[tool].make(mesh, at, 1)(1024)
     assert np.abs(found - right).max() <= 5 * 0.5 / 32  # the greatest standard deviation of a ray
     assert abs(found.mean() - right.mean()) <= 5 * 0.27 / 320
 
 
 def test_peers_rays_are_cosine_weighted():
     """Their mean cosine is 2/3, whatever the normal; and they start off the surface."""
-    _, at = points_of("bunny", 64)
+    mesh, at = points_of("bunny", 64)
     seen = []
-    peer = Peer(lambda o, d: seen.append((o, d)) or np.zeros(len(o), bool), at, 1.0, 1)
-    assert (peer(1000) == 1.0).all()
+    open_share = CosineRays(mesh, at, 1).open_share(1000, lambda o, d: seen.append((o, d)) or np.zeros(len(o), bool))
+    assert (open_share == 1.0).all()
     origins, directions = (np.concatenate(arrays).reshape(64, 1000, 3) for arrays in zip(*seen, strict=True))
     cosine = np.einsum("psk,pk->ps", directions, at.normal)
     assert abs(cosine.mean() - 2 / 3) <= 0.005  # 5 of 0.236 / sqrt(64,000)
     assert np.abs(np.linalg.norm(directions, axis=2) - 1.0).max() <= 1e-5
-    assert np.abs(np.einsum("psk,pk->ps", origins - at.position[:, None], at.normal) - 1e-5).max() <= 1e-6
+    assert np.abs(
+        np.einsum("psk,pk->ps", origins - at.position[:, None], at.normal) - 1e-5 * size_of(mesh)
+    ).max() <= 1e-6 * size_of(mesh)

@@ -2,14 +2,15 @@
 
 import sys
 from dataclasses import replace
+from functools import update_wrapper
 from importlib import import_module
 
 import pytest
 
 from warpsample import cli
-from warpsample.bench import benchmarks, pictures, report
+from warpsample.bench import benchmarks, pictures, tables
 from warpsample.bench.machine import this_machine
-from warpsample.bench.result import Result
+from warpsample.bench.record import Result
 from warpsample.cli import terminal
 
 
@@ -22,7 +23,8 @@ def untracked(items, total):
 
 def lines_of(name, settings, found, capsys):
     """What the command of a benchmark prints."""
-    report.show(terminal.console(), benchmarks()[name].tables(Result(this_machine(), settings, found)))
+    benchmark = benchmarks()[name]
+    tables.show(terminal.console(), benchmark.report(Result(this_machine(), benchmark.settings(**settings), found)))
     lines = capsys.readouterr().out.splitlines()
     assert max(map(len, lines)) <= 120
     assert not [line for line in lines if "…" in line]
@@ -33,14 +35,17 @@ def drawn(name, found, folder):
     """The names of the pictures of a benchmark, none of them blank."""
     from matplotlib.image import imread
 
-    files = pictures.save(benchmarks()[name].figures(found, "caption"), folder)
+    result = Result(this_machine(), benchmarks()[name].settings(), found)
+    files = pictures.save(benchmarks()[name].figures(result), folder)
     assert all(imread(file)[..., :3].std() > 0.05 for file in files)
     return [file.name for file in files]
 
 
 def give(monkeypatch, name, **changes):
-    """Lets a benchmark have another `measure` (settings, track), or other fields."""
+    """Lets a benchmark have another `measure` with the same options, or other fields."""
     module = import_module(f"warpsample.bench.{name.replace('-', '_')}")
+    if "measure" in changes:
+        changes["measure"] = update_wrapper(changes["measure"], module.RECORD.measure)
     monkeypatch.setattr(module, "RECORD", replace(module.RECORD, **changes))
 
 

@@ -32,10 +32,9 @@ _REAL = ("absolute", "sqrt")  # exact but for complex numbers
 _PLAIN = ("angle", "i0", "sinc")  # functions of NumPy's that call some of these inside
 # What is timed as its users would write it, in float32: rays of peers, and of the embreex that confirms to 1e-4.
 _TIMED = (
-    ("peers/directions.py", "_polar"),
-    ("visibility/tools.py", "_rays"),
-    ("radiation/sky_tools.py", "patch_of"),
-    ("view_factors/tools.py", "rays_of"),
+    ("tools/directions.py", "_polar"),
+    ("tools/numpy_rays.py", "cosine_directions"),
+    ("tools/sky.py", "patch_of"),
 )
 _METHODS = ("reduce", "accumulate", "reduceat", "outer", "at")
 

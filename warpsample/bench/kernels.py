@@ -1,19 +1,19 @@
 """`bench kernels`: what the kernel API costs: a user's own integrand and a user's own kernel, beside what is built in."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Annotated
+from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 import typer
 import warp as wp
 
-from warpsample.bench.pictures import OURS, THEIRS
-from warpsample.bench.record import SEED, Benchmark, Repeats, Track
-from warpsample.bench.report import SPREAD, Table, spread
-from warpsample.bench.result import Result
+from warpsample.bench.pictures import Picture
+from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
+from warpsample.bench.rows import Spread, Timed, column
 from warpsample.bench.scenes import bunny, city
-from warpsample.bench.timing import Spread, interleave, stopwatch
+from warpsample.bench.tables import View
+from warpsample.bench.timing import interleave, stopwatch
 from warpsample.directions.sample import sample_directions
 from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphere
 from warpsample.estimate.integrate import integrate
@@ -24,9 +24,6 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import sample_surface
 from warpsample.sequences.fibonacci import fibonacci
 from warpsample.tracing.tree import Tree, any_hit, offset_origin, tree
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 COUNTS = (64, 256, 1024, 4096)
 """Directions of a point that are integrated."""
@@ -40,39 +37,14 @@ _OWN, _STORED, _SUMMED = "integrate", "sample_directions", "sample_directions an
 
 
 @dataclass(frozen=True)
-class Settings:
-    """Of the command."""
+class WayCost(Timed):
+    """One way to a result, on one thread."""
 
-    points: Annotated[int, typer.Option(help="Points on each mesh.", min=64)] = 8192
-    repeats: Repeats = 15
-
-
-@dataclass(frozen=True)
-class Cost:
-    """One way to a result, on one thread.
-
-    Attributes:
-        way: how.
-        scene: against which mesh rays are cast; "" for none.
-        count: directions of a point.
-        nanoseconds: of a direction.
-        ours: how many times as long as the first way to the same result, within each round.
-        seconds: of each repeat; none where they were not kept.
-    """
-
-    way: str
-    scene: str
-    count: int
-    nanoseconds: Spread
-    ours: Spread
-    seconds: list[float] = field(default_factory=list)
-
-
-@dataclass(frozen=True)
-class Found:
-    """Of every case."""
-
-    rows: list[Cost]
+    way: str = column("way")
+    scene: str = column("mesh")
+    count: int = column("directions", "of a point")
+    nanoseconds: Spread = column("ns per direction")
+    ours: Spread = column("times", "how many times as long as the first way to the same result, within each round")
 
 
 @wp.func
@@ -100,18 +72,23 @@ def occlusion(tree: Tree, position: wp.array[wp.vec3d], normal: wp.array[wp.vec3
             out[p] += 1.0 / float(count)
 
 
-def measure(settings: Settings, track: Track) -> Found:
+def measure(
+    track: Track,
+    *,
+    points: Annotated[int, typer.Option(help="Points on each mesh.", min=64)] = 8192,
+    repeats: Repeats = 15,
+) -> Found:
     """Each result by all ways to it, in turns."""
     groups = [("", count, ways(count)) for count in COUNTS for ways in (means, colours)]
-    groups += [(scene, RAYS, occlusions(scene, settings.points)) for scene in SCENES]
+    groups += [(scene, RAYS, occlusions(scene, points)) for scene in SCENES]
     rows = []
     for scene, count, ways in track(groups, len(groups)):
-        points = settings.points if scene else _TOTAL // count
-        times, _ = interleave([stopwatch(work) for work in ways.values()], settings.repeats)
+        size = count * (points if scene else _TOTAL // count)
+        times, _ = interleave([stopwatch(work) for work in ways.values()], repeats)
         for way, seconds in zip(ways, times, strict=True):
-            each = Spread.of([1e9 * t / (points * count) for t in seconds])
-            rows.append(Cost(way, scene, count, each, Spread.of_ratios(seconds, times[0]), seconds))
-    return Found(rows)
+            each = Spread.of([1e9 * t / size for t in seconds])
+            rows.append(WayCost(way, scene, count, each, Spread.of_ratios(seconds, times[0]), seconds=seconds))
+    return {"rows": rows}
 
 
 def means(count: int) -> dict[str, Callable[[], object]]:
@@ -164,59 +141,17 @@ def occlusions(scene: str, points: int) -> dict[str, Callable[[], object]]:
     }
 
 
-def tables(result: Result) -> list[Table | str]:
-    """A table of means, and one of occlusion."""
-    rows = result.found.rows
-    return [
-        f"One thread: {SPREAD}. times: how many times as long as by the first way.",
-        _table("Means of a sky over the cosine lobe", [row for row in rows if not row.scene]),
-        _table(f"Ambient occlusion by {RAYS} rays a point", [row for row in rows if row.scene]),
-    ]
-
-
-def readme(result: Result) -> list[Table | str]:
-    """Both tables, and what they say."""
-    _, means_table, occlusion_table = tables(result)
-    return [
-        "The mean of a sky of one line over the cosine lobe, on one thread; `sample_directions` alone fills a given array:",
-        means_table,
-        f"Ambient occlusion by {RAYS} rays a point: the kernel that [tracing](../tracing/README.md) shows, and the call:",
-        occlusion_table,
-    ]
-
-
-def _table(title: str, rows: list[Cost]) -> Table:
-    cells = [[row.scene or f"{row.count:,}", row.way, spread(row.nanoseconds), spread(row.ours)] for row in rows]
-    return Table(title, ["mesh" if rows and rows[0].scene else "directions", "way", "ns per direction", "times"], cells)
-
-
-def draw(found: Found, caption: str) -> dict[str, "Figure"]:
-    """Nanoseconds of a direction, by each way."""
-    from matplotlib.figure import Figure  # noqa: PLC0415
-
-    figure = Figure(figsize=(9.0, 5.5), layout="constrained")
-    axes = figure.subplots()
-    labels = [f"{row.scene or f'{row.count:,} directions'}: {row.way}" for row in found.rows]
-    colours = [OURS if row.ours.low == row.ours.high == 1.0 else THEIRS for row in found.rows]
-    places = range(len(found.rows))[::-1]
-    axes.hlines(places, [r.nanoseconds.low for r in found.rows], [r.nanoseconds.high for r in found.rows], color=colours)
-    axes.scatter([row.nanoseconds.median for row in found.rows], places, color=colours)
-    axes.set_yticks(places, labels)
-    axes.set_xscale("log")
-    axes.set_xlabel("time per direction [ns]")
-    axes.grid(alpha=0.3, axis="x")
-    figure.supxlabel(caption, fontsize=10)
-    return {"kernels": figure}
-
+_MEANS = "Means of a sky over the cosine lobe, one thread"
+_OCCLUSION = f"Ambient occlusion by {RAYS} rays a point, one thread"
 
 RECORD = Benchmark(
     name="kernels",
-    title="Kernels of your own",
     summary="The price of a user's integrand and of a user's kernel with rays, beside what is built in.",
-    settings=Settings,
-    found=Found,
     measure=measure,
-    tables=tables,
-    readme=readme,
-    figures=draw,
+    parts={"rows": WayCost},
+    views=[
+        View("rows", _MEANS, "count way", "nanoseconds ours", where=lambda row: not row.scene),
+        View("rows", _OCCLUSION, "scene way", "nanoseconds ours", where=lambda row: row.scene),
+    ],
+    pictures=[Picture("kernels", "rows", x="nanoseconds", series="way", down="scene count")],
 )

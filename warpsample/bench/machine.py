@@ -98,7 +98,7 @@ def peak_megabytes() -> float | None:
     if status.is_file():  # getrusage counts what the parent held when it started this process, too
         return next(float(line.split()[1]) * 1024 / 1e6 for line in status.read_text().splitlines() if "VmHWM" in line)
     try:
-        import resource  # noqa: PLC0415  (not on Windows)
+        import resource
     except ModuleNotFoundError:
         return None
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6  # bytes on macOS

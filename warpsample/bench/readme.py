@@ -1,23 +1,24 @@
-"""The measured part of the room's README, and its pictures, from the files of `results/`: a pure function of them.
+"""The tables in the room's README, and its pictures, from the files of `results/`: a pure function of them.
 
-`python -m warpsample.bench.readme` writes it anew without measuring anything.
+`python -m warpsample.bench.readme` writes them anew without measuring anything. What stands around the tables is written by
+hand, there.
 """
 
 import hashlib
+import re
 from pathlib import Path
 
 from warpsample.bench import benchmarks, pictures
-from warpsample.bench.peers.jobs import TASKS
-from warpsample.bench.rays.tables import range_over_embree
-from warpsample.bench.record import SEED, Benchmark
-from warpsample.bench.report import digits, markdown
-from warpsample.bench.result import RESULTS, Result, kept
-from warpsample.bench.visibility.tables import time_to
+from warpsample.bench.result import RESULTS, kept
+from warpsample.bench.rows import digits
+from warpsample.bench.tables import markdown
 from warpsample.host.files import check_output, check_output_folder, write_bytes
 
 README = Path(__file__).parent / "README.md"
 PICTURES = Path(__file__).parents[2] / "viz"
-BEGIN, END = "<!-- measured: `warpsample bench all --write` -->", "<!-- end of what is measured -->"
+
+_BLOCK = re.compile(r"<!-- bench ([\w-]+) -->\n.*?<!-- end -->", re.DOTALL)
+_PICTURE = re.compile(r"viz/bench_(\w+)\.png")
 
 
 def check_checkout(argument: str) -> None:
@@ -34,80 +35,65 @@ def check_checkout(argument: str) -> None:
 
 
 def write() -> list[Path]:
-    """Writes the README's measured part and the pictures of the first processor; returns the files."""
-    write_bytes(README, fill(README.read_text(encoding="utf-8"), RESULTS).encode())
-    files = [README]
-    processor = processors(RESULTS)[0]
+    """Writes the README's tables, and the pictures that it shows, of the first processor; returns the files."""
+    text = README.read_text(encoding="utf-8")
+    write_bytes(README, fill(text, RESULTS).encode())
+    files, processor, shown = [README], processors(RESULTS)[0], pictures_in(text)
     for name, result in kept(processor, benchmarks(), RESULTS).items():
-        benchmark = benchmarks()[name]
-        figures = benchmark.figures(result.found, str(result.machine))
-        shown = {f"bench_{picture}": figures[picture] for picture in benchmark.pictures}
-        files += pictures.save(shown, PICTURES, digest(RESULTS / f"{name}-{processor}.json"))
+        figures = {f"bench_{picture}": figure for picture, figure in benchmarks()[name].figures(result, shown).items()}
+        files += pictures.save(figures, PICTURES, digest(RESULTS / f"{name}-{processor}.json"))
     return files
 
 
+def pictures_in(text: str) -> list[str]:
+    """The names of the pictures that a README shows."""
+    return list(dict.fromkeys(_PICTURE.findall(text)))
+
+
 def fill(text: str, folder: Path) -> str:
-    """A README's text with the part between its marks made from the results in a folder."""
-    head, rest = text.split(BEGIN)
-    _, tail = rest.split(END)
-    sections = [_section(processor, i == 0, folder) for i, processor in enumerate(processors(folder))]
-    return "\n\n".join([head + BEGIN, *sections, END + tail])
+    """A README's text in which each block `<!-- bench name --> ... <!-- end -->` holds the tables of that benchmark.
+
+    Args:
+        text: of the README.
+        folder: of the results.
+    """
+    everything = [kept(processor, benchmarks(), folder) for processor in processors(folder)]
+
+    def block(found: re.Match[str]) -> str:
+        name = found[1]
+        results = [results[name] for results in everything if name in results]
+        tables = [markdown(benchmarks()[name].brief(result)) for result in results]
+        return "\n\n".join([f"<!-- bench {name} -->", *tables, "<!-- end -->"])
+
+    return _BLOCK.sub(block, text)
 
 
 def processors(folder: Path) -> list[str]:
-    """The kinds that there are results of, AVX-512 before AVX2."""
+    """The kinds of processor that there are results of, AVX-512 before AVX2."""
     return sorted({path.stem.rpartition("-")[2] for path in folder.glob("*.json")}, reverse=True)
 
 
 def headline(folder: Path = RESULTS) -> list[str]:
     """What the first page of the package says of speed: phrases of the first processor's results."""
-    found = kept(processors(folder)[0], benchmarks(), folder)
-    speeds = {row.peer: row.million_per_second for row in found["peers"].found.rows}
+    results = kept(processors(folder)[0], benchmarks(), folder)
+    peers, rays, visibility = (results[name].found["rows"] for name in ("peers", "rays", "visibility"))
+    speeds = {row.peer: digits(row.million_per_second.median) for row in peers if row.million_per_second}
+    over = [row.ours.median for row in rays if row.workers == 1 and row.tool == "Embree"]
+    times = {row.tool: digits(row.microseconds.median) for row in visibility
+             if (row.scene, row.target, row.open_points) == ("bunny", 0.01, False) and row.microseconds}  # fmt: skip
     theirs = speeds.get("Mitsuba, three planes")
-    over = range_over_embree(found["rays"].found)
-    times = [time_to(found["visibility"].found, tool, "bunny", 0.01) for tool in ("warpsample", "Mitsuba")]
-    beside = [
-        f" (Mitsuba: {digits(theirs.median)})" if theirs else "",
-        f" (Mitsuba's fused kernel: {digits(times[1])})" if times[1] else "",
-    ]
-    machine = found["peers"].machine
     return [
-        f"{digits(speeds[TASKS['directions'].ours].median)} million directions a second{beside[0]}",
-        *([f"rays {over[0]:.1f} to {over[1]:.1f} times as fast as Embree's"] if over else []),
-        f"to an RMSE of 0.01 in {digits(times[0])} µs a point{beside[1]}",
-        machine.processor,
+        f"{speeds['warpsample independent']} million directions a second{f' (Mitsuba: {theirs})' if theirs else ''}",
+        *([f"rays {min(over):.1f} to {max(over):.1f} times as fast as Embree's"] if over else []),
+        f"to an RMSE of 0.01 in {times['warpsample']} µs a point"
+        + (f" (Mitsuba's fused kernel: {times['Mitsuba']})" if "Mitsuba" in times else ""),
+        results["peers"].machine.processor,
     ]
 
 
 def digest(path: Path) -> str:
     """Of a file of results, by which a picture says what it was made from."""
     return f"{path.name} {hashlib.sha256(path.read_bytes()).hexdigest()}"
-
-
-def _section(processor: str, first: bool, folder: Path) -> str:
-    found = kept(processor, benchmarks(), folder)
-    machine = next(iter(found.values())).machine
-    head = f"## {machine.processor}, {machine.cores} cores"
-    return "\n\n".join([head, *(_of_benchmark(benchmarks()[name], result, first) for name, result in found.items())])
-
-
-def _of_benchmark(benchmark: Benchmark, result: Result, with_pictures: bool) -> str:
-    shown = benchmark.pictures.items() if with_pictures else ()
-    parts = [
-        f"### {benchmark.title}",
-        *benchmark.readme(result),
-        *(f"![{what}](../../viz/bench_{name}.png)" for name, what in shown),
-        f"({_settings(benchmark, result)})",
-    ]
-    return markdown(parts)
-
-
-def _settings(benchmark: Benchmark, result: Result) -> str:
-    m = result.machine
-    chosen = [f"{name} {value:,}" if isinstance(value, int) else f"{name} {value}"
-              for name, value in vars(result.settings).items() if value is not None]  # fmt: skip
-    where = f"warp-lang {m.warp}, NumPy {m.numpy}, Python {m.python}, commit {m.commit}"
-    return f"`warpsample bench {benchmark.name}`: {', '.join(chosen)}, seed {SEED}; {where}"
 
 
 if __name__ == "__main__":

@@ -1,24 +1,46 @@
-"""What a benchmark says of itself; the command line, the README and the result files follow from it."""
+"""What a benchmark says of itself; the command line, the result files, the tables and the pictures follow from it."""
 
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field
+import inspect
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from warpsample.bench.report import Table
+from warpsample.bench import pictures, tables
+from warpsample.bench.machine import Machine
+from warpsample.bench.pictures import Picture
+from warpsample.bench.rows import text
+from warpsample.bench.tables import Table, View
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from warpsample.bench.result import Result
-
 SEED = 0
-"""Of every benchmark's points, rays and directions."""
+"""The seed of every benchmark's points, rays and directions."""
 
 Repeats = Annotated[int, typer.Option(help="Timed runs of each case, each after untimed ones.", min=1)]
+Scenes = Annotated[list[str] | None, typer.Option(help="Only this one; may be repeated.", show_default=False)]
 Track = Callable[[Iterable[Any], int], Iterator[Any]]
 """Passes on items, of which there are so many, and may show how far it has come."""
+
+Found = dict[str, list[Any]]
+"""What was found: rows by the name of their part."""
+
+
+@dataclass(frozen=True)
+class Result:
+    """One run of a benchmark.
+
+    Attributes:
+        machine: where.
+        settings: the values of the command's options.
+        found: rows by part.
+    """
+
+    machine: Machine
+    settings: dict[str, Any]
+    found: Found
 
 
 @dataclass(frozen=True)
@@ -27,26 +49,66 @@ class Benchmark:
 
     Attributes:
         name: of its command and its result files.
-        title: of its section in the README.
         summary: one sentence for the command's help.
-        settings: a frozen dataclass; its fields, typed as typer takes them, are the command's options.
-        found: a frozen dataclass of lists of rows, each row a frozen dataclass of numbers, texts and `Spread`s.
-        measure: (settings, track) -> found.
-        tables: everything that the command prints, as tables and paragraphs.
-        readme: what the README shows of it.
-        figures: (found, caption) -> pictures by name.
-        pictures: of these, what the README shows: name -> what it says of it.
+        measure: (track, **settings) -> found; its keyword-only parameters, typed as typer takes them, are the options.
+        parts: the class of the rows of each part that is measured and kept.
+        views: the tables.
+        pictures: what is drawn.
+        notes: what the command says below its tables, beside what their columns say.
+        derived: (found, settings) -> parts that follow from those measured.
         wrong: whether something that was found is wrong; then the command ends with status 1.
     """
 
     name: str
-    title: str
     summary: str
-    settings: type
-    found: type
-    measure: Callable[[Any, Track], Any]
-    tables: Callable[["Result"], list[Table | str]]
-    readme: Callable[["Result"], list[Table | str]]
-    figures: Callable[[Any, str], dict[str, "Figure"]]
-    pictures: dict[str, str] = field(default_factory=dict)
-    wrong: Callable[[Any], bool] = lambda _: False
+    measure: Callable[..., Found]
+    parts: dict[str, type]
+    views: Sequence[View]
+    pictures: Sequence[Picture]
+    notes: Sequence[str] = ()
+    derived: Callable[[Found, dict[str, Any]], Found] = lambda _found, _settings: {}
+    wrong: Callable[[Found], bool] = lambda _: False
+
+    @property
+    def options(self) -> dict[str, inspect.Parameter]:
+        """The settings that can be chosen, with their defaults."""
+        parameters = inspect.signature(self.measure).parameters
+        return {name: each for name, each in parameters.items() if each.kind is inspect.Parameter.KEYWORD_ONLY}
+
+    def settings(self, **chosen: Any) -> dict[str, Any]:
+        """All settings: those chosen, and the others by default."""
+        return {name: option.default for name, option in self.options.items()} | chosen
+
+    def all_parts(self, result: Result) -> Found:
+        """What was found, and what follows from it."""
+        return result.found | self.derived(result.found, result.settings)
+
+    def report(self, result: Result) -> list[Table | str]:
+        """What the command prints: all tables, what their columns are, and which tools did not run."""
+        parts, told = self.all_parts(result), [self.provenance(result), tables.SPREADS]
+        for view in self.views:
+            rows = [row for row in parts[view.part] if view.where(row)]
+            told += [*tables.tables(view, rows), *tables.notes(view, rows)]
+        lines = [*told, *self.notes, *tables.about_tools(parts.values())]
+        return [line for i, line in enumerate(lines) if line not in lines[:i]]
+
+    def brief(self, result: Result) -> list[Table | str]:
+        """What the README shows: some tables, which tools did not run, and where all this was measured."""
+        parts = self.all_parts(result)
+        shown = [
+            table for view in self.views if view.brief
+            for table in tables.tables(view, view.brief([row for row in parts[view.part] if view.where(row)]))
+        ]  # fmt: skip
+        return [*shown, " ".join([*tables.about_tools(parts.values()), f"({self.provenance(result)})"])]
+
+    def figures(self, result: Result, names: Sequence[str] | None = None) -> dict[str, "Figure"]:
+        """The pictures by name, all of them or those that are named."""
+        parts = self.all_parts(result)
+        chosen = [picture for picture in self.pictures if names is None or picture.name in names]
+        return {each.name: pictures.draw(each, parts[each.part], str(result.machine)) for each in chosen}
+
+    def provenance(self, result: Result) -> str:
+        """The command, its settings and the machine, in a line."""
+        shown = {name: text(value, "g" if isinstance(value, float) else None) for name, value in result.settings.items()}
+        chosen = [f"{name} {shown[name]}" for name, value in result.settings.items() if value is not None]
+        return f"`warpsample bench {self.name}`: {', '.join(chosen)}, seed {SEED}; {result.machine}"

@@ -13,7 +13,8 @@ from warpsample.distributions.uniform_sphere import UniformSphere
 from warpsample.host.registry import look_up
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.mesh import Mesh, as_mesh
-from warpsample.mesh.surface import sample_surface
+from warpsample.mesh.surface import SurfacePoints, sample_surface
+from warpsample.tracing.trace import trace
 
 PER_POINT = 64
 """Cosine rays from each point."""
@@ -21,6 +22,8 @@ PER_POINT = 64
 KINDS = ("camera", "outward", "inward", "random")
 
 _OFF = 1e-4  # of the mesh's size: above every tool's rounding, so that all trace the same rays
+_LATITUDE, _TILT = 52.37, 23.44  # Amsterdam's, and the Earth's axis
+_LOOKS = 64  # directions in which a point looks for what is close before it
 
 
 def bunny(subdivisions: int) -> Mesh:
@@ -33,7 +36,7 @@ def bunny(subdivisions: int) -> Mesh:
     vertices, faces = mesh.vertices, mesh.faces
     if subdivisions:
         try:
-            from trimesh.remesh import subdivide  # noqa: PLC0415
+            from trimesh.remesh import subdivide
         except ModuleNotFoundError:
             raise ModuleNotFoundError("the split bunny needs trimesh: pip install 'warpsample[bench]'") from None
         for _ in range(subdivisions):
@@ -44,7 +47,7 @@ def bunny(subdivisions: int) -> Mesh:
 def hills() -> Mesh:
     """PyVista's random hills, 19,602 triangles."""
     try:
-        from pyvista.examples import load_random_hills  # noqa: PLC0415
+        from pyvista.examples import load_random_hills
     except ModuleNotFoundError:
         raise ModuleNotFoundError("the scene of hills needs PyVista: pip install pyvista") from None
     return as_mesh(load_random_hills())
@@ -106,6 +109,46 @@ def ray_set(mesh: Mesh, kind: str, count: int) -> tuple[np.ndarray, np.ndarray]:
     normal = points.normal[order]
     directions = side * sample_directions(normal, PER_POINT, sequence="independent").vectors
     return (points.position[order] + side * _OFF * size * normal).astype(np.float32), directions.astype(np.float32)
+
+
+def points_of(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
+    """A scene, and points uniform on it by area, in the order of the faces; seed 0."""
+    mesh = look_up(SCENES, scene, "scene")()
+    found = sample_surface(mesh, points, seed=SEED)
+    return mesh, some_of(found, np.argsort(found.face, kind="stable"))
+
+
+def clear_points_of(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
+    """The same without those that have something within 10^-4 of the mesh's size before them.
+
+    Raises:
+        ValueError: too few are left.
+    """
+    mesh = look_up(SCENES, scene, "scene")()
+    found = sample_surface(mesh, points + points // 4 + 16, seed=SEED)
+    looks = sample_directions(found.normal, _LOOKS, seed=SEED).vectors
+    close = _OFF * float(np.ptp(mesh.vertices, axis=0).max())
+    clear = (trace(mesh, found, looks, max_distance=close, any_hit=True).face < 0).all(axis=1)
+    chosen = np.flatnonzero(clear)[:points]
+    if len(chosen) < points:
+        raise ValueError(f"points: got {len(chosen)} with nothing close before them, want {points}")
+    return mesh, some_of(found, chosen[np.argsort(found.face[chosen], kind="stable")])
+
+
+def year_of_suns() -> np.ndarray:
+    """The suns (T, 3) float32, about 4,400, of a year's hours in which they are up: circular orbit; +x east, +y north."""
+    hours = np.arange(8760) + 0.5
+    declination = -np.radians(_TILT) * np.cos(2.0 * np.pi * (hours / 24.0 + 10.0) / 365.0)
+    angle, latitude = 2.0 * np.pi * (hours % 24.0 - 12.0) / 24.0, np.radians(_LATITUDE)
+    east = -np.cos(declination) * np.sin(angle)
+    north = np.cos(latitude) * np.sin(declination) - np.sin(latitude) * np.cos(declination) * np.cos(angle)
+    up = np.sin(latitude) * np.sin(declination) + np.cos(latitude) * np.cos(declination) * np.cos(angle)
+    return np.stack([east, north, up], axis=1)[up > 0.0].astype(np.float32)
+
+
+def some_of(points: SurfacePoints, chosen: np.ndarray | slice) -> SurfacePoints:
+    """Some of the points."""
+    return SurfacePoints(points.position[chosen], points.normal[chosen], points.face[chosen])
 
 
 def check_scenes(names: list[str] | None) -> None:

@@ -1,34 +1,12 @@
-"""Timings that can be compared: interleaved, so that a slow minute hits every case, and reported with their spread."""
+"""Timings that can be compared: interleaved, so that a slow minute hits every case."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from math import inf
-from statistics import median, quantiles
 from time import perf_counter
 
 _LEAST_REPEATS = 3
 WARM_UP = 0.03
 """Seconds of untimed runs before a timed one."""
-
-
-@dataclass(frozen=True)
-class Spread:
-    """Of repeated figures: the median, and between which values the middle half lies."""
-
-    median: float
-    low: float
-    high: float
-
-    @classmethod
-    def of(cls, figures: Sequence[float]) -> "Spread":
-        """Of at least one figure."""
-        low, _, high = quantiles(figures, method="inclusive") if len(figures) > 1 else [figures[0]] * 3
-        return cls(median(figures), low, high)
-
-    @classmethod
-    def of_ratios(cls, numerators: Sequence[float], denominators: Sequence[float]) -> "Spread":
-        """Of the ratios within each round."""
-        return cls.of([a / b for a, b in zip(numerators, denominators, strict=True)])
 
 
 def stopwatch(work: Callable[[], object], warm: Callable[[], object] | None = None) -> Callable[[], float]:

@@ -8,10 +8,11 @@ from typing import Annotated, Any
 
 import typer
 
-from warpsample.bench import benchmarks, pictures, readme, report
+from warpsample.bench import benchmarks, pictures, readme, tables
 from warpsample.bench.machine import this_machine
-from warpsample.bench.record import Benchmark
-from warpsample.bench.result import Result, keep, save_everything
+from warpsample.bench.record import Benchmark, Result
+from warpsample.bench.result import keep, save_everything
+from warpsample.bench.scenes import check_scenes
 from warpsample.cli.terminal import console, fail_plainly, with_progress, working
 from warpsample.host.files import check_output, check_output_folder
 
@@ -23,23 +24,25 @@ Write = Annotated[
 ]
 
 
-def _measure(benchmark: Benchmark, settings: Any) -> Result:
-    """Measures a benchmark, with a bar meanwhile, and prints its tables."""
-    found = benchmark.measure(settings, lambda items, total: with_progress(items, total, f"measuring {benchmark.name}"))
-    result = Result(this_machine(), settings, found)
-    report.show(console(), [str(result.machine), *benchmark.tables(result)])
+def _measure(benchmark: Benchmark, **settings: Any) -> Result:
+    """Measures and prints."""
+    chosen = benchmark.settings(**settings)
+    found = benchmark.measure(lambda items, total: with_progress(items, total, f"measuring {benchmark.name}"), **chosen)
+    result = Result(this_machine(), chosen, found)
+    tables.show(console(), benchmark.report(result))
     return result
 
 
 def _run_and_save(
     benchmark: Benchmark,
-    settings: Any,
+    settings: dict[str, Any],
     json: Annotated[
         Path | None, typer.Option(help="A file for machine, settings and every repeat.", show_default=False)
     ] = None,
     plot: Annotated[Path | None, typer.Option(help="A folder for pictures; made if need be.", show_default=False)] = None,
     write: Write = False,
 ) -> None:
+    check_scenes(settings.get("scene"))
     if json is not None:
         check_output(json, "--json")
     if plot is not None:
@@ -47,12 +50,12 @@ def _run_and_save(
         pictures.check_drawing("--plot")
     if write:
         _check_write()
-    result = _measure(benchmark, settings)
+    result = _measure(benchmark, **settings)
     if json is not None:
         save_everything(json, benchmark, result)
     if plot is not None:
         with working(f"drawing into {plot}"):
-            files = pictures.save(benchmark.figures(result.found, str(result.machine)), plot)
+            files = pictures.save(benchmark.figures(result), plot)
         for file in files:
             print(f"{file}", file=sys.stderr)
     if write:
@@ -73,14 +76,12 @@ def _write(results: list[tuple[Benchmark, Result]]) -> None:
 
 def _command(name: str, benchmark: Benchmark) -> Callable[..., None]:
     """With the benchmark's settings as options, and the three of all."""
-    own = inspect.signature(benchmark.settings).parameters
     shared = list(inspect.signature(_run_and_save).parameters.values())[2:]
 
     def command(json: Path | None, plot: Path | None, write: bool, **settings: Any) -> None:
-        known = benchmarks()[name]
-        _run_and_save(known, known.settings(**settings), json, plot, write)
+        _run_and_save(benchmarks()[name], settings, json, plot, write)
 
-    options = [*own.values(), *shared]
+    options = [*benchmark.options.values(), *[each.replace(kind=each.KEYWORD_ONLY) for each in shared]]
     command.__doc__ = benchmark.summary
     command.__signature__ = inspect.Signature(options)  # type: ignore[attr-defined]
     command.__annotations__ = {option.name: option.annotation for option in options}
@@ -97,7 +98,7 @@ def bench_all(write: Write = False) -> None:
     """Everything by its defaults, one benchmark after the other."""
     if write:
         _check_write()
-    results = [(benchmark, _measure(benchmark, benchmark.settings())) for benchmark in benchmarks().values()]
+    results = [(benchmark, _measure(benchmark)) for benchmark in benchmarks().values()]
     if write:
         _write(results)
     raise SystemExit(any(benchmark.wrong(result.found) for benchmark, result in results))

@@ -1,0 +1,50 @@
+"""Meshes whose faces are all of like size, as those who want view factors make them."""
+
+import numpy as np
+
+from warpsample.mesh.mesh import Mesh, as_mesh
+
+_SIDES = ((1, 0), (0, 1), (-1, 0), (0, -1))
+_FEET = (((1, 0), (1, 1)), ((1, 1), (0, 1)), ((0, 1), (0, 0)), ((0, 0), (1, 0)))  # of the wall on each side of a square
+
+
+def mesh_of(name: str) -> Mesh:
+    """The mesh called "boxes 6", which is boxes(6), or "city 4", which is blocks(4)."""
+    kind, size = name.split()
+    return {"boxes": boxes, "city": blocks}[kind](int(size))
+
+
+def blocks(side: int) -> Mesh:
+    """side x side blocks in streets, all faces half unit squares: 2 x 2 squares each, from 1 to 6 floors, outward."""
+    heights = np.clip(np.rint(np.random.default_rng(0).lognormal(0.7, 0.5, (side, side))), 1, 6).astype(int)
+    # A street is two squares wide, within a margin of 1.
+    squares = np.pad(np.kron(heights, np.pad(np.ones((2, 2), int), 1)), 1)
+    quads = []
+    for x, y in np.ndindex(squares.shape):
+        z = squares[x, y]
+        quads.append([(x, y, z), (x + 1, y, z), (x + 1, y + 1, z), (x, y + 1, z)])
+        for (dx, dy), foot in zip(_SIDES, _FEET, strict=True):
+            inside = 0 <= x + dx < len(squares) and 0 <= y + dy < len(squares)
+            for floor in range(squares[x + dx, y + dy] if inside else z, z):
+                (ax, ay), (bx, by) = foot
+                a, b = (x + ax, y + ay, floor), (x + bx, y + by, floor)
+                quads.append([a, b, (*b[:2], floor + 1), (*a[:2], floor + 1)])
+    return _halved(np.array(quads, np.float64))
+
+
+def boxes(outer: int) -> Mesh:
+    """A cube of edge 3 turned inward around one of edge 1 turned outward; each side is outer x outer squares, or half."""
+    sides, inner = [], max(1, outer // 2)
+    for count, size, turn in ((outer, 3.0, -1), (inner, 1.0, 1)):
+        u, v = (g.reshape(-1, 1, 1) for g in np.meshgrid(np.arange(count), np.arange(count), indexing="ij"))
+        square = np.array([[[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0], [0.0, 1.0, 1.0]]])[:, ::turn]
+        top = (square * [1.0, 1.0, count] + u * [1.0, 0.0, 0.0] + v * [0.0, 1.0, 0.0]) * (size / count) - 0.5 * size
+        for axis in range(3):
+            sides += [np.roll(top, axis, axis=2), np.roll(top * [1.0, -1.0, -1.0], axis, axis=2)]
+    return _halved(np.concatenate(sides))
+
+
+def _halved(quads: np.ndarray) -> Mesh:
+    """Each of (Q, 4, 3) as two triangles; corners in one place become one."""
+    vertices, index = np.unique(quads.reshape(-1, 3).round(9), axis=0, return_inverse=True)
+    return as_mesh((vertices, index.reshape(-1, 4)[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3)))

@@ -1,0 +1,264 @@
+"""`bench radiation`: what sky and sun cost, beside Radiance, Mitsuba and embreex; and a year of ours."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from importlib.metadata import version
+from time import perf_counter
+from typing import Annotated, Any
+
+import numpy as np
+import typer
+
+from warpsample.bench.child import Job
+from warpsample.bench.machine import peak_megabytes
+from warpsample.bench.pictures import Picture
+from warpsample.bench.record import Benchmark, Found, Repeats, Scenes, Track
+from warpsample.bench.rows import Spread, Timed, column, digits, maybe
+from warpsample.bench.scenes import clear_points_of, some_of, year_of_suns
+from warpsample.bench.tables import Cell, View, all_workers
+from warpsample.bench.timing import stopwatch
+from warpsample.bench.tools.sky import OURS, SKY_TOOLS, VIEW
+from warpsample.bench.tools.sun import SUN_TOOLS, TRACE
+from warpsample.bench.turns import keeping_last, take_turns
+from warpsample.host.engine import check_workers
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.radiation.sky.sky_matrix import sky_matrix
+from warpsample.radiation.weather.irradiation import irradiation
+from warpsample.tracing.trace import trace
+
+DEFAULT_SCENES = ("city", "bunny", "hills")
+RAYS = 1024
+"""Rays of each point, for the sky."""
+MOST_APART = 1.5
+"""Mean square error over the runs' own variance; about 1 where a tool is right."""
+
+_REFERENCE_RAYS, _REFERENCE_SEED = 1 << 16, 1 << 40  # far from those of the estimates
+_MOST_DIFFERENT = 0.002  # of all pairs: suns behind an edge, as seen from where each tool starts its rays
+_WEATHER = "athens"
+_MANY = 100_000
+_FEW = 16  # points whose year tells what a year costs whatever the points
+_FEWEST, _FIXED_RUNS, _RUNS, _FEWER = 2, 3, 2, 4
+
+
+@dataclass(frozen=True)
+class SkyTime(Timed):
+    """One tool's matrix of 145 sky patches on one scene, 1,024 rays a point."""
+
+    scene: str = column("scene")
+    workers: int = column("threads")
+    tool: str = column("tool")
+    failure: str | None = maybe("why it did not run")
+    version: str | None = maybe("version")
+    microseconds: Spread | None = maybe("µs per point")
+    views: Spread | None = maybe("/ sky_view_factor", "times as long, with as many rays, in the same round")
+    rmse: float | None = maybe("RMSE", "over points and patches", show=".1e")
+    rate: float | None = maybe("rate", "the power of the rays by which it falls, from a quarter of them on")
+    times_ours: Spread | None = maybe("times ours", "as long as ours to the RMSE of ours, extrapolated by its own rate")
+    apart: float | None = maybe("error² / spread²", "square error of the mean of two runs over their own variance, about 1")
+    agrees: bool | None = maybe("agrees", "whether that is below 1.5")
+
+
+@dataclass(frozen=True)
+class SunTime(Timed):
+    """One tool and the suns of a year, which are in front of or behind all points."""
+
+    scene: str = column("scene")
+    workers: int = column("threads")
+    tool: str = column("tool")
+    pairs: int = column("pairs", "points times suns, averted ones included")
+    failure: str | None = maybe("why it did not run")
+    version: str | None = maybe("version")
+    million_pairs: Spread | None = maybe("million pairs a second")
+    traces: Spread | None = maybe("/ ws.trace", "times as long as it takes for all pairs, in the same round")
+    different: float | None = maybe("differ", "share of the pairs where `ws.trace` differs", show=".1e")
+    agrees: bool | None = maybe("agrees", "whether that is below 0.002; ours must have none")
+
+
+@dataclass(frozen=True)
+class YearTime:
+    """A year's irradiation of a scene, ours, by the sun of each hour and 2,305 patches, in a process of its own."""
+
+    scene: str = column("scene")
+    workers: int = column("threads")
+    points: int = column("points")
+    fewer: int = column("fewer", "points of another run in the same process")
+    failure: str | None = maybe("why it did not run")
+    seconds: float | None = maybe("s", show=digits)
+    fewer_seconds: float | None = maybe("s of 16 points", show=digits)
+    peak_megabytes: float | None = maybe("peak memory, MB", "Python and mesh included", show=".0f")
+
+    tool = "irradiation"
+
+    def extrapolated(self, points: int = _MANY) -> float | None:
+        """Seconds of so many points, on the line through both; None if there is nothing."""
+        if self.seconds is None or self.fewer_seconds is None:
+            return None
+        each = (self.seconds - self.fewer_seconds) / (self.points - self.fewer)
+        return self.seconds + each * (points - self.points)
+
+
+def build_sky(tool: str, scene: str, points: int, *, rays: int, workers: int, reference: str) -> Job:
+    """A tool's sky matrix of Tregenza's patches; `reference` is an .npy file of the right values."""
+    library, make, _ = SKY_TOOLS[tool]
+    mesh, at = clear_points_of(scene, points)
+    run = make(mesh, at, workers)
+    fixed = stopwatch(lambda: run(_FEWEST, 1))
+
+    def report() -> dict[str, Any]:
+        if tool == VIEW:
+            return {"version": version(library)}
+        right = np.load(reference, allow_pickle=False)
+        judged = make(mesh, at, workers)  # anew: how many runs were timed, and so their seeds, is a matter of time
+        mse, variance, apart = errors(judged(rays, _RUNS), right)
+        fewer, _, _ = errors(judged(rays // _FEWER, _RUNS), right)
+        return {
+            "version": version(library),
+            "rmse": float(np.sqrt(mse)),
+            "rate": float(0.5 * np.log(fewer / mse) / np.log(_FEWER)),
+            "apart": float(apart / variance),
+            "fixed": float(np.median([fixed() for _ in range(_FIXED_RUNS)])),
+        }
+
+    return Job(lambda: run(rays, 1), report, lambda: run(_FEWEST, 1))
+
+
+def errors(found: np.ndarray, right: np.ndarray) -> tuple[float, float, float]:
+    """(mean square error of a run, variance of the runs' mean by their differences, its mean square error)."""
+    found = found.astype(np.float64)
+    mean = found.mean(axis=0)
+    variance = np.mean(found.var(axis=0, ddof=1)) / len(found)
+    return float(np.mean((found - right) ** 2)), float(variance), float(np.mean((mean - right) ** 2))
+
+
+def build_sun(tool: str, scene: str, points: int, *, workers: int, reference: str) -> Job:
+    """Which suns of a year points see; `reference` is an .npy file of what is lit, eight pairs in a byte."""
+    library, make, _ = SUN_TOOLS[tool]
+    suns = year_of_suns()
+    work, lit = keeping_last(make(*clear_points_of(scene, points), suns, workers))
+
+    def report() -> dict[str, Any]:
+        right = np.unpackbits(np.load(reference, allow_pickle=False), axis=1, count=len(suns)).view(bool)
+        return {"version": version(library), "different": float(np.mean(lit() != right))}
+
+    return Job(work, report)
+
+
+def build_year(tool: str, scene: str, points: int, workers: int) -> Job:
+    """A year of `irradiation` under 2,305 patches, by the weather `tool`: seconds, also of few points, and memory."""
+    mesh, at = clear_points_of(scene, points)
+    few = some_of(at, slice(_FEW))
+    given: dict[str, Any] = {"weather": tool, "patches": "reinhart4", "workers": workers}
+    irradiation(mesh, few, **given)  # loads kernels and libraries
+    fixed = stopwatch(lambda: irradiation(mesh, few, **given))()
+    work, seconds = keeping_last(lambda: _seconds(lambda: irradiation(mesh, at, **given)))
+    return Job(work, lambda: {"seconds": seconds(), "fewer_seconds": fixed, "peak_megabytes": peak_megabytes()})
+
+
+def _seconds(work: Callable[[], object]) -> float:
+    start = perf_counter()
+    work()
+    return perf_counter() - start
+
+
+def sky_reference(mesh: Mesh, points: SurfacePoints, workers: int) -> np.ndarray:
+    """The right values (P, 145) float64: by `sky_matrix` with 65,536 rays in place of 1,024, of another seed."""
+    found = sky_matrix(mesh, points, _REFERENCE_RAYS, seed=_REFERENCE_SEED, workers=workers)
+    return found.value.astype(np.float64)
+
+
+def measure(
+    track: Track,
+    *,
+    scene: Scenes = None,
+    points: Annotated[int, typer.Option(help="Points on each scene.", min=16)] = 256,
+    year_points: Annotated[int, typer.Option(help="Points whose year is computed.", min=64)] = 4096,
+    repeats: Repeats = 3,
+) -> Found:
+    """Scene by scene; suns but for the hills, the year of the first."""
+    names = scene or list(DEFAULT_SCENES)
+    found: Found = {"sky": [], "sun": []}
+    threads = sorted({1, check_workers(None)})
+    for name in track(names, len(names)):
+        for workers in threads:
+            found["sky"].extend(compare_skies(name, points, workers, repeats))
+            if name != "hills":
+                found["sun"].extend(compare_suns(name, points, workers, repeats))
+    return found | {"year": [measure_year(names[0], year_points, threads[-1])]}
+
+
+def compare_skies(
+    scene: str, points: int, workers: int, repeats: int, tools: Sequence[str] = tuple(SKY_TOOLS)
+) -> list[SkyTime]:
+    """The tools' sky matrices, taking turns."""
+    right = sky_reference(*clear_points_of(scene, points), workers)
+    turns = take_turns(build_sky, tools, repeats, scene=scene, workers=workers, points=points, rays=RAYS, reference=right)
+
+    def figures(tool: str) -> dict[str, Any]:
+        seconds, told = turns.seconds[tool], turns.told[tool]
+        row = {name: value for name, value in told.items() if name != "fixed"}
+        row["microseconds"] = Spread.of([1e6 * t / points for t in seconds])
+        row["views"] = Spread.of_ratios(seconds, turns.seconds[VIEW])
+        if tool != VIEW:
+            row["times_ours"] = at_equal_error(seconds, told, turns.seconds[OURS], turns.told[OURS])
+            row["agrees"] = bool(told["apart"] <= MOST_APART)
+        return row
+
+    return turns.rows(SkyTime, figures, scene=scene, workers=workers)
+
+
+def at_equal_error(seconds: list[float], told: dict[str, float], ours: list[float], ours_told: dict[str, float]) -> Spread:
+    """How many times as long as ours a tool takes to the RMSE of ours."""
+    more = float(np.float_power(told["rmse"] / ours_told["rmse"], 1.0 / told["rate"]))
+    due = [min(told["fixed"], t) + more * max(0.0, t - told["fixed"]) for t in seconds]
+    return Spread.of_ratios(due, ours)
+
+
+def compare_suns(
+    scene: str, points: int, workers: int, repeats: int, tools: Sequence[str] = tuple(SUN_TOOLS)
+) -> list[SunTime]:
+    """The tools and a year of suns, taking turns."""
+    mesh, at = clear_points_of(scene, points)
+    suns = year_of_suns()
+    directions = np.array(np.broadcast_to(suns, (points, *suns.shape)))
+    lit = (trace(mesh, at, directions, any_hit=True).face < 0) & (at.normal @ suns.T > 0.0)
+    right = np.packbits(lit, axis=1)
+    turns = take_turns(build_sun, tools, repeats, scene=scene, points=points, workers=workers, reference=right)
+
+    def figures(tool: str) -> dict[str, Any]:
+        seconds, told = turns.seconds[tool], turns.told[tool]
+        most = 0.0 if SUN_TOOLS[tool].library == "warpsample" else _MOST_DIFFERENT
+        pairs = Spread.of([lit.size / t / 1e6 for t in seconds])
+        traces = Spread.of_ratios(seconds, turns.seconds[TRACE])
+        return {**told, "million_pairs": pairs, "traces": traces, "agrees": told["different"] <= most}
+
+    return turns.rows(SunTime, figures, scene=scene, workers=workers, pairs=lit.size)
+
+
+def measure_year(scene: str, points: int, workers: int) -> YearTime:
+    """The year of 16 points and then of all, in one process."""
+    run = take_turns(build_year, [_WEATHER], 0, scene=scene, points=points, workers=workers)
+    told = run.told.get(_WEATHER, {"failure": run.failures.get(_WEATHER)})
+    return YearTime(scene, workers, points, _FEW, **told)
+
+
+def _of_many(rows: list[YearTime]) -> str:
+    return digits(rows[0].extrapolated() or 0.0)
+
+
+_BY_SCENE = {"lines": "tool", "split": "scene workers", "brief": all_workers}
+_YEAR = [Cell("seconds"), Cell("fewer_seconds"), Cell(_of_many, f"s of {_MANY:,} points"), Cell("peak_megabytes")]
+
+RECORD = Benchmark(
+    name="radiation",
+    summary="Sky matrices and sun positions: ours, Radiance's rcontrib, Mitsuba and embreex; and a year's irradiation.",
+    measure=measure,
+    parts={"sky": SkyTime, "sun": SunTime, "year": YearTime},
+    views=[
+        View("sky", f"Sky matrix, {RAYS:,} rays a point", cells="microseconds views rmse times_ours apart", **_BY_SCENE),
+        View("sun", "Suns of a year", cells="million_pairs traces different", **_BY_SCENE),
+        View("year", "A year's irradiation", "scene workers points", _YEAR),
+    ],
+    pictures=[Picture("radiation", "sky", "times_ours", panels="scene", where=all_workers)],
+    wrong=lambda found: any(row.agrees is False for row in (*found["sky"], *found["sun"])),
+)

@@ -1,0 +1,185 @@
+"""`bench rays`: rays a second by ours, wp.Mesh, Embree and Open3D on the same rays and threads; and how long each builds."""
+
+from dataclasses import dataclass
+from importlib.metadata import version
+from itertools import product
+from typing import Annotated, Any
+
+import numpy as np
+import typer
+
+from warpsample.bench.pictures import Picture
+from warpsample.bench.record import Benchmark, Found, Repeats, Scenes, Track
+from warpsample.bench.rows import Spread, Timed, column
+from warpsample.bench.scenes import KINDS, SCENES, ray_set
+from warpsample.bench.tables import Cell, View
+from warpsample.bench.timing import interleave, stopwatch
+from warpsample.bench.tools.tracers import TRACERS, RayTool, builds, visits
+from warpsample.host.engine import check_workers
+from warpsample.mesh.mesh import Mesh
+
+
+@dataclass(frozen=True)
+class RaySpeed(Timed):
+    """One tool on one set of rays."""
+
+    scene: str = column("scene")
+    triangles: int = column("triangles")
+    kind: str = column("rays", "from a camera, in the cosine lobe off the surface and into it, and at random")
+    any_hit: bool = column("query", show={True: "any hit", False: "nearest hit"}.get)
+    tool: str = column("tool")
+    version: str = column("version")
+    workers: int = column("workers")
+    hit: float = column("hit", "share of the rays that meet something, by this tool", show=".0%")
+    differ: int = column("differ", "rays that some tool answers otherwise than our wide tree: hit or not")
+    rays: int = column("rays")
+    million_per_second: Spread = column("M/s", "million rays a second by our wide tree on one thread", show=".3g")
+    ours: Spread | None = column("/ tool", "times as fast as it we are on as many threads, within each round")
+    gain: Spread | None = column("by n", "times as fast as on one thread, within each round", show=".2f")
+    nodes: float | None = column("nodes", "that a ray visits, on average; unknown for other tools", show=".1f")
+    leaves: float | None = column("leaves", "of up to 16 triangles, that a ray visits, on average", show=".1f")
+
+
+@dataclass(frozen=True)
+class BuildTime(Timed):
+    """How long a tool takes to be ready for a scene, from vertices and faces in memory to the first ray."""
+
+    scene: str = column("scene")
+    triangles: int = column("triangles")
+    tool: str = column("tool")
+    workers: int = column("workers", show=lambda n: f"({n})" if n else "")
+    milliseconds: Spread = column("ms")
+
+
+@dataclass(frozen=True)
+class MissingTool:
+    """A tool that is not there."""
+
+    tool: str = column("tool")
+    remedy: str = column("why it did not run, and what to install")
+
+    @property
+    def failure(self) -> str:
+        """Why it did not run."""
+        return self.remedy
+
+
+def measure(
+    track: Track,
+    *,
+    scene: Scenes = None,
+    rays: Annotated[int, typer.Option(help="Rays of a set.", min=64)] = 131_072,
+    repeats: Repeats = 5,
+) -> Found:
+    """Scene by scene, all that is compared taking turns."""
+    everyone = sorted({1, check_workers(None)})
+    names = scene or list(SCENES)
+    found: Found = {"rows": [], "builds": []}
+    missing: dict[str, str] = {}
+    for name in track(names, len(names)):
+        mesh = SCENES[name]()
+        for kind, any_hit in product(KINDS, (True, False)):
+            tools = tracers_of(mesh, kind, rays, missing)
+            nodes, leaves = visits(mesh, kind, rays, any_hit)
+            case = {"scene": name, "triangles": len(mesh.faces), "kind": kind, "any_hit": any_hit}
+            found["rows"] += compare(tools, everyone, repeats, {"nodes": nodes, "leaves": leaves}, **case)
+        found["builds"] += _builds(name, mesh, missing, everyone, repeats)
+        ray_set.cache_clear()
+    return found | {"missing": [MissingTool(*item) for item in missing.items()]}
+
+
+def tracers_of(mesh: Mesh, kind: str, count: int, missing: dict[str, str]) -> dict[str, RayTool]:
+    """Those of TRACERS that are installed, each with its rays; the others are added to `missing`, with what to install."""
+    tools = {name: _tracer_or_reason(tool.make, tool.library, mesh, kind, count) for name, tool in TRACERS.items()}
+    missing |= {name: tool for name, tool in tools.items() if isinstance(tool, str)}
+    return {name: tool for name, tool in tools.items() if not isinstance(tool, str)}
+
+
+def _tracer_or_reason(make: Any, library: str, *rays: Any) -> RayTool | str:
+    try:
+        return make(*rays)
+    except (ImportError, OSError) as error:  # OSError: a library of the system's that Open3D wants
+        return f"{error}; pip install {library}"
+
+
+def compare(
+    tools: dict[str, RayTool], everyone: list[int], repeats: int, visited: dict[str, float], **case: Any
+) -> list[RaySpeed]:
+    """One set of rays and one query by all tools, taking turns.
+
+    Args:
+        tools: by name, "wide" among them, each with its rays.
+        everyone: numbers of workers.
+        repeats: timed runs.
+        visited: the fields `nodes` and `leaves` of our wide tree.
+        **case: the fields `scene`, `triangles`, `kind` and `any_hit` of all rows.
+    """
+    cases = list(product(tools, everyone))
+    work = [stopwatch(tools[name](case["any_hit"], workers)) for name, workers in cases]
+    found = {name: tool(case["any_hit"], 1)() for name, tool in tools.items()}
+    seconds_of = dict(zip(cases, interleave(work, repeats)[0], strict=True))
+    return [
+        RaySpeed(
+            **case,
+            tool=name,
+            version=version(TRACERS[name].library) if name in TRACERS else "",
+            workers=workers,
+            hit=float(found[name].mean()),
+            differ=int(np.count_nonzero(found[name] != found["wide"])),
+            rays=len(found[name]),
+            million_per_second=Spread.of([len(found[name]) / t / 1e6 for t in seconds]),
+            ours=Spread.of_ratios(seconds, seconds_of["wide", workers]) if name != "wide" else None,
+            gain=Spread.of_ratios(seconds_of[name, 1], seconds) if workers > 1 else None,
+            **(visited if name == "wide" else {"nodes": None, "leaves": None}),
+            seconds=seconds,
+        )
+        for (name, workers), seconds in seconds_of.items()
+    ]
+
+
+def _builds(scene: str, mesh: Mesh, missing: dict[str, str], everyone: list[int], repeats: int) -> list[BuildTime]:
+    cases = {
+        (name, workers if name.startswith("wide") else 0): work
+        for workers in everyone
+        for name, work in builds(mesh, workers).items()
+        if name not in missing
+    }
+    times, _ = interleave([stopwatch(work) for work in cases.values()], repeats)
+    return [
+        BuildTime(scene, len(mesh.faces), *case, Spread.of([1e3 * t for t in seconds]), seconds=seconds)
+        for case, seconds in zip(cases, times, strict=True)
+    ]
+
+
+def _cells(rows: list[RaySpeed]) -> list[Cell]:
+    """Our speed, how many times the speed of each other tool that is, and what our tree visits."""
+    alone, most = (("tool", "wide"), ("workers", 1)), max(row.workers for row in rows)
+    others = [tool for tool in dict.fromkeys(row.tool for row in rows) if tool != "wide"]
+    return [
+        Cell("hit", where=alone),
+        Cell("million_per_second", where=alone),
+        Cell("gain", f"by {most}", where=(alone[0], ("workers", most))),
+        *(Cell("ours", f"/ {tool}", where=(("tool", tool), ("workers", 1))) for tool in others),
+        Cell("nodes", where=alone),
+        Cell("leaves", where=alone),
+        Cell(lambda mine: f"{max(row.differ for row in mine):,}", "differ"),
+    ]
+
+
+def _one_worker(rows: list[RaySpeed]) -> list[RaySpeed]:
+    return [row for row in rows if row.workers == 1]
+
+
+RECORD = Benchmark(
+    name="rays",
+    summary="Rays a second beside wp.Mesh, Embree and Open3D: five meshes, four kinds of rays, two queries; builds.",
+    measure=measure,
+    parts={"rows": RaySpeed, "builds": BuildTime, "missing": MissingTool},
+    views=[
+        View("rows", "Rays, and how many times as fast as each tool", "triangles kind", _cells, split="any_hit"),
+        View("builds", "Building, milliseconds (workers)", "triangles", "milliseconds", across="tool workers"),
+    ],
+    pictures=[
+        Picture("rays", "rows", "kind", y="million_per_second", panels="scene", down="any_hit", where=_one_worker),
+    ],
+)

@@ -1,0 +1,207 @@
+"""Directions of the cosine lobe, and points on a mesh uniform by area, by each tool."""
+
+from collections.abc import Callable
+from functools import partial
+from itertools import count as count_from
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample.bench.record import SEED
+from warpsample.bench.turns import Tool, keeping_last
+from warpsample.directions.sample import sample_directions
+from warpsample.host.kernel_cache import load
+from warpsample.maths.frames import frame_about, to_world
+from warpsample.mesh.mesh import as_mesh
+from warpsample.mesh.surface import sample_surface
+from warpsample.proof import twins
+
+Built = tuple[Callable[[], object], Callable[[], Any]]
+"""Work, and what gives the result of the last run."""
+
+_TAU = np.float32(2.0 * np.pi)
+
+
+def _warpsample(sequence: str, normals: np.ndarray, count: int, workers: int) -> Built:
+    out = np.empty((len(normals), count, 3), np.float32)
+    return partial(sample_directions, normals, count, sequence=sequence, out=out, workers=workers), lambda: out
+
+
+def _fill(normals: np.ndarray, count: int, workers: int) -> Built:
+    out = np.empty((len(normals), count, 3), np.float32)
+    return partial(out.fill, 0.0), lambda: out
+
+
+def _polar(u: np.ndarray, r: np.ndarray, turns: np.ndarray) -> np.ndarray:
+    azimuth = _TAU * turns
+    return np.stack([r * np.cos(azimuth), r * np.sin(azimuth), np.sqrt(np.float32(1.0) - u)], axis=-1)
+
+
+def _frames(n: np.ndarray) -> np.ndarray:
+    """(P, 3, 3) float32, rows tangent, bitangent, normal."""
+    return twins.frames(n).transpose(0, 2, 1)
+
+
+def _numpy(normals: np.ndarray, count: int, workers: int) -> Built:
+    """Malley's method and a frame. The sphere + normal by `standard_normal` takes 2.6 times as long."""
+    rng = np.random.default_rng(SEED)
+
+    def run() -> np.ndarray:
+        u = rng.random((2, len(normals), count), dtype=np.float32)
+        return _polar(u[0], np.sqrt(u[0]), u[1]) @ _frames(normals)
+
+    return keeping_last(run)
+
+
+def _scipy(normals: np.ndarray, count: int, workers: int) -> Built:
+    """One scrambled Sobol' sequence over all points: SciPy has no scramble for each."""
+    from scipy.stats import qmc
+
+    seeds = count_from()
+
+    def run() -> np.ndarray:
+        u = qmc.Sobol(2, scramble=True, seed=next(seeds)).random(len(normals) * count)
+        u = u.astype(np.float32).clip(0.0, 1.0 - 2.0**-24).reshape(len(normals), count, 2)
+        return _polar(u[..., 0], np.sqrt(u[..., 0]), u[..., 1]) @ _frames(normals)
+
+    return keeping_last(run)
+
+
+@wp.kernel(enable_backward=False)
+def _builtins(normals: wp.array[wp.vec3], samples: wp.int32, seed: wp.int32, out: wp.array[wp.vec3]):
+    """What a Warp user writes today: the sphere sampler plus the normal, a sample per task."""
+    i = wp.tid()
+    state = wp.rand_init(seed, i)
+    out[i] = wp.normalize(normals[i / samples] + wp.sample_unit_sphere_surface(state))
+
+
+@wp.kernel(enable_backward=False)
+def _builtins_polar(normals: wp.array[wp.vec3], samples: wp.int32, seed: wp.int32, out: wp.array[wp.vec3]):
+    """Malley's method with Warp's generator, sine and cosine."""
+    i = wp.tid()
+    state = wp.rand_init(seed, i)
+    u = wp.randf(state)
+    azimuth = 6.2831855 * wp.randf(state)
+    r = wp.sqrt(u)
+    out[i] = to_world(frame_about(normals[i / samples]), wp.vec3(r * wp.cos(azimuth), r * wp.sin(azimuth), wp.sqrt(1.0 - u)))
+
+
+def _warp(kernel: wp.Kernel, normals: np.ndarray, count: int, workers: int) -> Built:
+    load(kernel, "cpu")
+    given = wp.array(normals, dtype=wp.vec3, device="cpu")
+    out = wp.empty(len(normals) * count, dtype=wp.vec3, device="cpu")
+    seeds = count_from()
+
+    def run() -> None:
+        wp.launch(kernel, dim=len(out), inputs=[given, count, next(seeds)], outputs=[out], device="cpu")
+
+    return run, out.numpy
+
+
+def _numba(normals: np.ndarray, count: int, workers: int) -> Built:
+    from math import cos, sin, sqrt
+
+    import numba
+
+    numba.set_num_threads(min(workers, numba.config.NUMBA_NUM_THREADS))
+
+    @numba.njit(parallel=True, fastmath=True)
+    def fill(normals: Any, out: Any) -> None:
+        one, two_pi = np.float32(1.0), np.float32(2.0 * np.pi)
+        for p in numba.prange(len(normals)):
+            x, y, z = normals[p]
+            sign = one if z >= np.float32(0.0) else -one
+            a = -one / (sign + z)
+            b = x * y * a
+            for j in range(out.shape[1]):
+                u = np.float32(np.random.random())  # noqa: NPY002  (the generator that compiled code has)
+                azimuth = two_pi * np.float32(np.random.random())  # noqa: NPY002
+                r = sqrt(u)
+                wx, wy, wz = r * cos(azimuth), r * sin(azimuth), sqrt(one - u)
+                out[p, j, 0] = (one + sign * x * x * a) * wx + b * wy + x * wz
+                out[p, j, 1] = sign * b * wx + (sign + y * y * a) * wy + y * wz
+                out[p, j, 2] = -sign * x * wx - y * wy + z * wz
+
+    out = np.empty((len(normals), count, 3), np.float32)
+    return partial(fill, normals, out), lambda: out
+
+
+def _torch(normals: np.ndarray, count: int, workers: int) -> Built:
+    import torch
+    from torch.nn.functional import normalize
+
+    torch.set_num_threads(workers)
+    given = torch.from_numpy(normals)[:, None]
+    return keeping_last(lambda: normalize(given + normalize(torch.randn(len(normals), count, 3), dim=-1), dim=-1))
+
+
+def _mitsuba(interleaved: bool, normals: np.ndarray, count: int, workers: int) -> Built:
+    import drjit as dr
+    import mitsuba as mi
+
+    mi.set_variant("llvm_ad_rgb")
+    dr.set_thread_count(workers)
+    size = len(normals) * count
+    given = mi.Normal3f(np.ascontiguousarray(normals.T))
+    seeds = count_from()
+
+    def run() -> Any:
+        n = dr.gather(mi.Normal3f, given, dr.arange(mi.UInt32, size) // count)
+        rng = mi.PCG32(size, initstate=dr.opaque(mi.UInt64, next(seeds)))
+        u = mi.Point2f(rng.next_float32(), rng.next_float32())
+        d = mi.Frame3f(n).to_world(mi.warp.square_to_cosine_hemisphere(u))
+        d = dr.ravel(d) if interleaved else d
+        dr.eval(d)
+        dr.sync_thread()
+        return d
+
+    work, result = keeping_last(run)
+    return work, lambda: np.asarray(result()) if interleaved else np.asarray(result()).T
+
+
+def _surface(mesh: Any, points: int, workers: int) -> Built:
+    ours, seeds = as_mesh(mesh), count_from()
+    work, result = keeping_last(lambda: sample_surface(ours, points, seed=next(seeds), workers=workers))
+    return work, lambda: result().position
+
+
+def _trimesh_surface(mesh: Any, points: int, workers: int) -> Built:
+    import trimesh
+
+    return keeping_last(lambda: trimesh.sample.sample_surface(mesh, points)[0])
+
+
+def _open3d_surface(mesh: Any, points: int, workers: int) -> Built:
+    import open3d
+
+    theirs = open3d.geometry.TriangleMesh(
+        open3d.utility.Vector3dVector(mesh.vertices), open3d.utility.Vector3iVector(mesh.faces)
+    )
+    work, result = keeping_last(lambda: theirs.sample_points_uniformly(points))
+    return work, lambda: result().points
+
+
+DIRECTIONS = {
+    "warpsample independent": Tool("warpsample", partial(_warpsample, "independent")),
+    "warpsample philox": Tool("warpsample", partial(_warpsample, "philox")),
+    "warpsample sobol": Tool("warpsample", partial(_warpsample, "sobol")),
+    "warpsample fibonacci": Tool("warpsample", partial(_warpsample, "fibonacci")),
+    "Mitsuba, three planes": Tool("mitsuba", partial(_mitsuba, False)),
+    "Mitsuba, interleaved": Tool("mitsuba", partial(_mitsuba, True)),
+    "Numba": Tool("numba", _numba),
+    "PyTorch": Tool("torch", _torch),
+    "Warp built-ins, polar": Tool("warp-lang", partial(_warp, _builtins_polar), threaded=False),
+    "Warp built-ins, sphere": Tool("warp-lang", partial(_warp, _builtins), threaded=False),
+    "NumPy": Tool("numpy", _numpy, threaded=False),
+    "SciPy Sobol'": Tool("scipy", _scipy, threaded=False),
+    "fill": Tool("numpy", _fill, threaded=False),
+}
+"""By name; each makes (work, result) of (normals, count, threads)."""
+
+SURFACE = {
+    "warpsample surface": Tool("warpsample", _surface),
+    "trimesh surface": Tool("trimesh", _trimesh_surface, threaded=False),
+    "Open3D surface": Tool("open3d", _open3d_surface, threaded=False),
+}
+"""By name; each makes (work, result) of (a trimesh mesh, points, threads)."""

@@ -1,0 +1,45 @@
+"""Mitsuba's variant for the CPU: a mesh as its scene, and points on it."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from warpsample.bench.tools.numpy_rays import off_the_surface
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints
+
+
+class MitsubaScene(NamedTuple):
+    """The modules drjit and mitsuba, the scene, and the points that rays start from, with their normals."""
+
+    dr: Any
+    mi: Any
+    scene: Any
+    origins: Any
+    normals: Any
+
+    def cosine_ray(self, rng: Any, origin: Any, normal: Any) -> Any:
+        """An independent ray of the cosine lobe."""
+        u = self.mi.Point2f(rng.next_float32(), rng.next_float32())
+        return self.mi.Ray3f(origin, self.mi.Frame3f(normal).to_world(self.mi.warp.square_to_cosine_hemisphere(u)))
+
+    def random(self, size: int, seed: int) -> Any:
+        """So many streams of random numbers."""
+        return self.mi.PCG32(size, initstate=self.dr.opaque(self.mi.UInt64, seed))
+
+
+def mitsuba_scene(mesh: Mesh, points: SurfacePoints, workers: int) -> MitsubaScene:
+    """A mesh and points on it, with so many threads."""
+    import drjit as dr
+    import mitsuba as mi
+
+    mi.set_variant("llvm_ad_rgb")
+    dr.set_thread_count(workers)
+    shape = mi.Mesh("mesh", len(mesh.vertices), len(mesh.faces))
+    parameters = mi.traverse(shape)
+    parameters["vertex_positions"] = mesh.vertices.astype(np.float32).ravel()
+    parameters["faces"] = mesh.faces.astype(np.uint32).ravel()
+    parameters.update()
+    origins = mi.Point3f(off_the_surface(mesh, points.position, points.normal).T)
+    normals = mi.Normal3f(np.ascontiguousarray(points.normal.T))
+    return MitsubaScene(dr, mi, mi.load_dict({"type": "scene", "mesh": shape}), origins, normals)

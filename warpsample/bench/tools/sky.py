@@ -1,0 +1,149 @@
+"""Sky matrices by each tool: (rays of each point, runs) -> (runs, P, 145), each run with random numbers of its own."""
+
+import os
+import shutil
+import subprocess
+import tempfile
+import weakref
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+from itertools import count as count_from
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from warpsample.bench.tools.mitsuba import mitsuba_scene
+from warpsample.bench.tools.numpy_rays import CosineRays, size_of
+from warpsample.bench.tools.tracers import embree_met
+from warpsample.bench.turns import Tool
+from warpsample.estimate.visibility import sky_view_factor
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.radiation.sky.patches import sky_patches
+from warpsample.radiation.sky.sky_matrix import sky_matrix
+
+SkyTool = Callable[[int, int], np.ndarray]
+
+_RAYS_AT_A_TIME = 1 << 24  # of Mitsuba's kernel
+_OPTIONS = "-h -V+ -I+ -ab 1 -ad {} -lw 1e-8 -n 1 -fdf -e MF:1 -f reinhart.cal -b rbin -bn Nrbins -m sky"
+_SKY = "void glow sky 0 0 4 1 1 1 0\nsky source dome 0 0 4 0 0 1 180\n"
+_PATCHES = sky_patches()
+_FIRST = np.flatnonzero(np.diff(_PATCHES.rows, prepend=-1)).astype(np.int32)  # patch of each row
+_IN_ROW = np.diff(_FIRST, append=len(_PATCHES)).astype(np.int32)
+_STEP = np.radians(_PATCHES.altitudes[0, 1])
+
+
+def patch_of(directions: np.ndarray) -> np.ndarray:
+    """The patch (R,) that each of (R, 3) float32 unit directions above the horizon is in."""
+    x, y, z = directions.T
+    row = (np.arcsin(np.clip(z, 0.0, 1.0)) * np.float32(1.0 / _STEP)).astype(np.int32)
+    column = np.rint(np.arctan2(x, y) * (_IN_ROW[row] * np.float32(0.5 / np.pi))).astype(np.int32) % _IN_ROW[row]
+    return _FIRST[row] + column
+
+
+def _repeated(run: Callable[[int], np.ndarray]) -> SkyTool:
+    return lambda count, runs: np.stack([run(count) for _ in range(runs)])
+
+
+def _ours(call: Callable[..., Any], mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
+    seeds = count_from()
+    return _repeated(lambda count: call(mesh, points, count, seed=next(seeds), workers=workers).value)
+
+
+def _embree(mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
+    """Independent cosine directions by NumPy, those above the horizon traced by embreex, open ones counted by patch."""
+    rays, met = CosineRays(mesh, points, workers), embree_met(mesh)
+
+    def counted(origins: np.ndarray, directions: np.ndarray, size: int) -> np.ndarray:
+        up = np.flatnonzero(directions[:, 2] > 0.0)
+        up = up[~met(origins[up], directions[up])]
+        entry = (up // (len(origins) // size)) * len(_PATCHES) + patch_of(directions[up])
+        return np.bincount(entry, minlength=size * len(_PATCHES)).reshape(size, -1)
+
+    return _repeated(lambda count: rays.parts(count, counted) / count)
+
+
+def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
+    """Independent cosine directions, traced and counted by patch in one kernel."""
+    known = mitsuba_scene(mesh, points, workers)
+    dr, mi = known.dr, known.mi
+    first, in_row = mi.UInt32(_FIRST.astype(np.uint32)), mi.UInt32(_IN_ROW.astype(np.uint32))
+    seeds, size = count_from(), len(points) * len(_PATCHES)
+
+    def add(count: int, counts: Any) -> None:
+        lane = dr.arange(mi.UInt32, len(points) * count)
+        point = lane // dr.opaque(mi.UInt32, count)
+        rng = known.random(len(points) * count, next(seeds))
+        origin, normal = dr.gather(mi.Point3f, known.origins, point), dr.gather(mi.Normal3f, known.normals, point)
+        ray = known.cosine_ray(rng, origin, normal)
+        d, up = ray.d, ray.d.z > 0.0
+        free = up & ~known.scene.ray_test(ray, up)
+        row = mi.UInt32(dr.asin(dr.clip(d.z, 0.0, 1.0)) * (1.0 / _STEP))
+        columns = dr.gather(mi.UInt32, in_row, row)  # unmasked: by 0 nothing is divided
+        turns = dr.atan2(d.x, d.y) * (0.5 / np.pi)
+        column = mi.UInt32(dr.round((turns + 1.0) * mi.Float(columns))) % columns
+        entry = point * len(_PATCHES) + dr.gather(mi.UInt32, first, row) + column
+        dr.scatter_reduce(dr.ReduceOp.Add, counts, mi.UInt32(1), entry, free)
+        dr.eval(counts)
+
+    def run(count: int) -> np.ndarray:
+        counts, most = dr.zeros(mi.UInt32, size), max(1, _RAYS_AT_A_TIME // len(points))
+        for done in range(0, count, most):
+            add(min(most, count - done), counts)
+        return np.asarray(counts).reshape(len(points), -1) / count
+
+    return _repeated(run)
+
+
+class _Rcontrib:
+    """Radiance's, a process for each thread with its own part of the points: several of one call repeat random numbers."""
+
+    def __init__(self, mesh: Mesh, points: SurfacePoints, workers: int) -> None:
+        import pyradiance
+
+        home = Path(pyradiance.__file__).parent
+        folder = tempfile.mkdtemp()
+        weakref.finalize(self, shutil.rmtree, folder)
+        self.octree, self.program = Path(folder) / "scene.oct", home / "bin" / "rcontrib"
+        self.environment = {**os.environ, "RAYPATH": str(home / "lib")}
+        scale = 100.0 / size_of(mesh)  # sensors are lifted by 1e-4
+        scene = self.octree.with_suffix(".rad")
+        scene.write_text(_polygons(scale * mesh.vertices, mesh.faces) + _SKY, encoding="utf-8")
+        self.octree.write_bytes(self._out([home / "bin" / "oconv", scene]))
+        sensors = np.hstack([scale * points.position, points.normal]).astype(np.float64)
+        self.parts = np.array_split(sensors, workers)
+
+    def __call__(self, count: int, runs: int) -> np.ndarray:
+        """All runs in one process, which goes on with its random numbers."""
+        command = [self.program, *_OPTIONS.format(count).split(), self.octree]
+
+        def part(sensors: np.ndarray) -> np.ndarray:
+            done = self._out(command, np.tile(sensors, (runs, 1)).tobytes())
+            return np.frombuffer(done, np.float32).reshape(runs, len(sensors), -1, 3)[:, :, 1:, 1] / np.float32(np.pi)
+
+        with ThreadPoolExecutor(len(self.parts)) as pool:
+            return np.concatenate(list(pool.map(part, self.parts)), axis=1)
+
+    def _out(self, command: list[Any], given: bytes = b"") -> bytes:
+        return subprocess.run(command, input=given, capture_output=True, check=True, env=self.environment).stdout
+
+
+def _polygons(vertices: np.ndarray, faces: np.ndarray) -> str:
+    """The faces in black plastic, as Radiance reads them."""
+    lines = ["void plastic black 0 0 5 0 0 0 0 0"]
+    for i, corners in enumerate(vertices[faces].reshape(-1, 9)):
+        lines.append(f"black polygon f{i} 0 0 9 " + " ".join(f"{x:.9g}" for x in corners))
+    return "\n".join(lines) + "\n"
+
+
+OURS, VIEW = "warpsample", "sky_view_factor"
+SKY_TOOLS = {
+    OURS: Tool("warpsample", partial(_ours, sky_matrix)),
+    VIEW: Tool("warpsample", partial(_ours, sky_view_factor)),
+    "Radiance rcontrib": Tool("pyradiance", _Rcontrib),
+    "Mitsuba": Tool("mitsuba", _mitsuba),
+    "embreex": Tool("embreex", _embree),
+}
+"""By name; each makes a tool of (mesh, points, threads)."""

@@ -1,0 +1,75 @@
+"""Which of many suns points see, by each tool: () -> (P, T) bool."""
+
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+from warpsample.bench.tools.mitsuba import mitsuba_scene
+from warpsample.bench.tools.numpy_rays import off_the_surface
+from warpsample.bench.tools.tracers import embree_met
+from warpsample.bench.turns import Tool
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.radiation.sun.direct_sun import direct_sun
+from warpsample.tracing.trace import trace
+
+SunTool = Callable[[], np.ndarray]
+
+_PARTS = 8  # of the points, for each thread that embreex leaves to its caller
+
+
+def _ours(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> SunTool:
+    return lambda: direct_sun(mesh, points, suns, workers=workers)
+
+
+def _trace(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> SunTool:
+    """A ray for each pair; averted pairs are made dark afterwards."""
+    directions = np.array(np.broadcast_to(suns, (len(points), *suns.shape)))
+    facing = points.normal @ suns.T > 0.0
+    return lambda: (trace(mesh, points, directions, any_hit=True, workers=workers).face < 0) & facing
+
+
+def _embree(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> SunTool:
+    """A ray for each pair that faces, which NumPy picks."""
+    met, origins = embree_met(mesh), off_the_surface(mesh, points.position, points.normal)
+    parts = np.array_split(np.arange(len(points)), min(len(points), workers * _PARTS))
+
+    def part(rows: np.ndarray) -> np.ndarray:
+        lit = points.normal[rows] @ suns.T > 0.0
+        point, sun = np.nonzero(lit)
+        lit[point, sun] = ~met(origins[rows][point], suns[sun])
+        return lit
+
+    def work() -> np.ndarray:
+        with ThreadPoolExecutor(workers) as pool:
+            return np.concatenate(list(pool.map(part, parts)))
+
+    return work
+
+
+def _mitsuba(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> SunTool:
+    """A lane for each pair; averted ones are masked."""
+    known = mitsuba_scene(mesh, points, workers)
+    dr, mi = known.dr, known.mi
+    towards = mi.Vector3f(np.ascontiguousarray(suns.T))
+
+    def work() -> np.ndarray:
+        lane, columns = dr.arange(mi.UInt32, len(points) * len(suns)), dr.opaque(mi.UInt32, len(suns))
+        point = lane // columns
+        d = dr.gather(mi.Vector3f, towards, lane - point * columns)
+        facing = dr.dot(mi.Vector3f(dr.gather(mi.Normal3f, known.normals, point)), d) > 0.0
+        ray = mi.Ray3f(dr.gather(mi.Point3f, known.origins, point), d)
+        return np.asarray(facing & ~known.scene.ray_test(ray, facing)).reshape(len(points), len(suns))
+
+    return work
+
+
+TRACE = "ws.trace, all pairs"
+SUN_TOOLS = {
+    "warpsample": Tool("warpsample", _ours),
+    TRACE: Tool("warpsample", _trace),
+    "Mitsuba": Tool("mitsuba", _mitsuba),
+    "embreex": Tool("embreex", _embree),
+}
+"""By name; each makes what says who is lit, of (mesh, points, suns, threads)."""
