@@ -60,11 +60,12 @@ def directions_of(slots: Slots) -> wp.Function:
     def write_directions(lobes: Lobes, point: ShadingPoint, length: wp.int32):
         u = wp.array(ptr=point.own, shape=(SQUARE_FLOATS,), dtype=wp.float32)
         n = point.n
+        chunk = point.chunk
         rare = wp.int32(0)
         k = wp.int32(0)
         while k < length:
             d = about(n, wp.vec2(u[k] + 0.0, u[CHUNK + k] + 0.0), lobes.parameters)
-            set_direction(point.chunk, k, wp.vec3(d[0], d[1], d[2]))
+            set_direction(chunk, k, wp.vec3(d[0], d[1], d[2]))
             if wp.static(redraws):
                 rare = rare | wp.where(d[3] < redraw_below, 1, 0)
             k += 1
@@ -74,6 +75,6 @@ def directions_of(slots: Slots) -> wp.Function:
                     at = wp.vec2(u[j], u[CHUNK + j])
                     if about(n, at, lobes.parameters)[3] < redraw_below:
                         d = redraw(n, at, lobes.parameters)
-                        set_direction(point.chunk, j, wp.vec3(d[0], d[1], d[2]))
+                        set_direction(chunk, j, wp.vec3(d[0], d[1], d[2]))
 
     return write_directions

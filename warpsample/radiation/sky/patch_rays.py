@@ -74,6 +74,7 @@ def _spread(sky: SkyRows, point: ShadingPoint, slope: Slope, k: wp.int32, each: 
     north = wp.vec3(wp.float32(frame[3]), wp.float32(frame[4]), wp.float32(frame[5]))
     up = wp.vec3(wp.float32(frame[6]), wp.float32(frame[7]), wp.float32(frame[8]))
     n = point.n
+    chunk = point.chunk
     cubes = slope.start * slope.start * slope.start
     more = slope.end * slope.end * slope.end - cubes
     steeper = slope.end - slope.start
@@ -104,7 +105,7 @@ def _spread(sky: SkyRows, point: ShadingPoint, slope: Slope, k: wp.int32, each: 
         dx = x * east[0] + y * north[0] + z * up[0]
         dy = x * east[1] + y * north[1] + z * up[1]
         dz = x * east[2] + y * north[2] + z * up[2]
-        set_direction(point.chunk, i, wp.vec3(dx, dy, dz))
+        set_direction(chunk, i, wp.vec3(dx, dy, dz))
         cosine = n[0] * dx + n[1] * dy + n[2] * dz
         density = (a + down * (b - a)) * root * root + LEAST
         weights[i] = wp.where(cosine >= _FAINT, cosine * weight_of(column) / density, 0.0)

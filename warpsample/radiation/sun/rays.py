@@ -10,7 +10,7 @@ from warpsample.radiation.sun.view import CAST, KNOWN, NEXT, REMEMBERED, Suns, V
 from warpsample.sequences.fibonacci import fibonacci_sample
 from warpsample.sequences.hashing import stream_key
 from warpsample.tracing.placement import far_off, in_double, unit_in_double, vector_in_double
-from warpsample.tracing.queries import REACH, Accelerator, column_of, set_direction
+from warpsample.tracing.queries import REACH, Accelerator, column_of, direction_of, set_direction
 from warpsample.tracing.sight.leaves import TRIANGLES, any_in_leaf, keep_triangle
 from warpsample.tracing.sight.point import bring_near
 from warpsample.tracing.sight.rays import first_hit, prepare_rays
@@ -60,14 +60,15 @@ def aim_at_disc(suns: Suns, seen: Accelerator, view: View, column: wp.int32, sun
     """Makes the rays towards points of a sun's disc, evenly spread over its solid angle."""
     frame = frame_about(sun)
     key = stream_key(view.point.key, wp.uint32(column))
+    chunk = view.point.chunk
     k = wp.int32(0)
     while k < DISC_RAYS:
         u = fibonacci_sample(key, wp.uint32(k), wp.uint32(DISC_RAYS))
-        d = to_world(frame, square_to_uniform_cone(u, suns.one_minus_cos))
-        set_direction(view.point.chunk, k, d)
-        if far_off(view.point.position):
-            bring_near(view.point, k, unit_in_double(in_double(d), 0))
+        set_direction(chunk, k, to_world(frame, square_to_uniform_cone(u, suns.one_minus_cos)))
         k += 1
+    if far_off(view.point.position):
+        for i in range(DISC_RAYS):
+            bring_near(view.point, i, unit_in_double(in_double(direction_of(chunk, i)), 0))
     _prepare(seen, view.point, view.local, DISC_RAYS)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.maths.frames import frame_about, to_world
-from warpsample.maths.memory import float_at, set_float, set_vec3, vec3_at
+from warpsample.maths.memory import float_at, vec3_at
 from warpsample.maths.numerics import fma, greater, lesser
 from warpsample.tracing.sight.point import SHAFT_FLOATS, ShadingPoint
 from warpsample.tracing.wide.boxes import PADDING
@@ -29,7 +29,7 @@ VECTORS_BYTES = wp.constant(wp.uint64(4 * 3 * WIDTH))
 _VECTORS_FLOATS = 3 * WIDTH
 _ROW = wp.constant(wp.uint64(4 * WIDTH))
 _UPPER = wp.constant(wp.uint64(3 * 4 * WIDTH))
-_ORIGIN = wp.constant(wp.uint64(4 * 4 * WIDTH))
+_ORIGIN = 4 * WIDTH
 _LOW = 4 * WIDTH + 3
 _PADDING = wp.constant(wp.float32(PADDING))
 _MARGIN = wp.constant(wp.float32(2.0**-19))
@@ -51,60 +51,57 @@ def shaft_vectors(normals: np.ndarray, corners: np.ndarray) -> np.ndarray:
 
 
 @wp.func
-def _vector(rows: wp.uint64, k: wp.int32) -> wp.vec3:
-    """The k-th vector of three rows."""
-    view = wp.array(ptr=rows, shape=(_VECTORS_FLOATS,), dtype=wp.float32)
-    return wp.vec3(view[k], view[WIDTH + k], view[2 * WIDTH + k])
-
-
-@wp.func
 def corner_of(vectors: wp.uint64, i: wp.int32) -> wp.vec3:
     """The direction of a shaft's i-th corner."""
-    return _vector(vectors, PLANES + i)
+    k = PLANES + i
+    return wp.vec3(float_at(vectors, k), float_at(vectors, WIDTH + k), float_at(vectors, 2 * WIDTH + k))
 
 
 @wp.func
-def _set_plane(shaft: wp.uint64, k: wp.int32, n: wp.vec3, limit: wp.float32):
-    """Writes the k-th plane, or a corner and what is never read."""
-    view = wp.array(ptr=shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
-    view[k] = n[0]
-    view[WIDTH + k] = n[1]
-    view[2 * WIDTH + k] = n[2]
-    view[3 * WIDTH + k] = limit
-
-
-@wp.func
-def _set_horizon(point: ShadingPoint):
-    """Makes a point's horizon the first plane of its shaft: boxes are padded, what is in them is not."""
+def _start(point: ShadingPoint):
+    """Starts the vectors of a point's shaft from there: its first plane becomes the horizon, and all get their limits."""
+    rows = wp.array(ptr=point.shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
+    o = point.o
     n = point.n
-    padding = _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
-    _set_plane(point.shaft, 0, n, wp.dot(n, point.o) - point.low + padding)
-    set_vec3(point.shaft + _ORIGIN, 0, point.o)
-    set_float(point.shaft, _LOW, point.low)
+    k = wp.int32(0)
+    while k < WIDTH:
+        # Directions are rounded by 2^-20.4, at 7 from the point by 2^-17.6; boxes are padded by 2^-17 along each axis.
+        rows[3 * WIDTH + k] = wp.dot(wp.vec3(rows[k], rows[WIDTH + k], rows[2 * WIDTH + k]), o)
+        k += 1
+    # The horizon, exactly; boxes are padded, what is in them is not.
+    rows[3 * WIDTH] = wp.dot(n, o) - point.low + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
+    for axis in range(3):
+        rows[axis * WIDTH] = n[axis]
+        rows[_ORIGIN + axis] = o[axis]
+    rows[_LOW] = point.low
 
 
 @wp.func
 def aim_about(vectors: wp.uint64, point: ShadingPoint):
     """Aims a shaft from a point: vectors in the frame about its normal."""
+    given = wp.array(ptr=vectors, shape=(_VECTORS_FLOATS,), dtype=wp.float32)
+    rows = wp.array(ptr=point.shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     frame = frame_about(point.n)
     k = wp.int32(0)
     while k < WIDTH:
-        v = to_world(frame, _vector(vectors, k))
-        # Directions are rounded by 2^-20.4, at 7 from the point by 2^-17.6; boxes are padded by 2^-17 along each axis.
-        _set_plane(point.shaft, k, v, wp.dot(v, point.o))
+        v = to_world(frame, wp.vec3(given[k], given[WIDTH + k], given[2 * WIDTH + k]))
+        rows[k] = v[0]
+        rows[WIDTH + k] = v[1]
+        rows[2 * WIDTH + k] = v[2]
         k += 1
-    _set_horizon(point)
+    _start(point)
 
 
 @wp.func
 def aim_at(vectors: wp.uint64, point: ShadingPoint):
     """Aims a shaft from a point: vectors in the scene's coordinates."""
+    given = wp.array(ptr=vectors, shape=(_VECTORS_FLOATS,), dtype=wp.float32)
+    rows = wp.array(ptr=point.shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
-    while k < WIDTH:
-        v = _vector(vectors, k)
-        _set_plane(point.shaft, k, v, wp.dot(v, point.o))
+    while k < _VECTORS_FLOATS:
+        rows[k] = given[k]
         k += 1
-    _set_horizon(point)
+    _start(point)
 
 
 @wp.struct
@@ -191,7 +188,7 @@ def boxes_in(node: wp.uint64, shaft: wp.uint64) -> wp.int32:
 @wp.func
 def triangles_in(leaf: wp.uint64, shaft: wp.uint64) -> wp.int32:
     """Mask of the triangles that a ray of the shaft may meet."""
-    o = vec3_at(shaft + _ORIGIN, 0)
+    o = vec3_at(shaft + wp.uint64(4 * _ORIGIN), 0)
     low = float_at(shaft, _LOW)
     p = _side(shaft, 0)
     q = _side(shaft, 1)
