@@ -1,11 +1,14 @@
 """A file is whole or not there, whatever ends its writing; links and permissions stay, and nothing is left beside it."""
 
 import os
+import signal
 import subprocess
 import sys
+import zipfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from warpsample.host import files
@@ -62,6 +65,68 @@ def test_no_moment_at_which_a_signal_leaves_a_part(tmp_path, work):
         else:
             break
     assert 20 < line < 999
+
+
+def write_arrays(path):
+    with files.complete_or_absent(path) as stream:
+        files.write_arrays(stream, {"one": np.arange(3), "two": np.arange(3)})
+
+
+WORKS = {
+    "check": lambda path: files.check_output(path, "output", path.with_name("input")),
+    "write": lambda path: files.write_bytes(path, b"new"),
+    "arrays": write_arrays,
+}
+
+
+def interrupted_at(line, work, path):
+    """Sends a signal at that line of files.py and zipfile; what the work raises, and whether there were as many lines."""
+    left, came = line, None
+
+    def trace(frame, event, _argument):
+        nonlocal left
+        if frame.f_code.co_filename not in (files.__file__, zipfile.__file__):
+            return None
+        if event == "line":
+            left -= 1
+            if not left:
+                sys.settrace(None)
+                signal.raise_signal(signal.SIGINT)
+        return trace
+
+    before = sys.gettrace()
+    sys.settrace(trace)
+    try:
+        work(path)
+    except BaseException as error:
+        came = repr(error)
+    finally:
+        sys.settrace(before)
+    return came, left <= 0
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # of a file that is not closed in time
+@pytest.mark.parametrize("raised", [("mine",), (110, "mine")])
+@pytest.mark.parametrize("kind", [TimeoutError, KeyboardInterrupt])
+@pytest.mark.parametrize("work", WORKS)
+def test_what_a_handler_raises_is_no_error_of_the_file(tmp_path, work, kind, raised):
+    """It comes out as it is, wherever it comes, and nothing is left; a deadline is a TimeoutError, which is an OSError."""
+    path, line, reached = tmp_path / "out", 0, True
+
+    def late(*_):
+        raise kind(*raised)
+
+    before = signal.signal(signal.SIGINT, late)
+    try:
+        while reached:
+            line += 1
+            path.write_bytes(b"old")
+            came, reached = interrupted_at(line, WORKS[work], path)
+            assert came == (repr(kind(*raised)) if reached else None), line
+            assert list(tmp_path.iterdir()) == [path], line
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert line > 40
 
 
 @pytest.mark.skipif(files.fcntl is None, reason="Windows has no SIGKILL and no locks of this kind")

@@ -12,7 +12,7 @@ import re
 import secrets
 import stat
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from glob import escape
 from io import BufferedWriter, FileIO
@@ -21,6 +21,8 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
+
+from warpsample.host.interrupts import handlers_first, to_its_end
 
 try:
     import fcntl
@@ -75,7 +77,7 @@ def complete_or_absent(path: Path) -> Iterator[BinaryIO]:
     Raises:
         WriteError: it cannot be written.
     """
-    with _part(path) as raw:
+    with handlers_first(), _part(path) as raw:
         stream = BufferedWriter(raw, _BUFFER)
         yield stream
         stream.flush()
@@ -90,6 +92,27 @@ def write_bytes(path: Path, content: Any) -> None:
     """`content`, bytes or a buffer, as the file; complete or absent."""
     with complete_or_absent(path) as stream:
         stream.write(content)
+
+
+class _Archive(zipfile.ZipFile):
+    """An .npz file that is only closed when it is complete: to close what an interrupt has left open is an error."""
+
+    __del__ = object.__hash__  # does nothing; of a function of Python's, it would drop what a handler raises there
+
+
+@contextmanager
+def new_archive(stream: BinaryIO, compression: int = zipfile.ZIP_STORED) -> Iterator[zipfile.ZipFile]:
+    """An .npz file to add arrays to, complete at the end and useless after an error."""
+    archive = to_its_end(_Archive)(stream, "w", compression)
+    yield archive
+    archive.close()
+
+
+def write_arrays(stream: BinaryIO, arrays: Mapping[str, np.ndarray], compression: int = zipfile.ZIP_STORED) -> None:
+    """Writes an .npz file."""
+    with new_archive(stream, compression) as archive:
+        for name, array in arrays.items():
+            write_array(archive, name, array)
 
 
 def write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None:
@@ -164,10 +187,16 @@ def _part(path: Path) -> Iterator[_Part]:
             if raw is not None:
                 raw.close()  # the raw file, so that nothing more is written to a full disk
         finally:
-            with suppress(OSError):
-                part.unlink(missing_ok=True)
+            _remove(part)
 
 
+@to_its_end
+def _remove(part: Path) -> None:
+    with suppress(OSError):
+        part.unlink(missing_ok=True)
+
+
+@to_its_end
 def _remove_orphans(target: Path) -> None:
     """Removes the parts of `target` that killed processes left: those of this machine that are not locked.
 
@@ -190,6 +219,7 @@ def _remove_if_dead(orphan: Path) -> None:
         orphan.unlink()  # while it is locked, see _part
 
 
+@to_its_end
 def _lock(file: Any) -> None:
     """Locks a file until it is closed or its process ends."""
     if fcntl is not None:
@@ -202,6 +232,7 @@ def _prefix(target: Path) -> str:
     return f".{target.name[:_LONGEST]}.{re.sub(r'[^A-Za-z0-9-]', '-', platform.node())[-_LONGEST:]}."
 
 
+@to_its_end
 def _target(path: Path) -> Path:
     """The file itself, or the target of a link."""
     return Path(os.path.realpath(path))
@@ -215,6 +246,7 @@ def _mode(target: Path) -> int:
         return 0
 
 
+@to_its_end
 def _flaw(path: Path, inputs: list[Path]) -> str:
     """Why an output cannot be written; empty if it can."""
     target = _target(path)
@@ -252,6 +284,8 @@ def _told(path: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
+        if error.errno is None:  # not the system's: a TimeoutError, as handlers of signals raise it for a deadline
+            raise
         raise WriteError(f"{path} cannot be written: {_reason(error)}") from error
 
 

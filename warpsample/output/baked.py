@@ -1,7 +1,6 @@
 """Baked numbers as files: .ply, .vtp, .glb, .npz and .csv."""
 
 import json
-import zipfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import pi
@@ -11,7 +10,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from warpsample.estimate.quantities.record import Quantity
-from warpsample.host.files import write_array
+from warpsample.host.files import write_arrays
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_glb, write_ply, write_vtp
@@ -104,9 +103,7 @@ def _write_npz(file: BinaryIO, baked: Baked, **more: np.ndarray) -> None:
     points, run = baked.points, vars(baked.run) | baked.quantity.told(baked.run.options)
     arrays = {"position": points.position, "normal": points.normal, "face": points.face, **baked.arrays, **more}
     told = {name: str(value) for name, value in run.items() if name != "options"}
-    with zipfile.ZipFile(file, "w", allowZip64=True) as archive:
-        for name, array in {**arrays, "run": np.array(json.dumps(told))}.items():
-            write_array(archive, name, array)
+    write_arrays(file, {**arrays, "run": np.array(json.dumps(told))})
 
 
 def _write_csv(file: BinaryIO, baked: Baked) -> None:

@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import zipfile
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from importlib.metadata import version
@@ -16,7 +15,7 @@ from warpsample.distributions import as_spatial
 from warpsample.host.arguments import check_integer, check_seed
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import check_memory, check_workers
-from warpsample.host.files import check_output, complete_or_absent, write_array
+from warpsample.host.files import check_output, complete_or_absent, new_archive, write_array
 from warpsample.mesh.examples import content_of
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.surface import SurfacePoints
@@ -94,7 +93,7 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
 
 def _write_archive(file: BinaryIO, points: SurfacePoints, run: DirectionsRun, workers: int | None) -> np.ndarray:
     record, status = _record(run), np.empty(len(points), np.uint8)
-    with zipfile.ZipFile(file, "w", allowZip64=True) as archive:
+    with new_archive(file) as archive:
         write_array(archive, "position", points.position)
         write_array(archive, "normal", points.normal)
         write_array(archive, "face", points.face)

@@ -11,7 +11,7 @@ import numpy as np
 
 from warpsample.estimate.result import Skipped
 from warpsample.host.arguments import check_file, naming_file, told
-from warpsample.host.files import check_output, complete_or_absent, read_arrays, write_array
+from warpsample.host.files import check_output, complete_or_absent, read_arrays, write_arrays
 from warpsample.radiation.exchange.radiosity import check_rows
 from warpsample.radiation.exchange.row_shares import matrices_of
 
@@ -136,9 +136,7 @@ def _write_npz(factors: "ViewFactors", stream: BinaryIO) -> None:
         "skipped": np.array([getattr(factors.skipped, item.name) for item in fields(Skipped)]),
         **{name: getattr(factors, name) for name in (*_VECTORS, *_OPTIONAL) if getattr(factors, name) is not None},
     }
-    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED, allowZip64=True) as archive:
-        for name, array in arrays.items():
-            write_array(archive, name, array)
+    write_arrays(stream, arrays, zipfile.ZIP_DEFLATED)
 
 
 def _write_sparse(factors: "ViewFactors", stream: BinaryIO) -> None:

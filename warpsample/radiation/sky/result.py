@@ -1,6 +1,5 @@
 """The result of a sky matrix: numbers for each point and patch, their errors, and what was skipped."""
 
-import zipfile
 from dataclasses import dataclass
 from math import pi
 from pathlib import Path
@@ -10,7 +9,7 @@ import numpy as np
 
 from warpsample.estimate.result import PointStatus
 from warpsample.host.arguments import told
-from warpsample.host.files import check_output, complete_or_absent, write_array
+from warpsample.host.files import check_output, complete_or_absent, write_arrays
 from warpsample.radiation.exchange.matrix_files import write_matrix
 from warpsample.radiation.sky.patches import SkyPatches
 
@@ -109,6 +108,4 @@ class SkyMatrix:
                 return
             arrays = {name: getattr(self, name) for name in ("value", "standard_error", "rays", "status")}
             arrays |= {name: getattr(self.patches, name) for name in ("directions", "solid_angles")}
-            with zipfile.ZipFile(stream, "w", allowZip64=True) as archive:
-                for name, array in arrays.items():
-                    write_array(archive, name, array)
+            write_arrays(stream, arrays)
