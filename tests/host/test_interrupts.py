@@ -280,3 +280,8 @@ def test_what_a_handler_raises_is_no_damaged_file(tmp_path, wrapped):
         read()
     with pytest.raises(ValueError, match="line 4"), naming_file("path", file, "a mesh"):
         raise ValueError("line 4")
+    try:
+        signal.raise_signal(signal.SIGINT)
+    except TimeoutError:  # the user deals with a deadline, and reads a file in doing so
+        with pytest.raises(ValueError, match="line 5"), naming_file("path", file, "a mesh"):
+            float("line 5")

@@ -4,9 +4,11 @@ PyTorch is one of them where it is installed; two small classes stand for all th
 """
 
 import re
+import signal
 
 import numpy as np
 import pytest
+import warp as wp
 from foreign_arrays import Copies, Dlpack, Interface
 
 import warpsample as ws
@@ -169,3 +171,55 @@ def test_a_tensor_that_numpy_makes_nothing_of_is_named(make, reason):
 def test_half_precision_is_as_numpys_is():
     with pytest.raises(TypeError, match=r"^normals: got dtype float16, want float32 \(or float64"):
         ws.sample_directions(torch_of(NORMALS).half(), COUNT)
+
+
+class Deadline(Exception):
+    """What a user's handler raises."""
+
+
+@pytest.fixture
+def late():
+    """Python code of a value, within which a signal's handler raises."""
+
+    class Handler:
+        def __call__(self, *_):
+            raise Deadline("too late")
+
+    def send_one(*_, **__):
+        signal.raise_signal(signal.SIGINT)
+        raise AssertionError("the handler has raised nothing")
+
+    before = signal.signal(signal.SIGINT, Handler())
+    yield send_one
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.parametrize("name", ["__array__", "__dlpack__", "__dlpack_device__"])
+def test_what_a_handler_raises_within_a_values_own_code_comes_out_as_it_is(late, name):
+    """As a deadline does while a lazy array is computed: it says nothing of the value."""
+    with pytest.raises(Deadline, match="^too late$"):
+        ws.trace((VERTICES, FACES), POSITIONS, type("Lazy", (), {name: late})())
+    with pytest.raises(Deadline, match="^too late$"):
+        ws.GGX(0.3).sample(type("Lazy", (), {name: late})())
+    with pytest.raises(Deadline, match="^too late$"):
+        ws.trace((VERTICES, FACES), POSITIONS, NORMALS, any_hit=type("Flag", (), {"__repr__": late})())
+
+
+@pytest.mark.usefixtures("late")
+def test_what_a_handler_raises_within_an_integrand_comes_out_as_it_is():
+    @wp.func
+    def unsaid(w: wp.vec3):
+        signal.raise_signal(2)
+        return w[2]
+
+    with pytest.raises(Deadline, match="^too late$"):
+        ws.integrate(NORMALS, unsaid, COUNT)
+
+
+def test_what_a_handler_has_raised_before_a_call_is_no_error_of_it(late):
+    """The call is one that the user makes while the deadline is dealt with."""
+    try:
+        late()
+    except Deadline:
+        with pytest.raises(TypeError, match="^directions: got "):
+            ws.trace((VERTICES, FACES), POSITIONS, [[1.0, 2.0], [3.0]])

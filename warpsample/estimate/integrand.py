@@ -13,6 +13,7 @@ from warpsample.estimate.definitions import NUMBERS, latest, meaning, names_in, 
 from warpsample.host.arguments import told
 from warpsample.host.arrays import cpu
 from warpsample.host.device_memory import Loan, at_home
+from warpsample.host.interrupts import handlers_first
 from warpsample.host.locks import once
 from warpsample.host.neighbours import kind_told
 
@@ -153,6 +154,7 @@ def with_arrays(data: Any, take: Callable[[wp.array], wp.array]) -> Any:
     return made
 
 
+@handlers_first()
 def _returns_colour(function: wp.Function, argument: str) -> bool:
     """Whether a function gives a vec3, and not a number."""
     kind = returned(function)

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.interrupts import raised_by_a_handler
+from warpsample.host.interrupts import handlers_first, raised_by_a_handler, to_its_end
 
 _LONGEST = 80  # characters of a value in a message
 _FLAGS = (bool, np.bool_)
@@ -21,7 +21,9 @@ def told(value: Any) -> str:
     """`value` as a message shows it: short, on one line, and without an error of its own."""
     try:
         text = repr(value)
-    except Exception:  # whatever the value's own code raises; Python itself refuses to print ints of 5,000 digits
+    except Exception as error:  # whatever the value's own code raises; Python itself refuses to print ints of 5,000 digits
+        if raised_by_a_handler(error):
+            raise
         return f"a value of type {type(value).__name__}"
     text = " ".join(text.splitlines())
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
@@ -61,13 +63,17 @@ def check_file(value: Any, argument: str, wants: str) -> Path:
     if not isinstance(value, str | PathLike) or not isinstance(fspath(value), str):
         raise TypeError(f"{argument}: got {told(value)}, want the path of {wants}")
     path = Path(value)
-    try:
-        flaw = "" if path.is_file() else "a folder" if path.is_dir() else "no ordinary file" if path.exists() else "missing"
-    except (OSError, ValueError):  # too long a name, a folder that may not be read, a zero byte
-        flaw = "out of reach"
-    if flaw:
+    if flaw := _flaw(path):
         raise FileNotFoundError(f"{argument}: got {str(path)!r}, which is {flaw}, want {wants}")
     return path
+
+
+@to_its_end
+def _flaw(path: Path) -> str:
+    try:
+        return "" if path.is_file() else "a folder" if path.is_dir() else "no ordinary file" if path.exists() else "missing"
+    except (OSError, ValueError):  # too long a name, a folder that may not be read, a zero byte
+        return "out of reach"
 
 
 @contextmanager
@@ -78,19 +84,18 @@ def naming_file(argument: str, path: Path, wants: str) -> Iterator[None]:
         ValueError: the file cannot be read; names it and says why.
         ModuleNotFoundError, MemoryError, and what a signal's handler raises: as they come.
     """
-    try:
-        if not path.stat().st_size:
-            raise ValueError("it is empty")
-        yield
-    except (ModuleNotFoundError, MemoryError):
-        raise
-    except Exception as error:
-        if own := raised_by_a_handler(error):  # as of a deadline, which says nothing of the file
-            raise own from None
-        reason = (str(error).strip().splitlines() or [""])[0]
-        if not isinstance(error, ValueError) or not reason:
-            reason = f"{reason} ({type(error).__name__})".strip()
-        raise ValueError(f"{argument}: got {str(path)!r}, which cannot be read as {wants}: {reason}") from error
+    with handlers_first():
+        try:
+            if not path.stat().st_size:
+                raise ValueError("it is empty")
+            yield
+        except (ModuleNotFoundError, MemoryError):
+            raise
+        except Exception as error:
+            reason = (str(error).strip().splitlines() or [""])[0]
+            if not isinstance(error, ValueError) or not reason:
+                reason = f"{reason} ({type(error).__name__})".strip()
+            raise ValueError(f"{argument}: got {str(path)!r}, which cannot be read as {wants}: {reason}") from error
 
 
 def check_integer(value: Any, argument: str, low: int, high: int, wants: str | None = None) -> int:

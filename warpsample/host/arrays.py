@@ -7,6 +7,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.host.arguments import told
+from warpsample.host.interrupts import handlers_first
 from warpsample.host.kernel_cache import start
 from warpsample.host.locks import once
 from warpsample.host.neighbours import as_ndarray
@@ -29,6 +30,11 @@ def check_device(device: Any, default: wp.Device) -> wp.Device:
     """
     if device is None:
         return default
+    return _device(device)
+
+
+@handlers_first()
+def _device(device: Any) -> wp.Device:
     known = ", ".join(str(d) for d in wp.get_devices())
     if not isinstance(device, str | wp.Device):
         raise TypeError(f"device: got {told(device)}, want one of {known}")

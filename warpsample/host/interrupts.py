@@ -7,25 +7,67 @@ no longer kept.
 
 import _signal  # the functions behind `signal`, which spends a hundred times as long on names of signals
 import signal
+import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial, wraps
 from traceback import walk_tb
-from types import FrameType
-from typing import TypeVar
+from types import CodeType, FrameType
+from typing import Any, ParamSpec, TypeVar
 
 T = TypeVar("T")
+P = ParamSpec("P")
 
 
-def raised_by_a_handler(error: BaseException) -> BaseException | None:
-    """What a signal's handler has raised, of an error and those that led to it; None if it is something else's."""
-    handlers = (signal.getsignal(n) for n in signal.valid_signals())
-    codes = {getattr(getattr(handler, "__func__", handler), "__code__", None) for handler in handlers} - {None}
+@contextmanager
+def handlers_first() -> Iterator[None]:
+    """Of an error that was made of what a signal's handler has raised within, as one that names a file, raises the latter.
+
+    A handler raises anything, most often a deadline's TimeoutError, which is an OSError but says nothing of a file.
+    """
+    before = sys.exc_info()[1]
+    try:
+        yield
+    except Exception as error:
+        own = raised_by_a_handler(error, before)
+        if own is None or own is error:
+            raise
+        raise own from own.__cause__
+
+
+def raised_by_a_handler(error: BaseException, before: BaseException | None = None) -> BaseException | None:
+    """What a signal's handler has raised, of an error and those that led to it; None if it is something else's.
+
+    Args:
+        error: what was raised.
+        before: what was being handled before the work began, and did not lead to the error.
+    """
+    codes = {_code_of(_signal.getsignal(n)) for n in range(1, signal.NSIG)} - {None}
     cause: BaseException | None = error
-    while cause:
-        if any(frame.f_code in codes for frame, _ in walk_tb(cause.__traceback__)):
+    while cause and cause is not before:
+        if isinstance(cause, KeyboardInterrupt) or any(frame.f_code in codes for frame, _ in walk_tb(cause.__traceback__)):
             return cause
         cause = cause.__cause__ or cause.__context__
     return None
+
+
+def _code_of(handler: Any) -> CodeType | None:
+    """What Python runs for a handler: a function, a method, a partial of one, or an instance that can be called."""
+    if not callable(handler):
+        return None
+    handler = handler.func if isinstance(handler, partial) else handler
+    return getattr(handler, "__code__", None) or getattr(type(handler).__call__, "__code__", None)
+
+
+def to_its_end(work: Callable[P, T]) -> Callable[P, T]:
+    """Decorates a function that Python itself, or the system, is done with soon: it runs as `uninterrupted` runs work."""
+
+    @wraps(work)
+    def run(*arguments: P.args, **named: P.kwargs) -> T:
+        return uninterrupted(partial(work, *arguments, **named))
+
+    return run
 
 
 def uninterrupted(work: Callable[[], T], stop: Callable[[], None] | None = None) -> T:

@@ -10,6 +10,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.host.arguments import told
+from warpsample.host.interrupts import handlers_first, raised_by_a_handler
 from warpsample.host.kernel_cache import start
 
 _NUMPY_KNOWS = ("__array__", "__array_interface__", "__array_struct__")
@@ -35,8 +36,11 @@ def from_cuda(value: Any, argument: str) -> Any:
     Raises:
         TypeError: it is on a device that Warp does not have, needs a gradient, or holds what no wp.array does.
     """
-    if isinstance(value, _ARRAYS):
-        return value
+    return value if isinstance(value, _ARRAYS) else _from_cuda(value, argument)
+
+
+@handlers_first()
+def _from_cuda(value: Any, argument: str) -> Any:
     try:
         if not _on_cuda(value):
             return value
@@ -55,7 +59,9 @@ def from_cuda(value: Any, argument: str) -> Any:
 def _on_cuda(value: Any) -> bool:
     try:
         return value.__dlpack_device__()[0] == _DLPACK_CUDA
-    except Exception:  # it has no such method, or is where DLPack has no number for
+    except Exception as error:  # it has no such method, or is where DLPack has no number for
+        if raised_by_a_handler(error):
+            raise
         return getattr(value, "__cuda_array_interface__", None) is not None
 
 
@@ -65,8 +71,11 @@ def as_ndarray(value: Any, argument: str, wants: str = "an array") -> np.ndarray
     Raises:
         TypeError: an array with a mask, which nothing here heeds; or what NumPy makes no array of, such as ragged lists.
     """
-    if type(value) is np.ndarray:
-        return value
+    return value if type(value) is np.ndarray else _to_ndarray(value, argument, wants)
+
+
+@handlers_first()
+def _to_ndarray(value: Any, argument: str, wants: str) -> np.ndarray:
     if _has_mask(value):
         raise TypeError(f"{argument}: got a masked array, want {wants} without a mask, as numpy.ma.filled gives")
     value = from_cuda(value, argument)
