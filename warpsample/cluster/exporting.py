@@ -46,7 +46,7 @@ def export_store(store: Path, mesh: Path, output: Path) -> str:
     found = quantity.result(**arrays, **dict.fromkeys(quantity.shared))
     with complete_or_absent(output) as file:
         WRITERS[output.suffix](file, Baked(run, shape, points, found))
-    return f"{output}: {run.quantity} of {len(points):,} {run.at or 'points'}"
+    return f"{output}: {quantity.title} of {len(points):,} {run.at or 'points'}"
 
 
 def _about(store: Path) -> dict[str, Any]:
