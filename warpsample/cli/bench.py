@@ -25,7 +25,7 @@ Write = Annotated[
 
 
 def _measure(benchmark: Benchmark, **settings: Any) -> Result:
-    """Measures and prints."""
+    """Measures a benchmark, with a bar meanwhile, and prints its tables."""
     chosen = benchmark.settings(**settings)
     found = benchmark.measure(lambda items, total: with_progress(items, total, f"measuring {benchmark.name}"), **chosen)
     result = Result(this_machine(), chosen, found)
