@@ -67,6 +67,9 @@ NOT_EVERYWHERE = {"vtkmodules", "trame", "distributed", "fcntl"}
 """Others that are imported where they are used: extras of extras, and what some systems do not have."""
 MOST_FILES = 21
 """Files in a folder, besides `__init__.py`: what has more has stories of its own, a folder each."""
+IN_A_CIRCLE = {"mesh.mesh", "mesh.report"}
+IN_A_CIRCLE |= {f"radiation.exchange.{name}" for name in ("view_factors", "radiosity", "files")}
+"""Files that import each other: one has a type, and others do what its methods say."""
 MOST_CLASSES_TWICE = 5
 """Class names that stand for different things in different files."""
 MOST_NOQA = 60
@@ -152,6 +155,18 @@ def test_heavy_libraries_are_imported_where_they_are_used(repository):
 def test_files_with_kernels_keep_their_annotations(repository):
     for path in sorted((repository / "warpsample").rglob("*.py")):
         assert "from __future__ import annotations" not in path.read_text()
+
+
+def test_few_files_import_each_other(repository):
+    """What two files need of each other belongs below both; imports for types count as well."""
+    package = repository / "warpsample"
+    names = {".".join(path.relative_to(repository).with_suffix("").parts): path for path in package.rglob("*.py")}
+    below = {name: {module for module, _ in imports(path) if module in names} for name, path in names.items()}
+    grown = True
+    while grown:
+        wider = {name: found.union(*(below[other] for other in found)) for name, found in below.items()}
+        grown, below = wider != below, wider
+    assert {name.removeprefix("warpsample.") for name, found in below.items() if name in found} <= IN_A_CIRCLE
 
 
 def host_functions(tree):

@@ -113,6 +113,11 @@ def test_directions_and_what_they_meet(mesh, points):
     assert np.array_equal(found.distance, ws.trace(mesh, points.position, points.normal).distance)
 
 
+def test_options_are_taken_by_keyword_alone(mesh, points):
+    with pytest.raises(TypeError, match="too many positional arguments"):
+        cluster.ambient_occlusion(mesh, points, RAYS, 0.3)
+
+
 def test_nothing_is_computed_before_it_is_asked_for_and_then_once(mesh, monkeypatch):
     ran = []
 

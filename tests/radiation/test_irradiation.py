@@ -123,7 +123,7 @@ def test_the_ground_is_that_of_gendaymtx_but_for_the_sun_s_place(athens):
 def test_the_sun_comes_from_the_east_and_goes_by_the_south(athens):
     """A wall to each side of a point, in the coordinates of maps and in those of glTF."""
     for up, north in (((0, 0, 1), (0, 1, 0)), ((0, 1, 0), (0, 0, -1)), ((1, 0, 0), (1, -1, 0))):
-        axes = sky_patches("tregenza", up, north).frame
+        axes = sky_patches("tregenza", up=up, north=north).frame
         for side, dark, lit in ((0, range(6, 10), range(14, 18)), (np.pi, range(15, 19), range(6, 11))):
             wall = np.array([[np.cos(side), y, z] for y, z in ((-99, -1), (99, -1), (99, 99), (-99, 99))]) @ axes
             mesh = ws.as_mesh((wall, np.array([[0, 1, 2], [0, 2, 3]])))

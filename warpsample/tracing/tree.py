@@ -182,7 +182,7 @@ def offset_origin(tree: Tree, position: Any, normal: wp.vec3) -> wp.vec3d:
     return _in_double(position) + (wp.float64(away) / tree.scale) * _in_double(normal)
 
 
-def tree(mesh: Any, device: Any = None, workers: int | None = None) -> Any:
+def tree(mesh: Any, *, device: Any = None, workers: int | None = None) -> Any:
     """A mesh as an argument of a kernel of your own, for `funcs.any_hit` and `funcs.nearest_hit`.
 
     It keeps alive what it needs: the mesh may go. On the CPU rays walk the 16-wide tree of `trace`, and get its answers bit

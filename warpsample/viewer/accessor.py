@@ -114,7 +114,7 @@ def _method(quantity: Quantity) -> Callable[..., pv.PolyData]:
     """The accessor's method for a quantity."""
     name = quantity.call.__name__
 
-    def method(self: WarpsampleAccessor, count: int = 256, at: At = "vertices", **options: Any) -> pv.PolyData:
+    def method(self: WarpsampleAccessor, count: int = 256, *, at: At = "vertices", **options: Any) -> pv.PolyData:
         return self._with(name, at, quantity.call(self.mesh, self._points(at), count=count, **options))
 
     told = {"title": quantity.title, "value": quantity.value, "name": name}

@@ -32,7 +32,15 @@ class Counts:
 
 @dataclass(frozen=True, eq=False)
 class Block:
-    """The same of some rows: (B,) their numbers, ascending; (B,) how many columns each has; columns, hits and special."""
+    """Counts of some rows of a matrix.
+
+    Attributes:
+        rows: (B,) their numbers, ascending.
+        sizes: (B,) how many columns each has.
+        columns: of the entries, row by row.
+        hits: of these, as those of `Counts`.
+        special: likewise.
+    """
 
     rows: np.ndarray
     sizes: np.ndarray
@@ -96,7 +104,7 @@ class Collector:
         check_memory(self._bytes * self._entries, f"{self._entries:,} view factors and more", wants)
 
     def counts(self) -> Counts:
-        """All rows."""
+        """The counts of all rows, which must have been added."""
         columns, hits = (np.concatenate(parts) for parts in zip(*self._blocks, strict=True))
         self._blocks.clear()
         return Counts(np.cumsum(self._sizes), columns, hits, self._special)

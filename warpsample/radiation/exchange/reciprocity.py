@@ -59,7 +59,7 @@ class _Pooling:
         return sums / self._both
 
     def pairs(self, value: np.ndarray) -> "csr_array":
-        """The same as a matrix."""
+        """The pooled values as a matrix of all surfaces."""
         from scipy.sparse import csr_array
 
         size = len(self._indptr) - 1

@@ -47,7 +47,7 @@ class SkyPatches:
     azimuths: np.ndarray
 
     def __len__(self) -> int:
-        """How many."""
+        """How many patches there are."""
         return len(self.solid_angles)
 
     @property
@@ -56,7 +56,7 @@ class SkyPatches:
         return np.array([np.cross(self.north, self.up), self.north, self.up])
 
 
-def sky_patches(name: str = "tregenza", up: Any = (0.0, 0.0, 1.0), north: Any = (0.0, 1.0, 0.0)) -> SkyPatches:
+def sky_patches(name: str = "tregenza", *, up: Any = (0.0, 0.0, 1.0), north: Any = (0.0, 1.0, 0.0)) -> SkyPatches:
     """The patches of a sky.
 
     Args:

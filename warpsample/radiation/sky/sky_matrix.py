@@ -83,7 +83,7 @@ def sky_matrix(
     at = PlacedPoints.of(mesh, points)
     options = RayOptions.of(len(at), seed=seed, first_point=first_point, active=active)
     plan = Plan.of(at, count, options.by(skip=skip, tracer="wide", workers=workers, progress=progress))
-    sky = sky_patches(patches, up, north)
+    sky = sky_patches(patches, up=up, north=north)
     return sky_seen(plan, sky, None if fold is None else _check_fold(fold, len(sky)))
 
 

@@ -69,7 +69,7 @@ def _check_place(line: str) -> None:
 
 
 def radiation(table: Any, column: str, name: str) -> np.ndarray:
-    """(8760,) W/m².
+    """The radiation of each hour in one column of a file, (8760,) W/m².
 
     Raises:
         ValueError: numbers that are missing or cannot be.

@@ -41,7 +41,7 @@ class Light:
 
 def light_of(weather: Any, *, period: Sequence[str] | None, ground_albedo: Any, patches: Any, up: Any, north: Any) -> Light:
     """The light that the weather of a file makes; arguments as of `irradiation`."""
-    albedo, sky = check_number(ground_albedo, "ground_albedo", 0.0, 1.0), sky_patches(patches, up, north)
+    albedo, sky = check_number(ground_albedo, "ground_albedo", 0.0, 1.0), sky_patches(patches, up=up, north=north)
     found = read_weather(weather, period)
     shining = (found.direct_normal > 0.0) & (found.sun_altitude > 0.0)
     lit = shining | (found.diffuse_horizontal > 0.0)
@@ -49,7 +49,7 @@ def light_of(weather: Any, *, period: Sequence[str] | None, ground_albedo: Any, 
     horizontal = found.diffuse_horizontal + np.where(shining, found.direct_normal * np.sin(found.sun_altitude), 0.0)
     return Light(
         sky=sky,
-        below=sky_patches("tregenza", -np.array(sky.up), sky.north),
+        below=sky_patches("tregenza", up=-np.array(sky.up), north=sky.north),
         hours=found.hours,
         sun_rows=np.flatnonzero(shining),
         sun=sun_directions(found.chosen(shining), sky.frame),
