@@ -6,7 +6,7 @@ import numpy as np
 import typer
 
 import warpsample as ws
-from warpsample.bench.integrands import INTEGRANDS, Integrand, evaluate
+from warpsample.bench.integrands import INTEGRANDS, KnownIntegral, evaluate
 from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
 from warpsample.host.arguments import check_integer
 from warpsample.plotting import rendering
@@ -36,7 +36,7 @@ def errors(names: tuple[str, ...], randomisations: int, seed: int) -> list[Conve
     return [Convergence(f"{i.name} ({i.kind})", np.array(COUNTS), found[i.name]) for i in chosen]
 
 
-def _rmse(integrand: Integrand, w: np.ndarray) -> float:
+def _rmse(integrand: KnownIntegral, w: np.ndarray) -> float:
     means = evaluate(integrand, w).mean(axis=1, dtype=np.float64)
     return float(np.sqrt(np.mean((means - integrand.mean) ** 2)))
 

@@ -5,7 +5,6 @@ from bench_output import drawn, lines_of
 
 import warpsample as ws
 from warpsample.bench import directions, timing
-from warpsample.bench.worst_errors import worst_errors
 
 
 @pytest.fixture(scope="module")
@@ -41,7 +40,7 @@ def test_rows_say_what_was_measured(rows):
 @pytest.mark.slow
 @pytest.mark.parametrize("case", [ws.CosineHemisphere("offset"), ws.UniformDisk()], ids=str)
 def test_worst_errors_are_those_of_the_world_too(case):
-    worst = worst_errors(case)
+    worst = directions.worst_errors(case)
     assert set(worst) == ({"angle", "pdf"} if case.width == 2 else {"length", "angle", "pdf"})
     # The offset method's errors are those of its sum of two vectors, which its local map does not have.
     assert (5e-7 < worst["angle"] <= 1.3e-5) if case.width == 3 else (5e-8 < worst["angle"] <= 3e-7)

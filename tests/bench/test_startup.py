@@ -5,12 +5,12 @@ from pathlib import Path
 import pytest
 from bench_output import drawn, lines_of, untracked
 
-from warpsample.bench import new_processes, startup, timing
+from warpsample.bench import startup, timing
 
 
 @pytest.mark.slow
-def test_new_processes_compile_once(monkeypatch):
-    run, built = new_processes._run, []
+def test_startup_compile_once(monkeypatch):
+    run, built = startup._run, []
 
     def watched(script, folder):
         before = set(Path(folder).rglob("*.o"))
@@ -18,9 +18,9 @@ def test_new_processes_compile_once(monkeypatch):
         built.append(len(set(Path(folder).rglob("*.o")) - before))
         return seconds
 
-    monkeypatch.setattr(new_processes, "_run", watched)
-    found = new_processes.start_processes()
-    assert set(found) == {(cache, step) for cache in new_processes.CACHES for step in new_processes.STEPS}
+    monkeypatch.setattr(startup, "_run", watched)
+    found = startup.start_processes()
+    assert set(found) == {(cache, step) for cache in startup.CACHES for step in startup.STEPS}
     assert min(found.values()) >= 0.0
     assert built[0] >= 2  # directions, and a further kernel
     assert built[2] >= 2  # points, and their occlusion
@@ -31,7 +31,7 @@ def test_new_processes_compile_once(monkeypatch):
 def test_calls_are_measured_and_shown(monkeypatch, capsys, tmp_path):
     monkeypatch.setattr(timing, "WARM_UP", 0.0)
     times = iter(range(1, 100))
-    fake = lambda: {(c, s): float(next(times)) for c in new_processes.CACHES for s in new_processes.STEPS}  # noqa: E731
+    fake = lambda: {(c, s): float(next(times)) for c in startup.CACHES for s in startup.STEPS}  # noqa: E731
     monkeypatch.setattr(startup, "start_processes", fake)
     found = startup.measure(untracked, processes=3, repeats=12)
     assert [len(wait.seconds) for wait in found["waits"]] == [3] * len(found["waits"])

@@ -4,7 +4,7 @@ import os
 import sys
 from pathlib import Path
 
-from warpsample.bench.child import Job
+from warpsample.bench.child import ChildJob
 
 
 def hopeless():
@@ -26,12 +26,12 @@ def mortal():
         if len(runs) > 1:
             os._exit(4)
 
-    return Job(work, dict)
+    return ChildJob(work, dict)
 
 
 def loud():
     """A job that prints."""
-    return Job(lambda: sys.stdout.write("noise\n"), lambda: {"answer": 42})
+    return ChildJob(lambda: sys.stdout.write("noise\n"), lambda: {"answer": 42})
 
 
 def no_end(at_work):

@@ -10,14 +10,12 @@ import subprocess
 import sys
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from warpsample.bench.timing import stopwatch
 
 
-@dataclass(frozen=True)
-class Job:
+class ChildJob(NamedTuple):
     """What a child runs.
 
     Attributes:
@@ -31,14 +29,8 @@ class Job:
     warm: Callable[[], object] | None = None
 
 
-@dataclass(frozen=True)
-class Failure:
-    """Why a child has no job.
-
-    Attributes:
-        reason: in a line.
-        missing: the module that is not installed, if that is why.
-    """
+class Failure(NamedTuple):
+    """Why a child has no job, in a line; and the module that is not installed, if that is why."""
 
     reason: str
     missing: str | None = None
@@ -47,13 +39,8 @@ class Failure:
 class Child:
     """A child process that builds a job; a context that ends it."""
 
-    def __init__(self, build: Callable[..., Job], **arguments: Any):
-        """Starts it, and does not wait.
-
-        Args:
-            build: a function of a module, which makes the job; the child imports it anew.
-            arguments: of `build`; JSON must hold them.
-        """
+    def __init__(self, build: Callable[..., ChildJob], **arguments: Any):
+        """Starts it, and does not wait; the child imports anew `build`, which makes the job of arguments that JSON holds."""
         self._name = f"{build.__module__}:{build.__qualname__}"
         self._ready: Failure | bool | None = None
         command = [sys.executable, "-m", "warpsample.bench.child", self._name, json.dumps(arguments)]

@@ -13,7 +13,7 @@ from warpsample.bench.cluster_jobs import CHUNK, RAYS, build_client, build_costs
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column, digits
-from warpsample.bench.tables import View
+from warpsample.bench.tables import TableView
 from warpsample.bench.timing import interleave
 
 WAYS = {"one process of two threads": (None, 2), "two processes of one thread": (2, None)}
@@ -196,12 +196,12 @@ RECORD = Benchmark(
     parts={"ways": WayTime, "overheads": Overhead, "memory": ClientMemory, "sent": Sent},
     derived=lambda found, _: {"plan": [plan(found)], "hours": planned_hours(plan(found))},
     views=[
-        View("ways", f"Processes and threads, {RAYS} rays a point", "way points", "duration speed"),
-        View("overheads", "One more chunk", "chunk", "milliseconds"),
-        View("memory", "Memory of the client", "points chunks computed", "peak_megabytes"),
-        View("sent", "What a worker gets", "worker calls chunks", _SENT),
-        View("plan", f"The plan for {PLANNED:,} points on {MACHINES} machines of {CORES} cores", "chunks", _PLAN),
-        View("hours", "Its hours", "threads", "hours bottleneck", brief=_few_threads),
+        TableView("ways", f"Processes and threads, {RAYS} rays a point", "way points", "duration speed"),
+        TableView("overheads", "One more chunk", "chunk", "milliseconds"),
+        TableView("memory", "Memory of the client", "points chunks computed", "peak_megabytes"),
+        TableView("sent", "What a worker gets", "worker calls chunks", _SENT),
+        TableView("plan", f"The plan for {PLANNED:,} points on {MACHINES} machines of {CORES} cores", "chunks", _PLAN),
+        TableView("hours", "Its hours", "threads", "hours bottleneck", brief=_few_threads),
     ],
     pictures=[
         Picture("cluster_plan", "hours", "threads", y="hours", series="", log="xy"),

@@ -11,7 +11,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-from warpsample.bench.child import Job
+from warpsample.bench.child import ChildJob
 from warpsample.bench.machine import peak_megabytes
 from warpsample.bench.scenes import bunny
 from warpsample.mesh import known
@@ -55,24 +55,24 @@ def _call(points: int, chunk: int, rays: int) -> tuple[Any, Callable[[], float]]
     return lazy, lambda: float(lazy.value.data.mean(split_every=MOST).compute())
 
 
-def build_way(points: int, processes: int | None, threads: int | None) -> Job:
+def build_way(points: int, processes: int | None, threads: int | None) -> ChildJob:
     """Ambient occlusion by so many processes, or so many threads of this one, in chunks that both are given evenly."""
     _within(processes, threads)
     even = ceil(points / (2 * ceil(points / CHUNK / 2)))
     _, work = _call(points, even, RAYS)
     _, warm = _call(_SMALL, _SMALL // FEW, RAYS)
     warm()
-    return Job(work, report=dict, warm=warm)
+    return ChildJob(work, report=dict, warm=warm)
 
 
-def build_client(points: int, computed: bool) -> Job:
+def build_client(points: int, computed: bool) -> ChildJob:
     """A client of two processes, and its memory."""
     _within(2, None)
     _, compute = _call(points, CHUNK, FEWEST)
-    return Job(compute if computed else lambda: None, report=lambda: {"peak_megabytes": peak_megabytes()})
+    return ChildJob(compute if computed else lambda: None, report=lambda: {"peak_megabytes": peak_megabytes()})
 
 
-def build_costs() -> Job:
+def build_costs() -> ChildJob:
     """What chunks cost beside the same points, and what is sent to two processes; counted from their start."""
     from warpsample.cluster.arrays import current_client
 
@@ -96,7 +96,7 @@ def build_costs() -> Job:
         counts = client.run(_counted).values()
         about["sent"] = [(about["calls"], chunks, *each, size, transfer, stored) for each in counts]
 
-    return Job(work, report=lambda: {name: about[name] for name in ("milliseconds", "sent")}, warm=lambda: None)
+    return ChildJob(work, report=lambda: {name: about[name] for name in ("milliseconds", "sent")}, warm=lambda: None)
 
 
 def _transfer(client: Any) -> float:

@@ -14,13 +14,15 @@ from warpsample import distributions, sequences
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column
-from warpsample.bench.tables import Cell, View, all_workers
+from warpsample.bench.tables import Cell, TableView, all_workers
 from warpsample.bench.timing import interleave, stopwatch
-from warpsample.bench.worst_errors import worst_errors
 from warpsample.directions.sample import sample_directions, sample_square
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.host.engine import check_workers
+from warpsample.proof import laws, twins
+from warpsample.proof.evidence import Evidence, Subject
+from warpsample.proof.stress import exact_directions
 
 COUNTS = (1, 4, 16, 64, 256)
 SAMPLES = 64
@@ -28,6 +30,8 @@ SAMPLES = 64
 GIVEN = "given"
 """In place of a sequence: the map alone, `distribution.sample(u)` into a new array, for what lies in a plane."""
 
+_ERRORS_EVERY = 64  # the sweep's step through the 2^24 variates
+_ERROR_POINTS = 2048
 _BUDGET = 20.0  # seconds after which a group makes do with three repeats
 
 
@@ -100,11 +104,30 @@ def groups(points: int, repeats: int) -> list[Callable[[], list[DirectionSpeed]]
     return [partial(_measure_group, *group, repeats) for group in [*by_map, *by_sequence]]
 
 
+def worst_errors(case: Distribution) -> dict[str, float]:
+    """The worst "length", "angle" and "pdf", over a grid of variates, and about random normals in world coordinates."""
+    local = Evidence(Subject(repr(case), case, case), every=_ERRORS_EVERY).sweep
+    if case.width == 2:
+        return {name: local[name] for name in ("length", "angle", "pdf") if name in local}
+    normals = np.random.default_rng(1).normal(size=(_ERROR_POINTS, 3)).astype(np.float32)
+    got = sample_directions(normals, SAMPLES, distribution=case, sequence="independent", pdf=True)
+    w = got.vectors.astype(np.float64)
+    exact, in_frame = exact_directions(case, normals, sample_square("independent", len(normals), SAMPLES))
+    # Where the offset method draws its rim anew, by another hash, it has no twin.
+    kept = 2.0 * np.pi * got.pdf > 2.0**-6 * 1.001 if case == CosineHemisphere("offset") else np.ones(w.shape[:2], bool)
+    world = {
+        "length": laws.length_error(w),
+        "angle": laws.angle_error(w[kept], exact[kept]),
+        "pdf": laws.density_error(got.pdf[kept], twins.density(case, in_frame)[kept]),
+    }
+    return {name: max(local[name], world[name]) for name in world}
+
+
 def _measure_group(table: str, points: int, samples: int, chosen: list[Any], repeats: int) -> list[DirectionSpeed]:
     normals = np.random.default_rng(SEED).normal(size=(points, 3)).astype(np.float32)
     out = np.zeros((points, samples, 3), np.float32)
     fill = stopwatch(partial(out.fill, 0.0))
-    cases = [stopwatch(_work(normals, out, *columns)) for columns in chosen]
+    cases = [stopwatch(_work(normals, out, case, name, workers=w, pdf=pdf)) for case, name, w, pdf in chosen]
     times, fills = interleave([fill, *cases], repeats, reference=fill, budget=_BUDGET)
     worst = worst_errors(chosen[0][0]) if table == "maps" else {}
     described = [("fill", "", 1, False), *chosen]
@@ -129,7 +152,7 @@ def _measure_group(table: str, points: int, samples: int, chosen: list[Any], rep
 
 
 def _work(
-    normals: np.ndarray, out: np.ndarray, case: Distribution, sequence: str, workers: int, pdf: bool
+    normals: np.ndarray, out: np.ndarray, case: Distribution, sequence: str, *, workers: int, pdf: bool
 ) -> Callable[[], object]:
     if sequence != GIVEN:
         return partial(
@@ -177,9 +200,9 @@ RECORD = Benchmark(
     measure=measure,
     parts={"rows": DirectionSpeed},
     views=[
-        View("rows", f"Maps, ns per direction; {_WORST}", "distribution", _map_cells, where=_is_map, brief=None),
-        View("rows", "Sequences, million directions a second", cells="million_per_second", where=_is_sequence, **_SAME),
-        View("rows", "The same as a share of the speed of a fill right after", cells="of_fill", where=_is_sequence, **_SAME),
+        TableView("rows", f"Maps, ns per direction; {_WORST}", "distribution", _map_cells, where=_is_map, brief=None),
+        TableView("rows", "Sequences, million directions a second", cells="million_per_second", where=_is_sequence, **_SAME),
+        TableView("rows", "The same as a share of a fill's speed right after", cells="of_fill", where=_is_sequence, **_SAME),
     ],
     pictures=[
         Picture("maps", "rows", "nanoseconds", y="worst_angle", series="distribution", where=_fastest_first, log="xy"),

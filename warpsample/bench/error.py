@@ -9,11 +9,11 @@ import numpy as np
 import typer
 
 from warpsample import sequences
-from warpsample.bench.integrands import INTEGRANDS, Integrand, estimates, estimator
+from warpsample.bench.integrands import INTEGRANDS, KnownIntegral, estimates, estimator
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column, digits
-from warpsample.bench.tables import Cell, View, grouped
+from warpsample.bench.tables import Cell, TableView, grouped
 from warpsample.bench.timing import interleave, stopwatch
 
 COUNTS = tuple(4**k for k in range(1, 9))
@@ -109,12 +109,12 @@ def measure(
     largest: Annotated[int, typer.Option(help="Greatest number of samples of an estimate.", min=16)] = 65_536,
     repeats: Repeats = 7,
 ) -> Found:
-    """Integrand by integrand; the sequences take turns."""
+    """KnownIntegral by integrand; the sequences take turns."""
     cases = [_points(i, randomisations, largest, repeats) for i in track(INTEGRANDS, len(INTEGRANDS))]
     return {"points": [point for points in cases for point in points]}
 
 
-def _points(integrand: Integrand, randomisations: int, largest: int, repeats: int) -> list[ErrorPoint]:
+def _points(integrand: KnownIntegral, randomisations: int, largest: int, repeats: int) -> list[ErrorPoint]:
     points = []
     for count in (n for n in COUNTS if n <= largest):
         out = np.empty(max(randomisations, _LEAST_WORK // count))
@@ -166,8 +166,8 @@ RECORD = Benchmark(
     parts={"points": ErrorPoint},
     derived=lambda found, settings: {"curves": curves(found["points"], settings["rmse"])},
     views=[
-        View("curves", "RMSE of means over the cosine lobe", "sequence", _cells, split="integrand", brief=None),
-        View("curves", "In short: µs of one estimate to the RMSE asked for", "integrand", _in_short),
+        TableView("curves", "RMSE of means over the cosine lobe", "sequence", _cells, split="integrand", brief=None),
+        TableView("curves", "In short: µs of one estimate to the RMSE asked for", "integrand", _in_short),
     ],
     notes=[
         f"slope: of log RMSE over log N from 16 on, above float32's floor of {FLOOR:g}. ~: by that slope, beyond those.",

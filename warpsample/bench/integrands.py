@@ -25,7 +25,7 @@ from warpsample.host.vectors import as_vectors, new_vectors
 
 
 @dataclass(frozen=True)
-class Integrand:
+class KnownIntegral:
     """A function of a unit direction, local frame.
 
     Attributes:
@@ -117,17 +117,17 @@ def _street_mean() -> float:
 
 
 INTEGRANDS = (
-    Integrand("cosine", "smooth", cosine, 2.0 / 3.0, "2/3"),
-    Integrand("cosine^8", "smooth", cosine_power, 2.0 / 10.0, "2/(n + 2)"),
-    Integrand("sky gradient", "smooth", sky_gradient, (1.0 + 4.0 / 3.0 * float(_UP_Z)) / 3.0, "(1 + 4/3 cos tilt)/3"),
-    Integrand("half-space", "discontinuous", half_space, (1.0 + float(_HALF_Z)) / 2.0, "(1 + cos tilt)/2"),
-    Integrand("20° cap", "discontinuous", cap, float(_CAP_Z) * sin(_CAP) ** 2, "cos tilt sin² 20°"),
-    Integrand("street canyon", "discontinuous", canyon, _street_mean(), "½(x/√(x²+H²) + (W−x)/√((W−x)²+H²))"),
-    Integrand("narrow lobe", "peaked", narrow_lobe, 2.0 * float(_LOBE_Z) / (_LOBE + 2), "2 cos tilt/(n + 2), n = 64"),
+    KnownIntegral("cosine", "smooth", cosine, 2.0 / 3.0, "2/3"),
+    KnownIntegral("cosine^8", "smooth", cosine_power, 2.0 / 10.0, "2/(n + 2)"),
+    KnownIntegral("sky gradient", "smooth", sky_gradient, (1.0 + 4.0 / 3.0 * float(_UP_Z)) / 3.0, "(1 + 4/3 cos tilt)/3"),
+    KnownIntegral("half-space", "discontinuous", half_space, (1.0 + float(_HALF_Z)) / 2.0, "(1 + cos tilt)/2"),
+    KnownIntegral("20° cap", "discontinuous", cap, float(_CAP_Z) * sin(_CAP) ** 2, "cos tilt sin² 20°"),
+    KnownIntegral("street canyon", "discontinuous", canyon, _street_mean(), "½(x/√(x²+H²) + (W−x)/√((W−x)²+H²))"),
+    KnownIntegral("narrow lobe", "peaked", narrow_lobe, 2.0 * float(_LOBE_Z) / (_LOBE + 2), "2 cos tilt/(n + 2), n = 64"),
 )
 
 
-def evaluate(integrand: Integrand, w: np.ndarray) -> np.ndarray:
+def evaluate(integrand: KnownIntegral, w: np.ndarray) -> np.ndarray:
     """(...) float32 of unit directions (..., 3) in the local frame."""
     source = as_vectors(w, 3, "w")
     target = new_vectors(source, source.shape, 1)
@@ -138,16 +138,16 @@ def evaluate(integrand: Integrand, w: np.ndarray) -> np.ndarray:
 
 
 def estimates(
-    integrand: Integrand, sequence: str, count: int, randomisations: int, seed: int = SEED, workers: int | None = None
+    integrand: KnownIntegral, sequence: str, count: int, randomisations: int, *, seed: int = SEED, workers: int | None = None
 ) -> np.ndarray:
     """(randomisations,) float64: means over `count` directions, each with its own randomisation of the sequence."""
     out = np.empty(randomisations)
-    estimator(integrand, sequence, count, out, seed, workers)()
+    estimator(integrand, sequence, count, out, seed=seed, workers=workers)()
     return out
 
 
 def estimator(
-    integrand: Integrand, sequence: str, count: int, out: np.ndarray, seed: int = SEED, workers: int | None = None
+    integrand: KnownIntegral, sequence: str, count: int, out: np.ndarray, *, seed: int = SEED, workers: int | None = None
 ) -> Callable[[], Any]:
     """What fills `out`, float64, with such means when it is called."""
     lobe = CosineHemisphere()

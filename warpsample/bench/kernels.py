@@ -12,7 +12,7 @@ from warpsample.bench.pictures import Picture
 from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column
 from warpsample.bench.scenes import bunny, city
-from warpsample.bench.tables import View
+from warpsample.bench.tables import TableView
 from warpsample.bench.timing import interleave, stopwatch
 from warpsample.directions.sample import sample_directions
 from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphere
@@ -55,7 +55,7 @@ def gradient(w: wp.vec3) -> float:
 
 @wp.func
 def coloured(w: wp.vec3) -> wp.vec3:
-    """The same in red, green and blue."""
+    """A sky in red, green and blue that is brighter upwards."""
     return wp.vec3(0.3, 0.4, 0.5) + wp.max(w[2], 0.0) * wp.vec3(0.7, 0.5, 0.2)
 
 
@@ -103,7 +103,7 @@ def means(count: int) -> dict[str, Callable[[], object]]:
 
 
 def colours(count: int) -> dict[str, Callable[[], object]]:
-    """The same of a colour, as one writes it."""
+    """The mean of a colour over the cosine lobe, as one writes it: fused, and by the directions with NumPy."""
     normals, low, change = _normals(count), np.float32([0.3, 0.4, 0.5]), np.float32([0.7, 0.5, 0.2])
     return {
         f"{_OWN}, a colour": lambda: integrate(normals, coloured, count, workers=1),
@@ -150,8 +150,8 @@ RECORD = Benchmark(
     measure=measure,
     parts={"rows": WayCost},
     views=[
-        View("rows", _MEANS, "count way", "nanoseconds ours", where=lambda row: not row.scene),
-        View("rows", _OCCLUSION, "scene way", "nanoseconds ours", where=lambda row: row.scene),
+        TableView("rows", _MEANS, "count way", "nanoseconds ours", where=lambda row: not row.scene),
+        TableView("rows", _OCCLUSION, "scene way", "nanoseconds ours", where=lambda row: row.scene),
     ],
     pictures=[Picture("kernels", "rows", x="nanoseconds", series="way", down="scene count")],
 )

@@ -11,17 +11,12 @@ from warpsample.host.engine import check_workers
 
 @dataclass(frozen=True)
 class Machine:
-    """Where something was measured.
+    """Where something was measured, and by which versions of Python, warp-lang, NumPy and warpsample.
 
     Attributes:
         cpu: the processor's own name, where the system tells it.
         instructions: the widest that the kernels use there: "avx512", "avx2", or else the architecture.
         cores: that the process may use.
-        system: its name.
-        python: version.
-        warp: version.
-        numpy: version.
-        warpsample: version.
         commit: of the checkout around the package, "unknown" without one.
     """
 
@@ -49,19 +44,10 @@ class Machine:
 
 
 def this_machine() -> Machine:
-    """Of this process."""
-    cpu, instructions = _processor()
-    return Machine(
-        cpu=cpu,
-        instructions=instructions,
-        cores=check_workers(None),
-        system=platform.system(),
-        python=platform.python_version(),
-        warp=version("warp-lang"),
-        numpy=version("numpy"),
-        warpsample=version("warpsample"),
-        commit=commit(Path(__file__).parents[1]),
-    )
+    """The machine of this process."""
+    versions = [version(name) for name in ("warp-lang", "numpy", "warpsample")]
+    here = check_workers(None), platform.system(), platform.python_version()
+    return Machine(*_processor(), *here, *versions, commit(Path(__file__).parents[1]))
 
 
 def _processor() -> tuple[str, str]:
@@ -75,7 +61,7 @@ def _processor() -> tuple[str, str]:
 
 
 def commit(package: Path) -> str:
-    """Of the checkout around a package, if the package is what is in it; else "unknown"."""
+    """The commit of the checkout around a package, if the package is what is in it; else "unknown"."""
     try:
         top = Path(_git(package, "rev-parse", "--show-toplevel"))
         files = sorted(package.rglob("*.py"))

@@ -2,12 +2,15 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from importlib.util import find_spec
 from io import BytesIO
 from itertools import zip_longest
 from math import ceil, floor, log10
 from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from warpsample import sequences
 from warpsample.bench.rows import Spread, columns, digits, shown
@@ -58,10 +61,8 @@ def check_drawing(argument: str) -> None:
     Raises:
         ModuleNotFoundError: says how to install it.
     """
-    try:
-        import matplotlib  # noqa: F401, ICN001
-    except ModuleNotFoundError:
-        raise ModuleNotFoundError(f"{argument} needs matplotlib: pip install matplotlib") from None
+    if find_spec("matplotlib") is None:
+        raise ModuleNotFoundError(f"{argument} needs matplotlib: pip install matplotlib")
 
 
 def save(figures: dict[str, "Figure"], folder: Path, source: str = "") -> list[Path]:
@@ -90,6 +91,8 @@ def draw(picture: Picture, rows: list[Any], caption: str) -> "Figure":
     figure = Figure(figsize=(max(7.0, 1.8 + 3.2 * across), 0.8 + sum(heights)), layout="constrained")
     share = {"sharex": "col" if picture.y else True, "sharey": "row"}
     grid = figure.subplots(len(plots_of), across, squeeze=False, height_ratios=heights, **share)
+    if not picture.y:
+        _log_ticks(grid[0][0], [_spread(picture, row) for row in rows])
     for axes_of, mine in zip(grid, plots_of, strict=True):
         for axes, (y, shown_there) in zip_longest(axes_of, mine, fillvalue=("", [])):
             axes.set_title(_title(picture, shown_there), fontsize=10)
@@ -97,11 +100,11 @@ def draw(picture: Picture, rows: list[Any], caption: str) -> "Figure":
                 _curves(axes, picture, shown_there, y)
             else:
                 _dots(axes, picture, shown_there, _names(picture, mine))
-        axes_of[0].set_ylabel(_label(rows, mine[0][0]) if picture.y else "")
+        if picture.y:
+            axes_of[0].set_ylabel(_label(rows, mine[0][0]))
+            axes_of[0].set_ylim(bottom=None if "y" in picture.log else 0.0)
     if picture.y:
         _legend(figure, grid)
-    else:
-        _log_ticks(grid[0][0], [_spread(picture, row) for row in rows])
     x = _label(rows, picture.x) if isinstance(picture.x, str) else ""
     figure.supxlabel("\n".join(filter(None, [x, fill(caption, int(14 * figure.get_figwidth()))])), fontsize=9)
     return figure
@@ -137,7 +140,7 @@ def _spread(picture: Picture, row: Any) -> Spread:
 
 def _dots(axes: "Axes", picture: Picture, rows: list[Any], names: list[str]) -> None:
     """A dot for each median on a logarithmic axis, the first on top, with whiskers over the middle half and a text."""
-    axes.set_xscale("log")
+    middle = np.sqrt(np.prod(axes.get_xlim()))
     for row in rows:
         name, spread = _name(picture, row), _spread(picture, row)
         y, colour = -names.index(name), _OURS if name.startswith("warpsample") else _THEIRS
@@ -145,24 +148,19 @@ def _dots(axes: "Axes", picture: Picture, rows: list[Any], names: list[str]) -> 
         axes.plot(spread.median, y, "o", color=colour, markersize=6)
         others = [name for name in picture.told.split() if getattr(row, name)]
         told = [f"{_label(rows, other)} {shown(row, other, digits)}" for other in others]
-        axes.annotate(
-            "; ".join([digits(spread.median), *told]),
-            (spread.high, y),
-            (6, 0),
-            textcoords="offset points",
-            va="center",
-            fontsize=8,
-        )
+        x, away, side = (spread.high, 6, "left") if spread.median < middle else (spread.low, -6, "right")
+        text, style = "; ".join([digits(spread.median), *told]), {"va": "center", "ha": side, "fontsize": 8}
+        axes.annotate(text, (x, y), (away, 0), textcoords="offset points", **style)
     axes.set_yticks(range(0, -len(names), -1), names, fontsize=9)
     axes.set_ylim(0.4 - len(names), 0.6)
     axes.grid(alpha=0.3)
 
 
 def _log_ticks(axes: "Axes", spreads: list[Spread]) -> None:
-    """An x axis between whole decades with room for a text at the right, and ticks in plain figures."""
+    """A logarithmic x axis between whole decades with room for a text, and ticks in plain figures."""
+    axes.set_xscale("log")
     first = floor(log10(min(spread.low for spread in spreads)))
-    most = log10(max(spread.high for spread in spreads))
-    last = ceil(most + 0.9 + 0.15 * (most - first))
+    last = max(ceil(log10(max(spread.high for spread in spreads))), first + 2)
     axes.set_xlim(10.0**first, 10.0**last)
     apart = 2 if last - first > 3 else 1
     ticks = range(first, last + 1)
@@ -186,8 +184,6 @@ def _curves(axes: "Axes", picture: Picture, rows: list[Any], name: str) -> None:
     for axis in picture.log:
         getattr(axes, f"set_{axis}scale")("log")
     axes.tick_params(which="minor", labelbottom=False, labelleft=False)
-    if "y" not in picture.log:
-        axes.set_ylim(0.0, 1.1 * axes.get_ylim()[1])
     axes.grid(alpha=0.3)
 
 

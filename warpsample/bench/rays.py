@@ -12,7 +12,7 @@ from warpsample.bench.pictures import Picture
 from warpsample.bench.record import Benchmark, Found, Repeats, Scenes, Track
 from warpsample.bench.rows import Spread, Timed, column
 from warpsample.bench.scenes import KINDS, SCENES, ray_set
-from warpsample.bench.tables import Cell, View
+from warpsample.bench.tables import Cell, TableView
 from warpsample.bench.timing import interleave, stopwatch
 from warpsample.bench.tools.tracers import TRACERS, RayTool, builds, visits
 from warpsample.host.engine import check_workers
@@ -176,8 +176,8 @@ RECORD = Benchmark(
     measure=measure,
     parts={"rows": RaySpeed, "builds": BuildTime, "missing": MissingTool},
     views=[
-        View("rows", "Rays, and how many times as fast as each tool", "triangles kind", _cells, split="any_hit"),
-        View("builds", "Building, milliseconds (workers)", "triangles", "milliseconds", across="tool workers"),
+        TableView("rows", "Rays, and how many times as fast as each tool", "triangles kind", _cells, split="any_hit"),
+        TableView("builds", "Building, milliseconds (workers)", "triangles", "milliseconds", across="tool workers"),
     ],
     pictures=[
         Picture("rays", "rows", "kind", y="million_per_second", panels="scene", down="any_hit", where=_one_worker),

@@ -92,7 +92,7 @@ def headline(folder: Path = RESULTS) -> list[str]:
 
 
 def digest(path: Path) -> str:
-    """Of a file of results, by which a picture says what it was made from."""
+    """The name and the digest of a file of results, by which a picture says what it was made from."""
     return f"{path.name} {hashlib.sha256(path.read_bytes()).hexdigest()}"
 
 

@@ -11,7 +11,7 @@ from warpsample.bench import pictures, tables
 from warpsample.bench.machine import Machine
 from warpsample.bench.pictures import Picture
 from warpsample.bench.rows import text
-from warpsample.bench.tables import Table, View
+from warpsample.bench.tables import Table, TableView
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -56,18 +56,20 @@ class Benchmark:
         pictures: what is drawn.
         notes: what the command says below its tables, beside what their columns say.
         derived: (found, settings) -> parts that follow from those measured.
-        wrong: whether something that was found is wrong; then the command ends with status 1.
     """
 
     name: str
     summary: str
     measure: Callable[..., Found]
     parts: dict[str, type]
-    views: Sequence[View]
+    views: Sequence[TableView]
     pictures: Sequence[Picture]
     notes: Sequence[str] = ()
     derived: Callable[[Found, dict[str, Any]], Found] = lambda _found, _settings: {}
-    wrong: Callable[[Found], bool] = lambda _: False
+
+    def wrong(self, found: Found) -> bool:
+        """Whether a tool does not agree with what is right; then the command ends with status 1."""
+        return any(getattr(row, "agrees", None) is False for rows in found.values() for row in rows)
 
     @property
     def options(self) -> dict[str, inspect.Parameter]:

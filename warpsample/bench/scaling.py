@@ -7,12 +7,12 @@ from typing import Annotated
 import numpy as np
 import typer
 
-from warpsample.bench.child import Child, Job
+from warpsample.bench.child import Child, ChildJob
 from warpsample.bench.machine import peak_megabytes
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column
-from warpsample.bench.tables import View
+from warpsample.bench.tables import TableView
 from warpsample.bench.timing import interleave
 from warpsample.directions.sample import sample_directions
 from warpsample.host.engine import check_workers
@@ -72,7 +72,7 @@ def measure(
     return {"rows": rows}
 
 
-def build_stream(points: int, samples: int, workers: int, part: int = PART) -> Job:
+def build_stream(points: int, samples: int, workers: int, part: int = PART) -> ChildJob:
     """All directions of `points` points, part by part into one array, about normals that repeat every 65,536."""
     part = min(points, max(1, part // samples))
     normals = np.random.default_rng(SEED).normal(size=(65_536, 3)).astype(np.float32)
@@ -84,7 +84,7 @@ def build_stream(points: int, samples: int, workers: int, part: int = PART) -> J
             size = min(part, end - start)
             sample_directions(normals[:size], samples, first_point=start, out=out[:size], workers=workers)
 
-    return Job(
+    return ChildJob(
         work=lambda: sample(points),
         warm=lambda: sample(min(points, 4 * part)),
         report=lambda: {"peak_megabytes": peak_megabytes()},
@@ -100,7 +100,7 @@ RECORD = Benchmark(
     summary="Cost per direction and peak memory against points, samples and workers, streamed.",
     measure=measure,
     parts={"rows": ScaledCost},
-    views=[View("rows", "Size", "axis points samples workers", "nanoseconds peak_megabytes")],
+    views=[TableView("rows", "Size", "axis points samples workers", "nanoseconds peak_megabytes")],
     pictures=[
         Picture("scaling", "rows", _varied, y="nanoseconds peak_megabytes", series="", panels="axis", log="x"),
     ],

@@ -119,7 +119,7 @@ def points_of(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
 
 
 def clear_points_of(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
-    """The same without those that have something within 10^-4 of the mesh's size before them.
+    """A scene and points on it, without those that have something within 10^-4 of the mesh's size before them.
 
     Raises:
         ValueError: too few are left.

@@ -1,5 +1,9 @@
 """`bench startup`: what a new process waits for, what small calls cost, and what all threads gain, also after a pause."""
 
+import os
+import subprocess
+import sys
+import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import chain
@@ -9,16 +13,52 @@ from typing import Annotated
 import numpy as np
 import typer
 
-from warpsample.bench.new_processes import CACHES, STEPS, start_processes
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column
 from warpsample.bench.scenes import bunny, ray_set
-from warpsample.bench.tables import View
+from warpsample.bench.tables import TableView
 from warpsample.bench.timing import interleave, stopwatch
 from warpsample.directions.sample import sample_directions
 from warpsample.host.engine import check_workers
 from warpsample.tracing.trace import trace
+
+_DIRECTIONS = """
+from time import perf_counter
+t0 = perf_counter()
+import warp
+t1 = perf_counter()
+from warpsample import sample_directions
+t2 = perf_counter()
+import numpy
+normals = numpy.array([[0.0, 0.0, 1.0]], numpy.float32)
+sample_directions(normals, 64)
+t3 = perf_counter()
+sample_directions(normals, 64, sequence="independent")
+print(t1 - t0, t2 - t1, t3 - t2, perf_counter() - t3)
+"""
+
+_ESTIMATE = """
+import warpsample as ws
+mesh, normals = ws.load_mesh("courtyard"), [[0.0, 0.0, 1.0]]
+from time import perf_counter
+start = perf_counter()
+points = ws.sample_surface(mesh, 64)
+ws.ambient_occlusion(mesh, points)
+print(perf_counter() - start)
+"""
+
+_SCRIPTS = {
+    _DIRECTIONS: ["import warp", "+ import warpsample", "first directions", "a further kernel"],
+    _ESTIMATE: ["first points and their occlusion"],
+}
+
+CACHES = ("cold", "warm")
+"""Kernels are compiled, or they are loaded."""
+
+STEPS = [step for steps in _SCRIPTS.values() for step in steps]
+"""What is timed."""
+
 
 IN_A_ROW, PAUSED = "in a row", "after a pause"
 PAUSE = 0.02
@@ -37,7 +77,7 @@ class Wait(Timed):
 
 
 @dataclass(frozen=True)
-class Call(Timed):
+class TimedCall(Timed):
     """A call, over and over."""
 
     what: str = column("call")
@@ -64,6 +104,22 @@ def measure(
     waits = [Wait(*key, Spread.of(seconds), seconds=seconds) for key, seconds in taken.items()]
     by_call = {case: [*chain(*parts)] for case, *parts in zip(cases, *times, strict=True)}
     return {"waits": waits, "calls": [_call(by_call, *case) for case in by_call]}
+
+
+def start_processes() -> dict[tuple[str, str], float]:
+    """Seconds by (cache, step), of two processes to each script: the first finds the kernel cache cold, the second warm."""
+    found = {}
+    for script, steps in _SCRIPTS.items():
+        with tempfile.TemporaryDirectory(prefix="warpsample-bench-") as folder:
+            for cache in CACHES:
+                found |= {(cache, step): t for step, t in zip(steps, _run(script, folder), strict=True)}
+    return found
+
+
+def _run(script: str, folder: str) -> list[float]:
+    environment = {**os.environ, "WARP_CACHE_PATH": folder}
+    done = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True)
+    return [float(x) for x in done.stdout.splitlines()[-1].split()]
 
 
 def calls() -> dict[tuple[str, str, int], Callable[[], float]]:
@@ -110,20 +166,20 @@ def _after_a_pause(call: Callable[[], object]) -> Callable[[], float]:
     return case
 
 
-def _call(times: dict[tuple[str, str, int], list[float]], what: str, when: str, workers: int) -> Call:
+def _call(times: dict[tuple[str, str, int], list[float]], what: str, when: str, workers: int) -> TimedCall:
     seconds = times[what, when, workers]
     each, gain = Spread.of([1e6 * t for t in seconds]), Spread.of_ratios(times[what, when, 1], seconds)
-    return Call(what, when, workers, each, gain, seconds=seconds)
+    return TimedCall(what, when, workers, each, gain, seconds=seconds)
 
 
 RECORD = Benchmark(
     name="startup",
     summary="What a new process waits for, what a small call costs, and what all threads gain, also after a pause.",
     measure=measure,
-    parts={"waits": Wait, "calls": Call},
+    parts={"waits": Wait, "calls": TimedCall},
     views=[
-        View("waits", "A new process, seconds", "step", "took", across="cache"),
-        View("calls", "Calls", "what when workers", "microseconds gain"),
+        TableView("waits", "A new process, seconds", "step", "took", across="cache"),
+        TableView("calls", "Calls", "what when workers", "microseconds gain"),
     ],
     pictures=[
         Picture("startup_processes", "waits", x="took", series="step", panels="cache"),

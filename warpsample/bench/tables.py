@@ -42,7 +42,7 @@ def _ran(row: Any) -> bool:
 
 
 @dataclass(frozen=True)
-class View:
+class TableView:
     """How the rows of a part become tables. Several fields are named in one text, with blanks between.
 
     Attributes:
@@ -76,7 +76,7 @@ class Table:
     names: int
 
 
-def tables(view: View, rows: Iterable[Any]) -> list[Table]:
+def tables(view: TableView, rows: Iterable[Any]) -> list[Table]:
     """The tables of a view."""
     return [_table(view, key, group) for key, group in grouped(filter(view.where, rows), view.split).items()]
 
@@ -95,7 +95,7 @@ def all_workers(rows: list[Any]) -> list[Any]:
     return [row for row in rows if row.workers == most]
 
 
-def notes(view: View, rows: list[Any]) -> list[str]:
+def notes(view: TableView, rows: list[Any]) -> list[str]:
     """What the columns of a view are, where their headings do not tell."""
     known = columns(type(rows[0])) if rows else {}
     names = dict.fromkeys([*view.lines.split(), *(c.of for c in _cells(view, rows) if isinstance(c.of, str))])
@@ -121,11 +121,11 @@ def show(console: "Console", parts: Iterable[Table | str]) -> None:
 
 
 def markdown(parts: Iterable[Table | str]) -> str:
-    """The same for a README, a blank line between any two, in lines of at most 125 characters."""
+    """Tables and paragraphs for a README, a blank line between any two, in lines of at most 125 characters."""
     return "\n\n".join(_wrapped(part) if isinstance(part, str) else _markdown_table(part) for part in parts)
 
 
-def _table(view: View, key: tuple[Any, ...], rows: list[Any]) -> Table:
+def _table(view: TableView, key: tuple[Any, ...], rows: list[Any]) -> Table:
     titles = [view.title, ", ".join(named(rows[0], name) for name in view.split.split())]
     names, cells = view.lines.split(), _spread_out(view, rows)
     headings = [*(_heading(rows, name) for name in names), *(cell.heading or "" for cell in cells)]
@@ -136,13 +136,13 @@ def _table(view: View, key: tuple[Any, ...], rows: list[Any]) -> Table:
     return Table(": ".join(filter(None, titles)), headings, texts, len(names))
 
 
-def _cells(view: View, rows: list[Any]) -> list[Cell]:
+def _cells(view: TableView, rows: list[Any]) -> list[Cell]:
     if isinstance(view.cells, str):
         return [Cell(name) for name in view.cells.split()]
     return list(view.cells(rows) if callable(view.cells) else view.cells) if rows else []
 
 
-def _spread_out(view: View, rows: list[Any]) -> list[Cell]:
+def _spread_out(view: TableView, rows: list[Any]) -> list[Cell]:
     """The cells with their headings, for each value of what stands across."""
     cells = [cell if cell.heading else replace(cell, heading=_heading(rows, cell.of)) for cell in _cells(view, rows)]
     if not view.across:

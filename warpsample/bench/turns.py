@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from warpsample.bench.child import Child, Failure, Job
+from warpsample.bench.child import Child, ChildJob, Failure
 from warpsample.bench.timing import interleave
 
 
@@ -57,7 +57,7 @@ def keeping_last(run: Callable[[], Any]) -> tuple[Callable[[], object], Callable
     return work, lambda: last[0]
 
 
-def take_turns(build: Callable[..., Job], tools: Iterable[str], repeats: int, **arguments: Any) -> Turns:
+def take_turns(build: Callable[..., ChildJob], tools: Iterable[str], repeats: int, **arguments: Any) -> Turns:
     """Builds each tool's job undisturbed, one after the other, and then runs all in turns.
 
     Args:

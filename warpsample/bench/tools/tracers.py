@@ -38,7 +38,8 @@ def visits(mesh: Mesh, kind: str, count: int, any_hit: bool) -> tuple[float, flo
     """(nodes, leaves) of our wide tree that a ray visits, on average."""
     scene = scene_of(mesh)
     start, way = (Triples.of(array, "rays") for array in ray_set(mesh, kind, count))
-    asked = rays_of(placed(scene, start, np.inf), way, Hits(way.empty(np.float32), way.empty(np.int32), "wide"))
+    hits = Hits(way.empty(np.float32), way.empty(np.int32), "wide")  # named, so that it outlives the addresses in `asked`
+    asked = rays_of(placed(scene, start, np.inf), way, hits)
     counts = np.zeros((*way.shape, 2), np.int32)
     asked.visits = counts.ctypes.data
     trace_rays(scene, asked, tracer=WIDE, any_hit=any_hit, device=way.device, workers=1)
