@@ -13,7 +13,7 @@ from typing import Annotated
 
 import typer
 
-from warpsample.bench.machine import this_machine
+from warpsample.bench.running.machine import this_machine
 from warpsample.cli.terminal import fail_plainly, with_progress
 from warpsample.host.files import check_output_folder, write_bytes
 from warpsample.plotting import rendering

@@ -4,7 +4,8 @@ import pytest
 from bench_output import drawn, lines_of
 
 import warpsample as ws
-from warpsample.bench import directions, timing
+from warpsample.bench import directions
+from warpsample.bench.running import timing
 
 
 @pytest.fixture(scope="module")

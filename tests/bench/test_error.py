@@ -9,9 +9,10 @@ from bench_output import drawn, lines_of, untracked
 from scipy.stats import norm
 
 import warpsample as ws
-from warpsample.bench import error, timing
+from warpsample.bench import error
 from warpsample.bench.integrands import INTEGRANDS, estimates, evaluate
 from warpsample.bench.rows import Spread
+from warpsample.bench.running import timing
 
 
 @pytest.mark.slow

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from bench_output import drawn, lines_of, untracked
 
-from warpsample.bench import rays, scenes, timing
+from warpsample.bench import rays, scenes
+from warpsample.bench.running import timing
 from warpsample.bench.tools import tracers
 
 pytestmark = pytest.mark.slow  # peers and timers, in processes of their own

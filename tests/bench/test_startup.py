@@ -5,7 +5,8 @@ from pathlib import Path
 import pytest
 from bench_output import drawn, lines_of, untracked
 
-from warpsample.bench import startup, timing
+from warpsample.bench import startup
+from warpsample.bench.running import timing
 
 
 @pytest.mark.slow

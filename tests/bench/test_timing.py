@@ -8,10 +8,10 @@ import child_jobs
 import pytest
 
 import warpsample
-from warpsample.bench import timing
-from warpsample.bench.child import Child, Failure
-from warpsample.bench.machine import commit, peak_megabytes, this_machine
 from warpsample.bench.rows import Spread
+from warpsample.bench.running import timing
+from warpsample.bench.running.child import Child, Failure
+from warpsample.bench.running.machine import commit, peak_megabytes, this_machine
 
 
 def test_rounds_are_interleaved_and_each_timed_run_follows_one_of_its_kind(monkeypatch):

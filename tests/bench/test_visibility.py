@@ -7,10 +7,10 @@ import pytest
 from bench_output import drawn, lines_of
 
 from warpsample.bench import visibility
-from warpsample.bench.reference import confirm, reference_of
 from warpsample.bench.scenes import points_of
 from warpsample.bench.tools.numpy_rays import CosineRays, size_of
 from warpsample.bench.tools.occlusion import ESTIMATORS, Occlusion
+from warpsample.bench.tools.reference import confirm, reference_of
 
 pytestmark = pytest.mark.slow  # peers and timers, in processes of their own
 

@@ -13,7 +13,7 @@ import pytest
 from child_jobs import no_end
 from hangs import HANGS
 
-from warpsample.bench.child import Child
+from warpsample.bench.running.child import Child
 
 SIGNALS = ["SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT"]
 HIDE, SHOW = "\x1b[?25l", "\x1b[?25h"

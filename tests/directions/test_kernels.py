@@ -9,7 +9,7 @@ import pytest
 import warp as wp
 
 import warpsample as ws
-from warpsample.bench.machine import this_machine
+from warpsample.bench.running.machine import this_machine
 from warpsample.directions.blocks import direction_blocks
 from warpsample.directions.rows import direction_rows
 from warpsample.directions.square import square_blocks

@@ -9,8 +9,8 @@ import pytest
 
 from warpsample import cli
 from warpsample.bench import benchmarks, pictures, tables
-from warpsample.bench.machine import this_machine
 from warpsample.bench.record import Result
+from warpsample.bench.running.machine import this_machine
 from warpsample.cli import terminal
 
 

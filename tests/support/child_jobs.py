@@ -4,7 +4,7 @@ import os
 import sys
 from pathlib import Path
 
-from warpsample.bench.child import ChildJob
+from warpsample.bench.running.child import ChildJob
 
 
 def hopeless():

@@ -8,13 +8,13 @@ from typing import Annotated, Any
 
 import typer
 
-from warpsample.bench.child import Child
-from warpsample.bench.cluster_jobs import CHUNK, RAYS, build_client, build_costs, build_way
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column, digits
+from warpsample.bench.running.child import Child
+from warpsample.bench.running.timing import interleave
 from warpsample.bench.tables import TableView
-from warpsample.bench.timing import interleave
+from warpsample.bench.tools.cluster import CHUNK, RAYS, build_client, build_costs, build_way
 
 WAYS = {"one process of two threads": (None, 2), "two processes of one thread": (2, None)}
 """(processes, threads); the second is compared with the first."""
@@ -26,7 +26,7 @@ MACHINES, CORES = 64, 16
 
 @dataclass(frozen=True)
 class WayTime(Timed):
-    """The same points by as many threads, ambient occlusion of the bunny by 256 rays each."""
+    """One way of two threads, on ambient occlusion of the bunny by 256 rays a point."""
 
     way: str = column("way")
     points: int = column("points")

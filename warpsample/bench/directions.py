@@ -14,8 +14,8 @@ from warpsample import distributions, sequences
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column
+from warpsample.bench.running.timing import interleave, stopwatch
 from warpsample.bench.tables import Cell, TableView, all_workers
-from warpsample.bench.timing import interleave, stopwatch
 from warpsample.directions.sample import sample_directions, sample_square
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution

@@ -13,8 +13,8 @@ from warpsample.bench.integrands import INTEGRANDS, KnownIntegral, estimates, es
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column, digits
+from warpsample.bench.running.timing import interleave, stopwatch
 from warpsample.bench.tables import Cell, TableView, grouped
-from warpsample.bench.timing import interleave, stopwatch
 
 COUNTS = tuple(4**k for k in range(1, 9))
 FLOOR = 3e-7

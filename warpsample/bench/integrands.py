@@ -63,13 +63,13 @@ _RIGHT = wp.constant(wp.float32(_STREET_RIGHT / _STREET_HEIGHT))
 
 @wp.func
 def cosine(w: wp.vec3) -> wp.float32:
-    """cos(theta)."""
+    """The cosine of the angle to the normal, cos(theta)."""
     return w[2]
 
 
 @wp.func
 def cosine_power(w: wp.vec3) -> wp.float32:
-    """cos(theta)^8."""
+    """The eighth power of that cosine, cos(theta)^8."""
     squared = w[2] * w[2]
     return squared * squared * squared * squared
 

@@ -11,9 +11,9 @@ import warp as wp
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column
+from warpsample.bench.running.timing import interleave, stopwatch
 from warpsample.bench.scenes import bunny, city
 from warpsample.bench.tables import TableView
-from warpsample.bench.timing import interleave, stopwatch
 from warpsample.directions.sample import sample_directions
 from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphere
 from warpsample.estimate.integrate import integrate

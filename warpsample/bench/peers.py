@@ -13,15 +13,15 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from warpsample.bench.child import ChildJob
 from warpsample.bench.integrands import INTEGRANDS, KnownIntegral, estimates, evaluate
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column, digits, maybe
+from warpsample.bench.running.child import ChildJob
+from warpsample.bench.running.timing import interleave, stopwatch
+from warpsample.bench.running.turns import Tool, take_turns
 from warpsample.bench.tables import TableView
-from warpsample.bench.timing import interleave, stopwatch
 from warpsample.bench.tools.directions import DIRECTIONS, SURFACE
-from warpsample.bench.turns import Tool, take_turns
 from warpsample.directions.sample import sample_directions
 from warpsample.host.engine import check_workers
 from warpsample.proof import twins

@@ -9,17 +9,17 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from warpsample.bench.child import ChildJob
-from warpsample.bench.machine import peak_megabytes
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import Benchmark, Found, Repeats, Scenes, Track
 from warpsample.bench.rows import Spread, Timed, column, digits, maybe
+from warpsample.bench.running.child import ChildJob
+from warpsample.bench.running.machine import peak_megabytes
+from warpsample.bench.running.timing import stopwatch
+from warpsample.bench.running.turns import keeping_last, take_turns
 from warpsample.bench.scenes import clear_points_of, some_of, year_of_suns
 from warpsample.bench.tables import Cell, TableView, all_workers
-from warpsample.bench.timing import stopwatch
 from warpsample.bench.tools.sky import OURS, SKY_TOOLS, VIEW
 from warpsample.bench.tools.sun import SUN_TOOLS, TRACE
-from warpsample.bench.turns import keeping_last, take_turns
 from warpsample.host.engine import check_workers
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints

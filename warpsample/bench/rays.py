@@ -11,9 +11,9 @@ import typer
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import Benchmark, Found, Repeats, Scenes, Track
 from warpsample.bench.rows import Spread, Timed, column
+from warpsample.bench.running.timing import interleave, stopwatch
 from warpsample.bench.scenes import KINDS, SCENES, ray_set
 from warpsample.bench.tables import Cell, TableView
-from warpsample.bench.timing import interleave, stopwatch
 from warpsample.bench.tools.tracers import TRACERS, RayTool, builds, visits
 from warpsample.host.engine import check_workers
 from warpsample.mesh.mesh import Mesh

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from warpsample.bench import pictures, tables
-from warpsample.bench.machine import Machine
 from warpsample.bench.pictures import Picture
 from warpsample.bench.rows import text
+from warpsample.bench.running.machine import Machine
 from warpsample.bench.tables import Table, TableView
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class Result:
 
 @dataclass(frozen=True)
 class Benchmark:
-    """One benchmark.
+    """What is measured, and how it is shown.
 
     Attributes:
         name: of its command and its result files.

@@ -9,9 +9,9 @@ from dataclasses import asdict, fields, is_dataclass
 from pathlib import Path
 from typing import Any, get_args, get_type_hints
 
-from warpsample.bench.machine import Machine
 from warpsample.bench.record import SEED, Benchmark, Result
 from warpsample.bench.rows import Spread, columns
+from warpsample.bench.running.machine import Machine
 from warpsample.host.files import write_bytes
 
 RESULTS = Path(__file__).parent / "results"

@@ -7,13 +7,13 @@ from typing import Annotated
 import numpy as np
 import typer
 
-from warpsample.bench.child import Child, ChildJob
-from warpsample.bench.machine import peak_megabytes
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column
+from warpsample.bench.running.child import Child, ChildJob
+from warpsample.bench.running.machine import peak_megabytes
+from warpsample.bench.running.timing import interleave
 from warpsample.bench.tables import TableView
-from warpsample.bench.timing import interleave
 from warpsample.directions.sample import sample_directions
 from warpsample.host.engine import check_workers
 

@@ -16,9 +16,9 @@ import typer
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column
+from warpsample.bench.running.timing import interleave, stopwatch
 from warpsample.bench.scenes import bunny, ray_set
 from warpsample.bench.tables import TableView
-from warpsample.bench.timing import interleave, stopwatch
 from warpsample.directions.sample import sample_directions
 from warpsample.host.engine import check_workers
 from warpsample.tracing.trace import trace

@@ -10,15 +10,15 @@ import numpy as np
 import typer
 
 from warpsample.bench.blocks import mesh_of
-from warpsample.bench.child import ChildJob
-from warpsample.bench.machine import peak_megabytes
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column, digits, maybe
+from warpsample.bench.running.child import ChildJob
+from warpsample.bench.running.machine import peak_megabytes
+from warpsample.bench.running.timing import stopwatch
+from warpsample.bench.running.turns import take_turns
 from warpsample.bench.tables import TableView, all_workers
-from warpsample.bench.timing import stopwatch
 from warpsample.bench.tools.view_factors import FACTOR_TOOLS, OURS, PAIRS, TRACE, trace_alone
-from warpsample.bench.turns import take_turns
 from warpsample.host.engine import check_workers
 from warpsample.mesh.mesh import Mesh
 from warpsample.radiation.exchange.view_factors import view_factors

@@ -10,16 +10,16 @@ import numpy as np
 import typer
 
 from warpsample import sequences
-from warpsample.bench.child import Child, ChildJob
-from warpsample.bench.machine import peak_megabytes
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import Benchmark, Found, Repeats, Scenes, Track
-from warpsample.bench.reference import Confirmation, confirm, reference_of
 from warpsample.bench.rows import Spread, Timed, column, digits, maybe
+from warpsample.bench.running.child import Child, ChildJob
+from warpsample.bench.running.machine import peak_megabytes
+from warpsample.bench.running.turns import keeping_last, take_turns
 from warpsample.bench.scenes import points_of, some_of
 from warpsample.bench.tables import Cell, TableView
 from warpsample.bench.tools.occlusion import ESTIMATORS, Estimator, Occlusion
-from warpsample.bench.turns import keeping_last, take_turns
+from warpsample.bench.tools.reference import Confirmation, confirm, reference_of
 from warpsample.host.engine import check_workers
 
 OURS = ["warpsample", "warpsample, skip=False"]

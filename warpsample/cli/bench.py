@@ -9,9 +9,9 @@ from typing import Annotated, Any
 import typer
 
 from warpsample.bench import benchmarks, pictures, readme, tables
-from warpsample.bench.machine import this_machine
 from warpsample.bench.record import Benchmark, Result
 from warpsample.bench.result import keep, save_everything
+from warpsample.bench.running.machine import this_machine
 from warpsample.bench.scenes import check_scenes
 from warpsample.cli.terminal import console, fail_plainly, with_progress, working
 from warpsample.host.files import check_output, check_output_folder

@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.bench.record import SEED
-from warpsample.bench.turns import Tool, keeping_last
+from warpsample.bench.running.turns import Tool, keeping_last
 from warpsample.directions.sample import sample_directions
 from warpsample.host.kernel_cache import load
 from warpsample.maths.frames import frame_about, to_world

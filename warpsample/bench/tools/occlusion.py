@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.bench.running.turns import Tool
 from warpsample.bench.tools.mitsuba import mitsuba_scene
 from warpsample.bench.tools.numpy_rays import CosineRays
 from warpsample.bench.tools.tracers import embree_met, open3d_scene
-from warpsample.bench.turns import Tool
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.mesh.mesh import Mesh

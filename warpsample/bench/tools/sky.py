@@ -14,10 +14,10 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.bench.running.turns import Tool
 from warpsample.bench.tools.mitsuba import mitsuba_scene
 from warpsample.bench.tools.numpy_rays import CosineRays, size_of
 from warpsample.bench.tools.tracers import embree_met
-from warpsample.bench.turns import Tool
 from warpsample.estimate.visibility import sky_view_factor
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints

@@ -5,10 +5,10 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
+from warpsample.bench.running.turns import Tool
 from warpsample.bench.tools.mitsuba import mitsuba_scene
 from warpsample.bench.tools.numpy_rays import off_the_surface
 from warpsample.bench.tools.tracers import embree_met
-from warpsample.bench.turns import Tool
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.sun.direct_sun import direct_sun

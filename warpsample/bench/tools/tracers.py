@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.bench.running.turns import Tool
 from warpsample.bench.scenes import ray_set
-from warpsample.bench.turns import Tool
 from warpsample.host.arrays import cpu
 from warpsample.mesh.mesh import Mesh
 from warpsample.tracing.placement import placed

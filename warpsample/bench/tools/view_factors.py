@@ -11,16 +11,16 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.bench.running.turns import Tool
 from warpsample.bench.tools.numpy_rays import cosine_directions, in_parts, off_the_surface
 from warpsample.bench.tools.tracers import embree_scene
-from warpsample.bench.turns import Tool
 from warpsample.mesh.mesh import Mesh
 from warpsample.radiation.exchange.view_factors import view_factors
 from warpsample.tracing.trace import trace
 
 
 class OurFactors:
-    """`view_factors`."""
+    """Our own `view_factors`, with one matrix for each run."""
 
     def __init__(self, mesh: Mesh, workers: int, reciprocal: bool = False) -> None:
         self.call = partial(view_factors, mesh, reciprocal=reciprocal, workers=workers)

@@ -18,7 +18,7 @@ _BY_CHANCE = 5.0  # standard errors: of 768 points, by chance once in 2,000 runs
 
 @dataclass(frozen=True)
 class Reference:
-    """Right values.
+    """What ambient occlusion at some points should be.
 
     Attributes:
         values: (P,) float32.

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from warpsample.bench.child import Child, ChildJob, Failure
-from warpsample.bench.timing import interleave
+from warpsample.bench.running.child import Child, ChildJob, Failure
+from warpsample.bench.running.timing import interleave
 
 
 class Tool(NamedTuple):

@@ -1,6 +1,6 @@
 """A job in a process of its own, run when it is told to, so that the threads and compilers of two libraries never meet.
 
-The parent writes a line for each run and reads one with its seconds; `python -m warpsample.bench.child` is the other side.
+The parent writes a line for each run and reads one with its seconds; the other side is `python -m` this module.
 """
 
 import importlib
@@ -12,7 +12,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Any, NamedTuple
 
-from warpsample.bench.timing import stopwatch
+from warpsample.bench.running.timing import stopwatch
 
 
 class ChildJob(NamedTuple):
@@ -43,7 +43,7 @@ class Child:
         """Starts it, and does not wait; the child imports anew `build`, which makes the job of arguments that JSON holds."""
         self._name = f"{build.__module__}:{build.__qualname__}"
         self._ready: Failure | bool | None = None
-        command = [sys.executable, "-m", "warpsample.bench.child", self._name, json.dumps(arguments)]
+        command = [sys.executable, "-m", "warpsample.bench.running.child", self._name, json.dumps(arguments)]
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
         self.process = subprocess.Popen(
             command, env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True

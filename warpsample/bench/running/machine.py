@@ -47,7 +47,7 @@ def this_machine() -> Machine:
     """The machine of this process."""
     versions = [version(name) for name in ("warp-lang", "numpy", "warpsample")]
     here = check_workers(None), platform.system(), platform.python_version()
-    return Machine(*_processor(), *here, *versions, commit(Path(__file__).parents[1]))
+    return Machine(*_processor(), *here, *versions, commit(Path(__file__).parents[2]))
 
 
 def _processor() -> tuple[str, str]:

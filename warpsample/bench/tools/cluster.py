@@ -11,8 +11,8 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-from warpsample.bench.child import ChildJob
-from warpsample.bench.machine import peak_megabytes
+from warpsample.bench.running.child import ChildJob
+from warpsample.bench.running.machine import peak_megabytes
 from warpsample.bench.scenes import bunny
 from warpsample.mesh import known
 from warpsample.mesh import mesh as meshes
