@@ -11,7 +11,7 @@ from warpsample.estimate.definitions import naming_function
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.plan import Plan, RaySum, reach_of
-from warpsample.estimate.result import Estimate, PointStatus
+from warpsample.estimate.result import Estimate, PointStatus, has_status
 from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.host.arguments import told
 from warpsample.host.options import explained_by
@@ -125,6 +125,6 @@ def _check_finite(found: Estimate) -> None:
     Raises:
         ValueError: it is NaN or infinite at all points that have a normal.
     """
-    broken = np.count_nonzero(found.status == PointStatus.NONFINITE_VALUE)
-    if broken and broken == np.count_nonzero(np.isin(found.status, (PointStatus.OK, PointStatus.NONFINITE_VALUE))):
+    broken = np.count_nonzero(has_status(found.status, PointStatus.NONFINITE_VALUE))
+    if broken and not has_status(found.status, PointStatus.OK).any():
         raise ValueError(f"integrand: got NaN or infinity at each of the first {broken} points, want finite numbers")

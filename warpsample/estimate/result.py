@@ -30,6 +30,14 @@ class PointStatus(IntEnum):
     NONFINITE_VALUE = NONFINITE_VALUE
 
 
+def has_status(status: np.ndarray, wanted: PointStatus) -> np.ndarray:
+    """Which points have a status; NumPy is to see no `PointStatus`, only its int.
+
+    Of an enum it looks attributes up on the class, by Python code, and drops what a signal's handler raises there: Ctrl-C.
+    """
+    return status == int(wanted)
+
+
 @dataclass(frozen=True)
 class Skipped:
     """How much work was skipped, without a change to the result.

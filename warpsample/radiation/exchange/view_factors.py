@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from warpsample.estimate.result import PointStatus, Skipped
+from warpsample.estimate.result import PointStatus, Skipped, has_status
 from warpsample.host.arguments import check_flag, check_integer
 from warpsample.host.arrays import as_unit
 from warpsample.host.options import explained_by
@@ -217,11 +217,12 @@ def view_factors(
         options.workers,
     )
     status = _status(mesh, options.active)
+    is_good = has_status(status, PointStatus.OK)
     if active is not None and reciprocal:
         raise ValueError("active: got a mask with reciprocal=True, want None: that takes the rays of both faces of a pair")
     with bar(options.progress, "casting rays"):
-        counts, cast = casting.counts(np.flatnonzero(status == PointStatus.OK).astype(np.int32), groups)
-    surfaces = surfaces_of(mesh.face_areas, status == PointStatus.OK, groups)
+        counts, cast = casting.counts(np.flatnonzero(is_good).astype(np.int32), groups)
+    surfaces = surfaces_of(mesh.face_areas, is_good, groups)
     shares = shares_of(counts, casting.rays, casting.upward(), surfaces)
     if reciprocal:
         shares = reciprocal_shares(shares, surfaces)
@@ -230,15 +231,15 @@ def view_factors(
 
 def _status(mesh: Mesh, active: np.ndarray | None) -> np.ndarray:
     """(F,) uint8, of each face."""
-    status = np.where(mesh.face_areas > 0.0, PointStatus.OK, PointStatus.ZERO_NORMAL).astype(np.uint8)
+    status = np.where(mesh.face_areas > 0.0, int(PointStatus.OK), int(PointStatus.ZERO_NORMAL)).astype(np.uint8)
     if active is not None:
-        status[active == 0] = PointStatus.INACTIVE
+        status[active == 0] = int(PointStatus.INACTIVE)
     return status
 
 
 def _result(shares: Shares, surfaces: Surfaces, status: np.ndarray, cast: np.ndarray, rays: int) -> ViewFactors:
     """The result of what was counted; `cast`: (F,) rays cast of the `rays` of each face."""
-    open_faces = int(np.count_nonzero((status == PointStatus.OK) & (cast == 0)))
+    open_faces = int(np.count_nonzero(has_status(status, PointStatus.OK) & (cast == 0)))
     matrix, standard_error = matrices_of(shares.value, np.sqrt(shares.variance), shares.indices, shares.indptr)
     others = {}
     for name, (value, variance) in shares.others.items():

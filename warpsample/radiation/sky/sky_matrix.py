@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.estimate.plan import Plan
-from warpsample.estimate.result import PointStatus
+from warpsample.estimate.result import PointStatus, has_status
 from warpsample.host.arrays import as_real, cpu
 from warpsample.host.engine import check_memory, run
 from warpsample.host.options import explained_by
@@ -146,7 +146,7 @@ class _Rows:
         for first in range(0, len(order), block):
             chosen = order[first : first + block]
             self._run(*rows, chosen, True)
-            good = self.status[chosen] == PointStatus.OK
+            good = has_status(self.status[chosen], PointStatus.OK)
             for array in rows:
                 array[: len(chosen)][~good] = 0.0
             fold_rows(*rows, chosen, weights=weights, out=out, workers=self.plan.options.workers)
@@ -154,9 +154,10 @@ class _Rows:
 
     def skipped(self) -> SkySkipped:
         """What was not done."""
+        uncast = (self.cast == 0) & has_status(self.status, PointStatus.OK)
         return SkySkipped(
             points=int(np.count_nonzero(self.status)),
-            open_points=int(np.count_nonzero((self.cast == 0) & (self.status == PointStatus.OK) & (self.open > 0))),
+            open_points=int(np.count_nonzero(uncast & (self.open > 0))),
             open_patches=int(self.open.sum(dtype=np.int64)),
             closed_patches=int(self.closed.sum(dtype=np.int64)),
             patches_below=int(self.below.sum(dtype=np.int64)),
