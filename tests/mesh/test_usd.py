@@ -1,6 +1,7 @@
 """.usd: what a renderer shows of it, placed and turned; and one sentence on what is not whole."""
 
 import os
+import struct
 import sys
 
 import mesh_file_cases as cases
@@ -137,6 +138,24 @@ def test_huge_tables_of_binary_usd_allocate_nothing(tmp_path):
     path.write_bytes(content)
     with cases.refused(path, "its header declares 100,000,000 sections .*"):
         ws.load_mesh(path)
+
+
+def test_huge_counts_of_binary_usd_allocate_nothing(tmp_path):
+    """Of the tokens, their bytes, the strings, fields, sets of fields, paths, encoded paths and specs."""
+    path = cases.write("usdc", tmp_path, cases.SPHERE.vertices, cases.SPHERE.faces)
+    whole = path.read_bytes()
+    table = int.from_bytes(whole[16:24], "little")
+    refused = []
+    for name, start, _ in struct.iter_unpack("<16sqq", whole[table + 8 :]):
+        for at in (start, start + 8) if name.strip(b"\0") in (b"TOKENS", b"PATHS") else (start,):
+            content = bytearray(whole)
+            content[at + 3] = 0xF7  # one byte: four thousand million entries
+            path.write_bytes(content)
+            plain = name.strip(b"\0").decode()
+            with cases.refused(path, rf"its section '{plain}' declares 4,1[0-9,]* entries in [\d,]+ bytes"):
+                ws.load_mesh(path)
+            refused.append(plain)
+    assert refused == ["TOKENS", "TOKENS", "STRINGS", "FIELDS", "FIELDSETS", "PATHS", "PATHS", "SPECS"]
 
 
 def test_usd_without_usd_core_says_what_to_install(bunny_path, monkeypatch):

@@ -1,5 +1,6 @@
 """Mesh files: .usd, .usda, .usdc and .usdz, by usd-core."""
 
+import struct
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -9,6 +10,11 @@ import numpy as np
 
 from warpsample.mesh.files.joining import joined
 from warpsample.mesh.polygons import triangles
+
+_TWO_COUNTS = ("TOKENS", "PATHS")
+"""Sections of a binary file that begin with two counts, where others begin with one."""
+_MOST_OF_BYTE = 1020
+"""Entries that a byte of a section stands for, at most: LZ4 makes 255 bytes of it, each of them four numbers."""
 
 
 def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
@@ -43,7 +49,6 @@ def _open(path: Path) -> Any:
             damaged = archive.testzip()  # by checksums that usd-core ignores
         if damaged:
             raise ValueError(f"{damaged} in it is damaged")
-    _check_sections(path)
     layers = _layers(path)  # held, so that they are read once
     stage = Usd.Stage.Open(layers[0])
     lost = stage.GetCompositionErrors()
@@ -58,9 +63,7 @@ def _layers(path: Path) -> list[Any]:
     Raises:
         ValueError: one is a device or a pipe, for which usd-core would wait for ever.
     """
-    from pxr import Sdf
-
-    layers = {str(path): Sdf.Layer.FindOrOpen(str(path))}
+    layers = {str(path): _layer(path)}
     left = [layers[str(path)]]
     while left:
         layer = left.pop()
@@ -69,13 +72,20 @@ def _layers(path: Path) -> list[Any]:
             if file.exists() and not file.is_file():
                 raise ValueError(f"it refers to {name!r}, which is no ordinary file")
             if file.is_file() and name not in layers:
-                layers[name] = Sdf.Layer.FindOrOpen(name)
+                layers[name] = _layer(file)
                 left.append(layers[name])
     return list(layers.values())
 
 
+def _layer(path: Path) -> Any:
+    from pxr import Sdf
+
+    _check_sections(path)
+    return Sdf.Layer.FindOrOpen(str(path))
+
+
 def _check_sections(path: Path) -> None:
-    """Refuses a binary file that is too short for its table of contents: usd-core allocates whatever that declares."""
+    """Refuses a binary file that is too short for what it declares: usd-core allocates whatever that is."""
     size = path.stat().st_size
     with path.open("rb") as file:
         header = file.read(24)
@@ -84,8 +94,23 @@ def _check_sections(path: Path) -> None:
         start = int.from_bytes(header[16:], "little")
         file.seek(min(start, size))
         sections = int.from_bytes(file.read(8), "little")
-    if start + 8 + 32 * sections > size:
-        raise ValueError(f"its header declares {sections:,} sections from byte {start:,} on, but it has {size:,} bytes")
+        if start + 8 + 32 * sections > size:
+            raise ValueError(f"its header declares {sections:,} sections from byte {start:,} on, but it has {size:,} bytes")
+        compressed = tuple(header[8:11]) >= (0, 4, 0)
+        for padded, first, length in struct.iter_unpack("<16sQQ", file.read(32 * sections)):
+            name = padded.rstrip(b"\0").decode("ascii", "replace")
+            if first + length > size:
+                raise ValueError(f"its section {name!r} ends beyond its {size:,} bytes")
+            file.seek(first)
+            _check_counts(name, file.read(8 * (2 if compressed and name in _TWO_COUNTS else 1)), length)
+
+
+def _check_counts(section: str, counts: bytes, length: int) -> None:
+    """Refuses what a section of so many bytes cannot hold; `counts`: the numbers of 8 bytes that it begins with."""
+    for at in range(0, length and len(counts), 8):
+        declared = int.from_bytes(counts[at : at + 8], "little")
+        if declared > _MOST_OF_BYTE * length:
+            raise ValueError(f"its section {section!r} declares {declared:,} entries in {length:,} bytes")
 
 
 def _said(error: Any, path: Path) -> str:
