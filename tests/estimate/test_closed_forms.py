@@ -43,7 +43,7 @@ def test_sky_of_streets_and_planes(case):
     error = found.value - exact
     assert np.isfinite(error).all()
     assert np.sqrt(np.mean(error**2)) <= 2e-4
-    # About 20 of the 128 cells see an edge, so 4 bars are passed by one point in a thousand.
+    # About 20 of the 128 strata see an edge, so 4 bars are passed by one point in a thousand.
     outside = np.abs(error) / (found.standard_error + 1e-6)
     assert np.mean(outside > 4.0) <= 2 / 64
     assert outside.max() <= 6.0
@@ -90,7 +90,7 @@ def test_from_inside_nothing_escapes_and_from_outside_of_a_convex_mesh_all_does(
 
 
 def test_points_on_a_convex_mesh_cast_no_ray_from_32_on():
-    """Fewer rays have no cells; they are cast where rounding may put the faces around a point above its horizon."""
+    """Fewer rays have no strata; they are cast where rounding may put the faces around a point above its horizon."""
     ball = ws.as_mesh(trimesh.creation.icosphere(3))
     points = ws.face_centers(ball)
     rays = {count: int(ws.ambient_occlusion(ball, points, count).rays.sum()) for count in (30, 32)}

@@ -10,9 +10,9 @@ from meshes import CLOSED, soup
 from streams import fibonacci_stream
 
 import warpsample as ws
-from warpsample.estimate.cells import cells_of
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.slots import Slots
+from warpsample.estimate.strata import strata_of
 from warpsample.estimate.weights import Weights, everywhere
 from warpsample.tracing.builtin import builtin_any_query, prepare_builtin
 
@@ -24,7 +24,7 @@ RAYS = 65_536
 
 @pytest.mark.parametrize("tracer", ["wide", pytest.param("warp", marks=pytest.mark.slow)])
 def test_the_estimate_is_that_of_its_rays(bunny, points, tracer):
-    """Below 32 rays there is one cell: each replicate's directions are those of a stream."""
+    """Below 32 rays there is one stratum: each replicate's directions are those of a stream."""
     count, seed = 30, 5
     found = ws.ambient_occlusion(bunny, points, count, seed=seed, tracer=tracer)
     ways = [fibonacci_stream(points.normal, count // 2, seed, stream)[1] for stream in (0, 1)]
@@ -37,16 +37,16 @@ def test_the_estimate_is_that_of_its_rays(bunny, points, tracer):
 CELLS = ((2, 2), (31, 2), (39, 8), (255, 8), (271, 16), (511, 64), (4223, 128), (20_000, 256))
 
 
-def test_all_cells_have_as_many_rays():
+def test_all_strata_have_as_many_rays():
     for count, multiple in CELLS:
-        assert cells_of(count).rays == count - count % multiple
+        assert strata_of(count).rays == count - count % multiple
 
 
 @pytest.mark.slow
-def test_cells_share_the_lobe_evenly():
+def test_strata_share_the_lobe_evenly():
     for count, _ in CELLS:
         lobe = at((0, 0, 5.0), (0, 0, 1), 4)
-        # Open ground under L = d.x^2 and under L = d.z: pi/4 and 2 pi/3, whichever cells the rays fill.
+        # Open ground under L = d.x^2 and under L = d.z: pi/4 and 2 pi/3, whichever strata the rays fill.
         error = np.abs(ws.irradiance(square(0.0), lobe, _sides, count).value - [pi / 4, pi / 4, 2 * pi / 3])
         assert error.max() <= 4.0 * np.float_power(count, -0.75) + 1e-4
 
@@ -70,7 +70,7 @@ def test_the_standard_error_is_what_it_says(bunny, points, sequence, count):
     ratio = bars.sum() / values.var(axis=0, ddof=1).sum()
     assert abs(ratio - 1.0) <= 0.08  # 18,600 degrees of freedom, of which a fifth carry the variance: 5 of 0.016
     if count == 512:
-        # 32 cells: the bar of a single point is worth reading.
+        # 32 strata: the bar of a single point is worth reading.
         mean = values.mean(axis=0)
         outside = [np.abs(run.value - mean) > 3.0 * np.maximum(run.standard_error, 1e-3) for run in runs]
         assert np.mean(outside) <= 0.03

@@ -129,7 +129,7 @@ def test_a_stray_vertex_so_far_that_points_are_moved_off_beyond_the_mesh_is_told
 
 @pytest.mark.parametrize(("share", "warned"), [(0.9, 1), (1.1, 0)])
 def test_the_warning_begins_where_faces_are_lost_in_the_lift(share, warned):
-    """The limit is a longest edge of 2^-16 of the mesh's half size, which is eight lifts of 2^-19."""
+    """The limit is a longest edge of 2^-16 of the mesh's half size, which is eight offsets of 2^-19."""
     face = 2.0**-16.5 * share * np.array([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)])
     far = np.concatenate([face - np.eye(3)[0], face + np.eye(3)[0]])
     with warnings.catch_warnings(record=True) as found:

@@ -45,7 +45,7 @@ def broken_at(w: wp.vec3, lobe: funcs.Lobe) -> float:
 
 UP = np.array([[0.0, 0.0, 1.0], [0.0, 3.0, 0.0], [0.6, 0.0, -0.8], [-0.1, 0.2, 0.3]])
 LOBES = [case for name in ws.distributions.names() for case in ws.distributions.get(name).cases()[:2] if case.width == 3]
-# One whose cells are parts of cones, one whose cells are not, one that goes below the horizon, one that redraws.
+# One whose strata are parts of cones, one whose strata are not, one that goes below the horizon, one that redraws.
 FEW = [ws.GGX(0.5), ws.CosineHemisphere("concentric"), ws.UniformSphere(), ws.CosineHemisphere("offset")]
 
 
@@ -107,7 +107,7 @@ def test_built_in_quantities_are_integrals(bunny, points):
 @pytest.mark.slow
 @pytest.mark.parametrize("distribution", FEW[:1], ids=repr)
 def test_skipping_changes_no_bit_of_any_lobe(distribution):
-    """Seen from among triangles, and from outside, so that cells are found empty."""
+    """Seen from among triangles, and from outside, so that strata are found empty."""
     mesh = soup()
     points = ws.sample_surface(mesh, 150, seed=5)
     outside = ws.SurfacePoints(points.position * 3.0, -points.position.astype(np.float32))
@@ -132,8 +132,8 @@ def test_each_lobe_is_integrated_and_skipped_right(distribution):
 
 
 @pytest.mark.slow
-def test_cells_of_cones_are_skipped():
-    """A lobe whose cells are parts of cones casts few rays under a small roof; one whose cells are not casts all."""
+def test_strata_of_cones_are_skipped():
+    """A lobe whose strata are parts of cones casts few rays under a small roof; one whose strata are not casts all."""
     roof = ws.as_mesh(([(-1, -1, 2.0), (1, -1, 2.0), (0, 1, 2.0)], [(0, 2, 1)]))
     ground = ws.SurfacePoints(np.zeros((8, 3)), np.tile(np.float32([0, 0, 1]), (8, 1)))
     for distribution in (ws.GGX(0.5), ws.CosineHemisphere("inversion")):

@@ -1,4 +1,4 @@
-"""The parts of an interval: the variance that edges lead to, one cell by hand, finite numbers, and no change by skipping."""
+"""The parts of an interval: the variance that edges lead to, one stratum by hand, finite numbers, no change by skipping."""
 
 from math import pi
 
@@ -29,7 +29,7 @@ def test_an_edge_leaves_the_variance_that_a_sequence_says(name, count):
 
 
 def test_one_cell_by_hand(bunny, points):
-    """Below 32 rays there is one cell: other calls count its replicates' free rays, and NumPy computes the posterior."""
+    """Below 32 rays there is one stratum: other calls count its replicates' free rays, and NumPy computes the posterior."""
     count, seed = 30, 5
     found = ws.ambient_occlusion(bunny, points, count, seed=seed)
     ways = [fibonacci_stream(points.normal, 15, seed, stream)[1] for stream in (0, 1)]

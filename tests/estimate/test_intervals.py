@@ -89,7 +89,7 @@ def covers(plausible):
 
 
 def most_by(count):
-    """By 32 rays, four to a replicate of a cell, few values are possible, so that more may be needed."""
+    """By 32 rays, four to a replicate of a stratum, few values are possible, so that more may be needed."""
     return MOST if count > 32 else 0.995
 
 
@@ -116,7 +116,7 @@ def two_errors(found):
 
 
 def few_degrees(found):
-    """A rule that uses the differences of the cells alone."""
+    """A rule that uses the differences of the strata alone."""
     half = t.ppf(0.975, 4) * found.standard_error
     return found.value - half, found.value + half
 
@@ -159,7 +159,7 @@ def test_an_event_that_hardly_a_ray_meets_is_in_the_interval(rays):
 
 
 def test_leaves_do_not_break_the_expectation():
-    """Among 3,000 loose triangles a cell has many edges, and its replicates differ by three times what one edge makes."""
+    """Among 3,000 loose triangles a stratum has many edges, and its replicates differ by three times what one edge makes."""
     rng = np.random.default_rng(0)
     corners = rng.normal(0, 0.05, (3000, 3, 3)) + rng.uniform((-1, -1, 0.6), (1, 1, 2.6), (3000, 1, 3))
     leaves = ws.as_mesh((corners.reshape(-1, 3), np.arange(9000).reshape(-1, 3)))

@@ -7,7 +7,7 @@ from meshes import CLOSED, soup
 
 import warpsample as ws
 from warpsample.bench import scenes
-from warpsample.estimate.cells import cells_of
+from warpsample.estimate.strata import strata_of
 
 RAYS = 65_536
 
@@ -32,11 +32,11 @@ def test_skipping_changes_no_bit(bunny, name):
     assert skipped >= 0.05 * cast
 
 
-def test_a_wrong_beam_would_be_seen(bunny, points, monkeypatch):
-    cells = cells_of(500)
-    turned = type(cells)(cells.bands, cells.sectors, cells.each, np.roll(cells.beams, 1, axis=0))
+def test_a_wrong_shaft_would_be_seen(bunny, points, monkeypatch):
+    strata = strata_of(500)
+    turned = type(strata)(strata.bands, strata.sectors, strata.samples_per_stratum, np.roll(strata.shafts, 1, axis=0))
     right = ws.ambient_occlusion(bunny, points, 500)
-    monkeypatch.setattr("warpsample.estimate.runner.cells_of", lambda *_, **__: turned)
+    monkeypatch.setattr("warpsample.estimate.runner.strata_of", lambda *_, **__: turned)
     assert not same(ws.ambient_occlusion(bunny, points, 500), right)
 
 
@@ -46,7 +46,7 @@ def test_skipping_under_other_weights(bunny, points):
         skipping, plain = (ws.sky_view_factor(bunny, points, count, up=up, skip=skip) for skip in (True, False))
         assert same(skipping, plain)
         assert skipping.skipped.weightless_rays > 0
-        total = len(points) * cells_of(count).rays
+        total = len(points) * strata_of(count).rays
         assert skipping.rays.sum() + skipping.skipped.empty_rays + skipping.skipped.weightless_rays == total
         shaded = [
             ws.ambient_occlusion(bunny, points, count, max_distance=0.3, falloff=1.5, skip=skip) for skip in (True, False)

@@ -124,7 +124,7 @@ def test_smooth_integrands_take_what_they_need(sequence):
 @pytest.mark.parametrize("sequence", sorted(set(ws.sequences.names()) - {"fibonacci"}))
 @pytest.mark.parametrize("tolerance", [0.04, 0.02, 0.0175, 0.0135])
 def test_other_sequences_reach_it_too(sequence, tolerance):
-    """Where cells become finer, and where the error falls by no power: the last round is near what is needed."""
+    """Where strata become finer, and where the error falls by no power: the last round is near what is needed."""
     points = spread_below(7)
     found = ws.ambient_occlusion(square(), points, MOST, sequence=sequence, seed=8, tolerance=tolerance)
     assert 0.5 <= root_mean_square(found.value - below_the_square(points)) / tolerance <= 1.1

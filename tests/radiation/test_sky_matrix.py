@@ -10,7 +10,7 @@ from sky_cases import shares
 
 import warpsample as ws
 from warpsample.bench import scenes
-from warpsample.radiation.sky.shafts import beams_of
+from warpsample.radiation.sky.shafts import shafts_of
 
 TILTS = np.array(
     [[0, 0, 1], [0, 1, 0], [1, 0, 0], [-0.3, 0.5, 0.6], [0.2, -0.9, -0.3], [0.7, 0.1, -0.7], [1, 0.3, 1e-7], [1e-4, 0, 1]]
@@ -131,11 +131,11 @@ def test_skipping_threads_parts_and_masks_change_no_bit(bunny, monkeypatch):
     assert not same(ws.sky_matrix(bunny, points, 300, seed=8, first_point=2**40), right)
 
 
-def test_wrong_beams_would_be_seen(bunny, monkeypatch):
-    home = "warpsample.radiation.sky.sky_matrix.beams_of"
+def test_wrong_shafts_would_be_seen(bunny, monkeypatch):
+    home = "warpsample.radiation.sky.sky_matrix.shafts_of"
     points = ws.sample_surface(bunny, 100, seed=3)
     right = ws.sky_matrix(bunny, points, 300)
-    monkeypatch.setattr(home, lambda *a: np.roll(beams_of(*a), 7, axis=0))
+    monkeypatch.setattr(home, lambda *a: np.roll(shafts_of(*a), 7, axis=0))
     assert not same(ws.sky_matrix(bunny, points, 300), right)
 
 

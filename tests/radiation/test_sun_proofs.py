@@ -1,4 +1,4 @@
-"""What is proven of suns without rays: beams hold their suns and discs, and what covers a beam is met by all of it."""
+"""What is proven of suns without rays: shafts hold their suns and discs, and what covers a shaft is met by all of it."""
 
 import numpy as np
 import pytest
@@ -23,9 +23,9 @@ CASES = {
 }
 
 
-def vectors_of(beams):
+def vectors_of(shafts):
     """(planes (..., 4, 3), corners (..., 4, 3)) in float64."""
-    rows = np.swapaxes(beams.astype(np.float64), -1, -2)
+    rows = np.swapaxes(shafts.astype(np.float64), -1, -2)
     return rows[..., 1:PLANES, :], rows[..., PLANES : PLANES + CORNERS, :]
 
 
@@ -39,7 +39,7 @@ def rim(directions, radius, steps=32):
 
 
 def closed(planes, corners):
-    """Whether each plane goes through two of the corners, and each corner is on two planes: so they bound one beam."""
+    """Whether each plane goes through two of the corners, and each corner is on two planes: so they bound one shaft."""
     inwards = planes @ corners.T
     on = np.abs(inwards) < 2.0**-21
     return (inwards > -(2.0**-21)).all() and (on.sum(axis=0) >= 2).all() and (on.sum(axis=1) >= 2).all()
@@ -47,21 +47,21 @@ def closed(planes, corners):
 
 @pytest.mark.parametrize("disc", [0.0, 0.533, 45.0])
 @pytest.mark.parametrize("name", CASES)
-def test_a_beam_holds_its_suns(name, disc):
+def test_a_shaft_holds_its_suns(name, disc):
     suns = unit(CASES[name]()).astype(np.float32)
     tree = SunTree.of(suns, disc)
     sizes = (np.abs(tree.groups).sum(axis=1) > 0.0).sum(axis=1)
     assert (tree.spans[:, 3] != 0).any() == (name not in ("few", "opposite"))
-    for (first, last, _, of_use), beam in zip(tree.spans, tree.beams, strict=True):
+    for (first, last, _, of_use), shaft in zip(tree.spans, tree.shafts, strict=True):
         if of_use:
             own = np.concatenate([tree.columns[g, : sizes[g]] for g in range(first, last)])
-            planes, corners = vectors_of(beam)
+            planes, corners = vectors_of(shaft)
             assert (rim(suns[own], np.radians(0.5 * disc)).reshape(-1, 3) @ planes.T).min() >= -(2.0**-22)
             assert closed(planes, corners)
     if disc:
         for group, column in np.ndindex(len(sizes), WIDTH):
             if column < sizes[group]:
-                planes, corners = vectors_of(tree.disc_beams[group, column])
+                planes, corners = vectors_of(tree.disc_shafts[group, column])
                 held = rim(tree.groups[group, :, column][None], np.radians(0.5 * disc))[0]
                 assert (held @ planes.T).min() >= -(2.0**-22)
                 assert (held @ planes.T).max(axis=0).max() <= 2.1 * np.sin(np.radians(0.5 * disc)) + 1e-6
@@ -93,7 +93,7 @@ def test_the_tree_has_every_sun_once_and_every_node_before_its_children(name):
 
 def test_groups_of_a_year_are_narrow():
     tree = SunTree.of(year().astype(np.float32), 0.0)
-    _, corners = vectors_of(tree.beams[tree.spans[:, 1] == tree.spans[:, 0] + 1])
+    _, corners = vectors_of(tree.shafts[tree.spans[:, 1] == tree.spans[:, 0] + 1])
     radius = np.degrees(
         np.arccos(np.clip((corners * unit(corners.sum(axis=1))[:, None]).sum(axis=2).min(axis=1), -1.0, 1.0))
     )
@@ -104,31 +104,31 @@ def test_groups_of_a_year_are_narrow():
 @wp.kernel(enable_backward=False, module="unique")
 def _cover(
     triangles: wp.array2d[wp.float32],
-    beams: wp.array2d[wp.float32],
+    shafts: wp.array2d[wp.float32],
     origins: wp.array[wp.vec3],
     normals: wp.array[wp.vec3],
     masks: wp.array[wp.int32],
     most: wp.array[wp.float32],
 ):
     i = wp.tid()
-    beam = beams.ptr + wp.uint64(i) * VECTORS_BYTES
-    masks[i] = covering(triangles.ptr + wp.uint64(i) * wp.uint64(LEAF_BYTES), beam, origins[i], COVER_MARGIN)
-    most[i] = highest(beam, normals[i])
+    shaft = shafts.ptr + wp.uint64(i) * VECTORS_BYTES
+    masks[i] = covering(triangles.ptr + wp.uint64(i) * wp.uint64(LEAF_BYTES), shaft, origins[i], COVER_MARGIN)
+    most[i] = highest(shaft, normals[i])
 
 
-def beams_at(ways, radius):
-    """(N, 3, 16) float32 square beams of those half-angles, and their corners (N, 4, 3)."""
+def shafts_at(ways, radius):
+    """(N, 3, 16) float32 square shafts of those half-angles, and their corners (N, 4, 3)."""
     d = ways.astype(np.float64)
     x = unit(np.cross(d, np.eye(3)[np.abs(d).argmin(axis=1)]))
     y, r = np.cross(d, x), np.tan(radius)[:, None]
     corners = unit(np.stack([d + i * r * x + j * r * y for i in (-1, 1) for j in (-1, 1)], axis=1)).astype(np.float32)
-    beams = np.zeros((len(d), 3, WIDTH), np.float32)
-    beams[..., PLANES : PLANES + CORNERS] = np.swapaxes(corners, 1, 2)
-    return beams, corners.astype(np.float64)
+    shafts = np.zeros((len(d), 3, WIDTH), np.float32)
+    shafts[..., PLANES : PLANES + CORNERS] = np.swapaxes(corners, 1, 2)
+    return shafts, corners.astype(np.float64)
 
 
 def covered(origins, corners, triangles):
-    """(N, 16) by how much, at least, a triangle's edges are beyond all corners of a beam, as an angle; below 0: not."""
+    """(N, 16) by how much, at least, a triangle's edges are beyond all corners of a shaft, as an angle; below 0: not."""
     a, b, c = (triangles[:, :, k].astype(np.longdouble) - origins[:, None] for k in range(3))
     volume = (a * np.cross(b, c)).sum(axis=2)
     edges = [np.cross(p, q) for p, q in ((a, b), (b, c), (c, a))]
@@ -139,14 +139,14 @@ def covered(origins, corners, triangles):
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_a_triangle_that_covers_a_beam_is_met_by_all_of_it(seed):
+def test_a_triangle_that_covers_a_shaft_is_met_by_all_of_it(seed):
     rng, origins, ways = rays_into_the_scene(seed)
     radius = 10.0 ** rng.uniform(-7.0, -0.7, N)
-    beams, corners = beams_at(ways, radius)
+    shafts, corners = shafts_at(ways, radius)
     d = ways.astype(np.float64)
     x = unit(np.cross(d, np.eye(3)[np.abs(d).argmin(axis=1)]))[:, None]
     y = np.cross(d[:, None], x)
-    # Triangles across the beam, whose edges pass beside its corners by 10^-9 to 1 of a radian, before or behind the point.
+    # Triangles across the shaft, whose edges pass beside its corners by 10^-9 to 1 of a radian, before or behind the point.
     turn = rng.uniform(0, 2 * np.pi, (N, WIDTH, 1, 1)) + 2.0 * np.pi / 3.0 * np.arange(3)[:, None]
     beside = 10.0 ** rng.uniform(-9.0, 0.0, (N, WIDTH, 1, 1)) * rng.choice([-1.0, 1.0, 1.0], (N, WIDTH, 1, 1))
     size = 2.0 * np.maximum(np.sqrt(2.0) * np.tan(radius)[:, None, None, None] + beside, 1e-9)
@@ -163,7 +163,7 @@ def test_a_triangle_that_covers_a_beam_is_met_by_all_of_it(seed):
     masks, most = launch(
         _cover,
         N,
-        [leaves(triangles), on_cpu(beams.reshape(N, -1)), on_cpu(origins, wp.vec3), on_cpu(normals, wp.vec3)],
+        [leaves(triangles), on_cpu(shafts.reshape(N, -1)), on_cpu(origins, wp.vec3), on_cpu(normals, wp.vec3)],
         wp.zeros(N, dtype=wp.int32, device="cpu"),
         wp.zeros(N, dtype=wp.float32, device="cpu"),
     )

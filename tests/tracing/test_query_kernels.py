@@ -43,7 +43,7 @@ def test_the_hot_loops_are_vectorised(tmp_path, child_environment):
 
     The loops of rays are over the boxes of a node, the triangles of a leaf, and the rays of a chunk (two). Those of an
     estimate are: boxes, triangles and preparation; start, variates and directions of a cell's rays; children and triangles
-    above the horizon; a beam's planes, boxes and triangles. Those of an integral without a mesh are: variates; their move
+    above the horizon; a shaft's planes, boxes and triangles. Those of an integral without a mesh are: variates; their move
     into the sector; directions with the integrand. Its sums are four chains of additions in a fixed order (and the rest).
     The remark is at the loop's end, or at a branch in it that became a selection.
     """

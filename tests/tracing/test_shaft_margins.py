@@ -6,7 +6,7 @@ import warp as wp
 from margin_cases import N, bits, launch, leaves, meets, nodes, on_cpu, places_on, triangles_about, unit
 
 import warpsample as ws
-from warpsample.estimate.cells import cells_of
+from warpsample.estimate.strata import strata_of
 from warpsample.tracing.sight.frontier import limit_of_boxes, triangles_above, visible
 from warpsample.tracing.sight.point import HORIZON_MARGIN, SHAFT_FLOATS, ShadingPoint
 from warpsample.tracing.sight.shafts import VECTORS_BYTES, aim_about, boxes_in, triangles_in
@@ -126,18 +126,18 @@ def test_what_is_out_of_reach_is_not_seen_and_what_is_around_is_known():
 
 @pytest.mark.parametrize("count", [64, 256, 448, 4096, 16384])
 def test_a_shaft_holds_what_its_rays_meet_and_not_what_is_clearly_beside_it(count):
-    """Rays in the middle, on the edges and at the corners of a cell meet boxes and triangles that are put on them."""
-    cells = cells_of(count)
+    """Rays in the middle, on the edges and at the corners of a stratum meet boxes and triangles that are put on them."""
+    strata = strata_of(count)
     rng, origins, normals = lobes(5, False)
-    sector, band = rng.integers(0, cells.sectors, N), rng.integers(0, cells.bands, N)
+    sector, band = rng.integers(0, strata.sectors, N), rng.integers(0, strata.bands, N)
     share = rng.choice([0.0, 0.5, 1.0 - 2.0**-22], (N, 2)) * [1.0, 1.0]
     last = 1.0 - 2.0**-24
-    u = np.minimum(np.stack([(band + share[:, 0]) / cells.bands, (sector + share[:, 1]) / cells.sectors], axis=1), last)
+    u = np.minimum(np.stack([(band + share[:, 0]) / strata.bands, (sector + share[:, 1]) / strata.sectors], axis=1), last)
     about = ws.CosineHemisphere("polar")
     local = about.sample(u.astype(np.float32)).astype(np.float64)
     frame = frames(normals)
     ways = unit((local[:, :, None] * frame).sum(axis=1))
-    shafts = on_cpu(cells.beams[sector, band + 1].reshape(N, -1))
+    shafts = on_cpu(strata.shafts[sector, band + 1].reshape(N, -1))
     places, there, t = places_on(rng, origins, ways, furthest=3.0)
     size = t * rng.uniform(1e-3, 1.0, (N, WIDTH))
     triangles = triangles_about(rng, places, ways, size, hit=True)
@@ -159,8 +159,8 @@ def test_a_shaft_holds_what_its_rays_meet_and_not_what_is_clearly_beside_it(coun
     inside = (np.abs(under) <= 1.0).all(axis=2)
     assert not masks[:, 0][inside].any()
     assert not masks[:, 1][inside].any()
-    if cells.sectors >= 4:
-        turn = (sector + 0.5) / cells.sectors + 0.5  # opposite
+    if strata.sectors >= 4:
+        turn = (sector + 0.5) / strata.sectors + 0.5  # opposite
         opposite = np.stack([np.cos(2.0 * np.pi * turn), np.sin(2.0 * np.pi * turn), np.full(N, 0.5)], axis=1)
         other = unit((opposite[:, :, None] * frame).sum(axis=1))
         places, there, t = places_on(rng, origins, other, furthest=3.0)
@@ -174,11 +174,11 @@ def test_a_shaft_holds_what_its_rays_meet_and_not_what_is_clearly_beside_it(coun
 
 def test_a_shaft_holds_the_sheet_that_its_lowest_rays_meet():
     """Large triangles lie along the horizon, above the origin by less than the rounding of their corners."""
-    cells = cells_of(448)
+    strata = strata_of(448)
     rng, origins, normals = lobes(6, False)
     origins *= 0.25
-    sector = rng.integers(0, cells.sectors, N)
-    u = np.stack([np.full(N, 1.0 - 2.0**-23), (sector + 0.5) / cells.sectors], axis=1)
+    sector = rng.integers(0, strata.sectors, N)
+    u = np.stack([np.full(N, 1.0 - 2.0**-23), (sector + 0.5) / strata.sectors], axis=1)
     frame = frames(normals)
     local = ws.CosineHemisphere("polar").sample(u.astype(np.float32)).astype(np.float64)
     ways = unit((local[:, :, None] * frame).sum(axis=1))
@@ -189,7 +189,7 @@ def test_a_shaft_holds_the_sheet_that_its_lowest_rays_meet():
     hits, clear = meets(origins, ways, triangles)
     met = np.isfinite(hits) & (clear > 1e-6)
     assert met.mean() >= 0.3
-    shafts = on_cpu(cells.beams[sector, cells.bands].reshape(N, -1))
+    shafts = on_cpu(strata.shafts[sector, strata.bands].reshape(N, -1))
     inputs = [nodes(places, places), leaves(triangles), shafts, on_cpu(origins, wp.vec3), on_cpu(normals, wp.vec3), LOW]
     masks = bits(launch(_in_shaft, N, inputs, wp.zeros((N, 2), wp.int32, device="cpu"))[0])
     assert masks[:, 1][met].all()

@@ -1,4 +1,4 @@
-"""Rays of surface points start on the correct side at corners, edges and the foot of a wall, in any closed room."""
+"""Rays of surface points start on the correct side at corners, edges and the foot of a wall, in any closed workspace."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ ROOMS = {
     "tetrahedron": creation.cone(1.0, 2.0, sections=3),
     "cone": creation.cone(1.0, 3.0, sections=20),
     "torus": creation.torus(1.0, 0.3, major_sections=12, minor_sections=8),
-    "annulus": creation.annulus(0.5, 1.0, 1.0),  # edges that stand out into the room
+    "annulus": creation.annulus(0.5, 1.0, 1.0),  # edges that stand out into the workspace
     "star": trimesh.Trimesh(  # saddles: spikes of many lengths on a sphere
         creation.icosphere(1).vertices * np.random.default_rng(3).uniform(0.3, 1.0, (42, 1)), creation.icosphere(1).faces
     ),
@@ -35,7 +35,7 @@ def on_all_edges(mesh):
 @pytest.mark.parametrize("turn", [pytest.param(0, marks=pytest.mark.slow), 3])
 @pytest.mark.parametrize("name", [pytest.param(n, marks=pytest.mark.slow) if n in LARGE else n for n in ROOMS])
 def test_no_point_of_a_closed_room_sees_out_of_it(name, turn):
-    """The room is stored with shared corners or as an .stl, oriented inwards, or outwards and seen from behind."""
+    """The workspace is stored with shared corners or as an .stl, oriented inwards, or outwards and seen from behind."""
     vertices, faces = ROOMS[name].vertices @ turned(turn).T, ROOMS[name].faces
     split = vertices[faces].reshape(-1, 3), np.arange(faces.size).reshape(-1, 3)
     for corners, triangles in ((vertices, faces), split):
@@ -63,17 +63,17 @@ def test_next_to_an_acute_edge_no_point_sees_out():
         profile = np.array([[0.0, 0.0], [10.0, 0.0], [5.0, 5.0 * np.tan(angle)]])
         vertices = np.array([[x, y, z] for y in (0.0, 14.0) for x, z in profile])
         triangles = [(0, 1, 2), (5, 4, 3), (0, 3, 4), (0, 4, 1), (1, 4, 5), (1, 5, 2), (2, 5, 3), (2, 3, 0)]
-        room = ws.as_mesh((vertices, np.array(triangles)[:, ::-1]))
-        room = room if room.face_normals[3, 2] > 0.9 else ws.as_mesh((vertices, triangles))
+        workspace = ws.as_mesh((vertices, np.array(triangles)[:, ::-1]))
+        workspace = workspace if workspace.face_normals[3, 2] > 0.9 else ws.as_mesh((vertices, triangles))
         along = np.full(len(distance), 5.0)
         floor = np.stack([10.0 - distance, along, 0.0 * distance], axis=1)
         roof = np.stack([10.0 - distance * np.cos(angle), along, distance * np.sin(angle)], axis=1)
         for position, face in ((floor, 3), (roof, 4)):
-            normal = np.repeat(room.face_normals[[face]], len(distance), axis=0)
+            normal = np.repeat(workspace.face_normals[[face]], len(distance), axis=0)
             for known in (None, np.full(len(distance), face)):
                 points = ws.SurfacePoints(position, normal, known)
-                assert ws.ambient_occlusion(room, points, 128).value.max() == 0.0
-                assert (ws.trace(room, points, ws.sample_directions(points, 16).vectors).face >= 0).all()
+                assert ws.ambient_occlusion(workspace, points, 128).value.max() == 0.0
+                assert (ws.trace(workspace, points, ws.sample_directions(points, 16).vectors).face >= 0).all()
 
 
 SPIKE = np.array(  # of 3.5 degrees: at its first vertex the sum of the normals is against one of them

@@ -37,16 +37,16 @@ def test_every_face_is_in_one_leaf_and_every_box_around_what_is_below(name):
     count = Counter(topology.faces[topology.faces >= 0].tolist())
     assert count == dict.fromkeys(range(len(scene.faces)), 1)
     assert len(topology.levels) - 1 <= MOST_DEPTH
-    below = topology.places[topology.places != 0]
-    assert sorted(below.tolist()) == [*range(-len(topology.faces), 0), *range(1, len(topology.places))]
+    below = topology.links[topology.links != 0]
+    assert sorted(below.tolist()) == [*range(-len(topology.faces), 0), *range(1, len(topology.links))]
     boxes = np.swapaxes(tree.nodes[:, :6], 1, 2)
-    for node, slot in zip(*np.nonzero(topology.places), strict=True):
-        place = topology.places[node, slot]
+    for node, slot in zip(*np.nonzero(topology.links), strict=True):
+        place = topology.links[node, slot]
         if place < 0:
             inside = scene.vertices[scene.faces[topology.faces[~place][topology.faces[~place] >= 0]]].reshape(-1, 3)
             low, high = inside.min(axis=0), inside.max(axis=0)
         else:
-            used = topology.places[place] != 0
+            used = topology.links[place] != 0
             low, high = boxes[place, used, :3].min(axis=0), boxes[place, used, 3:].max(axis=0)
         assert (boxes[node, slot, :3] <= low).all()
         assert (boxes[node, slot, 3:] >= high).all()

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from warpsample.estimate.cells import cells_of
 from warpsample.estimate.plan import Plan, RaySum
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.runner import Runner
+from warpsample.estimate.strata import strata_of
 from warpsample.estimate.tolerance import count_within
 from warpsample.host.progress import bar
 
@@ -21,6 +21,6 @@ def estimate(plan: Plan, summed: RaySum) -> Estimate:
             return runner.result(options.seed, plan.count)
         count, trial = count_within(runner, plan.tolerance)
         main = runner.result(options.seed, count)
-    saved = cells_of(plan.count, traced=traced).rays - cells_of(count, traced=traced).rays
+    saved = strata_of(plan.count, traced=traced).rays - strata_of(count, traced=traced).rays
     unneeded = saved * np.count_nonzero(main.status == 0) - int(trial.sum(dtype=np.int64))
     return replace(main, rays=main.rays + trial, skipped=replace(main.skipped, unneeded_rays=max(0, unneeded)))

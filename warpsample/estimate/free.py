@@ -14,7 +14,7 @@ from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.sight.point import ShadingPoint
 
 BLOCK = 256
-"""Directions that are made and integrated together: those of a lobe of as many, a stream for each cell and half."""
+"""Directions that are made and integrated together: those of a lobe of as many, a stream for each stratum and half."""
 
 _TOGETHER = wp.constant(wp.int32(2 * LANES))  # variates are filled by multiples of it
 
@@ -27,7 +27,7 @@ def _stream_fill(slots: Slots) -> wp.Function:
     @wp.func
     def fill_stream(lobes: Lobes, key: wp.vec4ui, stream: wp.int32, first: wp.int32, filled: wp.int32, at: wp.uint64):
         u = wp.array(ptr=at, shape=(2 * BLOCK,), dtype=wp.float32)
-        fill(stream_key(key, wp.uint32(stream)), first, filled, wp.uint32(lobes.each), u)
+        fill(stream_key(key, wp.uint32(stream)), first, filled, wp.uint32(lobes.samples_per_stratum), u)
         sector = wp.float32(stream / 2)
         size = 1.0 / wp.float32(lobes.sectors)
         k = wp.int32(0)
@@ -104,7 +104,7 @@ def free_lobe(slots: Slots) -> wp.Function:
 
     @wp.func
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
-        """The same sums as in `counted_lobe`; the workspace has a block of variates and its values."""
+        """What `counted_lobe` gives; the workspace has a block of variates and its values."""
         total = NOTHING
         variance = NOTHING
         unseen = NOTHING
@@ -112,11 +112,13 @@ def free_lobe(slots: Slots) -> wp.Function:
         one = NOTHING
         other = NOTHING
         streams = 2 * lobes.sectors
-        together = wp.clamp((BLOCK - _rounded_up(wp.min(lobes.each, BLOCK))) / lobes.each + 1, 1, streams)
+        together = wp.clamp(
+            (BLOCK - _rounded_up(wp.min(lobes.samples_per_stratum, BLOCK))) / lobes.samples_per_stratum + 1, 1, streams
+        )
         for lowest in range(0, streams, together):
             taken = wp.min(together, streams - lowest)
-            for first in range(0, lobes.each, BLOCK):
-                length = wp.min(BLOCK, lobes.each - first)
+            for first in range(0, lobes.samples_per_stratum, BLOCK):
+                length = wp.min(BLOCK, lobes.samples_per_stratum - first)
                 filled = _rounded_up(length)
                 for i in range(taken):  # each overwrites what was filled beyond the one before it
                     fill_stream(lobes, point.key, lowest + i, first, filled, point.own + wp.uint64(4 * i * length))
@@ -128,14 +130,14 @@ def free_lobe(slots: Slots) -> wp.Function:
                     second_half = (lowest + i) % 2 == 1
                     one = wp.where(second_half, one, wp.where(first == 0, part, one + part))
                     other = wp.where(second_half, wp.where(first == 0, part, other + part), other)
-                    if second_half and first + BLOCK >= lobes.each:
+                    if second_half and first + BLOCK >= lobes.samples_per_stratum:
                         squares = wp.cw_mul(one - other, one - other)
-                        mean = (one + other) / wp.float64(2 * lobes.each)
+                        mean = (one + other) / wp.float64(2 * lobes.samples_per_stratum)
                         total += one + other
                         variance += squares
                         unseen += wp.cw_mul(mean, mean)
                         fourth += wp.cw_mul(squares, squares)
         width, degrees = widths(variance, NOTHING, unseen, variance, fourth, 0, 0, lobes.sectors)
-        return total, variance, width, degrees, 2 * lobes.each * lobes.sectors, 0
+        return total, variance, width, degrees, 2 * lobes.samples_per_stratum * lobes.sectors, 0
 
     return sum_lobe

@@ -1,4 +1,4 @@
-"""Numbers for each point in one kernel: cells are found empty or not, rays made, traced and summed; none is stored."""
+"""Numbers for each point in one kernel: strata are found empty or not, rays made, traced and summed; none is stored."""
 
 import warp as wp
 
@@ -25,7 +25,7 @@ def _keep(channels: int) -> wp.Function:
     @wp.func
     def keep(lobes: Lobes, point: wp.int64, total: wp.vec3d, variance: wp.vec3d, width: wp.vec3d, degrees: wp.vec3d):
         """Stores means over the rays, from sums over them."""
-        rays = wp.float64(2 * lobes.each * lobes.bands * lobes.sectors)
+        rays = wp.float64(2 * lobes.samples_per_stratum * lobes.bands * lobes.sectors)
         at = wp.uint64(point) * wp.uint64(4 * channels)
         value = wp.array(ptr=lobes.value + at, shape=(channels,), dtype=wp.float32)
         error = wp.array(ptr=lobes.error + at, shape=(channels,), dtype=wp.float32)

@@ -1,11 +1,11 @@
-"""The lobe of one point: its empty cells are found, the others are summed one by one."""
+"""The lobe of one point: its empty strata are found, the others are summed one by one."""
 
 import warp as wp
 
-from warpsample.estimate.cell import cell_sum, jump_of
 from warpsample.estimate.intervals import Prior, edge_variance, posterior, prior_numbers
 from warpsample.estimate.lobes import Lobes, found_in
 from warpsample.estimate.slots import Slots
+from warpsample.estimate.stratum import jump_of, stratum_sum
 from warpsample.host.locks import once
 from warpsample.maths.numerics import HALF, ONE, ZERO
 from warpsample.tracing.queries import Accelerator
@@ -28,7 +28,7 @@ def opened_for(slots: Slots) -> wp.Function:
         if wp.static(wide):
             if lobes.skip != 0:
                 tree, local, opened = open_around(tree, point)
-        return tree, local, opened and (tree.starts > 0 or local != 0) and lobes.beams != wp.uint64(0)
+        return tree, local, opened and (tree.starts > 0 or local != 0) and lobes.shafts != wp.uint64(0)
 
     return open_lobe
 
@@ -49,15 +49,15 @@ def widths_of(slots: Slots) -> wp.Function:
         fourth: wp.vec3d,
         mixed: wp.int32,
         fewer: wp.int32,
-        cells: wp.int32,
+        strata: wp.int32,
     ):
-        """`posterior` of each channel; `unseen` is summed over the cells."""
+        """`posterior` of each channel; `unseen` is summed over the strata."""
         width = NOTHING
         degrees = NOTHING
         prior = Prior(worth, unseen_ray, worth_if_agreed, unseen_if_agreed, unseen_if_one)
         for c in range(channels):
-            of_ray = unseen[c] / wp.float64(cells)
-            square, freedom = posterior(variance[c], expected[c], of_ray, rest[c], fourth[c], mixed, fewer, cells, prior)
+            of_ray = unseen[c] / wp.float64(strata)
+            square, freedom = posterior(variance[c], expected[c], of_ray, rest[c], fourth[c], mixed, fewer, strata, prior)
             width[c] = square
             degrees[c] = freedom
         return width, degrees
@@ -67,7 +67,7 @@ def widths_of(slots: Slots) -> wp.Function:
 
 @once
 def search_of(slots: Slots) -> wp.Function:
-    """A function that searches a sector or a cell for what its rays may meet."""
+    """A function that searches a sector or a stratum for what its rays may meet."""
     wide = slots.wide
 
     @wp.func
@@ -87,11 +87,11 @@ def search_of(slots: Slots) -> wp.Function:
 def counted_lobe(slots: Slots) -> wp.Function:
     """A function that sums a lobe whose rays add 1 or 0: scalars, and where all rays agree their difference is 0."""
     constant, struct = slots.constant, slots.struct
-    open_lobe, search, sum_cell, widths = opened_for(slots), search_of(slots), cell_sum(slots), widths_of(slots)
+    open_lobe, search, sum_stratum, widths = opened_for(slots), search_of(slots), stratum_sum(slots), widths_of(slots)
 
     @wp.func
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
-        """(sum of the weights of all rays, squares of its standard error and spread, degrees, rays cast, in empty cells)."""
+        """(sum of all rays' weights, squares of its standard error and spread, degrees, rays cast, in empty strata)."""
         hits = wp.int32(0)
         squared = ZERO
         edges = ZERO
@@ -104,31 +104,31 @@ def counted_lobe(slots: Slots) -> wp.Function:
         for sector in range(lobes.sectors):
             sector_found = anything
             for step in range(wp.where(lobes.bands == 1, 1, 0), lobes.bands + 1):  # the whole sector, then its bands
-                found, cell_local = search(
+                found, stratum_local = search(
                     lobes, seen, point, sector * (lobes.bands + 1) + step, sector_found, local, shafts
                 )
                 if step == 0:
                     sector_found = found
                 elif wp.static(constant) and found == 0:
-                    empty += 2 * lobes.each
-                    hits += 2 * lobes.each
+                    empty += 2 * lobes.samples_per_stratum
+                    hits += 2 * lobes.samples_per_stratum
                 else:
-                    empty += wp.where(found == 0, 2 * lobes.each, 0)
-                    _add, difference, rays, free, _w = sum_cell(
-                        lobes, seen, data, point, sector * lobes.bands + step - 1, found, cell_local
+                    empty += wp.where(found == 0, 2 * lobes.samples_per_stratum, 0)
+                    _add, difference, rays, free, _w = sum_stratum(
+                        lobes, seen, data, point, sector * lobes.bands + step - 1, found, stratum_local
                     )
                     cast += rays
                     hits += free
                     squared += difference[0] * difference[0]
-                    if free > 0 and free < 2 * lobes.each:
-                        edges += edge_variance(free, 2 * lobes.each, lobes.edge)
+                    if free > 0 and free < 2 * lobes.samples_per_stratum:
+                        edges += edge_variance(free, 2 * lobes.samples_per_stratum, lobes.edge)
                         mixed += 1
-                        fewer += wp.min(free, 2 * lobes.each - free)
-        cells = lobes.bands * lobes.sectors
+                        fewer += wp.min(free, 2 * lobes.samples_per_stratum - free)
+        strata = lobes.bands * lobes.sectors
         variance = wp.vec3d(squared, ZERO, ZERO)
         expected = wp.vec3d(edges, ZERO, ZERO)
-        unseen = wp.vec3d(wp.float64(cells), ZERO, ZERO)
-        width, degrees = widths(variance, expected, unseen, NOTHING, NOTHING, mixed, fewer, cells)
+        unseen = wp.vec3d(wp.float64(strata), ZERO, ZERO)
+        width, degrees = widths(variance, expected, unseen, NOTHING, NOTHING, mixed, fewer, strata)
         return wp.vec3d(wp.float64(hits), ZERO, ZERO), variance, width, degrees, cast, empty
 
     return sum_lobe
@@ -138,12 +138,12 @@ def counted_lobe(slots: Slots) -> wp.Function:
 def weighed_lobe(slots: Slots) -> wp.Function:
     """A function that sums a lobe whose rays add any weights."""
     constant, struct, open_jump = slots.constant, slots.struct, ONE if slots.any_hit else HALF
-    open_lobe, search, sum_cell, widths = opened_for(slots), search_of(slots), cell_sum(slots), widths_of(slots)
+    open_lobe, search, sum_stratum, widths = opened_for(slots), search_of(slots), stratum_sum(slots), widths_of(slots)
     jump_at = jump_of(slots)
 
     @wp.func
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
-        """The same sums as in `counted_lobe`."""
+        """What `counted_lobe` gives, for any weights."""
         total = NOTHING
         variance = NOTHING
         mixed = wp.int32(0)
@@ -159,30 +159,30 @@ def weighed_lobe(slots: Slots) -> wp.Function:
         for sector in range(lobes.sectors):
             sector_found = anything
             for step in range(wp.where(lobes.bands == 1, 1, 0), lobes.bands + 1):
-                found, cell_local = search(
+                found, stratum_local = search(
                     lobes, seen, point, sector * (lobes.bands + 1) + step, sector_found, local, shafts
                 )
                 if step == 0:
                     sector_found = found
                 elif wp.static(constant) and found == 0:
-                    empty += 2 * lobes.each
-                    total[0] += wp.float64(2 * lobes.each)
+                    empty += 2 * lobes.samples_per_stratum
+                    total[0] += wp.float64(2 * lobes.samples_per_stratum)
                     unseen[0] += open_jump
                 else:
-                    empty += wp.where(found == 0, 2 * lobes.each, 0)
-                    add, difference, rays, free, w = sum_cell(
-                        lobes, seen, data, point, sector * lobes.bands + step - 1, found, cell_local
+                    empty += wp.where(found == 0, 2 * lobes.samples_per_stratum, 0)
+                    add, difference, rays, free, w = sum_stratum(
+                        lobes, seen, data, point, sector * lobes.bands + step - 1, found, stratum_local
                     )
                     cast += rays
                     squares = wp.cw_mul(difference, difference)
                     total += add
                     variance += squares
-                    jump = jump_at(w, add, free, 2 * lobes.each)
+                    jump = jump_at(w, add, free, 2 * lobes.samples_per_stratum)
                     unseen += jump
-                    if free > 0 and free < 2 * lobes.each:
-                        expected += edge_variance(free, 2 * lobes.each, lobes.edge) * jump
+                    if free > 0 and free < 2 * lobes.samples_per_stratum:
+                        expected += edge_variance(free, 2 * lobes.samples_per_stratum, lobes.edge) * jump
                         mixed += 1
-                        fewer += wp.min(free, 2 * lobes.each - free)
+                        fewer += wp.min(free, 2 * lobes.samples_per_stratum - free)
                     else:
                         rest += squares
                         fourth += wp.cw_mul(squares, squares)

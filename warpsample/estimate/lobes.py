@@ -16,15 +16,15 @@ NONFINITE_VALUE = 5
 
 @wp.struct
 class Lobes:
-    """Scalars and addresses of the lobes of all points, their cells, and where their numbers go.
+    """Scalars and addresses of the lobes of all points, their strata, and where their numbers go.
 
     placement: of the points; its normals are those of their faces, along which they are moved off.
     first_row: of these points in the whole call; first_point is the global id of the first of them.
     visits, rows: points that are visited, in all and by a task.
     normals, active: (P, 3) float32, (P,) uint8 or 0: the lobes' axes, and which points count.
-    each, bands, sectors, beams: as `Cells` has them; beams 0 tests none.
+    samples_per_stratum, bands, sectors, shafts: as `Strata` has them; shafts 0 tests none.
     skip: whether the tree is searched for what cannot be met.
-    edge: what is expected at most of an edge through a cell, see `edge_variance`. parameters: of the distribution.
+    edge: what is expected at most of an edge through a stratum, see `edge_variance`. parameters: of the distribution.
     value, error, spread, degrees: (P, channels) float32.
     cast, empty, status: (P,) int32, int32, uint8: rays cast, rays in parts of the lobe that meet nothing, why not.
     """
@@ -37,10 +37,10 @@ class Lobes:
     rows: wp.int32
     normals: wp.uint64
     active: wp.uint64
-    each: wp.int32
+    samples_per_stratum: wp.int32
     bands: wp.int32
     sectors: wp.int32
-    beams: wp.uint64
+    shafts: wp.uint64
     skip: wp.int32
     falloff: wp.float32
     edge: wp.float32
@@ -70,6 +70,6 @@ def lobe_of(lobes: Lobes, point: ShadingPoint) -> Lobe:
 @wp.func
 def found_in(lobes: Lobes, tree: Accelerator, point: ShadingPoint, i: wp.int32, local: wp.int32):
     """(whether a ray of the i-th shaft may meet something, which of the triangles of the local leaf)."""
-    aim_about(lobes.beams + wp.uint64(i) * VECTORS_BYTES, point)
+    aim_about(lobes.shafts + wp.uint64(i) * VECTORS_BYTES, point)
     found = search_shaft(tree, point, local)
     return wp.where(found.state == EMPTY, 0, 1), in_local_leaf(found, point)

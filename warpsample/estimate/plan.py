@@ -6,9 +6,9 @@ from typing import Any
 
 from warpsample.distributions import as_spatial
 from warpsample.distributions.record import Distribution
-from warpsample.estimate.cells import POLAR_COSINE
 from warpsample.estimate.integrand import Integrand
 from warpsample.estimate.result import Estimate
+from warpsample.estimate.strata import POLAR_COSINE
 from warpsample.host.arguments import check_integer, check_number
 from warpsample.host.engine import check_memory
 from warpsample.tracing.options import RayOptions

@@ -10,10 +10,10 @@ from warpsample.tracing.queries import CHUNK, set_direction
 from warpsample.tracing.sight.point import ShadingPoint
 
 SQUARE_FLOATS = 2 * CHUNK
-"""Of the variates of a chunk."""
+"""float32 numbers of the variates of a chunk."""
 
 LAST_UNIFORM = wp.constant(wp.float32(1.0 - 2.0**-24))
-"""For variates that are rounded up to the next cell."""
+"""For variates that are rounded up to the next stratum."""
 
 
 @once
@@ -22,20 +22,20 @@ def spread_of(slots: Slots) -> wp.Function:
     sample, directions = slots.sequence.sample, directions_of(slots)
 
     @wp.func
-    def spread(lobes: Lobes, point: ShadingPoint, cell: wp.int32, first: wp.int32, length: wp.int32):
-        """The directions of a cell's rays, both replicates one after the other, from the first-th on.
+    def spread(lobes: Lobes, point: ShadingPoint, stratum: wp.int32, first: wp.int32, length: wp.int32):
+        """The directions of a stratum's rays, both replicates one after the other, from the first-th on.
 
-        Each replicate of each cell is a stream of its own.
+        Each replicate of each stratum is a stream of its own.
         """
         u = wp.array(ptr=point.own, shape=(SQUARE_FLOATS,), dtype=wp.float32)
-        stream = wp.uint32(2 * cell)
+        stream = wp.uint32(2 * stratum)
         key = stream_key(point.key, stream)
         other = stream_key(point.key, stream + ONE_WORD)
-        sector = cell / lobes.bands
-        band = wp.float32(cell - sector * lobes.bands)
+        sector = stratum / lobes.bands
+        band = wp.float32(stratum - sector * lobes.bands)
         band_size = 1.0 / wp.float32(lobes.bands)
         sector_size = 1.0 / wp.float32(lobes.sectors)
-        each = lobes.each
+        each = lobes.samples_per_stratum
         k = wp.int32(0)
         while k < length:
             i = first + k
@@ -43,7 +43,7 @@ def spread_of(slots: Slots) -> wp.Function:
             p = sample(one_of(key, other, second), wp.uint32(i - second * each), wp.uint32(each))
             x = (p[0] + band) * band_size
             y = (p[1] + wp.float32(sector)) * sector_size
-            u[k] = wp.where(x < LAST_UNIFORM, x, LAST_UNIFORM)  # where the sum is rounded up to the next cell
+            u[k] = wp.where(x < LAST_UNIFORM, x, LAST_UNIFORM)  # where the sum is rounded up to the next stratum
             u[CHUNK + k] = wp.where(y < LAST_UNIFORM, y, LAST_UNIFORM)
             k += 1
         directions(lobes, point, length)

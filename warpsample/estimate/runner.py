@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from warpsample.estimate.cells import POLAR_COSINE, Cells, cells_of
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.lobes import LobesArgs
 from warpsample.estimate.plan import Plan, RaySum
 from warpsample.estimate.result import Estimate, Skipped
 from warpsample.estimate.slots import Slots
+from warpsample.estimate.strata import POLAR_COSINE, Strata, strata_of
 from warpsample.host.device_memory import Loan, at_home
 from warpsample.host.engine import run
 from warpsample.tracing.placement import PlacementArgs
@@ -42,7 +42,7 @@ class Runner:
         shape = (points,) if channels == 1 else (points, channels)
         value, error, spread, degrees = (np.zeros(shape, np.float32) for _ in range(4))
         cast, empty, status = (np.zeros(points, kind) for kind in (np.int32, np.int32, np.uint8))
-        strata = cells_of(count, self.plan.distribution, self.traced)
+        strata = strata_of(count, self.plan.distribution, self.traced)
         for rows in self.options.memory.parts(points, _BYTES_OF_POINT):
             with self.options.memory.loan() as loan:
                 part = self._part(loan, rows, strata, self.options.skip if skip is None else skip)
@@ -70,7 +70,7 @@ class Runner:
             placement.reach = min(placement.reach, _MOST_REACH)
         return placement
 
-    def _part(self, loan: Loan, rows: slice, strata: Cells, skip: bool) -> LobesArgs:
+    def _part(self, loan: Loan, rows: slice, strata: Strata, skip: bool) -> LobesArgs:
         """The lobes of some points, without the seed of their rays and where their numbers go."""
         options = self.options
         part = LobesArgs(
@@ -79,12 +79,12 @@ class Runner:
             first_row=rows.start,
             normals=loan.put(self.at.normal, rows),
             active=loan.put(options.active, rows),
-            each=strata.each,
+            samples_per_stratum=strata.samples_per_stratum,
             bands=strata.bands,
             sectors=strata.sectors,
-            beams=loan.put(strata.beams) if strata.beams.size and skip and options.tracer.skips else 0,
+            shafts=loan.put(strata.shafts) if strata.shafts.size and skip and options.tracer.skips else 0,
             skip=skip,
-            edge=options.sequence.edge_variance(strata.each),
+            edge=options.sequence.edge_variance(strata.samples_per_stratum),
             falloff=self.summed.falloff or 0.0,
             parameters=self.plan.distribution.kernel_parameters().__ctype__(),
         )
@@ -96,7 +96,8 @@ class Runner:
 
     def _run(self, loan: Loan, lobes: LobesArgs, chosen: np.ndarray | None) -> None:
         """Sums the lobes of the chosen points, by default of all."""
-        options, memory, rays = self.options, self.options.memory, 2 * lobes.each * lobes.bands * lobes.sectors
+        options, memory = self.options, self.options.memory
+        rays = 2 * lobes.samples_per_stratum * lobes.bands * lobes.sectors
         in_scene = self.traced and memory.in_place
         order = self.at.order(lobes.placement, rays, options.workers) if in_scene else None
         rows = np.arange(lobes.placement.points) if order is None else order

@@ -14,7 +14,7 @@ class Slots:
 
     Attributes:
         sequence: of the rays.
-        about: (unit normal, u, Parameters) -> (direction, pdf): its cells are those of the square.
+        about: (unit normal, u, Parameters) -> (direction, pdf): its strata are those of the square.
         redraw: what replaces `about` where its pdf is below `redraw_below`, or None.
         redraw_below: that pdf.
         upward: whether all directions have a cosine to the normal of at least 2^-12, as those of the cosine lobe do: then

@@ -9,9 +9,9 @@ from math import log
 
 import numpy as np
 
-from warpsample.estimate.cells import cells_of, counts_with_the_cells_of
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.runner import Runner
+from warpsample.estimate.strata import counts_with_the_strata_of, strata_of
 from warpsample.sequences.hashing import seed_for
 
 _AIM = 0.98  # of the tolerance: the trial's own error is 3 %, what it foretells errs upwards, and counts are rounded up
@@ -36,7 +36,7 @@ def count_within(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
     trial.run(_FIRST)
     for _ in range(_ROUNDS):
         needed = max(_LEAST, trial.needed(_AIM * tolerance))
-        fewest, top = counts_with_the_cells_of(trial.count, traced)
+        fewest, top = counts_with_the_strata_of(trial.count, traced)
         if needed > top and trial.needed(tolerance) <= top:
             needed = top
         if fewest / 2 <= needed < fewest:
@@ -50,9 +50,9 @@ def count_within(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
 
 def _finer_if_less(trial: "_Trial", needed: float, aim: float) -> float:
     """What is needed, or more with finer strata, if fewer rays of these are cast: more strata are empty."""
-    cast, top = trial.cast * needed, counts_with_the_cells_of(needed)[1]
-    finer = counts_with_the_cells_of(_WORTH_TRYING * needed)[0]
-    if not (counts_with_the_cells_of(_FIRST)[1] < top < finer <= trial.runner.plan.count):
+    cast, top = trial.cast * needed, counts_with_the_strata_of(needed)[1]
+    finer = counts_with_the_strata_of(_WORTH_TRYING * needed)[0]
+    if not (counts_with_the_strata_of(_FIRST)[1] < top < finer <= trial.runner.plan.count):
         return needed
     trial.run(finer)
     rather = max(finer, trial.needed(aim))
@@ -85,13 +85,13 @@ class _Trial:
         rays = int(np.ceil(min(count, plan.count)))
         if self.runner.options.sequence.nets:  # of strata and replicates there are powers of two, too
             return min(1 << (rays - 1).bit_length(), plan.count)
-        step = cells_of(rays, traced=self.runner.traced).step
+        step = strata_of(rays, traced=self.runner.traced).step
         return min(-(-rays // step) * step, plan.count)
 
     def run(self, count: float) -> None:
         """A round: the rows that are taken fall with the root of the number of strata."""
         traced, count = self.runner.traced, self.whole(count)
-        strata = cells_of(count, traced=traced)
+        strata = strata_of(count, traced=traced)
         share = min(_SHARE * np.sqrt(strata.bands * strata.sectors), _LEAST_SHARE)
         chosen = np.zeros(len(self.runner.at), bool)
         chosen[self.rows[: max(int(self.active / share), _FEWEST_POINTS)]] = True
@@ -99,7 +99,7 @@ class _Trial:
         found = self.runner.result(seed_for("trial", self.runner.options.seed), count, chosen, skip=True)
         good = chosen & (found.status == 0)
         error = _error_of(found, good)
-        alike = counts_with_the_cells_of(self.count, traced) == counts_with_the_cells_of(count, traced)
+        alike = counts_with_the_strata_of(self.count, traced) == counts_with_the_strata_of(count, traced)
         if self.count and count >= _APART * self.count and alike and error > 0.0:
             self.rate = min(max(log(self.error / error) / log(count / self.count), _SLOWEST), _FASTEST)
         self.count, self.error, self.rays = count, error, self.rays + found.rays

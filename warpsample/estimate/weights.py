@@ -29,7 +29,7 @@ WeightsArgs = type(Weights().__ctype__())
 
 @wp.func
 def everywhere(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
-    """1."""
+    """The weight 1 of a ray, whatever its direction."""
     return wp.vec3(1.0, 0.0, 0.0)
 
 

@@ -17,10 +17,10 @@ FURTHEST = 6.0
 MOST_DISTANCE = float(np.finfo(np.float32).max)
 """What is farther is not met: its distance would not be finite."""
 
-LIFT = 2.0**-19
-"""Of how far a mesh reaches along a normal: so far are points moved off their face along it, which is 32 roundings."""
+OFFSET = 2.0**-19
+"""How far points are moved off their face along its normal, of how far the mesh reaches along it: 32 roundings."""
 
-_LIFT = wp.constant(wp.float32(LIFT))
+_OFFSET = wp.constant(wp.float32(OFFSET))
 _FURTHEST = wp.constant(wp.float64(FURTHEST))
 _ENTRY = wp.constant(wp.float64(1.25))
 _LEAST_STEP = wp.constant(wp.float64(1e-150))
@@ -33,7 +33,7 @@ class Placement:
     A point x of the user's is (x - centre) * scale inside, where the mesh is within 1 of 0 on each axis, and its extent; a
     distance t inside is t * unit, and reach is inside, too. coarseness: how far apart stored positions are, inside.
     Optional, else 0: normals (P, 3) float32, unit, of the faces that origins are on; starts (P, sides, 3) float32, where
-    rays to these sides start, inside, else they are moved by `lift`; order (P,) int64, in which points are visited.
+    rays to these sides start, inside, else they are moved by `offset`; order (P,) int64, in which points are visited.
     """
 
     points: wp.int64
@@ -84,7 +84,7 @@ def placed(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:
 
 @wp.func
 def in_double(v: wp.vec3) -> wp.vec3d:
-    """The same vector in float64."""
+    """A vector of float32 in float64."""
     return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
 
 
@@ -129,23 +129,23 @@ def extent_along(placement: Placement, n: wp.vec3) -> wp.float32:
 
 @wp.func
 def reach_along(placement: Placement, n: wp.vec3, o: wp.vec3) -> wp.float32:
-    """The same of the mesh and a point that may be outside of it."""
+    """How far the mesh and a point that may be outside of it reach along a normal, at most."""
     x = wp.abs(n[0]) * wp.max(placement.extent_x, wp.abs(o[0]))
     y = wp.abs(n[1]) * wp.max(placement.extent_y, wp.abs(o[1]))
     return x + y + wp.abs(n[2]) * wp.max(placement.extent_z, wp.abs(o[2]))
 
 
 @wp.func
-def lift_within(extent: wp.vec3, coarseness: wp.float32, n: wp.vec3) -> wp.float32:
-    """The lift of a point with that normal in a scene of that extent."""
+def offset_within(extent: wp.vec3, coarseness: wp.float32, n: wp.vec3) -> wp.float32:
+    """The offset of a point with that normal in a scene of that extent."""
     along = wp.abs(n[0]) * extent[0] + wp.abs(n[1]) * extent[1] + wp.abs(n[2]) * extent[2]
-    return _LIFT * along + coarseness
+    return _OFFSET * along + coarseness
 
 
 @wp.func
-def lift(placement: Placement, n: wp.vec3) -> wp.float32:
+def origin_offset(placement: Placement, n: wp.vec3) -> wp.float32:
     """How far points of a face with that normal are moved off it: 32 roundings, and more where they are stored coarsely."""
-    return _LIFT * extent_along(placement, n) + placement.coarseness
+    return _OFFSET * extent_along(placement, n) + placement.coarseness
 
 
 @wp.func

@@ -11,8 +11,8 @@ from warpsample.tracing.order import order_of
 from warpsample.tracing.placement import (
     Placement,
     far_off,
-    lift,
     local_origin,
+    origin_offset,
     point_of,
     unit_in_double,
     vector_in_double,
@@ -70,7 +70,7 @@ def _read(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.ui
         n = vec3_at(rays.placement.normals, point)
         forward = wp.dot(n, d)
         if rays.placement.starts == wp.uint64(0):
-            start += wp.copysign(lift(rays.placement, n), forward) * n
+            start += wp.copysign(origin_offset(rays.placement, n), forward) * n
         else:
             start = vec3_at(rays.placement.starts, wp.int64(2) * point + wp.where(forward < 0.0, wp.int64(1), wp.int64(0)))
     rows = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)

@@ -13,7 +13,7 @@ from warpsample.host.engine import check_workers
 from warpsample.host.locks import make, making, read_only
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.tracing.queries import AcceleratorArgs
-from warpsample.tracing.wide.boxes import Tree, fill
+from warpsample.tracing.wide.boxes import WideTree, fill
 from warpsample.tracing.wide.build import Topology, build
 
 SMALLEST = 1e-30
@@ -22,7 +22,7 @@ SMALLEST = 1e-30
 _LEAST_EXTENT = 2.0**-16  # points of a plane across an axis are moved off it all the same
 _FAR = 16.0  # times as far as four fifths of the vertices: a part of its own, that the coordinates are not centred about
 _LOOKED_AT = 4096  # vertices or faces that tell how a mesh is spread out
-_COARSE = 2.0**-16  # of the scene: edges no longer than that are lost in the lift of a point off its face
+_COARSE = 2.0**-16  # of the scene: edges no longer than that are lost in the offset of a point off its face
 
 
 class Scene:
@@ -62,7 +62,7 @@ class Scene:
         self.vertices = read_only(((placed - self.centre) * self.scale).astype(np.float32))
         self.faces = mesh.faces
         self._topology: Topology | None = None
-        self._tree: Tree | None = None
+        self._tree: WideTree | None = None
         self._builtin: dict[str, wp.Mesh] = {}
         self._warn_if_coarse(float(self.spread.max()))
 
@@ -77,7 +77,7 @@ class Scene:
                 stacklevel=2,
             )
 
-    def tree(self, workers: int) -> Tree:
+    def tree(self, workers: int) -> WideTree:
         """The 16-wide tree, built at the first call, by whichever thread makes it."""
         if self._tree is None:
             with making:

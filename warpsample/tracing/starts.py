@@ -15,11 +15,11 @@ from warpsample.maths.memory import int_at, set_vec3, vec3_at
 from warpsample.maths.numerics import ZERO, normalize
 from warpsample.mesh.mesh import Mesh, unit_or_zero
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.tracing.facets import Seats, SeatsArgs, corners_of, facet_of, with_normal
 from warpsample.tracing.placement import PlacementArgs, in_double, local_origin
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.scene import Scene
-from warpsample.tracing.seats import Seat, look_around, own_face, sitting, start_of
+from warpsample.tracing.sight.contacts import FaceContact, look_around, own_face, standing_off, start_of
+from warpsample.tracing.sight.facets import Contacts, ContactsArgs, corners_of, facet_of, with_normal
 from warpsample.tracing.tracers import Tracer
 from warpsample.tracing.wide.layout import SCRATCH
 
@@ -67,12 +67,14 @@ def set_starts(
         return None
     sides = 2 if towards is None else 1
     starts = np.empty((placement.points, sides, 3), np.float32)
-    seats = SeatsArgs(placement=placement, towards=0 if towards is None else towards.ctypes.data, face=face.ctypes.data)
-    seats.vertices, seats.triangles = scene.vertices.ctypes.data, scene.faces.ctypes.data
-    seats.spread_x, seats.spread_y, seats.spread_z = scene.spread
-    seats.starts, seats.sides = starts.ctypes.data, sides
+    contacts = ContactsArgs(
+        placement=placement, towards=0 if towards is None else towards.ctypes.data, face=face.ctypes.data
+    )
+    contacts.vertices, contacts.triangles = scene.vertices.ctypes.data, scene.faces.ctypes.data
+    contacts.spread_x, contacts.spread_y, contacts.spread_z = scene.spread
+    contacts.starts, contacts.sides = starts.ctypes.data, sides
     tree = tracer.accelerator(scene, cpu(), workers)
-    run(_start_kernel(), placement.points, [seats, tree], cpu(), workers=workers, work=16 * placement.points)
+    run(_start_kernel(), placement.points, [contacts, tree], cpu(), workers=workers, work=16 * placement.points)
     placement.starts = starts.ctypes.data
     return starts
 
@@ -82,36 +84,38 @@ def _start_kernel() -> wp.Kernel:
     """A kernel with a task for each point."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
-    def find_starts(seats: Seats, tree: Accelerator, first_task: wp.int64):
+    def find_starts(contacts: Contacts, tree: Accelerator, first_task: wp.int64):
         words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
         i = first_task + wp.int64(wp.tid())
-        seat = Seat()
-        seat.p = local_origin(seats.placement, i)
-        seat.own = int_at(seats.face, i)
-        seat.along = -1
-        seat.against = -1
-        seat.alone = wp.bool(False)
-        normal = vec3_at(seats.placement.normals, i)
+        contact = FaceContact()
+        contact.p = local_origin(contacts.placement, i)
+        contact.own = int_at(contacts.face, i)
+        contact.along = -1
+        contact.against = -1
+        contact.alone = wp.bool(False)
+        normal = vec3_at(contacts.placement.normals, i)
         look = in_double(normal)
-        if seats.sides == 1:
-            look = in_double(normalize(vec3_at(seats.towards, i)))
-        known = seat.own >= 0
+        if contacts.sides == 1:
+            look = in_double(normalize(vec3_at(contacts.towards, i)))
+        known = contact.own >= 0
         if known:
             # The normal is from before the corners were rounded.
-            seat.facet = with_normal(seats, corners_of(seats, seat.own), in_double(normal))
+            contact.facet = with_normal(contacts, corners_of(contacts, contact.own), in_double(normal))
         # First the search for its own face, if that is not known; then a start for each side.
-        for step in range(wp.where(known, 1, 0), seats.sides + 1):
-            if step > 0 and seat.own >= 0:
-                seat = sitting(seats, seat, look, known)
-            if wp.dot(look, look) > ZERO and (step == 0 or seat.own >= 0) and not seat.alone:
-                seat.alone = wp.bool(step > 0)
-                seat = look_around(seats, tree, seat, look, step == 0, words.ptr)
+        for step in range(wp.where(known, 1, 0), contacts.sides + 1):
+            if step > 0 and contact.own >= 0:
+                contact = standing_off(contacts, contact, look, known)
+            if wp.dot(look, look) > ZERO and (step == 0 or contact.own >= 0) and not contact.alone:
+                contact.alone = wp.bool(step > 0)
+                contact = look_around(contacts, tree, contact, look, step == 0, words.ptr)
             if step == 0:
-                seat.own = own_face(seat)
-                if seat.own >= 0:
-                    seat.facet = facet_of(seats, seat.own)
+                contact.own = own_face(contact)
+                if contact.own >= 0:
+                    contact.facet = facet_of(contacts, contact.own)
             else:
-                set_vec3(seats.starts, i * wp.int64(seats.sides) + wp.int64(step - 1), start_of(seats, seat, look))
+                set_vec3(
+                    contacts.starts, i * wp.int64(contacts.sides) + wp.int64(step - 1), start_of(contacts, contact, look)
+                )
                 look = -look
 
     return find_starts

@@ -9,11 +9,11 @@ from warpsample.host.arrays import check_device, cpu
 from warpsample.host.engine import check_workers
 from warpsample.maths.numerics import ONE, ZERO, direction_to_unit
 from warpsample.mesh.mesh import as_mesh
-from warpsample.tracing.placement import MOST_DISTANCE, far_off, lift_within, way_to_scene
+from warpsample.tracing.placement import MOST_DISTANCE, far_off, offset_within, way_to_scene
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.scene import coarseness_of, scene_of
 from warpsample.tracing.wide.layout import SCRATCH
-from warpsample.tracing.wide.prepare import RAY_ROOM, ray_of
+from warpsample.tracing.wide.prepare import RAY_WORKSPACE, ray_of
 from warpsample.tracing.wide.query import wide_walk
 
 _MOST_DISTANCE = wp.constant(wp.float32(MOST_DISTANCE))
@@ -94,9 +94,9 @@ def _any_hit(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.
         if tree.mesh != wp.uint64(0):
             hit = wp.mesh_query_ray_anyhit(tree.mesh, ray.o, ray.d, ray.reach)
         else:
-            room = wp.zeros(shape=(RAY_ROOM,), dtype=wp.float32)
+            workspace = wp.zeros(shape=(RAY_WORKSPACE,), dtype=wp.float32)
             words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
-            to = ray_of(ray.o, ray.d, room)
+            to = ray_of(ray.o, ray.d, workspace)
             _near, face, _nodes, _leaves = _walk_to_any(_accelerator(tree), to, ray.reach, words.ptr)
             hit = face >= 0  # so that nobody computes how far away it is
     return hit
@@ -115,9 +115,9 @@ def _nearest_hit(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance:
                 near = query.t
                 face = query.face
         else:
-            room = wp.zeros(shape=(RAY_ROOM,), dtype=wp.float32)
+            workspace = wp.zeros(shape=(RAY_WORKSPACE,), dtype=wp.float32)
             words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
-            to = ray_of(ray.o, ray.d, room)
+            to = ray_of(ray.o, ray.d, workspace)
             near, face, _nodes, _leaves = _walk_to_nearest(_accelerator(tree), to, ray.reach, words.ptr)
         distance = wp.float32((wp.float64(near) + wp.float64(ray.ahead)) * (ONE / tree.scale))
     elif not (ray.reach <= 0.0):
@@ -178,7 +178,7 @@ def offset_origin(tree: Tree, position: Any, normal: wp.vec3) -> wp.vec3d:
 
     That is two millionths of the mesh's extent along the normal. Turn the normal for rays into the mesh.
     """
-    away = lift_within(tree.extent, tree.coarseness, normal)
+    away = offset_within(tree.extent, tree.coarseness, normal)
     return _in_double(position) + (wp.float64(away) / tree.scale) * _in_double(normal)
 
 

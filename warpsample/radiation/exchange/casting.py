@@ -42,7 +42,7 @@ class Casting:
 
     @property
     def rays(self) -> int:
-        """Of each face."""
+        """The number of rays of each face."""
         return self.each * self.replicates
 
     def upward(self) -> np.ndarray | None:

@@ -64,7 +64,7 @@ def _middle_of(rays: FaceRays, f: Face, point: ShadingPoint) -> ShadingPoint:
     As all rays of the face start in one plane, what its middle sees as below the horizon is so from everywhere.
     """
     along = in_double(f.n)
-    point.position = f.a + (f.b + f.c) / _THREE + f.lift * along
+    point.position = f.a + (f.b + f.c) / _THREE + f.offset * along
     point.n = f.n
     point.o = wp.vec3(point.position)
     point.low = horizon_margin(rays, f.n) + wp.max(wp.float32(wp.dot(along, point.position) - lowest_start(f)), 0.0)

@@ -8,7 +8,7 @@ from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphe
 from warpsample.maths.frames import to_world
 from warpsample.maths.memory import vec3_at, vec3i_at
 from warpsample.maths.numerics import HALF, ONE, ZERO, uniform_from_bits, weyl
-from warpsample.tracing.placement import in_double, lift_within
+from warpsample.tracing.placement import in_double, offset_within
 from warpsample.tracing.sight.point import HORIZON_MARGIN
 
 SKY, GROUND, BACK = -1, -2, -3
@@ -73,7 +73,7 @@ class Face:
     b: wp.vec3d
     c: wp.vec3d
     n: wp.vec3
-    lift: wp.float64
+    offset: wp.float64
     inner_a: wp.float64
     inner_b: wp.float64
     inner_c: wp.float64
@@ -83,9 +83,9 @@ class Face:
 def face_at(rays: FaceRays, face: wp.int32) -> Face:
     """A face, with the least weights of its corners that keep points as far from its sides as rays from there need.
 
-    What is nearer to a side than four lifts and eight roundings could be behind the face that meets it there, and see out of
-    a closed room, if the two are at an angle of 14 degrees or more. It is moved inwards to there: a share of the square of
-    that over the face's size, so nothing is lost. Not further than half of the face.
+    What is nearer to a side than four offsets and eight roundings could be behind the face that meets it there, and see out
+    of a closed room, if the two are at an angle of 14 degrees or more. It is moved inwards to there: a share of the square
+    of that over the face's size, so nothing is lost. Not further than half of the face.
     """
     corners = vec3i_at(rays.triangles, face)
     f = Face()
@@ -94,8 +94,8 @@ def face_at(rays: FaceRays, face: wp.int32) -> Face:
     f.c = in_double(vec3_at(rays.vertices, corners[2])) - f.a
     f.n = vec3_at(rays.normals, face)
     extent = wp.vec3(rays.extent_x, rays.extent_y, rays.extent_z)
-    f.lift = wp.float64(lift_within(extent, rays.coarseness, f.n))
-    inwards = _INWARDS * f.lift + _ROUNDINGS * wp.float64(extent[0] + extent[1] + extent[2])
+    f.offset = wp.float64(offset_within(extent, rays.coarseness, f.n))
+    inwards = _INWARDS * f.offset + _ROUNDINGS * wp.float64(extent[0] + extent[1] + extent[2])
     area = wp.length(wp.cross(f.b, f.c))
     share = inwards / wp.max(area, wp.float64(1e-300))
     f.inner_a = share * wp.length(f.c - f.b)
@@ -134,9 +134,9 @@ def start_of(f: Face, key: wp.vec4ui, i: wp.uint32) -> wp.vec3:
     b = f.inner_b + less * b
     c = f.inner_c + less * c
     return wp.vec3(
-        wp.float32(f.a[0] + b * f.b[0] + c * f.c[0] + f.lift * wp.float64(f.n[0])),
-        wp.float32(f.a[1] + b * f.b[1] + c * f.c[1] + f.lift * wp.float64(f.n[1])),
-        wp.float32(f.a[2] + b * f.b[2] + c * f.c[2] + f.lift * wp.float64(f.n[2])),
+        wp.float32(f.a[0] + b * f.b[0] + c * f.c[0] + f.offset * wp.float64(f.n[0])),
+        wp.float32(f.a[1] + b * f.b[1] + c * f.c[1] + f.offset * wp.float64(f.n[1])),
+        wp.float32(f.a[2] + b * f.b[2] + c * f.c[2] + f.offset * wp.float64(f.n[2])),
     )
 
 
@@ -144,7 +144,7 @@ def start_of(f: Face, key: wp.vec4ui, i: wp.uint32) -> wp.vec3:
 def lowest_start(f: Face) -> wp.float64:
     """How far along the normal the rays of a face start, at least."""
     along = in_double(f.n)
-    return wp.dot(along, f.a) + wp.min(wp.min(wp.dot(along, f.b), wp.dot(along, f.c)), ZERO) + f.lift
+    return wp.dot(along, f.a) + wp.min(wp.min(wp.dot(along, f.b), wp.dot(along, f.c)), ZERO) + f.offset
 
 
 @wp.func

@@ -117,7 +117,7 @@ def _below_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.floa
 
 @wp.func
 def _odd_edge(x: wp.float64, nz: wp.float64, level: wp.float64, w_low: wp.float64, w_high: wp.float64, patch: Patch):
-    """The same for x from -2 pi to 2 pi: the integrand is even about the normal's azimuth, and about the opposite one."""
+    """What `_below_edge` gives, from -2 pi to 2 pi: the integrand is even about the normal's azimuth and its opposite."""
     size = wp.abs(x)
     total = _below_edge(wp.min(size, TWO * _PI - size), nz, level, w_low, w_high, patch)
     if size > _PI:
@@ -176,7 +176,7 @@ def highest(n: wp.vec3d, patch: Patch) -> wp.vec3d:
 
 
 @wp.func
-def open_share(n: wp.vec3d, patch: Patch) -> wp.float64:
+def open_form_factor(n: wp.vec3d, patch: Patch) -> wp.float64:
     """The integral of max(0, n.w) / pi over a patch, for a unit normal in the patches' frame."""
     level = wp.sqrt(n[0] * n[0] + n[1] * n[1])
     at_first = n[0] * patch.sin_first + n[1] * patch.cos_first

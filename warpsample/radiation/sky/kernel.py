@@ -5,7 +5,7 @@ import warp as wp
 from warpsample.host.locks import once
 from warpsample.maths.memory import set_byte, set_int
 from warpsample.maths.numerics import HALF, ONE, ZERO
-from warpsample.radiation.sky.form_factors import open_share, patch_at
+from warpsample.radiation.sky.form_factors import open_form_factor, patch_at
 from warpsample.radiation.sky.patch_rays import WEIGHTS, SkyRows, sum_rays
 from warpsample.radiation.sky.shafts import CLOSED, OPEN, UNKNOWN, look
 from warpsample.sequences.hashing import point_key
@@ -39,7 +39,7 @@ def _in_frame(sky: SkyRows, n: wp.vec3) -> wp.vec3d:
 def _look_into(
     sky: SkyRows, tree: Accelerator, point: ShadingPoint, n: wp.vec3d, local: wp.int32, search: wp.bool, row: wp.int64
 ):
-    """Writes the open shares of all patches, and what is known of each in place of its error."""
+    """Writes the form factors of all patches, were nothing in the way, and what is known of each in place of its error."""
     at = wp.uint64(row) * wp.uint64(sky.patches) * wp.uint64(4)
     value = wp.array(ptr=sky.value + at, shape=(sky.patches,), dtype=wp.float32)
     error = wp.array(ptr=sky.error + at, shape=(sky.patches,), dtype=wp.float32)
@@ -49,17 +49,17 @@ def _look_into(
     for group in range(sky.groups):
         most = wp.float32(0.0)
         for k in range(begins[group], begins[group + 1]):
-            value[k] = wp.float32(open_share(n, patch_at(sky.table, k)))
+            value[k] = wp.float32(open_form_factor(n, patch_at(sky.table, k)))
             most = wp.max(most, value[k])
         of_group = of_all
         if search and most > 0.0 and of_all == _UNKNOWN and begins[group + 1] - begins[group] > 1:
-            of_group, filled = look(tree, point, local, sky.group_beams + wp.uint64(group) * VECTORS_BYTES, filled)
+            of_group, filled = look(tree, point, local, sky.group_shafts + wp.uint64(group) * VECTORS_BYTES, filled)
         for k in range(begins[group], begins[group + 1]):
             known = wp.int32(0)
             if value[k] > 0.0:
                 known = of_group
                 if search and known == _UNKNOWN:
-                    known, filled = look(tree, point, local, sky.beams + wp.uint64(k) * VECTORS_BYTES, filled)
+                    known, filled = look(tree, point, local, sky.shafts + wp.uint64(k) * VECTORS_BYTES, filled)
             error[k] = wp.float32(known)
 
 

@@ -28,8 +28,8 @@ class SkyRows:
     """Scalars and addresses of the rows of a sky matrix, a point each.
 
     placement: of the points. normals, active: (P, 3) float32, (P,) uint8 or 0.
-    count: rays of a point at most. patches: their number, with the addresses of `shares.table_of`, of `beams.beams_of` each,
-    and of the (3, 3) float64 of their frame. groups: likewise, with where they begin, (groups + 1,) int32, and a beam of
+    count: rays of a point at most. patches: their number, with the addresses of `form_factors.table_of`, of `shafts.shafts_of`
+    each, and of the (3, 3) float64 of their frame. groups: likewise, with where they begin, (groups + 1,) int32, and a shaft of
     each. skip: whether what is known of a patch replaces its rays.
     by_task: whether the i-th task writes the i-th row, else that of its point. value, error: (rows, patches) float32.
     cast, open, closed, below, status: (P,), int32 but for the uint8 of the status: rays, patches of each kind, why not.
@@ -43,11 +43,11 @@ class SkyRows:
     count: wp.int32
     patches: wp.int32
     table: wp.uint64
-    beams: wp.uint64
+    shafts: wp.uint64
     frame: wp.uint64
     groups: wp.int32
     begins: wp.uint64
-    group_beams: wp.uint64
+    group_shafts: wp.uint64
     skip: wp.int32
     by_task: wp.int32
     value: wp.uint64

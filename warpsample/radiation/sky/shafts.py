@@ -20,17 +20,17 @@ _UNKNOWN = wp.constant(wp.int32(UNKNOWN))
 _INSIDE = wp.constant(wp.float32(2.0**-17))  # by which a shaft must be within a triangle: directions are rounded by 2^-20
 
 _SECTORS = {"tregenza": 6, "reinhart2": 12, "reinhart4": 12}
-"""Of each row: of a number of patches that it divides."""
+"""Sectors of each row: of a number of patches that it divides."""
 
 
 def groups_of(patches: SkyPatches) -> np.ndarray:
-    """(G + 1,) int32, where groups of neighbours in a row begin: all in a sector, so that one beam holds each group."""
+    """(G + 1,) int32, where groups of neighbours in a row begin: all in a sector, so that one shaft holds each group."""
     sectors = np.floor((patches.azimuths.mean(axis=1) + 1e-6) * _SECTORS[patches.name] / 360.0)
     changes = (np.diff(patches.rows) != 0) | (np.diff(sectors) != 0)
     return np.array([0, *(np.flatnonzero(changes) + 1), len(patches)], np.int32)
 
 
-def beams_of(patches: SkyPatches, starts: np.ndarray) -> np.ndarray:
+def shafts_of(patches: SkyPatches, starts: np.ndarray) -> np.ndarray:
     """(G, 3, 16) float32, the shafts about groups of patches, as `shaft_vectors` has them.
 
     Two planes are at the azimuths; one goes through the upper corners, and one touches the lower edge in its middle. About

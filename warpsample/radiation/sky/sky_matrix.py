@@ -18,7 +18,7 @@ from warpsample.radiation.sky.kernel import sky_kernel
 from warpsample.radiation.sky.patch_rays import SkyRowsArgs
 from warpsample.radiation.sky.patches import SkyPatches, sky_patches
 from warpsample.radiation.sky.result import SkyMatrix, SkySkipped
-from warpsample.radiation.sky.shafts import beams_of, groups_of
+from warpsample.radiation.sky.shafts import groups_of, shafts_of
 from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
@@ -126,8 +126,8 @@ class _Rows:
         self.status = np.zeros(points, np.uint8)
         self.placement = plan.at.facing(plan.options) if points else None
         self.table, self.frame, self.begins = table_of(sky), np.ascontiguousarray(sky.frame), groups_of(sky)
-        self.beams = beams_of(sky, np.arange(len(sky) + 1))
-        self.group_beams = beams_of(sky, self.begins)
+        self.shafts = shafts_of(sky, np.arange(len(sky) + 1))
+        self.group_shafts = shafts_of(sky, self.begins)
 
     def whole(self) -> list[np.ndarray]:
         """The matrix and its errors."""
@@ -177,10 +177,10 @@ class _Rows:
         arrays = {
             "normals": plan.at.normal,
             "table": self.table,
-            "beams": self.beams,
+            "shafts": self.shafts,
             "frame": self.frame,
             "begins": self.begins,
-            "group_beams": self.group_beams,
+            "group_shafts": self.group_shafts,
             "value": value,
             "error": error,
             "cast": self.cast,

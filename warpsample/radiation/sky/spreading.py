@@ -116,7 +116,7 @@ def slope_of(n: wp.vec3d, patch: Patch, row: wp.array[wp.float64]) -> Slope:
 
 @wp.func
 def cube_root(x: wp.float32) -> wp.float32:
-    """Of a number from 1e-12 to 2, to 2e-7: from the bits, then two of Halley's steps."""
+    """The cube root of a number from 1e-12 to 2, to 2e-7: from the bits, then two of Halley's steps."""
     y = wp.cast(wp.int32(wp.float32(wp.cast(x, wp.int32)) * _THIRD) + _ROOT_SEED, wp.float32)
     y = y * (y * y * y + 2.0 * x) / (2.0 * y * y * y + x)
     return y * (y * y * y + 2.0 * x) / (2.0 * y * y * y + x)

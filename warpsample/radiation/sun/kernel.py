@@ -63,7 +63,7 @@ def _points() -> wp.Function:
 
     @wp.func
     def look(
-        suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, beam: wp.uint64, state: wp.int32
+        suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, shaft: wp.uint64, state: wp.int32
     ):
         aimed = wp.int32(0)
         k = wp.int32(0)
@@ -81,8 +81,8 @@ def _points() -> wp.Function:
                     cast = word(view, CAST)
                     if not blocked(suns, whole, seen, view, k, cosine):
                         keep(suns, view, column, 1.0, cosine)
-                    elif beam != wp.uint64(0) and cast != word(view, CAST):  # by a triangle that was not known
-                        state = wp.where(darkened(view, beam), DARK, state)
+                    elif shaft != wp.uint64(0) and cast != word(view, CAST):  # by a triangle that was not known
+                        state = wp.where(darkened(view, shaft), DARK, state)
             k += 1
 
     return look
@@ -119,7 +119,7 @@ def _discs() -> wp.Function:
 
     @wp.func
     def look(
-        suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, beam: wp.uint64, state: wp.int32
+        suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, shaft: wp.uint64, state: wp.int32
     ):
         k = wp.int32(0)
         while k < GROUP:
@@ -128,8 +128,8 @@ def _discs() -> wp.Function:
             if cosine > ZERO:
                 column = sun_number(suns, group, k)
                 own = state
-                if state == MET and view.skips and beam != wp.uint64(0):
-                    own = proven(seen, view, suns.disc_beams + wp.uint64(group * GROUP + k) * GROUP_BYTES)
+                if state == MET and view.skips and shaft != wp.uint64(0):
+                    own = proven(seen, view, suns.disc_shafts + wp.uint64(group * GROUP + k) * GROUP_BYTES)
                 if own == LIT and cosine > suns.sine + _WHOLE:
                     add(view, PROVEN, 1)
                     keep(suns, view, column, 1.0, cosine)
@@ -153,13 +153,13 @@ def _looker(disc: bool) -> wp.Function:
         while node < suns.nodes:
             span = wp.array(ptr=suns.spans + wp.uint64(node) * wp.uint64(16), shape=(4,), dtype=wp.int32)
             state = wp.int32(MET)
-            beam = wp.uint64(0)
+            shaft = wp.uint64(0)
             if view.skips and span[3] != 0:
-                beam = suns.beams + wp.uint64(node) * GROUP_BYTES
-                state = proven(seen, view, beam)
+                shaft = suns.shafts + wp.uint64(node) * GROUP_BYTES
+                state = proven(seen, view, shaft)
             if state == LIT or (state == MET and span[1] == span[0] + 1):
                 for group in range(span[0], span[1]):
-                    look(suns, accelerator, seen, view, group, beam, state)
+                    look(suns, accelerator, seen, view, group, shaft, state)
             node = wp.where(state == MET, node + 1, span[2])
 
     return look_all

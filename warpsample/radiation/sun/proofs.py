@@ -1,4 +1,4 @@
-"""What a point knows of a beam about suns without a ray: that it meets nothing, or that one triangle blocks all of it."""
+"""What a point knows of a shaft about suns without a ray: that it meets nothing, or that one triangle blocks all of it."""
 
 import warp as wp
 
@@ -12,7 +12,7 @@ from warpsample.tracing.sight.search import EMPTY, search_shaft
 from warpsample.tracing.sight.shafts import CORNERS, aim_at, corner_of, triangles_in
 
 MET, LIT, DARK = (wp.constant(wp.int32(i)) for i in range(3))
-"""What is known of a beam: nothing; none of its rays meets anything; all do, or are below the horizon."""
+"""What is known of a shaft: nothing; none of its rays meets anything; all do, or are below the horizon."""
 
 _AVERTED = wp.constant(wp.float32(-(2.0**-18)))
 
@@ -42,7 +42,7 @@ def highest(vectors: wp.uint64, n: wp.vec3) -> wp.float32:
 
 @wp.func
 def darkened(view: View, vectors: wp.uint64) -> wp.bool:
-    """Whether one known triangle blocks all rays of a beam."""
+    """Whether one known triangle blocks all rays of a shaft."""
     known = known_triangles(view)
     if known == 0:
         return False
@@ -53,7 +53,7 @@ def darkened(view: View, vectors: wp.uint64) -> wp.bool:
 
 @wp.func
 def _met(seen: Accelerator, view: View, vectors: wp.uint64) -> wp.bool:
-    """Whether a ray of a beam may meet something."""
+    """Whether a ray of a shaft may meet something."""
     if seen.starts == 0 and view.local == 0:
         return False
     aim_at(vectors, view.point)

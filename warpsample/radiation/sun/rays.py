@@ -16,13 +16,13 @@ from warpsample.tracing.sight.point import bring_near
 from warpsample.tracing.sight.rays import first_hit, prepare_rays
 
 DISC_RAYS = 16
-"""Of a disc that is neither proven lit nor dark: its share has an error of 0.037 (RMS) where a straight edge cuts it."""
+"""Rays to a disc that is neither proven lit nor dark: its share errs by 0.037 (RMS) where a straight edge cuts it."""
 
 LEAST_COSINE = wp.constant(wp.float64(2.0**-12))
-"""Of a ray to which what is below the horizon does not matter: the same as of the rays of an estimate."""
+"""The cosine from which on what is below the horizon does not matter to a ray, as to those of an estimate."""
 
 GROUP_BYTES = wp.constant(wp.uint64(3 * 4 * GROUP))
-"""Of a group's directions, and of a beam."""
+"""Bytes of a group's directions, and of a shaft's vectors."""
 
 _GROUP_FLOATS = 3 * GROUP
 _hit = first_hit(True)

@@ -1,6 +1,6 @@
-"""Sun positions in groups of neighbours, each with a beam about it: what is proven of a beam is true of all its suns.
+"""Sun positions in groups of neighbours, each with a shaft about it: what is proven of a shaft is true of all its suns.
 
-The groups are the leaves of a complete binary tree, in which the suns of a node are halved across their widest axis. A beam
+The groups are the leaves of a complete binary tree, in which the suns of a node are halved across their widest axis. A shaft
 is a pyramid from the point: four planes about the suns, or about their discs.
 """
 
@@ -14,8 +14,8 @@ from warpsample.tracing.sight.shafts import shaft_vectors
 GROUP = 16
 """Suns of a group, at most: as many as are looked at at once."""
 
-_WIDEST = 0.6  # radians from its axis: a beam that is wider meets something anyway
-_NO_AXIS = 0.5  # of the suns along their mean: beams end long before
+_WIDEST = 0.6  # radians from its axis: a shaft that is wider meets something anyway
+_NO_AXIS = 0.5  # of the suns along their mean: shafts end long before
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,16 +26,16 @@ class SunTree:
         groups: (G, 3, 16) float32, x, y, z of directions; 0 where a group has fewer suns.
         columns: (G, 16) int32, their rows in the caller's array.
         spans: (N, 4) int32 of the nodes, each before its children: first group, the one after the last, the node after all
-            that are below this one, and whether its beam is of use.
-        beams: (N, 3, 16) float32, x, y, z of inward normals of planes, from the second on, and directions of the corners.
-        disc_beams: (G, 16, 3, 16) float32, likewise of each sun's disc; empty without discs.
+            that are below this one, and whether its shaft is of use.
+        shafts: (N, 3, 16) float32, x, y, z of inward normals of planes, from the second on, and directions of the corners.
+        disc_shafts: (G, 16, 3, 16) float32, likewise of each sun's disc; empty without discs.
     """
 
     groups: np.ndarray
     columns: np.ndarray
     spans: np.ndarray
-    beams: np.ndarray
-    disc_beams: np.ndarray
+    shafts: np.ndarray
+    disc_shafts: np.ndarray
 
     @classmethod
     def of(cls, directions: np.ndarray, disc: float) -> "SunTree":
@@ -53,16 +53,16 @@ class SunTree:
         columns = np.zeros((2**levels, GROUP), np.int32)
         columns[of, lane] = order
         nodes = 2 ** (levels + 1) - 1
-        spans, beams = np.zeros((nodes, 4), np.int32), np.zeros((nodes, 3, GROUP), np.float32)
+        spans, shafts = np.zeros((nodes, 4), np.int32), np.zeros((nodes, 3, GROUP), np.float32)
         for level, at in enumerate(_places(levels)):
-            beams[at], of_use = _beams(suns, bounds[level], radius)
+            shafts[at], of_use = _shafts(suns, bounds[level], radius)
             first = np.arange(2**level) << (levels - level)
             below = 2 ** (levels - level + 1) - 1
             spans[at] = np.stack([first, first + 2 ** (levels - level), at + below, of_use], axis=1)
-        disc_beams = np.zeros((2**levels if disc else 0, GROUP, 3, GROUP), np.float32)
+        disc_shafts = np.zeros((2**levels if disc else 0, GROUP, 3, GROUP), np.float32)
         if disc:
-            disc_beams[of, lane] = _beams(suns, np.arange(count + 1), radius)[0]
-        return cls(groups, columns, spans, beams, disc_beams)
+            disc_shafts[of, lane] = _shafts(suns, np.arange(count + 1), radius)[0]
+        return cls(groups, columns, spans, shafts, disc_shafts)
 
 
 def _members(bounds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -80,7 +80,7 @@ def _sorted(directions: np.ndarray, bounds: np.ndarray) -> np.ndarray:
 
 
 def _places(levels: int) -> list[np.ndarray]:
-    """Of each level, where its nodes are if each is before its children."""
+    """Where the nodes of each level are, if each is before its children."""
     places = [np.zeros(1, np.int64)]
     for level in range(levels):
         below = 2 ** (levels - level) - 1
@@ -88,8 +88,8 @@ def _places(levels: int) -> list[np.ndarray]:
     return places
 
 
-def _beams(suns: np.ndarray, bounds: np.ndarray, radius: float) -> tuple[np.ndarray, np.ndarray]:
-    """(N, 3, 16) beams about the discs of each part of the suns, and whether they are of use."""
+def _shafts(suns: np.ndarray, bounds: np.ndarray, radius: float) -> tuple[np.ndarray, np.ndarray]:
+    """(N, 3, 16) shafts about the discs of each part of the suns, and whether they are of use."""
     first, (of, _) = bounds[:-1], _members(bounds)
     total = np.add.reduceat(suns, first)
     length = np.linalg.norm(total, axis=1, keepdims=True)

@@ -8,7 +8,7 @@ from warpsample.tracing.sight.leaves import OWN_LEAF_FLOATS
 from warpsample.tracing.sight.point import ShadingPoint
 
 KNOWN, NEXT, PROVEN, REMEMBERED, CAST = range(5)
-"""Words of a point: known triangles in their leaf, and where the next one goes; suns found lit by a beam; rays that a known
+"""Words of a point: known triangles in their leaf, and where the next one goes; suns found lit by a shaft; rays that a known
 triangle blocked; rays cast."""
 
 WORDS = 5
@@ -46,8 +46,8 @@ class Suns:
     groups: wp.uint64
     columns: wp.uint64
     spans: wp.uint64
-    beams: wp.uint64
-    disc_beams: wp.uint64
+    shafts: wp.uint64
+    disc_shafts: wp.uint64
     vertices: wp.uint64
     faces: wp.uint64
     sine: wp.float64
@@ -107,7 +107,7 @@ def known_triangles(view: View) -> wp.int32:
 
 @wp.func
 def cosine_to(n: wp.vec3, d: wp.vec3) -> wp.float64:
-    """Of two float32 unit vectors, without rounding the products."""
+    """The cosine between two float32 unit vectors, without rounding the products."""
     x = wp.float64(n[0]) * wp.float64(d[0])
     y = wp.float64(n[1]) * wp.float64(d[1])
     return x + y + wp.float64(n[2]) * wp.float64(d[2])

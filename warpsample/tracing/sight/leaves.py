@@ -9,7 +9,7 @@ from warpsample.tracing.wide.prepare import ray_in
 from warpsample.tracing.wide.query import any_of, nearest_of
 
 TRIANGLES = WIDTH
-"""Of a leaf."""
+"""How many triangles a leaf has room for."""
 
 OWN_LEAF_FLOATS = LEAF_BYTES // 4 + 1
 """Floats of such a leaf."""

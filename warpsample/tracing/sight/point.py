@@ -7,8 +7,8 @@ from warpsample.maths.memory import byte_at, set_float, vec3_at
 from warpsample.maths.numerics import ZERO, scaled_to_unit
 from warpsample.tracing.placement import (
     Placement,
-    lift,
     local_origin,
+    origin_offset,
     point_of,
     reach_along,
     way_to_scene,
@@ -24,11 +24,12 @@ HORIZON_MARGIN = wp.constant(wp.float32(2.0**-20))
 """Times `placement.reach_along` the normal: what is lower than this below the origin's horizon plane is below it for sure.
 
 A height's three products and sums, and the coordinates and the normal's components in them, are rounded to 2^-21.4 of that.
-An origin that is `placement.lift`ed off the surface, by 2^-19, thus has its own face, and all in its plane, below itself.
+An origin that is moved off the surface by `placement.origin_offset`, of 2^-19, thus has its own face, and all in its plane,
+below itself.
 """
 
 SHAFT_FLOATS = 5 * WIDTH
-"""Of a shaft: see `shafts`."""
+"""float32 numbers of a shaft: see `shafts`."""
 
 LOCAL_LEAF = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES))
 """Where a point's local leaf is, in bytes from its first node on."""
@@ -114,7 +115,7 @@ def _origin(placement: Placement, point: ShadingPoint, sides: wp.int32) -> wp.ve
     forward = wp.dot(side, point.n)
     if placement.starts != wp.uint64(0):
         return vec3_at(placement.starts, wp.int64(2) * point.index + wp.where(forward < 0.0, wp.int64(1), wp.int64(0)))
-    return wp.vec3(point.position) + wp.copysign(lift(placement, side), forward) * side
+    return wp.vec3(point.position) + wp.copysign(origin_offset(placement, side), forward) * side
 
 
 @wp.func

@@ -19,12 +19,10 @@ from warpsample.tracing.wide.corners import corner, size_of
 from warpsample.tracing.wide.layout import WIDTH
 
 PLANES, CORNERS = 5, 4
-"""Of a shaft."""
-
-VECTORS_SHAPE = (3, WIDTH)
-"""Of what is known of a shaft without its point: x, y, z of its vectors; see `shaft_vectors`."""
+"""How many planes and corners a shaft has."""
 
 VECTORS_BYTES = wp.constant(wp.uint64(4 * 3 * WIDTH))
+"""Bytes of what is known of a shaft without its point: its vectors, see `shaft_vectors`."""
 
 _VECTORS_FLOATS = 3 * WIDTH
 _ROW = wp.constant(wp.uint64(4 * WIDTH))

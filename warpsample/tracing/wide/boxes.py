@@ -31,7 +31,7 @@ _MOST_VERTICES = 2**31 - 1
 
 
 @dataclass(frozen=True, eq=False)
-class Tree:
+class WideTree:
     """A topology, and the contents of its nodes and leaves.
 
     Attributes:
@@ -51,7 +51,7 @@ class Tree:
         )
 
 
-def fill(topology: Topology, vertices: np.ndarray, faces: np.ndarray, workers: int) -> Tree:
+def fill(topology: Topology, vertices: np.ndarray, faces: np.ndarray, workers: int) -> WideTree:
     """The tree of these triangles.
 
     Args:
@@ -60,14 +60,14 @@ def fill(topology: Topology, vertices: np.ndarray, faces: np.ndarray, workers: i
         faces: (F, 3) int32.
         workers: threads.
     """
-    leaves, nodes = len(topology.faces), len(topology.places)
-    tree = Tree(topology, _in_lines((nodes, 8, WIDTH)), _in_lines((leaves, 10, WIDTH)))
+    leaves, nodes = len(topology.faces), len(topology.links)
+    tree = WideTree(topology, _in_lines((nodes, 8, WIDTH)), _in_lines((leaves, 10, WIDTH)))
     leaf_boxes, node_boxes = np.empty((leaves, 2, 3), np.float32), np.empty((nodes, 2, 3), np.float32)
     edges = np.empty(leaves, np.float32)
     inputs = [a.ctypes.data for a in (topology.faces, vertices, faces, tree.leaves, leaf_boxes, edges)]
     run(_fill_leaves(), leaves, inputs, cpu(), workers=workers, work=128 * leaves)
     for first, last in list(pairwise(topology.levels))[::-1]:  # from the bottom
-        inputs = [a.ctypes.data for a in (topology.places, leaf_boxes, edges, node_boxes, tree.nodes)]
+        inputs = [a.ctypes.data for a in (topology.links, leaf_boxes, edges, node_boxes, tree.nodes)]
         run(_fill_nodes(), last - first, [first, *inputs], cpu(), workers=workers, work=128 * (last - first))
     return tree
 
@@ -137,7 +137,7 @@ def _fill_nodes() -> wp.Kernel:
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def fill_nodes(
         first_node: wp.int32,
-        places: wp.uint64,
+        links: wp.uint64,
         leaf_boxes: wp.uint64,
         edges: wp.uint64,
         node_boxes: wp.uint64,
@@ -145,22 +145,22 @@ def _fill_nodes() -> wp.Kernel:
         first_task: wp.int64,
     ):
         node = first_node + wp.int32(first_task) + wp.tid()
-        below = wp.array(ptr=places + wp.uint64(node) * wp.uint64(4 * WIDTH), shape=(WIDTH,), dtype=wp.int32)
+        below = wp.array(ptr=links + wp.uint64(node) * wp.uint64(4 * WIDTH), shape=(WIDTH,), dtype=wp.int32)
         rows = wp.array(ptr=nodes + wp.uint64(node) * wp.uint64(NODE_BYTES), shape=(_NODE_FLOATS,), dtype=wp.float32)
         own = wp.array(ptr=node_boxes + wp.uint64(node) * wp.uint64(24), shape=(2,), dtype=wp.vec3)
         low = wp.vec3(_NOWHERE)
         high = wp.vec3(-_NOWHERE)
         k = wp.int32(0)
         while k < WIDTH:
-            place = below[k]
+            link = below[k]
             lower = wp.vec3(_NOWHERE)
             upper = wp.vec3(-_NOWHERE)
             edge = wp.float32(0.0)
-            if place != 0:
-                address = node_boxes + wp.uint64(place) * wp.uint64(24)
-                if place < 0:
-                    address = leaf_boxes + wp.uint64(~place) * wp.uint64(24)
-                    edge = float_at(edges, ~place)
+            if link != 0:
+                address = node_boxes + wp.uint64(link) * wp.uint64(24)
+                if link < 0:
+                    address = leaf_boxes + wp.uint64(~link) * wp.uint64(24)
+                    edge = float_at(edges, ~link)
                 box = wp.array(ptr=address, shape=(2,), dtype=wp.vec3)
                 low = wp.min(low, box[0])
                 high = wp.max(high, box[1])
@@ -169,7 +169,7 @@ def _fill_nodes() -> wp.Kernel:
             for axis in range(3):
                 rows[axis * WIDTH + k] = lower[axis]
                 rows[(3 + axis) * WIDTH + k] = upper[axis]
-            rows[6 * WIDTH + k] = wp.cast(place, wp.float32)
+            rows[6 * WIDTH + k] = wp.cast(link, wp.float32)
             rows[7 * WIDTH + k] = edge
             k += 1
         own[0] = low

@@ -27,12 +27,12 @@ class Topology:
     """A tree without boxes.
 
     Attributes:
-        places: (nodes, 16) int32, what is below: a node's number, ~number of a leaf, or 0 for nothing.
+        links: (nodes, 16) int32, what is below: a node's number, ~number of a leaf, or 0 for nothing.
         levels: where each level starts among the nodes, and their number.
         faces: (leaves, 16) int32, the faces of the mesh in a leaf; -1 where there are fewer.
     """
 
-    places: np.ndarray
+    links: np.ndarray
     levels: list[int]
     faces: np.ndarray
 
@@ -50,7 +50,7 @@ def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
     inputs = [a.ctypes.data for a in (vertices, faces, lower, upper)]
     run(_triangle_boxes(), count, inputs, cpu(), workers=workers, work=8 * count)
     begins, ends = np.array([0], np.int32), np.array([count], np.int32)
-    places, leaf_begins, leaf_ends, levels = [], [], [], [0]
+    links, leaf_begins, leaf_ends, levels = [], [], [], [0]
     leaves = 0
     while len(begins):
         children = np.zeros((3, len(begins), WIDTH), np.int32)
@@ -61,22 +61,22 @@ def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
         inner = end - begin > WIDTH
         leaf = (used != 0) & ~inner
         levels.append(levels[-1] + len(begins))
-        place = np.zeros(inner.shape, np.int32)
-        place[inner] = levels[-1] + np.arange(np.count_nonzero(inner))
-        place[leaf] = ~(leaves + np.arange(np.count_nonzero(leaf)))
+        link = np.zeros(inner.shape, np.int32)
+        link[inner] = levels[-1] + np.arange(np.count_nonzero(inner))
+        link[leaf] = ~(leaves + np.arange(np.count_nonzero(leaf)))
         leaves += np.count_nonzero(leaf)
-        places.append(place)
+        links.append(link)
         leaf_begins.append(begin[leaf])
         leaf_ends.append(end[leaf])
         begins, ends = begin[inner], end[inner]
     ranges = np.concatenate(leaf_begins), np.concatenate(leaf_ends)
-    return Topology(np.concatenate(places), levels, _leaf_faces(lower[:, 3].view(np.int32), *ranges))
+    return Topology(np.concatenate(links), levels, _leaf_faces(lower[:, 3].view(np.int32), *ranges))
 
 
 def _leaf_faces(order: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
     """(leaves, 16) int32 from ranges of the ordered faces; -1 beyond their ends."""
-    place = begin[:, None] + np.arange(WIDTH)
-    return np.where(place < end[:, None], order[np.minimum(place, len(order) - 1)], -1).astype(np.int32)
+    position = begin[:, None] + np.arange(WIDTH)
+    return np.where(position < end[:, None], order[np.minimum(position, len(order) - 1)], -1).astype(np.int32)
 
 
 @once

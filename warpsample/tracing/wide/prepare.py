@@ -8,7 +8,7 @@ from warpsample.tracing.wide.layout import WIDTH
 
 _INVERSE, _SHIFT, _NEAR, _ORIGIN, _SHEAR, _AXES = (PREPARED + row * CHUNK for row in range(0, 18, 3))
 
-RAY_ROOM = 2 * WIDTH + 1
+RAY_WORKSPACE = 2 * WIDTH + 1
 """float32 numbers that a ray without a chunk needs."""
 
 _DIRECTION_BYTES = wp.constant(wp.uint64(4 * DIRECTION))
@@ -48,7 +48,7 @@ class Ray:
 
 @wp.struct
 class Prepared:
-    """The same as float32 and numbers of rows, as rays are prepared side by side."""
+    """The numbers of a `Ray` as float32 and numbers of rows, as rays are prepared side by side."""
 
     inverse: wp.vec3
     shift: wp.vec3
@@ -182,11 +182,11 @@ def _rows(rows: wp.int32) -> wp.uint64:
 
 
 @wp.func
-def ray_of(o: wp.vec3, d: wp.vec3, room: wp.array[wp.float32]) -> Ray:
-    """One ray, without a chunk: the same numbers. Its direction is kept in `room`, of RAY_ROOM."""
-    room[0] = d[0]
-    room[WIDTH] = d[1]
-    room[2 * WIDTH] = d[2]
+def ray_of(o: wp.vec3, d: wp.vec3, workspace: wp.array[wp.float32]) -> Ray:
+    """One ray, without a chunk: the same numbers. Its direction is kept in `workspace`, of RAY_WORKSPACE."""
+    workspace[0] = d[0]
+    workspace[WIDTH] = d[1]
+    workspace[2 * WIDTH] = d[2]
     p = prepared(o, d)
     ray = Ray()
     ray.inverse_x = p.inverse[0]
@@ -207,6 +207,6 @@ def ray_of(o: wp.vec3, d: wp.vec3, room: wp.array[wp.float32]) -> Ray:
     ray.first = _rows(p.first)
     ray.second = _rows(p.second)
     ray.along = _rows(p.along)
-    ray.direction = room.ptr
+    ray.direction = workspace.ptr
     ray.rows_of_leaf = wp.uint64(1)
     return ray

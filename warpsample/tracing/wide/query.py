@@ -23,7 +23,7 @@ def nearest_of(
     reach: wp.float32,
     edge: wp.float32,
 ):
-    """(distance, place in the leaf) of the nearest triangle met, of those in the mask `lanes`; (reach, -1) if none is."""
+    """(distance, lane in the leaf) of the nearest triangle met, of those in the mask `lanes`; (reach, -1) if none is."""
     found = triangles_near(leaf, ray, reach, edge)
     met = found & lanes
     nearest = wp.int32(-1)
@@ -48,7 +48,7 @@ def any_of(
     reach: wp.float32,
     edge: wp.float32,
 ) -> wp.int32:
-    """The place in the leaf of some triangle that is met, likewise; -1 if none is."""
+    """The lane in the leaf of some triangle that is met, of those in the mask `lanes`; -1 if none is."""
     found = triangles_near(leaf, ray, reach, edge) & (lanes | (lanes << WIDTH))
     triangle = wp.int32(-1)
     if found != 0:
@@ -88,7 +88,7 @@ def _nearest_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.flo
 
 @wp.func
 def _any_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.float32):  # noqa: ARG001  (likewise)
-    """Likewise of one that is met somewhere before the reach."""
+    """(distance, face) of a triangle that is met somewhere before the reach; (inf, -1) below 0."""
     if triangle < 0:
         return wp.float32(wp.INF), wp.int32(-1)
     face = face_in(leaf, triangle)
@@ -119,7 +119,7 @@ def _begin_at_one(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: w
 
 @wp.func
 def _begin_at_several(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
-    """Likewise, with the other nodes to start from on the stack."""
+    """What `_begin_at_one` gives, with the other nodes to start from on the stack."""
     top = scratch
     node = accelerator.start
     mask, child = boxes_met(node, ray, reach, flip)
@@ -156,11 +156,11 @@ def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
         node, mask, child, top = begin(accelerator, ray, reach, flip, scratch)
         while mask != 0:
             mask = mask & (~(1 << child))
-            place = link_in(node, child)
+            link = link_in(node, child)
             below = wp.int32(0)
-            if place < 0:
+            if link < 0:
                 visited_leaves += 1
-                leaf = leaf_at(accelerator, ~place)
+                leaf = leaf_at(accelerator, ~link)
                 edge = edge_in(node, child)
                 reach, triangle = look_into(leaf, ray, reach, edge)
                 if triangle >= 0:
@@ -174,7 +174,7 @@ def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
                         mask = mask & still
             else:
                 visited += 1
-                inner = node_at(accelerator, place)
+                inner = node_at(accelerator, link)
                 below, child = boxes_met(inner, ray, reach, flip)
                 if below != 0:
                     if mask != 0:

@@ -23,7 +23,7 @@ def _inside(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: 
 
 @wp.func
 def _direction(ray: Ray, row: wp.uint64) -> wp.float64:
-    """Of a ray along an axis, which is told by the offset of its row in a leaf."""
+    """A ray's direction along an axis, which is told by the offset of its row in a leaf."""
     return wp.float64(float_at(ray.direction + row * ray.rows_of_leaf, 0))
 
 

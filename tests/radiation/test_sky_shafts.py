@@ -1,4 +1,4 @@
-"""The beams about patches and groups of them hold all of them, and little else."""
+"""The shafts about patches and groups of them hold all of them, and little else."""
 
 from itertools import pairwise
 
@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import warpsample as ws
-from warpsample.radiation.sky.shafts import beams_of, groups_of
+from warpsample.radiation.sky.shafts import groups_of, shafts_of
 from warpsample.tracing.sight.shafts import CORNERS, PLANES
 
 
@@ -26,16 +26,16 @@ def rims(patches, starts):
 
 @pytest.mark.parametrize("grouped", [False, True], ids=["patches", "groups"])
 @pytest.mark.parametrize("name", ["tregenza", "reinhart2", "reinhart4"])
-def test_beams_hold_their_patches_and_touch_them(name, grouped):
+def test_shafts_hold_their_patches_and_touch_them(name, grouped):
     """Each plane has the patches on its inner side and touches them; so do those through neighbouring corners."""
     patches = ws.sky_patches(name, up=(0.2, -0.3, 1.0), north=(1.0, 2.0, 0.0))
     starts = groups_of(patches) if grouped else np.arange(len(patches) + 1)
-    beams = np.swapaxes(beams_of(patches, starts).astype(np.float64), 1, 2)
+    shafts = np.swapaxes(shafts_of(patches, starts).astype(np.float64), 1, 2)
     rim = rims(patches, starts)
-    inside = np.einsum("gpc,gnc->gpn", beams[:, 1:PLANES], rim)
+    inside = np.einsum("gpc,gnc->gpn", shafts[:, 1:PLANES], rim)
     assert inside.min() >= -2e-7  # of float32
     assert inside.min(axis=2).max() <= 1e-6
-    corners = beams[:, PLANES : PLANES + CORNERS]
+    corners = shafts[:, PLANES : PLANES + CORNERS]
     sides = corners[:, [1, 3, 2, 0]]  # around; those of the cap are in order
     sides[-1] = corners[-1]
     walls = np.cross(sides, np.roll(sides, -1, axis=1))

@@ -1,4 +1,4 @@
-"""One cell of the lobe: its rays are made, weighed, traced and summed, a chunk at a time."""
+"""One stratum of the lobe: its rays are made, weighed, traced and summed, a chunk at a time."""
 
 import warp as wp
 
@@ -15,12 +15,12 @@ from warpsample.tracing.sight.rays import first_hit, prepare_rays, rays_from_afa
 
 @once
 def jump_of(slots: Slots) -> wp.Function:
-    """A function that estimates the squared jump of the weight at an edge that passes through a cell."""
+    """A function that estimates the squared jump of the weight at an edge that passes through a stratum."""
     any_hit, counts = slots.any_hit, slots.counts
 
     @wp.func
     def jump_at(w: wp.vec3, total: wp.vec3d, free: wp.int32, rays: wp.int32) -> wp.vec3d:
-        """The squared change of a ray's weight across an edge, from a cell's total and the number of its unoccluded rays.
+        """The squared change of a ray's weight across an edge, from a stratum's total and the number of its unoccluded rays.
 
         w is the weight of one ray, for where none is free.
         """
@@ -61,15 +61,21 @@ def share_of(slots: Slots) -> wp.Function:
 
 
 @once
-def cell_sum(slots: Slots) -> wp.Function:
-    """A function that sums a cell."""
+def stratum_sum(slots: Slots) -> wp.Function:
+    """A function that sums a stratum."""
     spread, share_left = spread_of(slots), share_of(slots)
     weigh, struct, counts, channels = slots.weigh, slots.struct, slots.counts, slots.channels
     prepare = prepare_rays(slots.prepare)
 
     @wp.func
-    def sum_cell(
-        lobes: Lobes, tree: Accelerator, data: struct, point: ShadingPoint, cell: wp.int32, found: wp.int32, local: wp.int32
+    def sum_stratum(
+        lobes: Lobes,
+        tree: Accelerator,
+        data: struct,
+        point: ShadingPoint,
+        stratum: wp.int32,
+        found: wp.int32,
+        local: wp.int32,
     ):
         """(sum of the weights of both replicates' rays, how much more the first has, rays cast, free, a weight)."""
         # Scalars: a vector of doubles goes through memory, and costs half as much as a ray. Hits are whole numbers.
@@ -82,12 +88,12 @@ def cell_sum(slots: Slots) -> wp.Function:
         more_y = ZERO
         more_z = ZERO
         cast = wp.int32(0)
-        free = 2 * lobes.each
+        free = 2 * lobes.samples_per_stratum
         w = wp.vec3(1.0, 0.0, 0.0)
         lobe = lobe_of(lobes, point)
-        for first in range(0, 2 * lobes.each, CHUNK):
-            length = wp.min(CHUNK, 2 * lobes.each - first)
-            spread(lobes, point, cell, first, whole_vectors(length))
+        for first in range(0, 2 * lobes.samples_per_stratum, CHUNK):
+            length = wp.min(CHUNK, 2 * lobes.samples_per_stratum - first)
+            spread(lobes, point, stratum, first, whole_vectors(length))
             if found != 0:
                 rays_from_afar(point, length)
                 prepare(tree, point, local, length)
@@ -98,7 +104,7 @@ def cell_sum(slots: Slots) -> wp.Function:
                     cast += 1
                     share, met = share_left(lobes, tree, point, local, k)
                     free -= met
-                sign = wp.where(first + k < lobes.each, 1, -1)
+                sign = wp.where(first + k < lobes.samples_per_stratum, 1, -1)
                 if wp.static(counts):
                     hit = wp.where(share * w[0] != 0.0, 1, 0)
                     hits += hit
@@ -117,4 +123,4 @@ def cell_sum(slots: Slots) -> wp.Function:
             free = hits  # and weighs 1
         return wp.vec3d(x, y, z), wp.vec3d(more_x, more_y, more_z), cast, free, w
 
-    return sum_cell
+    return sum_stratum

@@ -4,15 +4,15 @@ import warp as wp
 
 from warpsample.maths.memory import vec3_at, vec3i_at
 from warpsample.maths.numerics import TWO, ZERO
-from warpsample.tracing.placement import LIFT, Placement, in_double
+from warpsample.tracing.placement import OFFSET, Placement, in_double
 
-_LIFT = wp.constant(wp.float64(LIFT))
+_OFFSET = wp.constant(wp.float64(OFFSET))
 
 NOWHERE = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 
 
 @wp.struct
-class Seats:
+class Contacts:
     """Scalars and addresses of points on the faces of a scene.
 
     placement: of the points; its `normals` are those of their faces, and their own where they lie on none.
@@ -34,14 +34,14 @@ class Seats:
     sides: wp.int32
 
 
-SeatsArgs = type(Seats().__ctype__())
+ContactsArgs = type(Contacts().__ctype__())
 
 
 @wp.struct
 class Facet:
     """A face: its corners, unit normal (0 if it is too thin to have one) and twice its area.
 
-    lift: how far points of it are moved off it. slack: how far beside it they may be, since its corners are rounded.
+    offset: how far points of it are moved off it. slack: how far beside it they may be, since its corners are rounded.
     """
 
     a: wp.vec3d
@@ -49,45 +49,45 @@ class Facet:
     c: wp.vec3d
     n: wp.vec3d
     area: wp.float64
-    lift: wp.float64
+    offset: wp.float64
     slack: wp.float64
 
 
 @wp.func
-def with_normal(seats: Seats, facet: Facet, n: wp.vec3d) -> Facet:
+def with_normal(contacts: Contacts, facet: Facet, n: wp.vec3d) -> Facet:
     """A facet with that unit normal, along which points are moved off it by 32 roundings of its corners."""
-    spread = wp.vec3d(wp.float64(seats.spread_x), wp.float64(seats.spread_y), wp.float64(seats.spread_z))
+    spread = wp.vec3d(wp.float64(contacts.spread_x), wp.float64(contacts.spread_y), wp.float64(contacts.spread_z))
     facet.n = n
-    facet.lift = wp.float64(seats.placement.coarseness)
-    facet.slack = facet.lift
+    facet.offset = wp.float64(contacts.placement.coarseness)
+    facet.slack = facet.offset
     for axis in range(3):
         reach = wp.max(wp.max(wp.abs(facet.a[axis]), wp.abs(facet.b[axis])), wp.abs(facet.c[axis]))
-        facet.lift += _LIFT * wp.abs(n[axis]) * wp.max(reach, spread[axis])
-        facet.slack += _LIFT * wp.max(reach, spread[axis])
+        facet.offset += _OFFSET * wp.abs(n[axis]) * wp.max(reach, spread[axis])
+        facet.slack += _OFFSET * wp.max(reach, spread[axis])
     return facet
 
 
 @wp.func
-def corners_of(seats: Seats, face: wp.int32) -> Facet:
+def corners_of(contacts: Contacts, face: wp.int32) -> Facet:
     """A face without its normal."""
-    corners = vec3i_at(seats.triangles, face)
+    corners = vec3i_at(contacts.triangles, face)
     facet = Facet()
-    facet.a = in_double(vec3_at(seats.vertices, corners[0]))
-    facet.b = in_double(vec3_at(seats.vertices, corners[1]))
-    facet.c = in_double(vec3_at(seats.vertices, corners[2]))
+    facet.a = in_double(vec3_at(contacts.vertices, corners[0]))
+    facet.b = in_double(vec3_at(contacts.vertices, corners[1]))
+    facet.c = in_double(vec3_at(contacts.vertices, corners[2]))
     return facet
 
 
 @wp.func
-def facet_of(seats: Seats, face: wp.int32) -> Facet:
-    """A face with its normal, which is 0 where the face is thinner than its lift."""
-    facet = corners_of(seats, face)
+def facet_of(contacts: Contacts, face: wp.int32) -> Facet:
+    """A face with its normal, which is 0 where the face is thinner than its offset."""
+    facet = corners_of(contacts, face)
     n = wp.cross(facet.b - facet.a, facet.c - facet.a)
     facet.area = wp.length(n)
     longest = wp.max(wp.max(wp.length(facet.b - facet.a), wp.length(facet.c - facet.b)), wp.length(facet.a - facet.c))
     if facet.area > ZERO:
-        facet = with_normal(seats, facet, n / facet.area)
-    if facet.area <= facet.lift * longest:
+        facet = with_normal(contacts, facet, n / facet.area)
+    if facet.area <= facet.offset * longest:
         facet.n = NOWHERE
     return facet
 
@@ -108,6 +108,6 @@ def within(facet: Facet, p: wp.vec3d) -> wp.float64:
 
 @wp.func
 def touches(facet: Facet, p: wp.vec3d, moved: wp.float64) -> wp.bool:
-    """Whether a point is as near to a facet as two lifts, or may be brought as near by a move."""
-    near = wp.abs(wp.dot(facet.n, p - facet.a)) <= TWO * facet.lift + moved
+    """Whether a point is as near to a facet as two offsets, or may be brought as near by a move."""
+    near = wp.abs(wp.dot(facet.n, p - facet.a)) <= TWO * facet.offset + moved
     return near and within(facet, p) >= -facet.slack - moved

@@ -1,7 +1,7 @@
-"""The cosine lobe cut into cells of equal weight, by which rays are stratified and which beams may find empty.
+"""The cosine lobe cut into strata of equal weight, by which rays are stratified and which shafts may find empty.
 
-A cell is a rectangle of the square that the polar map makes directions of: a band of sin^2 theta in a sector of azimuths.
-Each has rays of its own, in two independent randomisations, so that their differences, cell by cell, tell the error.
+A stratum is a rectangle of the square that the polar map makes directions of: a band of sin^2 theta in a sector of azimuths.
+Each has rays of its own, in two independent randomisations, so that their differences, stratum by stratum, tell the error.
 """
 
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ from warpsample.host.locks import once
 from warpsample.tracing.sight.shafts import shaft_vectors
 
 REPLICATES = 2
-"""Randomisations of a cell's rays: with more, each has fewer rays, and low-discrepancy ones lose what sets them apart."""
+"""Randomisations of a stratum's rays: with more, each has fewer rays, and low-discrepancy ones lose what sets them apart."""
 
 POLAR_COSINE = CosineHemisphere("polar")
 """The lobe of the built-in quantities."""
@@ -29,57 +29,57 @@ from 32 rays on, which cost an eighth and give the error bar more than one diffe
 
 
 @dataclass(frozen=True, eq=False)
-class Cells:
-    """The cells of a lobe, sector by sector, and the beams about them.
+class Strata:
+    """The strata of a lobe, sector by sector, and the shafts about them.
 
     Attributes:
         bands: of sin^2 theta, of equal width.
-        sectors: of azimuth; 1, without beams, or at least 4.
-        each: rays of a replicate of a cell.
-        beams: (sectors, bands + 1, 3, 16) float32, local frame: of each sector and of its bands, as `shaft_vectors` has
+        sectors: of azimuth; 1, without shafts, or at least 4.
+        samples_per_stratum: rays of a stratum in each replicate.
+        shafts: (sectors, bands + 1, 3, 16) float32, local frame: of each sector and of its bands, as `shaft_vectors` has
             them, with two planes at the azimuths, the one towards the normal and the one towards the horizon.
     """
 
     bands: int
     sectors: int
-    each: int
-    beams: np.ndarray
+    samples_per_stratum: int
+    shafts: np.ndarray
 
     @property
     def step(self) -> int:
-        """What the number of rays of a point is a multiple of, since all cells have as many."""
+        """What the number of rays of a point is a multiple of, since all strata have as many."""
         return self.bands * self.sectors * REPLICATES
 
     @property
     def rays(self) -> int:
         """The number of rays of a point."""
-        return self.step * self.each
+        return self.step * self.samples_per_stratum
 
 
 @once
-def cells_of(count: int, lobe: Distribution = POLAR_COSINE, traced: bool = True) -> Cells:
-    """The cells for at most `count` rays a point, at least 2; few if none is traced, as more would only cost time.
+def strata_of(count: int, lobe: Distribution = POLAR_COSINE, traced: bool = True) -> Strata:
+    """The strata for at most `count` rays a point, at least 2; few if none is traced, as more would only cost time.
 
-    Without beams if the lobe's cells are no parts of cones.
+    Without shafts if the lobe's strata are no parts of cones.
     """
     _, bands, sectors = next(grid for grid in _grids(traced)[::-1] if count >= grid[0])
     edges = _edges(lobe, bands) if traced else None
     spans = [] if edges is None else [(edges[0], edges[-1]), *pairwise(edges)]
-    beams = [
-        [_beam(s / sectors, (s + 1) / sectors, *span) for span in spans]
+    shafts = [
+        [_shaft(s / sectors, (s + 1) / sectors, *span) for span in spans]
         for s in range(sectors if sectors > 1 and spans else 0)
     ]
-    vectors = np.reshape(beams, (-1, bands + 1, 8, 3))
-    beams = shaft_vectors(vectors[:, :, :4], vectors[:, :, 4:])
-    return Cells(bands, sectors, count // (bands * sectors * REPLICATES), beams)
+    vectors = np.reshape(shafts, (-1, bands + 1, 8, 3))
+    shafts = shaft_vectors(vectors[:, :, :4], vectors[:, :, 4:])
+    return Strata(bands, sectors, count // (bands * sectors * REPLICATES), shafts)
 
 
-def counts_with_the_cells_of(count: float, traced: bool = True) -> tuple[int, float]:
-    """(fewest, most) rays that `cells_of` cuts into as many cells as `count`; infinity if there are no finer ones."""
+def counts_with_the_strata_of(count: float, traced: bool = True) -> tuple[int, float]:
+    """(fewest, most) rays that `strata_of` cuts into as many strata as `count`; infinity if there are no finer ones."""
     begins = [rays for rays, _, _ in _grids(traced)]
     fewest = max(rays for rays in begins if rays <= max(count, 1))
     finer = min((rays for rays in begins if rays > fewest), default=inf)
-    return fewest, finer if finer == inf else cells_of(finer - 1, traced=traced).rays
+    return fewest, finer if finer == inf else strata_of(finer - 1, traced=traced).rays
 
 
 def _grids(traced: bool) -> tuple[tuple[int, int, int], ...]:
@@ -101,8 +101,8 @@ def _edges(lobe: Distribution, bands: int) -> np.ndarray | None:
     return np.square(np.sin(np.where(shares == 1.0, lobe.largest_angle, np.where(shares == 0.0, 0.0, high))))
 
 
-def _beam(first: float, last: float, low: float, high: float) -> list[tuple[float, float, float]]:
-    """The beam about azimuths from first to last, in turns, and sin^2 theta from low to high.
+def _shaft(first: float, last: float, low: float, high: float) -> list[tuple[float, float, float]]:
+    """The shaft about azimuths from first to last, in turns, and sin^2 theta from low to high.
 
     The cone towards the normal is replaced by the plane through its two corners, which cuts off more of it, and the one
     towards the horizon by the plane that touches it between them.
