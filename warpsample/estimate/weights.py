@@ -41,7 +41,7 @@ def above(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
 
 @wp.func
 def itself(d: wp.vec3, lobe: Lobe, weights: Weights) -> wp.vec3:
-    """The direction."""
+    """The direction as the ray's weight."""
     return d
 
 

@@ -17,7 +17,7 @@ def _vector(rows: wp.array[wp.float32], i: wp.int32) -> wp.vec3:
 
 @wp.func
 def builtin_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
-    """As `wide.wide_query`, always the nearest, since the built-in any-hit query tells no face. Visits are not known: 0."""
+    """The query of `wp.Mesh`, always for the nearest hit, since its any-hit query tells no face; visits are not known: 0."""
     rows = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     query = wp.mesh_query_ray(accelerator.mesh, _vector(rows, ORIGIN), _vector(rows, DIRECTION), reach)
     face = wp.int32(-1)

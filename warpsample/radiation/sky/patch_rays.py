@@ -28,9 +28,9 @@ class SkyRows:
     """Scalars and addresses of the rows of a sky matrix, a point each.
 
     placement: of the points. normals, active: (P, 3) float32, (P,) uint8 or 0.
-    count: rays of a point at most. patches: their number, with the addresses of `form_factors.table_of`, of `shafts.shafts_of`
-    each, and of the (3, 3) float64 of their frame. groups: likewise, with where they begin, (groups + 1,) int32, and a shaft of
-    each. skip: whether what is known of a patch replaces its rays.
+    count: rays of a point at most. patches: their number, with the addresses of `form_factors.table_of`, their
+    shafts, and of the (3, 3) float64 of their frame. groups: their number, with where they begin, (groups + 1,) int32, and
+    their shafts. skip: whether what is known of a patch replaces its rays.
     by_task: whether the i-th task writes the i-th row, else that of its point. value, error: (rows, patches) float32.
     cast, open, closed, below, status: (P,), int32 but for the uint8 of the status: rays, patches of each kind, why not.
     """
