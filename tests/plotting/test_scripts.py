@@ -206,7 +206,7 @@ def test_the_sky_is_shown_of_the_ground_that_sees_least_of_it_and_the_slider_tur
     unseen = pv.Plotter
     monkeypatch.setattr(pv, "Plotter", lambda **given: unseen(**given | {"off_screen": True}))
     left, captions = Panel(hours[5], "year", "gray", 25.0), ("below", lambda now: f"hour {now}")
-    given = {"hours": hours, "hour": 9, "sky": sky, "place": points.position[row], "captions": captions, "up": "z"}
+    given = {"hours": hours, "hour": 9, "sky": sky, "point": points.position[row], "captions": captions, "up": "z"}
     drawn = module.sun_and_sky((mesh.vertices, mesh.faces), left, **given, off_screen=False, size=(900, 340))
     year, hour, shown = (next(iter(drawn.renderers[i].actors.values())).mapper.dataset for i in range(3))
     assert (set(year["year"]), set(hour["W/m2"])) == ({5.0}, {9.0})
