@@ -71,7 +71,7 @@ def main(
         hours=hours.value.T,
         hour=hour,
         sky=sky_map(matrix, row, weather, day),
-        place=points.position[row],
+        point=points.position[row],
         captions=(what, lambda now: f"{day}, {now} to {now + 1} h, W/m2"),
         up=up,
         off_screen=screenshot is not None,
