@@ -22,7 +22,7 @@ P = ParamSpec("P")
 
 @contextmanager
 def handlers_first() -> Iterator[None]:
-    """Raises what a signal's handler has raised within, where another error was made of it, as one that names a file.
+    """Raises what a signal's handler has raised, where an error was made of that within, such as one that names a file.
 
     A handler raises anything, most often a deadline's TimeoutError, which is an OSError but says nothing of a file.
     """
