@@ -63,7 +63,7 @@ UNRELATED = [
 
 HEAVY = {"pyvista", "matplotlib", "scipy", "trimesh", "pxr", "psutil", "rich", "pvlib", "pandas", "pyradiance"}
 """Libraries that are imported where they are used."""
-NOT_EVERYWHERE = {"vtkmodules", "trame", "distributed", "fcntl"}
+NOT_EVERYWHERE = {"vtkmodules", "trame", "distributed", "fcntl", "resource"}
 """Others that are imported where they are used: extras of extras, and what some systems do not have."""
 MOST_FILES = 20
 """Files in a folder, besides `__init__.py`: what has more has stories of its own, a folder each."""

@@ -1,13 +1,16 @@
 """.usd: what a renderer shows of it, placed and turned; and one sentence on what is not whole."""
 
 import os
+import signal
 import struct
 import sys
 
 import mesh_file_cases as cases
+import psutil
 import pytest
 
 import warpsample as ws
+from warpsample.mesh.files import usd
 
 
 def triangle(stage, path, z=0.0):
@@ -156,6 +159,46 @@ def test_huge_counts_of_binary_usd_allocate_nothing(tmp_path):
                 ws.load_mesh(path)
             refused.append(plain)
     assert refused == ["TOKENS", "TOKENS", "STRINGS", "FIELDS", "FIELDSETS", "PATHS", "PATHS", "SPECS"]
+
+
+def test_what_ends_usd_core_is_refused(tmp_path, capfd):
+    """One byte is changed: the number of the name of the root's only child, and the count of an array's numbers."""
+    path = cases.write("usdc", tmp_path, cases.SPHERE.vertices, cases.SPHERE.faces)
+    whole = path.read_bytes()
+    child = whole.index(struct.pack("<q", 1), 88) + 8
+    count = whole.index(struct.pack("<q", cases.SPHERE.faces.size), 88)
+    for at, found in ((child + 2, 0), (count + 3, 0), (count + 6, 0)):
+        content = bytearray(whole)
+        assert content[at] == found
+        content[at] = 0xFF
+        path.write_bytes(content)
+        with cases.refused(path, "usd-core ended with .*|.*exception thrown unpacking.*"):
+            ws.load_mesh(path)
+    assert capfd.readouterr() == ("", "")
+
+
+def test_reading_usd_ends_with_what_a_handler_raises(bunny_path, monkeypatch):
+    def late(*_):
+        raise TimeoutError("mine")
+
+    monkeypatch.setattr(usd, "_PROGRAM", "import time; time.sleep(1000)")
+    before = signal.signal(signal.SIGALRM, late)
+    signal.setitimer(signal.ITIMER_REAL, 0.3)
+    try:
+        with pytest.raises(TimeoutError, match="^mine$"):
+            ws.load_mesh(bunny_path)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
+        signal.signal(signal.SIGALRM, before)
+    assert psutil.Process().children() == []
+
+
+def test_a_reason_that_quotes_an_array_is_short(tmp_path):
+    path = tmp_path / "long.usda"
+    path.write_text('#usda 1.0\ndef Mesh "m"\n{\n    int[] faceVertexCounts = [' + "3, " * 999 + "_]\n}\n")
+    with pytest.raises(ValueError, match="cannot be read as a mesh: ") as raised:
+        ws.load_mesh(path)
+    assert len(str(raised.value)) < 400
 
 
 def test_usd_without_usd_core_says_what_to_install(bunny_path, monkeypatch):

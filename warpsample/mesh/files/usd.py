@@ -1,20 +1,21 @@
-"""Mesh files: .usd, .usda, .usdc and .usdz, by usd-core."""
+"""Mesh files: .usd, .usda, .usdc and .usdz, by usd-core in a process of its own.
 
-import struct
+A changed byte lets usd-core end the process that it is in, or take all its memory.
+"""
+
+import subprocess
+import sys
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
-from zipfile import ZipFile
 
 import numpy as np
 
 from warpsample.mesh.files.joining import joined
-from warpsample.mesh.polygons import triangles
+from warpsample.mesh.usd_stage import REFUSED
 
-_TWO_COUNTS = ("TOKENS", "PATHS")
-"""Sections of a binary file that begin with two counts, where others begin with one."""
-_MOST_OF_BYTE = 1020
-"""Entries that a byte of a section stands for, at most: LZ4 makes 255 bytes of it, each of them four numbers."""
+_PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.mesh.usd_stage import main; main({file!r})"
+_LONGEST = 200  # characters of a reason, which may quote an array of the file
 
 
 def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
@@ -27,156 +28,33 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
         ModuleNotFoundError: usd-core is missing; says how to install it.
         ValueError: a file that usd-core cannot open, or that refers to one; a surface that is no mesh, such as a sphere.
     """
-    try:
-        from pxr import Tf, UsdUtils
-    except ModuleNotFoundError:
-        raise ModuleNotFoundError(f"path: got {path.name!r}, which needs usd-core: pip install usd-core") from None
-    heard = UsdUtils.CoalescingDiagnosticDelegate()  # while it exists, it receives the warnings instead of stderr
-    try:
-        stage = _open(path)
-        return joined(_parts(stage))
-    except Tf.ErrorException as error:
-        raise ValueError(_said(error, path)) from None
-    finally:
-        del heard
+    if find_spec("pxr") is None:
+        raise ModuleNotFoundError(f"path: got {path.name!r}, which needs usd-core: pip install usd-core")
+    program = _PROGRAM.format(path=sys.path, file=str(path))
+    pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
+    with subprocess.Popen([sys.executable, "-c", program], **pipes) as child:
+        try:
+            found = child.communicate()[0]
+        finally:
+            child.kill()
+    if child.returncode == REFUSED:
+        reason = found.decode()
+        raise ValueError(reason if len(reason) <= _LONGEST else f"{reason[: _LONGEST - 3]}...")
+    if child.returncode:
+        raise ValueError(f"usd-core ended with {child.returncode}: it is damaged, or needs more memory than is free")
+    return joined(_parts(found))
 
 
-def _open(path: Path) -> Any:
-    from pxr import Usd
+def _parts(found: bytes) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+    """Points, triangles and matrix of each mesh."""
+    at = 0
 
-    if path.suffix.lower() == ".usdz":
-        with ZipFile(path) as archive:
-            damaged = archive.testzip()  # by checksums that usd-core ignores
-        if damaged:
-            raise ValueError(f"{damaged} in it is damaged")
-    layers = _layers(path)  # held, so that they are read once
-    stage = Usd.Stage.Open(layers[0])
-    lost = stage.GetCompositionErrors()
-    if lost:
-        raise ValueError(str(lost[0]))
-    return stage
+    def taken(kind: type, rows: int, columns: int) -> np.ndarray:
+        nonlocal at
+        array = np.frombuffer(found, kind, rows * columns, at).reshape(rows, columns)
+        at += array.nbytes
+        return array
 
-
-def _layers(path: Path) -> list[Any]:
-    """The layer of a file and those that it refers to, if they exist; composition errors tell of the others.
-
-    Raises:
-        ValueError: one is a device or a pipe, for which usd-core would wait for ever.
-    """
-    layers = {str(path): _layer(path)}
-    left = [layers[str(path)]]
-    while left:
-        layer = left.pop()
-        for name in map(layer.ComputeAbsolutePath, filter(None, layer.GetCompositionAssetDependencies())):
-            file = Path(name)
-            if file.exists() and not file.is_file():
-                raise ValueError(f"it refers to {name!r}, which is no ordinary file")
-            if file.is_file() and name not in layers:
-                layers[name] = _layer(file)
-                left.append(layers[name])
-    return list(layers.values())
-
-
-def _layer(path: Path) -> Any:
-    from pxr import Sdf
-
-    _check_sections(path)
-    return Sdf.Layer.FindOrOpen(str(path))
-
-
-def _check_sections(path: Path) -> None:
-    """Refuses a binary file that is too short for what it declares: usd-core allocates whatever that is."""
-    size = path.stat().st_size
-    with path.open("rb") as file:
-        header = file.read(24)
-        if header[:8] != b"PXR-USDC":
-            return
-        start = int.from_bytes(header[16:], "little")
-        file.seek(min(start, size))
-        sections = int.from_bytes(file.read(8), "little")
-        if start + 8 + 32 * sections > size:
-            raise ValueError(f"its header declares {sections:,} sections from byte {start:,} on, but it has {size:,} bytes")
-        compressed = tuple(header[8:11]) >= (0, 4, 0)
-        for padded, first, length in struct.iter_unpack("<16sQQ", file.read(32 * sections)):
-            name = padded.rstrip(b"\0").decode("ascii", "replace")
-            if first + length > size:
-                raise ValueError(f"its section {name!r} ends beyond its {size:,} bytes")
-            file.seek(first)
-            _check_counts(name, file.read(8 * (2 if compressed and name in _TWO_COUNTS else 1)), length)
-
-
-def _check_counts(section: str, counts: bytes, length: int) -> None:
-    """Refuses what a section of so many bytes cannot hold; `counts`: the numbers of 8 bytes that it begins with."""
-    for at in range(0, length and len(counts), 8):
-        declared = int.from_bytes(counts[at : at + 8], "little")
-        if declared > _MOST_OF_BYTE * length:
-            raise ValueError(f"its section {section!r} declares {declared:,} entries in {length:,} bytes")
-
-
-def _said(error: Any, path: Path) -> str:
-    """The first line of usd-core's reason, without the path and the name of its parser."""
-    try:
-        reason = error.args[0].commentary.strip().partition("\n")[0]
-    except UnicodeDecodeError:  # it quotes the damaged bytes
-        return "it is damaged"
-    for quoted, plain in ((f"{path}:", "line "), (f"<{path}>", "it"), (f" @{path}@", "")):
-        reason = reason.replace(quoted, plain)
-    return reason.partition(" matching ")[0]
-
-
-def _parts(stage: Any) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-    """Points, triangles and matrix of each mesh that has faces."""
-    from pxr import Usd, UsdGeom
-
-    first = Usd.TimeCode.EarliestTime()
-    for prim, matrix in _surfaces(stage.GetPseudoRoot(), np.eye(4), UsdGeom.XformCache(first), Usd.PrimDefaultPredicate):
-        mesh = UsdGeom.Mesh(prim)
-        points, counts, indices = (
-            np.array(attribute.Get(first) or (), kind)
-            for attribute, kind in (
-                (mesh.GetPointsAttr(), np.float64),
-                (mesh.GetFaceVertexCountsAttr(), np.int64),
-                (mesh.GetFaceVertexIndicesAttr(), np.int32),
-            )
-        )
-        if len(counts):
-            points = points.reshape(-1, 3)
-            faces = triangles(points, counts, indices)
-            is_left_handed = mesh.GetOrientationAttr().Get(first) == UsdGeom.Tokens.leftHanded
-            yield points, faces[:, ::-1] if is_left_handed else faces, matrix
-
-
-def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> Iterator[tuple[Any, np.ndarray]]:
-    """The meshes at or below `root` that match `predicate`, with their matrices; `above` is that of the parent."""
-    from pxr import Usd, UsdGeom
-
-    prims = iter(Usd.PrimRange(root, Usd.TraverseInstanceProxies(predicate)))
-    for prim in prims:
-        shape = UsdGeom.Imageable(prim)
-        if shape and shape.GetVisibilityAttr().Get(placements.GetTime()) == UsdGeom.Tokens.invisible:
-            prims.PruneChildren()
-            continue
-        if not prim.IsA(UsdGeom.Boundable) or shape.ComputePurpose() in (UsdGeom.Tokens.guide, UsdGeom.Tokens.proxy):
-            continue
-        matrix = np.array(placements.ComputeRelativeTransform(prim, root)[0]) @ above
-        if prim.IsA(UsdGeom.PointInstancer):
-            prims.PruneChildren()
-            yield from _instances(prim, matrix, placements)
-        elif prim.IsA(UsdGeom.Mesh):
-            yield prim, matrix
-        elif prim.IsA(UsdGeom.Gprim) and not prim.IsA(UsdGeom.Curves) and not prim.IsA(UsdGeom.Points):
-            raise ValueError(f"{prim.GetPath()} is a {prim.GetTypeName()}, want only meshes")
-
-
-def _instances(prim: Any, above: np.ndarray, placements: Any) -> Iterator[tuple[Any, np.ndarray]]:
-    """The meshes of a point instancer: each prototype by the matrix of each instance."""
-    from pxr import Usd, UsdGeom
-
-    are_drawn = Usd.PrimIsActive & Usd.PrimIsLoaded & ~Usd.PrimIsAbstract  # prototypes may be below an `over`
-    instancer, time = UsdGeom.PointInstancer(prim), placements.GetTime()
-    matrices = instancer.ComputeInstanceTransformsAtTime(time, time, applyMask=UsdGeom.PointInstancer.IgnoreMask)
-    is_shown = instancer.ComputeMaskAtTime(time) or [True] * len(matrices)
-    prototypes = [prim.GetStage().GetPrimAtPath(path) for path in instancer.GetPrototypesRel().GetForwardedTargets()]
-    for matrix, number, shown in zip(matrices, instancer.GetProtoIndicesAttr().Get(time), is_shown, strict=True):
-        if shown:
-            yield from _surfaces(prototypes[number], np.array(matrix) @ above, placements, are_drawn)
+    while at < len(found):
+        points, faces = taken(np.int64, 1, 2)[0]
+        yield taken(np.float64, points, 3), taken(np.int32, faces, 3), taken(np.float64, 4, 4)
