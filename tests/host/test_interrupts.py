@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 import warp as wp
 from hangs import HANGS
+from warp._src.context import pack_arg
 
 from warpsample.host import engine
 from warpsample.host.arguments import naming_file
@@ -27,6 +28,11 @@ HOST = str(Path(engine.__file__).parent)
 @wp.kernel(enable_backward=False, grid_stride=False)
 def _count(out: wp.array[wp.int32], first_task: wp.int64):
     out[wp.int32(first_task) + wp.tid()] += 1
+
+
+@wp.kernel(enable_backward=False, grid_stride=False)
+def _add(out: wp.array[wp.int32], step: wp.uint64, first_task: wp.int64):
+    out[wp.int32(first_task) + wp.tid()] += wp.int32(step)
 
 
 def count(out, workers, work=MUCH):
@@ -150,6 +156,27 @@ def test_a_launch_that_was_interrupted_while_it_changed_is_not_used_again():
         assert not many[few:].any()
         at += 1
     assert at > 5
+
+
+def test_what_a_handler_raises_while_a_launch_is_made_comes_out_as_it_is():
+    """Warp makes a RuntimeError of whatever is raised while it packs an argument."""
+
+    def late(*_):
+        raise TimeoutError("mine")
+
+    def call():
+        try:
+            engine.run(_add, TASKS, [wp.zeros(TASKS, wp.int32, device=CPU), 3], CPU, 1, TASKS)
+        except TimeoutError:
+            raise KeyboardInterrupt from None  # as `Interrupter` expects it
+
+    signal.signal(signal.SIGINT, late)
+    packing = {wp.Launch.set_param_at_index.__code__, pack_arg.__code__}
+    reached, at = True, 0
+    while reached:
+        reached = Interrupter(packing.__contains__, "line", send_one, at).run(call)
+        at += 1
+    assert at > 10
 
 
 # What is not interrupted

@@ -11,6 +11,7 @@ from typing import Any
 import warp as wp
 
 from warpsample.host.arguments import check_integer
+from warpsample.host.interrupts import handlers_first
 from warpsample.host.kernel_cache import load
 from warpsample.host.locks import make
 from warpsample.host.progress import begin
@@ -80,7 +81,8 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, *, 
     shares = workers * each if workers > 1 else 1
     most = MOST_WORK if device.is_cpu else _MOST_ON_DEVICE
     batch = min(-(-tasks // shares), max(1, most * tasks // work), MOST_TASKS)
-    commands = [_take(kernel, inputs, device) for _ in range(workers)]
+    with handlers_first():  # Warp makes a RuntimeError of an argument of whatever is raised as it packs it
+        commands = [_take(kernel, inputs, device) for _ in range(workers)]
     _share(commands, batch, tasks, begin(tasks, work))
     _idle[kernel, device.alias].extend(commands)  # not after an interrupt, which may have left one half-changed
 
