@@ -166,7 +166,7 @@ def test_what_a_handler_raises_while_a_launch_is_made_comes_out_as_it_is():
 
     def call():
         try:
-            engine.run(_add, TASKS, [wp.zeros(TASKS, wp.int32, device=CPU), 3], CPU, 1, TASKS)
+            engine.run(_add, TASKS, [wp.zeros(TASKS, wp.int32, device=CPU), 3], CPU, workers=1, work=TASKS)
         except TimeoutError:
             raise KeyboardInterrupt from None  # as `Interrupter` expects it
 
