@@ -153,4 +153,4 @@ def estimator(
     lobe = CosineHemisphere()
     kernel = direction_means(sequences.get(sequence), lobe.about(), integrand.function)
     inputs = [seed, 0, count, out.__array_interface__["data"][0], lobe.kernel_parameters().__ctype__()]
-    return partial(run, kernel, len(out), inputs, cpu(), check_workers(workers), len(out) * count)
+    return partial(run, kernel, len(out), inputs, cpu(), workers=check_workers(workers), work=len(out) * count)
