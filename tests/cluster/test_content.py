@@ -113,6 +113,29 @@ def test_a_function_is_its_source_and_all_that_it_names(defined, old, new, chang
     assert content.difference("integrand", before, after) == f"integrand: the function skies.{changed} changed"
 
 
+@pytest.mark.parametrize("held", ["TABLE = [raised, 2.0, lower]", "TABLE = {'a': (raised,), 'b': {lower: 2.0}}"])
+def test_a_function_that_names_others_in_a_list_is_its_own_self_and_theirs(defined, held):
+    """As Dask tells such a list, it differs from itself."""
+    lower = "@wp.func\ndef lower(x: float):\n    return x - 1.0\n\n\n" + held + "\n\n\n@wp.func\ndef sky("
+    listed = (("@wp.func\ndef sky(", lower), ("wp.static(TABLE[1])", "float(wp.static(len(TABLE)))"))
+    before = content.function_content(defined(*listed).sky)
+    assert content.function_content(defined(*listed).sky) == before
+    for other, changed in ((("x - 1.0", "x - 3.0"), "lower"), ((" 2.0", " 4.0"), "sky")):
+        after = content.function_content(defined((listed[0][0], lower.replace(*other)), listed[1]).sky)
+        assert content.difference("integrand", before, after) == f"integrand: the function skies.{changed} changed"
+
+
+def test_two_functions_of_one_name_are_both_told(defined):
+    maker = "def made(k):\n    @wp.func\n    def one(x: float):\n        return x * wp.static(k)\n    return one\n\n\n"
+
+    def told(first, second):
+        both = maker + f"one, two = made({first}), made({second})\n\n\n@wp.func\ndef sky("
+        return content.function_content(defined(("@wp.func\ndef sky(", both), ("raised(data", "one(1.0) + two(data")).sky)
+
+    assert told(1.0, 2.0) == told(1.0, 2.0)
+    assert len({str(told(*numbers)) for numbers in ((1.0, 2.0), (3.0, 2.0), (1.0, 3.0))}) == 3
+
+
 def test_a_function_in_another_process_is_the_same(defined, tmp_path, child_environment):
     module = defined()
     code = (

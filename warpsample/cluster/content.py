@@ -1,5 +1,6 @@
 """What a function of the user's and its data hold, so that two runs can be told apart: numbers, and digests of the rest."""
 
+import re
 from collections.abc import Iterator
 from ctypes import Array
 from hashlib import sha256
@@ -11,7 +12,6 @@ from uuid import uuid4
 
 import numpy as np
 import warp as wp
-from dask.base import tokenize
 
 from warpsample.estimate.definitions import latest, names_in
 from warpsample.mesh.known import digest_of
@@ -20,7 +20,8 @@ WHAT = "what"
 """The entry of a content that is the name of a function, or of a struct."""
 
 _OURS = "warpsample."
-_PLAIN = (list, tuple, dict, set, np.ndarray)  # what a `wp.static` may read
+_PLAIN = (list, tuple, dict, set, frozenset, np.ndarray)  # what a `wp.static` may read
+_WHERE = re.compile(r" at 0x[0-9a-f]+")  # of an object, as Python prints it
 _BEHIND = ("mesh_", "bvh_", "hash_grid_", "volume_", "texture_")  # built-ins that read what a number is the address of
 _ADDRESS = "address"
 
@@ -37,16 +38,13 @@ def is_data(value: Any) -> bool:
 
 def function_content(function: wp.Function) -> dict[str, Any]:
     """A digest of a function as it is now, and of each that it calls: their sources, and the numbers that these name."""
-    reached = [latest(function)]
-    content = {WHAT: _name(function.func)}
+    reached, parts = [latest(function)], {}
     for one in reached:  # grows
-        parts = []
         for definition in _definitions(one) if one is not reached[0] else [one]:
             told, called = _told(definition)
-            parts.append(told)
+            parts.setdefault(_name(one.func), []).append(told)  # two that a function has defined are of one name
             reached += [other for other in called if other not in reached]
-        content[_name(one.func)] = sha256(repr(parts).encode()).hexdigest()
-    return content
+    return {WHAT: _name(function.func), **{name: sha256(repr(told).encode()).hexdigest() for name, told in parts.items()}}
 
 
 def data_content(data: Any, function: Any) -> dict[str, Any]:
@@ -105,9 +103,26 @@ def _told(function: wp.Function) -> tuple[list[Any], list[wp.Function]]:
     told = [function.adj.source, function.native_snippet]
     told += [_kind(kind) for kind in (*types, *function.input_types.values())]
     told += [[name, _number(value)] for name, value in (*constants.items(), *static.items())]
-    told += [[name, tokenize(value)] for name, value in _named(function) if isinstance(value, _PLAIN)]
-    users = [one for one in (*called, *static.values()) if is_function(one) and not one.func.__module__.startswith(_OURS)]
-    return told, users
+    named: list[wp.Function] = []
+    told += [[name, _walked(value, named)] for name, value in _named(function) if isinstance(value, _PLAIN)]
+    users = [one for one in (*called, *static.values(), *named) if is_function(one)]
+    return told, [one for one in users if not one.func.__module__.startswith(_OURS)]
+
+
+def _walked(value: Any, functions: list[wp.Function]) -> Any:
+    """What a list or the like holds, the same in each process; the functions in it are told by name, and put into a list."""
+    if is_function(value):
+        functions.append(value)
+        return _name(value.func)
+    if isinstance(value, np.ndarray) and not value.dtype.hasobject:
+        return digest_of(value)
+    if isinstance(value, dict):
+        return "dict", [[_walked(part, functions) for part in item] for item in value.items()]
+    if isinstance(value, set | frozenset):
+        return "set", sorted(repr(_walked(part, functions)) for part in value)
+    if isinstance(value, list | tuple | np.ndarray):
+        return type(value).__name__, [_walked(part, functions) for part in value]
+    return _WHERE.sub("", _number(value))
 
 
 def _definitions(function: wp.Function) -> list[wp.Function]:
