@@ -1,5 +1,6 @@
 """When a Client's scheduler or its workers are given up: by what they tell, without any process."""
 
+import signal
 from importlib import import_module
 from itertools import repeat
 from types import SimpleNamespace
@@ -44,6 +45,61 @@ def test_a_scheduler_that_forgets_thrice_without_a_task_finished_is_given_up(mon
 
 def test_one_that_is_gone_is_not_asked_again(monkeypatch):
     assert finished(monkeypatch, SimpleNamespace(status="closed"), repeat(0)) == (["the scheduler is gone"], 1)
+
+
+def test_a_deadline_is_no_word_of_the_scheduler(monkeypatch):
+    """A handler's TimeoutError is not one of distributed's, after which the tasks are sent again."""
+    begun = []
+
+    def hear(*_):
+        raise TimeoutError("mine")
+
+    def late(*_):
+        begun.append(1)
+        signal.raise_signal(signal.SIGALRM)
+        yield
+
+    monkeypatch.setattr(finishing, "_finished", late)
+    before = signal.signal(signal.SIGALRM, hear)
+    try:
+        with pytest.raises(TimeoutError, match="^mine$"):
+            list(finishing.finished(SimpleNamespace(status="running"), None, None, [0]))
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    assert begun == [1]
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt, TimeoutError, ValueError, None])
+def test_tasks_are_cancelled_however_it_ends(monkeypatch, error):
+    """Whether an error comes while it waits, or to who is told: then it is closed."""
+    cancelled, futures = [], [Sent(0), Sent(1)]
+
+    def next_batch(block):
+        if error:
+            raise error
+        return [(futures[0], [7])]
+
+    done = SimpleNamespace(update=lambda _: None, next_batch=next_batch)
+    monkeypatch.setattr(distributed, "as_completed", lambda **_: done)
+    monkeypatch.setattr(distributed, "futures_of", lambda _: futures)
+    client = SimpleNamespace(status="running", nthreads=dict, persist=lambda _: None, cancel=cancelled.append)
+    told = finishing._finished(client, None, lambda _: None, [0, 1])
+    if error:
+        with pytest.raises(error):
+            next(told)
+    else:
+        assert next(told) == (0, 7)
+        told.close()
+    assert cancelled == [futures if error else futures[1:]]
+
+
+class Sent:
+    """A future of a task."""
+
+    status = "finished"
+
+    def __init__(self, place):
+        self.key = "bake", place
 
 
 def check(limits):

@@ -10,6 +10,7 @@ from dask.array import Array
 from dask.sizeof import sizeof
 
 from warpsample.cluster.job import Job
+from warpsample.host.interrupts import raised_by_a_handler
 
 AT_A_TIME = 1 << 12
 """Tasks of a graph: a scheduler takes 2 KB for each, and a thread finds the next one in 0.1 ms."""
@@ -49,6 +50,8 @@ def finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks:
             _check_size([error.last_worker], job)
             raise ConnectionError(str(error).splitlines()[0]) from error
         except (CancelledError, CommClosedError, TimeoutError) as error:
+            if own := raised_by_a_handler(error):  # as of a deadline, which says nothing of the scheduler
+                raise own from None
             tries -= 1
             if client.status != "running":
                 raise ConnectionError("the scheduler is gone") from error
@@ -83,8 +86,9 @@ def _finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks
                 check_workers_of(client, job)
                 heard = time.monotonic()
             time.sleep(_BEAT)
-    except KeyboardInterrupt:
-        client.cancel(list(held))
+    except BaseException:  # of a task, of a signal's handler, or of who is told
+        if client.status == "running":
+            client.cancel(list(held))
         raise
 
 
