@@ -21,20 +21,10 @@ _MOST_STEPS = 5  # of a colour bar's ticks
 
 
 class CloudActor:
-    """Points coloured by density, as one actor.
-
-    Attributes:
-        actor: the PyVista actor.
-    """
+    """Points coloured by density, as one actor."""
 
     def __init__(self, plotter: "pyvista.Plotter", point_size: int, bar: bool):
-        """Adds it to the plotter's current renderer.
-
-        Args:
-            plotter: where the points are drawn.
-            point_size: pixels.
-            bar: whether a colour bar stands below the points.
-        """
+        """Adds it to the plotter's current renderer, with points of so many pixels; a colour bar may stand below them."""
         import pyvista as pv
 
         cloud = pv.PolyData(np.zeros((1, 3), np.float32))
@@ -56,13 +46,7 @@ class CloudActor:
             self._bar.SetBelowRangeAnnotation("")
 
     def show(self, position: np.ndarray, pdf: np.ndarray, peak: float) -> None:
-        """Replaces the points.
-
-        Args:
-            position: (N, 3).
-            pdf: (N,) densities per steradian.
-            peak: the density that has the last colour.
-        """
+        """Replaces the points, (N, 3), and their densities per steradian, (N,); `peak` is what has the last colour."""
         import pyvista as pv
 
         cloud = pv.PolyData(position)
@@ -75,11 +59,9 @@ class CloudActor:
 
 
 def label_bar(bar: Any, high: float) -> None:
-    """Labels a colour bar at round numbers, and hides its title, which only a browser draws clear of the labels.
+    """Labels a VTK scalar bar, from 0 to `high`, at round numbers.
 
-    Args:
-        bar: a VTK scalar bar whose range starts at 0.
-        high: the end of its range.
+    Its title is hidden: only a browser draws it clear of the labels.
     """
     from vtkmodules.util.numpy_support import numpy_to_vtk
 
@@ -90,11 +72,7 @@ def label_bar(bar: Any, high: float) -> None:
 
 
 class LobeActor:
-    """A density as a translucent surface over the tangent plane.
-
-    Attributes:
-        actor: the PyVista actor.
-    """
+    """A density as a translucent surface over the tangent plane."""
 
     def __init__(self, plotter: "pyvista.Plotter"):
         """Adds it to the plotter's current renderer."""
@@ -158,14 +136,9 @@ class MeshPicker:
     """Finds the point of a mesh that is under the mouse."""
 
     def __init__(self, plotter: "pyvista.Plotter", actor: Any, picked: Callable[[np.ndarray, int], None]):
-        """Listens to double clicks on an actor of the plotter's current renderer.
+        """Calls `picked` with the point, (3,), and its face at a double click on an actor of the current renderer.
 
         The faces of the drawn surface are in the mesh's order, whether its edges are split or not (a test sees to it).
-
-        Args:
-            plotter: whose mouse events are heard.
-            actor: the drawn mesh.
-            picked: is called with the point, (3,), and its face.
         """
         from vtkmodules.vtkRenderingCore import vtkCellPicker
 

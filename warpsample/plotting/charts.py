@@ -23,17 +23,9 @@ _BAND = 2.0  # standard deviations
 
 
 class LobeCharts:
-    """A sheet with charts of theta and azimuth, and the projected disk.
+    """A sheet of `size` pixels, width and height, with charts of theta and azimuth, and the projected disk.
 
-    What does not change between two drawings is drawn once (blitting): Matplotlib takes 2 to 6 ms for a text, and a knob
-    would respond half as fast.
-
-    Attributes:
-        size: width and height in pixels.
-        figure: the Matplotlib figure.
-        theta: the chart of the angle to the normal.
-        azimuth: the chart of the angle about the normal.
-        disk: the chart of the projected disk.
+    What stays is drawn once (blitting): Matplotlib takes 2 to 6 ms for a text, and a knob would respond half as fast.
     """
 
     def __init__(self, size: tuple[int, int]):
@@ -58,15 +50,10 @@ class LobeCharts:
         self._stills: dict[tuple[Any, ...], Any] = {}
 
     def draw(self, theta: AngleHistogram, azimuth: AngleHistogram, disk: np.ndarray) -> np.ndarray:
-        """Draws new data.
+        """The sheet's pixels, (H, W, 3) uint8, for new data.
 
-        Args:
-            theta: angles to the normal, in [0, 180] degrees.
-            azimuth: angles about the normal, in [0, 360] degrees.
-            disk: (N, 2), the tangent components of unit directions.
-
-        Returns:
-            The sheet's pixels, (H, W, 3) uint8.
+        The angles are to the normal, in [0, 180] degrees, and about it, in [0, 360]; `disk`: (N, 2), the tangent components
+        of unit directions.
         """
         self.theta.show(theta)
         self.azimuth.show(azimuth)
@@ -99,20 +86,14 @@ class LobeCharts:
 class HistogramChart:
     """A histogram as bars, its density as a line, the verdict above, and the residuals below.
 
-    Attributes:
-        moving: (axes, artist) of what each drawing replaces: the bars, the line, the verdict and the residuals.
-        handles: the bars and the line, for a legend.
+    Each drawing replaces these, which `moving` holds as (axes, artist); `handles` are the bars and the line, for a legend.
     """
 
     def __init__(self, figure: Any, *, above: tuple[float, ...], below: tuple[float, ...], name: str, label: str):
-        """Adds it to a figure.
+        """Adds it to a figure, with the angle's letter, and what it is measured from.
 
-        Args:
-            figure: where it is drawn.
-            above: left, bottom, width and height of the histogram, as shares of the figure.
-            below: the same for the residuals.
-            name: the angle's letter.
-            label: what the angle is measured from.
+        `above` and `below` are left, bottom, width and height of the histogram and of the residuals, as shares of the
+        figure.
         """
         self._name = name
         self._box = (above[0] - 0.1, below[1] - 0.075, above[0] + above[2] + 0.02, above[1] + above[3] + 0.012)
@@ -182,9 +163,7 @@ class HistogramChart:
 class DiskChart:
     """Directions seen along the normal: the projected hemisphere, which a cosine lobe fills evenly (Nusselt).
 
-    Attributes:
-        moving: (axes, artist) of what each drawing replaces: the points, the rim and the words above.
-        frame: the span of the axes, which is always the same.
+    `moving` is as in `HistogramChart`; the axes span the same in all drawings, so `frame` is empty.
     """
 
     def __init__(self, figure: Any, box: tuple[float, ...]):

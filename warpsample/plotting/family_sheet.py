@@ -44,13 +44,7 @@ class SetPanel:
 
 
 def family_sheet(sets: list[SetPanel], spheres: list[SetPanel], caption: str) -> "Figure":
-    """Draws the projected offset sets and spheres of other radii, and the half angle that proves the cosine lobe.
-
-    Args:
-        sets: four.
-        spheres: three.
-        caption: stands below.
-    """
+    """Draws four projected offset sets, spheres of three radii, and the half angle that proves the cosine lobe."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(16.0, 16.5), layout="constrained", dpi=100)

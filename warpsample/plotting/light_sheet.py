@@ -16,10 +16,8 @@ _GAMMA = 2.2
 def light_sheet(columns: dict[str, list[np.ndarray]], heights: tuple[float, ...], caption: str) -> "Figure":
     """Draws pictures of light as a screen shows them, in columns below their titles.
 
-    Args:
-        columns: for each title the pictures below it: (H, W) or (H, W, 3), 0 is black, 1 and more the brightest, NaN white.
-        heights: of the rows, relative to each other.
-        caption: stands below.
+    Each is (H, W) or (H, W, 3): 0 is black, 1 and more the brightest, NaN white. The heights of the rows are relative to
+    each other.
     """
     from matplotlib.figure import Figure
 

@@ -15,15 +15,9 @@ _TITLE, _TEXT = 19, 15
 
 
 def overlay(red: np.ndarray, green: np.ndarray, size: int) -> tuple[np.ndarray, float]:
-    """Draws two sets of directions, seen along the normal, as light: where both are, it is yellow.
+    """Two sets of unit directions, (N, 3), seen along the normal, +z, as light: where both are, it is yellow.
 
-    Args:
-        red: (N, 3) unit directions, +z towards the viewer.
-        green: (M, 3) unit directions.
-        size: pixels of either side.
-
-    Returns:
-        The picture, (size, size, 3) float in [0, 1] with +y up, and the share of the lit area that is yellow.
+    Gives the picture, (size, size, 3) float in [0, 1] with +y up, and the share of the lit area that is yellow.
     """
     fine = size * _FINER
     lit = np.zeros((fine, fine, 2), bool)
@@ -43,9 +37,7 @@ def overlay(red: np.ndarray, green: np.ndarray, size: int) -> tuple[np.ndarray, 
 def overlay_sheet(panels: list[tuple[str, str, np.ndarray, float]], caption: str) -> "Figure":
     """Overlays side by side on black, each with a part of it enlarged.
 
-    Args:
-        panels: for each overlay, what is red, what is green, the picture, and the share of it that is yellow.
-        caption: stands below.
+    A panel is what is red, what is green, the picture, and the share of it that is yellow.
     """
     from matplotlib.figure import Figure
 

@@ -64,15 +64,10 @@ def has_screen() -> bool:
 
 
 def check_output(screenshot: Path | None, suffixes: tuple[str, ...], *inputs: Path | None) -> None:
-    """Refuses a picture that nobody would see.
+    """Refuses a picture that nobody would see, by a ValueError.
 
-    Args:
-        screenshot: the file to write; None opens a window.
-        suffixes: the kinds of files that the picture can be saved as.
-        inputs: the files that the picture is made from; None where there is none.
-
-    Raises:
-        ValueError: there is neither a file nor a screen, or the file is of another kind, cannot be written or is an input.
+    Without a file a window is to open, and there may be no screen; a file may have another suffix, be one of the inputs, or
+    cannot be written.
     """
     if screenshot is None and not has_screen():
         raise ValueError("there is no screen to open a window on: save a picture with --screenshot FILE")
@@ -85,9 +80,7 @@ def check_output(screenshot: Path | None, suffixes: tuple[str, ...], *inputs: Pa
 def check_rendering() -> None:
     """Renders 16 x 16 pixels in a child process, because creating a Plotter without an OpenGL library kills Python.
 
-    Raises:
-        ModuleNotFoundError: PyVista or matplotlib is missing; the message says how to install it.
-        RuntimeError: rendering does not work; the message says what to install.
+    What is missing is a ModuleNotFoundError, of a package, or a RuntimeError; either says what to install.
     """
     try:
         importlib.import_module("matplotlib")
@@ -107,49 +100,29 @@ def _renders(probe: str) -> bool:
 
 
 def budgeted(points: int, count: int) -> tuple[int, int]:
-    """How many points, and how many directions at each, are drawn so that all clouds together have MOST_POINTS at most.
-
-    Args:
-        points: the number of points asked for.
-        count: the number of directions asked for at each point.
-    """
+    """How many of the points, and of the directions at each, are drawn: in all, MOST_POINTS directions at most."""
     points = min(points, MOST_POINTS)
     return points, max(1, min(count, MOST_POINTS // max(points, 1)))
 
 
 def extent_of(shown: tuple[int, int], asked: tuple[int, int]) -> str:
-    """The size of a picture's clouds in words, for its caption.
-
-    Args:
-        shown: the number of points, and of directions at each, that are drawn.
-        asked: the same, as asked for.
-    """
+    """How many points, and directions at each, are shown, in words for a caption; and how many were asked for, if more."""
     said = f"{shown[0]:,} {'point' if shown[0] == 1 else 'points'} x {shown[1]:,} directions"
     return said if shown == asked else f"{said} (of {asked[0]:,} x {asked[1]:,} asked for)"
 
 
 def round_ticks(high: float, most: int) -> np.ndarray:
-    """Round numbers at equal steps from 0 to the first one at or above `high`.
-
-    Args:
-        high: above 0.
-        most: the largest number of steps.
-    """
+    """Round numbers at equal steps, at most so many, from 0 to the first one at or above `high`, which is above 0."""
     from matplotlib.ticker import MaxNLocator
 
     return MaxNLocator(most, steps=[1, 2, 2.5, 5, 10]).tick_values(0.0, high)
 
 
 def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
-    """Writes a scene and closes its plotter. A failure leaves no half-written file.
+    """Writes a scene that is not yet shown, and closes its plotter. A failure leaves no half-written file.
 
-    Args:
-        plotter: not yet shown.
-        path: a .png of the plotter's size, or an .html that can be turned in a browser.
-        caption: a line for the .html, in which the scene's own texts do not appear.
-
-    Raises:
-        ModuleNotFoundError: an .html is asked for, and trame-pyvista is missing.
+    A .png has the plotter's size; an .html can be turned in a browser and has the caption, as the scene's own texts do not
+    appear in it. Without trame-pyvista an .html is a ModuleNotFoundError.
     """
     try:
         if path.suffix == ".png":
@@ -186,15 +159,9 @@ def _offline() -> Iterator[None]:
 
 
 def check_size(size: tuple[int, int], least: tuple[int, int] = (600, 600)) -> None:
-    """Refuses a picture whose text could not be read, or that could not be drawn or held in memory.
+    """Refuses a picture whose text could not be read (ValueError), or that could not be drawn or held in memory.
 
-    Args:
-        size: width and height in pixels.
-        least: the smallest width and height at which its text can be read.
-
-    Raises:
-        ValueError: it is too small or too large.
-        MemoryError: it needs more memory than is free.
+    Sizes are width and height in pixels. What needs more memory than is free is a MemoryError.
     """
     said = f"--size: got {size[0]} x {size[1]}"
     if size[0] < least[0] or size[1] < least[1]:

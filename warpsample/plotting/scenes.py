@@ -35,29 +35,13 @@ _ROWS = (0.91, 0.09)  # the panels' share of the height, and the caption's
 
 
 def draw_mesh(plotter: "pyvista.Plotter", vertices: np.ndarray, faces: np.ndarray) -> Any:
-    """Adds a mesh to the plotter's current renderer, shaded smoothly if it is not too large.
-
-    Args:
-        plotter: where it is drawn.
-        vertices: (V, 3).
-        faces: (F, 3).
-
-    Returns:
-        The actor.
-    """
+    """Adds a mesh, (V, 3) and (F, 3), to the current renderer, shaded smoothly if it is not too large; its actor."""
     smooth = len(faces) <= MOST_SMOOTH_FACES
     return plotter.add_mesh(surface(vertices, faces), color=SURFACE, smooth_shading=smooth, split_sharp_edges=smooth)
 
 
 def draw_normals(plotter: "pyvista.Plotter", position: np.ndarray, normal: np.ndarray, scale: float) -> None:
-    """Adds points and their normals to the plotter's current renderer; of more than MOST_NORMALS, the first ones.
-
-    Args:
-        plotter: where they are drawn.
-        position: (P, 3).
-        normal: (P, 3) unit vectors.
-        scale: the length at which normals are drawn, in world units.
-    """
+    """Adds points, (P, 3), and unit normals, `scale` long in world units; of more than MOST_NORMALS, the first ones."""
     import pyvista as pv
 
     position, normal = position[:MOST_NORMALS], normal[:MOST_NORMALS]
@@ -103,16 +87,8 @@ def clouds_on_mesh(
 ) -> "pyvista.Plotter":
     """A plotter with a mesh, points with their normals, and all clouds as one set of points.
 
-    Args:
-        vertices: (V, 3).
-        faces: (F, 3).
-        position: (P, 3).
-        normal: (P, 3) unit vectors.
-        scale: the length at which normals are drawn, in world units.
-        clouds: (N, 3) points, (N,) densities per steradian, and the density that has the last colour.
-        up: "x", "y" or "z", the axis that points up.
-        size: width and height in pixels.
-        off_screen: whether no window is opened.
+    Normals are `scale` long, in world units; `clouds` are (N, 3) points, (N,) densities per steradian, and the density that
+    has the last colour; `up` is the axis that points up, "x", "y" or "z", and `size` in pixels.
     """
     import pyvista as pv
 
@@ -154,14 +130,7 @@ def meshes_side_by_side(
 ) -> "pyvista.Plotter":
     """A plotter with the mesh in the colours of each panel; one camera turns them all.
 
-    Args:
-        vertices: (V, 3).
-        faces: (F, 3).
-        panels: from left to right.
-        caption: stands below all of them.
-        up: "x", "y" or "z", the axis that points up.
-        off_screen: whether no window is opened.
-        size: width and height of all panels together, in pixels.
+    `up` is the axis that points up, "x", "y" or "z", and `size` that of all panels together, in pixels.
     """
     plotter = columns_over_caption(len(panels), caption, off_screen, size)
     for column, panel in enumerate(panels):

@@ -37,11 +37,7 @@ def sequence_sheet(
 ) -> "Figure":
     """Draws the sequences on the square and on the hemisphere, and how fast their errors fall.
 
-    Args:
-        squares: for the name of each sequence, (N, 2) points of the unit square.
-        lobes: for each, (N, 3) directions that a map makes of these points.
-        curves: one for each integrand.
-        caption: stands below.
+    Each has (N, 2) points of the unit square, and (N, 3) directions that a map makes of them; each integrand has its curves.
     """
     from matplotlib.figure import Figure
 

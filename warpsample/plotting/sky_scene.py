@@ -72,17 +72,9 @@ def sun_and_sky(
 ) -> "pyvista.Plotter":
     """A plotter with the mesh by a sum, the mesh in an hour, and the sky of a point; in a window a slider turns the hour.
 
-    Args:
-        mesh: vertices (V, 3) and faces (F, 3).
-        year: the sum at the faces.
-        hours: (T, F), the same in each hour.
-        hour: the first that is shown.
-        sky: above the point.
-        point: (3,), marked on both meshes.
-        captions: one below all, and a function of the hour for its title.
-        up: "x", "y" or "z", the axis that points up.
-        off_screen: whether no window is opened.
-        size: width and height in pixels.
+    `mesh` is (V, 3) and (F, 3), `hours` (T, F) the year's sum in each hour, `point` (3,) marked on both meshes, `captions`
+    one below all and a function of the hour for its title, `up` the axis that points up, "x", "y" or "z", and `size` in
+    pixels.
     """
     import pyvista as pv
 

@@ -74,13 +74,7 @@ def one_cloud(choice: Choice, point: SurfacePoints, first: int) -> Chosen:
 
 
 def histograms(local: np.ndarray, lobe: LobeShape, independent: bool) -> tuple[AngleHistogram, AngleHistogram]:
-    """The angles of directions to the normal and about it, each with what the lobe predicts.
-
-    Args:
-        local: (N, 3) unit vectors, +z along the normal.
-        lobe: what they are compared with.
-        independent: whether they are independent of each other.
-    """
+    """The angles of unit directions, (N, 3) with +z the normal, to it and about it, each with what the lobe predicts."""
     cell = np.minimum((SPHERE.polar(local) * (CELLS / lobe.edges[-2])).astype(np.intp), CELLS)
     sector = np.minimum((SPHERE.azimuth(local) * SECTORS).astype(np.intp), SECTORS - 1)
     around = np.linspace(0.0, 2.0 * np.pi, SECTORS + 1)

@@ -47,13 +47,7 @@ def with_scalar(distribution: Distribution, value: float) -> Distribution:
 
 
 class Controls:
-    """All knobs, set to a choice; one that is turned calls back with another choice.
-
-    Attributes:
-        choice: what the knobs are set to.
-        menus: by name.
-        sliders: by name.
-    """
+    """All knobs, set to a choice; one that is turned calls back with another choice."""
 
     def __init__(self, plotter: "pyvista.Plotter", choice: Choice, changed: Callable[[Choice], None]):
         """Adds them to the plotter's current renderer, which is at the left of the window."""

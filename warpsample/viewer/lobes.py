@@ -49,11 +49,7 @@ class LobeShape:
 
 @lru_cache(maxsize=256)
 def lobe_of(claim: Distribution) -> LobeShape:
-    """The lobe of the density that a distribution claims.
-
-    Raises:
-        ValueError: it is too narrow for float32 directions about a normal to resolve.
-    """
+    """The lobe that a distribution claims; a ValueError if float32 directions about a normal do not resolve it."""
     pilot = claim.sample(sample_square("fibonacci", 1, _PILOT)[0])
     high = _reach(claim, pilot)
     edges = np.append(np.linspace(0.0, high, CELLS + 1), max(np.pi, high + 1e-9))

@@ -27,18 +27,10 @@ def bunny() -> Path:
 
 
 def choice(distribution: str | None, density: str | None, sequence: str, samples: int, seed: int) -> Choice:
-    """A choice from the command line's words.
+    """A choice from the command line's words; by default Shirley's trick, compared with the cosine lobe.
 
-    Args:
-        distribution: as the command line takes it; None for Shirley's trick, compared with the cosine lobe.
-        density: what it is compared with; None for its own density.
-        sequence: a sequence's name.
-        samples: directions at each point.
-        seed: of the directions.
-
-    Raises:
-        TypeError: a value is of a wrong type.
-        ValueError: a name is unknown or a value out of range.
+    A distribution that is named is compared with its own density, unless another one is. Unknown names and values out of
+    range are a ValueError, values of a wrong type a TypeError.
     """
     sequences.get(sequence)
     check_integer(samples, "--samples", 1, 2**31 - 1)
@@ -62,19 +54,7 @@ def window(mesh: Mesh, points: int, chosen: Choice, up: str, size: tuple[int, in
 
 
 def save(mesh: Mesh, points: int, chosen: Choice, *, up: str, size: tuple[int, int], path: Path) -> str:
-    """Writes a .png of the viewer, or an .html of its clouds on the mesh.
-
-    Args:
-        mesh: any.
-        points: how many points have clouds.
-        chosen: what is drawn.
-        up: "x", "y" or "z", the mesh's axis that points up.
-        size: width and height in pixels.
-        path: the file.
-
-    Returns:
-        A line about what the picture shows.
-    """
+    """Writes a .png of the viewer, or an .html of its clouds on the mesh; gives a line about what the picture shows."""
     viewer = Viewer(mesh, points, chosen, up=up, size=size, off_screen=True)
     if path.suffix == ".png":
         viewer.plotter.enable_anti_aliasing("msaa", multi_samples=8, all_renderers=True)

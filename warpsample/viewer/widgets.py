@@ -31,24 +31,12 @@ def fit_texts(plotter: "pyvista.Plotter") -> None:
 
 
 class Menu:
-    """A title and radio buttons, one of which is on.
-
-    Attributes:
-        buttons: the PyVista widget of each entry.
-    """
+    """A title and radio buttons, of which that of one entry is on."""
 
     def __init__(
         self, plotter: "pyvista.Plotter", title: str, entries: list[str], *, top: float, choose: Callable[[str], None]
     ):
-        """Adds it to the plotter's current renderer.
-
-        Args:
-            plotter: where it is drawn.
-            title: stands above the buttons.
-            entries: the words beside the buttons.
-            top: the height of the title, as a share of the window's height.
-            choose: is called with the entry that is pressed.
-        """
+        """Adds it to the current renderer, its title at a share of the height; `choose` hears what entry is pressed."""
         self._plotter = plotter
         self._texts = [_text(plotter, title, _LEFT, top, bold=True)]
         self._tops = [top - (i + 1) * ROW for i in range(len(entries))]
@@ -85,12 +73,7 @@ class Menu:
 
 
 class Slider:
-    """A slider with its name and value above it.
-
-    Attributes:
-        widget: the PyVista widget.
-        title: the text above it.
-    """
+    """A slider with its name and value above it."""
 
     def __init__(
         self,
@@ -102,16 +85,7 @@ class Slider:
         low: float,
         high: float,
     ):
-        """Adds it to the plotter's current renderer.
-
-        Args:
-            plotter: where it is drawn.
-            top: its height, as a share of the window's height.
-            turn: is called with the slider's value.
-            name: makes the text above the slider of its value.
-            low: the smallest value.
-            high: the largest value.
-        """
+        """Adds it to the plotter's current renderer, at a share of the height; `name` makes the text above of its value."""
         self._name, self._ready = name, False
         self.title = _text(plotter, "", _LEFT, top)
         self.widget = plotter.add_slider_widget(
@@ -139,13 +113,7 @@ class Slider:
     def set(
         self, value: float | None, span: tuple[float, float] | None = None, name: Callable[[float], str] | None = None
     ) -> None:
-        """Moves the slider without calling anyone.
-
-        Args:
-            value: where it moves to; None hides it.
-            span: its smallest and largest value, if they change.
-            name: makes the text above the slider, if that changes.
-        """
+        """Moves the slider without calling anyone, and changes its span and its name if they are given; None hides it."""
         self.title.SetVisibility(value is not None)
         _reveal(self.widget, value is not None)
         if value is None:

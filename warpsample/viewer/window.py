@@ -31,23 +31,8 @@ _KNOBS, _MESH, _CLOUD, _CHARTS = (0, 0), (0, 1), (1, 1), (0, 2)
 class Viewer:
     """Clouds on a mesh, one of them enlarged, and charts of all; redrawn at each turn of a knob.
 
-    Drawn coordinates are about the middle of the mesh, where float32 is finest.
-
-    Attributes:
-        plotter: the window, not yet shown.
-        controls: its knobs.
-        picker: chooses another point by the mouse.
-        scale: the length of a lobe, in the mesh's unit.
-        vertices: (V, 3) of the mesh, in drawn coordinates.
-        points: where the clouds are, in drawn coordinates.
-        chosen: the pinned point, whose cloud is enlarged, in drawn coordinates.
-        clouds: the clouds on the mesh.
-        near: the enlarged cloud.
-        cloud_actor: draws the clouds on the mesh.
-        near_actor: draws the enlarged cloud.
-        lobe_actor: draws the density about it.
-        caption: the text above the mesh.
-        charts: the sheet at the right.
+    Drawn coordinates, those of `vertices`, `points` and `chosen`, are about the middle of the mesh, where float32 is finest.
+    `near` is the enlarged cloud, that of the pinned point `chosen`, and `scale` the length of a lobe, in the mesh's unit.
     """
 
     def __init__(
@@ -60,18 +45,10 @@ class Viewer:
         size: tuple[int, int] = (1600, 900),
         off_screen: bool = False,
     ):
-        """Draws everything once.
+        """Draws everything once, with clouds at so many points, uniform by area; at most MOST_POINTS are drawn.
 
-        Args:
-            mesh: any.
-            points: how many points have clouds, uniform by area; at most MOST_POINTS are drawn.
-            choice: where the knobs start.
-            up: "x", "y" or "z", the mesh's axis that points up.
-            size: width and height of the window in pixels.
-            off_screen: whether no window is opened; the widgets work all the same.
-
-        Raises:
-            ValueError: the choice's lobe is too narrow to be seen.
+        `up` is the mesh's axis that points up, "x", "y" or "z", and `size` in pixels. Off screen no window is opened; the
+        widgets work all the same. A lobe that is too narrow to be seen is a ValueError.
         """
         import pyvista as pv
 
@@ -124,12 +101,7 @@ class Viewer:
         return f"{what} of {spelt(choice.distribution)}; " + "; ".join(judged).replace("\n", ": ")
 
     def pick(self, position: np.ndarray, face: int) -> None:
-        """Enlarges the cloud of another point.
-
-        Args:
-            position: (3,) drawn coordinates.
-            face: that the point is on; nothing happens if it is degenerate.
-        """
+        """Enlarges the cloud of another point, (3,) in drawn coordinates, unless the face that it is on is degenerate."""
         if not self._normals[face].any():
             return
         self._choose(len(self.points), SurfacePoints(position[None], self._normals[face][None], np.array([face])))
