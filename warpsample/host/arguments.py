@@ -30,23 +30,14 @@ def told(value: Any) -> str:
 
 
 def check_flag(value: Any, argument: str) -> bool:
-    """`value` as a bool, if it is one: "no" and 2 are true to Python, and mean nothing here.
-
-    Raises:
-        TypeError: something else.
-    """
+    """`value` as a bool, or a TypeError: "no" and 2 are true to Python, and mean nothing here."""
     if not isinstance(value, _FLAGS):
         raise TypeError(f"{argument}: got {told(value)}, want True or False")
     return bool(value)
 
 
 def check_choice(value: Any, argument: str, choices: Sequence[str]) -> str:
-    """`value`, if it is one of the names.
-
-    Raises:
-        TypeError: not a string.
-        ValueError: another one.
-    """
+    """`value`, if it is one of the names; a TypeError for what is no string, a ValueError for another one."""
     if not isinstance(value, str) or value not in choices:
         kind = ValueError if isinstance(value, str) else TypeError
         raise kind(f"{argument}: got {told(value)}, want one of {', '.join(choices)}")
@@ -54,11 +45,9 @@ def check_choice(value: Any, argument: str, choices: Sequence[str]) -> str:
 
 
 def check_file(value: Any, argument: str, wants: str) -> Path:
-    """`value` as the path of a file that exists.
+    """`value` as the path of a file that exists; a TypeError for what is no path.
 
-    Raises:
-        TypeError: no path.
-        FileNotFoundError: there is no such file, but perhaps a folder, a device or a pipe, which may never end.
+    A FileNotFoundError is also for a folder, and for a device or a pipe, which may never end.
     """
     if not isinstance(value, str | PathLike) or not isinstance(fspath(value), str):
         raise TypeError(f"{argument}: got {told(value)}, want the path of {wants}")
@@ -78,11 +67,9 @@ def _flaw(path: Path) -> str:
 
 @contextmanager
 def naming_file(argument: str, path: Path, wants: str) -> Iterator[None]:
-    """Wraps the reader of a file: whatever it raises on a damaged file becomes one error that names the file.
+    """Wraps the reader of a file: whatever it raises on a damaged file becomes one ValueError that names the file.
 
-    Raises:
-        ValueError: the file cannot be read; names it and says why.
-        ModuleNotFoundError, MemoryError, and what a signal's handler raises: as they come.
+    ModuleNotFoundError, MemoryError, and what a signal's handler raises come as they are.
     """
     with handlers_first():
         try:
@@ -99,12 +86,7 @@ def naming_file(argument: str, path: Path, wants: str) -> Iterator[None]:
 
 
 def check_integer(value: Any, argument: str, low: int, high: int, wants: str | None = None) -> int:
-    """`value` as an int, if it is a whole number in [low, high].
-
-    Raises:
-        TypeError: not a whole number.
-        ValueError: outside the range.
-    """
+    """`value` as an int: a TypeError for what is no whole number, a ValueError for one outside [low, high]."""
     if type(value) is int and low <= value <= high:
         return value
     wants = wants or (f"a whole number of at least {low}" if high >= 2**62 else f"a whole number from {low} to {high}")
@@ -118,12 +100,7 @@ def check_integer(value: Any, argument: str, low: int, high: int, wants: str | N
 
 
 def check_number(value: Any, argument: str, low: float, high: float) -> float:
-    """`value` as a float, if it is a number in [low, high].
-
-    Raises:
-        TypeError: not a real number.
-        ValueError: outside the range, or NaN.
-    """
+    """`value` as a float: a TypeError for what is no real number, a ValueError for NaN and outside [low, high]."""
     wants = f"a number from {low:g} to {high:g}"
     if not isinstance(value, Real) or isinstance(value, bool):
         raise TypeError(f"{argument}: got {told(value)}, want {wants}")

@@ -23,11 +23,7 @@ def cpu() -> wp.Device:
 
 
 def check_device(device: Any, default: wp.Device) -> wp.Device:
-    """The device that a caller names, as "cuda:0" or a wp.Device; the default for None.
-
-    Raises:
-        TypeError, ValueError: no device of this machine.
-    """
+    """The device of this machine that a caller names, as "cuda:0" or a wp.Device; the default for None."""
     if device is None:
         return default
     return _device(device)
@@ -47,11 +43,7 @@ def _device(device: Any) -> wp.Device:
 
 
 def as_real(value: Any, argument: str, wants: str = "real numbers") -> np.ndarray:
-    """`value` as float32 where it is that already, else as float64.
-
-    Raises:
-        TypeError: not an array of real numbers.
-    """
+    """`value` as float32 where it is that already, else as float64; a TypeError for what is no array of real numbers."""
     array = as_ndarray(value, argument, wants)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{argument}: got {f'dtype {array.dtype}' if array.ndim else told(value)}, want {wants}")
@@ -64,9 +56,7 @@ def as_real(value: Any, argument: str, wants: str = "real numbers") -> np.ndarra
 def check_active(active: Any, points: int) -> np.ndarray | None:
     """Which of the points count: a copy as (points,) uint8, C-contiguous; None if all do.
 
-    Raises:
-        TypeError: not an array of bool (or of uint8, as Warp has it).
-        ValueError: of another shape.
+    It may be of bool, or of uint8, as Warp has it: another type is a TypeError, another shape a ValueError.
     """
     if active is None:
         return None
@@ -80,12 +70,7 @@ def check_active(active: Any, points: int) -> np.ndarray | None:
 
 
 def as_square(value: Any, argument: str) -> np.ndarray:
-    """`value`, if its numbers are in [0, 1); float64 ones that would round up to 1 become the float32 below it.
-
-    Raises:
-        TypeError: not an array.
-        ValueError: numbers outside of [0, 1).
-    """
+    """`value`, or a ValueError for numbers outside [0, 1); float64 ones that would round up to 1 are the float32 below."""
     array = as_ndarray(value, argument)
     if array.dtype in (np.float32, np.float64) and array.size:
         if not (array.min() >= 0.0 and array.max() < 1.0):
@@ -96,12 +81,7 @@ def as_square(value: Any, argument: str) -> np.ndarray:
 
 
 def as_unit(value: Any, argument: str, wants: str = "three finite numbers, not all 0") -> tuple[float, float, float]:
-    """`value` as a unit vector.
-
-    Raises:
-        TypeError: not numbers.
-        ValueError: not three finite ones, or all 0.
-    """
+    """`value` as a unit vector: a TypeError for what is no numbers, a ValueError for all but three finite ones, not 0."""
     vector = as_real(value, argument, wants)
     largest = float(np.abs(vector).max()) if vector.shape == (3,) else 0.0
     if not 0.0 < largest < inf:
@@ -113,11 +93,7 @@ def as_unit(value: Any, argument: str, wants: str = "three finite numbers, not a
 
 
 def as_view(value: Any, argument: str) -> tuple[float, float, float]:
-    """`value` as a unit vector, if it is a direction at or above the surface.
-
-    Raises:
-        TypeError, ValueError: not three finite numbers, the zero vector, or below.
-    """
+    """`value` as a unit vector, if it is a direction at or above the surface, else an error as of `as_unit`."""
     wants = "three finite numbers, not all 0, the last at least 0"
     view = as_unit(value, argument, wants)
     if view[2] < 0.0:

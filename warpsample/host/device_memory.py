@@ -25,11 +25,7 @@ def at_home(device: wp.Device) -> bool:
 
 
 def allocate(shape: tuple[int, ...], dtype: Any, device: wp.Device) -> wp.array:
-    """Uninitialised memory of a device.
-
-    Raises:
-        MemoryError: it has too little left.
-    """
+    """Uninitialised memory of a device; a MemoryError if it has too little left."""
     try:
         return wp.empty(shape, dtype=dtype, device=device)
     except RuntimeError as error:
@@ -55,8 +51,7 @@ class Memory:
     def of(cls, device: Any, given: Array | None = None, argument: str = "") -> "Memory":
         """The memory of a call on the device that its caller names, by default the one of the array that is given.
 
-        Raises:
-            TypeError, ValueError: no device of this machine, or another one than a wp.array lies on.
+        No device of this machine, or another one than that of a given wp.array, is a TypeError or ValueError.
         """
         of_warp = isinstance(given, wp.array)
         default = given.device if of_warp else cpu()

@@ -38,23 +38,14 @@ _idle: dict[tuple[wp.Kernel, str], list[wp.Launch]] = defaultdict(list)
 
 
 def check_workers(workers: int | None) -> int:
-    """The number of threads to use: by default all cores that this process may run on.
-
-    Raises:
-        ValueError: not from 1 to 1024.
-        TypeError: not a whole number.
-    """
+    """The number of threads to use, from 1 to 1024: by default all cores that this process may run on."""
     if workers is None:
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     return check_integer(workers, "workers", 1, 1024)
 
 
 def check_memory(needed: int, what: str, remedy: str) -> None:
-    """Refuses what would not fit into the free memory.
-
-    Raises:
-        MemoryError: says how much is needed, how much is free and what to do instead.
-    """
+    """Refuses what does not fit into the free memory: a MemoryError says what is needed and free, and what to do."""
     if needed < _ALWAYS_FREE:
         return
     import psutil  # 20 ms that most imports of the package do not need

@@ -40,26 +40,17 @@ class WriteError(OSError):
 
 
 def check_output(path: Path, argument: str, *inputs: Path | None) -> None:
-    """Refuses a file that could not be written, before anything is computed; leaves no trace.
+    """Refuses, by a ValueError, a file that could not be written, before anything is computed; leaves no trace.
 
-    Args:
-        path: a file that may exist.
-        argument: its name in the message.
-        inputs: files that are read and must not change; None is ignored.
-
-    Raises:
-        ValueError: a folder, a file that may not be written or is an input by another name, or no folder to write in.
+    The file may exist, but be neither a folder nor, by another name, one of the inputs that are read; None of these is
+    ignored.
     """
     if flaw := _flaw(path, [source for source in inputs if source is not None]):
         raise ValueError(f"{argument}: got {str(path)!r}, {flaw}")
 
 
 def check_output_folder(folder: Path, argument: str) -> None:
-    """Checks the path of a folder for output files, which is made if need be, as `check_output` does that of a file.
-
-    Raises:
-        ValueError: a file, or nothing can be written there.
-    """
+    """Checks the path of a folder for output files, made if need be, as `check_output` does that of a file."""
     if folder.exists() and not folder.is_dir():
         raise ValueError(f"{argument}: got {str(folder)!r}, which is a file, want a folder")
     there = next(parent for parent in (folder.absolute(), *folder.absolute().parents) if parent.exists())
@@ -72,10 +63,8 @@ def complete_or_absent(path: Path) -> Iterator[BinaryIO]:
     """A stream whose bytes become the file `path` at the end, or are discarded on an error.
 
     They go to a hidden file beside it, are flushed to disk and replace the old file, whose permissions they keep. If `path`
-    is a link, its target is replaced. Remains of killed processes that wrote the same file are removed first.
-
-    Raises:
-        WriteError: it cannot be written.
+    is a link, its target is replaced. Remains of killed processes that wrote the same file are removed first. What cannot be
+    written is a WriteError.
     """
     with handlers_first(), _part(path) as raw:
         stream = BufferedWriter(raw, _BUFFER)
@@ -122,11 +111,7 @@ def write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None:
 
 
 def read_array(path: Path) -> np.ndarray:
-    """The array in an .npy file. No pickle is loaded.
-
-    Raises:
-        ValueError: a file that is shorter than its header declares, or damaged.
-    """
+    """The array in an .npy file; a ValueError if that is damaged or shorter than it declares. No pickle is loaded."""
     with np.errstate(over="raise"):  # of the size that a damaged header declares
         return np.array(np.lib.format.open_memmap(path, mode="r"))  # by memory map: the file's size is checked first
 
@@ -134,8 +119,7 @@ def read_array(path: Path) -> np.ndarray:
 def read_arrays(path: Path) -> dict[str, np.ndarray]:
     """The arrays in an .npz file, by name. No pickle is loaded.
 
-    Raises:
-        ValueError, BadZipFile: a file that cannot hold what its headers declare, or that is damaged.
+    A file that cannot hold what its headers declare, or that is damaged, is a ValueError or a BadZipFile.
     """
     if not zipfile.is_zipfile(path):
         raise ValueError("it is no .npz")

@@ -31,11 +31,7 @@ _NO_DRIVER = b"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver"
 
 @once
 def start() -> None:
-    """Starts Warp, if nothing else has; with a cache folder for this process alone if the usual one cannot be made.
-
-    Warns:
-        UserWarning: it cannot.
-    """
+    """Starts Warp, if nothing else has; by a cache folder for this process alone, and a warning, if the usual one fails."""
     with _quiet(wp.LOG_ERROR):
         try:
             _without_driver_warning(wp.init)
@@ -50,11 +46,8 @@ def start() -> None:
 def load(kernel: wp.Kernel, device: str) -> None:
     """Loads the module of a kernel of ours: from the cache if it is whole there, else it is built and put there.
 
-    Raises:
-        RuntimeError: nothing can be written, or what was just built cannot be loaded; names the folder.
-
-    Warns:
-        UserWarning: the cache was damaged, or is not writable.
+    Warns of a cache that was damaged or is not writable. That nothing can be written, or that what was just built cannot be
+    loaded, is a RuntimeError that names the folder.
     """
     start()
     if device == "cpu":
@@ -180,8 +173,7 @@ def _build(module: wp.Module, load_module: Callable[[], None], entry: Path) -> N
 def _workshop(parent: Path, name: str) -> Iterator[Path]:
     """Makes a new folder Warp's cache for the time being, and yields the path in it of the module of that name.
 
-    Raises:
-        OSError: the disk is full; LLVM would end the process.
+    On a full disk it raises an OSError; LLVM would end the process.
     """
     parent.mkdir(parents=True, exist_ok=True)
     folder = Path(tempfile.mkdtemp(prefix="wp_", dir=parent))  # wp.clear_kernel_cache() removes it if this process is killed

@@ -33,8 +33,7 @@ def kind_told(value: Any) -> str:
 def from_cuda(value: Any, argument: str) -> Any:
     """Another library's array on a CUDA device as a wp.array of the same memory; everything else as it is.
 
-    Raises:
-        TypeError: it is on a device that Warp does not have, needs a gradient, or holds what no wp.array does.
+    A device that Warp does not have, a gradient, or what no wp.array holds is a TypeError.
     """
     return value if isinstance(value, _ARRAYS) else _from_cuda(value, argument)
 
@@ -68,8 +67,7 @@ def _on_cuda(value: Any) -> bool:
 def as_ndarray(value: Any, argument: str, wants: str = "an array") -> np.ndarray:
     """`value` as NumPy has it, without a copy where it is an array in the CPU's memory.
 
-    Raises:
-        TypeError: an array with a mask, which nothing here heeds; or what NumPy makes no array of, such as ragged lists.
+    A mask, which nothing here heeds, and what NumPy makes no array of, such as ragged lists, are a TypeError.
     """
     return value if type(value) is np.ndarray else _to_ndarray(value, argument, wants)
 

@@ -23,10 +23,8 @@ _LONGEST_RUN = 127
 def read_picture(path: str | PathLike) -> np.ndarray:
     """The picture in a file, row 0 on top: (H, W, 3) float32 of an .hdr; what an .npy holds. No pickle is loaded.
 
-    Raises:
-        TypeError: no path.
-        FileNotFoundError: no such file.
-        ValueError: another suffix, or a file that is truncated, damaged or of another format; names the path.
+    Errors are those of `check_file`, and a ValueError for another suffix and for a file that is truncated, damaged or of
+    another format.
     """
     path = check_file(path, "radiance", "an .hdr or .npy file")
     readers = {".hdr": _read_hdr, ".npy": read_array}

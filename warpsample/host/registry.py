@@ -15,10 +15,5 @@ def records_of(package: ModuleType) -> dict[str, Any]:
 
 
 def look_up(known: dict[str, Any], name: str, argument: str) -> Any:
-    """known[name], or an error that names the argument, what it got and the names that exist.
-
-    Raises:
-        TypeError: not a string.
-        ValueError: another one.
-    """
+    """known[name], or the error of `check_choice`, with the names that exist."""
     return known[check_choice(name, argument, sorted(known))]

@@ -58,14 +58,8 @@ class _Helper:
 def share(parts: Sequence[Callable[[], None]], stop: Callable[[], None]) -> None:
     """Does parts of a call at once: the first in this thread, which needs no waking, each other one if a thread is free.
 
-    An interrupt, or an error of any part, ends the call early, but not before all threads have stopped.
-
-    Args:
-        parts: all of them do the same work, until none is left.
-        stop: leaves no work to them.
-
-    Raises:
-        BaseException: what any of the parts raises.
+    The parts all do the same work, until none is left; `stop` leaves none. An interrupt, or an error of any part, which is
+    raised, ends the call early, but not before all threads have stopped.
     """
     helpers = [_Helper(part, stop) for part in parts[1:]]
     try:

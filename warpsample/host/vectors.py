@@ -45,9 +45,7 @@ class Vectors:
 def as_vectors(value: Any, width: int, argument: str, shape: str = "(..., {})") -> Vectors:
     """`value` as float32 vectors; without a copy where it is C-contiguous float32 already.
 
-    Raises:
-        TypeError: `value` is not an array of real floating-point numbers.
-        ValueError: its last axis is not `width` long.
+    What is no array of floating-point numbers is a TypeError, a last axis that is not `width` long a ValueError.
     """
     value = from_cuda(value, argument)
     if isinstance(value, wp.array):
@@ -106,9 +104,8 @@ def new_vectors(like: Vectors, shape: tuple[int, ...], width: int) -> Vectors:
 def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
     """The caller's own output array, if it can be written as it is: (*shape, 3) float32, C-contiguous, same kind and device.
 
-    Raises:
-        TypeError: another kind of array than the input, or not float32.
-        ValueError: another shape or device, not contiguous, read-only, or over the normals.
+    Another kind or type is a TypeError; another shape or device, and one that is not contiguous, read-only, or over the
+    normals, a ValueError.
     """
     want = f"a C-contiguous, writeable float32 array of shape {(*shape, 3)}"
     out = own_memory(from_cuda(out, "out"), want)

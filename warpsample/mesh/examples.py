@@ -17,10 +17,9 @@ _STOREYS = (  # of the buildings: rows from, to, columns from, to
 
 
 def courtyard() -> tuple[np.ndarray, np.ndarray]:
-    """Four buildings of 3 to 8 storeys around a yard with one entrance, on a square of 72 m; z is up.
+    """Four buildings of 3 to 8 storeys around a yard with one entrance, on a square of 72 m; z is up, below it is open.
 
-    Returns:
-        vertices (V, 3) float64 in metres, faces (F, 3) int32. Cells of 3 m, two triangles each; open below.
+    Vertices (V, 3) float64 in metres and faces (F, 3) int32: cells of 3 m, two triangles each.
     """
     height = np.zeros((_CELLS + 2, _CELLS + 2), int)  # with a margin, which has no faces
     for rows, to_row, columns, to_column, storeys in _STOREYS:

@@ -15,17 +15,10 @@ _WORD_STEP = wp.constant(wp.float64(2.0**-32))
 
 
 def guide_to(sums: np.ndarray, points: int) -> np.ndarray:
-    """Where among running sums to look for a share of the last one, by the share's first bits.
+    """Where among running sums (F,) float64, the last one above 0, to look for a share of the last: Chen1974.
 
-    Args:
-        sums: (F,) float64, the last one above 0.
-        points: how many are to be found: for few a coarse guide is made.
-
-    Returns:
-        (2^b + 1,) int32: a share from i to i + 1, of 2^b, is exceeded first by one of the sums number guide[i] to
-        guide[i + 1].
-
-    Source: Chen1974.
+    Of (2^b + 1,) int32, a share from i to i + 1, of 2^b, is exceeded first by one of the sums number guide[i] to guide[i +
+    1]. For few points that are to be found a coarse guide is made.
     """
     size = 1 << max(0, min(len(sums).bit_length() + 1, points.bit_length() - 3))
     bounds = np.arange(size + 1) / size * sums[-1]  # rounded as the kernel rounds

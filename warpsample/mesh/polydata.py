@@ -6,11 +6,7 @@ import numpy as np
 
 
 def pyvista() -> Any:
-    """The module `pyvista`, imported when it is first needed.
-
-    Raises:
-        ModuleNotFoundError: it is missing; says how to install it.
-    """
+    """The module `pyvista`, imported when it is first needed; a ModuleNotFoundError says how to install it."""
     try:
         import pyvista as pv
     except ModuleNotFoundError:
@@ -24,13 +20,7 @@ def surface(vertices: np.ndarray, faces: np.ndarray) -> Any:
 
 
 def cloud(position: np.ndarray, normal: np.ndarray, **arrays: np.ndarray | None) -> Any:
-    """Points with normals (the active array "Normals") and further arrays; None is left out.
-
-    Args:
-        position: (N, 3) float.
-        normal: (N, 3) float.
-        arrays: (N, ...) by name.
-    """
+    """Points (N, 3) with normals, the active array "Normals", and further arrays, (N, ...) by name; None is left out."""
     made = pyvista().PolyData(position)
     made.point_data.active_normals = np.ascontiguousarray(normal, np.float32)
     for name, array in arrays.items():

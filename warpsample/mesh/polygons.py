@@ -15,15 +15,9 @@ _COVERS = 1e-9  # of a polygon's area: by what its triangles may miss it, some r
 def triangles(points: np.ndarray, counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
     """(F, 3) indices: each polygon of n corners as n - 2 triangles of the same winding, in the order of the polygons.
 
-    A polygon that crosses itself stays a fan, in which triangles overlap.
-
-    Args:
-        points: (V, 3) float64.
-        counts: (P,) corners of each polygon.
-        indices: of points, the corners of one polygon after the other.
-
-    Raises:
-        ValueError: counts that do not fit the indices, a polygon of fewer than three corners or an index that is no point's.
+    Of (V, 3) float64 points `indices` has the corners of one polygon after the other, and `counts`, (P,), how many each has.
+    A polygon that crosses itself stays a fan, in which triangles overlap. Counts that do not fit the indices, fewer than
+    three corners and an index that is no point's are a ValueError.
     """
     if counts.sum() != len(indices):
         raise ValueError(f"its {len(indices):,} corners do not fill its {len(counts):,} faces")
@@ -89,8 +83,7 @@ def _flattened(corners: np.ndarray) -> tuple[np.ndarray, float]:
 def faces_of_cells(value: Any, argument: str) -> np.ndarray:
     """The triangles, quadrilaterals and polygons of a meshio.Mesh as triangles; lines and points are ignored.
 
-    Raises:
-        ValueError: cells of other kinds, such as tetrahedra, or invalid polygons.
+    Cells of other kinds, such as tetrahedra, and invalid polygons are a ValueError.
     """
     blocks = [block for block in value.cells if block.type != "vertex" and not block.type.startswith("line")]
     others = sorted({block.type for block in blocks} - {"triangle", "quad", "polygon"})

@@ -23,9 +23,8 @@ _AFFINE = 1e-6  # of a matrix' last row (0, 0, 0, 1): some float32 roundings, no
 def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
     """Vertices and faces of the file's scene in its rest pose; lines and points are left out.
 
-    Raises:
-        ValueError: the file is shorter or longer than it declares, is no glTF as its specification has it, or compressed,
-            sparse or instanced by an extension.
+    A ValueError is for a file that is shorter or longer than it declares, no glTF as its specification has it, or
+    compressed, sparse or instanced by an extension.
     """
     tree, chunk = binary(path) if path.suffix.lower() == ".glb" else (parsed(path.read_bytes()), memoryview(b""))
     try:
@@ -78,11 +77,7 @@ def _placed(tree: Part) -> Iterator[tuple[Part, np.ndarray]]:
 
 
 def _parents(children: list[list[int]]) -> dict[int, int]:
-    """The parent of each node that has one.
-
-    Raises:
-        ValueError: a node has two, or is its own ancestor.
-    """
+    """The parent of each node that has one; a ValueError if a node has two, or is its own ancestor."""
     parents: dict[int, int] = {}
     for number, below in enumerate(children):
         for child in below:

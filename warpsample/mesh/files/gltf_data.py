@@ -76,11 +76,7 @@ class Data:
 
 
 def binary(path: Path) -> tuple[Part, memoryview]:
-    """The JSON of a .glb, and the bytes of its first buffer.
-
-    Raises:
-        ValueError: another format, or a file that is shorter or longer than it declares.
-    """
+    """The JSON of a .glb, and the bytes of its first buffer; a ValueError if it is longer or shorter than it declares."""
     actual = path.stat().st_size
     with path.open("rb") as file:
         header = file.read(20)

@@ -80,8 +80,7 @@ class Part:
 def parsed(content: bytes) -> Part:
     """The whole of a JSON text.
 
-    Raises:
-        ValueError: it is no JSON, or no object; a name that is twice in an object; what JSON does not know, as NaN.
+    No object, a name that is twice in one, and what JSON does not know, as NaN, are a ValueError.
     """
     try:
         found = json.loads(content, object_pairs_hook=_object, parse_constant=_refuse_constant)

@@ -12,13 +12,9 @@ _MOST = 2**31 - 1  # vertices: faces are int32
 def joined(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None]]) -> tuple[np.ndarray, np.ndarray]:
     """Vertices and faces of all parts; the winding of mirrored parts is reversed, so that their outside stays outside.
 
-    Args:
-        parts: points (V, 3), triangles (F, 3) and a matrix (4, 4) that multiplies from the right: (x, y, z, 1) @ matrix;
-            None for points that stay where they are.
-
-    Raises:
-        ValueError: no parts, or more vertices than int32 counts.
-        MemoryError: a few bytes place a mesh so often that the memory that is free does not hold it.
+    A part is points (V, 3), triangles (F, 3) and a matrix (4, 4) that multiplies from the right, (x, y, z, 1) @ matrix, or
+    None for points that stay where they are. No parts, or more vertices than int32 counts, are a ValueError; a few bytes
+    that place a mesh so often that the free memory does not hold it a MemoryError.
     """
     vertices, faces, offset, size, known = [], [], 0, 0, 0
     for part in parts:

@@ -61,8 +61,7 @@ class _Element:
 def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
     """Vertices and faces; polygons are cut into triangles, other elements ignored.
 
-    Raises:
-        ValueError: the header declares no vertices or faces, or the file has more or less data than it declares.
+    No vertices or faces in the header, and more or less data than it declares, are a ValueError.
     """
     with path.open("rb") as file:
         order, elements = _header(file)

@@ -20,8 +20,7 @@ _WORDS = {"solid", "facet", "outer", "vertex", "endloop", "endfacet", "endsolid"
 def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
     """Vertices and faces; corners of equal coordinates are one vertex.
 
-    Raises:
-        ValueError: the size differs from what the header declares; unknown words; facets, loops or solids that do not end.
+    Another size than the header declares, unknown words, and facets, loops or solids that do not end are a ValueError.
     """
     size = path.stat().st_size
     with path.open("rb") as file:

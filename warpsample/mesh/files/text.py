@@ -21,13 +21,10 @@ _NO_SURFACE |= {"usemap", "maplib", "shadow_obj", "trace_obj"}
 
 
 def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and faces of an .obj; polygons are cut into triangles.
+    """Vertices and faces of an .obj; polygons are cut into triangles. A ValueError gives the number of the line.
 
     It declares no counts, so a truncated file cannot always be detected. Detected are a line with too few numbers, a face
     with fewer than three corners or with corners of different kinds, and a face with missing vertices.
-
-    Raises:
-        ValueError: a line that cannot be read; gives its number.
     """
     positions, lengths, corners, number = array("d"), array("i"), array("i"), 0
     try:
@@ -48,8 +45,7 @@ def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray]:
 def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:
     """Vertices and faces of an .off, COFF or NOFF, without colours and normals; polygons are cut into triangles.
 
-    Raises:
-        ValueError: another header, more or fewer lines than it declares, or a line that cannot be read.
+    Another header, more or fewer lines than it declares, and a line that cannot be read are a ValueError.
     """
     lines = (words for _, words in numbered(path))
     keyword, *counts = next(lines, [""])
