@@ -34,15 +34,15 @@ def measured(found, monkeypatch):
 @pytest.mark.parametrize(
     ("name", "options", "pictures"),
     [
-        ("cluster", {"points": 1000}, ["cluster_memory", "cluster_plan"]),
-        ("directions", {"points": 64}, ["maps", "sequences"]),
+        ("cluster", {"points": 1000}, ["cluster"]),
+        ("directions", {"points": 64}, ["directions"]),
         ("error", {"rmse": 0.01, "largest": 64}, ["error"]),
         ("kernels", {"points": 64}, ["kernels"]),
         ("peers", {"points": 64}, ["peers"]),
         ("radiation", {"scene": "city", "points": 64}, ["radiation"]),
         ("rays", {"scene": "bunny", "rays": 64}, ["rays"]),
         ("scaling", {"largest": 1000}, ["scaling"]),
-        ("startup", {"processes": 1}, ["startup_calls", "startup_processes"]),
+        ("startup", {"processes": 1}, ["startup"]),
         ("view-factors", {"side": 2, "rays": 64}, ["view_factors"]),
         ("visibility", {"scene": "city", "points": 64}, ["visibility"]),
     ],
@@ -81,7 +81,7 @@ def test_all_are_run_and_written(measured, monkeypatch, capsys, tmp_path):
     monkeypatch.setattr(readme, "PICTURES", tmp_path / "viz")
     monkeypatch.setattr(readme, "RESULTS", tmp_path / "results")
     blocks = "".join(f"<!-- bench {name} -->\n<!-- end -->\n" for name in benchmarks())
-    (tmp_path / "README.md").write_text(f"Before.\n{blocks}![A picture](../../viz/bench_maps.png)\nAfter.\n")
+    (tmp_path / "README.md").write_text(f"Before.\n{blocks}![A picture](../../viz/bench_directions.png)\nAfter.\n")
     assert run_command(monkeypatch, "all", "--write") == 2
     assert "--write: got an installed package, want a checkout" in capsys.readouterr().err
     (tmp_path / "results").mkdir()
@@ -96,7 +96,7 @@ def test_all_are_run_and_written(measured, monkeypatch, capsys, tmp_path):
     assert text.endswith("After.\n")
     assert all(f"(`warpsample bench {name}`: " in text for name in benchmarks())
     assert len(list((tmp_path / "results").iterdir())) == len(benchmarks())
-    assert [path.name for path in (tmp_path / "viz").glob("*.png")] == ["bench_maps.png"]
+    assert [path.name for path in (tmp_path / "viz").glob("*.png")] == ["bench_directions.png"]
 
 
 def test_an_end_before_the_last_result_leaves_results_and_readme_as_they_were(measured, monkeypatch, tmp_path, repository):

@@ -16,7 +16,7 @@ def test_scaling_covers_points_samples_and_workers():
 def test_a_stream_computes_every_direction(monkeypatch):
     seen = []
     monkeypatch.setattr(scaling, "sample_directions", lambda n, s, first_point, **_: seen.append((first_point, len(n), s)))
-    job = scaling.build_stream(10, 16, 1, part=64)
+    job = scaling.build_stream(("points", 10, 16, 1), part=64)
     job.work()
     assert seen == [(0, 4, 16), (4, 4, 16), (8, 2, 16)]
     assert job.report()["peak_megabytes"] > 10.0

@@ -45,4 +45,4 @@ def test_calls_are_measured_and_shown(monkeypatch, capsys, tmp_path):
     lines = lines_of("startup", {}, found, capsys)
     assert [line for line in lines if line.startswith(" 1,000 x 16 directions ")]
     assert [line for line in lines if line.startswith(" first points and their occlusion ")]
-    assert drawn("startup", found, tmp_path) == ["startup_processes.png", "startup_calls.png"]
+    assert drawn("startup", found, tmp_path) == ["startup.png"]

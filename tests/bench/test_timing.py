@@ -10,18 +10,20 @@ import pytest
 import warpsample
 from warpsample.bench.rows import Spread
 from warpsample.bench.running import timing
-from warpsample.bench.running.child import Child, Failure
+from warpsample.bench.running.child import Child
 from warpsample.bench.running.machine import commit, peak_megabytes, this_machine
 
 
 def test_rounds_are_interleaved_and_each_timed_run_follows_one_of_its_kind(monkeypatch):
     monkeypatch.setattr(timing, "WARM_UP", 0.0)
     calls = []
-    cases = [timing.stopwatch(lambda: calls.append("a")), timing.stopwatch(lambda: calls.append("b"), warm=lambda: None)]
-    times, beside = timing.interleave(cases, 2, reference=lambda: calls.append("r") or 1.0)
-    assert calls == ["a", "a", "r", "b", "r"] * 2
-    assert [len(t) for t in times] == [2, 2]
-    assert beside == [[1.0, 1.0]] * 2
+    cases = {
+        "a": timing.stopwatch(lambda: calls.append("a")),
+        "b": timing.stopwatch(lambda: calls.append("b"), warm=lambda: None),
+    }
+    seconds = timing.in_turns(cases, 2)
+    assert calls == ["a", "a", "b"] * 2
+    assert [(case, len(t)) for case, t in seconds.items()] == [("a", 2), ("b", 2)]
 
 
 def test_short_work_is_warmed_up_for_a_while(monkeypatch):
@@ -32,8 +34,7 @@ def test_short_work_is_warmed_up_for_a_while(monkeypatch):
 
 
 def test_beyond_the_budget_three_rounds_are_enough():
-    times, beside = timing.interleave([lambda: 1.0], 9, budget=-1.0)
-    assert (times, beside) == ([[1.0] * 3], [[]])
+    assert timing.in_turns({"a": lambda: 1.0}, 9, budget=-1.0) == {"a": [1.0] * 3}
 
 
 def test_a_spread_is_the_median_and_the_middle_half():
@@ -53,13 +54,11 @@ def test_a_child_runs_its_job_and_reports():
 @pytest.mark.slow
 def test_a_child_without_a_job_says_why():
     with Child(child_jobs.hopeless) as one:
-        failure = one.wait_until_built()
-        assert failure.missing == "no_such_library"
-        assert "No module named" in failure.reason
-        with pytest.raises(RuntimeError, match="No module named"):
+        assert one.wait_until_built() == "not installed: pip install no_such_library"
+        with pytest.raises(RuntimeError, match="no_such_library"):
             one.run()
     with Child(child_jobs.dying) as one:
-        assert one.wait_until_built() == Failure("its process ended with status 3")
+        assert one.wait_until_built() == "its process ended with status 3"
     with Child(child_jobs.mortal) as one:
         assert one.wait_until_built() is None
         with pytest.raises(RuntimeError, match="child_jobs:mortal: its process ended with status 4"):

@@ -231,6 +231,6 @@ def test_a_benchmarks_child_ends_when_the_parent_is_interrupted(tmp_path):
     """The child is then in the middle of its work."""
     child = Child(no_end, at_work=str(tmp_path / "at work"))
     until((tmp_path / "at work").exists)
-    (running,) = [process for process in psutil.Process().children() if str(tmp_path) in " ".join(process.cmdline())]
+    running = psutil.Process(child.process.pid)
     child.__exit__(KeyboardInterrupt, KeyboardInterrupt(), None)
     assert not running.is_running()

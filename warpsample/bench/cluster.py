@@ -1,10 +1,9 @@
-"""`bench cluster`: processes against threads, what a chunk and a mesh cost over Dask, and the plan for 10^9 points."""
+"""`bench cluster`: processes against threads, what a chunk costs over Dask, and the plan for 10^9 points."""
 
-from collections.abc import Iterator
-from contextlib import ExitStack
 from dataclasses import dataclass
+from functools import partial
 from math import ceil
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
@@ -12,16 +11,23 @@ from warpsample.bench.pictures import Picture
 from warpsample.bench.record import Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column, digits
 from warpsample.bench.running.child import Child
-from warpsample.bench.running.timing import interleave
+from warpsample.bench.running.turns import take_turns
 from warpsample.bench.tables import TableView
-from warpsample.bench.tools.cluster import CHUNK, RAYS, build_client, build_costs, build_way
+from warpsample.bench.tools.cluster import (
+    CHUNK,
+    COMPUTED,
+    FEW,
+    MANY,
+    RAYS,
+    STORED,
+    WAYS,
+    build_chunks,
+    build_client,
+    build_way,
+)
 
-WAYS = {"one process of two threads": (None, 2), "two processes of one thread": (2, None)}
-"""(processes, threads); the second is compared with the first."""
 PLANNED = 10**9
 """Points of the plan."""
-MACHINES, CORES = 64, 16
-"""What the plan is for."""
 
 
 @dataclass(frozen=True)
@@ -53,73 +59,29 @@ class ClientMemory:
 
 
 @dataclass(frozen=True)
-class Sent:
-    """What each worker process gets and makes once."""
-
-    worker: int = column("worker")
-    calls: int = column("calls", "over which was counted")
-    chunks: int = column("chunks", "of these calls, all workers together")
-    meshes: int = column("meshes", "that arrived there")
-    trees: int = column("trees", "built there")
-    tree_seconds: float = column("s for trees", show=digits)
-    mesh_megabytes: float = column("MB of a mesh", show=digits)
-    transfer_seconds: float = column("s to send it", "to all workers", show=digits)
-    stored_bytes: float = column("bytes stored", "of a point", show=digits)
-
-
-@dataclass(frozen=True)
-class BillionPlan:
-    """10^9 points by 256 rays on 64 machines of 16 cores, a process each, from what was measured here."""
-
-    chunks: int = column("chunks")
-    chunk_seconds: float = column("s of a chunk", "one thread's work", show=digits)
-    overhead_seconds: float = column("s over", "that one costs client, scheduler and workers together", show=digits)
-    transfer_seconds: float = column("s to send", "until all machines have the mesh, one after the other", show=digits)
-    tree_seconds: float = column("s for trees", "all at once", show=digits)
-    stored_gigabytes: float = column("GB stored", show=digits)
-
-    @property
-    def at_most(self) -> int:
-        """Threads beyond which the scheduler hands out chunks more slowly than they are computed."""
-        return max(1, int(self.chunk_seconds / self.overhead_seconds))
-
-    def hours(self, threads: int) -> float:
-        """From the first byte to the last: chunks in whole rounds, or as fast as the scheduler hands them out."""
-        work = ceil(self.chunks / threads) * self.chunk_seconds
-        return (self.transfer_seconds + self.tree_seconds + max(work, self.chunks * self.overhead_seconds)) / 3600.0
-
-
-@dataclass(frozen=True)
 class PlannedHours:
-    """How long the plan takes by so many threads."""
+    """How long 10^9 points by 256 rays take by so many threads, from what was measured here."""
 
     threads: int = column("threads")
     hours: float = column("hours", show=digits)
     bottleneck: str = column("bottleneck")
 
 
-def plan(found: Found) -> BillionPlan:
-    """The plan by the medians of two processes of one thread."""
-    way, sent = found["ways"][-1], found["sent"]
-    return BillionPlan(
-        chunks=ceil(PLANNED / CHUNK),
-        chunk_seconds=2 * way.duration.median * CHUNK / way.points,
-        overhead_seconds=max(1e-6, found["overheads"][-1].milliseconds.median / 1e3),
-        transfer_seconds=sent[0].transfer_seconds / len(sent) * MACHINES,
-        tree_seconds=max(row.tree_seconds / max(1, row.trees) for row in sent),
-        stored_gigabytes=sent[0].stored_bytes * PLANNED / 1e9,
-    )
+def plan(found: Found) -> list[PlannedHours]:
+    """The hours by 1 to 16,384 threads: chunks in whole rounds, or as fast as the scheduler hands them out."""
+    way, overhead = found["ways"][-1], max(1e-6, found["overheads"][-1].milliseconds.median / 1e3)
+    chunks, chunk_seconds = ceil(PLANNED / CHUNK), 2 * way.duration.median * CHUNK / way.points
+    at_most = max(1, int(chunk_seconds / overhead))
 
+    def bottleneck(threads: int) -> str:
+        if threads <= at_most:
+            return f"the work, up to {at_most:,} threads"
+        return f"the scheduler: take chunks of {ceil(threads / at_most)} times as many points"
 
-def planned_hours(of: BillionPlan) -> list[PlannedHours]:
-    """The plan by 1 to 16,384 threads, a power of two each."""
-    return [PlannedHours(threads, of.hours(threads), _bottleneck(of, threads)) for threads in (2**k for k in range(15))]
+    def hours(threads: int) -> float:
+        return max(ceil(chunks / threads) * chunk_seconds, chunks * overhead) / 3600.0
 
-
-def _bottleneck(of: BillionPlan, threads: int) -> str:
-    if threads <= of.at_most:
-        return f"the work, up to {of.at_most:,} threads"
-    return f"the scheduler: take chunks of {ceil(threads / of.at_most)} times as many points"
+    return [PlannedHours(threads, hours(threads), bottleneck(threads)) for threads in (2**k for k in range(15))]
 
 
 def measure(
@@ -129,7 +91,7 @@ def measure(
     largest: Annotated[int, typer.Option(help="Points against which the client's memory is shown.", min=1000)] = 10_000_000,
     repeats: Repeats = 3,
 ) -> Found:
-    """Each part in processes of its own; the two ways in turns.
+    """Each part in processes of its own; what is compared in turns.
 
     Raises:
         ModuleNotFoundError: Dask is missing; names the extra.
@@ -137,74 +99,48 @@ def measure(
     from warpsample import cluster
 
     _ = cluster.ambient_occlusion  # says what is missing
-    sizes = [(10**k, True) for k in range(3, 10) if largest // 100 <= 10**k <= largest]
-    sizes.append((PLANNED, False))
-    steps = track(range(repeats + 1 + len(sizes)), repeats + 1 + len(sizes))
-    ways = _ways(points, repeats, steps)
-    next(steps)
-    overheads, sent = _costs(repeats)
-    memory = []
-    for size, computed in sizes:
-        next(steps)
-        with Child(build_client, points=size, computed=computed) as child:
-            memory.append(ClientMemory(size, ceil(size / CHUNK), computed, child.report()["peak_megabytes"]))
-    for _ in steps:  # to the end of the bar
-        pass
-    return {"ways": ways, "overheads": overheads, "memory": memory, "sent": sent}
+    sizes = [(10**k, True) for k in range(3, 10) if largest // 100 <= 10**k <= largest] + [(PLANNED, False)]
+    jobs = [("ways", partial(_ways, points, repeats))]
+    jobs += [("overheads", partial(_overhead, end, repeats)) for end in (COMPUTED, STORED)]
+    jobs += [("memory", partial(_memory, *size)) for size in sizes]
+    found: Found = {"ways": [], "overheads": [], "memory": []}
+    for part, job in track(jobs, len(jobs)):
+        found[part] += job()
+    return found
 
 
-def _ways(points: int, repeats: int, steps: Iterator[Any]) -> list[WayTime]:
-    with ExitStack() as stack:
-        arguments = [{"points": points, "processes": p, "threads": t} for p, t in WAYS.values()]
-        children = [stack.enter_context(Child(build_way, **each)) for each in arguments]
-        for child in children:
-            child.wait_until_built()
-        times: list[list[float]] = [[], []]
-        for _ in range(repeats):
-            next(steps)
-            for all_of_it, (seconds,) in zip(times, interleave([child.run for child in children], 1)[0], strict=True):
-                all_of_it.append(seconds)
-    return [
-        WayTime(name, points, Spread.of(seconds), Spread.of_ratios(times[0], seconds), seconds=seconds)
-        for name, seconds in zip(WAYS, times, strict=True)
-    ]
+def _ways(points: int, repeats: int) -> list[WayTime]:
+    times = take_turns(build_way, WAYS, repeats, points=points).of_all()
+    first = next(iter(times.values()))
+    return [WayTime(name, points, Spread.of(t), Spread.of_ratios(first, t), seconds=t) for name, t in times.items()]
 
 
-def _costs(repeats: int) -> tuple[list[Overhead], list[Sent]]:
-    rounds = []
-    with Child(build_costs) as child:
-        for _ in range(repeats):
-            child.run()
-            rounds.append(child.report())
-    overheads = [
-        Overhead(name, Spread.of([each["milliseconds"][name] for each in rounds])) for name in rounds[0]["milliseconds"]
-    ]
-    return overheads, [Sent(worker, *found) for worker, found in enumerate(rounds[-1]["sent"], 1)]
+def _overhead(end: str, repeats: int) -> list[Overhead]:
+    times = take_turns(build_chunks, (FEW, MANY), repeats, end=end).of_all()
+    each = [1e3 * (many - few) / (MANY - FEW) for few, many in zip(times[FEW], times[MANY], strict=True)]
+    return [Overhead(end, Spread.of(each))]
+
+
+def _memory(points: int, computed: bool) -> list[ClientMemory]:
+    with Child(build_client, points=points, computed=computed) as child:
+        return [ClientMemory(points, ceil(points / CHUNK), computed, child.report()["peak_megabytes"])]
 
 
 def _few_threads(rows: list[PlannedHours]) -> list[PlannedHours]:
-    return [row for row in rows if row.threads in (1, 64, MACHINES * CORES)]
+    return [row for row in rows if row.threads in (1, 64, 1024)]
 
-
-_SENT = "meshes trees tree_seconds mesh_megabytes transfer_seconds stored_bytes"
-_PLAN = "chunk_seconds overhead_seconds transfer_seconds tree_seconds stored_gigabytes"
 
 RECORD = Benchmark(
     name="cluster",
-    summary="Processes against threads over Dask, what a chunk and a mesh cost, and the plan for 10^9 points.",
+    summary="Processes against threads over Dask, what a chunk costs, and the plan for 10^9 points.",
     measure=measure,
-    parts={"ways": WayTime, "overheads": Overhead, "memory": ClientMemory, "sent": Sent},
-    derived=lambda found, _: {"plan": [plan(found)], "hours": planned_hours(plan(found))},
+    parts={"ways": WayTime, "overheads": Overhead, "memory": ClientMemory},
+    derived=lambda found, _: {"hours": plan(found)},
     views=[
         TableView("ways", f"Processes and threads, {RAYS} rays a point", "way points", "duration speed"),
         TableView("overheads", "One more chunk", "chunk", "milliseconds"),
         TableView("memory", "Memory of the client", "points chunks computed", "peak_megabytes"),
-        TableView("sent", "What a worker gets", "worker calls chunks", _SENT),
-        TableView("plan", f"The plan for {PLANNED:,} points on {MACHINES} machines of {CORES} cores", "chunks", _PLAN),
-        TableView("hours", "Its hours", "threads", "hours bottleneck", brief=_few_threads),
+        TableView("hours", f"The plan for {PLANNED:,} points", "threads", "hours bottleneck", brief=_few_threads),
     ],
-    pictures=[
-        Picture("cluster_plan", "hours", "threads", y="hours", series="", log="xy"),
-        Picture("cluster_memory", "memory", "points", y="peak_megabytes", series="", log="x"),
-    ],
+    pictures=[Picture("cluster", "hours", "threads", y="hours", series="", log="xy")],
 )

@@ -13,7 +13,7 @@ from warpsample.bench.integrands import INTEGRANDS, KnownIntegral, estimates, es
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column, digits
-from warpsample.bench.running.timing import interleave, stopwatch
+from warpsample.bench.running.timing import timed
 from warpsample.bench.tables import Cell, TableView, grouped
 
 COUNTS = tuple(4**k for k in range(1, 9))
@@ -118,9 +118,8 @@ def _points(integrand: KnownIntegral, randomisations: int, largest: int, repeats
     points = []
     for count in (n for n in COUNTS if n <= largest):
         out = np.empty(max(randomisations, _LEAST_WORK // count))
-        cases = [stopwatch(estimator(integrand, name, count, out)) for name in sequences.names()]
-        times, _ = interleave(cases, repeats)
-        for name, seconds in zip(sequences.names(), times, strict=True):
+        works = {name: estimator(integrand, name, count, out) for name in sequences.names()}
+        for name, seconds in timed(works, repeats).items():
             errors = estimates(integrand, name, count, len(out)) - integrand.mean
             rmse = sqrt(float(np.mean(errors**2)))
             each = Spread.of([1e6 * t / len(out) for t in seconds])

@@ -11,7 +11,7 @@ import warp as wp
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column
-from warpsample.bench.running.timing import interleave, stopwatch
+from warpsample.bench.running.timing import timed
 from warpsample.bench.scenes import bunny, city
 from warpsample.bench.tables import TableView
 from warpsample.directions.sample import sample_directions
@@ -84,10 +84,11 @@ def measure(
     rows = []
     for scene, count, ways in track(groups, len(groups)):
         size = count * (points if scene else _TOTAL // count)
-        times, _ = interleave([stopwatch(work) for work in ways.values()], repeats)
-        for way, seconds in zip(ways, times, strict=True):
+        times = timed(ways, repeats)
+        first = next(iter(times.values()))
+        for way, seconds in times.items():
             each = Spread.of([1e9 * t / size for t in seconds])
-            rows.append(WayCost(way, scene, count, each, Spread.of_ratios(seconds, times[0]), seconds=seconds))
+            rows.append(WayCost(way, scene, count, each, Spread.of_ratios(seconds, first), seconds=seconds))
     return {"rows": rows}
 
 

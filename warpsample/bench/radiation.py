@@ -98,8 +98,8 @@ class YearTime:
         return self.seconds + each * (points - self.points)
 
 
-def build_sky(tool: str, scene: str, points: int, *, rays: int, workers: int, reference: str) -> ChildJob:
-    """A tool's sky matrix of Tregenza's patches; `reference` is an .npy file of the right values."""
+def build_sky(tool: str, scene: str, points: int, *, rays: int, workers: int, reference: np.ndarray) -> ChildJob:
+    """A tool's sky matrix of Tregenza's patches, held against the right values."""
     library, make, _ = SKY_TOOLS[tool]
     mesh, at = clear_points_of(scene, points)
     run = make(mesh, at, workers)
@@ -108,10 +108,9 @@ def build_sky(tool: str, scene: str, points: int, *, rays: int, workers: int, re
     def report() -> dict[str, Any]:
         if tool == VIEW:
             return {"version": version(library)}
-        right = np.load(reference, allow_pickle=False)
         judged = make(mesh, at, workers)  # anew: how many runs were timed, and so their seeds, is a matter of time
-        mse, variance, apart = errors(judged(rays, _RUNS), right)
-        fewer, _, _ = errors(judged(rays // _FEWER, _RUNS), right)
+        mse, variance, apart = errors(judged(rays, _RUNS), reference)
+        fewer, _, _ = errors(judged(rays // _FEWER, _RUNS), reference)
         return {
             "version": version(library),
             "rmse": float(np.sqrt(mse)),
@@ -131,15 +130,14 @@ def errors(found: np.ndarray, right: np.ndarray) -> tuple[float, float, float]:
     return float(np.mean((found - right) ** 2)), float(variance), float(np.mean((mean - right) ** 2))
 
 
-def build_sun(tool: str, scene: str, points: int, *, workers: int, reference: str) -> ChildJob:
-    """Which suns of a year points see; `reference` is an .npy file of what is lit, eight pairs in a byte."""
+def build_sun(tool: str, scene: str, points: int, *, workers: int, reference: np.ndarray) -> ChildJob:
+    """Which suns of a year points see, held against what is lit, (P, T) bool."""
     library, make, _ = SUN_TOOLS[tool]
     suns = year_of_suns()
     work, lit = keeping_last(make(*clear_points_of(scene, points), suns, workers))
 
     def report() -> dict[str, Any]:
-        right = np.unpackbits(np.load(reference, allow_pickle=False), axis=1, count=len(suns)).view(bool)
-        return {"version": version(library), "different": float(np.mean(lit() != right))}
+        return {"version": version(library), "different": float(np.mean(lit() != reference))}
 
     return ChildJob(work, report)
 
@@ -222,8 +220,7 @@ def compare_suns(
     suns = year_of_suns()
     directions = np.array(np.broadcast_to(suns, (points, *suns.shape)))
     lit = (trace(mesh, at, directions, any_hit=True).face < 0) & (at.normal @ suns.T > 0.0)
-    right = np.packbits(lit, axis=1)
-    turns = take_turns(build_sun, tools, repeats, scene=scene, points=points, workers=workers, reference=right)
+    turns = take_turns(build_sun, tools, repeats, scene=scene, points=points, workers=workers, reference=lit)
 
     def figures(tool: str) -> dict[str, Any]:
         seconds, told = turns.seconds[tool], turns.told[tool]

@@ -11,7 +11,7 @@ import typer
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import Benchmark, Found, Repeats, Scenes, Track
 from warpsample.bench.rows import Spread, Timed, column
-from warpsample.bench.running.timing import interleave, stopwatch
+from warpsample.bench.running.timing import timed
 from warpsample.bench.scenes import KINDS, SCENES, ray_set
 from warpsample.bench.tables import Cell, TableView
 from warpsample.bench.tools.tracers import TRACERS, RayTool, builds, visits
@@ -114,10 +114,9 @@ def compare(
         visited: the fields `nodes` and `leaves` of our wide tree.
         **case: the fields `scene`, `triangles`, `kind` and `any_hit` of all rows.
     """
-    cases = list(product(tools, everyone))
-    work = [stopwatch(tools[name](case["any_hit"], workers)) for name, workers in cases]
     found = {name: tool(case["any_hit"], 1)() for name, tool in tools.items()}
-    seconds_of = dict(zip(cases, interleave(work, repeats)[0], strict=True))
+    works = {(name, workers): tools[name](case["any_hit"], workers) for name, workers in product(tools, everyone)}
+    seconds_of = timed(works, repeats)
     return [
         RaySpeed(
             **case,
@@ -138,16 +137,15 @@ def compare(
 
 
 def _builds(scene: str, mesh: Mesh, missing: dict[str, str], everyone: list[int], repeats: int) -> list[BuildTime]:
-    cases = {
+    works = {
         (name, workers if name.startswith("wide") else 0): work
         for workers in everyone
         for name, work in builds(mesh, workers).items()
         if name not in missing
     }
-    times, _ = interleave([stopwatch(work) for work in cases.values()], repeats)
     return [
         BuildTime(scene, len(mesh.faces), *case, Spread.of([1e3 * t for t in seconds]), seconds=seconds)
-        for case, seconds in zip(cases, times, strict=True)
+        for case, seconds in timed(works, repeats).items()
     ]
 
 

@@ -77,7 +77,7 @@ def headline(folder: Path = RESULTS) -> list[str]:
     """What the first page of the package says of speed: phrases of the first processor's results."""
     results = kept(processors(folder)[0], benchmarks(), folder)
     peers, rays, visibility = (results[name].found["rows"] for name in ("peers", "rays", "visibility"))
-    speeds = {row.peer: digits(row.million_per_second.median) for row in peers if row.million_per_second}
+    speeds = {row.tool: digits(row.million_per_second.median) for row in peers if row.million_per_second}
     over = [row.ours.median for row in rays if row.workers == 1 and row.tool == "Embree"]
     times = {row.tool: digits(row.microseconds.median) for row in visibility
              if (row.scene, row.target, row.open_points) == ("bunny", 0.01, False) and row.microseconds}  # fmt: skip

@@ -1,6 +1,5 @@
 """`bench scaling`: cost per direction and peak memory against points, samples and workers, a process to each case."""
 
-from contextlib import ExitStack
 from dataclasses import dataclass
 from typing import Annotated
 
@@ -10,9 +9,9 @@ import typer
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column
-from warpsample.bench.running.child import Child, ChildJob
+from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import peak_megabytes
-from warpsample.bench.running.timing import interleave
+from warpsample.bench.running.turns import take_turns
 from warpsample.bench.tables import TableView
 from warpsample.directions.sample import sample_directions
 from warpsample.host.engine import check_workers
@@ -52,28 +51,19 @@ def measure(
     largest: Annotated[int, typer.Option(help="Greatest number of points.", min=1000)] = 100_000_000,
     repeats: Repeats = 5,
 ) -> Found:
-    """All cases, interleaved: a process each, alive to the end."""
+    """All cases in turns: a process each, alive to the end."""
     chosen = cases(largest)
-    with ExitStack() as stack:
-        children = [
-            stack.enter_context(Child(build_stream, points=points, samples=samples, workers=workers))
-            for _, points, samples, workers in chosen
-        ]
-        for child in children:  # so that none is disturbed by another that starts
-            child.wait_until_built()
-        runs = [child.run for child in children]
-        times = list(zip(*(interleave(runs, 1)[0] for _ in track(range(repeats), repeats)), strict=True))
-        memory = [child.report()["peak_megabytes"] for child in children]
+    turns = take_turns(build_stream, track(chosen, len(chosen)), repeats)
     rows = []
-    for case, rounds, peak in zip(chosen, times, memory, strict=True):
-        seconds = [t for (t,) in rounds]
-        each = Spread.of([1e9 * t / (case[1] * case[2]) for t in seconds])
-        rows.append(ScaledCost(*case, each, peak, seconds=seconds))
+    for case, times in turns.of_all().items():
+        each = Spread.of([1e9 * t / (case[1] * case[2]) for t in times])
+        rows.append(ScaledCost(*case, each, turns.told[case]["peak_megabytes"], seconds=times))
     return {"rows": rows}
 
 
-def build_stream(points: int, samples: int, workers: int, part: int = PART) -> ChildJob:
-    """All directions of `points` points, part by part into one array, about normals that repeat every 65,536."""
+def build_stream(tool: tuple[str, int, int, int], part: int = PART) -> ChildJob:
+    """All directions of a case, part by part into one array, about normals that repeat every 65,536."""
+    _, points, samples, workers = tool
     part = min(points, max(1, part // samples))
     normals = np.random.default_rng(SEED).normal(size=(65_536, 3)).astype(np.float32)
     normals = np.resize(normals, (part, 3)) if part > len(normals) else normals[:part]

@@ -6,7 +6,8 @@ import sys
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import chain
+from functools import partial
+from itertools import product
 from time import perf_counter, sleep
 from typing import Annotated
 
@@ -16,7 +17,7 @@ import typer
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column
-from warpsample.bench.running.timing import interleave, stopwatch
+from warpsample.bench.running.timing import in_turns, stopwatch
 from warpsample.bench.scenes import bunny, ray_set
 from warpsample.bench.tables import TableView
 from warpsample.directions.sample import sample_directions
@@ -64,8 +65,6 @@ IN_A_ROW, PAUSED = "in a row", "after a pause"
 PAUSE = 0.02
 """Seconds in which the threads fall asleep."""
 
-_ROUND = 10  # repeats between two signs of progress
-
 
 @dataclass(frozen=True)
 class Wait(Timed):
@@ -94,16 +93,10 @@ def measure(
     repeats: Repeats = 50,
 ) -> Found:
     """The processes one after the other, then all calls in turns."""
-    cases = calls()
-    rounds = [min(left, _ROUND) for left in range(repeats, 0, -_ROUND)]
-    jobs = [start_processes] * processes
-    jobs += [lambda times=times: interleave(list(cases.values()), times)[0] for times in rounds]
-    done = [job() for job in track(jobs, len(jobs))]
-    found, times = done[:processes], done[processes:]
+    found = [start_processes() for _ in track(range(processes), processes)]
     taken = {(step, cache): [one[cache, step] for one in found] for step in STEPS for cache in CACHES}
     waits = [Wait(*key, Spread.of(seconds), seconds=seconds) for key, seconds in taken.items()]
-    by_call = {case: [*chain(*parts)] for case, *parts in zip(cases, *times, strict=True)}
-    return {"waits": waits, "calls": [_call(by_call, *case) for case in by_call]}
+    return {"waits": waits, "calls": measure_calls(repeats)}
 
 
 def start_processes() -> dict[tuple[str, str], float]:
@@ -122,37 +115,33 @@ def _run(script: str, folder: str) -> list[float]:
     return [float(x) for x in done.stdout.splitlines()[-1].split()]
 
 
-def calls() -> dict[tuple[str, str, int], Callable[[], float]]:
-    """What times each call, by (what, when, workers)."""
-    timed = {}
-    for what, (work, pauses) in _works().items():
-        for workers in sorted({1, check_workers(None)}):
-            call = _with(work, workers)
-            timed[what, IN_A_ROW, workers] = stopwatch(call)
-            if pauses:
-                timed[what, PAUSED, workers] = _after_a_pause(call)
-    return timed
+def measure_calls(repeats: int) -> list[TimedCall]:
+    """Each call with one worker and with all, in a row and after a pause."""
+    cases = {}
+    for (what, call), workers in product(_calls().items(), sorted({1, check_workers(None)})):
+        cases[what, IN_A_ROW, workers] = stopwatch(partial(call, workers=workers))
+        cases[what, PAUSED, workers] = _after_a_pause(partial(call, workers=workers))
+    times = in_turns(cases, repeats)
+    rows = []
+    for (what, when, workers), seconds in times.items():
+        each, gain = Spread.of([1e6 * t for t in seconds]), Spread.of_ratios(times[what, when, 1], seconds)
+        rows.append(TimedCall(what, when, workers, each, gain, seconds=seconds))
+    return rows
 
 
-def _works() -> dict[str, tuple[Callable[[int], object], bool]]:
-    """(the call with so many workers, whether it is also to be timed after a pause) by what it does."""
+def _calls() -> dict[str, Callable[..., object]]:
+    """What is called with a number of workers, by what it does."""
     mesh = bunny(0)
-    origins, towards = ray_set(mesh, "outward", 1 << 18)
     return {
-        "1,000 x 16 directions": (_directions(1000, 16), False),
-        "65,536 x 64 directions": (_directions(65_536, 64), True),
-        "262,144 rays to any hit": (lambda workers: trace(mesh, origins, towards, any_hit=True, workers=workers), True),
+        "1,000 x 16 directions": _directions(1000, 16),
+        "65,536 x 64 directions": _directions(65_536, 64),
+        "262,144 rays to any hit": partial(trace, mesh, *ray_set(mesh, "outward", 1 << 18), any_hit=True),
     }
 
 
-def _directions(points: int, count: int) -> Callable[[int], object]:
+def _directions(points: int, count: int) -> Callable[..., object]:
     normals = np.random.default_rng(SEED).normal(size=(points, 3)).astype(np.float32)
-    out = np.empty((points, count, 3), np.float32)
-    return lambda workers: sample_directions(normals, count, out=out, workers=workers)
-
-
-def _with(work: Callable[[int], object], workers: int) -> Callable[[], object]:
-    return lambda: work(workers)
+    return partial(sample_directions, normals, count, out=np.empty((points, count, 3), np.float32))
 
 
 def _after_a_pause(call: Callable[[], object]) -> Callable[[], float]:
@@ -166,12 +155,6 @@ def _after_a_pause(call: Callable[[], object]) -> Callable[[], float]:
     return case
 
 
-def _call(times: dict[tuple[str, str, int], list[float]], what: str, when: str, workers: int) -> TimedCall:
-    seconds = times[what, when, workers]
-    each, gain = Spread.of([1e6 * t for t in seconds]), Spread.of_ratios(times[what, when, 1], seconds)
-    return TimedCall(what, when, workers, each, gain, seconds=seconds)
-
-
 RECORD = Benchmark(
     name="startup",
     summary="What a new process waits for, what a small call costs, and what all threads gain, also after a pause.",
@@ -182,7 +165,6 @@ RECORD = Benchmark(
         TableView("calls", "Calls", "what when workers", "microseconds gain"),
     ],
     pictures=[
-        Picture("startup_processes", "waits", x="took", series="step", panels="cache"),
-        Picture("startup_calls", "calls", x="microseconds", series="what when", panels="workers"),
+        Picture("startup", "waits", x="took", series="step", panels="cache"),
     ],
 )

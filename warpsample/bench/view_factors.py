@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib.metadata import version
-from time import perf_counter
 from typing import Annotated, Any
 
 import numpy as np
@@ -15,10 +14,9 @@ from warpsample.bench.record import Benchmark, Found, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column, digits, maybe
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import peak_megabytes
-from warpsample.bench.running.timing import stopwatch
 from warpsample.bench.running.turns import take_turns
 from warpsample.bench.tables import TableView, all_workers
-from warpsample.bench.tools.view_factors import FACTOR_TOOLS, OURS, PAIRS, TRACE, trace_alone
+from warpsample.bench.tools.view_factors import EMBREE, FACTOR_TOOLS, OURS, PAIRS, TRACE, trace_alone
 from warpsample.host.engine import check_workers
 from warpsample.mesh.mesh import Mesh
 from warpsample.radiation.exchange.view_factors import view_factors
@@ -31,7 +29,7 @@ _JUDGED = 256  # faces whose rows are held against the reference
 _QUARTER, _ANOTHER_SEED = 4, 1 << 30
 _MOST_APART = 1.3  # square error over the one that is due
 _MOST_RELATIVE = 0.25  # RMSE over the RMS of the factors, of a tool that one ray for a pair makes coarse
-_FEWER = 16  # times fewer rays of embreex on the large city, which takes half a minute for all
+_FEWER = 16  # times fewer rays of embreex, which takes half a minute for all on the large city
 
 
 @dataclass(frozen=True)
@@ -57,18 +55,7 @@ class FactorTime(Timed):
     due: float | None = maybe("error² / due", "what our error bars say, or what independent rays have")
     relative: float | None = maybe("relative", "RMSE over the RMS of the factors")
     agrees: bool | None = maybe("agrees", "whether `due` is below 1.3, or without it `relative` below 0.25")
-    entries: int | None = maybe("entries")
     peak_megabytes: float | None = maybe("MB", "peak memory of the process", show=".0f")
-    above: float | None = maybe("above", "of these, above what it had with a small mesh's factors computed", show=".0f")
-
-
-@dataclass(frozen=True)
-class PairsOnLarge:
-    """What pyViewFactor, whose pairs grow with the square, would take on the largest scene."""
-
-    faces: int = column("faces")
-    seconds_there: float = column("s", show=digits)
-    gigabytes: float = column("GB", "of its matrix alone", show=".1f")
 
 
 def judged_faces(mesh: Mesh) -> np.ndarray:
@@ -84,49 +71,37 @@ def reference_rows(mesh: Mesh, workers: int, rays: int = _REFERENCE_RAYS, seed: 
     return view_factors(mesh, rays, active=active, seed=seed, workers=workers).matrix[faces].toarray()
 
 
-def build_factors(tool: str, scene: str, *, rays: int, fewer: int, workers: int, reference: str) -> ChildJob:
-    """All view factors of a scene by a tool, embreex by `fewer` rays of each face; or the tracing of the rays alone.
-
-    `reference` is an .npy file of the judged rows.
-    """
+def build_factors(tool: str, scene: str, *, rays: int, workers: int, reference: np.ndarray) -> ChildJob:
+    """All view factors of a scene by a tool; or the tracing of the rays alone, from the judged faces."""
     mesh = mesh_of(scene)
     faces = judged_faces(mesh)
     if tool == TRACE:
         alone = trace_alone(mesh, workers, faces, rays)
         alone()
-        about = {"scale": len(mesh.faces) / len(faces), "first": stopwatch(alone)()}
-        return ChildJob(alone, lambda: {"row": {"version": version("warpsample"), "rays": rays}, **about})
+        row = {"version": version("warpsample"), "rays": rays}
+        return ChildJob(alone, lambda: {"row": row, "scale": len(mesh.faces) / len(faces)})
     library, make, _ = FACTOR_TOOLS[tool]
     few = make(mesh_of("boxes 1"), workers)
-    few.run(16)  # kernels and compilers are loaded before memory is looked at
+    few.run(16)  # kernels and compilers are loaded
     used = make(mesh, workers)
-    count = fewer if tool == "embreex" else rays
-    before = peak_megabytes()
-    taken: list[float] = []
-
-    def work() -> None:
-        start = perf_counter()
-        used.run(count)
-        taken.append(perf_counter() - start)
+    count = rays // _FEWER if tool == EMBREE else rays
 
     def report() -> dict[str, Any]:
-        right = np.load(reference, allow_pickle=False)
-        mse = float(np.mean((used.rows(faces) - right) ** 2))
-        peak, due = peak_megabytes(), used.due(right, faces, count)
+        peak = peak_megabytes()
+        mse = float(np.mean((used.rows(faces) - reference) ** 2))
+        due = used.due(reference, faces, count)
         row = {
             "version": version(library),
             "rays": None if tool == PAIRS else count,
             "rmse": mse**0.5,
-            "relative": (mse / float(np.mean(right**2))) ** 0.5,
+            "relative": (mse / float(np.mean(reference**2))) ** 0.5,
             "due": None if due is None else mse / due,
-            "rate": _rate(mesh, right, rays, mse, workers) if tool == OURS else None,
-            "entries": used.entries(),
+            "rate": _rate(mesh, reference, rays, mse, workers) if tool == OURS else None,
             "peak_megabytes": peak,
-            "above": None if peak is None or before is None else peak - before,
         }
-        return {"row": row, "independent": tool == "embreex", "scale": 1.0, "first": taken[0]}
+        return {"row": row, "scale": 1.0}
 
-    return ChildJob(work, report, lambda: few.run(16))
+    return ChildJob(lambda: used.run(count), report, lambda: few.run(16))
 
 
 def _rate(mesh: Mesh, right: np.ndarray, rays: int, mse: float, workers: int) -> float:
@@ -152,61 +127,44 @@ def measure(
 
 
 def compare(scene: str, workers: int, tools: Sequence[str], repeats: int, rays: int) -> list[FactorTime]:
-    """Tools on one scene, ours and the tracing alone among them, taking turns.
-
-    Without repeats the first run of each is the timed one. Embreex gets fewer rays where pyViewFactor does not take part.
-    """
+    """Tools on one scene, ours and the tracing alone among them, taking turns."""
     mesh = mesh_of(scene)
-    fewer = rays if PAIRS in tools else rays // _FEWER
-    given = {"scene": scene, "workers": workers, "rays": rays, "fewer": fewer, "reference": reference_rows(mesh, workers)}
+    given = {"scene": scene, "workers": workers, "rays": rays, "reference": reference_rows(mesh, workers)}
     turns = take_turns(build_factors, tools, repeats, **given)
-    seconds = {
-        tool: [t * told["scale"] for t in turns.seconds[tool] or [told["first"]]] for tool, told in turns.told.items()
-    }
+    seconds = {tool: [t * told["scale"] for t in turns.seconds[tool]] for tool, told in turns.told.items()}
 
     def figures(tool: str) -> dict[str, Any]:
-        told, times = turns.told[tool], seconds[tool]
-        as_many = (told["row"]["rays"] or rays) / rays
+        row, times = turns.told[tool]["row"], seconds[tool]
+        as_many = (row["rays"] or rays) / rays
         traces = Spread.of_ratios(times, [as_many * t for t in seconds[TRACE]])
-        row = {**told["row"], "took": Spread.of(times), "traces": traces, "seconds": times}
-        return row if tool == TRACE else row | judged(told, turns.told[OURS], times, seconds[OURS])
+        row = {**row, "took": Spread.of(times), "traces": traces, "seconds": times}
+        return row if tool == TRACE else row | judged(tool, row, turns.told[OURS]["row"], times, seconds[OURS])
 
     return turns.rows(FactorTime, figures, scene=scene, faces=len(mesh.faces), workers=workers)
 
 
-def judged(told: dict[str, Any], ours: dict[str, Any], times: list[float], our_times: list[float]) -> dict[str, Any]:
-    """The fields of a row that compare errors: of a tool's report and seconds, and of ours."""
-    row, right = told["row"], ours["row"]
-    more = row["rmse"] / right["rmse"]
+def judged(
+    tool: str, row: dict[str, Any], ours: dict[str, Any], times: list[float], our_times: list[float]
+) -> dict[str, Any]:
+    """The fields of a row that compare errors: of a tool's other fields and seconds, and of ours."""
+    more = row["rmse"] / ours["rmse"]
     # Independent rays at their own rate; what knows no rays, or shares ours, beside ours of as large an error.
-    factor = more**2 if told["independent"] else float(np.float_power(more, 1.0 / right["rate"]))
+    factor = more**2 if tool == EMBREE else float(np.float_power(more, 1.0 / ours["rate"]))
     return {
         "times_ours": Spread.of_ratios([factor * t for t in times], our_times),
         "agrees": row["relative"] <= _MOST_RELATIVE if row["due"] is None else row["due"] <= _MOST_APART,
     }
 
 
-def pairs_on_large(rows: list[FactorTime]) -> list[PairsOnLarge]:
-    """What the largest scene would take by pairs, from the last that did not take them."""
-    largest = max((row.faces for row in rows), default=0)
-    pairs = [row for row in rows if row.tool == PAIRS and row.took]
-    if not pairs or pairs[-1].faces == largest:
-        return []
-    more = (largest / pairs[-1].faces) ** 2
-    return [PairsOnLarge(largest, more * pairs[-1].took.median, 8e-9 * largest**2)]
-
-
-_CELLS = "rays took traces rmse times_ours due entries peak_megabytes above"
+_CELLS = "rays took traces rmse times_ours due peak_megabytes"
 
 RECORD = Benchmark(
     name="view-factors",
     summary="All view factors of a mesh: ours, pyViewFactor, and rays by NumPy and embreex, beside tracing alone.",
     measure=measure,
     parts={"rows": FactorTime},
-    derived=lambda found, _: {"pairs": pairs_on_large(found["rows"])},
     views=[
         TableView("rows", "View factors", "tool", _CELLS, split="scene faces workers", brief=all_workers),
-        TableView("pairs", "pyViewFactor on the largest, extrapolated", "faces", "seconds_there gigabytes"),
     ],
     pictures=[Picture("view_factors", "rows", "times_ours", panels="scene faces", where=all_workers)],
 )

@@ -66,16 +66,15 @@ class Many:
 
 
 def build_estimate(
-    tool: str, scene: str, points: int, *, workers: int, target: float, reference: str, open_points: bool
+    tool: str, scene: str, points: int, *, workers: int, target: float, reference: np.ndarray, open_points: bool
 ) -> ChildJob:
     """A tool's estimate by as many rays as take it to an RMSE over all points; it looks for that number first.
 
-    `reference` is an .npy file of the right values. For `open_points`, once the number is known, the points that it calls
-    open are estimated, repeated.
+    For `open_points`, once the number is known, the points that `reference` calls open are estimated, repeated.
     """
     library, make, _ = ESTIMATORS[tool]
     mesh, at = points_of(scene, points)
-    right = np.load(reference, allow_pickle=False)
+    right = reference
     run: Estimator = make(mesh, at, workers)
     rate = sequences.get("fibonacci" if library.startswith("warp") else "independent").rate
 

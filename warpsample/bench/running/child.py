@@ -1,15 +1,16 @@
 """A job in a process of its own, run when it is told to, so that the threads and compilers of two libraries never meet.
 
-The parent writes a line for each run and reads one with its seconds; the other side is `python -m` this module.
+The parent pickles what is to be built and then a word for each run; it reads pickled answers. The other side is `python -m`
+this module.
 """
 
-import importlib
-import json
 import os
+import pickle
 import subprocess
 import sys
 from collections.abc import Callable
 from contextlib import suppress
+from time import perf_counter
 from typing import Any, NamedTuple
 
 from warpsample.bench.running.timing import stopwatch
@@ -20,7 +21,7 @@ class ChildJob(NamedTuple):
 
     Attributes:
         work: what is timed.
-        report: what it says of the last run: anything that JSON holds.
+        report: what it says of the last run.
         warm: what is run before it, untimed; by default `work`.
     """
 
@@ -29,25 +30,18 @@ class ChildJob(NamedTuple):
     warm: Callable[[], object] | None = None
 
 
-class Failure(NamedTuple):
-    """Why a child has no job, in a line; and the module that is not installed, if that is why."""
-
-    reason: str
-    missing: str | None = None
-
-
 class Child:
     """A child process that builds a job; a context that ends it."""
 
     def __init__(self, build: Callable[..., ChildJob], **arguments: Any):
-        """Starts it, and does not wait; the child imports anew `build`, which makes the job of arguments that JSON holds."""
+        """Starts it, and does not wait; the child imports anew `build`, which makes the job of the arguments."""
         self._name = f"{build.__module__}:{build.__qualname__}"
-        self._ready: Failure | bool | None = None
-        command = [sys.executable, "-m", "warpsample.bench.running.child", self._name, json.dumps(arguments)]
+        self._built: dict[str, Any] | None = None
+        command = [sys.executable, "-m", "warpsample.bench.running.child"]
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
-        self.process = subprocess.Popen(
-            command, env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
-        )
+        pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
+        self.process = subprocess.Popen(command, env=environment, **pipes)
+        self._tell(build, arguments)
 
     def __enter__(self) -> "Child":
         """Nothing: it has started."""
@@ -60,12 +54,16 @@ class Child:
         with suppress(OSError):
             self.process.communicate()
 
-    def wait_until_built(self) -> Failure | None:
-        """Waits until the child has built its job and run it once; why it could not, or None."""
-        if self._ready is None:
-            answer = self._read()
-            self._ready = Failure(answer["failure"], answer.get("missing")) if "failure" in answer else True
-        return self._ready if isinstance(self._ready, Failure) else None
+    def wait_until_built(self) -> str | None:
+        """Waits until the child has built its job and run it once; why it could not in a line, or None."""
+        if self._built is None:
+            self._built = self._read()
+        return self._built.get("failure")
+
+    def first(self) -> float:
+        """The seconds of the first run, for work that is too long to be repeated."""
+        self.wait_until_built()
+        return self._built["seconds"]
 
     def run(self) -> float:
         """Runs the job and says how many seconds it took.
@@ -81,39 +79,51 @@ class Child:
 
     def _ask(self, what: str) -> dict[str, Any]:
         if failure := self.wait_until_built():
-            raise RuntimeError(failure.reason)
-        with suppress(BrokenPipeError):  # then there is no answer either
-            print(what, file=self.process.stdin, flush=True)
+            raise RuntimeError(failure)
+        self._tell(what)
         answer = self._read()
         if "failure" in answer:
             raise RuntimeError(f"{self._name}: {answer['failure']}")
         return answer
 
+    def _tell(self, *what: Any) -> None:
+        with suppress(BrokenPipeError):  # then there is no answer either
+            pickle.dump(what, self.process.stdin)
+            self.process.stdin.flush()
+
     def _read(self) -> dict[str, Any]:
-        line = self.process.stdout.readline() if self.process.stdout else ""
-        return json.loads(line) if line else {"failure": f"its process ended with status {self.process.wait()}"}
+        try:
+            return pickle.load(self.process.stdout)
+        except EOFError:
+            return {"failure": f"its process ended with status {self.process.wait()}"}
 
 
-def _serve(name: str, arguments: dict[str, Any]) -> None:
-    answers = os.fdopen(os.dup(1), "w")
+def _serve() -> None:
+    told, answers = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what libraries print is no answer
 
     def answer(content: dict[str, Any]) -> None:
-        print(json.dumps(content), file=answers, flush=True)
+        pickle.dump(content, answers)
+        answers.flush()
 
-    module, function = name.split(":")
     try:
-        job = getattr(importlib.import_module(module), function)(**arguments)
+        build, arguments = pickle.load(told)
+        job = build(**arguments)
+        start = perf_counter()
         job.work()
-    except Exception as error:  # whatever a library does when it cannot work here is the answer
-        missing = error.name if isinstance(error, ModuleNotFoundError) else None
-        answer({"failure": f"{type(error).__name__}: {error}".splitlines()[0], "missing": missing})
+        seconds = perf_counter() - start
+    except ModuleNotFoundError as error:
+        answer({"failure": f"not installed: pip install {error.name}"})
         return
-    answer({})
+    except Exception as error:  # whatever a library does when it cannot work here is the answer
+        answer({"failure": f"{type(error).__name__}: {error}".splitlines()[0]})
+        return
+    answer({"seconds": seconds})
     run = stopwatch(job.work, job.warm)
-    for line in sys.stdin:
-        answer({"seconds": run()} if line == "run\n" else job.report())
+    with suppress(EOFError):
+        while what := pickle.load(told):
+            answer({"seconds": run()} if what == ("run",) else job.report())
 
 
 if __name__ == "__main__":
-    _serve(sys.argv[1], json.loads(sys.argv[2]))
+    _serve()

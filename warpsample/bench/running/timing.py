@@ -1,8 +1,11 @@
 """Timings that can be compared: interleaved, so that a slow minute hits every case."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping
 from math import inf
 from time import perf_counter
+from typing import TypeVar
+
+Case = TypeVar("Case")
 
 _LEAST_REPEATS = 3
 WARM_UP = 0.03
@@ -29,31 +32,24 @@ def stopwatch(work: Callable[[], object], warm: Callable[[], object] | None = No
     return case
 
 
-def interleave(
-    cases: Sequence[Callable[[], float]],
-    repeats: int,
-    reference: Callable[[], float] | None = None,
-    budget: float = inf,
-) -> tuple[list[list[float]], list[list[float]]]:
-    """Runs all cases in turn, `repeats` rounds of it.
+def in_turns(cases: Mapping[Case, Callable[[], float]], repeats: int, budget: float = inf) -> dict[Case, list[float]]:
+    """The seconds of all cases, which are run in turn, `repeats` rounds of it.
 
     Args:
         cases: each says how many seconds it took, such as a `stopwatch`.
         repeats: rounds, at most.
-        reference: run after each case, to be its ratio's other side.
         budget: seconds; once they are over, three rounds are enough.
-
-    Returns:
-        the seconds of each case, and those of the reference beside it (empty without one).
     """
-    times: list[list[float]] = [[] for _ in cases]
-    beside: list[list[float]] = [[] for _ in cases]
+    seconds: dict[Case, list[float]] = {case: [] for case in cases}
     start = perf_counter()
     for done in range(repeats):
         if done >= _LEAST_REPEATS and perf_counter() - start > budget:
             break
-        for i, case in enumerate(cases):
-            times[i].append(case())
-            if reference is not None:
-                beside[i].append(reference())
-    return times, beside
+        for case, run in cases.items():
+            seconds[case].append(run())
+    return seconds
+
+
+def timed(works: Mapping[Case, Callable[[], object]], repeats: int, budget: float = inf) -> dict[Case, list[float]]:
+    """The seconds of all works, each timed by a stopwatch, in turns."""
+    return in_turns({case: stopwatch(work) for case, work in works.items()}, repeats, budget)

@@ -1,16 +1,12 @@
 """Tools in a process each, which take turns at one task."""
 
-import tempfile
 from collections.abc import Callable, Iterable
 from contextlib import ExitStack
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, NamedTuple
 
-import numpy as np
-
-from warpsample.bench.running.child import Child, ChildJob, Failure
-from warpsample.bench.running.timing import interleave
+from warpsample.bench.running.child import Child, ChildJob
+from warpsample.bench.running.timing import in_turns
 
 
 class Tool(NamedTuple):
@@ -37,9 +33,19 @@ class Turns:
         failures: why a tool did not run, by tool.
     """
 
-    seconds: dict[str, list[float]]
-    told: dict[str, dict[str, Any]]
-    failures: dict[str, str]
+    seconds: dict[Any, list[float]]
+    told: dict[Any, dict[str, Any]]
+    failures: dict[Any, str]
+
+    def of_all(self) -> dict[Any, list[float]]:
+        """The seconds, of tools that are all ours.
+
+        Raises:
+            RuntimeError: one did not run.
+        """
+        for tool, failure in self.failures.items():
+            raise RuntimeError(f"{tool}: {failure}")
+        return self.seconds
 
     def rows(self, kind: type, figures: Callable[[str], dict[str, Any]], **case: Any) -> list[Any]:
         """A row of each tool, of the fields of the case and its own figures; those that did not run come first."""
@@ -57,38 +63,24 @@ def keeping_last(run: Callable[[], Any]) -> tuple[Callable[[], object], Callable
     return work, lambda: last[0]
 
 
-def take_turns(build: Callable[..., ChildJob], tools: Iterable[str], repeats: int, **arguments: Any) -> Turns:
+def take_turns(build: Callable[..., ChildJob], tools: Iterable[Any], repeats: int, **arguments: Any) -> Turns:
     """Builds each tool's job undisturbed, one after the other, and then runs all in turns.
 
     Args:
         build: (tool, **arguments) -> its job.
-        tools: names.
-        repeats: timed runs of each.
-        **arguments: of `build`, but for the tool; of an array it gets the path of an .npy file.
+        tools: names, or what else tells them apart.
+        repeats: timed runs of each after the first; of none the first is the timed one.
+        **arguments: of `build`, but for the tool.
     """
     with ExitStack() as stack:
-        folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
-        given = {name: _saved(value, folder / f"{name}.npy") for name, value in arguments.items()}
-        children: dict[str, Child] = {}
-        failures: dict[str, str] = {}
+        children, failures = {}, {}
         for tool in tools:
-            child = stack.enter_context(Child(build, tool=tool, **given))
+            child = stack.enter_context(Child(build, tool=tool, **arguments))
             if failure := child.wait_until_built():
-                failures[tool] = remedy(failure)
+                failures[tool] = failure
             else:
                 children[tool] = child
-        times, _ = interleave([child.run for child in children.values()], repeats)
+        runs = {tool: child.run if repeats else child.first for tool, child in children.items()}
+        seconds = in_turns(runs, max(1, repeats))
         told = {tool: child.report() for tool, child in children.items()}
-    return Turns(dict(zip(children, times, strict=True)), told, failures)
-
-
-def remedy(failure: Failure) -> str:
-    """Why there is no job, and what to install if that is why."""
-    return f"not installed: pip install {failure.missing}" if failure.missing else failure.reason
-
-
-def _saved(value: Any, path: Path) -> Any:
-    if not isinstance(value, np.ndarray):
-        return value
-    np.save(path, value, allow_pickle=False)
-    return str(path)
+    return Turns(seconds, told, failures)

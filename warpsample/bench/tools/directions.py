@@ -28,11 +28,6 @@ def _warpsample(sequence: str, normals: np.ndarray, count: int, workers: int) ->
     return partial(sample_directions, normals, count, sequence=sequence, out=out, workers=workers), lambda: out
 
 
-def _fill(normals: np.ndarray, count: int, workers: int) -> Built:
-    out = np.empty((len(normals), count, 3), np.float32)
-    return partial(out.fill, 0.0), lambda: out
-
-
 def _polar(u: np.ndarray, r: np.ndarray, turns: np.ndarray) -> np.ndarray:
     azimuth = _TAU * turns
     return np.stack([r * np.cos(azimuth), r * np.sin(azimuth), np.sqrt(np.float32(1.0) - u)], axis=-1)
@@ -70,15 +65,7 @@ def _scipy(normals: np.ndarray, count: int, workers: int) -> Built:
 
 @wp.kernel(enable_backward=False)
 def _builtins(normals: wp.array[wp.vec3], samples: wp.int32, seed: wp.int32, out: wp.array[wp.vec3]):
-    """What a Warp user writes today: the sphere sampler plus the normal, a sample per task."""
-    i = wp.tid()
-    state = wp.rand_init(seed, i)
-    out[i] = wp.normalize(normals[i / samples] + wp.sample_unit_sphere_surface(state))
-
-
-@wp.kernel(enable_backward=False)
-def _builtins_polar(normals: wp.array[wp.vec3], samples: wp.int32, seed: wp.int32, out: wp.array[wp.vec3]):
-    """Malley's method with Warp's generator, sine and cosine."""
+    """Malley's method with Warp's generator, sine and cosine; the sphere sampler plus the normal takes twice as long."""
     i = wp.tid()
     state = wp.rand_init(seed, i)
     u = wp.randf(state)
@@ -87,14 +74,14 @@ def _builtins_polar(normals: wp.array[wp.vec3], samples: wp.int32, seed: wp.int3
     out[i] = to_world(frame_about(normals[i / samples]), wp.vec3(r * wp.cos(azimuth), r * wp.sin(azimuth), wp.sqrt(1.0 - u)))
 
 
-def _warp(kernel: wp.Kernel, normals: np.ndarray, count: int, workers: int) -> Built:
-    load(kernel, "cpu")
+def _warp(normals: np.ndarray, count: int, workers: int) -> Built:
+    load(_builtins, "cpu")
     given = wp.array(normals, dtype=wp.vec3, device="cpu")
     out = wp.empty(len(normals) * count, dtype=wp.vec3, device="cpu")
     seeds = count_from()
 
     def run() -> None:
-        wp.launch(kernel, dim=len(out), inputs=[given, count, next(seeds)], outputs=[out], device="cpu")
+        wp.launch(_builtins, dim=len(out), inputs=[given, count, next(seeds)], outputs=[out], device="cpu")
 
     return run, out.numpy
 
@@ -125,15 +112,6 @@ def _numba(normals: np.ndarray, count: int, workers: int) -> Built:
 
     out = np.empty((len(normals), count, 3), np.float32)
     return partial(fill, normals, out), lambda: out
-
-
-def _torch(normals: np.ndarray, count: int, workers: int) -> Built:
-    import torch
-    from torch.nn.functional import normalize
-
-    torch.set_num_threads(workers)
-    given = torch.from_numpy(normals)[:, None]
-    return keeping_last(lambda: normalize(given + normalize(torch.randn(len(normals), count, 3), dim=-1), dim=-1))
 
 
 def _mitsuba(interleaved: bool, normals: np.ndarray, count: int, workers: int) -> Built:
@@ -184,18 +162,13 @@ def _open3d_surface(mesh: Any, points: int, workers: int) -> Built:
 
 DIRECTIONS = {
     "warpsample independent": Tool("warpsample", partial(_warpsample, "independent")),
-    "warpsample philox": Tool("warpsample", partial(_warpsample, "philox")),
     "warpsample sobol": Tool("warpsample", partial(_warpsample, "sobol")),
-    "warpsample fibonacci": Tool("warpsample", partial(_warpsample, "fibonacci")),
     "Mitsuba, three planes": Tool("mitsuba", partial(_mitsuba, False)),
     "Mitsuba, interleaved": Tool("mitsuba", partial(_mitsuba, True)),
     "Numba": Tool("numba", _numba),
-    "PyTorch": Tool("torch", _torch),
-    "Warp built-ins, polar": Tool("warp-lang", partial(_warp, _builtins_polar), threaded=False),
-    "Warp built-ins, sphere": Tool("warp-lang", partial(_warp, _builtins), threaded=False),
+    "Warp built-ins": Tool("warp-lang", _warp, threaded=False),
     "NumPy": Tool("numpy", _numpy, threaded=False),
     "SciPy Sobol'": Tool("scipy", _scipy, threaded=False),
-    "fill": Tool("numpy", _fill, threaded=False),
 }
 """By name; each makes (work, result) of (normals, count, threads)."""
 

@@ -1,7 +1,7 @@
 """All view factors of a mesh by each tool.
 
-A tool has `run` with so many rays of each face; then `rows` (R, F) float64 of the last run, from some faces to all,
-`entries` that are not 0, and the mean square error that is `due` where these rows should be `right`, None without chance.
+A tool has `run` with so many rays of each face; then `rows` (R, F) float64 of the last run, from some faces to all, and the
+mean square error that is `due` where these rows should be `right`, None without chance.
 """
 
 from collections.abc import Callable
@@ -34,10 +34,6 @@ class OurFactors:
         """Rows of the matrix."""
         return self.last.matrix[faces].toarray()
 
-    def entries(self) -> int:
-        """Entries of the matrix."""
-        return self.last.matrix.nnz
-
     def due(self, right: np.ndarray, faces: np.ndarray, rays: int) -> float:
         """The mean square of the standard errors of these rows."""
         return float(np.mean(self.last.standard_error[faces].toarray() ** 2))
@@ -69,17 +65,11 @@ class EmbreeFactors:
 
     def rows(self, faces: np.ndarray) -> np.ndarray:
         """Shares of the rays."""
-        entries, counts = (np.concatenate(arrays) for arrays in zip(*self.parts, strict=True))
-        found = np.zeros((len(faces), self.size))
-        row, column = np.divmod(entries, self.size)
-        position = np.searchsorted(faces, row).clip(max=len(faces) - 1)
-        asked = faces[position] == row
-        found[position[asked], column[asked]] = counts[asked] / self.count
-        return found
+        from scipy.sparse import csr_array
 
-    def entries(self) -> int:
-        """Pairs of faces that a ray joins."""
-        return sum(len(entries) for entries, _ in self.parts)
+        entries, counts = (np.concatenate(arrays) for arrays in zip(*self.parts, strict=True))
+        shares = csr_array((counts / self.count, np.divmod(entries, self.size)), shape=(self.size, self.size))
+        return shares[faces].toarray()
 
     def due(self, right: np.ndarray, faces: np.ndarray, rays: int) -> float:
         """The variance of independent rays."""
@@ -105,10 +95,6 @@ class PyViewFactor:
     def rows(self, faces: np.ndarray) -> np.ndarray:
         """Columns of the matrix, whose columns are where the radiation comes from."""
         return self.last[:, faces].T
-
-    def entries(self) -> int:
-        """Entries of the matrix that are not 0."""
-        return int(np.count_nonzero(self.last))
 
     def due(self, right: np.ndarray, faces: np.ndarray, rays: int) -> None:
         """Nothing: there is no chance in it."""
@@ -137,11 +123,11 @@ def rays_of(mesh: Mesh, faces: np.ndarray, count: int, rng: np.random.Generator)
     return origins.reshape(-1, 3), cosine_directions(u[2:], n).reshape(-1, 3)
 
 
-OURS, TRACE, PAIRS = "warpsample", "ws.trace alone", "pyViewFactor"
+OURS, EMBREE, TRACE, PAIRS = "warpsample", "embreex", "ws.trace alone", "pyViewFactor"
 FACTOR_TOOLS = {
     OURS: Tool("warpsample", OurFactors),
     f"{OURS}, reciprocal": Tool("warpsample", partial(OurFactors, reciprocal=True)),
-    "embreex": Tool("embreex", EmbreeFactors),
+    EMBREE: Tool("embreex", EmbreeFactors),
     PAIRS: Tool("pyviewfactor", PyViewFactor),
 }
 """By name; each makes a tool of (mesh, threads)."""
