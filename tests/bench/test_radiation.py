@@ -6,28 +6,14 @@ import numpy as np
 import pytest
 from bench_output import drawn, lines_of
 
-import warpsample as ws
 from warpsample.bench import radiation
 from warpsample.bench.radiation import RECORD, errors, sky_reference
 from warpsample.bench.scenes import clear_points_of, year_of_suns
-from warpsample.bench.tools.sky import OURS, SKY_TOOLS, VIEW, patch_of
+from warpsample.bench.tools.sky import OURS, SKY_TOOLS, VIEW
 from warpsample.bench.tools.sun import SUN_TOOLS, TRACE
 
+PEER = "Radiance rcontrib"
 SETTINGS = {"scene": ["bunny"], "points": 32, "year_points": 64, "repeats": 1}
-
-
-@pytest.mark.parametrize("turned", [0.0, 0.7])
-def test_directions_are_in_the_patch_that_has_their_altitude_and_azimuth(turned):
-    sky = ws.sky_patches()
-    assert (patch_of(sky.directions.astype(np.float32)) == np.arange(145)).all()
-    rng = np.random.default_rng(1)
-    altitude, azimuth = np.degrees(np.arcsin(rng.random(20_000))), 360.0 * rng.random(20_000) + turned
-    a, b = np.radians(altitude), np.radians(azimuth)
-    found = patch_of(np.float32(np.stack([np.cos(a) * np.sin(b), np.cos(a) * np.cos(b), np.sin(a)], axis=1)))
-    low, high = sky.altitudes[found].T
-    first, last = sky.azimuths[found].T
-    assert ((altitude >= low - 1e-3) & (altitude <= high + 1e-3)).all()
-    assert ((azimuth - first + 1e-3) % 360.0 <= last - first + 2e-3).all()
 
 
 def test_a_year_has_its_suns():
@@ -69,12 +55,12 @@ def test_a_tool_that_disagrees_is_wrong_and_one_that_is_missing_is_not():
 
 
 def test_years_are_on_a_line():
-    assert radiation.YearTime("city", 2, 400, 200, None, 5.0, 4.0).extrapolated(1000) == pytest.approx(8.0)
-    assert radiation.YearTime("city", 2, 400, 200, "no pvlib").extrapolated() is None
+    year = radiation.YearTime("athens", "city", 2, 400, 200, None, 5.0, 4.0)
+    assert year.extrapolated(1000) == pytest.approx(8.0)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("tool", ["embreex", "Mitsuba", "Radiance rcontrib", OURS])
+@pytest.mark.parametrize("tool", ["Mitsuba", "Radiance rcontrib", OURS])
 def test_tools_see_the_same_sky(tool):
     mesh, at = clear_points_of("bunny", 64)
     try:
@@ -91,17 +77,17 @@ def test_tools_see_the_same_sky(tool):
 
 @pytest.mark.slow
 def test_all_is_measured_and_shown(tmp_path, capsys):
-    sky = radiation.compare_skies("bunny", 32, 1, 1, [OURS, VIEW, "embreex", "nobody"])
-    sun = radiation.compare_suns("bunny", 32, 1, 1, ["warpsample", TRACE, "embreex"])
-    found = {"sky": sky, "sun": sun, "year": [radiation.measure_year("bunny", 64, 1)]}
+    sky = radiation.compare_skies("bunny", 32, 1, 1, [OURS, VIEW, PEER, "nobody"])
+    sun = radiation.compare_suns("bunny", 32, 1, 1, ["warpsample", TRACE])
+    found = {"sky": sky, "sun": sun, "year": radiation.measure_year("bunny", 64, 1)}
     by_tool = {row.tool: row for row in sky}
     assert "KeyError" in by_tool["nobody"].failure
     assert by_tool[OURS].times_ours.median == 1.0
-    assert by_tool["embreex"].times_ours.median > 10.0
-    assert by_tool["embreex"].rmse > 3.0 * by_tool[OURS].rmse
+    assert by_tool[PEER].times_ours.median > 10.0
+    assert by_tool[PEER].rmse > 3.0 * by_tool[OURS].rmse
     assert [row.agrees for row in sky if row.rmse] == [True, True]
     assert {row.tool: row.different for row in sun}["warpsample"] == 0.0
-    assert [row.agrees for row in sun] == [True, True, True]
+    assert [row.agrees for row in sun] == [True, True]
     assert set(SUN_TOOLS) >= {row.tool for row in sun}
     assert not RECORD.wrong(found)
     text = "\n".join(lines_of("radiation", SETTINGS, found, capsys))

@@ -154,5 +154,5 @@ RECORD = Benchmark(
         TableView("rows", _MEANS, "count way", "nanoseconds ours", where=lambda row: not row.scene),
         TableView("rows", _OCCLUSION, "scene way", "nanoseconds ours", where=lambda row: row.scene),
     ],
-    pictures=[Picture("kernels", "rows", x="nanoseconds", series="way", down="scene count")],
+    pictures=[Picture("kernels", "rows", "nanoseconds", y="way", series="count", panels="scene", log="x")],
 )

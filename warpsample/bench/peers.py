@@ -138,5 +138,5 @@ RECORD = Benchmark(
             "rows", "Million a second", "tool", "library threads million_per_second ours worst_deviation", split="task"
         ),
     ],
-    pictures=[Picture("peers", "rows", "million_per_second", series="tool threads", down="task", told="ours")],
+    pictures=[Picture("peers", "rows", "million_per_second", y="tool", series="", panels="task", log="x")],
 )

@@ -1,9 +1,9 @@
-"""`bench radiation`: what sky and sun cost, beside Radiance, Mitsuba and embreex; and a year of ours."""
+"""`bench radiation`: what sky and sun cost, beside Radiance and Mitsuba; and a year of ours."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from importlib.metadata import version
-from time import perf_counter
 from typing import Annotated, Any
 
 import numpy as np
@@ -79,6 +79,7 @@ class SunTime(Timed):
 class YearTime:
     """A year's irradiation of a scene, ours, by the sun of each hour and 2,305 patches, in a process of its own."""
 
+    tool: str = column("weather")
     scene: str = column("scene")
     workers: int = column("threads")
     points: int = column("points")
@@ -88,31 +89,26 @@ class YearTime:
     fewer_seconds: float | None = maybe("s of 16 points", show=digits)
     peak_megabytes: float | None = maybe("peak memory, MB", "Python and mesh included", show=".0f")
 
-    tool = "irradiation"
-
-    def extrapolated(self, points: int = _MANY) -> float | None:
-        """Seconds of so many points, on the line through both; None if there is nothing."""
-        if self.seconds is None or self.fewer_seconds is None:
-            return None
+    def extrapolated(self, points: int) -> float:
+        """Seconds of so many points, on the line through both."""
         each = (self.seconds - self.fewer_seconds) / (self.points - self.fewer)
         return self.seconds + each * (points - self.points)
 
 
 def build_sky(tool: str, scene: str, points: int, *, rays: int, workers: int, reference: np.ndarray) -> ChildJob:
     """A tool's sky matrix of Tregenza's patches, held against the right values."""
-    library, make, _ = SKY_TOOLS[tool]
+    make = SKY_TOOLS[tool].make
     mesh, at = clear_points_of(scene, points)
     run = make(mesh, at, workers)
     fixed = stopwatch(lambda: run(_FEWEST, 1))
 
     def report() -> dict[str, Any]:
         if tool == VIEW:
-            return {"version": version(library)}
+            return {}
         judged = make(mesh, at, workers)  # anew: how many runs were timed, and so their seeds, is a matter of time
         mse, variance, apart = errors(judged(rays, _RUNS), reference)
         fewer, _, _ = errors(judged(rays // _FEWER, _RUNS), reference)
         return {
-            "version": version(library),
             "rmse": float(np.sqrt(mse)),
             "rate": float(0.5 * np.log(fewer / mse) / np.log(_FEWER)),
             "apart": float(apart / variance),
@@ -132,31 +128,16 @@ def errors(found: np.ndarray, right: np.ndarray) -> tuple[float, float, float]:
 
 def build_sun(tool: str, scene: str, points: int, *, workers: int, reference: np.ndarray) -> ChildJob:
     """Which suns of a year points see, held against what is lit, (P, T) bool."""
-    library, make, _ = SUN_TOOLS[tool]
-    suns = year_of_suns()
-    work, lit = keeping_last(make(*clear_points_of(scene, points), suns, workers))
-
-    def report() -> dict[str, Any]:
-        return {"version": version(library), "different": float(np.mean(lit() != reference))}
-
-    return ChildJob(work, report)
+    work, lit = keeping_last(SUN_TOOLS[tool].make(*clear_points_of(scene, points), year_of_suns(), workers))
+    return ChildJob(work, lambda: {"different": float(np.mean(lit() != reference))})
 
 
 def build_year(tool: str, scene: str, points: int, workers: int) -> ChildJob:
     """A year of `irradiation` under 2,305 patches, by the weather `tool`: seconds, also of few points, and memory."""
     mesh, at = clear_points_of(scene, points)
-    few = some_of(at, slice(_FEW))
-    given: dict[str, Any] = {"weather": tool, "patches": "reinhart4", "workers": workers}
-    irradiation(mesh, few, **given)  # loads kernels and libraries
-    fixed = stopwatch(lambda: irradiation(mesh, few, **given))()
-    work, seconds = keeping_last(lambda: _seconds(lambda: irradiation(mesh, at, **given)))
-    return ChildJob(work, lambda: {"seconds": seconds(), "fewer_seconds": fixed, "peak_megabytes": peak_megabytes()})
-
-
-def _seconds(work: Callable[[], object]) -> float:
-    start = perf_counter()
-    work()
-    return perf_counter() - start
+    year = partial(irradiation, mesh, weather=tool, patches="reinhart4", workers=workers)
+    few = stopwatch(lambda: year(some_of(at, slice(_FEW))))()
+    return ChildJob(lambda: year(at), lambda: {"fewer_seconds": few, "peak_megabytes": peak_megabytes()})
 
 
 def sky_reference(mesh: Mesh, points: SurfacePoints, workers: int) -> np.ndarray:
@@ -179,28 +160,26 @@ def measure(
     threads = sorted({1, check_workers(None)})
     for name in track(names, len(names)):
         for workers in threads:
-            found["sky"].extend(compare_skies(name, points, workers, repeats))
+            found["sky"].extend(compare_skies(name, points, workers, repeats, list(SKY_TOOLS)))
             if name != "hills":
-                found["sun"].extend(compare_suns(name, points, workers, repeats))
-    return found | {"year": [measure_year(names[0], year_points, threads[-1])]}
+                found["sun"].extend(compare_suns(name, points, workers, repeats, list(SUN_TOOLS)))
+    return found | {"year": measure_year(names[0], year_points, threads[-1])}
 
 
-def compare_skies(
-    scene: str, points: int, workers: int, repeats: int, tools: Sequence[str] = tuple(SKY_TOOLS)
-) -> list[SkyTime]:
+def compare_skies(scene: str, points: int, workers: int, repeats: int, tools: Sequence[str]) -> list[SkyTime]:
     """The tools' sky matrices, taking turns."""
     right = sky_reference(*clear_points_of(scene, points), workers)
     turns = take_turns(build_sky, tools, repeats, scene=scene, workers=workers, points=points, rays=RAYS, reference=right)
 
     def figures(tool: str) -> dict[str, Any]:
         seconds, told = turns.seconds[tool], turns.told[tool]
-        row = {name: value for name, value in told.items() if name != "fixed"}
-        row["microseconds"] = Spread.of([1e6 * t / points for t in seconds])
-        row["views"] = Spread.of_ratios(seconds, turns.seconds[VIEW])
-        if tool != VIEW:
-            row["times_ours"] = at_equal_error(seconds, told, turns.seconds[OURS], turns.told[OURS])
-            row["agrees"] = bool(told["apart"] <= MOST_APART)
-        return row
+        each, views = Spread.of([1e6 * t / points for t in seconds]), Spread.of_ratios(seconds, turns.seconds[VIEW])
+        row = {"version": version(SKY_TOOLS[tool].library), "microseconds": each, "views": views}
+        if tool == VIEW:
+            return row
+        times = at_equal_error(seconds, told, turns.seconds[OURS], turns.told[OURS])
+        judged = {name: told[name] for name in ("rmse", "rate", "apart")}
+        return {**row, **judged, "times_ours": times, "agrees": told["apart"] <= MOST_APART}
 
     return turns.rows(SkyTime, figures, scene=scene, workers=workers)
 
@@ -212,9 +191,7 @@ def at_equal_error(seconds: list[float], told: dict[str, float], ours: list[floa
     return Spread.of_ratios(due, ours)
 
 
-def compare_suns(
-    scene: str, points: int, workers: int, repeats: int, tools: Sequence[str] = tuple(SUN_TOOLS)
-) -> list[SunTime]:
+def compare_suns(scene: str, points: int, workers: int, repeats: int, tools: Sequence[str]) -> list[SunTime]:
     """The tools and a year of suns, taking turns."""
     mesh, at = clear_points_of(scene, points)
     suns = year_of_suns()
@@ -224,23 +201,27 @@ def compare_suns(
 
     def figures(tool: str) -> dict[str, Any]:
         seconds, told = turns.seconds[tool], turns.told[tool]
-        most = 0.0 if SUN_TOOLS[tool].library == "warpsample" else _MOST_DIFFERENT
-        pairs = Spread.of([lit.size / t / 1e6 for t in seconds])
-        traces = Spread.of_ratios(seconds, turns.seconds[TRACE])
-        return {**told, "million_pairs": pairs, "traces": traces, "agrees": told["different"] <= most}
+        library = SUN_TOOLS[tool].library
+        most = 0.0 if library == "warpsample" else _MOST_DIFFERENT
+        pairs, traces = Spread.of([lit.size / t / 1e6 for t in seconds]), Spread.of_ratios(seconds, turns.seconds[TRACE])
+        judged = {"different": told["different"], "agrees": told["different"] <= most}
+        return {"version": version(library), "million_pairs": pairs, "traces": traces, **judged}
 
     return turns.rows(SunTime, figures, scene=scene, workers=workers, pairs=lit.size)
 
 
-def measure_year(scene: str, points: int, workers: int) -> YearTime:
+def measure_year(scene: str, points: int, workers: int) -> list[YearTime]:
     """The year of 16 points and then of all, in one process."""
-    run = take_turns(build_year, [_WEATHER], 0, scene=scene, points=points, workers=workers)
-    told = run.told.get(_WEATHER, {"failure": run.failures.get(_WEATHER)})
-    return YearTime(scene, workers, points, _FEW, **told)
+    turns = take_turns(build_year, [_WEATHER], 0, scene=scene, points=points, workers=workers)
+
+    def figures(weather: str) -> dict[str, Any]:
+        return {"seconds": turns.seconds[weather][0], **turns.told[weather]}
+
+    return turns.rows(YearTime, figures, scene=scene, workers=workers, points=points, fewer=_FEW)
 
 
 def _of_many(rows: list[YearTime]) -> str:
-    return digits(rows[0].extrapolated() or 0.0)
+    return digits(rows[0].extrapolated(_MANY))
 
 
 _BY_SCENE = {"lines": "tool", "split": "scene workers", "brief": all_workers}
@@ -248,7 +229,7 @@ _YEAR = [Cell("seconds"), Cell("fewer_seconds"), Cell(_of_many, f"s of {_MANY:,}
 
 RECORD = Benchmark(
     name="radiation",
-    summary="Sky matrices and sun positions: ours, Radiance's rcontrib, Mitsuba and embreex; and a year's irradiation.",
+    summary="Sky matrices and sun positions: ours, Radiance's rcontrib and Mitsuba; and a year's irradiation.",
     measure=measure,
     parts={"sky": SkyTime, "sun": SunTime, "year": YearTime},
     views=[
@@ -258,5 +239,5 @@ RECORD = Benchmark(
         TableView("sun", "Suns of a year", cells="million_pairs traces different", **_BY_SCENE),
         TableView("year", "A year's irradiation", "scene workers points", _YEAR),
     ],
-    pictures=[Picture("radiation", "sky", "times_ours", panels="scene", where=all_workers)],
+    pictures=[Picture("radiation", "sky", "microseconds", y="rmse", panels="scene", where=all_workers, log="xy")],
 )

@@ -164,7 +164,5 @@ RECORD = Benchmark(
         TableView("waits", "A new process, seconds", "step", "took", across="cache"),
         TableView("calls", "Calls", "what when workers", "microseconds gain"),
     ],
-    pictures=[
-        Picture("startup", "waits", x="took", series="step", panels="cache"),
-    ],
+    pictures=[Picture("startup", "waits", "took", y="step", series="cache", log="x")],
 )

@@ -51,27 +51,26 @@ def in_parts(size: int, count: int, threads: int, seed: int, work: Callable[[sli
         return list(pool.map(lambda part, own: work(part, np.random.default_rng(own)), parts, seeds))
 
 
-class CosineRays:
-    """Rays of points, other ones at each call.
+def open_share(
+    mesh: Mesh, points: SurfacePoints, threads: int, met: Callable[[np.ndarray, np.ndarray], np.ndarray]
+) -> Callable[[int], np.ndarray]:
+    """What says, of so many rays of each point, other ones at each call, which share (P,) of them meets nothing.
 
-    Attributes:
-        threads: that make them, and that trace them if the tool lets its caller's threads trace.
+    Args:
+        mesh: what the points are on.
+        points: where the rays start.
+        threads: that make the rays and that trace them.
+        met: which of the rays of (R, 3) origins and directions meet something.
     """
+    origin, seeds = off_the_surface(mesh, points.position, points.normal), count_from()
 
-    def __init__(self, mesh: Mesh, points: SurfacePoints, threads: int) -> None:
-        self.normal, self.threads, self.seeds = points.normal, threads, count_from()
-        self.origin = off_the_surface(mesh, points.position, points.normal)
-
-    def parts(self, count: int, judge: Callable[[np.ndarray, np.ndarray, int], np.ndarray]) -> np.ndarray:
-        """What `judge` makes of (origins, directions, points) of each part, joined; the rays of a point are in a row."""
-
+    def share(count: int) -> np.ndarray:
         def work(part: slice, rng: np.random.Generator) -> np.ndarray:
-            n = self.normal[part]
+            n = points.normal[part]
             directions = cosine_directions(rng.random((2, len(n), count, 1), np.float32), n)
-            return judge(np.repeat(self.origin[part], count, axis=0), directions.reshape(-1, 3), len(n))
+            hit = met(np.repeat(origin[part], count, axis=0), directions.reshape(-1, 3))
+            return 1.0 - hit.reshape(len(n), count).mean(axis=1)
 
-        return np.concatenate(in_parts(len(self.normal), count, self.threads, next(self.seeds), work))
+        return np.concatenate(in_parts(len(origin), count, threads, next(seeds), work))
 
-    def open_share(self, count: int, met: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> np.ndarray:
-        """The share (P,) of each point's rays that meet nothing; `met` says of (R, 3) origins and directions which do."""
-        return self.parts(count, lambda o, d, n: 1.0 - met(o, d).reshape(n, count).mean(axis=1))
+    return share

@@ -1,7 +1,7 @@
 """Ambient occlusion by each tool: (rays of each point) -> the share (P,) of them that gets away, another one at each call.
 
-The peers take independent cosine directions, as their users do: made by NumPy in float32, part by part, in as many threads
-as there are cores where the tool lets its caller's threads trace; in Mitsuba's own kernel for Mitsuba.
+The peers take independent cosine directions, as their users do: for embreex made by NumPy in float32, part by part, in as
+many threads as there are cores; by Mitsuba in its own kernel.
 """
 
 from collections.abc import Callable
@@ -13,8 +13,8 @@ import numpy as np
 
 from warpsample.bench.running.turns import Tool
 from warpsample.bench.tools.mitsuba import mitsuba_scene
-from warpsample.bench.tools.numpy_rays import CosineRays
-from warpsample.bench.tools.tracers import embree_met, open3d_scene
+from warpsample.bench.tools.numpy_rays import open_share
+from warpsample.bench.tools.tracers import embree_met
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.mesh.mesh import Mesh
@@ -38,29 +38,7 @@ class Occlusion:
 
 def by_embree(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
     """By embreex, which leaves threads to its caller."""
-    rays, met = CosineRays(mesh, points, workers), embree_met(mesh)
-    return lambda count: rays.open_share(count, met)
-
-
-def _trimesh(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
-    import trimesh
-    from trimesh.ray.ray_pyembree import RayMeshIntersector
-
-    rays = CosineRays(mesh, points, workers)
-    intersector = RayMeshIntersector(trimesh.Trimesh(mesh.vertices, mesh.faces, process=False))
-    return lambda count: rays.open_share(count, intersector.intersects_any)
-
-
-def _open3d(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
-    import open3d
-
-    scene, rays = open3d_scene(mesh), CosineRays(mesh, points, 1)
-
-    def met(origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
-        tensor = open3d.core.Tensor(np.concatenate([origins, directions], axis=1))
-        return scene.test_occlusions(tensor, nthreads=workers).numpy()
-
-    return lambda count: rays.open_share(count, met)
+    return open_share(mesh, points, workers, embree_met(mesh))
 
 
 def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
@@ -87,7 +65,5 @@ ESTIMATORS = {
     "warpsample, wp.Mesh": Tool("warp-lang", partial(Occlusion, tracer="warp")),
     "Mitsuba": Tool("mitsuba", _mitsuba),
     "embreex": Tool("embreex", by_embree),
-    "trimesh + embreex": Tool("trimesh", _trimesh),
-    "Open3D": Tool("open3d", _open3d),
 }
 """By name; each makes an estimator of (mesh, points, threads)."""

@@ -16,8 +16,7 @@ import numpy as np
 
 from warpsample.bench.running.turns import Tool
 from warpsample.bench.tools.mitsuba import mitsuba_scene
-from warpsample.bench.tools.numpy_rays import CosineRays, size_of
-from warpsample.bench.tools.tracers import embree_met
+from warpsample.bench.tools.numpy_rays import size_of
 from warpsample.estimate.visibility import sky_view_factor
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
@@ -35,14 +34,6 @@ _IN_ROW = np.diff(_FIRST, append=len(_PATCHES)).astype(np.int32)
 _STEP = np.radians(_PATCHES.altitudes[0, 1])
 
 
-def patch_of(directions: np.ndarray) -> np.ndarray:
-    """The patch (R,) that each of (R, 3) float32 unit directions above the horizon is in."""
-    x, y, z = directions.T
-    row = (np.arcsin(np.clip(z, 0.0, 1.0)) * np.float32(1.0 / _STEP)).astype(np.int32)
-    column = np.rint(np.arctan2(x, y) * (_IN_ROW[row] * np.float32(0.5 / np.pi))).astype(np.int32) % _IN_ROW[row]
-    return _FIRST[row] + column
-
-
 def _repeated(run: Callable[[int], np.ndarray]) -> SkyTool:
     return lambda count, runs: np.stack([run(count) for _ in range(runs)])
 
@@ -50,19 +41,6 @@ def _repeated(run: Callable[[int], np.ndarray]) -> SkyTool:
 def _ours(call: Callable[..., Any], mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
     seeds = count_from()
     return _repeated(lambda count: call(mesh, points, count, seed=next(seeds), workers=workers).value)
-
-
-def _embree(mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
-    """Independent cosine directions by NumPy, those above the horizon traced by embreex, open ones counted by patch."""
-    rays, met = CosineRays(mesh, points, workers), embree_met(mesh)
-
-    def counted(origins: np.ndarray, directions: np.ndarray, size: int) -> np.ndarray:
-        up = np.flatnonzero(directions[:, 2] > 0.0)
-        up = up[~met(origins[up], directions[up])]
-        entry = (up // (len(origins) // size)) * len(_PATCHES) + patch_of(directions[up])
-        return np.bincount(entry, minlength=size * len(_PATCHES)).reshape(size, -1)
-
-    return _repeated(lambda count: rays.parts(count, counted) / count)
 
 
 def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
@@ -144,6 +122,5 @@ SKY_TOOLS = {
     VIEW: Tool("warpsample", partial(_ours, sky_view_factor)),
     "Radiance rcontrib": Tool("pyradiance", _Rcontrib),
     "Mitsuba": Tool("mitsuba", _mitsuba),
-    "embreex": Tool("embreex", _embree),
 }
 """By name; each makes a tool of (mesh, points, threads)."""

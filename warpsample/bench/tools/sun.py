@@ -1,22 +1,17 @@
 """Which of many suns points see, by each tool: () -> (P, T) bool."""
 
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
 from warpsample.bench.running.turns import Tool
 from warpsample.bench.tools.mitsuba import mitsuba_scene
-from warpsample.bench.tools.numpy_rays import off_the_surface
-from warpsample.bench.tools.tracers import embree_met
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.sun.direct_sun import direct_sun
 from warpsample.tracing.trace import trace
 
 SunTool = Callable[[], np.ndarray]
-
-_PARTS = 8  # of the points, for each thread that embreex leaves to its caller
 
 
 def _ours(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> SunTool:
@@ -28,24 +23,6 @@ def _trace(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) ->
     directions = np.array(np.broadcast_to(suns, (len(points), *suns.shape)))
     facing = points.normal @ suns.T > 0.0
     return lambda: (trace(mesh, points, directions, any_hit=True, workers=workers).face < 0) & facing
-
-
-def _embree(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> SunTool:
-    """A ray for each pair that faces, which NumPy picks."""
-    met, origins = embree_met(mesh), off_the_surface(mesh, points.position, points.normal)
-    parts = np.array_split(np.arange(len(points)), min(len(points), workers * _PARTS))
-
-    def part(rows: np.ndarray) -> np.ndarray:
-        lit = points.normal[rows] @ suns.T > 0.0
-        point, sun = np.nonzero(lit)
-        lit[point, sun] = ~met(origins[rows][point], suns[sun])
-        return lit
-
-    def work() -> np.ndarray:
-        with ThreadPoolExecutor(workers) as pool:
-            return np.concatenate(list(pool.map(part, parts)))
-
-    return work
 
 
 def _mitsuba(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> SunTool:
@@ -70,6 +47,5 @@ SUN_TOOLS = {
     "warpsample": Tool("warpsample", _ours),
     TRACE: Tool("warpsample", _trace),
     "Mitsuba": Tool("mitsuba", _mitsuba),
-    "embreex": Tool("embreex", _embree),
 }
 """By name; each makes what says who is lit, of (mesh, points, suns, threads)."""
