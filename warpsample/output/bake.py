@@ -31,13 +31,8 @@ _FULL = 1 << 20  # points of a part on a CUDA device: with fewer it is idle for 
 def bake(run: BakeRun) -> str:
     """Runs and writes `run.output`, which appears when it is complete; an interrupted run leaves the old file.
 
-    Returns:
-        a report in sentences.
-
-    Raises:
-        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is computed.
-        KeyboardInterrupt: with a sentence that says how far it was.
-        WriteError: the file cannot be written.
+    Gives a report in sentences. An argument that cannot be used is refused before anything is computed; a KeyboardInterrupt
+    says how far it was, and a WriteError that the file cannot be written.
     """
     quantity = quantity_of(run.quantity)
     _check(run, quantity)

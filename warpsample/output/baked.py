@@ -74,8 +74,7 @@ class Baked:
 def check_glb(run: BakeRun, mesh: Mesh) -> None:
     """Refuses a mesh that needs more than float32 about its middle, or more than a file of 4 GiB.
 
-    Raises:
-        ValueError: names the formats that can hold it.
+    The ValueError names the formats that can hold it.
     """
     areas = mesh.face_areas
     change = np.abs(Mesh(_local(mesh)[0], mesh.faces).face_areas - areas)

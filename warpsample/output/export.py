@@ -37,17 +37,9 @@ _BYTES_IN_CLOUD = 24  # of a direction: once as sampled, once without the points
 
 @dataclass(frozen=True)
 class DirectionsRun:
-    """The arguments of `warpsample directions`; stored in the file.
+    """The arguments of `warpsample directions`, as its help explains them; stored in the file.
 
-    Attributes:
-        mesh: the mesh file.
-        output: the file, of SUFFIXES.
-        points: how many on the surface, uniform by area; None: what `at` says.
-        samples: directions at each point.
-        distribution: a name, or one with parameters such as "beckmann(alpha=0.1)".
-        sequence: a name.
-        seed: of points and directions.
-        at: "vertices" or "faces" (centres); None: on the surface.
+    Without `points`, uniform by area, they are what `at` says: "vertices" or "faces" (centres).
     """
 
     mesh: Path
@@ -61,21 +53,14 @@ class DirectionsRun:
 
 
 def export(run: DirectionsRun, workers: int | None = None) -> str:
-    """Runs and writes `run.output`.
+    """Runs and writes `run.output`; gives a sentence about it.
 
     An .npz file holds position, normal, face, vectors, status and `run`, a JSON text; the points and one part of the
-    directions are in memory at a time. In .vtp and .ply each direction w is a point at
-    position + CLOUD_SCALE * diagonal * w, with w as its normal; .vtp also has the row of its surface point. Positions are
-    float64, since float32 would displace a small cloud far from the origin. The file appears when it is complete; an
-    interrupted run leaves the old one, or none.
-
-    Returns:
-        a sentence about what was written.
-
-    Raises:
-        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is written.
-        MemoryError: a cloud that is larger than the free memory.
-        WriteError: the file cannot be written.
+    directions are in memory at a time. In .vtp and .ply each direction w is a point at position + CLOUD_SCALE * diagonal *
+    w, with w as its normal; .vtp also has the row of its surface point. Positions are float64, since float32 would displace
+    a small cloud far from the origin. A cloud that is larger than the free memory is a MemoryError. An argument that cannot
+    be used is refused before anything is written. The file appears when it is complete; an interrupted run, and one whose
+    file cannot be written (WriteError), leaves the old one, or none.
     """
     _check(run)
     check_workers(workers)

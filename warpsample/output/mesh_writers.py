@@ -21,13 +21,7 @@ _GLB = {"f4": 5126, "u4": 5125, "u1": 5121}
 
 @dataclass(frozen=True)
 class Lazy:
-    """Rows that are computed when they are written.
-
-    Attributes:
-        shape: as an array's.
-        dtype: as an array's.
-        make: indices (n,) int64 -> these rows.
-    """
+    """Rows that are computed when they are written; `make` gives those of indices, (n,) int64."""
 
     shape: tuple[int, ...]
     dtype: np.dtype
@@ -47,12 +41,10 @@ Rows = np.ndarray | Lazy
 
 
 def write_ply(file: BinaryIO, elements: dict[str, dict[str, Rows]]) -> None:
-    """Writes a binary .ply.
+    """Writes a binary .ply of {"vertex": columns, "face": columns}.
 
-    Args:
-        file: open for writing.
-        elements: {"vertex": columns, "face": columns}. A column is named after its property, or after several with
-            blanks between them; "vertex_indices" are the (F, 3) corners of faces.
+    A column is named after its property, or after several with blanks between them; "vertex_indices" are the (F, 3) corners
+    of faces.
     """
     head = ["ply", "format binary_little_endian 1.0"]
     for element, columns in elements.items():
@@ -80,14 +72,9 @@ def write_vtp(
     point_data: dict[str, Rows],
     cell_data: dict[str, Rows],
 ) -> None:
-    """VTK's PolyData, binary: points with faces, or each as a cell.
+    """VTK's PolyData, binary: points, (N, 3), with faces, (F, 3) indices of them, or each as a cell.
 
-    Args:
-        file: open for writing.
-        points: (N, 3).
-        faces: (F, 3) indices of points; None makes each point a cell.
-        point_data: (N, ...) by name; "Normals" become the active normals.
-        cell_data: (F, ...) by name.
+    Data are (N, ...) or (F, ...) by name; "Normals" of points become the active normals.
     """
     count, corners = (len(points), 1) if faces is None else (len(faces), 3)
     kind = np.dtype(np.int32 if corners * count < 2**31 else np.int64)
@@ -123,14 +110,10 @@ def write_vtp(
 def write_glb(
     file: BinaryIO, vertices: Rows, corners: Rows, attributes: dict[str, Rows], translation: tuple[float, ...]
 ) -> None:
-    """Binary glTF of one mesh.
+    """Binary glTF of one mesh: vertices, (V, 3) float32, and corners, (F, 3) uint32 indices of them.
 
-    Args:
-        file: open for writing.
-        vertices: (V, 3) float32.
-        corners: (F, 3) uint32 indices of vertices.
-        attributes: (V,) or (V, 4) by name, float32, or uint8 that stands for 0 to 1.
-        translation: added to the vertices, in float64.
+    Attributes are (V,) or (V, 4) by name, float32, or uint8 that stands for 0 to 1. The translation is added to the
+    vertices, in float64.
     """
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     for block in _blocks(vertices):

@@ -9,12 +9,7 @@ PLACES = {"vertices": vertex_points, "faces": face_centers}
 
 
 def check_places(points: int | None, at: str | None) -> None:
-    """Refuses a wrong number of points, one beside a place, and more than there is memory for.
-
-    Raises:
-        ValueError: names the option.
-        MemoryError: says how to take fewer.
-    """
+    """Refuses a wrong number of points, one beside a place, and more than there is memory for."""
     if points is None:
         return
     if at is not None:

@@ -18,11 +18,7 @@ def quantities() -> dict[str, Quantity]:
 
 
 def quantity_of(name: str) -> Quantity:
-    """The record of a quantity.
-
-    Raises:
-        TypeError, ValueError: no name of one; the message lists those that are.
-    """
+    """The record of a quantity, or the error of `look_up`, which lists their names."""
     return look_up(quantities(), name, "quantity")
 
 
@@ -37,11 +33,7 @@ def in_stores() -> list[str]:
 
 
 def check_options(quantity: Quantity, options: Mapping[str, Any]) -> None:
-    """Refuses options that do not apply to a quantity, and asks for the files without which it cannot be computed.
-
-    Raises:
-        ValueError: names the option.
-    """
+    """Refuses options that do not apply to a quantity, and asks for the files without which it cannot be computed."""
     for option, wants in quantity.files.items():
         if options.get(option) is None:
             raise ValueError(f"--{option}: got None for {quantity.name}, want {wants}")

@@ -24,15 +24,9 @@ _MOST_POINTS = 2**20  # of a group, whose suns stand in memory: four gigabytes
 class Shading:
     """The arguments of a run.
 
-    Attributes:
-        mesh: the mesh file.
-        groups: a text file with a line for each triangle: the name of the surface that it is of.
-        output: the file to write, .csv.
-        weather: an EPW file, for its place and hours.
-        samples: points of each group, uniform by area.
-        up: the sky's axis.
-        north: where north is.
-        seed: of the points.
+    `groups` is a text file with a line for each triangle, the name of the surface that it is of; `output` a .csv; `weather`
+    an EPW file, for its place and hours; `samples` the points of each group, uniform by area, and `seed` theirs; `up` is the
+    sky's axis.
     """
 
     mesh: Path
@@ -49,14 +43,8 @@ def write_shading(run: Shading, workers: int | None = None) -> str:
     """Writes `run.output`: a row for each hour of the year, stamped with its end, and a column for each surface.
 
     The share of a surface's area that sees the sun's centre at mid-hour, 0 at night and where the sun is behind. Random
-    points decide: with N of them the standard error is at most 0.5 / sqrt(N).
-
-    Returns:
-        a report in a sentence.
-
-    Raises:
-        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is computed.
-        WriteError: the file cannot be written.
+    points decide: with N of them the standard error is at most 0.5 / sqrt(N). Gives a report in a sentence. An argument that
+    cannot be used is refused before anything is computed.
     """
     if run.output.suffix != ".csv":
         raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in .csv")
@@ -85,8 +73,7 @@ def write_shading(run: Shading, workers: int | None = None) -> str:
 def _groups(path: Path, mesh: Mesh) -> tuple[list[str], np.ndarray]:
     """The names of the groups, in the order of the file, and (F,) which of them each face is of.
 
-    Raises:
-        ValueError, FileNotFoundError: no such file, another number of lines, no name, or one that a .csv cannot hold.
+    Another number of lines, and a name that is empty or that a .csv cannot hold, are a ValueError.
     """
     wants = f"{len(mesh.faces):,} lines, each with the name of its triangle's surface"
     found = check_file(path, "groups", f"a text file of {wants}").read_bytes()

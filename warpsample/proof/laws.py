@@ -32,8 +32,7 @@ def corner_grid() -> np.ndarray:
 def all_variates(every: int = 1) -> Iterator[np.ndarray]:
     """Yields float32 slabs of up to 2^16 points whose coordinates each take every value of the 2^24 grid once.
 
-    Args:
-        every: keep only every n-th value, and always the last of the grid.
+    Of these every n-th may be kept, and always the last of the grid.
     """
     for start in range(0, GRID, SLAB * every):
         k = np.arange(start, min(start + SLAB * every, GRID), every, dtype=np.int64) + (every - 1)
@@ -113,8 +112,7 @@ def density_outside(sampler: Sampler) -> float:
 def cells_p_value(sampler: Sampler, w: np.ndarray, edges: np.ndarray) -> float:
     """Chi-square of independent w in cells of the chart: twice the smaller p-value of the full cells and of the others.
 
-    Raises:
-        ValueError: the density does not integrate to 1 within 1e-3, or its integral does not converge.
+    A density whose integral is not within 1e-3 of 1, or does not converge, is a ValueError.
     """
     from scipy.stats import poisson
 

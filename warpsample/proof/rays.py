@@ -15,11 +15,7 @@ _PER_POINT = 64
 
 @cache
 def closed_meshes() -> dict[str, tuple[Mesh, tuple[float, float, float]]]:
-    """Closed meshes by name, with a point inside each.
-
-    Raises:
-        ModuleNotFoundError: trimesh is missing, which makes them; says how to install it.
-    """
+    """Closed meshes by name, with a point inside each; a ModuleNotFoundError without trimesh, which makes them."""
     try:
         from trimesh import creation
     except ModuleNotFoundError:
@@ -75,14 +71,10 @@ def judge_rays(thorough: bool) -> list[Verdict]:
 
 
 def judge_mesh(name: str, mesh: Mesh, origin: tuple[float, float, float], inside: int, at_edges: int) -> list[Verdict]:
-    """The laws of one closed mesh.
+    """The laws of one closed mesh, faces outward.
 
-    Args:
-        name: of the mesh.
-        mesh: closed, faces outward.
-        origin: a point inside, from which rays are aimed at edges.
-        inside: number of rays in all directions.
-        at_edges: number of rays at edges and vertices.
+    So many rays start from just below it in all directions; others are aimed at edges and vertices from the origin, a point
+    inside.
     """
     rays, aimed = rays_inside(mesh, inside, 1), rays_at_edges(mesh, origin, at_edges, 2)
     found = [trace(mesh, *rays, any_hit=any_hit, tracer="wide").face for any_hit in (False, True)]

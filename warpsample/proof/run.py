@@ -34,8 +34,7 @@ class TrialPart:
 def trial() -> list[TrialPart]:
     """All tasks, the longest first: every case, sequence, second route and hostile input, and the rays.
 
-    Raises:
-        ModuleNotFoundError: the extra `test` is missing; says so before any work.
+    Without the extra `test` it is a ModuleNotFoundError, before any work.
     """
     rays.closed_meshes()
     cases = sorted(verify.cases(), key=lambda case: case.symmetric)
@@ -66,9 +65,7 @@ def planted() -> list[TrialPart]:
 def run(tasks: list[TrialPart], thorough: bool = False) -> Iterator[tuple[TrialPart, list[Verdict]]]:
     """Yields tasks with their verdicts as they end, on one process for each core.
 
-    Args:
-        tasks: what to judge.
-        thorough: sweep all 2^24 variates, not every fourth (with a twin that inverts by bisection, every 16th).
+    A thorough run sweeps all 2^24 variates, not every fourth (with a twin that inverts by bisection, every 16th).
     """
     context = multiprocessing.get_context("spawn")  # Warp's threads do not survive a fork
     workers = min(len(tasks), os.cpu_count() or 1, _MOST_PROCESSES)

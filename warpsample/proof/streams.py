@@ -34,13 +34,10 @@ def digest(name: str) -> str:
 
 
 def judge_stream(name: str, variates: Variates, points: int = 1_000_000, random: bool = True) -> list[Verdict]:
-    """Laws over points, samples and seeds.
+    """Laws over points, samples and seeds, for (points, count, seed) -> (points, count, 2) float32.
 
-    Args:
-        name: for tables.
-        variates: (points, count, seed) -> (points, count, 2) float32.
-        points: number of points, each with 64 samples, over which no pair may repeat more than by chance.
-        random: whether the samples of one point should be independent, too.
+    Of so many points, each with 64 samples, no pair may repeat more than by chance; the samples of one point are to be
+    independent, too, if it is `random`.
     """
     first, other = (variates(200_000, 4, seed).astype(np.float64) for seed in (3, 4))
     u = first[:, 1]

@@ -34,15 +34,10 @@ class HistogramTest:
 
 
 def histogram_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest:
-    """Pearson's chi-square test of independent draws, all of which fell into the cells.
+    """Pearson's chi-square test of independent draws, all of which fell into the cells: (K,) counts.
 
-    Args:
-        observed: (K,) counts.
-        expected: (K,) expected counts, at least 5 each, with the sum of the observed ones.
-
-    Raises:
-        ValueError: an expected count below 5, or sums that differ by more than 1e-3 of a count per count: then the
-            expectation is not integrated finely enough, and the test would reject a correct sampler.
+    An expected count below 5, or sums that differ by more than 1e-3 of a count per count, are a ValueError: then the
+    expectation is not integrated finely enough, and the test would reject a correct sampler.
     """
     observed, expected = np.asarray(observed, np.float64), np.asarray(expected, np.float64)
     if not expected.min() >= _LEAST_EXPECTED:
@@ -62,12 +57,7 @@ def histogram_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest:
 
 
 def joined_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest | None:
-    """`histogram_test` with neighbouring cells joined until each expects enough; None if fewer than two remain.
-
-    Args:
-        observed: (K,) counts.
-        expected: (K,) expected counts, with the sum of the observed ones; some may be 0.
-    """
+    """`histogram_test` with neighbouring cells joined until each expects enough; None if fewer than two remain."""
     starts, waiting = [0], 0.0
     for cell, count in enumerate(expected[:-1]):
         waiting += count

@@ -14,14 +14,8 @@ _LONGEST_PANEL = 4.0  # ratio of the ends of an interval for one rule: lobes spa
 def cell_masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int = 0) -> np.ndarray:
     """(rows, columns): the integral of pdf * a^weight over each cell of the chart.
 
-    Args:
-        sampler: whose pdf.
-        edges: (rows + 1,) values of the coordinate a, ascending.
-        columns: cells of equal azimuth.
-        weight: power of a.
-
-    Raises:
-        ValueError: it does not converge; a test based on it could reject a correct sampler or pass an incorrect one.
+    The edges, (rows + 1,), are ascending values of the coordinate a; columns are of equal azimuth. If it does not converge,
+    it is a ValueError; a test based on it could reject a correct sampler or pass an incorrect one.
     """
     before = _masses(sampler, edges, columns, weight, _COARSEST)
     nodes = 2 * _COARSEST
