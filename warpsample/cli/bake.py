@@ -9,7 +9,7 @@ import typer
 
 from warpsample import sequences
 from warpsample.cli import stores
-from warpsample.cli.terminal import At, MeshFile, fail_plainly, working
+from warpsample.cli.terminal import At, MeshFile, Workers, fail_plainly, option, output_file, working
 from warpsample.estimate.quantities.record import OPTIONS as NAMES
 from warpsample.output.baked import BakeRun
 from warpsample.output.quantities import quantities, quantity_of, taking
@@ -34,17 +34,13 @@ OPTIONS: dict[str, tuple[Any, str]] = {
 
 def bake_command(
     mesh: MeshFile,
-    output: Annotated[
-        Path, typer.Option("--output", "-o", help="The file to write: .ply .vtp .glb .npz .csv .zarr.", show_default=False)
-    ],
+    output: Annotated[Path, output_file(".ply .vtp .glb .npz .csv .zarr")],
     *,
     quantity: str = "ao",
-    points: Annotated[
-        int | None, typer.Option(help="So many points, uniform by area; else those of --at.", show_default=False)
-    ] = None,
+    points: Annotated[int | None, option("So many points, uniform by area; else those of --at.")] = None,
     at: At = None,
     seed: Annotated[int, typer.Option(help="Seed of points and rays.")] = 0,
-    workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
+    workers: Workers = None,
     chunk: stores.Chunk = None,
     cluster: stores.Cluster = None,
     processes: stores.Processes = None,
@@ -66,19 +62,19 @@ def bake_command(
     print(summary)
 
 
-def _help_of(option: str) -> str:
+def _help_of(name: str) -> str:
     """What an option is, what it is by default, and which quantities take it."""
     defaults: dict[str, list[str]] = {}
-    for name in (names := taking(option)):
-        value = quantity_of(name).default(option)
+    for quantity in (takers := taking(name)):
+        value = quantity_of(quantity).default(name)
         if value is not None:
             told = " ".join(f"{part:g}" for part in value) if isinstance(value, tuple) else str(value)
-            defaults.setdefault(told, []).append(name)
+            defaults.setdefault(told, []).append(quantity)
     first, *others = defaults or ("",)
     told = "".join(f", or {value} for {' and '.join(defaults[value])}" for value in others)
-    left = [name for name in quantities() if name not in names]
-    only = f"only for {', '.join(names)}" if len(names) <= len(left) else f"not for {', '.join(left)}"
-    return "; ".join([OPTIONS[option][1], *([f"by default {first}{told}"] if first else []), only]) + "."
+    left = [quantity for quantity in quantities() if quantity not in takers]
+    only = f"only for {', '.join(takers)}" if len(takers) <= len(left) else f"not for {', '.join(left)}"
+    return "; ".join([OPTIONS[name][1], *([f"by default {first}{told}"] if first else []), only]) + "."
 
 
 def _parameters() -> Iterator[inspect.Parameter]:
@@ -88,11 +84,10 @@ def _parameters() -> Iterator[inspect.Parameter]:
     kinds = {"quantity": Annotated[Literal[tuple(quantities())], typer.Option(help=f"{titles}.")]}
     yield from (parameter.replace(annotation=kinds.get(parameter.name, parameter.annotation)) for parameter in own)
     for name, (kind, _) in OPTIONS.items():
-        option = typer.Option(help=_help_of(name), show_default=False)
-        yield inspect.Parameter(name, own[-1].kind, default=None, annotation=Annotated[kind | None, option])
+        yield inspect.Parameter(name, own[-1].kind, default=None, annotation=Annotated[kind | None, option(_help_of(name))])
 
 
 _TAKEN = list(_parameters())
 bake_command.__signature__ = inspect.Signature(_TAKEN)  # type: ignore[attr-defined]
 bake_command.__annotations__ = {parameter.name: parameter.annotation for parameter in _TAKEN}
-bake_command = fail_plainly(**{argument: f"--{option}" for argument, option in NAMES.items()})(bake_command)
+bake_command = fail_plainly(**{argument: f"--{name}" for argument, name in NAMES.items()})(bake_command)

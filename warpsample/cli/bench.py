@@ -13,7 +13,7 @@ from warpsample.bench.record import Benchmark, Result
 from warpsample.bench.result import keep, save_everything
 from warpsample.bench.running.machine import this_machine
 from warpsample.bench.scenes import check_scenes
-from warpsample.cli.terminal import console, fail_plainly, with_progress, working
+from warpsample.cli.terminal import console, fail_plainly, option, with_progress, working
 from warpsample.host.files import check_output, check_output_folder
 
 app = typer.Typer(no_args_is_help=True, help="Run time, measured on this machine.")
@@ -36,10 +36,8 @@ def _measure(benchmark: Benchmark, **settings: Any) -> Result:
 def _run_and_save(
     benchmark: Benchmark,
     settings: dict[str, Any],
-    json: Annotated[
-        Path | None, typer.Option(help="A file for machine, settings and every repeat.", show_default=False)
-    ] = None,
-    plot: Annotated[Path | None, typer.Option(help="A folder for pictures; made if need be.", show_default=False)] = None,
+    json: Annotated[Path | None, option("A file for machine, settings and every repeat.")] = None,
+    plot: Annotated[Path | None, option("A folder for pictures; made if need be.")] = None,
     write: Write = False,
 ) -> None:
     check_scenes(settings.get("scene"))
@@ -84,7 +82,7 @@ def _command(name: str, benchmark: Benchmark) -> Callable[..., None]:
     options = [*benchmark.options.values(), *[each.replace(kind=each.KEYWORD_ONLY) for each in shared]]
     command.__doc__ = benchmark.summary
     command.__signature__ = inspect.Signature(options)  # type: ignore[attr-defined]
-    command.__annotations__ = {option.name: option.annotation for option in options}
+    command.__annotations__ = {each.name: each.annotation for each in options}
     return fail_plainly()(command)
 
 

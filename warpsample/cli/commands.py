@@ -10,7 +10,19 @@ import warpsample
 from warpsample import distributions, sequences
 from warpsample.cli import bench, radiation, signals, stores
 from warpsample.cli.bake import bake_command
-from warpsample.cli.terminal import MESH_HELP, At, MeshFile, Size, console, fail_plainly, with_progress, working
+from warpsample.cli.terminal import (
+    MESH_HELP,
+    At,
+    MeshFile,
+    Size,
+    Workers,
+    console,
+    fail_plainly,
+    option,
+    output_file,
+    with_progress,
+    working,
+)
 from warpsample.mesh.files import load_mesh
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
@@ -75,17 +87,15 @@ def info(mesh: MeshFile) -> None:
 @fail_plainly()
 def directions_command(
     mesh: MeshFile,
-    output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: .npz .vtp .ply.", show_default=False)],
+    output: Annotated[Path, output_file(".npz .vtp .ply")],
     *,
-    points: Annotated[
-        int | None, typer.Option(help="So many points, uniform by area; 10,000 without --at.", show_default=False)
-    ] = None,
+    points: Annotated[int | None, option("So many points, uniform by area; 10,000 without --at.")] = None,
     at: At = None,
     samples: Annotated[int, typer.Option(help="Directions at each point.")] = 64,
     distribution: Annotated[str, typer.Option(help=DISTRIBUTION_HELP)] = "cosine_hemisphere",
     sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "sobol",
     seed: Annotated[int, typer.Option(help="Seed of points and directions.")] = 0,
-    workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
+    workers: Workers = None,
 ) -> None:
     """Sample directions at points of a mesh into a file; .npz holds all that is needed to repeat the run."""
     from warpsample.output.export import DirectionsRun, export
@@ -109,19 +119,13 @@ def view(
     *,
     points: Annotated[int, typer.Option(help="How many surface points, uniform by area.", min=1)] = 100,
     samples: Annotated[int, typer.Option(help="Directions at each point.", min=1)] = 1024,
-    distribution: Annotated[
-        str | None, typer.Option(help=f"{DISTRIBUTION_HELP} By default offset_sphere(rho=1.0).", show_default=False)
-    ] = None,
-    density: Annotated[
-        str | None,
-        typer.Option(help="What the directions are held against; by default their own.", show_default=False),
-    ] = None,
+    distribution: Annotated[str | None, option(f"{DISTRIBUTION_HELP} By default offset_sphere(rho=1.0).")] = None,
+    density: Annotated[str | None, option("What the directions are held against; by default their own.")] = None,
     sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "independent",
     seed: Annotated[int, typer.Option(help="Of points and directions.")] = 0,
     up: Annotated[Literal["x", "y", "z"], typer.Option(help="The mesh's axis that points up in the picture.")] = "y",
     screenshot: Annotated[
-        Path | None,
-        typer.Option(help="No window, but a file: .png, or .html of the clouds to turn in a browser.", show_default=False),
+        Path | None, option("No window, but a file: .png, or .html of the clouds to turn in a browser.")
     ] = None,
     size: Size = (1600, 900),
 ) -> None:
@@ -154,9 +158,7 @@ def view(
 def verify(
     thorough: Annotated[bool, typer.Option("--thorough", help="Sweep all 2^24 variates, not every fourth.")] = False,
     power: Annotated[bool, typer.Option("--power", help="Try the laws on planted defects instead.")] = False,
-    plant: Annotated[
-        str | None, typer.Option(help="Put this planted defect among the samplers; see --power.", show_default=False)
-    ] = None,
+    plant: Annotated[str | None, option("Put this planted defect among the samplers; see --power.")] = None,
     markdown: Annotated[bool, typer.Option("--markdown", help="The README's table of distributions instead.")] = False,
 ) -> None:
     """Prove every sampler: a table for each law. Exit status 1 if one is broken."""

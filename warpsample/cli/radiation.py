@@ -5,28 +5,19 @@ from typing import Annotated
 
 import typer
 
-from warpsample.cli.terminal import MeshFile, working
+from warpsample.cli.terminal import MeshFile, Workers, option, output_file, working
 
 
 def view_factors_command(
     mesh: MeshFile,
-    output: Annotated[
-        Path,
-        typer.Option("--output", "-o", help="The file to write: .npz .vf, or vfsparse.inp and more.", show_default=False),
-    ],
+    output: Annotated[Path, output_file(".npz .vf, or vfsparse.inp and more")],
     *,
     count: Annotated[int, typer.Option(help="Rays of each face.")] = 4096,
-    groups: Annotated[
-        Path | None,
-        typer.Option(help="Text or .npy: a whole number for each face, the surface it is part of.", show_default=False),
-    ] = None,
+    groups: Annotated[Path | None, option("Text or .npy: a whole number for each face, the surface it is part of.")] = None,
     reciprocal: Annotated[bool, typer.Option("--reciprocal", help="Pool both directions of each pair, and close.")] = False,
-    up: Annotated[
-        tuple[float, float, float] | None,
-        typer.Option(help="The sky's axis, to part sky from ground.", show_default=False),
-    ] = None,
+    up: Annotated[tuple[float, float, float] | None, option("The sky's axis, to part sky from ground.")] = None,
     seed: Annotated[int, typer.Option(help="Seed of the rays.")] = 0,
-    workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
+    workers: Workers = None,
 ) -> None:
     """Estimate the view factors between all faces of a mesh, what is in the way included, into a sparse matrix."""
     from warpsample.radiation.exchange.run import run_view_factors
@@ -42,14 +33,14 @@ def shading_command(
         Path,
         typer.Argument(help="Text with a line for each triangle: its surface's name in EnergyPlus.", show_default=False),
     ],
-    output: Annotated[Path, typer.Option("--output", "-o", help="The file to write: .csv.", show_default=False)],
+    output: Annotated[Path, output_file(".csv")],
     *,
-    weather: Annotated[Path, typer.Option(help="The place and its hours, .epw, or athens, an example.", show_default=False)],
+    weather: Annotated[Path, option("The place and its hours, .epw, or athens, an example.")],
     samples: Annotated[int, typer.Option(help="Points of each surface, uniform by area.")] = 1024,
     up: Annotated[tuple[float, float, float], typer.Option(help="The sky's axis.")] = (0.0, 0.0, 1.0),
     north: Annotated[tuple[float, float, float], typer.Option(help="Where north is.")] = (0.0, 1.0, 0.0),
     seed: Annotated[int, typer.Option(help="Seed of the points.")] = 0,
-    workers: Annotated[int | None, typer.Option(help="Threads; all cores by default.", show_default=False)] = None,
+    workers: Workers = None,
 ) -> None:
     """Write the sunlit share of surfaces in each hour of a year, as EnergyPlus reads it: Schedule:File:Shading."""
     from warpsample.output.shading import Shading, write_shading

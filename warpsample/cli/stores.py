@@ -5,23 +5,19 @@ from typing import Annotated
 
 import typer
 
-from warpsample.cli.terminal import working
+from warpsample.cli.terminal import option, output_file, working
 from warpsample.output.baked import BakeRun
 
 SUFFIX = ".zarr"
 
-Chunk = Annotated[int | None, typer.Option(help="Points of a task and a file of the store; .zarr only.", show_default=False)]
-Cluster = Annotated[str | None, typer.Option(help="Address of a Dask scheduler, tcp://...; .zarr only.", show_default=False)]
-Processes = Annotated[int | None, typer.Option(help="So many processes of a thread each; .zarr only.", show_default=False)]
+Chunk = Annotated[int | None, option("Points of a task and a file of the store; .zarr only.")]
+Cluster = Annotated[str | None, option("Address of a Dask scheduler, tcp://...; .zarr only.")]
+Processes = Annotated[int | None, option("So many processes of a thread each; .zarr only.")]
 Resume = Annotated[bool, typer.Option("--resume", help="Go on with the store, if there is one; .zarr only.")]
 
 
 def bake_into_store(run: BakeRun, chunk: int | None, cluster: str | None, processes: int | None, resume: bool) -> str:
-    """Computes a run into a Zarr store by `cluster.runs.bake_run`.
-
-    Raises:
-        ModuleNotFoundError: Dask or Zarr is missing; says how to install them.
-    """
+    """Computes a run into a Zarr store by `cluster.runs.bake_run`; what is missing is a ModuleNotFoundError."""
     try:
         from warpsample.cluster.runs import bake_run
     except ModuleNotFoundError as error:
@@ -30,11 +26,7 @@ def bake_into_store(run: BakeRun, chunk: int | None, cluster: str | None, proces
 
 
 def refuse_for_files(output: Path, **options: object) -> None:
-    """Refuses the options of stores for other files.
-
-    Raises:
-        ValueError: names the first that is given.
-    """
+    """Refuses the options of stores for other files; the ValueError names the first that is given."""
     for name, value in options.items():
         if value:
             raise ValueError(f"--{name}: got {value} for {output.name}; it applies only to {SUFFIX}")
@@ -43,9 +35,7 @@ def refuse_for_files(output: Path, **options: object) -> None:
 def export_command(
     store: Annotated[Path, typer.Argument(help="What `warpsample bake -o out.zarr` wrote.", show_default=False)],
     mesh: Annotated[Path, typer.Argument(help="The mesh file that it was given.", show_default=False)],
-    output: Annotated[
-        Path, typer.Option("--output", "-o", help="The file to write: .ply .vtp .glb .npz .csv.", show_default=False)
-    ],
+    output: Annotated[Path, output_file(".ply .vtp .glb .npz .csv")],
 ) -> None:
     """Write the numbers of a finished Zarr store on their mesh, into a file as `bake` does."""
     try:

@@ -17,13 +17,24 @@ import typer
 from warpsample.cli import signals
 from warpsample.host.files import WriteError
 
+
+def option(words: str, *names: str) -> Any:
+    """An option of a command, whose help says what it is by default, if there is something to say."""
+    return typer.Option(*names, help=words, show_default=False)
+
+
+def output_file(kinds: str) -> Any:
+    """The option that names the file to write, with the suffixes that it may have."""
+    return option(f"The file to write: {kinds}.", "--output", "-o")
+
+
 MESH_HELP = "Mesh file: .ply .obj .stl .off .glb .gltf .usd; or courtyard, an example"
 MeshFile = Annotated[Path, typer.Argument(help=f"{MESH_HELP}.", show_default=False)]
 At = Annotated[
-    Literal["vertices", "faces"] | None,
-    typer.Option(help="Where, if not at --points: at the vertices, or the faces' centres.", show_default=False),
+    Literal["vertices", "faces"] | None, option("Where, if not at --points: at the vertices, or the faces' centres.")
 ]
-FigureFile = Annotated[Path | None, typer.Option(help="No window, but a file: .png, .svg or .pdf.", show_default=False)]
+FigureFile = Annotated[Path | None, option("No window, but a file: .png, .svg or .pdf.")]
+Workers = Annotated[int | None, option("Threads; all cores by default.")]
 Size = Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")]
 
 _OF_SIGPIPE = 128 + 13  # the status of what ends by that signal
@@ -34,10 +45,8 @@ _SILENCE = 1.0  # seconds that a step may take without a message
 def fail_plainly(**options: str) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     """Decorates a command: an error is one line on stderr; status 2 for bad input, 1 for a file that cannot be written.
 
-    Other errors keep their traceback. If a message starts with the name of an argument, it is replaced by the option.
-
-    Args:
-        options: the options for arguments whose names differ from theirs.
+    Other errors keep their traceback. A message that starts with the name of an argument says the option instead; `options`
+    are those whose names differ from it.
     """
 
     def decorate(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -141,10 +150,7 @@ def working(what: str) -> Iterator[None]:
 def show_or_save(picture: Any, screenshot: Path | None, what: str) -> None:
     """Ends a script that makes a picture: opens a window, or writes a file and a line on stdout that says what it shows.
 
-    Args:
-        picture: a PyVista plotter or a matplotlib figure.
-        screenshot: the file; None opens a window.
-        what: a description of the picture.
+    The picture is a PyVista plotter or a Matplotlib figure.
     """
     from warpsample.plotting import rendering, scenes
 
