@@ -24,6 +24,14 @@ wp.init()
 _made = []
 
 
+def pytest_collection_modifyitems(config, items):
+    """Leaves thorough tests to `-m thorough`, also those in files that are slow as a whole."""
+    if "thorough" not in config.option.markexpr:
+        left = [item for item in items if item.get_closest_marker("thorough")]
+        config.hook.pytest_deselected(items=left)
+        items[:] = [item for item in items if not item.get_closest_marker("thorough")]
+
+
 @pytest.fixture
 def plausible():
     """Asserts that a p-value is not below the suite's level."""

@@ -53,7 +53,7 @@ def test_a_file_name_is_shown_as_it_is(call, tmp_path):
     assert (status, "'scan[/b].ply'" in err) == (2, True)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_an_ascii_terminal_is_told_all_the_same(run, can_render, tmp_path):
     """The labels of a picture contain a theta, and a file may have any name."""
     ascii_only = {"PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
@@ -111,7 +111,7 @@ def test_an_error_names_the_option(call, arguments, option, tmp_path, monkeypatc
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     "arguments",
     [
@@ -212,7 +212,7 @@ def test_the_digest_of_the_example_tells_it_from_files(tmp_path):
 CLOSED = {"stdout": ">&-", "stderr": "2>&-", "all": "<&- >&- 2>&-"}
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("streams", CLOSED)
 def test_what_is_closed_is_nowhere(streams, child_environment, tmp_path):
     """Standard streams are closed, as a service's are; the output file does not get what is printed."""
@@ -227,10 +227,10 @@ def test_what_is_closed_is_nowhere(streams, child_environment, tmp_path):
     assert (tmp_path / "o.ply").read_bytes().startswith(b"ply\n")
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="a device of Linux")
 @pytest.mark.parametrize(
-    "arguments", ["--version", *(pytest.param(a, marks=pytest.mark.slow) for a in ("--help", "info courtyard"))]
+    "arguments", ["--version", *(pytest.param(a, marks=pytest.mark.thorough) for a in ("--help", "info courtyard"))]
 )
 def test_a_full_disk_under_stdout_is_one_sentence(arguments, child_environment):
     variables = {name: value for name, value in child_environment.items() if name != "PYTHONUNBUFFERED"}

@@ -74,7 +74,7 @@ def writing(cube, tmp_path):
     assert {path.name for path in tmp_path.iterdir()} == {"cube.ply", "d.npz"}
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", mostly_slow("SIGTERM"))
 def test_on_a_terminal_the_half_file_goes_and_the_cursor_comes_back(name, writing, child_environment):
     arguments, half = writing
@@ -147,8 +147,8 @@ def test_in_the_first_second_it_is_one_sentence(name, module, cube, child_enviro
     assert (done.returncode, done.stdout, done.stderr) == (128 + getattr(signal, name), "", sentence(name) + "\n")
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("name", ["SIGHUP", pytest.param("SIGINT", marks=pytest.mark.slow)])
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", ["SIGHUP", pytest.param("SIGINT", marks=pytest.mark.thorough)])
 def test_what_the_parent_ignores_stays_ignored(name, cube, child_environment):
     """`nohup` and the background jobs of a shell rely on this."""
     number = getattr(signal, name)
@@ -209,9 +209,9 @@ def test_while_a_window_is_open_a_signal_ends_it_at_once(name, child_environment
     assert listen(body.format("pass"), child_environment) == (128 + number, "", sentence(name) + "\n")
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize(
-    "name", ["SIGTERM", *(pytest.param(other, marks=pytest.mark.slow) for other in ("SIGINT", "SIGHUP"))]
+    "name", ["SIGTERM", *(pytest.param(other, marks=pytest.mark.thorough) for other in ("SIGINT", "SIGHUP"))]
 )
 def test_the_processes_of_verify_end_with_it(name, child_environment):
     """The signal goes to the whole group, as from a terminal, or to the parent alone; no child may print anything."""

@@ -38,7 +38,7 @@ main()
 """
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_ten_thousand_million_points_begin_in_the_memory_of_a_million(tmp_path, child_environment):
     """166,667 tasks: a graph of them all would take 300 MB, and what is known of chunks takes 20."""
     peaks = []

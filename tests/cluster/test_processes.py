@@ -120,7 +120,7 @@ def whole():
     return ws.ambient_occlusion(mesh, ws.sample_surface(mesh, 8_000), 4096)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("where", [(), ("--processes", 2)])
 @pytest.mark.parametrize("name", ["SIGINT", "SIGKILL"])
 def test_a_client_that_ends_leaves_a_store_that_resumes(path, whole, child_environment, where, name):
@@ -165,7 +165,7 @@ def scheduler(tmp_path, child_environment):
         process.wait()
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_a_scheduler_that_is_gone_is_a_sentence(path, whole, scheduler, child_environment):
     first, address = scheduler
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}

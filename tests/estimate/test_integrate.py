@@ -124,7 +124,7 @@ def test_skipping_changes_no_bit_of_any_lobe(distribution):
     assert skipped >= 0
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("distribution", [*LOBES, *FEW], ids=repr)
 def test_each_lobe_is_integrated_and_skipped_right(distribution):
     test_the_mean_of_each_lobe_is_that_of_its_directions(distribution)

@@ -102,7 +102,7 @@ def test_intervals_hold_what_they_promise(cases, covers, name, count):
     assert min(inside.mean() for inside, _ in held) >= LEAST
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("name", ["bunny", "city", "closed forms"])
 @pytest.mark.parametrize("count", [32, 64, 128, 256, 512, 1024, 4096])
 @pytest.mark.parametrize("sequence", ws.sequences.names())

@@ -89,7 +89,7 @@ def test_both_ends_at_once_are_covered(count, plausible):
     plausible(enough([coverage("both", expected, count) for expected in few], RUNS))
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("sequence", sorted(set(ws.sequences.names()) - {"fibonacci"}))
 def test_other_sequences_cover_too(sequence, plausible):
     """Over the places together: at one of them, few values may be possible."""

@@ -47,7 +47,7 @@ def fewest_rays(mesh, points, tolerance, near):
     return min(run.rays.sum() for run in runs if root_mean_square(run.standard_error) <= tolerance)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("scene", SCENES)
 def test_it_is_reached_at_the_price_of_the_best_count(scene):
     """Judged by a reference of 16,384 rays, whose error is 3e-4; and 0.001, whose search would take minutes, by its bars."""

@@ -246,7 +246,7 @@ def test_an_error_of_the_work_is_not_lost():
     assert str(interrupt.value.__context__) == "no room"
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_two_thousand_interrupts_of_all_kinds_of_calls(child_environment):
     """In a process of its own, since it may crash."""
     script = Path(__file__).parents[1] / "support" / "interrupted.py"

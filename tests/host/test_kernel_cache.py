@@ -36,14 +36,14 @@ def alone(tmp_path, child_environment):
     return run
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("tasks", ["damages", "folders,unmarked,again,unwritable,together"])
 def test_a_cache_is_mended_or_done_without(tasks, alone, tmp_path):
     (tmp_path / "tmp").mkdir()
     assert alone(tasks, TMPDIR=str(tmp_path / "tmp"))[0] == ""
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_the_command_line_says_it_in_a_line(alone, cube, tmp_path):
     command = ("-m", "warpsample.cli", "directions", cube, "-o", tmp_path / "d.npz", "--at", "faces")
     first = alone(*command)
