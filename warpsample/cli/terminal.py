@@ -50,7 +50,6 @@ def fail_plainly(**options: str) -> Callable[[Callable[..., Any]], Callable[...,
     """
 
     def decorate(command: Callable[..., Any]) -> Callable[..., Any]:
-        """Makes the command end plainly."""
         names = _options_of(command) | options
 
         @wraps(command)

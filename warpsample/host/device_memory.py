@@ -80,7 +80,6 @@ class Loan:
     """Memory that one part of a call holds. In the end results are fetched, if nothing failed, and all is given back."""
 
     def __init__(self, memory: Memory) -> None:
-        """Takes nothing yet."""
         self.memory = memory
         self._held: list[Array] = []
         self._results: list[tuple[np.ndarray, wp.array]] = []

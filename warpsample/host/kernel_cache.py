@@ -11,6 +11,7 @@ import tempfile
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from typing import BinaryIO
@@ -53,11 +54,7 @@ def load(kernel: wp.Kernel, device: str) -> None:
     if device == "cpu":
         _ask_for_wide_vectors(kernel.module)
     block = 1 if device == "cpu" else 256  # as wp.launch has it
-
-    def load_module() -> None:
-        """Builds or loads the module, as Warp does it."""
-        wp.load_module(kernel.module, device, block_dim=block)
-
+    load_module = partial(wp.load_module, kernel.module, device, block_dim=block)
     entry = Path(wp.config.kernel_cache_dir, kernel.module.get_module_identifier(block))
     with _quiet(wp.LOG_WARNING):
         whole = _is_whole(entry)

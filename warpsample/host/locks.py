@@ -37,7 +37,6 @@ def once(factory: Callable[..., T]) -> Callable[..., T]:
 
     @wraps(factory)
     def get(*arguments: Any, **named: Any) -> T:
-        """The known value, or a new one."""
         key = (*arguments, *named.items()) if named else arguments
         value = known.get(key, _UNKNOWN)
         return make(partial(get_new, key, arguments, named)) if value is _UNKNOWN else value
@@ -55,7 +54,6 @@ class once_property(Generic[T]):  # noqa: N801  (used as a decorator, like `func
     """Like `functools.cached_property`, but two threads never make the same value; an array is kept read-only."""
 
     def __init__(self, make: Callable[[Any], T]) -> None:
-        """Takes the method that makes the value."""
         self.make = make
         self.__doc__ = make.__doc__
 

@@ -26,7 +26,6 @@ class _Helper:
     """A part of a call for whichever thread has time for it, unless the call has ended before."""
 
     def __init__(self, part: Callable[[], None], stop: Callable[[], None]) -> None:
-        """Nobody works on it yet."""
         self._part: Callable[[], None] | None = part
         self._stop = stop
         self._held = threading.RLock()
@@ -102,10 +101,9 @@ def _serve(asked: "SimpleQueue[_Helper]") -> None:
 
 
 class InOrder(Generic[T]):
-    """Results that threads put as they make them, taken in the order of their numbers, by one thread at a time."""
+    """Results that threads put as they make them; a function takes them in the order of their numbers, one at a time."""
 
     def __init__(self, take: Callable[[T], None]) -> None:
-        """Takes a function that takes a result."""
         self._take = take
         self._next = 0
         self._early: dict[int, T] = {}

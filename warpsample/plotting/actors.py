@@ -1,4 +1,7 @@
-"""Parts of a PyVista scene whose contents can be replaced: clouds, lobes, pins, a sheet of pixels, and the mouse."""
+"""Parts of a PyVista scene whose contents can be replaced: clouds, lobes, pins, a sheet of pixels, and the mouse.
+
+Each adds itself to the current renderer of its plotter.
+"""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
@@ -21,10 +24,9 @@ _MOST_STEPS = 5  # of a colour bar's ticks
 
 
 class CloudActor:
-    """Points coloured by density, as one actor."""
+    """Points of so many pixels, coloured by density, as one actor; a colour bar may stand below them."""
 
     def __init__(self, plotter: "pyvista.Plotter", point_size: int, bar: bool):
-        """Adds it to the plotter's current renderer, with points of so many pixels; a colour bar may stand below them."""
         import pyvista as pv
 
         cloud = pv.PolyData(np.zeros((1, 3), np.float32))
@@ -75,7 +77,6 @@ class LobeActor:
     """A density as a translucent surface over the tangent plane."""
 
     def __init__(self, plotter: "pyvista.Plotter"):
-        """Adds it to the plotter's current renderer."""
         import pyvista as pv
 
         style = {"color": LOBE, "opacity": 0.25, "pickable": False, "reset_camera": False, "show_scalar_bar": False}
@@ -93,7 +94,6 @@ class Sheet:
     """Pixels that fill a renderer, whatever its camera does."""
 
     def __init__(self, plotter: "pyvista.Plotter"):
-        """Adds it to the plotter's current renderer."""
         import pyvista as pv
         from vtkmodules.vtkRenderingCore import vtkCoordinate, vtkPolyDataMapper2D, vtkTexturedActor2D
 
@@ -117,7 +117,6 @@ class Pin:
     """A pin that stands on a point."""
 
     def __init__(self, plotter: "pyvista.Plotter", colour: str):
-        """Adds it to the plotter's current renderer."""
         import pyvista as pv
 
         style = {"color": colour, "pickable": False, "reset_camera": False}

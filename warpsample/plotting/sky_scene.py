@@ -92,7 +92,6 @@ def sun_and_sky(
     plotter.subplot(0, 1)
 
     def show(value: float) -> None:
-        """Shows another hour."""
         now = round(value)
         made[1]["W/m2"] = hours[now]
         dot.points = on_map(*sky.sun[now].T)[None]

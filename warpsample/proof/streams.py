@@ -65,7 +65,6 @@ def judge_sequence(name: str, points: int = 1_000_000) -> list[Verdict]:
     """The laws for a sequence of the package, and that its stream has not changed."""
 
     def variates(points: int, samples: int, seed: int) -> np.ndarray:
-        """The points of the sequence."""
         return sample_square(name, points, samples, seed=seed)
 
     frozen = Verdict.of_error("frozen stream", name, digest(name) != frozen_digest(name), note=digest(name))

@@ -12,8 +12,9 @@ from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import Estimate
 from warpsample.host.arguments import check_choice, check_integer, check_scale
 from warpsample.mesh.mesh import Mesh, as_mesh
-from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+from warpsample.mesh.surface import SurfacePoints, sample_surface, vertex_points
 from warpsample.output.export import CLOUD_SCALE
+from warpsample.output.places import PLACES
 from warpsample.output.quantities import quantities
 
 At = Literal["vertices", "faces"]
@@ -77,8 +78,7 @@ class WarpsampleAccessor:
         return sample_directions(at, count, distribution=distribution, seed=seed, **options).to_polydata(at, length)
 
     def _points(self, at: At) -> SurfacePoints:
-        at = check_choice(at, "at", get_args(At))
-        return vertex_points(self.mesh) if at == "vertices" else face_centers(self.mesh)
+        return PLACES[check_choice(at, "at", get_args(At))](self.mesh)
 
     def _with(self, name: str, at: At, found: Estimate) -> pv.PolyData:
         numbers = found.to_polydata(self.mesh, at)
