@@ -17,13 +17,9 @@ _DIMENSIONS = {wp.vec2: 2, wp.vec3: 3}
 
 @dataclass(frozen=True)
 class Vectors:
-    """An array of float32 vectors, C-contiguous.
+    """An array of float32 vectors, C-contiguous, on a device; its shape is without the vectors' own axis, `width` long.
 
-    Attributes:
-        owner: the array; holding it keeps the address valid.
-        shape: without the vectors' own axis.
-        width: components of a vector.
-        device: where it lies.
+    Holding `owner`, the array, keeps the address valid.
     """
 
     owner: Array

@@ -20,16 +20,9 @@ _SYMBOL = 22
 class SetPanel:
     """A set about the tip of the normal, seen from the side, and the angles of its projection.
 
-    Attributes:
-        title: stands above.
-        points: (N, 2) points of the set, with the normal up.
-        directions: (N, 2) the same points, projected onto the unit circle or sphere.
-        edges: (K + 1,) degrees.
-        observed: (K,) density of the directions, per radian.
-        angles: (M,) degrees.
-        density: (M,) density that is claimed at those angles, per radian.
-        formula: of the density, for the legend.
-        test: of the histogram against the density.
+    The points of the set, with the normal up, are (N, 2), and so are the directions, the same points projected onto the unit
+    circle or sphere. Of the histogram `edges` are (K + 1,) degrees, and `observed` (K,) per radian; the density that is
+    claimed at (M,) angles, in degrees, is per radian too. The formula is for the legend.
     """
 
     title: str

@@ -19,13 +19,7 @@ _SLOPES = ((-0.5, "--", "$N^{-1/2}$"), (-1.0, ":", "$N^{-1}$"))
 
 @dataclass(frozen=True, eq=False)
 class Convergence:
-    """Errors of all sequences on one integrand.
-
-    Attributes:
-        title: stands above.
-        counts: (C,) numbers of samples.
-        rmse: for the name of each sequence, (C,) root mean square errors.
-    """
+    """Root mean square errors, (C,), of each sequence, by its name, on one integrand, at (C,) numbers of samples."""
 
     title: str
     counts: np.ndarray

@@ -24,13 +24,10 @@ def independent(points: int, count: int, seed: int) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Subject:
-    """A sampler on trial.
+    """A sampler on trial, named for tables, and its twin, the distribution that it claims to be.
 
-    Attributes:
-        name: for tables.
-        sampler: the distribution, or a wrong sampler in its place (see `warpsample.statistics.charts.Sampler`).
-        variates: (points, count, seed) -> (points, count, 2) float32.
-        twin: the distribution that the sampler claims to be.
+    It is that distribution itself, or a wrong sampler in its place (see `warpsample.statistics.charts.Sampler`); its
+    variates are of (points, count, seed): (points, count, 2) float32.
     """
 
     name: str

@@ -49,12 +49,8 @@ def show(verdicts: list[Verdict], console: Any) -> None:
     for law, summary in _SUMMARIES.items():
         table = _table()
         statistical = any(v.statistical for v in verdicts if v.law == law)
-        for heading in (
-            "of",
-            "cases",
-            "smallest p-value" if statistical else "worst",
-            "at least" if statistical else "at most",
-        ):
+        figures = ("smallest p-value", "at least") if statistical else ("worst", "at most")
+        for heading in ("of", "cases", *figures):
             table.add_column(heading, justify="left" if heading == "of" else "right")
         table.add_column("")
         table.add_column("at", overflow="fold")

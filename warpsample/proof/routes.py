@@ -28,7 +28,7 @@ from warpsample.distributions.visible_beckmann import VisibleBeckmann
 from warpsample.distributions.visible_ggx import VisibleGGX
 from warpsample.proof import laws
 from warpsample.proof.evidence import Evidence, Subject
-from warpsample.proof.twins import polar_angle
+from warpsample.proof.twins import polar_angle, spherical
 from warpsample.proof.verify import Verdict
 from warpsample.statistics.charts import chart_of
 
@@ -131,9 +131,7 @@ def _malley(u: np.ndarray) -> np.ndarray:
 
 def _half_acos(u: np.ndarray) -> np.ndarray:
     """theta = acos(1 - 2u) / 2. Cranberry2020, equation 7."""
-    theta = np.arccos(1.0 - 2.0 * u[..., 0])[..., None] / 2.0
-    turn = np.stack([np.cos(_TURN * u[..., 1]), np.sin(_TURN * u[..., 1])], axis=-1)
-    return np.concatenate([np.sin(theta) * turn, np.cos(theta)], axis=-1)
+    return spherical(np.arccos(1.0 - 2.0 * u[..., 0]) / 2.0, u[..., 1])
 
 
 def _keinert(count: int) -> np.ndarray:

@@ -24,13 +24,8 @@ LEVEL = FAMILY_WISE / MOST_STATISTICS
 class Verdict:
     """The verdict of one law on one subject.
 
-    Attributes:
-        law: its name.
-        subject: what was judged.
-        measured: a worst error or a p-value.
-        limit: the greatest error allowed, or LEVEL, the smallest p-value.
-        statistical: whether `measured` is a p-value.
-        note: why there is no number, or what was left out.
+    What was measured is a worst error, or a p-value if it is `statistical`; the limit is the greatest error allowed, or
+    LEVEL, the smallest p-value. The note says why there is no number, or what was left out.
     """
 
     law: str
@@ -58,14 +53,9 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Law:
-    """A law: what it measures, its limit and when it applies.
+    """A law: what it measures, its limit and when it applies; its summary is one line for tables.
 
-    Attributes:
-        name: short.
-        summary: one line for tables.
-        measure: the worst error or the p-value of a subject.
-        limit: the greatest error, from the distribution that the subject claims to be; None for p-values.
-        applies: whether the law applies to a sampler.
+    The limit, the greatest error, is of the distribution that the subject claims to be; None for p-values.
     """
 
     name: str

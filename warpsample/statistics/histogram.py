@@ -9,15 +9,10 @@ _LEAST_EXPECTED = 5.0  # a smaller count is not close enough to normal for chi-s
 
 @dataclass(frozen=True, eq=False)
 class HistogramTest:
-    """Pearson's test of one histogram.
+    """Pearson's test of one histogram: (K,) counts that were observed, and that are expected under the density.
 
-    Attributes:
-        observed: (K,) counts.
-        expected: (K,) counts under the density.
-        residuals: (K,) observed - expected, in standard deviations of a binomial count.
-        chi_square: Pearson's statistic.
-        dof: degrees of freedom.
-        p_value: probability of at least this statistic under the density.
+    The residuals, observed - expected, are in standard deviations of a binomial count; the p-value is the probability of at
+    least this chi-square, with so many degrees of freedom, under the density.
     """
 
     observed: np.ndarray

@@ -9,12 +9,8 @@ from warpsample.distributions.record import Distribution
 class Choice:
     """What the knobs are set to.
 
-    Attributes:
-        distribution: whose directions are drawn.
-        density: what they are compared with; None for the distribution's own density.
-        sequence: the name of a sequence. The viewer starts with independent points, for which chi-square's test is made.
-        samples: directions at each point.
-        seed: of the directions.
+    A density of None is the distribution's own. The viewer starts with independent points, for which chi-square's test is
+    made; the samples are at each point, and the seed is of the directions.
     """
 
     distribution: Distribution

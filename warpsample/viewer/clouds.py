@@ -20,13 +20,10 @@ OUTSIDE = 0.5
 
 @dataclass(frozen=True, eq=False)
 class Clouds:
-    """Directions at all points, drawn as points of their lobes' surfaces, and their angles.
+    """Directions at all points, drawn as points of their lobes' surfaces, and their angles to and about the normals.
 
-    Attributes:
-        position: (N, 3) float32, in the coordinates of the points.
-        pdf: (N,) float32, the claimed density per steradian; 0 outside its support.
-        theta: the angles of all directions to their normals.
-        azimuth: the angles of all directions about their normals, from each point's tangent.
+    `position`: (N, 3) float32, in the coordinates of the points; `pdf`: (N,) float32, the claimed density per steradian, 0
+    outside its support. Azimuths are from each point's tangent.
     """
 
     position: np.ndarray
@@ -42,12 +39,10 @@ class Clouds:
 
 @dataclass(frozen=True, eq=False)
 class Chosen:
-    """Directions at one point, in its tangent frame.
+    """Directions at one point, in its tangent frame: `disk` has their tangent components, (n, 2).
 
-    Attributes:
-        position: (n, 3) float32, points of the lobe's surface, at most 1 from the origin.
-        pdf: (n,) float32, the claimed density per steradian.
-        disk: (n, 2) the tangent components of the directions.
+    `position`: (n, 3) float32, of the lobe's surface, at most 1 from the origin; `pdf`: (n,), the claimed density per
+    steradian.
     """
 
     position: np.ndarray

@@ -19,13 +19,7 @@ _SCHEME = re.compile("[A-Za-z][A-Za-z0-9+.-]+:")  # of a URI; one letter is a dr
 
 @dataclass(frozen=True)
 class Data:
-    """The numbers of a file.
-
-    Attributes:
-        accessors: what they are.
-        views: where they are in the buffers.
-        buffers: bytes, as many as are declared.
-    """
+    """The numbers of a file: what they are, where they are in the buffers, and these, as many bytes as are declared."""
 
     accessors: list[Part]
     views: list[Part]
