@@ -100,10 +100,7 @@ def _summary(run: BakeRun, quantity: Quantity, found: Any, seconds: float) -> st
         mean = f"mean {found.value[good].mean():.4f} {quantity.unit}".rstrip()
         lines.append(f"{mean}; standard error {error:.2g}, root mean square over the points" if cast else mean)
     rays = f"{cast:,} rays cast in {seconds:.2f} s, {cast / max(seconds, 1e-9) / 1e6:.1f} million a second"
-    lines += [
-        rays if cast else f"took {seconds:.2f} s",
-        *_skips(getattr(found, "skipped", None)),
-    ]
+    lines += [rays if cast else f"took {seconds:.2f} s", *_skips(getattr(found, "skipped", None))]
     bad = {PointStatus(code): int(n) for code, n in enumerate(np.bincount(found.status)) if n and code != PointStatus.OK}
     if bad:
         lines.append("points without a number: " + ", ".join(f"{n:,} {status.name.lower()}" for status, n in bad.items()))

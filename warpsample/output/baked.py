@@ -29,13 +29,8 @@ _BYTES_OF_CORNER = 12 + 4 + 8 * 4  # in a .glb, with all that is known of light
 class BakeRun:
     """The arguments of `warpsample bake`.
 
-    Attributes:
-        mesh: the mesh file.
-        output: the file to write, of WRITERS.
-        quantity: its name.
-        at: of places.PLACES; None: on the surface, uniform by area.
-        points: how many on the surface; None: what `at` says.
-        options: those that were given of what the quantity takes, by their names on the command line, and the seed.
+    The output's suffix is of WRITERS, and `at` of places.PLACES, or None: on the surface, uniform by area, so many `points`.
+    The options are those that were given of what the quantity takes, by their names on the command line, and the seed.
     """
 
     mesh: Path
@@ -156,15 +151,10 @@ def _write_matrix_npz(file: BinaryIO, baked: Baked) -> None:
     _write_npz(file, baked, directions=sky.directions, solid_angles=sky.solid_angles)
 
 
-def _write_mtx(file: BinaryIO, baked: Baked) -> None:
-    """Radiance's form, as `SkyMatrix.save` has it."""
-    write_matrix(file, baked.found.value, pi)
-
-
 WRITERS = {".ply": _write_ply, ".vtp": _write_vtp, ".glb": _write_glb, ".npz": _write_npz, ".csv": _write_csv}
 
-MATRIX_WRITERS = {".npz": _write_matrix_npz, ".mtx": _write_mtx}
-"""For values that are too many for columns."""
+MATRIX_WRITERS = {".npz": _write_matrix_npz, ".mtx": lambda file, baked: write_matrix(file, baked.found.value, pi)}
+"""For values that are too many for columns; the .mtx in Radiance's form, as `SkyMatrix.save` has it."""
 
 
 def writers_of(quantity: Quantity) -> dict[str, Callable[[BinaryIO, Baked], None]]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from importlib.metadata import version
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -98,9 +98,7 @@ def _write_cloud(file: BinaryIO, scale: float, points: SurfacePoints, run: Direc
     check_memory(
         size, f"the {len(points) * run.samples:,} directions of the cloud", "take fewer, or write .npz, which is streamed"
     )
-    found = sample_directions(
-        points, run.samples, distribution=run.distribution, sequence=run.sequence, seed=run.seed, workers=workers
-    )
+    found = _sampled(points, run, workers)
     rows = np.flatnonzero(found.status == 0)
     ways = (found.vectors if len(rows) == len(points) else found.vectors[rows]).reshape(-1, 3)
     position = Lazy(
@@ -134,19 +132,13 @@ def _parts(points: SurfacePoints, run: DirectionsRun, workers: int | None) -> It
         task = progress.add_task("sampling", total=len(points), told="")
         for start in range(0, len(points), step):
             normals = points.normal[start : start + step]
-            yield (
-                start,
-                sample_directions(
-                    normals,
-                    run.samples,
-                    distribution=run.distribution,
-                    sequence=run.sequence,
-                    seed=run.seed,
-                    first_point=start,
-                    workers=workers,
-                ),
-            )
+            yield start, _sampled(normals, run, workers, start)
             progress.advance(task, len(normals))
+
+
+def _sampled(points: Any, run: DirectionsRun, workers: int | None, first_point: int = 0) -> Directions:
+    options: dict[str, Any] = {"seed": run.seed, "first_point": first_point, "workers": workers}
+    return sample_directions(points, run.samples, distribution=run.distribution, sequence=run.sequence, **options)
 
 
 def _record(run: DirectionsRun) -> dict[str, object]:

@@ -66,11 +66,7 @@ def write_ply(file: BinaryIO, elements: dict[str, dict[str, Rows]]) -> None:
 
 
 def write_vtp(
-    file: BinaryIO,
-    points: Rows,
-    faces: Rows | None,
-    point_data: dict[str, Rows],
-    cell_data: dict[str, Rows],
+    file: BinaryIO, points: Rows, faces: Rows | None, point_data: dict[str, Rows], cell_data: dict[str, Rows]
 ) -> None:
     """VTK's PolyData, binary: points, (N, 3), with faces, (F, 3) indices of them, or each as a cell.
 

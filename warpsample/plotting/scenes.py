@@ -7,17 +7,7 @@ import numpy as np
 
 from warpsample.mesh.polydata import surface
 from warpsample.plotting.actors import CloudActor, Sheet, label_bar
-from warpsample.plotting.rendering import (
-    AXES,
-    BARS,
-    INK,
-    MOST_NORMALS,
-    MOST_SMOOTH_FACES,
-    SKY,
-    SURFACE,
-    VIEW,
-    pixels_of,
-)
+from warpsample.plotting.rendering import AXES, BARS, INK, MOST_NORMALS, MOST_SMOOTH_FACES, SKY, SURFACE, VIEW, pixels_of
 
 if TYPE_CHECKING:
     import pyvista
@@ -103,13 +93,9 @@ def clouds_on_mesh(
 
 @dataclass(frozen=True, eq=False)
 class Panel:
-    """A number at each vertex or face of a mesh, and how it is coloured.
+    """A number at each vertex, (V,), or face, (F,), of a mesh, and its colours: 0 has the first, `high` the last.
 
-    Attributes:
-        value: (V,) or (F,).
-        title: stands above the mesh.
-        colours: the name of a colour map.
-        high: the number that has the last colour; 0 has the first.
+    The title stands above the mesh; `colours` names a colour map.
     """
 
     value: np.ndarray

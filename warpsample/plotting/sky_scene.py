@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from warpsample.mesh.polydata import surface
-from warpsample.plotting.actors import label_bar
 from warpsample.plotting.rendering import INK, LOBE, round_ticks
-from warpsample.plotting.scenes import BAR, ZOOM, Panel, add_title, columns_over_caption, draw_panel, look_from
+from warpsample.plotting.scenes import ZOOM, Panel, add_title, columns_over_caption, draw_panel, look_from
 
 if TYPE_CHECKING:
     import pyvista
@@ -21,14 +20,10 @@ _TITLE = "Share of each sky patch"
 
 @dataclass(frozen=True, eq=False)
 class SkyMap:
-    """The sky of a point.
+    """The sky of a point: K patches, the sun's paths on some days, by their names, and where it is in T hours; in degrees.
 
-    Attributes:
-        altitudes: (K, 2) degrees, the lower and the upper edge of each patch.
-        azimuths: (K, 2) degrees, its two sides, clockwise from north.
-        shares: (K,) how much of the point's lobe each patch lights.
-        paths: the sun's path on a day, by the day's name: altitude and azimuth (N, 2) in degrees.
-        sun: (T, 2), where the sun is in each hour that the slider goes through.
+    Patches have lower and upper edges, (K, 2), two sides, (K, 2), clockwise from north, and the share of the point's lobe
+    that each lights, (K,). Paths and suns are altitude and azimuth, (N, 2) and (T, 2); the slider goes through the hours.
     """
 
     altitudes: np.ndarray
@@ -110,12 +105,9 @@ def _draw_sky(plotter: "pyvista.Plotter", sky: SkyMap) -> Any:
     """Draws the map into the current renderer; the dot of the sun."""
     import pyvista as pv
 
-    drawn = pv.PolyData.from_regular_faces(*patches_on_map(sky.altitudes, sky.azimuths))
-    drawn[_TITLE] = np.repeat(sky.shares, _QUADS)
     high = round_ticks(float(max(sky.shares.max(), 1e-6)), 5)[-1]
-    look = {"cmap": "gray", "clim": (0.0, high), "lighting": False, "scalar_bar_args": {**BAR, "title": _TITLE}}
-    plotter.add_mesh(drawn, scalars=_TITLE, **look)
-    label_bar(plotter.scalar_bars[_TITLE], high)
+    shares = Panel(np.repeat(sky.shares, _QUADS), _TITLE, "gray", high)
+    draw_panel(plotter, surface(*patches_on_map(sky.altitudes, sky.azimuths)), shares, _TITLE)
     ends = {}
     for day, path in sky.paths.items():
         if len(path) > 1:
@@ -127,7 +119,6 @@ def _draw_sky(plotter: "pyvista.Plotter", sky: SkyMap) -> Any:
     plotter.add_point_labels(np.array(list(ends.values())), list(ends), **style)
     dot = pv.PolyData(np.zeros((1, 3)))
     plotter.add_mesh(dot, color=SUN, point_size=22, render_points_as_spheres=True)
-    add_title(plotter, _TITLE)
     plotter.view_xy()
     plotter.enable_parallel_projection()
     plotter.camera.parallel_scale = 1.35
