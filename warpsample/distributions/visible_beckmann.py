@@ -1,12 +1,9 @@
 """Beckmann normals as a viewer sees them: weighted by the area that each shows to the view."""
 
-from dataclasses import dataclass
-
 import warp as wp
 
-from warpsample.distributions.record import Distribution, Maps
-from warpsample.distributions.visible_ggx import blurred_facing
-from warpsample.host.arrays import as_view
+from warpsample.distributions.record import Maps
+from warpsample.distributions.visible_ggx import VisibleNormals, blurred_facing
 from warpsample.maths.error_function import erfc_double, erfc_inverse_roughly
 from warpsample.maths.exponentials import exp_double, logarithm
 from warpsample.maths.numerics import GRID, HALF, INV_PI_DOUBLE, ONE, TWO, ZERO, clamp_uniform, root_double
@@ -147,8 +144,7 @@ def visible_beckmann_to_square(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> 
     )
 
 
-@dataclass(frozen=True)
-class VisibleBeckmann(Distribution):
+class VisibleBeckmann(VisibleNormals):
     """Beckmann normals visible from a direction: D(m) max(0, v·m) / σ(v) per steradian, σ the area that the view sees.
 
     Attributes:
@@ -156,26 +152,13 @@ class VisibleBeckmann(Distribution):
         view: direction to the viewer in the local frame, at or above the surface, of any length; kept as a unit vector.
     """
 
-    alpha: float
-    view: tuple[float, float, float] = (0.0, 0.0, 1.0)
-
     name = "visible_beckmann"
     density = "D(m)max(0,v·m)/σ(v), σ=(v_z(1+erf a)+α sinθᵥ e^(−a²)/√π)/2, a=cotθᵥ/α"
-    support = "hemisphere"
-    parameters = ("alpha", "view")
-    shown = (0.05, 1.0)
-    bounds = (1e-6, 1.0)
-    symmetric = False
     source = "HeitzDEon2014, section 5; Walter2007, equation 25"
     limits = "the horizon of the view is blurred by rounding"
     # From above, from the side, from the horizon.
     case_values = ((0.5, (0.0, 0.0, 1.0)), (0.3, (0.6, -0.64, 0.48)), (1.0, (1.0, 0.0, 0.0)), (1e-6, (1.0, 0.0, 0.0)))
     maps = Maps(square_to_visible_beckmann, square_to_visible_beckmann_pdf, visible_beckmann_to_square)
-
-    def __post_init__(self) -> None:
-        """Checks the roughness and the view."""
-        super().__post_init__()
-        object.__setattr__(self, "view", as_view(self.view, "view"))
 
 
 RECORD = VisibleBeckmann

@@ -96,7 +96,25 @@ def visible_ggx_to_square(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> wp.ve
 
 
 @dataclass(frozen=True)
-class VisibleGGX(Distribution):
+class VisibleNormals(Distribution):
+    """Normals of a rough surface that are visible from a direction; not one distribution, but what they have in common."""
+
+    alpha: float
+    view: tuple[float, float, float] = (0.0, 0.0, 1.0)
+
+    support = "hemisphere"
+    parameters = ("alpha", "view")
+    shown = (0.05, 1.0)
+    bounds = (1e-6, 1.0)
+    symmetric = False
+
+    def __post_init__(self) -> None:
+        """Checks the roughness and the view."""
+        super().__post_init__()
+        object.__setattr__(self, "view", as_view(self.view, "view"))
+
+
+class VisibleGGX(VisibleNormals):
     """GGX normals visible from a direction: D(m) max(0, v·m) / σ(v) per steradian, σ the area that the view sees.
 
     Attributes:
@@ -104,16 +122,8 @@ class VisibleGGX(Distribution):
         view: direction to the viewer in the local frame, at or above the surface, of any length; kept as a unit vector.
     """
 
-    alpha: float
-    view: tuple[float, float, float] = (0.0, 0.0, 1.0)
-
     name = "visible_ggx"
     density = "D(m)max(0,v·m)/σ(v), σ=(v_z+√(v_z²+α²(1−v_z²)))/2"
-    support = "hemisphere"
-    parameters = ("alpha", "view")
-    shown = (0.05, 1.0)
-    bounds = (1e-6, 1.0)
-    symmetric = False
     source = "Heitz2014, equation 3; sampled as in Dupuy2023, section 3"
     limits = (
         "the horizon of the view is blurred by rounding; "
@@ -128,11 +138,6 @@ class VisibleGGX(Distribution):
         (1e-6, (1.0, 0.0, 0.0)),
     )
     maps = Maps(square_to_visible_ggx, square_to_visible_ggx_pdf, visible_ggx_to_square)
-
-    def __post_init__(self) -> None:
-        """Checks the roughness and the view."""
-        super().__post_init__()
-        object.__setattr__(self, "view", as_view(self.view, "view"))
 
     def seam(self, u):
         """The cap's poles. See `Distribution.seam`."""
