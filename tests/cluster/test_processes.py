@@ -104,7 +104,7 @@ def bake(path, *more):
 
 
 def whole_chunks(path):
-    return holdings.whole_chunks(path, [file.parent.name for file in path.glob("*/zarr.json")])
+    return holdings.whole_chunks(path, [file.parent.name for file in path.glob("[!.]*/zarr.json")])
 
 
 def begun(path, chunks=3):

@@ -5,7 +5,6 @@ import shutil
 import subprocess
 import sys
 from importlib import import_module
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -53,7 +52,7 @@ def bake(path, mesh, *more, **options):
 
 
 def whole_chunks(path):
-    return holdings.whole_chunks(path, [file.parent.name for file in path.glob("*/zarr.json")])
+    return holdings.whole_chunks(path, [file.parent.name for file in path.glob("[!.]*/zarr.json")])
 
 
 def assert_whole(path, right):
@@ -143,6 +142,19 @@ def test_so_is_one_with_another_byte(path, mesh, right):
     assert_whole(path, right)
 
 
+@pytest.mark.parametrize("files", [("value/c/{}",), ("value/c/{}", ".run/chunks/{}")])
+def test_a_chunk_in_the_place_of_another_is_found(path, mesh, right, computed, files):
+    """It is whole, but not what belongs there; also if it came with its record."""
+    bake(path, mesh)
+    computed.clear()
+    for file in files:
+        shutil.copy(path / file.format(0), path / file.format(1))
+    assert whole_chunks(path).tolist() == [True, False, True]
+    bake(path, mesh, resume=True)
+    assert computed == [50]
+    assert_whole(path, right)
+
+
 def test_an_interrupt_leaves_a_store_that_resumes(path, mesh, right, monkeypatch):
     bake_chunk = baking.bake_chunk
 
@@ -214,26 +226,11 @@ def test_what_killed_writers_left_goes(path, mesh, right):
     path.with_name(".out.zarr.part").mkdir()
     bake(path, mesh)
     assert_whole(path, right)
-    (path / "value/c/0.0123abcd.partial").write_bytes(b"half")
+    for folder in ("writing-0123abcd", "ended-0123abcd"):
+        (path / ".run" / folder).mkdir()
+        (path / ".run" / folder / "half").write_bytes(b"half")
     bake(path, mesh, resume=True)
-    assert list(path.rglob("*.partial")) == []
-
-
-def test_what_a_worker_that_outlived_its_client_finishes_meanwhile_is_no_error(path, mesh, right, monkeypatch):
-    bake(path, mesh)
-    half, rglob = path / "value/c/0.0123abcd.partial", Path.rglob
-    half.write_bytes((path / "value/c/0").read_bytes())
-
-    def listed(folder, pattern, **options):
-        for file in rglob(folder, pattern, **options):
-            if file == half:
-                half.rename(path / "value/c/0")
-            yield file
-
-    monkeypatch.setattr(Path, "rglob", listed)
-    bake(path, mesh, resume=True)
-    assert not half.exists()
-    assert_whole(path, right)
+    assert list((path / ".run").glob("*-*")) == []
 
 
 LIMITED = """
@@ -315,7 +312,25 @@ def test_consolidated_metadata_that_are_damaged_are_named(path, mesh, key, value
     kept = json.loads((path / "zarr.json").read_text())
     kept["consolidated_metadata"]["metadata"]["value"][key] = value
     (path / "zarr.json").write_text(json.dumps(kept))
-    with pytest.raises(ValueError, match=r"^path: got '.*out\.zarr', whose zarr\.json cannot be read: .*"):
+    said = rf"^path: got '.*out\.zarr', whose zarr\.json has another {key} than its run at 'value'; bake it anew$"
+    with pytest.raises(ValueError, match=said):
+        bake(path, mesh, resume=True)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ('"value": {', '"volue": {', "has other arrays than its run"),
+        ('"metadata": {', '"metadota": {', "is damaged"),
+        ('"coordinates": "position', '"coordinates": "pasition', "has other coordinates than its run"),
+    ],
+)
+def test_so_are_other_names_in_them(path, mesh, old, new, said):
+    bake(path, mesh)
+    text = (path / "zarr.json").read_text()
+    assert old in text
+    (path / "zarr.json").write_text(text.replace(old, new))
+    with pytest.raises(ValueError, match=rf"^path: got '.*out\.zarr', whose zarr\.json {said}; bake it anew$"):
         bake(path, mesh, resume=True)
 
 
@@ -324,7 +339,7 @@ def test_so_is_one_of_another_shape(path, mesh):
     without_consolidated(path)
     file = path / "spread/zarr.json"
     file.write_text(file.read_text().replace('"float32"', '"float64"'))
-    with pytest.raises(ValueError, match=r"whose array 'spread' is of another shape or type; bake it anew$"):
+    with pytest.raises(ValueError, match=r"whose spread/zarr.json has another data_type than its run; bake it anew$"):
         bake(path, mesh, resume=True)
 
 

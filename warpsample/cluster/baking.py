@@ -1,6 +1,7 @@
 """`bake`: a call's chunks into a store, each by one task, and those that are there already left alone."""
 
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 from uuid import uuid4
@@ -17,7 +18,8 @@ from warpsample.cluster.finishing import AT_A_TIME, check_workers_of, finished
 from warpsample.cluster.job import CHUNK, Job, job_of
 from warpsample.cluster.lock import locked
 from warpsample.cluster.sending import current_client, shared_by_key
-from warpsample.cluster.store import begin, check_store, put
+from warpsample.cluster.store import begin, check_store
+from warpsample.cluster.writing import at_work, put, writing
 from warpsample.host.arguments import check_choice, check_flag
 
 DONE = np.dtype([("points", np.int64), ("rays", np.int64), ("squared_error", np.float64)])
@@ -81,7 +83,8 @@ def bake_job(job: Job, store: Path, resume: bool, argument: str, heard: Callable
         try:
             whole = begin(store, job, resume, argument)
             count(np.array((sum(map(job.rows_of, np.flatnonzero(whole).tolist())), 0, 0.0), DONE)[()])
-            _run(job, store, np.flatnonzero(~whole).tolist(), count)
+            with writing(store) as folder:
+                _run(job, folder, np.flatnonzero(~whole).tolist(), count)
         except KeyboardInterrupt as interrupt:  # raised again itself: it may stand for another signal
             interrupt.args = (f"interrupted after {points:,} of {job.total:,} points; {store} can be resumed",)
             raise
@@ -90,19 +93,20 @@ def bake_job(job: Job, store: Path, resume: bool, argument: str, heard: Callable
             raise kind(f"{error} after {points:,} of {job.total:,} points; {store} can be resumed") from error
 
 
-def _run(job: Job, store: Path, chunks: list[int], heard: Callable[[np.void], None]) -> None:
+def _run(job: Job, folder: Path, chunks: list[int], heard: Callable[[np.void], None]) -> None:
     """Bakes these chunks, a task each: so many at a time as Dask has in its graph without taking gigabytes."""
     if (client := current_client()) is not None:
-        for told in finished(client, job, lambda some: _tasks(job, store, some), chunks):
-            heard(told)
+        with closing(finished(client, job, lambda some: _tasks(job, folder, some), chunks)) as all_told:
+            for told in all_told:
+                heard(told)
         return
     for start in range(0, len(chunks), AT_A_TIME):
-        told = _tasks(job, store, chunks[start : start + AT_A_TIME])
+        told = _tasks(job, folder, chunks[start : start + AT_A_TIME])
         with Callback(posttask=lambda key, result, *_, name=told.name: heard(result[0]) if key[0] == name else None):
             told.compute(optimize_graph=False)  # which would rename the tasks
 
 
-def _tasks(job: Job, store: Path, chunks: list[int]) -> Array:
+def _tasks(job: Job, folder: Path, chunks: list[int]) -> Array:
     """The DONEs of these chunks, lazily. No other run's tasks have their name: those may write elsewhere."""
     name = f"bake-{job.call.name}-{uuid4().hex}"
     tasks, shared = shared_by_key(job)
@@ -110,19 +114,32 @@ def _tasks(job: Job, store: Path, chunks: list[int]) -> Array:
     for number, i in enumerate(chunks):
         own = [[blocks[key][i] for key in keys] for keys in (job.given, job.rows)]
         start = i * job.chunk
-        tasks[name, number] = (bake_chunk, job.call, str(store), range(start, start + job.rows_of(i)), shared, own)
+        span = range(start, start + job.rows_of(i))
+        tasks[name, number] = (bake_chunk, job.call, (str(folder), job.chunk), span, shared, own)
     graph = HighLevelGraph.from_collections(name, tasks, dependencies=[*job.given.values(), *job.rows.values()])
     return Array(graph, name, ((1,) * len(chunks),), dtype=DONE)
 
 
-def bake_chunk(call: Call, store: str, span: range, shared: list[Any], blocks: list[list[np.ndarray]]) -> np.ndarray:
-    """One task: computes the rows of a span and writes them; `blocks` are of the points' arrays and of the arguments'."""
+def bake_chunk(
+    call: Call, target: tuple[str, int], span: range, shared: list[Any], blocks: list[list[np.ndarray]]
+) -> np.ndarray:
+    """One task: computes the rows of a span and writes them, unless the call that has the folder ends before.
+
+    Args:
+        call: the call.
+        target: the folder of the call, and how many rows each chunk has, but the last.
+        span: the rows.
+        shared: the arguments that all chunks have in common.
+        blocks: the rows of the points' arrays, and of the arguments'.
+    """
+    folder, chunk = Path(target[0]), target[1]
     given, rows = blocks
-    points = points_in(call, span, shared, given)
-    found = numbers(call, span.start, points, shared, rows)
-    arrays = {name: array for name, array in found.items() if isinstance(array, np.ndarray)}
-    where = {} if points is None else {name: getattr(points, name) for name in POINT_ARRAYS}
-    put(Path(store), span.start, where | arrays)
+    with at_work(folder):
+        points = points_in(call, span, shared, given)
+        found = numbers(call, span.start, points, shared, rows)
+        arrays = {name: array for name, array in found.items() if isinstance(array, np.ndarray)}
+        where = {} if points is None else {name: getattr(points, name) for name in POINT_ARRAYS}
+        put(folder, span.start, chunk, where | arrays)
     rays = int(found["rays"].sum(dtype=np.int64)) if "rays" in found else 0
     error = np.square(found["standard_error"], dtype=np.float64) if "standard_error" in found else np.zeros(1)
     return np.array([(len(span), rays, error.reshape(len(error), -1).mean(axis=1).sum())], DONE)

@@ -1,11 +1,21 @@
 """What a Zarr store holds: what repeats its run, its arrays, and which of its chunks are whole."""
 
+import json
 from collections.abc import Iterable
+from functools import partial
 from pathlib import Path
 from typing import Any
+from zlib import crc32
 
 import numpy as np
 import zarr
+
+from warpsample.host.interrupts import uninterrupted
+
+RECORDS = ".run"
+"""The folder of a store that is no array: of each chunk the checksums of its files, with its index."""
+INDEX = "chunk"
+"""The entry of a record that is no array's."""
 
 _OF_XARRAY = ("coordinates",)  # attributes that xarray reads
 
@@ -20,12 +30,25 @@ def about_of(path: Path, argument: str) -> dict[str, Any]:
     return {name: value for name, value in kept.items() if name not in _OF_XARRAY}
 
 
+def file_of(name: str, chunk: int, dimensions: int) -> str:
+    """The path of a chunk's file within its store."""
+    return "/".join([name, "c", str(chunk), *["0"] * (dimensions - 1)])
+
+
+def record_of(chunk: int) -> str:
+    """The path of a chunk's record within its store."""
+    return f"{RECORDS}/chunks/{chunk}"
+
+
 def _opened(path: Path, argument: str) -> Any:
-    try:
-        return zarr.open_group(path, mode="r", use_consolidated=False)
-    except Exception as error:  # a file that holds anything fails in any way
-        reason = " ".join(str(error).split())
-        raise ValueError(f"{argument}: got {str(path)!r}, whose zarr.json cannot be read: {reason}") from None
+    def read() -> Any:
+        try:
+            return zarr.open_group(path, mode="r", use_consolidated=False)
+        except Exception as error:  # a file that holds anything fails in any way
+            reason = " ".join(str(error).split())
+            raise ValueError(f"{argument}: got {str(path)!r}, whose zarr.json cannot be read: {reason}") from None
+
+    return uninterrupted(read)  # what a signal's handler raises says nothing of the file
 
 
 def arrays_of(path: Path, names: Iterable[str], argument: str) -> dict[str, Any]:
@@ -35,7 +58,7 @@ def arrays_of(path: Path, names: Iterable[str], argument: str) -> dict[str, Any]
         ValueError: one of these is not there, or cannot be read; names it.
     """
     group = _opened(path, argument)
-    return {name: _array(group, name, f"{argument}: got {str(path)!r}") for name in names}
+    return {name: uninterrupted(partial(_array, group, name, f"{argument}: got {str(path)!r}")) for name in names}
 
 
 def _array(group: Any, name: str, got: str) -> Any:
@@ -56,14 +79,14 @@ def whole_chunks(path: Path, names: Iterable[str], argument: str = "path") -> np
     arrays = arrays_of(path, names, argument)
     first = next(iter(arrays.values()))
     chunks = range(-(-first.shape[0] // first.chunks[0]))
-    return np.array([all(_is_whole(path / name, array, i) for name, array in arrays.items()) for i in chunks], np.bool_)
+    return np.array([uninterrupted(partial(_is_whole, path, arrays, i)) for i in chunks], np.bool_)
 
 
-def _is_whole(folder: Path, array: Any, chunk: int) -> bool:
-    if not folder.joinpath("c", str(chunk), *("0" for _ in array.shape[1:])).is_file():
-        return False
+def _is_whole(path: Path, arrays: dict[str, Any], chunk: int) -> bool:
+    """Whether a chunk's files hold what was written to them, by the record that was written last."""
     try:
-        array[chunk * array.chunks[0] : (chunk + 1) * array.chunks[0]]
-    except Exception:  # of the checksum, or of a decompressor
+        record = json.loads(path.joinpath(record_of(chunk)).read_bytes())
+        files = {name: path / file_of(name, chunk, array.ndim) for name, array in arrays.items()}
+        return record[INDEX] == chunk and all(record[name] == crc32(file.read_bytes()) for name, file in files.items())
+    except (OSError, ValueError, LookupError, TypeError):
         return False
-    return True

@@ -3,10 +3,12 @@
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from warpsample.host.files import WriteError
+from warpsample.host.interrupts import uninterrupted
 
 try:
     import fcntl
@@ -21,24 +23,39 @@ def locked(path: Path) -> Iterator[None]:
     Raises:
         WriteError: another process writes it, or it cannot be written at all.
     """
-    file = path.with_name(f".{path.name}.lock")
-    while True:  # again, if who had it removed it in between
-        try:
-            held = file.open("a")
-        except OSError as error:
-            raise WriteError(f"{path} cannot be written: {error.strerror}") from error
-        if not _lock(held):
-            held.close()
-            raise WriteError(f"{path} cannot be written: another process is writing it")
-        with suppress(FileNotFoundError):
-            if file.stat().st_ino == os.fstat(held.fileno()).st_ino:
-                break
-        held.close()
+    file, held = path.with_name(f".{path.name}.lock"), []
     try:
+        uninterrupted(partial(_take, path, file, held))
         yield
     finally:
+        uninterrupted(partial(_give_back, file, held))
+
+
+def _take(path: Path, file: Path, held: list[Any]) -> None:
+    """Puts the locked file into a list.
+
+    Raises:
+        WriteError: as `locked`.
+    """
+    while True:  # again, if who had it removed it in between
+        try:
+            opened = file.open("a")
+        except OSError as error:
+            raise WriteError(f"{path} cannot be written: {error.strerror}") from error
+        if not _lock(opened):
+            opened.close()
+            raise WriteError(f"{path} cannot be written: another process is writing it")
+        with suppress(FileNotFoundError):
+            if file.stat().st_ino == os.fstat(opened.fileno()).st_ino:
+                held.append(opened)
+                return
+        opened.close()
+
+
+def _give_back(file: Path, held: list[Any]) -> None:
+    for opened in held:
         file.unlink(missing_ok=True)
-        held.close()
+        opened.close()
 
 
 def _lock(file: Any) -> bool:

@@ -1,4 +1,7 @@
-"""A progress bar for long calls with `progress=True`, on a terminal's stderr or in a notebook only."""
+"""What happens between the batches of a long call: a bar moves, and whoever no longer wants the call stops it.
+
+A bar is for `progress=True`, on a terminal's stderr or in a notebook only.
+"""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -9,6 +12,7 @@ LEAST_WORK = 1 << 25
 """Directions, or the like: 0.1 s. What takes less does not show how far it is."""
 
 _shown: ContextVar[tuple[Any, Any, bool] | None] = ContextVar("shown", default=None)
+_asked: ContextVar[Callable[[], None] | None] = ContextVar("asked", default=None)
 
 
 @contextmanager
@@ -31,8 +35,32 @@ def bar(progress: bool, what: str, total: int | None = None) -> Iterator[None]:
             _shown.reset(token)
 
 
+@contextmanager
+def asking(wanted: Callable[[], None]) -> Iterator[None]:
+    """Within, the calls of this thread ask after each batch whether they are wanted: what `wanted` raises ends them."""
+    token = _asked.set(wanted)
+    try:
+        yield
+    finally:
+        _asked.reset(token)
+
+
 def begin(tasks: int, work: int) -> Callable[[int], None] | None:
-    """A function that any thread calls with the number of tasks it has done; None without a bar, or for short work."""
+    """A function that any thread calls with the number of tasks it has done; None if nobody is to be told."""
+    told, wanted = _bar_of(tasks, work), _asked.get()
+    if wanted is None:
+        return told
+
+    def done(tasks: int) -> None:
+        if told:
+            told(tasks)
+        wanted()
+
+    return done
+
+
+def _bar_of(tasks: int, work: int) -> Callable[[int], None] | None:
+    """What moves the bar; None without one, or for short work."""
     shown = _shown.get()
     if shown is None or work < LEAST_WORK:
         return None
