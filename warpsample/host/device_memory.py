@@ -37,12 +37,7 @@ def allocate(shape: tuple[int, ...], dtype: Any, device: wp.Device) -> wp.array:
 
 @dataclass(frozen=True)
 class Memory:
-    """The memory that a call works in.
-
-    Attributes:
-        device: where its kernels run.
-        in_place: whether they read and write the caller's arrays themselves.
-    """
+    """The memory that a call works in: a device's, whose kernels may read and write the caller's arrays `in_place`."""
 
     device: wp.Device
     in_place: bool

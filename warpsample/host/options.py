@@ -23,10 +23,8 @@ Options = TypeVar("Options", bound="CallOptions")
 def explained_by(*sources: Any) -> Callable[[Call], Call]:
     """A decorator for functions whose docstrings point to what others say of the arguments that they share.
 
-    A line "seed, workers: see `Name`." under "Args:" becomes what the source of that name says of each.
-
-    Args:
-        sources: functions; or classes, whose methods say it.
+    A line "seed, workers: see `Name`." under "Args:" becomes what the source of that name says of each: a function, or a
+    class, whose methods say it.
     """
     texts = {source.__name__: _texts_of(source) for source in sources}
 
