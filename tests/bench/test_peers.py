@@ -16,7 +16,6 @@ CHOSEN = {
         "Warp built-ins",
         "NumPy",
         "SciPy Sobol'",
-        "Numba",
     ],
     "surface": ["warpsample surface", "trimesh surface"],
 }
@@ -37,8 +36,8 @@ def test_peers_have_the_same_means(rows):
             assert row.ours.median > 0.0
             assert len(row.seconds) == 2
         else:
-            assert re.match("not installed: pip install numba|[A-Za-z]+Error: ", row.failure)
-    assert sum(row.failure is None for row in rows) >= 7
+            assert re.match("not installed: pip install |[A-Za-z]+Error: ", row.failure)
+    assert sum(row.failure is None for row in rows) >= 6
 
 
 def test_a_peer_with_another_mean_is_called_wrong():

@@ -45,18 +45,13 @@ def test_equal_errors_take_as_many_more_rays():
 
 def test_a_tool_that_disagrees_is_wrong_and_one_that_is_missing_is_not():
     right = {
-        "sky": [radiation.SkyTime("city", 1, OURS, agrees=True)],
-        "sun": [radiation.SunTime("city", 1, TRACE, 9, "no")],
+        "sky": [radiation.SkyTime("city", 1, tool=OURS, agrees=True)],
+        "sun": [radiation.SunTime("city", 1, 9, tool=TRACE, failure="no")],
         "year": [],
     }
     assert not RECORD.wrong(right)
     assert RECORD.wrong(right | {"sky": [replace(right["sky"][0], agrees=False)]})
     assert RECORD.wrong(right | {"sun": [replace(right["sun"][0], agrees=False)]})
-
-
-def test_years_are_on_a_line():
-    year = radiation.YearTime("athens", "city", 2, 400, 200, None, 5.0, 4.0)
-    assert year.extrapolated(1000) == pytest.approx(8.0)
 
 
 @pytest.mark.slow
@@ -90,6 +85,10 @@ def test_all_is_measured_and_shown(tmp_path, capsys):
     assert [row.agrees for row in sun] == [True, True]
     assert set(SUN_TOOLS) >= {row.tool for row in sun}
     assert not RECORD.wrong(found)
+    (year,) = found["year"]
+    assert year.many_seconds == pytest.approx(
+        year.fewer_seconds + (year.took - year.fewer_seconds) / (64 - 16) * (100_000 - 16)
+    )
     text = "\n".join(lines_of("radiation", SETTINGS, found, capsys))
     assert "nobody did not run here: KeyError" in text
     assert "Sky matrix, 1,024 rays a point: bunny, threads 1" in text

@@ -28,12 +28,19 @@ def copied(tmp_path):
     return tmp_path
 
 
+def changed(value):
+    """A spread 1.5 times as large, and a figure that is a text with a digit more."""
+    if isinstance(value, list):
+        return [1.5 * x for x in value]
+    return f"{value}9" if isinstance(value, str) and re.fullmatch("[~<]?[0-9.]+", value) else value
+
+
 def scale(path):
-    """Makes every median and quartile in a file of results 1.5 times as large."""
+    """Makes every median and quartile in a file of results 1.5 times as large; figures in words get a digit more."""
     content = json.loads(path.read_text(encoding="utf-8"))
     for part in content.values():
         for row in part.get("rows", ()) if isinstance(part, dict) else ():
-            row[:] = [[1.5 * x for x in value] if isinstance(value, list) else value for value in row]
+            row[:] = [changed(value) for value in row]
     path.write_text(json.dumps(content), encoding="utf-8")
 
 

@@ -106,7 +106,7 @@ def test_equal_errors_take_more_rays_or_fewer_of_ours():
 
 
 def test_a_tool_that_disagrees_is_wrong_and_one_that_is_missing_is_not():
-    missing, right = (view_factors.FactorTime("city 1", 104, 1, OURS, *rest) for rest in (("no",), ()))
+    missing, right = (view_factors.FactorTime("city 1", 104, 1, tool=OURS, failure=failure) for failure in ("no", None))
     assert not RECORD.wrong({"rows": [missing, replace(right, agrees=True)]})
     assert RECORD.wrong({"rows": [missing, replace(right, agrees=False)]})
 

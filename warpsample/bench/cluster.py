@@ -106,7 +106,7 @@ def measure(
     found: Found = {"ways": [], "overheads": [], "memory": []}
     for part, job in track(jobs, len(jobs)):
         found[part] += job()
-    return found
+    return found | {"hours": plan(found)}
 
 
 def _ways(points: int, repeats: int) -> list[WayTime]:
@@ -134,8 +134,7 @@ RECORD = Benchmark(
     name="cluster",
     summary="Processes against threads over Dask, what a chunk costs, and the plan for 10^9 points.",
     measure=measure,
-    parts={"ways": WayTime, "overheads": Overhead, "memory": ClientMemory},
-    derived=lambda found, _: {"hours": plan(found)},
+    parts={"ways": WayTime, "overheads": Overhead, "memory": ClientMemory, "hours": PlannedHours},
     views=[
         TableView("ways", f"Processes and threads, {RAYS} rays a point", "way points", "duration speed"),
         TableView("overheads", "One more chunk", "chunk", "milliseconds"),

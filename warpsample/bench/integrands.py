@@ -33,14 +33,12 @@ class KnownIntegral:
         kind: "smooth", "discontinuous" or "peaked".
         function: `wp.func` (w: vec3) -> float32.
         mean: over directions of density cos(theta) / pi.
-        formula: of the mean.
     """
 
     name: str
     kind: str
     function: wp.Function
     mean: float
-    formula: str
 
 
 def _axis(tilt: float, azimuth: float) -> tuple[wp.float32, wp.float32, wp.float32]:
@@ -117,13 +115,13 @@ def _street_mean() -> float:
 
 
 INTEGRANDS = (
-    KnownIntegral("cosine", "smooth", cosine, 2.0 / 3.0, "2/3"),
-    KnownIntegral("cosine^8", "smooth", cosine_power, 2.0 / 10.0, "2/(n + 2)"),
-    KnownIntegral("sky gradient", "smooth", sky_gradient, (1.0 + 4.0 / 3.0 * float(_UP_Z)) / 3.0, "(1 + 4/3 cos tilt)/3"),
-    KnownIntegral("half-space", "discontinuous", half_space, (1.0 + float(_HALF_Z)) / 2.0, "(1 + cos tilt)/2"),
-    KnownIntegral("20° cap", "discontinuous", cap, float(_CAP_Z) * sin(_CAP) ** 2, "cos tilt sin² 20°"),
-    KnownIntegral("street canyon", "discontinuous", canyon, _street_mean(), "½(x/√(x²+H²) + (W−x)/√((W−x)²+H²))"),
-    KnownIntegral("narrow lobe", "peaked", narrow_lobe, 2.0 * float(_LOBE_Z) / (_LOBE + 2), "2 cos tilt/(n + 2), n = 64"),
+    KnownIntegral("cosine", "smooth", cosine, 2.0 / 3.0),
+    KnownIntegral("cosine^8", "smooth", cosine_power, 2.0 / 10.0),
+    KnownIntegral("sky gradient", "smooth", sky_gradient, (1.0 + 4.0 / 3.0 * float(_UP_Z)) / 3.0),
+    KnownIntegral("half-space", "discontinuous", half_space, (1.0 + float(_HALF_Z)) / 2.0),
+    KnownIntegral("20° cap", "discontinuous", cap, float(_CAP_Z) * sin(_CAP) ** 2),
+    KnownIntegral("street canyon", "discontinuous", canyon, _street_mean()),
+    KnownIntegral("narrow lobe", "peaked", narrow_lobe, 2.0 * float(_LOBE_Z) / (_LOBE + 2)),
 )
 
 

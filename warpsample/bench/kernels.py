@@ -32,8 +32,6 @@ RAYS = 256
 SCENES: dict[str, Callable[[], Mesh]] = {"bunny": lambda: bunny(0), "city": city}
 
 _TOTAL = 1 << 22  # directions of a run
-_KERNEL, _CAST, _SKIPPED = "a kernel of ten lines", "ambient_occlusion, skip=False", "ambient_occlusion"
-_OWN, _STORED, _SUMMED = "integrate", "sample_directions", "sample_directions and NumPy"
 
 
 @dataclass(frozen=True)
@@ -51,12 +49,6 @@ class WayCost(Timed):
 def gradient(w: wp.vec3) -> float:
     """A sky that is brighter upwards."""
     return 0.3 + 0.7 * wp.max(w[2], 0.0)
-
-
-@wp.func
-def coloured(w: wp.vec3) -> wp.vec3:
-    """A sky in red, green and blue that is brighter upwards."""
-    return wp.vec3(0.3, 0.4, 0.5) + wp.max(w[2], 0.0) * wp.vec3(0.7, 0.5, 0.2)
 
 
 @wp.kernel(module="unique", enable_backward=False, module_options={"cpu_compiler_flags": wide_flags()})
@@ -79,7 +71,7 @@ def measure(
     repeats: Repeats = 15,
 ) -> Found:
     """Each result by all ways to it, in turns."""
-    groups = [("", count, ways(count)) for count in COUNTS for ways in (means, colours)]
+    groups = [("", count, means(count)) for count in COUNTS]
     groups += [(scene, RAYS, occlusions(scene, points)) for scene in SCENES]
     rows = []
     for scene, count, ways in track(groups, len(groups)):
@@ -94,26 +86,17 @@ def measure(
 
 def means(count: int) -> dict[str, Callable[[], object]]:
     """The mean of a cheap function over the cosine lobe: fused, the directions alone into an array, and these with NumPy."""
-    normals = _normals(count)
+    normals = np.random.default_rng(SEED).normal(size=(_TOTAL // count, 3)).astype(np.float32)
     out = np.empty((len(normals), count, 3), np.float32)
+
+    def summed() -> np.ndarray:
+        return (0.3 + 0.7 * np.maximum(_directions(normals, count)[..., 2], 0.0)).mean(axis=1)
+
     return {
-        _OWN: lambda: integrate(normals, gradient, count, workers=1),
-        _STORED: lambda: _directions(normals, count, out),
-        _SUMMED: lambda: (0.3 + 0.7 * np.maximum(_directions(normals, count)[..., 2], 0.0)).mean(axis=1),
+        "integrate": lambda: integrate(normals, gradient, count, workers=1),
+        "sample_directions": lambda: _directions(normals, count, out),
+        "sample_directions and NumPy": summed,
     }
-
-
-def colours(count: int) -> dict[str, Callable[[], object]]:
-    """The mean of a colour over the cosine lobe, as one writes it: fused, and by the directions with NumPy."""
-    normals, low, change = _normals(count), np.float32([0.3, 0.4, 0.5]), np.float32([0.7, 0.5, 0.2])
-    return {
-        f"{_OWN}, a colour": lambda: integrate(normals, coloured, count, workers=1),
-        f"{_SUMMED}, a colour": lambda: (low + np.maximum(_directions(normals, count)[..., 2:], 0.0) * change).mean(axis=1),
-    }
-
-
-def _normals(count: int) -> np.ndarray:
-    return np.random.default_rng(SEED).normal(size=(_TOTAL // count, 3)).astype(np.float32)
 
 
 def _directions(normals: np.ndarray, count: int, out: np.ndarray | None = None) -> np.ndarray:
@@ -136,9 +119,9 @@ def occlusions(scene: str, points: int) -> dict[str, Callable[[], object]]:
         return out
 
     return {
-        _KERNEL: own,
-        _CAST: lambda: ambient_occlusion(mesh, at, RAYS, skip=False, workers=1),
-        _SKIPPED: lambda: ambient_occlusion(mesh, at, RAYS, workers=1),
+        "a kernel of ten lines": own,
+        "ambient_occlusion, skip=False": lambda: ambient_occlusion(mesh, at, RAYS, skip=False, workers=1),
+        "ambient_occlusion": lambda: ambient_occlusion(mesh, at, RAYS, workers=1),
     }
 
 

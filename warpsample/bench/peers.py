@@ -15,7 +15,7 @@ import typer
 from warpsample.bench.integrands import INTEGRANDS, evaluate
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
-from warpsample.bench.rows import Spread, Timed, column, maybe
+from warpsample.bench.rows import Spread, ToolRow, column, maybe
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.turns import Tool, take_turns
 from warpsample.bench.tables import TableView
@@ -30,11 +30,10 @@ _TITLES = {"directions": "directions of the cosine lobe, 64 at each normal", "su
 
 
 @dataclass(frozen=True)
-class PeerSpeed(Timed):
+class PeerSpeed(ToolRow):
     """One tool at one task."""
 
     task: str = column("task", show=_TITLES.get)
-    tool: str = column("tool")
     library: str = maybe("version")
     threads: int = maybe("threads")
     million_per_second: Spread | None = maybe("million a second")
@@ -43,7 +42,6 @@ class PeerSpeed(Timed):
         "off by", "the worst of the means of seven integrals, on the mesh of three, in standard errors from the exact value",
         show=lambda x: f"{x:.1f}{'' if x <= _BY_CHANCE else ' WRONG'}")  # fmt: skip
     agrees: bool | None = maybe("agrees")
-    failure: str | None = maybe("why it did not run")
 
 
 def build_directions(tool: str, points: int, workers: int) -> ChildJob:
@@ -130,7 +128,7 @@ _CELLS = "library threads million_per_second ours worst_deviation"
 
 RECORD = Benchmark(
     name="peers",
-    summary="The same task by warpsample, NumPy, SciPy, Numba, Warp's built-ins, Mitsuba, trimesh and Open3D.",
+    summary="The same task by warpsample, NumPy, SciPy, Warp's built-ins, Mitsuba, trimesh and Open3D.",
     measure=measure,
     parts={"rows": PeerSpeed},
     views=[

@@ -11,13 +11,13 @@ import typer
 
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import Benchmark, Found, Repeats, Scenes, Track
-from warpsample.bench.rows import Spread, Timed, column, digits, maybe
+from warpsample.bench.rows import Spread, ToolRow, column, digits, maybe
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import peak_megabytes
 from warpsample.bench.running.timing import stopwatch
 from warpsample.bench.running.turns import keeping_last, take_turns
 from warpsample.bench.scenes import clear_points_of, some_of, year_of_suns
-from warpsample.bench.tables import Cell, TableView, all_workers
+from warpsample.bench.tables import TableView, all_workers
 from warpsample.bench.tools.sky import OURS, SKY_TOOLS, VIEW
 from warpsample.bench.tools.sun import SUN_TOOLS, TRACE
 from warpsample.host.engine import check_workers
@@ -42,14 +42,11 @@ _FEWEST, _FIXED_RUNS, _RUNS, _FEWER = 2, 3, 2, 4
 
 
 @dataclass(frozen=True)
-class SkyTime(Timed):
+class SkyTime(ToolRow):
     """One tool's matrix of 145 sky patches on one scene, 1,024 rays a point."""
 
     scene: str = column("scene")
     workers: int = column("threads")
-    tool: str = column("tool")
-    failure: str | None = maybe("why it did not run")
-    version: str | None = maybe("version")
     microseconds: Spread | None = maybe("µs per point")
     views: Spread | None = maybe("/ sky_view_factor", "times as long, with as many rays, in the same round")
     rmse: float | None = maybe("RMSE", "over points and patches", show=".1e")
@@ -60,15 +57,12 @@ class SkyTime(Timed):
 
 
 @dataclass(frozen=True)
-class SunTime(Timed):
+class SunTime(ToolRow):
     """One tool and the suns of a year, which are in front of or behind all points."""
 
     scene: str = column("scene")
     workers: int = column("threads")
-    tool: str = column("tool")
     pairs: int = column("pairs", "points times suns, averted ones included")
-    failure: str | None = maybe("why it did not run")
-    version: str | None = maybe("version")
     million_pairs: Spread | None = maybe("million pairs a second")
     traces: Spread | None = maybe("/ ws.trace", "times as long as it takes for all pairs, in the same round")
     different: float | None = maybe("differ", "share of the pairs where `ws.trace` differs", show=".1e")
@@ -76,23 +70,16 @@ class SunTime(Timed):
 
 
 @dataclass(frozen=True)
-class YearTime:
+class YearTime(ToolRow):
     """A year's irradiation of a scene, ours, by the sun of each hour and 2,305 patches, in a process of its own."""
 
-    tool: str = column("weather")
     scene: str = column("scene")
     workers: int = column("threads")
     points: int = column("points")
-    fewer: int = column("fewer", "points of another run in the same process")
-    failure: str | None = maybe("why it did not run")
-    seconds: float | None = maybe("s", show=digits)
-    fewer_seconds: float | None = maybe("s of 16 points", show=digits)
+    took: float | None = maybe("s", show=digits)
+    fewer_seconds: float | None = maybe("s of 16 points", "of another run in the same process", show=digits)
+    many_seconds: float | None = maybe(f"s of {_MANY:,} points", "on the line through both", show=digits)
     peak_megabytes: float | None = maybe("peak memory, MB", "Python and mesh included", show=".0f")
-
-    def extrapolated(self, points: int) -> float:
-        """Seconds of so many points, on the line through both."""
-        each = (self.seconds - self.fewer_seconds) / (self.points - self.fewer)
-        return self.seconds + each * (points - self.points)
 
 
 def build_sky(tool: str, scene: str, points: int, *, rays: int, workers: int, reference: np.ndarray) -> ChildJob:
@@ -215,17 +202,14 @@ def measure_year(scene: str, points: int, workers: int) -> list[YearTime]:
     turns = take_turns(build_year, [_WEATHER], 0, scene=scene, points=points, workers=workers)
 
     def figures(weather: str) -> dict[str, Any]:
-        return {"seconds": turns.seconds[weather][0], **turns.told[weather]}
+        took, fewer = turns.seconds[weather][0], turns.told[weather]["fewer_seconds"]
+        many = took + (took - fewer) / (points - _FEW) * (_MANY - points)
+        return {"took": took, "many_seconds": many, **turns.told[weather]}
 
-    return turns.rows(YearTime, figures, scene=scene, workers=workers, points=points, fewer=_FEW)
-
-
-def _of_many(rows: list[YearTime]) -> str:
-    return digits(rows[0].extrapolated(_MANY))
+    return turns.rows(YearTime, figures, scene=scene, workers=workers, points=points)
 
 
 _BY_SCENE = {"lines": "tool", "split": "scene workers", "brief": all_workers}
-_YEAR = [Cell("seconds"), Cell("fewer_seconds"), Cell(_of_many, f"s of {_MANY:,} points"), Cell("peak_megabytes")]
 
 RECORD = Benchmark(
     name="radiation",
@@ -237,7 +221,7 @@ RECORD = Benchmark(
             "sky", f"Sky matrix, {RAYS:,} rays a point", cells="microseconds views rmse times_ours apart", **_BY_SCENE
         ),
         TableView("sun", "Suns of a year", cells="million_pairs traces different", **_BY_SCENE),
-        TableView("year", "A year's irradiation", "scene workers points", _YEAR),
+        TableView("year", "A year's irradiation", "scene workers points", "took fewer_seconds many_seconds peak_megabytes"),
     ],
     pictures=[Picture("radiation", "sky", "microseconds", y="rmse", panels="scene", where=all_workers, log="xy")],
 )

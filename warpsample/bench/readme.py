@@ -78,7 +78,7 @@ def headline(folder: Path = RESULTS) -> list[str]:
     results = kept(processors(folder)[0], benchmarks(), folder)
     peers, rays, visibility = (results[name].found["rows"] for name in ("peers", "rays", "visibility"))
     speeds = {row.tool: digits(row.million_per_second.median) for row in peers if row.million_per_second}
-    over = [row.ours.median for row in rays if row.workers == 1 and row.tool == "Embree"]
+    over = [row.ours.median for row in rays if row.tool == "Embree"]
     on_bunny = [row for row in visibility if (row.scene, row.target) == ("bunny", 0.01) and row.microseconds]
     times = {row.tool: digits(row.microseconds.median) for row in on_bunny}
     theirs = speeds.get("Mitsuba, three planes")

@@ -54,8 +54,6 @@ class Benchmark:
         parts: the class of the rows of each part that is measured and kept.
         views: the tables.
         pictures: what is drawn.
-        notes: what the command says below its tables, beside what their columns say.
-        derived: (found, settings) -> parts that follow from those measured.
     """
 
     name: str
@@ -64,8 +62,6 @@ class Benchmark:
     parts: dict[str, type]
     views: Sequence[TableView]
     pictures: Sequence[Picture]
-    notes: Sequence[str] = ()
-    derived: Callable[[Found, dict[str, Any]], Found] = lambda _found, _settings: {}
 
     def wrong(self, found: Found) -> bool:
         """Whether a tool does not agree with what is right; then the command ends with status 1."""
@@ -81,33 +77,27 @@ class Benchmark:
         """All settings: those chosen, and the others by default."""
         return {name: option.default for name, option in self.options.items()} | chosen
 
-    def all_parts(self, result: Result) -> Found:
-        """What was found, and what follows from it."""
-        return result.found | self.derived(result.found, result.settings)
-
     def report(self, result: Result) -> list[Table | str]:
         """What the command prints: all tables, what their columns are, and which tools did not run."""
-        parts, told = self.all_parts(result), [self.provenance(result), tables.SPREADS]
+        lines = [self.provenance(result), tables.SPREADS]
         for view in self.views:
-            rows = [row for row in parts[view.part] if view.where(row)]
-            told += [*tables.tables(view, rows), *tables.notes(view, rows)]
-        lines = [*told, *self.notes, *tables.about_tools(parts.values())]
+            rows = [row for row in result.found[view.part] if view.where(row)]
+            lines += [*tables.tables(view, rows), *tables.notes(view, rows)]
+        lines += tables.about_tools(result.found.values())
         return [line for i, line in enumerate(lines) if line not in lines[:i]]
 
     def brief(self, result: Result) -> list[Table | str]:
         """What the README shows: some tables, which tools did not run, and where all this was measured."""
-        parts = self.all_parts(result)
         shown = [
             table for view in self.views if view.brief
-            for table in tables.tables(view, view.brief([row for row in parts[view.part] if view.where(row)]))
+            for table in tables.tables(view, view.brief([row for row in result.found[view.part] if view.where(row)]))
         ]  # fmt: skip
-        return [*shown, " ".join([*tables.about_tools(parts.values()), f"({self.provenance(result)})"])]
+        return [*shown, " ".join([*tables.about_tools(result.found.values()), f"({self.provenance(result)})"])]
 
     def figures(self, result: Result, names: Sequence[str] | None = None) -> dict[str, "Figure"]:
         """The pictures by name, all of them or those that are named."""
-        parts = self.all_parts(result)
         chosen = [picture for picture in self.pictures if names is None or picture.name in names]
-        return {each.name: pictures.draw(each, parts[each.part], str(result.machine)) for each in chosen}
+        return {each.name: pictures.draw(each, result.found[each.part], str(result.machine)) for each in chosen}
 
     def provenance(self, result: Result) -> str:
         """The command, its settings and the machine, in a line."""

@@ -41,7 +41,7 @@ class Timed:
 Show = str | Callable[[Any], str] | None
 
 
-def column(heading: str, note: str = "", *, show: Show = None, default: Any = MISSING) -> Any:
+def column(heading: str, note: str = "", *, show: Show = None, default: Any = MISSING, kw_only: bool = False) -> Any:
     """A field of a row that says how it is shown.
 
     Args:
@@ -49,12 +49,28 @@ def column(heading: str, note: str = "", *, show: Show = None, default: Any = MI
         note: what it is, where the heading does not tell; printed below a table.
         show: a format or a function for its values; for a `Spread` that of the median alone. By default `text` chooses.
         default: its value where a row is made without.
+        kw_only: whether it is named where a row is made.
     """
-    return field(default=default, metadata={"heading": heading, "note": note, "show": show})
+    return field(default=default, kw_only=kw_only, metadata={"heading": heading, "note": note, "show": show})
 
 
 maybe = partial(column, default=None)
 """A column that may have no value."""
+
+
+@dataclass(frozen=True)
+class ToolRow(Timed):
+    """What was found of one tool: a base of rows whose other columns may have no value.
+
+    Attributes:
+        tool: its name.
+        version: of its library.
+        failure: why it did not run.
+    """
+
+    tool: str = column("tool", kw_only=True)
+    version: str | None = maybe("version", kw_only=True)
+    failure: str | None = maybe("why it did not run", kw_only=True)
 
 
 def columns(kind: type) -> dict[str, Field[Any]]:

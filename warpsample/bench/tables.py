@@ -18,21 +18,19 @@ class Cell:
     """A column of a view.
 
     Attributes:
-        of: the field, or a function of all rows of a line that gives a text.
+        of: the field.
         heading: by default the field's.
         show: by default the field's.
         where: values of other fields of the row whose field is shown.
     """
 
-    of: str | Callable[[list[Any]], str]
+    of: str
     heading: str | None = None
     show: Show = None
     where: tuple[tuple[str, Any], ...] = ()
 
     def text(self, rows: list[Any]) -> str:
         """What a line shows; nothing where it has no such row."""
-        if callable(self.of):
-            return self.of(rows)
         chosen = [row for row in rows if all(getattr(row, name) == value for name, value in self.where)]
         return shown(chosen[0], self.of, self.show) if chosen else ""
 
@@ -49,7 +47,7 @@ class TableView:
         part: its name.
         title: above each table.
         lines: fields; there is a line for each of their values.
-        cells: what a line shows: fields, cells, or a function of all rows that gives cells.
+        cells: what a line shows: fields, or cells.
         across: fields; the cells stand side by side for each of their values.
         split: fields; there is a table for each of their values.
         where: which rows are shown; by default those of tools that ran.
@@ -59,7 +57,7 @@ class TableView:
     part: str
     title: str
     lines: str
-    cells: str | Sequence[Cell] | Callable[[list[Any]], Sequence[Cell]]
+    cells: str | Sequence[Cell]
     across: str = ""
     split: str = ""
     where: Callable[[Any], Any] = _ran
@@ -98,7 +96,7 @@ def all_workers(rows: list[Any]) -> list[Any]:
 def notes(view: TableView, rows: list[Any]) -> list[str]:
     """What the columns of a view are, where their headings do not tell."""
     known = columns(type(rows[0])) if rows else {}
-    names = dict.fromkeys([*view.lines.split(), *(c.of for c in _cells(view, rows) if isinstance(c.of, str))])
+    names = dict.fromkeys([*view.lines.split(), *(cell.of for cell in _cells(view))])
     told = [(known[name].metadata["heading"], known[name].metadata["note"]) for name in names if name in known]
     return [f"{heading}: {note}." for heading, note in told if note]
 
@@ -136,15 +134,13 @@ def _table(view: TableView, key: tuple[Any, ...], rows: list[Any]) -> Table:
     return Table(": ".join(filter(None, titles)), headings, texts, len(names))
 
 
-def _cells(view: TableView, rows: list[Any]) -> list[Cell]:
-    if isinstance(view.cells, str):
-        return [Cell(name) for name in view.cells.split()]
-    return list(view.cells(rows) if callable(view.cells) else view.cells) if rows else []
+def _cells(view: TableView) -> list[Cell]:
+    return [Cell(name) for name in view.cells.split()] if isinstance(view.cells, str) else list(view.cells)
 
 
 def _spread_out(view: TableView, rows: list[Any]) -> list[Cell]:
     """The cells with their headings, for each value of what stands across."""
-    cells = [cell if cell.heading else replace(cell, heading=_heading(rows, cell.of)) for cell in _cells(view, rows)]
+    cells = [cell if cell.heading else replace(cell, heading=_heading(rows, cell.of)) for cell in _cells(view)]
     if not view.across:
         return cells
     names, spread_out = view.across.split(), []
@@ -156,7 +152,7 @@ def _spread_out(view: TableView, rows: list[Any]) -> list[Cell]:
     return spread_out
 
 
-def _heading(rows: list[Any], name: Any) -> str:
+def _heading(rows: list[Any], name: str) -> str:
     return columns(type(rows[0]))[name].metadata["heading"]
 
 

@@ -11,7 +11,7 @@ import typer
 from warpsample.bench.blocks import mesh_of
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import Benchmark, Found, Repeats, Track
-from warpsample.bench.rows import Spread, Timed, column, digits, maybe
+from warpsample.bench.rows import Spread, ToolRow, column, digits, maybe
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import peak_megabytes
 from warpsample.bench.running.turns import take_turns
@@ -33,15 +33,12 @@ _FEWER = 16  # times fewer rays of embreex, which takes half a minute for all on
 
 
 @dataclass(frozen=True)
-class FactorTime(Timed):
+class FactorTime(ToolRow):
     """One tool on one scene."""
 
     scene: str = column("scene")
     faces: int = column("faces")
     workers: int = column("threads")
-    tool: str = column("tool")
-    failure: str | None = maybe("why it did not run")
-    version: str | None = maybe("version")
     rays: int | None = maybe("rays", "of each face")
     took: Spread | None = maybe("s", "of the tracing alone as for all faces, from some of them")
     traces: Spread | None = maybe("/ trace", "times as long as `ws.trace` alone with as many rays", show=".2f")

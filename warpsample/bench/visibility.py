@@ -12,7 +12,7 @@ import typer
 from warpsample import sequences
 from warpsample.bench.pictures import Picture
 from warpsample.bench.record import Benchmark, Found, Repeats, Scenes, Track
-from warpsample.bench.rows import Spread, Timed, column, digits, maybe
+from warpsample.bench.rows import Spread, ToolRow, column, digits, maybe
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import peak_megabytes
 from warpsample.bench.running.turns import keeping_last, take_turns
@@ -32,16 +32,13 @@ _TRIAL, _TRIALS = 64, 2  # rays of the first trial; trials until the number of r
 
 
 @dataclass(frozen=True)
-class TimeToError(Timed):
+class TimeToError(ToolRow):
     """One tool on one scene, all its rays and everything before them, to an RMSE over all points."""
 
     scene: str = column("scene")
     target: float = column("RMSE", show="to {:g}".format)
-    tool: str = column("tool")
     workers: int = column("workers")
     points: int = column("points")
-    failure: str | None = maybe("why it did not run")
-    version: str | None = maybe("version")
     rays: int | None = maybe("rays", "of a point")
     cast: float | None = maybe("cast", "of these, cast on average", show=",.0f")
     rmse: float | None = maybe("RMSE", "the one reached", show=".4f")
@@ -50,15 +47,13 @@ class TimeToError(Timed):
 
 
 @dataclass(frozen=True)
-class Many(Timed):
+class Many(ToolRow):
     """Our estimate of many points, in a process of its own."""
 
-    tool: str = column("tool")
     scene: str = column("scene")
     points: int = column("points")
     rays: int = column("rays")
     workers: int = column("workers")
-    failure: str | None = maybe("why it did not run")
     peak_megabytes: float | None = maybe(
         "peak memory, MB", "of the process, Python, Warp, mesh and points included", show=",.0f"
     )

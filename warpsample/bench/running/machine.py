@@ -79,12 +79,8 @@ def _git(folder: Path, *arguments: str) -> str:
 
 
 def peak_megabytes() -> float | None:
-    """The greatest resident memory of this process so far; None on a system that does not say."""
+    """The greatest resident memory of this process so far; None on a system that does not say it as Linux does."""
     status = Path("/proc/self/status")
-    if status.is_file():  # getrusage counts what the parent held when it started this process, too
-        return next(float(line.split()[1]) * 1024 / 1e6 for line in status.read_text().splitlines() if "VmHWM" in line)
-    try:
-        import resource
-    except ModuleNotFoundError:
+    if not status.is_file():  # getrusage would count what the parent held when it started this process, too
         return None
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6  # bytes on macOS
+    return next(float(line.split()[1]) * 1024 / 1e6 for line in status.read_text().splitlines() if "VmHWM" in line)

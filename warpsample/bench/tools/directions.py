@@ -86,34 +86,6 @@ def _warp(normals: np.ndarray, count: int, workers: int) -> Built:
     return run, out.numpy
 
 
-def _numba(normals: np.ndarray, count: int, workers: int) -> Built:
-    from math import cos, sin, sqrt
-
-    import numba
-
-    numba.set_num_threads(min(workers, numba.config.NUMBA_NUM_THREADS))
-
-    @numba.njit(parallel=True, fastmath=True)
-    def fill(normals: Any, out: Any) -> None:
-        one, two_pi = np.float32(1.0), np.float32(2.0 * np.pi)
-        for p in numba.prange(len(normals)):
-            x, y, z = normals[p]
-            sign = one if z >= np.float32(0.0) else -one
-            a = -one / (sign + z)
-            b = x * y * a
-            for j in range(out.shape[1]):
-                u = np.float32(np.random.random())  # noqa: NPY002  (the generator that compiled code has)
-                azimuth = two_pi * np.float32(np.random.random())  # noqa: NPY002
-                r = sqrt(u)
-                wx, wy, wz = r * cos(azimuth), r * sin(azimuth), sqrt(one - u)
-                out[p, j, 0] = (one + sign * x * x * a) * wx + b * wy + x * wz
-                out[p, j, 1] = sign * b * wx + (sign + y * y * a) * wy + y * wz
-                out[p, j, 2] = -sign * x * wx - y * wy + z * wz
-
-    out = np.empty((len(normals), count, 3), np.float32)
-    return partial(fill, normals, out), lambda: out
-
-
 def _mitsuba(interleaved: bool, normals: np.ndarray, count: int, workers: int) -> Built:
     import drjit as dr
     import mitsuba as mi
@@ -165,7 +137,6 @@ DIRECTIONS = {
     "warpsample sobol": Tool("warpsample", partial(_warpsample, "sobol")),
     "Mitsuba, three planes": Tool("mitsuba", partial(_mitsuba, False)),
     "Mitsuba, interleaved": Tool("mitsuba", partial(_mitsuba, True)),
-    "Numba": Tool("numba", _numba),
     "Warp built-ins": Tool("warp-lang", _warp, threaded=False),
     "NumPy": Tool("numpy", _numpy, threaded=False),
     "SciPy Sobol'": Tool("scipy", _scipy, threaded=False),
