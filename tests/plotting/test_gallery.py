@@ -71,7 +71,7 @@ def test_a_picture_that_cannot_be_made_is_a_sentence(script, tmp_path, monkeypat
     assert "which is a file, want a folder" in capsys.readouterr().err
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_the_page_in_a_browser(can_render, repository, tmp_path, child_environment):
     if CHROMIUM is None:
         pytest.skip("no Chromium: apt-get install chromium")
