@@ -33,12 +33,10 @@ def test_the_bottleneck_is_named():
 def test_all_is_measured_and_shown(capsys, tmp_path):
     pytest.importorskip("distributed")
     pytest.importorskip("zarr")
-    settings = {"points": 2000, "largest": 10_000, "repeats": 2}
+    settings = {"points": 2000, "repeats": 2}
     found = cluster.measure(untracked, **settings)
     assert [(row.way, len(row.seconds)) for row in found["ways"]] == [(way, 2) for way in cluster.WAYS]
     assert all(row.duration.median > 0.0 and row.speed.median > 0.0 for row in found["ways"])
-    assert [(row.points, row.computed) for row in found["memory"]] == [(1000, True), (10_000, True), (10**9, False)]
-    assert all(row.peak_megabytes > 50.0 for row in found["memory"])
     assert [row.chunk for row in found["overheads"]] == ["computed", "into a store"]
     assert [
         line for line in lines_of("cluster", settings, found, capsys) if line.startswith(" two processes of one thread ")

@@ -42,7 +42,7 @@ def measured(found, monkeypatch):
         ("radiation", {"scene": "city", "points": 64}, ["radiation"]),
         ("rays", {"scene": "bunny", "rays": 64}, ["rays"]),
         ("scaling", {"largest": 1000}, ["scaling"]),
-        ("startup", {"processes": 1}, ["startup"]),
+        ("startup", {}, ["startup"]),
         ("view-factors", {"side": 2, "rays": 64}, ["view_factors"]),
         ("visibility", {"scene": "city", "points": 64}, ["visibility"]),
     ],

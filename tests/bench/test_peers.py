@@ -12,10 +12,8 @@ from warpsample.bench.peers import TASKS
 CHOSEN = {
     "directions": [
         "warpsample independent",
-        "warpsample sobol",
         "Warp built-ins",
         "NumPy",
-        "SciPy Sobol'",
     ],
     "surface": ["warpsample surface", "trimesh surface"],
 }
@@ -37,7 +35,7 @@ def test_peers_have_the_same_means(rows):
             assert len(row.seconds) == 2
         else:
             assert re.match("not installed: pip install |[A-Za-z]+Error: ", row.failure)
-    assert sum(row.failure is None for row in rows) >= 6
+    assert sum(row.failure is None for row in rows) >= 5
 
 
 def test_a_peer_with_another_mean_is_called_wrong():

@@ -1,4 +1,4 @@
-"""The benchmark of what comes before the work: new processes, small calls, pauses."""
+"""The benchmark of what comes before the work: new processes."""
 
 from pathlib import Path
 
@@ -6,7 +6,6 @@ import pytest
 from bench_output import drawn, lines_of, untracked
 
 from warpsample.bench import startup
-from warpsample.bench.running import timing
 
 
 @pytest.mark.slow
@@ -28,21 +27,12 @@ def test_startup_compile_once(monkeypatch):
     assert built[1::2] == [0, 0]
 
 
-@pytest.mark.slow
-def test_calls_are_measured_and_shown(monkeypatch, capsys, tmp_path):
-    monkeypatch.setattr(timing, "WARM_UP", 0.0)
+def test_waits_are_shown(monkeypatch, capsys, tmp_path):
     times = iter(range(1, 100))
     fake = lambda: {(c, s): float(next(times)) for c in startup.CACHES for s in startup.STEPS}  # noqa: E731
     monkeypatch.setattr(startup, "start_processes", fake)
-    found = startup.measure(untracked, processes=3, repeats=12)
+    found = startup.measure(untracked, repeats=3)
     assert [len(wait.seconds) for wait in found["waits"]] == [3] * len(found["waits"])
-    assert [len(call.seconds) for call in found["calls"]] == [12] * len(found["calls"])
-    assert {call.when for call in found["calls"] if call.what == "65,536 x 64 directions"} == {
-        startup.IN_A_ROW,
-        startup.PAUSED,
-    }
-    assert all(call.gain.median == 1.0 for call in found["calls"] if call.workers == 1)
     lines = lines_of("startup", {}, found, capsys)
-    assert [line for line in lines if line.startswith(" 1,000 x 16 directions ")]
     assert [line for line in lines if line.startswith(" first points and their occlusion ")]
     assert drawn("startup", found, tmp_path) == ["startup.png"]

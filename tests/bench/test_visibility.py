@@ -63,7 +63,7 @@ def test_a_wrong_reference_is_not_confirmed(wrong):
     mesh, at = points_of("bunny", 200)
     right = reference_of(mesh, at, 1, rays=4096)
     assert confirm("bunny", mesh, at, right, workers=1).agrees
-    changed = replace(right, values=np.clip(wrong(right.values), 0.0, 1.0))
+    changed = replace(right, value=np.clip(wrong(right.value), 0.0, 1.0))
     assert not confirm("bunny", mesh, at, changed, workers=1).agrees
 
 

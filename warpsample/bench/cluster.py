@@ -7,12 +7,9 @@ from typing import Annotated
 
 import typer
 
-from warpsample.bench.pictures import Picture
-from warpsample.bench.record import Benchmark, Found, Repeats, Track
+from warpsample.bench.record import Benchmark, Found, Picture, Repeats, TableView, Track
 from warpsample.bench.rows import Spread, Timed, column, digits
-from warpsample.bench.running.child import Child
 from warpsample.bench.running.turns import take_turns
-from warpsample.bench.tables import TableView
 from warpsample.bench.tools.cluster import (
     CHUNK,
     COMPUTED,
@@ -22,7 +19,6 @@ from warpsample.bench.tools.cluster import (
     STORED,
     WAYS,
     build_chunks,
-    build_client,
     build_way,
 )
 
@@ -46,16 +42,6 @@ class Overhead:
 
     chunk: str = column("chunk")
     milliseconds: Spread = column("ms")
-
-
-@dataclass(frozen=True)
-class ClientMemory:
-    """Memory of the client, its scheduler included; the points are computed by other processes."""
-
-    points: int = column("points")
-    chunks: int = column("chunks")
-    computed: bool = column("computed", "or its graph was made, and nothing more")
-    peak_megabytes: float | None = column("peak memory, MB", show=".0f")
 
 
 @dataclass(frozen=True)
@@ -88,7 +74,6 @@ def measure(
     track: Track,
     *,
     points: Annotated[int, typer.Option(help="Points of the timed call.", min=1000)] = 262_144,
-    largest: Annotated[int, typer.Option(help="Points against which the client's memory is shown.", min=1000)] = 10_000_000,
     repeats: Repeats = 3,
 ) -> Found:
     """Each part in processes of its own; what is compared in turns.
@@ -99,11 +84,9 @@ def measure(
     from warpsample import cluster
 
     _ = cluster.ambient_occlusion  # says what is missing
-    sizes = [(10**k, True) for k in range(3, 10) if largest // 100 <= 10**k <= largest] + [(PLANNED, False)]
     jobs = [("ways", partial(_ways, points, repeats))]
     jobs += [("overheads", partial(_overhead, end, repeats)) for end in (COMPUTED, STORED)]
-    jobs += [("memory", partial(_memory, *size)) for size in sizes]
-    found: Found = {"ways": [], "overheads": [], "memory": []}
+    found: Found = {"ways": [], "overheads": []}
     for part, job in track(jobs, len(jobs)):
         found[part] += job()
     return found | {"hours": plan(found)}
@@ -121,11 +104,6 @@ def _overhead(end: str, repeats: int) -> list[Overhead]:
     return [Overhead(end, Spread.of(each))]
 
 
-def _memory(points: int, computed: bool) -> list[ClientMemory]:
-    with Child(build_client, points=points, computed=computed) as child:
-        return [ClientMemory(points, ceil(points / CHUNK), computed, child.report()["peak_megabytes"])]
-
-
 def _few_threads(rows: list[PlannedHours]) -> list[PlannedHours]:
     return [row for row in rows if row.threads in (1, 64, 1024)]
 
@@ -134,11 +112,10 @@ RECORD = Benchmark(
     name="cluster",
     summary="Processes against threads over Dask, what a chunk costs, and the plan for 10^9 points.",
     measure=measure,
-    parts={"ways": WayTime, "overheads": Overhead, "memory": ClientMemory, "hours": PlannedHours},
+    parts={"ways": WayTime, "overheads": Overhead, "hours": PlannedHours},
     views=[
         TableView("ways", f"Processes and threads, {RAYS} rays a point", "way points", "duration speed"),
         TableView("overheads", "One more chunk", "chunk", "milliseconds"),
-        TableView("memory", "Memory of the client", "points chunks computed", "peak_megabytes"),
         TableView("hours", f"The plan for {PLANNED:,} points", "threads", "hours bottleneck", brief=_few_threads),
     ],
     pictures=[Picture("cluster", "hours", "threads", y="hours", series="", log="xy")],

@@ -11,8 +11,7 @@ import typer
 import warp as wp
 
 from warpsample import distributions, sequences
-from warpsample.bench.pictures import Picture
-from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
+from warpsample.bench.record import SEED, Benchmark, Found, Picture, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column
 from warpsample.bench.running.timing import timed
 from warpsample.bench.tables import TableView, all_workers

@@ -10,8 +10,7 @@ import typer
 
 from warpsample import sequences
 from warpsample.bench.integrands import INTEGRANDS, KnownIntegral, estimates, estimator
-from warpsample.bench.pictures import Picture
-from warpsample.bench.record import Benchmark, Found, Repeats, Track
+from warpsample.bench.record import Benchmark, Found, Picture, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column, digits
 from warpsample.bench.running.timing import timed
 from warpsample.bench.tables import TableView, grouped

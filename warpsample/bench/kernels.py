@@ -8,12 +8,10 @@ import numpy as np
 import typer
 import warp as wp
 
-from warpsample.bench.pictures import Picture
-from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
+from warpsample.bench.record import SEED, Benchmark, Found, Picture, Repeats, TableView, Track
 from warpsample.bench.rows import Spread, Timed, column
 from warpsample.bench.running.timing import timed
 from warpsample.bench.scenes import bunny, city
-from warpsample.bench.tables import TableView
 from warpsample.directions.sample import sample_directions
 from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphere
 from warpsample.estimate.integrate import integrate

@@ -13,12 +13,10 @@ import numpy as np
 import typer
 
 from warpsample.bench.integrands import INTEGRANDS, evaluate
-from warpsample.bench.pictures import Picture
-from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
+from warpsample.bench.record import SEED, Benchmark, Found, Picture, Repeats, TableView, Track
 from warpsample.bench.rows import Spread, ToolRow, column, maybe
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.turns import Tool, take_turns
-from warpsample.bench.tables import TableView
 from warpsample.bench.tools.directions import DIRECTIONS, SURFACE
 from warpsample.host.engine import check_workers
 from warpsample.proof import twins
@@ -128,7 +126,7 @@ _CELLS = "library threads million_per_second ours worst_deviation"
 
 RECORD = Benchmark(
     name="peers",
-    summary="The same task by warpsample, NumPy, SciPy, Warp's built-ins, Mitsuba, trimesh and Open3D.",
+    summary="The same task by warpsample, NumPy, Warp's built-ins, Mitsuba, trimesh and Open3D.",
     measure=measure,
     parts={"rows": PeerSpeed},
     views=[

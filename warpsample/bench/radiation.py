@@ -9,8 +9,7 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from warpsample.bench.pictures import Picture
-from warpsample.bench.record import Benchmark, Found, Repeats, Scenes, Track
+from warpsample.bench.record import Benchmark, Found, Picture, Repeats, Scenes, Track
 from warpsample.bench.rows import Spread, ToolRow, column, digits, maybe
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import peak_megabytes

@@ -8,8 +8,7 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from warpsample.bench.pictures import Picture
-from warpsample.bench.record import Benchmark, Found, Repeats, Scenes, Track
+from warpsample.bench.record import Benchmark, Found, Picture, Repeats, Scenes, Track
 from warpsample.bench.rows import Spread, Timed, column
 from warpsample.bench.running.timing import timed
 from warpsample.bench.scenes import KINDS, SCENES, ray_set

@@ -6,13 +6,11 @@ from typing import Annotated
 import numpy as np
 import typer
 
-from warpsample.bench.pictures import Picture
-from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
+from warpsample.bench.record import SEED, Benchmark, Found, Picture, Repeats, TableView, Track
 from warpsample.bench.rows import Spread, Timed, column
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import peak_megabytes
 from warpsample.bench.running.turns import take_turns
-from warpsample.bench.tables import TableView
 from warpsample.directions.sample import sample_directions
 from warpsample.host.engine import check_workers
 

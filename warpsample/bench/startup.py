@@ -1,28 +1,16 @@
-"""`bench startup`: what a new process waits for, what small calls cost, and what all threads gain, also after a pause."""
+"""`bench startup`: what a new process waits for."""
 
 import os
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
-from itertools import product
-from time import perf_counter, sleep
 from typing import Annotated
 
-import numpy as np
 import typer
 
-from warpsample.bench.pictures import Picture
-from warpsample.bench.record import SEED, Benchmark, Found, Repeats, Track
+from warpsample.bench.record import Benchmark, Found, Picture, TableView, Track
 from warpsample.bench.rows import Spread, Timed, column
-from warpsample.bench.running.timing import in_turns, stopwatch
-from warpsample.bench.scenes import bunny, ray_set
-from warpsample.bench.tables import TableView
-from warpsample.directions.sample import sample_directions
-from warpsample.host.engine import check_workers
-from warpsample.tracing.trace import trace
 
 _DIRECTIONS = """
 from time import perf_counter
@@ -61,11 +49,6 @@ STEPS = [step for steps in _SCRIPTS.values() for step in steps]
 """What is timed."""
 
 
-IN_A_ROW, PAUSED = "in a row", "after a pause"
-PAUSE = 0.02
-"""Seconds in which the threads fall asleep."""
-
-
 @dataclass(frozen=True)
 class Wait(Timed):
     """What a new process waits for."""
@@ -75,28 +58,15 @@ class Wait(Timed):
     took: Spread = column("seconds")
 
 
-@dataclass(frozen=True)
-class TimedCall(Timed):
-    """A call, over and over."""
-
-    what: str = column("call")
-    when: str = column("when", f"after a pause of {1000 * PAUSE:.0f} ms, in which nothing is done, or without")
-    workers: int = column("workers")
-    microseconds: Spread = column("µs")
-    gain: Spread = column("times as fast as one worker", "within each round")
-
-
 def measure(
     track: Track,
     *,
-    processes: Annotated[int, typer.Option(help="New processes of each kind.", min=1)] = 5,
-    repeats: Repeats = 50,
+    repeats: Annotated[int, typer.Option(help="New processes of each kind.", min=1)] = 5,
 ) -> Found:
-    """The processes one after the other, then all calls in turns."""
-    found = [start_processes() for _ in track(range(processes), processes)]
+    """The processes one after the other."""
+    found = [start_processes() for _ in track(range(repeats), repeats)]
     taken = {(step, cache): [one[cache, step] for one in found] for step in STEPS for cache in CACHES}
-    waits = [Wait(*key, Spread.of(seconds), seconds=seconds) for key, seconds in taken.items()]
-    return {"waits": waits, "calls": measure_calls(repeats)}
+    return {"waits": [Wait(*key, Spread.of(seconds), seconds=seconds) for key, seconds in taken.items()]}
 
 
 def start_processes() -> dict[tuple[str, str], float]:
@@ -115,54 +85,11 @@ def _run(script: str, folder: str) -> list[float]:
     return [float(x) for x in done.stdout.splitlines()[-1].split()]
 
 
-def measure_calls(repeats: int) -> list[TimedCall]:
-    """Each call with one worker and with all, in a row and after a pause."""
-    cases = {}
-    for (what, call), workers in product(_calls().items(), sorted({1, check_workers(None)})):
-        cases[what, IN_A_ROW, workers] = stopwatch(partial(call, workers=workers))
-        cases[what, PAUSED, workers] = _after_a_pause(partial(call, workers=workers))
-    times = in_turns(cases, repeats)
-    rows = []
-    for (what, when, workers), seconds in times.items():
-        each, gain = Spread.of([1e6 * t for t in seconds]), Spread.of_ratios(times[what, when, 1], seconds)
-        rows.append(TimedCall(what, when, workers, each, gain, seconds=seconds))
-    return rows
-
-
-def _calls() -> dict[str, Callable[..., object]]:
-    """What is called with a number of workers, by what it does."""
-    mesh = bunny(0)
-    return {
-        "1,000 x 16 directions": _directions(1000, 16),
-        "65,536 x 64 directions": _directions(65_536, 64),
-        "262,144 rays to any hit": partial(trace, mesh, *ray_set(mesh, "outward", 1 << 18), any_hit=True),
-    }
-
-
-def _directions(points: int, count: int) -> Callable[..., object]:
-    normals = np.random.default_rng(SEED).normal(size=(points, 3)).astype(np.float32)
-    return partial(sample_directions, normals, count, out=np.empty((points, count, 3), np.float32))
-
-
-def _after_a_pause(call: Callable[[], object]) -> Callable[[], float]:
-    def case() -> float:
-        call()
-        sleep(PAUSE)
-        start = perf_counter()
-        call()
-        return perf_counter() - start
-
-    return case
-
-
 RECORD = Benchmark(
     name="startup",
-    summary="What a new process waits for, what a small call costs, and what all threads gain, also after a pause.",
+    summary="What a new process waits for, with a cold kernel cache and with a warm one.",
     measure=measure,
-    parts={"waits": Wait, "calls": TimedCall},
-    views=[
-        TableView("waits", "A new process, seconds", "step", "took", across="cache"),
-        TableView("calls", "Calls", "what when workers", "microseconds gain"),
-    ],
+    parts={"waits": Wait},
+    views=[TableView("waits", "A new process, seconds", "step", "took", across="cache")],
     pictures=[Picture("startup", "waits", "took", y="step", series="cache", log="x")],
 )

@@ -9,8 +9,7 @@ import numpy as np
 import typer
 
 from warpsample.bench.blocks import mesh_of
-from warpsample.bench.pictures import Picture
-from warpsample.bench.record import Benchmark, Found, Repeats, Track
+from warpsample.bench.record import Benchmark, Found, Picture, Repeats, Track
 from warpsample.bench.rows import Spread, ToolRow, column, digits, maybe
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import peak_megabytes

@@ -9,7 +9,6 @@ from math import ceil
 from pathlib import Path
 
 from warpsample.bench.running.child import ChildJob
-from warpsample.bench.running.machine import peak_megabytes
 from warpsample.bench.scenes import bunny
 
 RAYS = 256
@@ -65,10 +64,3 @@ def build_chunks(tool: int, end: str) -> ChildJob:
             cluster.bake(Path(folder, "a.zarr"), "ambient_occlusion", mesh, _SMALL, _FEWEST, chunk=chunk)
 
     return ChildJob(_mean(_SMALL, chunk, _FEWEST) if end == COMPUTED else store, report=dict)
-
-
-def build_client(points: int, computed: bool) -> ChildJob:
-    """A client of two processes, and its memory."""
-    _within(2, None)
-    compute = _mean(points, CHUNK, _FEWEST)
-    return ChildJob(compute if computed else lambda: None, report=lambda: {"peak_megabytes": peak_megabytes()})

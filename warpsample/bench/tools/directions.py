@@ -23,9 +23,9 @@ Built = tuple[Callable[[], object], Callable[[], Any]]
 _TAU = np.float32(2.0 * np.pi)
 
 
-def _warpsample(sequence: str, normals: np.ndarray, count: int, workers: int) -> Built:
+def _warpsample(normals: np.ndarray, count: int, workers: int) -> Built:
     out = np.empty((len(normals), count, 3), np.float32)
-    return partial(sample_directions, normals, count, sequence=sequence, out=out, workers=workers), lambda: out
+    return partial(sample_directions, normals, count, sequence="independent", out=out, workers=workers), lambda: out
 
 
 def _polar(u: np.ndarray, r: np.ndarray, turns: np.ndarray) -> np.ndarray:
@@ -45,20 +45,6 @@ def _numpy(normals: np.ndarray, count: int, workers: int) -> Built:
     def run() -> np.ndarray:
         u = rng.random((2, len(normals), count), dtype=np.float32)
         return _polar(u[0], np.sqrt(u[0]), u[1]) @ _frames(normals)
-
-    return keeping_last(run)
-
-
-def _scipy(normals: np.ndarray, count: int, workers: int) -> Built:
-    """One scrambled Sobol' sequence over all points: SciPy has no scramble for each."""
-    from scipy.stats import qmc
-
-    seeds = count_from()
-
-    def run() -> np.ndarray:
-        u = qmc.Sobol(2, scramble=True, seed=next(seeds)).random(len(normals) * count)
-        u = u.astype(np.float32).clip(0.0, 1.0 - 2.0**-24).reshape(len(normals), count, 2)
-        return _polar(u[..., 0], np.sqrt(u[..., 0]), u[..., 1]) @ _frames(normals)
 
     return keeping_last(run)
 
@@ -133,13 +119,11 @@ def _open3d_surface(mesh: Any, points: int, workers: int) -> Built:
 
 
 DIRECTIONS = {
-    "warpsample independent": Tool("warpsample", partial(_warpsample, "independent")),
-    "warpsample sobol": Tool("warpsample", partial(_warpsample, "sobol")),
+    "warpsample independent": Tool("warpsample", _warpsample),
     "Mitsuba, three planes": Tool("mitsuba", partial(_mitsuba, False)),
     "Mitsuba, interleaved": Tool("mitsuba", partial(_mitsuba, True)),
     "Warp built-ins": Tool("warp-lang", _warp, threaded=False),
     "NumPy": Tool("numpy", _numpy, threaded=False),
-    "SciPy Sobol'": Tool("scipy", _scipy, threaded=False),
 }
 """By name; each makes (work, result) of (normals, count, threads)."""
 
