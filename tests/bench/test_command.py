@@ -69,10 +69,6 @@ def test_what_is_wrong_ends_with_a_status(measured, found, monkeypatch):
     wrong = found["peers"] | {"rows": [replace(row, agrees=False) for row in found["peers"]["rows"]]}
     give(monkeypatch, "peers", measure=lambda *_, **__: wrong)
     assert run_command(monkeypatch, "peers") == 1
-    unconfirmed = [replace(c, agrees=False) for c in found["visibility"]["confirmed"]]
-    again = found["visibility"] | {"confirmed": unconfirmed}
-    give(monkeypatch, "visibility", measure=lambda *_, **__: again)
-    assert run_command(monkeypatch, "visibility") == 1
 
 
 def test_all_are_run_and_written(measured, monkeypatch, capsys, tmp_path):

@@ -51,12 +51,7 @@ def pictures_in(text: str) -> list[str]:
 
 
 def fill(text: str, folder: Path) -> str:
-    """A README's text in which each block `<!-- bench name --> ... <!-- end -->` holds the tables of that benchmark.
-
-    Args:
-        text: of the README.
-        folder: of the results.
-    """
+    """A README's text in which each block `<!-- bench name --> ... <!-- end -->` has its tables, of a folder of results."""
     everything = [kept(processor, benchmarks(), folder) for processor in processors(folder)]
 
     def block(found: re.Match[str]) -> str:

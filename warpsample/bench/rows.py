@@ -60,13 +60,7 @@ maybe = partial(column, default=None)
 
 @dataclass(frozen=True)
 class ToolRow(Timed):
-    """What was found of one tool: a base of rows whose other columns may have no value.
-
-    Attributes:
-        tool: its name.
-        version: of its library.
-        failure: why it did not run.
-    """
+    """What was found of one tool: a base of rows whose other columns may have no value."""
 
     tool: str = column("tool", kw_only=True)
     version: str | None = maybe("version", kw_only=True)

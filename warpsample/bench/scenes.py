@@ -152,10 +152,6 @@ def some_of(points: SurfacePoints, chosen: np.ndarray | slice) -> SurfacePoints:
 
 
 def check_scenes(names: list[str] | None) -> None:
-    """Whether there are such scenes.
-
-    Raises:
-        ValueError: one is not known; the message lists those that are.
-    """
+    """Refuses, by a ValueError that lists those that are known, a scene that is not."""
     for name in names or []:
         look_up(SCENES, name, "scene")

@@ -25,13 +25,7 @@ class Tool(NamedTuple):
 
 @dataclass(frozen=True)
 class Turns:
-    """What came of it.
-
-    Attributes:
-        seconds: of each repeat, by tool.
-        told: its job's report, by tool.
-        failures: why a tool did not run, by tool.
-    """
+    """What came of it, by tool: the seconds of each repeat, its job's report, or why it did not run."""
 
     seconds: dict[Any, list[float]]
     told: dict[Any, dict[str, Any]]
