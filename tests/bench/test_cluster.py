@@ -29,7 +29,7 @@ def test_the_bottleneck_is_named():
     assert cluster.plan(less)[10].bottleneck == "the work, up to 2,000 threads"
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_all_is_measured_and_shown(capsys, tmp_path):
     pytest.importorskip("distributed")
     pytest.importorskip("zarr")

@@ -30,7 +30,7 @@ def measured(found, monkeypatch):
     return asked
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("name", "options", "pictures"),
     [

@@ -25,7 +25,7 @@ def test_every_distribution_method_sequence_and_count_is_measured():
     assert len(directions.groups(64)) == len(directions.maps()) + len(directions.COUNTS)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_rows_say_what_was_measured(rows):
     assert {row.points * row.samples for row in rows} == {4096}
     polar = [row for row in rows if row.distribution == "CosineHemisphere(method='polar')" and row.table == "maps"]
@@ -38,7 +38,7 @@ def test_rows_say_what_was_measured(rows):
         assert row.of_fill.low <= row.of_fill.median <= row.of_fill.high
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_directions_tables_and_pictures(rows, capsys, tmp_path):
     found = {"rows": rows}
     lines = lines_of("directions", {}, found, capsys)

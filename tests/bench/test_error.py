@@ -12,7 +12,7 @@ from warpsample.bench.rows import Spread
 from warpsample.bench.running import timing
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("integrand", INTEGRANDS, ids=lambda i: i.name)
 def test_known_means_are_right(integrand, plausible):
     """By 2^22 independent directions and, to 1e-4, by Sobol'."""
@@ -23,7 +23,7 @@ def test_known_means_are_right(integrand, plausible):
     assert abs(evaluate(integrand, w).astype(np.float64).mean() - integrand.mean) <= 1e-4
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("sequence", ["sobol", "stratified"])
 @pytest.mark.parametrize("count", [4, 100])
 def test_fused_means_are_those_of_the_directions(sequence, count):
@@ -33,7 +33,7 @@ def test_fused_means_are_those_of_the_directions(sequence, count):
     assert np.abs(got - evaluate(sky, w).astype(np.float64).mean(axis=1)).max() <= 2e-7  # the frame about +z rounds
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_every_sequence_is_measured(monkeypatch, capsys, tmp_path):
     monkeypatch.setattr(error, "INTEGRANDS", INTEGRANDS[2:3])
     monkeypatch.setattr(timing, "WARM_UP", 0.0)

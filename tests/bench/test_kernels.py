@@ -9,7 +9,7 @@ import warpsample as ws
 from warpsample.bench import kernels
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_ways_to_a_mean_agree(monkeypatch):
     monkeypatch.setattr(kernels, "_TOTAL", 1 << 14)
     fused, directions, summed = (work() for work in kernels.means(256).values())
@@ -17,7 +17,7 @@ def test_ways_to_a_mean_agree(monkeypatch):
     assert np.abs(fused.value - summed).max() <= 6.0 * fused.standard_error.max() + 1e-3
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_ways_to_occlusion_agree(monkeypatch):
     """The user's kernel has a point's own 256 rays, each 0 or 1: its error is at most that of independent ones."""
     monkeypatch.setitem(kernels.SCENES, "bunny", soup)
@@ -27,7 +27,7 @@ def test_ways_to_occlusion_agree(monkeypatch):
     assert np.abs(own.numpy() - cast.value).max() <= 5.3 * np.sqrt(0.25 / 256 + cast.standard_error.max() ** 2)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_all_is_measured_and_shown(monkeypatch, capsys, tmp_path):
     monkeypatch.setattr(kernels, "_TOTAL", 1 << 14)
     monkeypatch.setattr(kernels, "SCENES", {"city": lambda: ws.load_mesh("courtyard")})

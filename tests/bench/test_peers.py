@@ -26,7 +26,7 @@ def rows():
     return [row for task, points in sizes.items() for row in peers.compare(task, points, 2, CHOSEN[task])]
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_peers_have_the_same_means(rows):
     for row in rows:
         if row.failure is None:
@@ -52,7 +52,7 @@ def test_a_peer_with_another_mean_is_called_wrong():
     assert told[0]["threads"] == 1
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_peer_tables_and_pictures(rows, capsys, tmp_path):
     found = {"rows": rows}
     lines = lines_of("peers", {}, found, capsys)

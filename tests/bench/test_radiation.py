@@ -54,7 +54,7 @@ def test_a_tool_that_disagrees_is_wrong_and_one_that_is_missing_is_not():
     assert RECORD.wrong(right | {"sun": [replace(right["sun"][0], agrees=False)]})
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("tool", ["Mitsuba", "Radiance rcontrib", OURS])
 def test_tools_see_the_same_sky(tool):
     mesh, at = clear_points_of("bunny", 64)
@@ -70,7 +70,7 @@ def test_tools_see_the_same_sky(tool):
         assert errors(runs, wrong)[2] > 2.0 * radiation.MOST_APART * variance
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_all_is_measured_and_shown(tmp_path, capsys):
     sky = radiation.compare_skies("bunny", 32, 1, 1, [OURS, VIEW, PEER, "nobody"])
     sun = radiation.compare_suns("bunny", 32, 1, 1, ["warpsample", TRACE])

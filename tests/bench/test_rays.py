@@ -8,7 +8,7 @@ from warpsample.bench import rays, scenes
 from warpsample.bench.running import timing
 from warpsample.bench.tools import tracers
 
-pytestmark = pytest.mark.slow  # peers and timers, in processes of their own
+pytestmark = pytest.mark.thorough  # peers and timers, in processes of their own
 
 
 SETTINGS = {"scene": ["bunny"], "rays": 2048, "repeats": 2}

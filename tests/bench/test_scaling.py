@@ -22,7 +22,7 @@ def test_a_stream_computes_every_direction(monkeypatch):
     assert job.report()["peak_megabytes"] > 10.0
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_each_case_is_measured_in_a_process_of_its_own(monkeypatch, capsys, tmp_path):
     monkeypatch.setattr(scaling, "cases", lambda _: [("points", 1000, 16, 1), ("points", 4000, 16, 1)])
     settings = {"largest": 4000, "repeats": 2}

@@ -8,7 +8,7 @@ from bench_output import drawn, lines_of, untracked
 from warpsample.bench import startup
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_startup_compile_once(monkeypatch):
     run, built = startup._run, []
 

@@ -43,7 +43,7 @@ def test_a_spread_is_the_median_and_the_middle_half():
     assert Spread.of_ratios([1.0, 4.0, 9.0], [1.0, 2.0, 3.0]) == Spread(2.0, 1.5, 2.5)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_a_child_runs_its_job_and_reports():
     with Child(child_jobs.loud) as one:
         assert one.wait_until_built() is None
@@ -51,7 +51,7 @@ def test_a_child_runs_its_job_and_reports():
         assert one.report() == {"answer": 42}
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_a_child_without_a_job_says_why():
     with Child(child_jobs.hopeless) as one:
         assert one.wait_until_built() == "not installed: pip install no_such_library"

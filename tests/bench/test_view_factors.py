@@ -31,7 +31,7 @@ def outward(mesh):
     return np.cross(b - a, c - a)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_a_city_has_faces_of_one_size_and_no_other_gap_than_its_border():
     mesh = blocks(2)
     assert np.ptp(mesh.face_areas) <= 1e-9
@@ -47,7 +47,7 @@ def test_a_city_has_faces_of_one_size_and_no_other_gap_than_its_border():
     assert len(mesh_of("city 2").faces) == len(mesh.faces)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_boxes_are_closed_and_the_inner_one_sees_the_outer_alone():
     """A convex body in another: the inner's factor to the outer is 1, the outer's to the inner the ratio of areas."""
     mesh = boxes(4)
@@ -71,7 +71,7 @@ def test_peers_rays_are_uniform_on_faces_and_cosine_weighted():
     assert np.abs(np.linalg.norm(d, axis=2) - 1.0).max() <= 1e-5
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 @pytest.mark.parametrize("make", [EmbreeFactors, PyViewFactor])
 def test_tools_compute_the_same(make):
     """The two small boxes have few enough faces that a ray between centroids says little: these are free of obstacles."""
@@ -111,7 +111,7 @@ def test_a_tool_that_disagrees_is_wrong_and_one_that_is_missing_is_not():
     assert RECORD.wrong({"rows": [missing, replace(right, agrees=False)]})
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_all_is_measured_and_shown(tmp_path, capsys):
     rows = view_factors.compare("city 1", 1, [*FACTOR_TOOLS, TRACE, "nobody"], 1, 256)
     by_tool = {row.tool: row for row in rows}

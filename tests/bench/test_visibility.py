@@ -12,7 +12,7 @@ from warpsample.bench.tools.numpy_rays import open_share, size_of
 from warpsample.bench.tools.occlusion import ESTIMATORS, Occlusion, by_embree
 from warpsample.bench.visibility import reference_of
 
-pytestmark = pytest.mark.slow  # peers and timers, in processes of their own
+pytestmark = pytest.mark.thorough  # peers and timers, in processes of their own
 
 TOOLS = ["warpsample", "embreex"]
 BY_CHANCE = 5.0  # standard errors: of 200 points, by chance once in 8,000 runs
