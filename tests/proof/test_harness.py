@@ -44,6 +44,8 @@ CAUGHT_BY = {
     "u[1] is the next point's u[0]": {"correlation of points"},
     "raw words as a key": {"bits of seeds", "bits of ids", "bits of samples", "streams and purposes"},
     "ids of 32 bits": {"bits of ids"},
+    "ids in one word of a hash": {"low bits of keys"},
+    "samples in one word of a hash": {"low bits of far samples"},
 }
 
 

@@ -17,11 +17,12 @@ from warpsample.distributions.uniform_hemisphere import UniformHemisphere
 from warpsample.distributions.uniform_sphere import UniformSphere
 from warpsample.host.kernel_cache import load
 from warpsample.proof.evidence import Evidence, Subject, independent
-from warpsample.proof.mixing import POINTS, cells_of, judge_cells
+from warpsample.proof.mixing import POINTS, cells_of, judge_cells, judge_far_samples, judge_keys, keys_of
 from warpsample.proof.routes import plus_normal
 from warpsample.proof.streams import judge_stream
 from warpsample.proof.twins.sequences import pcg4d
 from warpsample.proof.verify import Verdict, judge
+from warpsample.sequences.hashing import run_words
 from warpsample.statistics.charts import DISK
 
 _RIGHT = CosineHemisphere()
@@ -148,6 +149,21 @@ def _ids_of_32_bits(seed: int, first: int, stream: int | None = None, sample: in
     return cells_of("independent")(seed, first % 2**32, stream, sample)
 
 
+def _in_one_word(points: np.ndarray, run: tuple[int, ...]) -> np.ndarray:
+    """(N, 4) words of pcg4d, of whose arguments one alone varies."""
+    return np.stack(pcg4d(points, *(np.full(len(points), word, np.uint64) for word in run)), axis=1)
+
+
+def _ids_in_one_word(seed: int, streams: bool) -> np.ndarray:
+    random = np.random.default_rng(1).integers(2**32, size=16 * POINTS, dtype=np.uint64)
+    return keys_of(seed, streams) if streams else _in_one_word(random, run_words(seed, 0)[1:])
+
+
+def _samples_in_one_word() -> np.ndarray:
+    halves = 512 * np.arange(16 * POINTS, dtype=np.uint64)
+    return _in_one_word(halves ^ halves >> np.uint64(16), run_words(1, 0)[1:]) >> np.uint64(8)
+
+
 _SAMPLERS = {
     "sphere scaled by 0.98": Wrong(sample=partial(_scaled_sphere, 0.98)),
     "sphere scaled by 0.99999": Wrong(sample=partial(_scaled_sphere, 0.99999)),
@@ -182,9 +198,13 @@ _STREAMS = {
 _MIXERS = {"raw words as a key": _raw_words_as_key, "ids of 32 bits": _ids_of_32_bits}
 
 
+_KEYS = {"ids in one word of a hash": _ids_in_one_word}
+_SAMPLES = {"samples in one word of a hash": _samples_in_one_word}
+
+
 def names() -> list[str]:
     """Names of all planted defects."""
-    return [*_SAMPLERS, *_STREAMS, *_MIXERS]
+    return [*_SAMPLERS, *_STREAMS, *_MIXERS, *_KEYS, *_SAMPLES]
 
 
 def judge_defect(name: str, every: int = 16, draws: int = 1 << 22, points: int = 1_000_000) -> list[Verdict]:
@@ -194,4 +214,6 @@ def judge_defect(name: str, every: int = 16, draws: int = 1 << 22, points: int =
     variates = _STREAMS.get(name, independent)
     verdicts = judge(Evidence(Subject(name, sampler, claims, variates), every, draws))
     verdicts += judge_cells(name, _MIXERS[name]) if name in _MIXERS else []
+    verdicts += [judge_keys(name, _KEYS[name])] if name in _KEYS else []
+    verdicts += [judge_far_samples(name, _SAMPLES[name]())] if name in _SAMPLES else []
     return verdicts + (judge_stream(name, variates, points) if name in _STREAMS else [])

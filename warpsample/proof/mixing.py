@@ -2,6 +2,7 @@
 
 A pair of runs that differ in one bit is judged by a chi-square test of one variate of each of 2^16 points against the
 other, on 16 x 16 cells, and by the share of points at which each of the 24 bits of a variate changes, which is a half.
+The lowest bits of keys, and of samples far apart, are judged by themselves: no variate of one sample shows those of keys.
 """
 
 from collections.abc import Callable, Iterator
@@ -27,6 +28,9 @@ POINTS = 1 << 16
 
 _SIDE, _BITS = 16, 24
 _SEED, _BASE = 0x0123456789ABCDEF, 0xFEDCBA9876540000  # ordinary ones; the base is a multiple of POINTS
+_UNLIKELY = (6, 9492, 176047, 93987, 15790880)
+"""Seeds by which a word that all points share is even 19 times and more once pcg4d has stepped it, and an ordinary one."""
+
 _PURPOSES = ("trial", "ground", "sky", "sun", "faces")
 
 
@@ -138,6 +142,59 @@ def sample_pairs(cells: Cells) -> Iterator[Pair]:
         yield from ((own, cells(_SEED, 0, sample=base ^ (1 << bit))) for bit in range(31))
 
 
+@cache
+def _words() -> wp.Kernel:
+    """A kernel that writes the keys of points, or of the streams of one point."""
+
+    @wp.kernel(module="unique", enable_backward=False)
+    def words(seed: wp.uint64, streams: wp.bool, out: wp.array[wp.vec4ui]):
+        """Writes the key that this thread stands for."""
+        thread = wp.tid()
+        if streams:
+            out[thread] = stream_key(point_key(seed, wp.uint64(1)), wp.uint32(thread))
+        else:
+            out[thread] = point_key(seed, wp.uint64(thread))
+
+    return words
+
+
+def keys_of(seed: int, streams: bool) -> np.ndarray:
+    """(16 POINTS, 4) words: the keys of points by a seed, or of the streams of one point."""
+    load(_words(), "cpu")
+    out = wp.empty(16 * POINTS, dtype=wp.vec4ui, device="cpu")
+    wp.launch(_words(), 16 * POINTS, inputs=[seed, streams], outputs=[out], device="cpu")
+    return out.numpy()
+
+
+def far_samples_of(name: str) -> np.ndarray:
+    """(16 POINTS, 4) integers below 2^24: the coordinates of two samples of one point, and 1,024 further of the next two."""
+    first = 1024 * np.arange(16 * POINTS)
+    ones, most = np.ones_like(first), np.full_like(first, 2**31 - 1)
+    return np.hstack([grid_cells(name, _SEED, None, ones, sample, most) for sample in (first, first + 1)])
+
+
+def low_bits_p_value(words: np.ndarray, bits: int) -> float:
+    """The p-value of the lowest bits of (N, K) words, of which all 2^(K bits) patterns come equally often."""
+    from scipy.special import chdtrc
+
+    patterns = (words.astype(np.int64) & ((1 << bits) - 1)) @ (1 << bits * np.arange(words.shape[1]))
+    counts = np.bincount(patterns, minlength=2 ** (bits * words.shape[1]))
+    expected = len(words) / len(counts)
+    return float(chdtrc(len(counts) - 1, np.square(counts - expected).sum() / expected))
+
+
+def judge_keys(name: str, keys: Callable[[int, bool], np.ndarray] = keys_of) -> Verdict:
+    """The law for the keys by which points and streams are shifted and scrambled, by ordinary seeds and unlikely ones."""
+    drawn = [keys(seed, streams) for streams in (False, True) for seed in _UNLIKELY]
+    p_values = [low_bits_p_value(words[:, triple], 4) for words in drawn for triple in ((0, 1, 2), (1, 2, 3))]
+    return Verdict.of_chance("low bits of keys", name, min(1.0, len(p_values) * min(p_values)), f"{len(p_values)} sets")
+
+
+def judge_far_samples(name: str, samples: np.ndarray) -> Verdict:
+    """The law for samples of one point that are far apart, for sequences of independent ones."""
+    return Verdict.of_chance("low bits of far samples", name, low_bits_p_value(samples, 3), f"{len(samples)} pairs")
+
+
 _LAWS = {"bits of seeds": seed_pairs, "bits of ids": point_pairs, "streams and purposes": stream_pairs}
 _OF_RANDOM = {"bits of samples": sample_pairs}
 
@@ -153,4 +210,6 @@ def judge_cells(name: str, cells: Cells, random: bool = True) -> list[Verdict]:
 
 def judge_mixing(name: str) -> list[Verdict]:
     """The laws for a sequence of the package."""
-    return judge_cells(name, cells_of(name), sequences.get(name).random)
+    random = sequences.get(name).random
+    verdicts = [judge_keys(name), *judge_cells(name, cells_of(name), random)]
+    return [*verdicts, judge_far_samples(name, far_samples_of(name))] if random else verdicts

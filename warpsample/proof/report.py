@@ -23,6 +23,8 @@ _SUMMARIES = {
     "bits of seeds": "seeds that differ in one of 64 bits, follow each other, or are random: chi-square, bits changed",
     "bits of ids": "points whose ids do: the same tests",
     "bits of samples": "samples of one point whose numbers differ in one of 31 bits: the same tests",
+    "low bits of keys": "the lowest four bits of three words of keys, over points and streams: chi-square",
+    "low bits of far samples": "the lowest three bits of samples 1,024 from each other: chi-square",
     "streams and purposes": "streams of a point that differ in one of 32 bits, and the seeds of trial, ground, sky and sun",
     "correlation of dimensions": "u[0] against u[1]",
     "correlation of points": "neighbouring point ids, each dimension against each",

@@ -2,7 +2,8 @@
 
 All 64 bits of the seed, and the upper 32 of the point's id, pass a block of Philox, which is the same for all points of a
 call, or nearly so. The lower 32 bits of the id pass a finaliser, and all of it together pcg4d. So each bit of either
-changes about half of the bits of a key, while a point costs one hash and a sample none.
+changes about half of the bits of a key, while a point costs one hash and a sample none. What varies goes into several of
+pcg4d's words: with one alone the lowest bits of its answers are uneven, and badly where a constant word is even many times.
 """
 
 from functools import lru_cache
@@ -62,8 +63,8 @@ def philox4x32_10(counter: wp.vec4ui, key_0: wp.uint32, key_1: wp.uint32) -> wp.
 def pcg4d(x: wp.uint32, y: wp.uint32, z: wp.uint32, w: wp.uint32) -> wp.vec4ui:
     """Four random words: a bijection of 128 bits, so different arguments never give the same four words.
 
-    Jarzynski2020, listing 13. What differs in high bits alone gives dependent words, so only mixed words may come here,
-    and one small number.
+    Jarzynski2020, listing 13. What differs in high bits alone, or in one word, gives dependent words, so only mixed words
+    may come here, in two places or more.
     """
     x = x * _MULTIPLIER + _INCREMENT
     y = y * _MULTIPLIER + _INCREMENT
@@ -111,15 +112,23 @@ def run_words(seed: int, high: int) -> tuple[int, int, int, int]:
 
 
 @wp.func
+def halves_swapped(word: wp.uint32) -> wp.uint32:
+    """A word turned by half of its bits."""
+    return (word << _SHIFT) | (word >> _SHIFT)
+
+
+@wp.func
 def premixed_key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
-    """Four words for one point, of which the first alone depends on the lower half of its id."""
-    return wp.vec4ui(finalised(low ^ run[0]), run[1], run[2], run[3])
+    """Four words for one point; the first is another one for each lower half of an id."""
+    word = finalised(low ^ run[0])
+    return wp.vec4ui(word, run[1] + halves_swapped(word), run[2] + word, run[3])
 
 
 @wp.func
 def mixed_key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
     """Four random words for one point, by which a sequence scrambles or shifts its points."""
-    return pcg4d(finalised(low ^ run[0]), run[1], run[2], run[3])
+    key = premixed_key(run, low)
+    return pcg4d(key[0], key[1], key[2], key[3])
 
 
 @wp.func

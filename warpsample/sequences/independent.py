@@ -3,7 +3,7 @@
 import warp as wp
 
 from warpsample.maths.numerics import high_word, low_word
-from warpsample.sequences.hashing import ONE_WORD, pcg4d, point_of_two, premixed_key, run_key, two_points
+from warpsample.sequences.hashing import ONE_WORD, halves_swapped, pcg4d, point_of_two, premixed_key, run_key, two_points
 from warpsample.sequences.record import Sequence
 
 _HALF_A_WORD = wp.constant(wp.uint32(16))
@@ -12,7 +12,7 @@ _HALF_A_WORD = wp.constant(wp.uint32(16))
 @wp.func
 def _words(key: wp.vec4ui, half: wp.uint32) -> wp.vec4ui:
     # pcg4d carries a bit only to higher ones, but for one shift by 16: the upper half of the number needs another.
-    return pcg4d(key[1] ^ half ^ (half >> _HALF_A_WORD), key[0], key[2], key[3])
+    return pcg4d(key[1] ^ half ^ (half >> _HALF_A_WORD), key[0], key[2], key[3] + halves_swapped(half))
 
 
 @wp.func
