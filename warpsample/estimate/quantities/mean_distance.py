@@ -82,8 +82,8 @@ def mean_distance(
         >>> mesh = ws.load_mesh("courtyard")  # of 72 x 72 x 24
         >>> yard = ws.SurfacePoints(position=[[36.0, 36.0, 0.0]], normal=[[0.0, 0.0, 1.0]])
         >>> free = ws.mean_distance(mesh, yard, max_distance=20.0)
-        >>> print(f"{free.value[0]:.1f} of {free.max_distance}")
-        15.8 of 20.0
+        >>> print(f"{free.value[0]:.0f} of {free.max_distance:.0f}")
+        16 of 20
     """
     at = PlacedPoints.of(mesh, points)
     options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, active=active).by(

@@ -77,8 +77,8 @@ def sky_matrix(
         >>> points = ws.sample_surface(mesh, 100)
         >>> seen = ws.sky_matrix(mesh, points, 256)
         >>> view = ws.sky_view_factor(mesh, points, 256)
-        >>> print(seen.value.shape, f"{seen.value.sum(axis=1).mean() - view.value.mean():.2f}")
-        (100, 145) 0.00
+        >>> print(seen.value.shape, f"{seen.value.sum(axis=1).mean():.1f} {view.value.mean():.1f}")
+        (100, 145) 0.6 0.6
     """
     at = PlacedPoints.of(mesh, points)
     options = RayOptions.of(len(at), seed=seed, first_point=first_point, active=active)
