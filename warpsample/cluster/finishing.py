@@ -61,7 +61,7 @@ def finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks:
 
 def _finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks: list[int]) -> Iterator[tuple[int, Any]]:
     """(chunk, what its task tells): the next graph goes to the scheduler when half of the one before is done."""
-    from distributed import as_completed, futures_of
+    from distributed import CancelledError, as_completed, futures_of
 
     size = max(AT_A_TIME, 8 * sum(client.nthreads().values()))
     parts = iter([chunks[start : start + size] for start in range(0, len(chunks), size)])
@@ -86,6 +86,8 @@ def _finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks
                 check_workers_of(client, job)
                 heard = time.monotonic()
             time.sleep(_BEAT)
+    except CancelledError:  # it has forgotten them: with a cancel, what is sent again next may never be finished
+        raise
     except BaseException:  # of a task, of a signal's handler, or of who is told
         if client.status == "running":
             client.cancel(list(held))
