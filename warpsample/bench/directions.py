@@ -93,7 +93,7 @@ def measure_group(table: str, points: int, samples: int, cases: list[Any], repea
     fill = partial(out.fill, 0.0)
     works = {}
     for case in (FILL, *cases):
-        works[case] = fill if case == FILL else _work(normals, out, *case)
+        works[case] = fill if case == FILL else _work(normals, out, case)
         works["after", case] = fill
     seconds = timed(works, repeats, _BUDGET)
     return [
@@ -113,9 +113,8 @@ def measure_group(table: str, points: int, samples: int, cases: list[Any], repea
     ]
 
 
-def _work(
-    normals: np.ndarray, out: np.ndarray, case: Distribution, sequence: str, workers: int, pdf: bool
-) -> Callable[[], object]:
+def _work(normals: np.ndarray, out: np.ndarray, row: tuple[Distribution, str, int, bool]) -> Callable[[], object]:
+    case, sequence, workers, pdf = row
     if sequence == GIVEN:
         u = sample_square("independent", *out.shape[:2])
         return partial(case.sample, wp.array(u, dtype=wp.vec2, device="cpu", copy=False))
