@@ -109,7 +109,11 @@ def test_what_cannot_close_is_told():
 
 def test_a_warning_names_the_line_that_calls():
     """One ray of each face of a cube: by some seed they say that a face is seen by more than it can see."""
-    with pytest.warns(UserWarning, match="^view_factors: rows close to .* only; more rays will help$") as found:
+
+    def by_twenty_seeds():
         for seed in range(20):
             ws.view_factors(CUBE, 1, replicates=1, reciprocal=True, seed=seed)
+
+    with pytest.warns(UserWarning, match="^view_factors: rows close to .* only; more rays will help$") as found:
+        by_twenty_seeds()
     assert {warning.filename for warning in found} == {__file__}
