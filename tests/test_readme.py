@@ -66,7 +66,7 @@ def test_the_first_page_is_short(repository):
                 (6, r"^\(2080,\) 2\.7\n$"),
                 (7, r"^\(2080, 145\) True\n$"),
                 (8, r"^\(2080,\) 270 kWh/m2\n\(2080, 24\) 2021-06-21T12:00\n$"),
-                (9, r"^True 1\.0\n3\.7 W/m2, 1\.6 without other faces\n$"),
+                (9, r"^True 1\.0\n3\.9 W/m2, 1\.7 without other faces\n$"),
                 (10, r"^0\.7[45]\d* 6400\n$"),
             )
         ),

@@ -43,7 +43,7 @@ for name, case in CASES:
     shapes = every if getattr(case, "method", "") in ("polar", "offset") else (64,)
     for count in shapes if case.width == 3 else ():
         announce(name, case, count)
-        ws.sample_directions(normals, count, case, name)
+        ws.sample_directions(normals, count, distribution=case, sequence=name)
 for count in (1, 3, 64) if FIRST else ():
     announce("pdf and active", count)
     ws.sample_directions(normals, count, pdf=True, active=[True, False])
