@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.tracing.queries import CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, Accelerator
+from warpsample.tracing.queries import DIRECTION, ORIGIN, Accelerator, vector_in
 
 
 @wp.func
@@ -11,15 +11,9 @@ def prepare_builtin(chunk: wp.uint64, length: wp.int32):
 
 
 @wp.func
-def _vector(rows: wp.array[wp.float32], i: wp.int32) -> wp.vec3:
-    return wp.vec3(rows[i], rows[i + CHUNK], rows[i + 2 * CHUNK])
-
-
-@wp.func
 def builtin_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
     """The query of `wp.Mesh`, always for the nearest hit, since its any-hit query tells no face; visits are not known: 0."""
-    rows = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-    query = wp.mesh_query_ray(accelerator.mesh, _vector(rows, ORIGIN), _vector(rows, DIRECTION), reach)
+    query = wp.mesh_query_ray(accelerator.mesh, vector_in(column, ORIGIN), vector_in(column, DIRECTION), reach)
     face = wp.int32(-1)
     distance = wp.float32(wp.INF)
     if query.result and query.t < reach:
@@ -31,10 +25,9 @@ def builtin_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32
 @wp.func
 def builtin_any_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
     """Whether anything is met: distance 0 and face 0 if so, inf and -1 if not; the built-in query tells no more."""
-    rows = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     face = wp.int32(-1)
     distance = wp.float32(wp.INF)
-    if wp.mesh_query_ray_anyhit(accelerator.mesh, _vector(rows, ORIGIN), _vector(rows, DIRECTION), reach):
+    if wp.mesh_query_ray_anyhit(accelerator.mesh, vector_in(column, ORIGIN), vector_in(column, DIRECTION), reach):
         face = 0
         distance = 0.0
     return distance, face, 0, 0

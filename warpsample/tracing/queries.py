@@ -40,11 +40,15 @@ def column_of(chunk: wp.uint64, k: wp.int32) -> wp.uint64:
 
 
 @wp.func
+def vector_in(column: wp.uint64, row: wp.int32) -> wp.vec3:
+    """What is in a ray's column in three rows from one on."""
+    return wp.vec3(float_at(column, row), float_at(column, row + CHUNK), float_at(column, row + 2 * CHUNK))
+
+
+@wp.func
 def direction_of(chunk: wp.uint64, k: wp.int32) -> wp.vec3:
     """The direction of the k-th ray."""
-    return wp.vec3(
-        float_at(chunk, DIRECTION + k), float_at(chunk, DIRECTION + CHUNK + k), float_at(chunk, DIRECTION + 2 * CHUNK + k)
-    )
+    return vector_in(column_of(chunk, k), DIRECTION)
 
 
 @wp.func

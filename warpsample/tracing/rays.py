@@ -18,7 +18,17 @@ from warpsample.tracing.placement import (
     vector_in_double,
     way_to_scene,
 )
-from warpsample.tracing.queries import AHEAD, CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, REACH, Accelerator, AcceleratorArgs
+from warpsample.tracing.queries import (
+    AHEAD,
+    CHUNK,
+    CHUNK_FLOATS,
+    DIRECTION,
+    REACH,
+    Accelerator,
+    AcceleratorArgs,
+    set_direction,
+    set_origin,
+)
 from warpsample.tracing.scene import Scene
 from warpsample.tracing.tracers import Tracer
 from warpsample.tracing.wide.layout import SCRATCH
@@ -73,15 +83,10 @@ def _read(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.ui
             start += wp.copysign(origin_offset(rays.placement, n), forward) * n
         else:
             start = vec3_at(rays.placement.starts, wp.int64(2) * point + wp.where(forward < 0.0, wp.int64(1), wp.int64(0)))
-    rows = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-    rows[ORIGIN] = start[0]
-    rows[ORIGIN + CHUNK] = start[1]
-    rows[ORIGIN + 2 * CHUNK] = start[2]
-    rows[DIRECTION] = d[0]
-    rows[DIRECTION + CHUNK] = d[1]
-    rows[DIRECTION + 2 * CHUNK] = d[2]
-    rows[REACH] = wp.where(ahead < ZERO, -1.0, wp.float32(rays.placement.reach - ahead))
-    rows[AHEAD] = wp.float32(ahead)
+    set_origin(column, 0, start)
+    set_direction(column, 0, d)
+    set_float(column, REACH, wp.where(ahead < ZERO, -1.0, wp.float32(rays.placement.reach - ahead)))
+    set_float(column, AHEAD, wp.float32(ahead))
 
 
 @wp.func

@@ -2,8 +2,9 @@
 
 import warp as wp
 
+from warpsample.maths.memory import int_at
 from warpsample.maths.numerics import greater
-from warpsample.tracing.queries import CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, PREPARED
+from warpsample.tracing.queries import CHUNK, CHUNK_FLOATS, DIRECTION, ORIGIN, PREPARED, vector_in
 from warpsample.tracing.wide.layout import WIDTH
 
 _INVERSE, _SHIFT, _NEAR, _ORIGIN, _SHEAR, _AXES = (PREPARED + row * CHUNK for row in range(0, 18, 3))
@@ -13,7 +14,7 @@ RAY_WORKSPACE = 2 * WIDTH + 1
 
 _DIRECTION_BYTES = wp.constant(wp.uint64(4 * DIRECTION))
 _ROWS_OF_LEAF = wp.constant(wp.uint64(CHUNK // WIDTH))
-_ROW_BYTES = wp.constant(wp.int32(WIDTH * 4))
+_Y, _Z, _UPPER = (wp.constant(wp.int32(4 * WIDTH * rows)) for rows in (1, 2, 3))
 _SLOWEST = wp.constant(wp.float32(2.0**-60))
 
 
@@ -48,18 +49,14 @@ class Ray:
 
 @wp.struct
 class Prepared:
-    """The numbers of a `Ray` as float32 and numbers of rows, as rays are prepared side by side."""
+    """The numbers of a `Ray` in vectors, as rays are prepared side by side."""
 
     inverse: wp.vec3
     shift: wp.vec3
-    near_x: wp.int32
-    near_y: wp.int32
-    near_z: wp.int32
+    near: wp.vec3i
     origin: wp.vec3
     shear: wp.vec3
-    first: wp.int32
-    second: wp.int32
-    along: wp.int32
+    axes: wp.vec3i
 
 
 @wp.func
@@ -69,18 +66,12 @@ def _not_still(d: wp.float32) -> wp.float32:
 
 
 @wp.func
-def _bytes(rows: wp.int32) -> wp.float32:
-    """An offset by that many rows, as float32 of the same bits."""
-    return wp.cast(rows * _ROW_BYTES, wp.float32)
-
-
-@wp.func
 def prepared(o: wp.vec3, d: wp.vec3) -> Prepared:
     """A ray from o along the unit vector d.
 
-    A plane at x is met at x * inverse + shift. near: rows from an axis' lower row to that of the planes met first. along,
-    first, second: the row of the direction's longest axis and those of the other two, which are sheared along it until the
-    ray is that axis (Woop2013); origin: the origin's coordinates on first, second, along.
+    A plane at x is met at x * inverse + shift. near: bytes from an axis' lower row to that of the planes met first. axes:
+    bytes to the rows of three axes: first, second, and along, the direction's longest; the others are sheared along that
+    until the ray is that axis (Woop2013). origin: the origin's coordinates on them.
     """
     x = _not_still(d[0])
     y = _not_still(d[1])
@@ -94,9 +85,7 @@ def prepared(o: wp.vec3, d: wp.vec3) -> Prepared:
     p = Prepared()
     p.inverse = wp.vec3(inverse_x, inverse_y, inverse_z)
     p.shift = wp.vec3(-o[0] * inverse_x, -o[1] * inverse_y, -o[2] * inverse_z)
-    p.near_x = wp.where(x < 0.0, 3, 0)
-    p.near_y = wp.where(y < 0.0, 3, 0)
-    p.near_z = wp.where(z < 0.0, 3, 0)
+    p.near = wp.vec3i(wp.where(x < 0.0, _UPPER, 0), wp.where(y < 0.0, _UPPER, 0), wp.where(z < 0.0, _UPPER, 0))
     p.origin = wp.vec3(
         wp.where(to_z, o[0], wp.where(to_y, o[2], o[1])),
         wp.where(to_z, o[1], wp.where(to_y, o[0], o[2])),
@@ -107,9 +96,11 @@ def prepared(o: wp.vec3, d: wp.vec3) -> Prepared:
         -wp.where(to_z, y, wp.where(to_y, x, z)) * scale,
         wp.where(to_z, z, wp.where(to_y, y, x)),
     )
-    p.first = wp.where(to_z, 0, wp.where(to_y, 2, 1))
-    p.second = wp.where(to_z, 1, wp.where(to_y, 0, 2))
-    p.along = wp.where(to_z, 2, wp.where(to_y, 1, 0))
+    p.axes = wp.vec3i(
+        wp.where(to_z, 0, wp.where(to_y, _Z, _Y)),
+        wp.where(to_z, _Y, wp.where(to_y, 0, _Z)),
+        wp.where(to_z, _Z, wp.where(to_y, _Y, 0)),
+    )
     return p
 
 
@@ -117,6 +108,7 @@ def prepared(o: wp.vec3, d: wp.vec3) -> Prepared:
 def prepare_wide(chunk: wp.uint64, length: wp.int32):
     """Fills the other rows of a chunk's first rays, all at once."""
     rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
+    offsets = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.int32)
     k = wp.int32(0)
     while k < length:
         o = wp.vec3(rays[ORIGIN + k], rays[ORIGIN + CHUNK + k], rays[ORIGIN + 2 * CHUNK + k])
@@ -128,57 +120,59 @@ def prepare_wide(chunk: wp.uint64, length: wp.int32):
         rays[_SHIFT + k] = p.shift[0]
         rays[_SHIFT + CHUNK + k] = p.shift[1]
         rays[_SHIFT + 2 * CHUNK + k] = p.shift[2]
-        rays[_NEAR + k] = _bytes(p.near_x)
-        rays[_NEAR + CHUNK + k] = _bytes(p.near_y)
-        rays[_NEAR + 2 * CHUNK + k] = _bytes(p.near_z)
+        offsets[_NEAR + k] = p.near[0]
+        offsets[_NEAR + CHUNK + k] = p.near[1]
+        offsets[_NEAR + 2 * CHUNK + k] = p.near[2]
         rays[_ORIGIN + k] = p.origin[0]
         rays[_ORIGIN + CHUNK + k] = p.origin[1]
         rays[_ORIGIN + 2 * CHUNK + k] = p.origin[2]
         rays[_SHEAR + k] = p.shear[0]
         rays[_SHEAR + CHUNK + k] = p.shear[1]
         rays[_SHEAR + 2 * CHUNK + k] = p.shear[2]
-        rays[_AXES + k] = _bytes(p.first)
-        rays[_AXES + CHUNK + k] = _bytes(p.second)
-        rays[_AXES + 2 * CHUNK + k] = _bytes(p.along)
+        offsets[_AXES + k] = p.axes[0]
+        offsets[_AXES + CHUNK + k] = p.axes[1]
+        offsets[_AXES + 2 * CHUNK + k] = p.axes[2]
         k += 1
 
 
 @wp.func
-def _offset(bits: wp.float32) -> wp.uint64:
-    return wp.uint64(wp.cast(bits, wp.int32))
+def _ray(p: Prepared, direction: wp.uint64, rows_of_leaf: wp.uint64) -> Ray:
+    """A prepared ray whose direction is there."""
+    ray = Ray()
+    ray.inverse_x = p.inverse[0]
+    ray.inverse_y = p.inverse[1]
+    ray.inverse_z = p.inverse[2]
+    ray.shift_x = p.shift[0]
+    ray.shift_y = p.shift[1]
+    ray.shift_z = p.shift[2]
+    ray.near_x = wp.uint64(p.near[0])
+    ray.near_y = wp.uint64(p.near[1])
+    ray.near_z = wp.uint64(p.near[2])
+    ray.origin_first = p.origin[0]
+    ray.origin_second = p.origin[1]
+    ray.origin_along = p.origin[2]
+    ray.shear_first = p.shear[0]
+    ray.shear_second = p.shear[1]
+    ray.share_along = p.shear[2]
+    ray.first = wp.uint64(p.axes[0])
+    ray.second = wp.uint64(p.axes[1])
+    ray.along = wp.uint64(p.axes[2])
+    ray.direction = direction
+    ray.rows_of_leaf = rows_of_leaf
+    return ray
 
 
 @wp.func
 def ray_in(column: wp.uint64) -> Ray:
     """The ray whose column begins at that address."""
-    rows = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
-    ray = Ray()
-    ray.inverse_x = rows[_INVERSE]
-    ray.inverse_y = rows[_INVERSE + CHUNK]
-    ray.inverse_z = rows[_INVERSE + 2 * CHUNK]
-    ray.shift_x = rows[_SHIFT]
-    ray.shift_y = rows[_SHIFT + CHUNK]
-    ray.shift_z = rows[_SHIFT + 2 * CHUNK]
-    ray.near_x = _offset(rows[_NEAR])
-    ray.near_y = _offset(rows[_NEAR + CHUNK])
-    ray.near_z = _offset(rows[_NEAR + 2 * CHUNK])
-    ray.origin_first = rows[_ORIGIN]
-    ray.origin_second = rows[_ORIGIN + CHUNK]
-    ray.origin_along = rows[_ORIGIN + 2 * CHUNK]
-    ray.shear_first = rows[_SHEAR]
-    ray.shear_second = rows[_SHEAR + CHUNK]
-    ray.share_along = rows[_SHEAR + 2 * CHUNK]
-    ray.first = _offset(rows[_AXES])
-    ray.second = _offset(rows[_AXES + CHUNK])
-    ray.along = _offset(rows[_AXES + 2 * CHUNK])
-    ray.direction = column + _DIRECTION_BYTES
-    ray.rows_of_leaf = _ROWS_OF_LEAF
-    return ray
-
-
-@wp.func
-def _rows(rows: wp.int32) -> wp.uint64:
-    return wp.uint64(rows * _ROW_BYTES)
+    p = Prepared()
+    p.inverse = vector_in(column, _INVERSE)
+    p.shift = vector_in(column, _SHIFT)
+    p.near = wp.vec3i(int_at(column, _NEAR), int_at(column, _NEAR + CHUNK), int_at(column, _NEAR + 2 * CHUNK))
+    p.origin = vector_in(column, _ORIGIN)
+    p.shear = vector_in(column, _SHEAR)
+    p.axes = wp.vec3i(int_at(column, _AXES), int_at(column, _AXES + CHUNK), int_at(column, _AXES + 2 * CHUNK))
+    return _ray(p, column + _DIRECTION_BYTES, _ROWS_OF_LEAF)
 
 
 @wp.func
@@ -187,26 +181,4 @@ def ray_of(o: wp.vec3, d: wp.vec3, workspace: wp.array[wp.float32]) -> Ray:
     workspace[0] = d[0]
     workspace[WIDTH] = d[1]
     workspace[2 * WIDTH] = d[2]
-    p = prepared(o, d)
-    ray = Ray()
-    ray.inverse_x = p.inverse[0]
-    ray.inverse_y = p.inverse[1]
-    ray.inverse_z = p.inverse[2]
-    ray.shift_x = p.shift[0]
-    ray.shift_y = p.shift[1]
-    ray.shift_z = p.shift[2]
-    ray.near_x = _rows(p.near_x)
-    ray.near_y = _rows(p.near_y)
-    ray.near_z = _rows(p.near_z)
-    ray.origin_first = p.origin[0]
-    ray.origin_second = p.origin[1]
-    ray.origin_along = p.origin[2]
-    ray.shear_first = p.shear[0]
-    ray.shear_second = p.shear[1]
-    ray.share_along = p.shear[2]
-    ray.first = _rows(p.first)
-    ray.second = _rows(p.second)
-    ray.along = _rows(p.along)
-    ray.direction = workspace.ptr
-    ray.rows_of_leaf = wp.uint64(1)
-    return ray
+    return _ray(prepared(o, d), workspace.ptr, wp.uint64(1))
