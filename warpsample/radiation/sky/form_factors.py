@@ -12,13 +12,10 @@ import warp as wp
 from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
 from warpsample.radiation.sky.patches import SkyPatches
 
-COLUMNS = 20
-"""float64 of a patch: see `table_of`."""
-
 FAINT = 2.0**-12
 """A cosine to the normal below which rays are not cast: what lies so low adds 1e-8 of a patch's azimuths."""
 
-_COLUMN_BYTES = wp.constant(wp.uint64(8 * COLUMNS))
+_COLUMNS = 20  # of the table
 _FAINT = wp.constant(wp.float64(FAINT))
 _PI = wp.constant(wp.float64(np.pi))
 _INVERSE_PI = wp.constant(wp.float64(1.0 / np.pi))
@@ -30,7 +27,8 @@ class Patch:
     """A patch as kernels see it; angles in radians, in the patches' frame.
 
     Azimuths, their sines and cosines, half the chord's sagitta; sines, cosines and tangents of the altitudes of the lower
-    and the upper edge; the integrals of cos^2 up to them; the moment: the integral of the direction over the patch.
+    and the upper edge; the integrals of cos^2 up to them; the moment: the integral of the direction over the patch; how much
+    lower than the zenith the upper and the lower edge are.
     """
 
     first: wp.float64
@@ -49,12 +47,14 @@ class Patch:
     tan_high: wp.float64
     along_high: wp.float64
     moment: wp.vec3d
+    top: wp.float64
+    bottom: wp.float64
 
 
 def table_of(patches: SkyPatches) -> np.ndarray:
-    """(K, COLUMNS) float64: the numbers of `Patch`, and how much lower than the zenith the upper and the lower edge are."""
+    """(K, 20) float64: the numbers of `Patch`."""
     (low, high), (first, last) = np.radians(patches.altitudes).T, np.radians(patches.azimuths).T
-    table = np.zeros((len(patches), COLUMNS))
+    table = np.zeros((len(patches), _COLUMNS))
     table[:, 0:6] = np.stack([first, last, np.sin(first), np.cos(first), np.sin(last), np.cos(last)], axis=1)
     table[:, 6] = np.where(last - first > np.pi, 2.0, 1.0 - np.cos(0.5 * (last - first)))
     for column, altitude in ((7, low), (11, high)):
@@ -73,25 +73,7 @@ def table_of(patches: SkyPatches) -> np.ndarray:
 @wp.func
 def patch_at(table: wp.uint64, k: wp.int32) -> Patch:
     """The k-th patch."""
-    row = wp.array(ptr=table + wp.uint64(k) * _COLUMN_BYTES, shape=(COLUMNS,), dtype=wp.float64)
-    patch = Patch()
-    patch.first = row[0]
-    patch.last = row[1]
-    patch.sin_first = row[2]
-    patch.cos_first = row[3]
-    patch.sin_last = row[4]
-    patch.cos_last = row[5]
-    patch.bulge = row[6]
-    patch.sin_low = row[7]
-    patch.cos_low = row[8]
-    patch.tan_low = row[9]
-    patch.along_low = row[10]
-    patch.sin_high = row[11]
-    patch.cos_high = row[12]
-    patch.tan_high = row[13]
-    patch.along_high = row[14]
-    patch.moment = wp.vec3d(row[15], row[16], row[17])
-    return patch
+    return wp.array(ptr=table, shape=(k + 1,), dtype=Patch)[k]
 
 
 @wp.func

@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsample.maths.memory import float_at
 from warpsample.maths.numerics import ONE, TWO, ZERO, greater, lesser
-from warpsample.radiation.sky.form_factors import COLUMNS, FAINT, Patch, highest
+from warpsample.radiation.sky.form_factors import FAINT, Patch, highest
 from warpsample.radiation.sky.spreading import LEAST, Slope, column_at, cube_root, slope_of, turned_by, weight_of
 from warpsample.sequences.fibonacci import fibonacci_sample
 from warpsample.sequences.hashing import ONE_WORD, one_of, stream_key
@@ -18,7 +18,6 @@ WEIGHTS = 2 * CHUNK
 
 _FAINT = wp.constant(wp.float32(FAINT))
 _LEAST_CUBE = wp.constant(wp.float32(1e-12))
-_COLUMN_BYTES = wp.constant(wp.uint64(8 * COLUMNS))
 _hit = first_hit(True)
 _prepare = prepare_rays()
 
@@ -143,8 +142,7 @@ def sum_rays(
     all = ZERO
     all_first = ZERO
     cast = wp.int32(0)
-    row = wp.array(ptr=sky.table + wp.uint64(k) * _COLUMN_BYTES, shape=(COLUMNS,), dtype=wp.float64)
-    slope = slope_of(n, patch, row)
+    slope = slope_of(n, patch)
     for at in range(0, 2 * each, CHUNK):
         length = wp.min(CHUNK, 2 * each - at)
         _spread(sky, point, slope, k, each, at, whole_vectors(length))

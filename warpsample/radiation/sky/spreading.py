@@ -89,14 +89,14 @@ def weight_of(column: wp.vec4) -> wp.float32:
 
 
 @wp.func
-def slope_of(n: wp.vec3d, patch: Patch, row: wp.array[wp.float64]) -> Slope:
+def slope_of(n: wp.vec3d, patch: Patch) -> Slope:
     """How a patch is spread; its columns weigh about as the square of what is linear between its sides."""
     slope = Slope()
     slope.nx = wp.float32(n[0])
     slope.ny = wp.float32(n[1])
     slope.nz = wp.float32(n[2])
-    slope.top = wp.float32(row[18])
-    slope.bottom = wp.float32(row[19])
+    slope.top = wp.float32(patch.top)
+    slope.bottom = wp.float32(patch.bottom)
     first, width = _azimuths(n, patch)
     slope.first = first
     slope.width = width
