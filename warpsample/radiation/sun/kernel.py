@@ -56,94 +56,79 @@ def _keeper(disc: bool) -> wp.Function:
     return keep
 
 
-@once
-def _points() -> wp.Function:
-    """A function that looks at the suns of a group, each a point."""
-    keep = _keeper(False)
-
-    @wp.func
-    def look(
-        suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, shaft: wp.uint64, state: wp.int32
-    ):
-        aimed = wp.int32(0)
-        k = wp.int32(0)
-        while k < GROUP:
-            cosine = cosine_to(view.point.n, sun_of(suns, group, k))
-            if cosine > ZERO and state != DARK:
-                column = sun_number(suns, group, k)
-                if state == LIT and cosine >= LEAST_COSINE:
-                    add(view, PROVEN, 1)
-                    keep(suns, view, column, 1.0, cosine)
-                else:
-                    if aimed == 0:
-                        aim_at_group(suns, seen, view, group)
-                        aimed = 1
-                    cast = word(view, CAST)
-                    if not blocked(suns, whole, seen, view, k, cosine):
-                        keep(suns, view, column, 1.0, cosine)
-                    elif shaft != wp.uint64(0) and cast != word(view, CAST):  # by a triangle that was not known
-                        state = wp.where(darkened(view, shaft), DARK, state)
-            k += 1
-
-    return look
+_keep_whole, _keep_share = _keeper(False), _keeper(True)
 
 
-@once
-def _disc_share() -> wp.Function:
-    """A function that samples a sun's disc."""
+@wp.func
+def _look_at_points(
+    suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, shaft: wp.uint64, state: wp.int32
+):
+    """Looks at the suns of a group, each a point."""
+    aimed = wp.int32(0)
+    k = wp.int32(0)
+    while k < GROUP:
+        cosine = cosine_to(view.point.n, sun_of(suns, group, k))
+        if cosine > ZERO and state != DARK:
+            column = sun_number(suns, group, k)
+            if state == LIT and cosine >= LEAST_COSINE:
+                add(view, PROVEN, 1)
+                _keep_whole(suns, view, column, 1.0, cosine)
+            else:
+                if aimed == 0:
+                    aim_at_group(suns, seen, view, group)
+                    aimed = 1
+                cast = word(view, CAST)
+                if not blocked(suns, whole, seen, view, k, cosine):
+                    _keep_whole(suns, view, column, 1.0, cosine)
+                elif shaft != wp.uint64(0) and cast != word(view, CAST):  # by a triangle that was not known
+                    state = wp.where(darkened(view, shaft), DARK, state)
+        k += 1
 
-    @wp.func
-    def share_of(
-        suns: Suns, whole: Accelerator, seen: Accelerator, view: View, column: wp.int32, sun: wp.vec3, state: wp.int32
-    ) -> wp.float32:
-        """The share of a disc that is above the horizon and not blocked; none is if it is LIT."""
-        dark = wp.int32(0)
-        aim_at_disc(suns, seen, view, column, sun)
-        k = wp.int32(0)
-        while k < DISC_RAYS:
-            cosine = cosine_to(view.point.n, direction_of(view.point.chunk, k))
-            if cosine <= ZERO:
-                dark += 1
-            elif state != LIT or cosine < LEAST_COSINE:
-                dark += wp.where(blocked(suns, whole, seen, view, k, cosine), 1, 0)
-            k += 1
-        return wp.float32(DISC_RAYS - dark) / wp.float32(DISC_RAYS)
 
-    return share_of
+@wp.func
+def _share_of(
+    suns: Suns, whole: Accelerator, seen: Accelerator, view: View, column: wp.int32, sun: wp.vec3, state: wp.int32
+) -> wp.float32:
+    """The share of a disc that is above the horizon and not blocked; none is if it is LIT."""
+    dark = wp.int32(0)
+    aim_at_disc(suns, seen, view, column, sun)
+    k = wp.int32(0)
+    while k < DISC_RAYS:
+        cosine = cosine_to(view.point.n, direction_of(view.point.chunk, k))
+        if cosine <= ZERO:
+            dark += 1
+        elif state != LIT or cosine < LEAST_COSINE:
+            dark += wp.where(blocked(suns, whole, seen, view, k, cosine), 1, 0)
+        k += 1
+    return wp.float32(DISC_RAYS - dark) / wp.float32(DISC_RAYS)
 
 
-@once
-def _discs() -> wp.Function:
-    """A function that looks at the suns of a group, each a disc."""
-    keep, share_of = _keeper(True), _disc_share()
-
-    @wp.func
-    def look(
-        suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, shaft: wp.uint64, state: wp.int32
-    ):
-        k = wp.int32(0)
-        while k < GROUP:
-            sun = sun_of(suns, group, k)
-            cosine = cosine_to(view.point.n, sun)
-            if cosine > ZERO:
-                column = sun_number(suns, group, k)
-                own = state
-                if state == MET and view.skips and shaft != wp.uint64(0):
-                    own = proven(seen, view, suns.disc_shafts + wp.uint64(group * GROUP + k) * GROUP_BYTES)
-                if own == LIT and cosine > suns.sine + _WHOLE:
-                    add(view, PROVEN, 1)
-                    keep(suns, view, column, 1.0, cosine)
-                elif own != DARK:
-                    keep(suns, view, column, share_of(suns, whole, seen, view, column, sun, own), cosine)
-            k += 1
-
-    return look
+@wp.func
+def _look_at_discs(
+    suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, shaft: wp.uint64, state: wp.int32
+):
+    """Looks at the suns of a group, each a disc."""
+    k = wp.int32(0)
+    while k < GROUP:
+        sun = sun_of(suns, group, k)
+        cosine = cosine_to(view.point.n, sun)
+        if cosine > ZERO:
+            column = sun_number(suns, group, k)
+            own = state
+            if state == MET and view.skips and shaft != wp.uint64(0):
+                own = proven(seen, view, suns.disc_shafts + wp.uint64(group * GROUP + k) * GROUP_BYTES)
+            if own == LIT and cosine > suns.sine + _WHOLE:
+                add(view, PROVEN, 1)
+                _keep_share(suns, view, column, 1.0, cosine)
+            elif own != DARK:
+                _keep_share(suns, view, column, _share_of(suns, whole, seen, view, column, sun, own), cosine)
+        k += 1
 
 
 @once
 def _looker(disc: bool) -> wp.Function:
     """A function that looks at all suns."""
-    look = _discs() if disc else _points()
+    look = _look_at_discs if disc else _look_at_points
 
     @wp.func
     def look_all(suns: Suns, accelerator: Accelerator, view: View):
