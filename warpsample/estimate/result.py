@@ -57,8 +57,28 @@ class Skipped:
     unneeded_rays: int = 0
 
 
+class PointCounts:
+    """Counts points by their `status`."""
+
+    status: np.ndarray
+
+    def counts(self) -> dict[PointStatus, int]:
+        """How many points have each status; those that occur.
+
+        Returns:
+            {status: number of points, at least 1}.
+
+        Example:
+            >>> mesh, active = ws.load_mesh("courtyard"), np.arange(100) < 40
+            >>> found = ws.ambient_occlusion(mesh, ws.sample_surface(mesh, 100), 64, active=active)
+            >>> print({status.name: number for status, number in found.counts().items()})
+            {'OK': 40, 'INACTIVE': 60}
+        """
+        return {PointStatus(code): int(n) for code, n in enumerate(np.bincount(self.status)) if n}
+
+
 @dataclass(frozen=True, eq=False)
-class Estimate:
+class Estimate(PointCounts):
     """A number for each of P points.
 
     Attributes:
@@ -125,20 +145,6 @@ class Estimate:
         level = check_number(level, "level", 0.01, 0.9999)
         lower, upper = interval_of(self.value, self.spread, self.degrees_of_freedom, level)
         return Interval(*(np.clip(end, *np.float32(self.possible)) for end in (lower, upper)))
-
-    def counts(self) -> dict[PointStatus, int]:
-        """How many points have each status; those that occur.
-
-        Returns:
-            {status: number of points, at least 1}.
-
-        Example:
-            >>> mesh, active = ws.load_mesh("courtyard"), np.arange(100) < 40
-            >>> found = ws.ambient_occlusion(mesh, ws.sample_surface(mesh, 100), 64, active=active)
-            >>> print({status.name: number for status, number in found.counts().items()})
-            {'OK': 40, 'INACTIVE': 60}
-        """
-        return {PointStatus(code): int(n) for code, n in enumerate(np.bincount(self.status)) if n}
 
     def to_polydata(self, on: Any, at: Literal["vertices", "faces"] | None = None) -> "PolyData":
         """The numbers on what they are of, as PyVista's PolyData.

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.estimate.result import PointStatus
+from warpsample.estimate.result import PointCounts
 from warpsample.host.arguments import told
 from warpsample.host.files import check_output, complete_or_absent, write_arrays
 from warpsample.radiation.exchange.matrix_files import write_matrix
@@ -36,7 +36,7 @@ class SkySkipped:
 
 
 @dataclass(frozen=True, eq=False)
-class SkyMatrix:
+class SkyMatrix(PointCounts):
     """The share of its lobe that each of K patches lights at each of P points; or sums over the patches.
 
     Attributes:
@@ -59,20 +59,6 @@ class SkyMatrix:
     skipped: SkySkipped
     patches: SkyPatches
     folded: bool = False
-
-    def counts(self) -> dict[PointStatus, int]:
-        """How many points have each status; those that occur.
-
-        Returns:
-            {status: number of points, at least 1}.
-
-        Example:
-            >>> mesh = ws.load_mesh("courtyard")
-            >>> seen = ws.sky_matrix(mesh, ws.sample_surface(mesh, 100), 64)
-            >>> print({status.name: number for status, number in seen.counts().items()})
-            {'OK': 100}
-        """
-        return {PointStatus(code): int(n) for code, n in enumerate(np.bincount(self.status)) if n}
 
     def save(self, path: Any) -> None:
         r"""Writes a file, complete or not at all.
