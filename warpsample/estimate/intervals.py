@@ -18,13 +18,12 @@ from typing import NamedTuple
 import numpy as np
 import warp as wp
 
+from warpsample.maths.numerics import ONE, TWO, ZERO
+
 _HALF_A_RAY, _IF_ALL_AGREE, _IF_ONE_DIFFERS = 0.25, 1.64**2, 3.85  # variances of what no ray has met, in rays squared
 _WORTH_IF_ALL_AGREE = 9.0
 _WORTH_OF_COUNTS = 16.0  # differences: the variance varies by a third of itself from edge to edge, at 4 to 8 samples
 _WORTH_OF_WEIGHTS = 4.0  # by how much an edge changes a weight is not known, but read off the rays
-_ZERO = wp.constant(wp.float64(0.0))
-_ONE = wp.constant(wp.float64(1.0))
-_TWO = wp.constant(wp.float64(2.0))
 _THREE = wp.constant(wp.float64(3.0))
 
 
@@ -115,16 +114,16 @@ def posterior(
     worth = wp.where(mixed > 0, prior.worth, prior.worth_if_all_agree)
     of_ray = wp.where(fewer == 1, prior.unseen_if_one_differs, prior.unseen)
     edges = expected + wp.where(mixed > 0, of_ray, prior.unseen_if_all_agree) * unseen
-    seen = wp.where(mixed > 0, variance - rest, _ZERO)
+    seen = wp.where(mixed > 0, variance - rest, ZERO)
     if seen > edges:
         worth *= (edges / seen) * (edges / seen)
     degrees = worth + wp.float64(mixed)
-    shrunk = (worth * edges + wp.float64(mixed) * wp.max(seen, _ZERO)) / degrees  # rounding leaves seen below 0
+    shrunk = (worth * edges + wp.float64(mixed) * wp.max(seen, ZERO)) / degrees  # rounding leaves seen below 0
     square = shrunk + rest
-    if rest > _ZERO:
+    if rest > ZERO:
         # Welch and Satterthwaite; of normal differences, E[d^4] = 3 E[d^2]^2.
-        own = wp.clamp(_THREE * (rest / fourth) * rest - _TWO, _ONE, wp.float64(strata))
+        own = wp.clamp(_THREE * (rest / fourth) * rest - TWO, ONE, wp.float64(strata))
         first = shrunk / square
         second = rest / square
-        degrees = _ONE / (first * first / degrees + second * second / own)
+        degrees = ONE / (first * first / degrees + second * second / own)
     return square, degrees

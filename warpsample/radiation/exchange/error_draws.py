@@ -4,6 +4,7 @@ import numpy as np
 
 from warpsample.radiation.exchange.closure import rows_of
 from warpsample.radiation.exchange.row_shares import Shares
+from warpsample.radiation.exchange.surfaces import quotients
 
 _FEWEST, _MOST = 16, 128
 """Draws. 16 tell a bar to 1 / sqrt(2 * 16), a sixth, at worst, and far better where an error is mostly its own.
@@ -31,11 +32,11 @@ class ErrorDraws:
         variances = [shares.variance, *(shares.others[name][1] for name in _LOST)]
         parts = [np.zeros(len(variance)) for variance in variances]
         for _ in range(_PASSES):
-            free = [_quotients(variance, 1.0 - part) for variance, part in zip(variances, parts, strict=True)]
-            parts = [_quotients(one, whole) for one, whole in zip(free, self._of_rows(free), strict=True)]
+            free = [quotients(variance, 1.0 - part) for variance, part in zip(variances, parts, strict=True)]
+            parts = [quotients(one, whole) for one, whole in zip(free, self._of_rows(free), strict=True)]
         # Where a few cannot add up to nothing as they are, as two that must be alike, all of a row are as large as said.
         left = self._of_rows([one * (1.0 - part) for one, part in zip(free, parts, strict=True)])
-        more = [_quotients(*sums) for sums in zip(self._of_rows(variances), left, strict=True)]
+        more = [quotients(*sums) for sums in zip(self._of_rows(variances), left, strict=True)]
         self._sizes, self._parts = [np.sqrt(one * scale) for one, scale in zip(free, more, strict=True)], parts
         self._of_outside = {name: _split(shares, name) for name in ("sky", "ground") if name in shares.others}
         lengths = [len(part) for part in (*parts, *(size for _, size in self._of_outside.values()))]
@@ -62,13 +63,8 @@ class ErrorDraws:
 def _split(shares: Shares, name: str) -> tuple[np.ndarray, np.ndarray]:
     """By how much of the error of `outside` the sky or the ground errs, and how large what it errs by itself is."""
     (outside, whole), (value, variance) = shares.others["outside"], shares.others[name]
-    part = np.minimum(_quotients(value, outside), np.sqrt(_quotients(variance, whole)))
+    part = np.minimum(quotients(value, outside), np.sqrt(quotients(variance, whole)))
     return part, np.sqrt(np.maximum(variance - np.square(part) * whole, 0.0))
-
-
-def _quotients(above: np.ndarray, below: np.ndarray) -> np.ndarray:
-    """above / below, 0 where that is 0."""
-    return np.divide(above, below, out=np.zeros_like(above), where=below > 0.0)
 
 
 def _balanced(errors: int) -> tuple[np.ndarray, np.ndarray]:

@@ -12,6 +12,7 @@ import numpy as np
 from warpsample.estimate.result import Skipped
 from warpsample.host.arguments import check_file, naming_file, told
 from warpsample.host.files import check_output, complete_or_absent, read_arrays, write_arrays
+from warpsample.radiation.exchange.closure import rows_of
 from warpsample.radiation.exchange.radiosity import check_rows
 from warpsample.radiation.exchange.row_shares import matrices_of
 
@@ -142,7 +143,7 @@ def _write_npz(factors: "ViewFactors", stream: BinaryIO) -> None:
 def _write_sparse(factors: "ViewFactors", stream: BinaryIO) -> None:
     """Lines "i j F" from 1 on, sorted; what would print as 0 in uDALES' own six decimals is left out, as it does."""
     matrix = factors.matrix
-    row = np.repeat(np.arange(matrix.shape[0]), np.diff(matrix.indptr))
+    row = rows_of(matrix.indptr)
     for first in range(0, matrix.nnz, _LINES):
         part = slice(first, first + _LINES)
         large = matrix.data[part] >= _LEAST

@@ -45,13 +45,13 @@ def surfaces_of(areas: np.ndarray, cast: np.ndarray, groups: np.ndarray | None) 
     """
     active = np.where(cast, areas, 0.0)
     if groups is None:
-        return Surfaces(None, areas, cast.astype(np.float64), _quotients(np.ones(len(areas)), active))
+        return Surfaces(None, areas, cast.astype(np.float64), quotients(np.ones(len(areas)), active))
     size = int(groups.max()) + 1
     sums, squares = np.bincount(groups, active, size), np.bincount(groups, np.square(active), size)
-    return Surfaces(groups, np.bincount(groups, areas, size), _quotients(active, sums[groups]), _quotients(sums, squares))
+    return Surfaces(groups, np.bincount(groups, areas, size), quotients(active, sums[groups]), quotients(sums, squares))
 
 
-def _quotients(above: np.ndarray, below: np.ndarray) -> np.ndarray:
+def quotients(above: np.ndarray, below: np.ndarray) -> np.ndarray:
     """above / below, 0 where that is 0."""
     return np.divide(above, below, out=np.zeros_like(above), where=below > 0.0)
 

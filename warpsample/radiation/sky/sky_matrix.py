@@ -174,21 +174,9 @@ class _Rows:
         if not points:
             return
         self.placement.order = 0 if order is None else order.ctypes.data
-        arrays = {
-            "normals": plan.at.normal,
-            "table": self.table,
-            "shafts": self.shafts,
-            "frame": self.frame,
-            "begins": self.begins,
-            "group_shafts": self.group_shafts,
-            "value": value,
-            "error": error,
-            "cast": self.cast,
-            "open": self.open,
-            "closed": self.closed,
-            "below": self.below,
-            "status": self.status,
-        }
+        own = ("table", "shafts", "frame", "begins", "group_shafts", "cast", "open", "closed", "below", "status")
+        arrays = {name: getattr(self, name) for name in own}
+        arrays |= {"normals": plan.at.normal, "value": value, "error": error}
         rows = SkyRowsArgs(
             placement=self.placement,
             seed=seed_for("sky", options.seed),
