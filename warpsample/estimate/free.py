@@ -98,13 +98,13 @@ def _sum_of(row: wp.uint64, length: wp.int32) -> wp.float64:
 
 @once
 def free_lobe(slots: Slots) -> wp.Function:
-    """A function that sums a lobe that nothing blocks, as `weighed_lobe` does one with a mesh."""
+    """A function that sums a lobe that nothing blocks, as `traced_lobe` does one with a mesh."""
     fill_stream, evaluate, widths = _stream_fill(slots), _block_values(slots), widths_of(slots)
     struct, channels = slots.struct, slots.channels
 
     @wp.func
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
-        """What `counted_lobe` gives; the workspace has a block of variates and its values."""
+        """What `traced_lobe` gives; the workspace has a block of variates and its values."""
         total = NOTHING
         variance = NOTHING
         unseen = NOTHING

@@ -3,7 +3,7 @@
 import warp as wp
 
 from warpsample.estimate.free import BLOCK, free_lobe
-from warpsample.estimate.lobe import NOTHING, counted_lobe, weighed_lobe
+from warpsample.estimate.lobe import NOTHING, traced_lobe
 from warpsample.estimate.lobes import NONFINITE_VALUE, Lobes
 from warpsample.estimate.rays import SQUARE_FLOATS
 from warpsample.estimate.slots import Slots
@@ -44,7 +44,7 @@ def _keep(channels: int) -> wp.Function:
 def _estimator(slots: Slots) -> wp.Function:
     """A function that estimates one point."""
     struct, upward, traced, keep = slots.struct, slots.upward, slots.query is not None, _keep(slots.channels)
-    sum_lobe = free_lobe(slots) if slots.query is None else (counted_lobe if slots.counts else weighed_lobe)(slots)
+    sum_lobe = (free_lobe if slots.query is None else traced_lobe)(slots)
 
     @wp.func
     def estimate_point(lobes: Lobes, accelerator: Accelerator, data: struct, visit: wp.int64, workspace: ShadingPoint):

@@ -7,7 +7,7 @@ from warpsample.estimate.lobes import Lobes, found_in
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.stratum import jump_of, stratum_sum
 from warpsample.host.locks import once
-from warpsample.maths.numerics import HALF, ONE, ZERO
+from warpsample.maths.numerics import HALF, ONE
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.sight.frontier import open_around
 from warpsample.tracing.sight.point import ShadingPoint
@@ -84,66 +84,15 @@ def search_of(slots: Slots) -> wp.Function:
 
 
 @once
-def counted_lobe(slots: Slots) -> wp.Function:
-    """A function that sums a lobe whose rays add 1 or 0: scalars, and where all rays agree their difference is 0."""
-    constant, struct = slots.constant, slots.struct
-    open_lobe, search, sum_stratum, widths = opened_for(slots), search_of(slots), stratum_sum(slots), widths_of(slots)
-
-    @wp.func
-    def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
-        """(sum of all rays' weights, squares of its standard error and spread, degrees, rays cast, in empty strata)."""
-        hits = wp.int32(0)
-        squared = ZERO
-        edges = ZERO
-        mixed = wp.int32(0)
-        fewer = wp.int32(0)
-        cast = wp.int32(0)
-        empty = wp.int32(0)
-        seen, local, shafts = open_lobe(lobes, accelerator, point)
-        anything = wp.where(seen.starts == 0 and local == 0, 0, 1)
-        for sector in range(lobes.sectors):
-            sector_found = anything
-            for step in range(wp.where(lobes.bands == 1, 1, 0), lobes.bands + 1):  # the whole sector, then its bands
-                found, stratum_local = search(
-                    lobes, seen, point, sector * (lobes.bands + 1) + step, sector_found, local, shafts
-                )
-                if step == 0:
-                    sector_found = found
-                elif wp.static(constant) and found == 0:
-                    empty += 2 * lobes.samples_per_stratum
-                    hits += 2 * lobes.samples_per_stratum
-                else:
-                    empty += wp.where(found == 0, 2 * lobes.samples_per_stratum, 0)
-                    _add, difference, rays, free, _w = sum_stratum(
-                        lobes, seen, data, point, sector * lobes.bands + step - 1, found, stratum_local
-                    )
-                    cast += rays
-                    hits += free
-                    squared += difference[0] * difference[0]
-                    if free > 0 and free < 2 * lobes.samples_per_stratum:
-                        edges += edge_variance(free, 2 * lobes.samples_per_stratum, lobes.edge)
-                        mixed += 1
-                        fewer += wp.min(free, 2 * lobes.samples_per_stratum - free)
-        strata = lobes.bands * lobes.sectors
-        variance = wp.vec3d(squared, ZERO, ZERO)
-        expected = wp.vec3d(edges, ZERO, ZERO)
-        unseen = wp.vec3d(wp.float64(strata), ZERO, ZERO)
-        width, degrees = widths(variance, expected, unseen, NOTHING, NOTHING, mixed, fewer, strata)
-        return wp.vec3d(wp.float64(hits), ZERO, ZERO), variance, width, degrees, cast, empty
-
-    return sum_lobe
-
-
-@once
-def weighed_lobe(slots: Slots) -> wp.Function:
-    """A function that sums a lobe whose rays add any weights."""
+def traced_lobe(slots: Slots) -> wp.Function:
+    """A function that sums a lobe that a mesh may block."""
     constant, struct, open_jump = slots.constant, slots.struct, ONE if slots.any_hit else HALF
     open_lobe, search, sum_stratum, widths = opened_for(slots), search_of(slots), stratum_sum(slots), widths_of(slots)
     jump_at = jump_of(slots)
 
     @wp.func
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
-        """What `counted_lobe` gives, for any weights."""
+        """(sum of all rays' weights, squares of its standard error and spread, degrees, rays cast, in empty strata)."""
         total = NOTHING
         variance = NOTHING
         mixed = wp.int32(0)
@@ -158,7 +107,7 @@ def weighed_lobe(slots: Slots) -> wp.Function:
         anything = wp.where(seen.starts == 0 and local == 0, 0, 1)
         for sector in range(lobes.sectors):
             sector_found = anything
-            for step in range(wp.where(lobes.bands == 1, 1, 0), lobes.bands + 1):
+            for step in range(wp.where(lobes.bands == 1, 1, 0), lobes.bands + 1):  # the whole sector, then its bands
                 found, stratum_local = search(
                     lobes, seen, point, sector * (lobes.bands + 1) + step, sector_found, local, shafts
                 )
