@@ -6,7 +6,7 @@ from warpsample.host.locks import once
 from warpsample.maths.memory import int_at, set_byte
 from warpsample.radiation.exchange.face_rays import FaceRays, face_at, horizon_margin, lowest_start
 from warpsample.tracing.queries import Accelerator
-from warpsample.tracing.sight.above import stands_above
+from warpsample.tracing.sight.frontier import stands_above
 from warpsample.tracing.sight.point import point_in, workspace_floats
 
 _FLOATS = workspace_floats(0, 0)

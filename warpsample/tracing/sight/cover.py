@@ -4,8 +4,7 @@ import warp as wp
 
 from warpsample.maths.numerics import lesser
 from warpsample.tracing.sight.shafts import corner_of
-from warpsample.tracing.wide.corners import corner, size_of
-from warpsample.tracing.wide.layout import WIDTH
+from warpsample.tracing.wide.layout import WIDTH, corner, size_of
 
 _FLAT = wp.constant(wp.float32(2.0**-40))  # times the cubed distance: float64 tells a height by 2^-50 of it
 

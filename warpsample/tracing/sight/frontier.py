@@ -13,14 +13,26 @@ from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.sight.leaves import clear_leaf, copy_triangle, lengthen
 from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint
 from warpsample.tracing.wide.boxes import PADDING
-from warpsample.tracing.wide.corners import highest_corner
-from warpsample.tracing.wide.layout import LINKS, MOST_STARTS, NODE_BYTES, WIDTH, edge_in, leaf_at, link_in, node_at
+from warpsample.tracing.wide.layout import (
+    LINKS,
+    MOST_STARTS,
+    NODE_BYTES,
+    WIDTH,
+    edge_in,
+    highest_corner,
+    leaf_at,
+    link_in,
+    node_at,
+)
+from warpsample.tracing.wide.walk import tree_walk
 
 _NODE_FLOATS = NODE_BYTES // 4
 _PADDING = wp.constant(wp.float32(PADDING))
 _NOWHERE = wp.constant(wp.float32(2.0**60))
 _MOST_ENTRIES = wp.constant(wp.int32(MOST_STARTS * WIDTH))
 _MOST_OPENED = 2 * WIDTH
+_VISITS = wp.constant(wp.int32(256))  # nodes and leaves that are looked into: as long as a few dozen rays take
+_ANYWHERE = wp.constant(wp.float32(wp.INF))
 
 
 @wp.func
@@ -166,3 +178,38 @@ def open_around(tree: Accelerator, point: ShadingPoint):
             tree.start = point.opened
             tree.starts = starts
     return tree, local, opened
+
+
+@wp.struct
+class Above:
+    """A plane, above which x n is at least the limit."""
+
+    n: wp.vec3
+    limit: wp.float32
+
+
+@wp.func
+def _enter(node: wp.uint64, plane: Above):
+    """Mask of the children whose boxes reach above the plane."""
+    mask, _around = visible(node, wp.vec3(0.0), plane.n, limit_of_boxes(plane.limit, plane.n), _ANYWHERE)
+    return mask
+
+
+@wp.func
+def _look(leaf: wp.uint64, plane: Above, found: wp.bool):
+    """(whether a triangle reaches above the plane, whether that is enough)."""
+    found = triangles_above(leaf, plane.n, plane.limit) != 0
+    return found, found
+
+
+_walk = tree_walk(_enter, _look, Above, wp.bool)
+
+
+@wp.func
+def stands_above(tree: Accelerator, n: wp.vec3, limit: wp.float32, scratch: wp.uint64) -> wp.bool:
+    """Whether a triangle reaches as far along n as the limit, or so many visits do not tell."""
+    plane = Above()
+    plane.n = n
+    plane.limit = limit
+    found, spent = _walk(tree, plane, wp.bool(False), _VISITS, scratch)
+    return found or spent

@@ -15,8 +15,7 @@ from warpsample.maths.memory import float_at, vec3_at
 from warpsample.maths.numerics import fma, greater, lesser
 from warpsample.tracing.sight.point import SHAFT_FLOATS, ShadingPoint
 from warpsample.tracing.wide.boxes import PADDING
-from warpsample.tracing.wide.corners import corner, size_of
-from warpsample.tracing.wide.layout import WIDTH
+from warpsample.tracing.wide.layout import WIDTH, corner, size_of
 
 PLANES, CORNERS = 5, 4
 """How many planes and corners a shaft has."""

@@ -1,15 +1,64 @@
-"""The faces that touch a point, or are within a little of it: a walk over all of them."""
+"""The faces that touch a point, or are within a little of it: a few too many, never one too few."""
 
 from typing import Any
 
 import warp as wp
 
 from warpsample.host.locks import once
-from warpsample.maths.numerics import lowest_bit
+from warpsample.maths.numerics import greater, lesser, lowest_bit
 from warpsample.tracing.queries import Accelerator
-from warpsample.tracing.wide.around import children_around, triangles_touched
-from warpsample.tracing.wide.layout import face_in
+from warpsample.tracing.wide.lanes import lanes_with
+from warpsample.tracing.wide.layout import LINKS, NODE_BYTES, WIDTH, corner, face_in, size_of
 from warpsample.tracing.wide.walk import tree_walk
+
+_ROUNDING = wp.constant(wp.float32(2.0**-18))
+_NODE_FLOATS = NODE_BYTES // 4
+
+
+@wp.func
+def _children_around(node: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
+    """Mask of the children whose boxes are as near to a point as r along each axis."""
+    rows = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
+    links = wp.array(ptr=node + wp.uint64(4 * LINKS), shape=(WIDTH,), dtype=wp.int32)
+    near = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
+    k = wp.int32(0)
+    while k < WIDTH:
+        x = wp.where(rows[k] <= p[0] + r, 1, 0) & wp.where(rows[3 * WIDTH + k] >= p[0] - r, 1, 0)
+        y = wp.where(rows[WIDTH + k] <= p[1] + r, 1, 0) & wp.where(rows[4 * WIDTH + k] >= p[1] - r, 1, 0)
+        z = wp.where(rows[2 * WIDTH + k] <= p[2] + r, 1, 0) & wp.where(rows[5 * WIDTH + k] >= p[2] - r, 1, 0)
+        near[k] = x & y & z & wp.where(links[k] != 0, 1, 0)
+        k += 1
+    return lanes_with(near.ptr, 0)
+
+
+@wp.func
+def _beside(a: wp.float32, b: wp.float32, c: wp.float32, r: wp.float32) -> wp.int32:
+    """1 where 0 is between three coordinates, or as near to them as r."""
+    return wp.where(lesser(lesser(a, b), c) <= r, 1, 0) & wp.where(greater(greater(a, b), c) >= -r, 1, 0)
+
+
+@wp.func
+def _triangles_touched(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
+    """Mask of the triangles that may be as near to a point as r."""
+    touched = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
+    k = wp.int32(0)
+    while k < WIDTH:
+        a = corner(leaf, 0, k, p)
+        b = corner(leaf, 3, k, p)
+        c = corner(leaf, 6, k, p)
+        near = _beside(a[0], b[0], c[0], r) & _beside(a[1], b[1], c[1], r) & _beside(a[2], b[2], c[2], r)
+        n = wp.cross(b - a, c - a)
+        far = greater(greater(size_of(a), size_of(b)), size_of(c))
+        # A component of the normal is rounded by 2^-23 of two edges, each within 2 far; then come products and sums.
+        rounding = _ROUNDING * far * far
+        beside = (r * size_of(n) + rounding * far) * far * 4.0
+        near = near & wp.where(wp.abs(wp.dot(n, a)) <= r * size_of(n) + rounding * far, 1, 0)
+        near = near & wp.where(wp.dot(n, wp.cross(a, b)) >= -beside, 1, 0)
+        near = near & wp.where(wp.dot(n, wp.cross(b, c)) >= -beside, 1, 0)
+        near = near & wp.where(wp.dot(n, wp.cross(c, a)) >= -beside, 1, 0)
+        touched[k] = near
+        k += 1
+    return lanes_with(touched.ptr, 0)
 
 
 @once
@@ -26,11 +75,11 @@ def faces_touching(look: wp.Function, asked: Any, answer: Any) -> wp.Function:
 
     @wp.func
     def enter(node: wp.uint64, what: asked):
-        return children_around(node, what.p, what.r)
+        return _children_around(node, what.p, what.r)
 
     @wp.func
     def look_into(leaf: wp.uint64, what: asked, found: answer):
-        touched = triangles_touched(leaf, what.p, what.r)
+        touched = _triangles_touched(leaf, what.p, what.r)
         for _ in range(wp.bit_count(touched)):
             found = look(face_in(leaf, lowest_bit(touched)), what, found)
             touched = touched & (touched - 1)
