@@ -1,6 +1,7 @@
 """Where points are in the scene's coordinates, and from where their rays start: shared by `trace` and the estimates."""
 
 from math import prod
+from typing import Any
 
 import numpy as np
 import warp as wp
@@ -42,15 +43,11 @@ class Placement:
     normals: wp.uint64
     starts: wp.uint64
     order: wp.uint64
-    centre_x: wp.float64
-    centre_y: wp.float64
-    centre_z: wp.float64
+    centre: wp.vec3d
     scale: wp.float64
     unit: wp.float64
     reach: wp.float64
-    extent_x: wp.float32
-    extent_y: wp.float32
-    extent_z: wp.float32
+    extent: wp.vec3
     coarseness: wp.float32
 
 
@@ -69,22 +66,18 @@ def placed(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:
         points=prod(origins.shape),
         double_origins=origins.double,
         origins=address_of(origins.owner),
-        centre_x=scene.centre[0],
-        centre_y=scene.centre[1],
-        centre_z=scene.centre[2],
+        centre=tuple(scene.centre),
         scale=scene.scale,
         unit=1.0 / scene.scale,
         reach=reach * scene.scale,
-        extent_x=scene.extent[0],
-        extent_y=scene.extent[1],
-        extent_z=scene.extent[2],
+        extent=tuple(scene.extent),
         coarseness=coarseness_of(scene, origins.double),
     )
 
 
 @wp.func
-def in_double(v: wp.vec3) -> wp.vec3d:
-    """A vector of float32 in float64."""
+def in_double(v: Any) -> wp.vec3d:
+    """A vector in float64."""
     return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
 
 
@@ -115,37 +108,31 @@ def point_of(placement: Placement, i: wp.int64) -> wp.int64:
 @wp.func
 def local_origin(placement: Placement, point: wp.int64) -> wp.vec3d:
     """In the scene's coordinates: what large ones have in common goes in float64, before they are rounded."""
-    return (
-        vector_in_double(placement.origins, placement.double_origins, point)
-        - wp.vec3d(placement.centre_x, placement.centre_y, placement.centre_z)
-    ) * placement.scale
+    return (vector_in_double(placement.origins, placement.double_origins, point) - placement.centre) * placement.scale
 
 
 @wp.func
-def extent_along(placement: Placement, n: wp.vec3) -> wp.float32:
-    """How far the mesh reaches along a normal, at most: what is rounded along it is rounded by 2^-24 of this."""
-    return wp.abs(n[0]) * placement.extent_x + wp.abs(n[1]) * placement.extent_y + wp.abs(n[2]) * placement.extent_z
+def extent_along(extent: wp.vec3, n: wp.vec3) -> wp.float32:
+    """How far what has that extent reaches along a normal, at most: what is rounded along it is rounded by 2^-24 of this."""
+    return wp.abs(n[0]) * extent[0] + wp.abs(n[1]) * extent[1] + wp.abs(n[2]) * extent[2]
 
 
 @wp.func
 def reach_along(placement: Placement, n: wp.vec3, o: wp.vec3) -> wp.float32:
     """How far the mesh and a point that may be outside of it reach along a normal, at most."""
-    x = wp.abs(n[0]) * wp.max(placement.extent_x, wp.abs(o[0]))
-    y = wp.abs(n[1]) * wp.max(placement.extent_y, wp.abs(o[1]))
-    return x + y + wp.abs(n[2]) * wp.max(placement.extent_z, wp.abs(o[2]))
+    return extent_along(wp.max(placement.extent, wp.abs(o)), n)
 
 
 @wp.func
 def offset_within(extent: wp.vec3, coarseness: wp.float32, n: wp.vec3) -> wp.float32:
-    """The offset of a point with that normal in a scene of that extent."""
-    along = wp.abs(n[0]) * extent[0] + wp.abs(n[1]) * extent[1] + wp.abs(n[2]) * extent[2]
-    return _OFFSET * along + coarseness
+    """The offset of a point with that normal in that extent: 32 roundings, and more where it is stored coarsely."""
+    return _OFFSET * extent_along(extent, n) + coarseness
 
 
 @wp.func
 def origin_offset(placement: Placement, n: wp.vec3) -> wp.float32:
-    """How far points of a face with that normal are moved off it: 32 roundings, and more where they are stored coarsely."""
-    return _OFFSET * extent_along(placement, n) + placement.coarseness
+    """How far points of a face with that normal are moved off it."""
+    return offset_within(placement.extent, placement.coarseness, n)
 
 
 @wp.func

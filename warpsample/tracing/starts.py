@@ -63,7 +63,7 @@ def set_starts(
         (P, sides, 3) float32, in the scene's coordinates.
     """
     if not tracer.skips:
-        placement.extent_x = placement.extent_y = placement.extent_z = 1.0
+        placement.extent = (1.0, 1.0, 1.0)
         return None
     sides = 2 if towards is None else 1
     starts = np.empty((placement.points, sides, 3), np.float32)
@@ -71,8 +71,7 @@ def set_starts(
         placement=placement, towards=0 if towards is None else towards.ctypes.data, face=face.ctypes.data
     )
     contacts.vertices, contacts.triangles = scene.vertices.ctypes.data, scene.faces.ctypes.data
-    contacts.spread_x, contacts.spread_y, contacts.spread_z = scene.spread
-    contacts.starts, contacts.sides = starts.ctypes.data, sides
+    contacts.spread, contacts.starts, contacts.sides = tuple(scene.spread), starts.ctypes.data, sides
     tree = tracer.accelerator(scene, cpu(), workers)
     run(_start_kernel(), placement.points, [contacts, tree], cpu(), workers=workers, work=16 * placement.points)
     placement.starts = starts.ctypes.data

@@ -9,7 +9,7 @@ from warpsample.host.arrays import check_device, cpu
 from warpsample.host.engine import check_workers
 from warpsample.maths.numerics import ONE, ZERO, direction_to_unit
 from warpsample.mesh.mesh import as_mesh
-from warpsample.tracing.placement import MOST_DISTANCE, far_off, offset_within, way_to_scene
+from warpsample.tracing.placement import MOST_DISTANCE, far_off, in_double, offset_within, way_to_scene
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.scene import coarseness_of, scene_of
 from warpsample.tracing.wide.layout import SCRATCH
@@ -49,12 +49,6 @@ class Local:
 
 
 @wp.func
-def _in_double(v: Any) -> wp.vec3d:
-    """A vec3 or vec3d as a vec3d."""
-    return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
-
-
-@wp.func
 def _local(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32) -> Local:
     """A ray of the user's; a reach of NaN if it is none, below 0 if it passes the mesh by."""
     unit = direction_to_unit(direction)
@@ -64,7 +58,7 @@ def _local(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.fl
     reach = wp.float64(wp.where(max_distance > _MOST_DISTANCE, _MOST_DISTANCE, max_distance)) * tree.scale  # NaN stays
     ahead = ZERO
     if far_off(o):
-        w = _in_double(direction)
+        w = in_double(direction)
         w = (ONE / wp.sqrt(wp.dot(w, w))) * w
         ahead = way_to_scene(o, w)
         o = wp.where(ahead < ZERO, o - o, o + ahead * w)
@@ -153,7 +147,7 @@ def any_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float3
         direction: of any length.
         max_distance: in units of the coordinates; wp.INF for no limit.
     """
-    return _any_hit(tree, _in_double(origin), direction, max_distance)
+    return _any_hit(tree, in_double(origin), direction, max_distance)
 
 
 @wp.func
@@ -168,7 +162,7 @@ def nearest_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.fl
         direction: of any length.
         max_distance: in units of the coordinates; wp.INF for no limit.
     """
-    distance, face = _nearest_hit(tree, _in_double(origin), direction, max_distance)
+    distance, face = _nearest_hit(tree, in_double(origin), direction, max_distance)
     return distance, face
 
 
@@ -179,7 +173,7 @@ def offset_origin(tree: Tree, position: Any, normal: wp.vec3) -> wp.vec3d:
     That is two millionths of the mesh's extent along the normal. Turn the normal for rays into the mesh.
     """
     away = offset_within(tree.extent, tree.coarseness, normal)
-    return _in_double(position) + (wp.float64(away) / tree.scale) * _in_double(normal)
+    return in_double(position) + (wp.float64(away) / tree.scale) * in_double(normal)
 
 
 def tree(mesh: Any, *, device: Any = None, workers: int | None = None) -> Any:

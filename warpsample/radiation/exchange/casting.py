@@ -107,7 +107,6 @@ class Casting:
 
     def _rays(self, scene: Scene) -> FaceRaysArgs:
         """The rays of a scene; it holds addresses of the scene's arrays, which live as long as the mesh."""
-        x, y, z = self.up or (0.0, 0.0, 0.0)
         return FaceRaysArgs(
             vertices=scene.vertices.ctypes.data,
             triangles=scene.faces.ctypes.data,
@@ -116,13 +115,9 @@ class Casting:
             replicates=self.replicates,
             each=self.each,
             step=step_of(self.each),
-            extent_x=scene.extent[0],
-            extent_y=scene.extent[1],
-            extent_z=scene.extent[2],
+            extent=tuple(scene.extent),
             coarseness=coarseness_of(scene, True),
-            up_x=x,
-            up_y=y,
-            up_z=z,
+            up=self.up or (0.0, 0.0, 0.0),
         )
 
     def _block(self, of_all: FaceRaysArgs, tree: AcceleratorArgs, rows: np.ndarray, surfaces: np.ndarray | None) -> Block:

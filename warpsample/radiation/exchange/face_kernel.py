@@ -53,7 +53,7 @@ def _fill(f: Face, key: wp.vec4ui, step: wp.uint64, first: wp.int32, length: wp.
 def _code(rays: FaceRays, face: wp.int32, d: wp.vec3) -> wp.int32:
     """What is kept of a ray that meets a face, or none."""
     if face < 0:
-        return wp.where(wp.dot(wp.vec3(rays.up_x, rays.up_y, rays.up_z), d) < 0.0, _GROUND, _SKY)
+        return wp.where(wp.dot(rays.up, d) < 0.0, _GROUND, _SKY)
     return wp.where(wp.dot(vec3_at(rays.normals, face), d) < 0.0, face, _BACK - face)
 
 

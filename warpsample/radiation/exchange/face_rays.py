@@ -8,7 +8,7 @@ from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphe
 from warpsample.maths.frames import to_world
 from warpsample.maths.memory import vec3_at, vec3i_at
 from warpsample.maths.numerics import HALF, ONE, ZERO, uniform_from_bits, weyl
-from warpsample.tracing.placement import in_double, offset_within
+from warpsample.tracing.placement import extent_along, in_double, offset_within
 from warpsample.tracing.sight.point import HORIZON_MARGIN
 
 SKY, GROUND, BACK = -1, -2, -3
@@ -45,13 +45,9 @@ class FaceRays:
     replicates: wp.int32
     each: wp.int32
     step: wp.uint64
-    extent_x: wp.float32
-    extent_y: wp.float32
-    extent_z: wp.float32
+    extent: wp.vec3
     coarseness: wp.float32
-    up_x: wp.float32
-    up_y: wp.float32
-    up_z: wp.float32
+    up: wp.vec3
 
 
 FaceRaysArgs = type(FaceRays().__ctype__())
@@ -93,7 +89,7 @@ def face_at(rays: FaceRays, face: wp.int32) -> Face:
     f.b = in_double(vec3_at(rays.vertices, corners[1])) - f.a
     f.c = in_double(vec3_at(rays.vertices, corners[2])) - f.a
     f.n = vec3_at(rays.normals, face)
-    extent = wp.vec3(rays.extent_x, rays.extent_y, rays.extent_z)
+    extent = rays.extent
     f.offset = wp.float64(offset_within(extent, rays.coarseness, f.n))
     inwards = _INWARDS * f.offset + _ROUNDINGS * wp.float64(extent[0] + extent[1] + extent[2])
     area = wp.length(wp.cross(f.b, f.c))
@@ -150,4 +146,4 @@ def lowest_start(f: Face) -> wp.float64:
 @wp.func
 def horizon_margin(rays: FaceRays, n: wp.vec3) -> wp.float32:
     """What is as far below a start is below its horizon for sure."""
-    return HORIZON_MARGIN * (wp.abs(n[0]) * rays.extent_x + wp.abs(n[1]) * rays.extent_y + wp.abs(n[2]) * rays.extent_z)
+    return HORIZON_MARGIN * extent_along(rays.extent, n)

@@ -125,11 +125,11 @@ def look_around(
     contacts: Contacts, tree: Accelerator, contact: FaceContact, look: wp.vec3d, searching: wp.bool, scratch: wp.uint64
 ) -> FaceContact:
     """The contact after a look at all faces that touch the point."""
-    extent = contacts.placement.extent_x + contacts.placement.extent_y + contacts.placement.extent_z
+    extent = contacts.placement.extent
     around = Around()
     around.contacts = contacts
     around.p = wp.vec3(contact.p)
-    around.r = 2.0 * _TWICE * extent + 4.0 * contacts.placement.coarseness
+    around.r = 2.0 * _TWICE * (extent[0] + extent[1] + extent[2]) + 4.0 * contacts.placement.coarseness
     around.look = look
     around.searching = searching
     return _look_around(tree, around, contact, scratch)

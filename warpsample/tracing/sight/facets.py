@@ -27,9 +27,7 @@ class Contacts:
     face: wp.uint64
     vertices: wp.uint64
     triangles: wp.uint64
-    spread_x: wp.float32
-    spread_y: wp.float32
-    spread_z: wp.float32
+    spread: wp.vec3
     starts: wp.uint64
     sides: wp.int32
 
@@ -56,7 +54,7 @@ class Facet:
 @wp.func
 def with_normal(contacts: Contacts, facet: Facet, n: wp.vec3d) -> Facet:
     """A facet with that unit normal, along which points are moved off it by 32 roundings of its corners."""
-    spread = wp.vec3d(wp.float64(contacts.spread_x), wp.float64(contacts.spread_y), wp.float64(contacts.spread_z))
+    spread = in_double(contacts.spread)
     facet.n = n
     facet.offset = wp.float64(contacts.placement.coarseness)
     facet.slack = facet.offset

@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsample.maths.memory import float_at, set_float
 from warpsample.maths.numerics import greater
-from warpsample.tracing.wide.layout import LEAF_BYTES, WIDTH, face_in
+from warpsample.tracing.wide.layout import LEAF_BYTES, WIDTH
 from warpsample.tracing.wide.prepare import ray_in
 from warpsample.tracing.wide.query import any_of, nearest_of
 
@@ -57,9 +57,3 @@ def nearest_in_leaf(leaf: wp.uint64, triangles: wp.int32, column: wp.uint64, rea
     """(distance, lane) of the nearest triangle of a mask that a prepared ray meets; (reach, -1) if it meets none."""
     distance, lane = nearest_of(leaf, triangles, ray_in(column), reach, float_at(leaf, _LONGEST))
     return distance, lane
-
-
-@wp.func
-def face_of(leaf: wp.uint64, lane: wp.int32) -> wp.int32:
-    """The number of the face that a copied triangle is."""
-    return face_in(leaf, lane)

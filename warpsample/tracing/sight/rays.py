@@ -11,8 +11,9 @@ from warpsample.host.locks import once
 from warpsample.maths.memory import float_at
 from warpsample.tracing.placement import far_off, in_double
 from warpsample.tracing.queries import REACH, Accelerator, column_of, direction_of
-from warpsample.tracing.sight.leaves import any_in_leaf, face_of, nearest_in_leaf
+from warpsample.tracing.sight.leaves import any_in_leaf, nearest_in_leaf
 from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint, bring_near
+from warpsample.tracing.wide.layout import face_in
 from warpsample.tracing.wide.prepare import prepare_wide
 from warpsample.tracing.wide.query import wide_query
 
@@ -73,13 +74,13 @@ def first_hit(any_hit: bool, query: wp.Function | None = None, wide: bool = True
                         lane = any_in_leaf(leaf, local, column, reach)
                         if lane >= 0:
                             distance = 0.0
-                            face = face_of(leaf, lane)
+                            face = face_in(leaf, lane)
                     else:
                         met, lane = nearest_in_leaf(leaf, local, column, reach)
                         if lane >= 0:
                             distance = met
                             reach = met
-                            face = face_of(leaf, lane)
+                            face = face_in(leaf, lane)
             if tree.starts > 0 and (wp.static(not any_hit) or not (distance < wp.INF)):
                 met, other, _nodes, _leaves = query(tree, column, reach, point.scratch)
                 if wp.static(any_hit):  # so that nobody computes how far away it is

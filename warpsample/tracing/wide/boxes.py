@@ -9,7 +9,7 @@ import warp as wp
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
 from warpsample.host.locks import once
-from warpsample.maths.memory import float_at, set_float, vec3i_at
+from warpsample.maths.memory import float_at, set_float, vec3_at, vec3i_at
 from warpsample.tracing.queries import AcceleratorArgs
 from warpsample.tracing.wide.build import Topology
 from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH
@@ -27,7 +27,6 @@ _NOWHERE = wp.constant(wp.float32(2.0**60))  # times an inverse of 2^60 at most:
 _NODE_FLOATS = NODE_BYTES // 4
 _LEAF_FLOATS = LEAF_BYTES // 4
 _LINE = 64
-_MOST_VERTICES = 2**31 - 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +97,6 @@ def _fill_leaves() -> wp.Kernel:
         mine = wp.array(ptr=leaf_faces + wp.uint64(leaf) * wp.uint64(4 * WIDTH), shape=(WIDTH,), dtype=wp.int32)
         rows = wp.array(ptr=leaves + wp.uint64(leaf) * wp.uint64(LEAF_BYTES), shape=(_LEAF_FLOATS,), dtype=wp.float32)
         box = wp.array(ptr=boxes + wp.uint64(leaf) * wp.uint64(24), shape=(2,), dtype=wp.vec3)
-        points = wp.array(ptr=vertices, shape=(_MOST_VERTICES,), dtype=wp.vec3)
         low = wp.vec3(_NOWHERE)
         high = wp.vec3(-_NOWHERE)
         longest = wp.float32(0.0)
@@ -109,9 +107,9 @@ def _fill_leaves() -> wp.Kernel:
             c = a
             if mine[k] >= 0:
                 corners = vec3i_at(faces, mine[k])
-                a = points[corners[0]]
-                b = points[corners[1]]
-                c = points[corners[2]]
+                a = vec3_at(vertices, corners[0])
+                b = vec3_at(vertices, corners[1])
+                c = vec3_at(vertices, corners[2])
                 least = wp.min(wp.min(a, b), c)
                 most = wp.max(wp.max(a, b), c)
                 longest = wp.max(longest, wp.max(most - least))

@@ -12,14 +12,12 @@ import warp as wp
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
 from warpsample.host.locks import once
-from warpsample.maths.memory import int_at, vec3i_at
+from warpsample.maths.memory import int_at, vec3_at, vec3i_at
 from warpsample.tracing.wide.layout import WIDTH
 from warpsample.tracing.wide.sah import ALL_BINS, BINS, MOST_BINS, best_split, centres, fill_bins, partition
 
 SAH_LEVELS = 14
 """Deeper nodes halve their ranges by count, so that no arrangement of triangles makes the tree deeper than 22 nodes."""
-
-_MOST_VERTICES = 2**31 - 1
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,10 +85,9 @@ def _triangle_boxes() -> wp.Kernel:
     def triangle_boxes(vertices: wp.uint64, faces: wp.uint64, lower: wp.uint64, upper: wp.uint64, first_task: wp.int64):
         i = wp.int32(first_task) + wp.tid()
         corners = vec3i_at(faces, i)
-        points = wp.array(ptr=vertices, shape=(_MOST_VERTICES,), dtype=wp.vec3)
-        a = points[corners[0]]
-        b = points[corners[1]]
-        c = points[corners[2]]
+        a = vec3_at(vertices, corners[0])
+        b = vec3_at(vertices, corners[1])
+        c = vec3_at(vertices, corners[2])
         low = wp.min(wp.min(a, b), c)
         high = wp.max(wp.max(a, b), c)
         lows = wp.array(ptr=lower, shape=(i + 1,), dtype=wp.vec4)
