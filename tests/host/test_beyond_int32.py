@@ -58,7 +58,7 @@ def test_directions(count):
     parts = sequence, distribution.about()
     how = {"redraw": None, "redraw_below": 0.0, "with_pdf": False, "masked": False}
     samples = SamplesArgs()
-    samples.run_0, samples.run_1, samples.run_2, samples.run_3 = sequence.run_words(0, 0)
+    samples.run = sequence.run_words(0, 0)
     samples.points, samples.count, samples.segment, samples.rows = points, count, count, 1
     samples.normals, samples.vectors, samples.status = normals.ctypes.data, vectors.ctypes.data, status.ctypes.data
     if count == 64:
@@ -86,8 +86,7 @@ def test_no_job_has_ids_of_two_high_words(first, monkeypatch):
         high, low = divmod(start, 2**32)
         assert job.first_point == low
         assert high == end - 1 >> 32
-        words = (job.run_0, job.run_1, job.run_2, job.run_3)
-        assert words == ws.sequences.get("sobol").run_words(0, high)
+        assert tuple(job.run) == ws.sequences.get("sobol").run_words(0, high)
 
 
 @pytest.mark.parametrize("per_point", [1, MANY])

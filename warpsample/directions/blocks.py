@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.directions.samples import Samples, accessors, normal_status, run_of, unit_normals
+from warpsample.directions.samples import Samples, accessors, normal_status, unit_normals
 from warpsample.directions.variates import LANES
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.host.locks import once
@@ -42,7 +42,7 @@ def _mender(
                 store(vectors, pdf, i, wp.vec4(0.0))
             elif wp.static(redraws):
                 n = normalize(given)
-                key = key_of(run_of(samples), samples.first_point + wp.uint32(point) + wp.uint32(q))
+                key = key_of(samples.run, samples.first_point + wp.uint32(point) + wp.uint32(q))
                 u = sample_of(key, wp.uint32(start + i - q * samples.count), wp.uint32(samples.count))
                 if about(n, u, samples.parameters)[3] < redraw_below:
                     store(vectors, pdf, i, redraw(n, u, samples.parameters))
@@ -61,7 +61,7 @@ def _block_variates(sequence: Sequence, one_sample: bool) -> wp.Function:
         if wp.static(not one_sample):
             count = samples.count
         per_count = 1.0 / wp.float32(samples.count)
-        run = run_of(samples)
+        run = samples.run
         low = samples.first_point + wp.uint32(point)
         total = wp.uint32(count)
         i = wp.int32(0)

@@ -65,7 +65,7 @@ class DirectionPlan:
                 args.status += start
                 args.active += start if whole.active else 0
             high, args.first_point = divmod(first_point + start, 2**32)
-            args.run_0, args.run_1, args.run_2, args.run_3 = self.sequence.run_words(self.options.seed, high)
+            args.run = self.sequence.run_words(self.options.seed, high)
             args.points = end - start
             kernel, tasks, args.segment, args.rows = self.kernel(device, args.points, masked=whole.active != 0)
             run(kernel, tasks, [args], device, workers=self.options.workers, work=args.points * self.count)

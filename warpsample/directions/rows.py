@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.directions.samples import Samples, accessors, normal_status, run_of, unit_normals
+from warpsample.directions.samples import Samples, accessors, normal_status, unit_normals
 from warpsample.directions.variates import LANES, fill_variates
 from warpsample.host.locks import once
 from warpsample.sequences.record import Sequence
@@ -139,7 +139,7 @@ def direction_rows(
         write_units(normals, active, rows, units)
         start = wp.int32(first_segment - first_point * segments) * samples.segment
         end = wp.min(start + samples.segment, samples.count)
-        run = run_of(samples)
+        run = samples.run
         for k in range(rows):
             point = first_point + wp.int64(k)
             n = wp.vec3(units[k], units[most_rows + k], units[2 * most_rows + k])

@@ -67,14 +67,11 @@ def accessors(with_pdf: bool, masked: bool) -> tuple[wp.Function, wp.Function]:
 class Samples:
     """Scalars and addresses: normals (P, 3), vectors (P, count, 3), pdf (P, count) float32; status, active (P,) uint8.
 
-    The ids of all points have the same high word, which went into the words of the run; the low ones begin with
-    first_point. A task is `rows` rows, or one segment, if `segment` samples are fewer than `count`.
+    The ids of all points have the same high word, which went into the run, what their keys have in common; the low ones
+    begin with first_point. A task is `rows` rows, or one segment, if `segment` samples are fewer than `count`.
     """
 
-    run_0: wp.uint32
-    run_1: wp.uint32
-    run_2: wp.uint32
-    run_3: wp.uint32
+    run: wp.vec4ui
     first_point: wp.uint32
     points: wp.int64
     count: wp.int32
@@ -86,12 +83,6 @@ class Samples:
     status: wp.uint64
     active: wp.uint64
     parameters: Parameters
-
-
-@wp.func
-def run_of(samples: Samples) -> wp.vec4ui:
-    """What the keys of all points have in common."""
-    return wp.vec4ui(samples.run_0, samples.run_1, samples.run_2, samples.run_3)
 
 
 SamplesArgs = type(Samples().__ctype__())

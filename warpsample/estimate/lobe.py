@@ -16,24 +16,6 @@ NOTHING = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 
 
 @once
-def opened_for(slots: Slots) -> wp.Function:
-    """A function that opens the tree around a point."""
-    wide = slots.wide
-
-    @wp.func
-    def open_lobe(lobes: Lobes, tree: Accelerator, point: ShadingPoint):
-        """(the tree as the point's rays see it, mask of the triangles of its local leaf, whether shafts are of use)."""
-        local = wp.int32(0)
-        opened = wp.bool(False)
-        if wp.static(wide):
-            if lobes.skip != 0:
-                tree, local, opened = open_around(tree, point)
-        return tree, local, opened and (tree.starts > 0 or local != 0) and lobes.shafts != wp.uint64(0)
-
-    return open_lobe
-
-
-@once
 def widths_of(slots: Slots) -> wp.Function:
     """A function that says how wide an estimate's interval is."""
     channels = slots.channels
@@ -66,29 +48,10 @@ def widths_of(slots: Slots) -> wp.Function:
 
 
 @once
-def search_of(slots: Slots) -> wp.Function:
-    """A function that searches a sector or a stratum for what its rays may meet."""
-    wide = slots.wide
-
-    @wp.func
-    def search(
-        lobes: Lobes, seen: Accelerator, point: ShadingPoint, i: wp.int32, found: wp.int32, local: wp.int32, shafts: wp.bool
-    ):
-        """(whether anything is found in the i-th shaft, which triangles of the local leaf); as is known without shafts."""
-        if wp.static(wide):
-            if shafts and found != 0:
-                found, local = found_in(lobes, seen, point, i, local)
-        return found, local
-
-    return search
-
-
-@once
 def traced_lobe(slots: Slots) -> wp.Function:
     """A function that sums a lobe that a mesh may block."""
-    constant, struct, open_jump = slots.constant, slots.struct, ONE if slots.any_hit else HALF
-    open_lobe, search, sum_stratum, widths = opened_for(slots), search_of(slots), stratum_sum(slots), widths_of(slots)
-    jump_at = jump_of(slots)
+    constant, struct, wide, open_jump = slots.constant, slots.struct, slots.wide, ONE if slots.any_hit else HALF
+    sum_stratum, widths, jump_at = stratum_sum(slots), widths_of(slots), jump_of(slots)
 
     @wp.func
     def sum_lobe(lobes: Lobes, accelerator: Accelerator, data: struct, point: ShadingPoint):
@@ -103,14 +66,22 @@ def traced_lobe(slots: Slots) -> wp.Function:
         fourth = NOTHING
         cast = wp.int32(0)
         empty = wp.int32(0)
-        seen, local, shafts = open_lobe(lobes, accelerator, point)
+        seen = accelerator
+        local = wp.int32(0)
+        opened = wp.bool(False)
+        if wp.static(wide):
+            if lobes.skip != 0:
+                seen, local, opened = open_around(accelerator, point)
         anything = wp.where(seen.starts == 0 and local == 0, 0, 1)
         for sector in range(lobes.sectors):
             sector_found = anything
             for step in range(wp.where(lobes.bands == 1, 1, 0), lobes.bands + 1):  # the whole sector, then its bands
-                found, stratum_local = search(
-                    lobes, seen, point, sector * (lobes.bands + 1) + step, sector_found, local, shafts
-                )
+                found = sector_found
+                stratum_local = local
+                if wp.static(wide):
+                    if opened and lobes.shafts != wp.uint64(0) and found != 0:
+                        shaft = sector * (lobes.bands + 1) + step
+                        found, stratum_local = found_in(lobes, seen, point, shaft, local)
                 if step == 0:
                     sector_found = found
                 elif wp.static(constant) and found == 0:

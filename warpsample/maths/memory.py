@@ -8,73 +8,32 @@ from typing import Any
 import warp as wp
 
 
-@wp.func
-def float_at(address: wp.uint64, i: Any) -> wp.float32:
-    """The i-th float32."""
-    return wp.array(ptr=address + wp.uint64(i) * wp.uint64(4), shape=(1,), dtype=wp.float32)[0]
+def _reader(kind: Any) -> wp.Function:
+    """A function (address, i) -> the i-th number or vector of a kind."""
+    size = wp.types.type_size_in_bytes(kind)
+
+    @wp.func
+    def read(address: wp.uint64, i: Any):
+        return wp.array(ptr=address + wp.uint64(i) * wp.uint64(size), shape=(1,), dtype=kind)[0]
+
+    return read
 
 
-@wp.func
-def int_at(address: wp.uint64, i: Any) -> wp.int32:
-    """The i-th int32."""
-    return wp.array(ptr=address + wp.uint64(i) * wp.uint64(4), shape=(1,), dtype=wp.int32)[0]
+def _writer(kind: Any) -> wp.Function:
+    """A function (address, i, x) that writes the i-th number or vector of a kind."""
+    size = wp.types.type_size_in_bytes(kind)
+
+    @wp.func
+    def write(address: wp.uint64, i: Any, x: kind):
+        view = wp.array(ptr=address + wp.uint64(i) * wp.uint64(size), shape=(1,), dtype=kind)
+        view[0] = x
+
+    return write
 
 
-@wp.func
-def long_at(address: wp.uint64, i: Any) -> wp.int64:
-    """The i-th int64."""
-    return wp.array(ptr=address + wp.uint64(i) * wp.uint64(8), shape=(1,), dtype=wp.int64)[0]
-
-
-@wp.func
-def address_at(address: wp.uint64, i: Any) -> wp.uint64:
-    """The i-th uint64."""
-    return wp.array(ptr=address + wp.uint64(i) * wp.uint64(8), shape=(1,), dtype=wp.uint64)[0]
-
-
-@wp.func
-def byte_at(address: wp.uint64, i: Any) -> wp.uint8:
-    """The i-th uint8."""
-    return wp.array(ptr=address + wp.uint64(i), shape=(1,), dtype=wp.uint8)[0]
-
-
-@wp.func
-def vec3_at(address: wp.uint64, i: Any) -> wp.vec3:
-    """The i-th vector of float32."""
-    return wp.array(ptr=address + wp.uint64(i) * wp.uint64(12), shape=(1,), dtype=wp.vec3)[0]
-
-
-@wp.func
-def vec3i_at(address: wp.uint64, i: Any) -> wp.vec3i:
-    """The i-th vector of int32."""
-    return wp.array(ptr=address + wp.uint64(i) * wp.uint64(12), shape=(1,), dtype=wp.vec3i)[0]
-
-
-@wp.func
-def vec3d_at(address: wp.uint64, i: Any) -> wp.vec3d:
-    """The i-th vector of float64."""
-    return wp.array(ptr=address + wp.uint64(i) * wp.uint64(24), shape=(1,), dtype=wp.vec3d)[0]
-
-
-@wp.func
-def set_float(address: wp.uint64, i: Any, x: wp.float32):
-    """Writes the i-th float32."""
-    view = wp.array(ptr=address + wp.uint64(i) * wp.uint64(4), shape=(1,), dtype=wp.float32)
-    view[0] = x
-
-
-@wp.func
-def set_int(address: wp.uint64, i: Any, x: wp.int32):
-    """Writes the i-th int32."""
-    view = wp.array(ptr=address + wp.uint64(i) * wp.uint64(4), shape=(1,), dtype=wp.int32)
-    view[0] = x
-
-
-@wp.func
-def set_address(address: wp.uint64, i: Any, x: wp.uint64):
-    """Writes the i-th uint64."""
-    view = wp.array(ptr=address + wp.uint64(i) * wp.uint64(8), shape=(1,), dtype=wp.uint64)
-    view[0] = x
+float_at, int_at, long_at, address_at, byte_at = map(_reader, (wp.float32, wp.int32, wp.int64, wp.uint64, wp.uint8))
+vec3_at, vec3i_at, vec3d_at = map(_reader, (wp.vec3, wp.vec3i, wp.vec3d))
+set_float, set_int, set_address, set_vec3 = map(_writer, (wp.float32, wp.int32, wp.uint64, wp.vec3))
 
 
 @wp.func
@@ -82,10 +41,3 @@ def set_byte(address: wp.uint64, i: Any, x: wp.int32):
     """Writes the i-th uint8."""
     view = wp.array(ptr=address + wp.uint64(i), shape=(1,), dtype=wp.uint8)
     view[0] = wp.uint8(x)
-
-
-@wp.func
-def set_vec3(address: wp.uint64, i: Any, x: wp.vec3):
-    """Writes the i-th vector of float32."""
-    view = wp.array(ptr=address + wp.uint64(i) * wp.uint64(12), shape=(1,), dtype=wp.vec3)
-    view[0] = x
