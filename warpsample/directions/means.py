@@ -15,10 +15,7 @@ _Z = wp.constant(wp.vec3(0.0, 0.0, 1.0))
 def direction_means(sequence: Sequence, about: wp.Function, function: wp.Function) -> wp.Kernel:
     """A kernel with a task for each point: the mean of function(direction), in float64, over `count` directions about +z.
 
-    Args:
-        sequence: its record.
-        about: (unit normal, u, Parameters) -> (direction, pdf).
-        function: (w: vec3) -> float32.
+    `about` is (unit normal, u, Parameters) -> (direction, pdf), and `function` (w: vec3) -> float32.
     """
     fill, run_of, key_of = fill_variates(sequence, CHUNK), sequence.run, sequence.key
     variates = 2 * CHUNK

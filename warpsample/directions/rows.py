@@ -110,14 +110,8 @@ def direction_rows(
 ) -> wp.Kernel:
     """A kernel over tasks of `rows` points with `segment` samples each, which are all of `count` where rows is above 1.
 
-    Args:
-        sequence: its record.
-        about: (unit normal, u, Parameters) -> (direction, pdf).
-        redraw: what replaces `about` where it loses its digits.
-        redraw_below: the pdf below which it does.
-        with_pdf: whether the pdf is stored.
-        masked: whether `active` is read.
-        chunk: samples whose variates are computed ahead: CHUNK, or 1.
+    `redraw` replaces `about`, (unit normal, u, Parameters) -> (direction, pdf), where its pdf is below `redraw_below`, since
+    it loses its digits there. As many samples as are in a `chunk`, CHUNK or 1, have their variates computed ahead.
     """
     move, clear = _mover(with_pdf), _clearer(with_pdf, masked)
     fill_chunk = _chunk_filler(sequence, about, redraw=redraw, redraw_below=redraw_below, with_pdf=with_pdf, chunk=chunk)

@@ -93,10 +93,7 @@ SamplesArgs = type(Samples().__ctype__())
 def unit_normals(masked: bool, stride: int, with_check: bool) -> wp.Function:
     """A function that writes unit normals: x of all rows from 0 on, y from stride, z from 2 stride; the check from 3 stride.
 
-    Args:
-        masked: whether `active` is read; a normal that is not active becomes 0.
-        stride: floats between them.
-        with_check: whether the check is written, too: below 0.1 where a normal has a direction.
+    A normal that is not active becomes 0. The check, if it is asked for, is below 0.1 where a normal has a direction.
     """
     weigh = weigh_by_mask if masked else weigh_all
 

@@ -63,13 +63,7 @@ class Prior:
 
 
 def prior_numbers(counts: bool, unseen: float, traced: bool) -> tuple[float, ...]:
-    """The fields of a Prior.
-
-    Args:
-        counts: whether rays count 1 or 0, else they have other weights.
-        unseen: of the rays' sequence.
-        traced: whether anything can block them.
-    """
+    """The fields of a Prior, of rays that count 1 or 0 or have other weights, and that may be blocked or not."""
     worth = _WORTH_OF_COUNTS if counts else _WORTH_OF_WEIGHTS
     if not traced:
         return worth, _HALF_A_RAY, worth, _HALF_A_RAY, _HALF_A_RAY

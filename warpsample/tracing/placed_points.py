@@ -45,11 +45,7 @@ class PlacedPoints:
 
     @classmethod
     def of(cls, mesh: Any, points: Any) -> "PlacedPoints":
-        """The points of a call on a mesh.
-
-        Args:
-            mesh: a Mesh or whatever `as_mesh` takes.
-            points: SurfacePoints.
+        """The points of a call, SurfacePoints on a mesh or whatever `as_mesh` takes.
 
         Raises:
             TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
@@ -63,12 +59,7 @@ class PlacedPoints:
         return len(self.points)
 
     def facing(self, options: RayOptions, reach: float = inf) -> PlacementArgs:
-        """The placement for rays that leave on the side of each point's normal; at least one point.
-
-        Args:
-            options: their tracer and threads.
-            reach: how far rays go, in the user's units.
-        """
+        """The placement for rays as far as `reach`, in the user's units, on the side of each normal; at least one point."""
         return self._placement(options, reach, self.normal)
 
     def two_sided(self, options: RayOptions, reach: float) -> PlacementArgs:

@@ -55,13 +55,7 @@ PlacementArgs = type(Placement().__ctype__())
 
 
 def placed(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:
-    """The placement of origins in a scene, without normals, starts and order. The caller keeps the array of origins.
-
-    Args:
-        scene: what their rays are traced against.
-        origins: at least 1.
-        reach: how far rays go, in the user's units.
-    """
+    """The placement of origins, without normals, starts and order; reach in the user's units. The caller keeps the array."""
     return PlacementArgs(
         points=prod(origins.shape),
         double_origins=origins.double,

@@ -108,13 +108,7 @@ def _normalize(chunk: wp.uint64, length: wp.int64):
 
 @once
 def ray_kernel(prepare: wp.Function, query: wp.Function, size: int = CHUNK_FLOATS) -> wp.Kernel:
-    """A kernel over tasks of consecutive rays, in the placement's order.
-
-    Args:
-        prepare: (chunk, rays): adds what the query needs.
-        query: (Accelerator, ray, reach, scratch) -> (distance, face, nodes, leaves) of one.
-        size: floats of a chunk, with what is added.
-    """
+    """A kernel over tasks of consecutive rays, in the placement's order, by what a `Tracer` has; size: floats of a chunk."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def each_ray(rays: Rays, accelerator: Accelerator, first_task: wp.int64):
@@ -164,16 +158,7 @@ def ray_kernel(prepare: wp.Function, query: wp.Function, size: int = CHUNK_FLOAT
 
 
 def trace_rays(scene: Scene, rays: RaysArgs, *, tracer: Tracer, any_hit: bool, device: wp.Device, workers: int) -> None:
-    """Traces rays against a scene, in the order that suits it.
-
-    Args:
-        scene: what the rays are placed in.
-        rays: without order; nodes and leaves visited are counted if it says where.
-        tracer: by which.
-        any_hit: whether some face is enough.
-        device: where the addresses are.
-        workers: threads.
-    """
+    """Traces rays, placed in a scene and without order, in the order that suits it; counts visits if they say where."""
     kernel = ray_kernel(tracer.prepare, tracer.face_query(any_hit), tracer.floats)
     order = order_of(scene, rays.placement, rays.count, workers) if at_home(device) else None
     rays.placement.order = 0 if order is None else order.ctypes.data

@@ -46,21 +46,18 @@ def faces_and_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origin
 def set_starts(
     scene: Scene, placement: PlacementArgs, face: np.ndarray, *, towards: np.ndarray | None, tracer: Tracer, workers: int
 ) -> np.ndarray | None:
-    """Tells a placement of points on faces where their rays start; gives the array of starts, which the caller keeps.
+    """Tells a placement of points on faces where rays start; gives the starts (P, sides, 3) float32, for the caller to keep.
 
     A tracer in whose tree other faces cannot be looked for has none: its points are moved off their faces as if the mesh
     were as large in all directions, since wp.Mesh tells distances to needles that badly.
 
     Args:
         scene: what the points are on.
-        placement: their places, and in `normals` the unit normals of their faces, their own where they lie on none.
+        placement: their positions, and in `normals` the unit normals of their faces, their own where they lie on none.
         face: (P,) int32, -1 where it is not known: then of those that touch a point the one that faces its normal best.
         towards: (P, 3) float32, to which side of its face each looks; None for both, that of the normal first.
         tracer: of the rays.
         workers: threads.
-
-    Returns:
-        (P, sides, 3) float32, in the scene's coordinates.
     """
     if not tracer.skips:
         placement.extent = (1.0, 1.0, 1.0)

@@ -13,13 +13,9 @@ _WANTS = "a matrix of Radiance's with NROWS, NCOLS, NCOMP, FORMAT=float and an e
 
 
 def write_matrix(stream: BinaryIO, matrix: np.ndarray, factor: float = 1.0, ground: bool = True) -> None:
-    """Writes factor * matrix, grey in three colours, as `dctimestep` and `rmtxop` read it.
+    """Writes factor * matrix (P, K), grey in three colours, as `dctimestep` and `rmtxop` read it.
 
-    Args:
-        stream: opened for bytes.
-        matrix: (P, K).
-        factor: what each number is multiplied by.
-        ground: whether a column of zeros, the ground's, comes first.
+    With `ground` a column of zeros, the ground's, comes first.
     """
     rows, columns = matrix.shape
     total = columns + ground
@@ -33,14 +29,10 @@ def write_matrix(stream: BinaryIO, matrix: np.ndarray, factor: float = 1.0, grou
 
 
 def read_matrix(content: bytes, argument: str = "matrix") -> np.ndarray:
-    """(NROWS, NCOLS, NCOMP) float32, the numbers of a matrix of Radiance's.
-
-    Args:
-        content: of the file, or what a tool of Radiance's writes with its option for float32.
-        argument: its name in the message.
+    """(NROWS, NCOLS, NCOMP) float32, the numbers of a matrix of Radiance's, of a file or written by a tool for float32.
 
     Raises:
-        ValueError: no such matrix, or one with fewer or more numbers than its header says.
+        ValueError: no such matrix, or one with fewer or more numbers than its header says; names the argument.
     """
     head, empty, _ = content[:_LONGEST].partition(b"\n\n")
     fields = dict(line.split("=", 1) for line in head.decode("latin-1").splitlines() if "=" in line)

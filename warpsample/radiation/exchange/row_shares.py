@@ -34,13 +34,9 @@ class Shares:
 
 
 def shares_of(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> Shares:
-    """The shares of each surface.
+    """The shares of each surface, by counts of all faces with so many rays each.
 
-    Args:
-        counts: of all faces.
-        rays: of each face.
-        upward: (F,) float64, the share of each face's hemisphere above the horizon; None: not asked for.
-        surfaces: rows and columns.
+    `upward` is (F,) float64, the share of each face's hemisphere above the horizon; None: not asked for.
     """
     if surfaces.groups is not None:
         return _group_shares(counts, rays, upward, surfaces)

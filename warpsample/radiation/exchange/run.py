@@ -13,16 +13,13 @@ from warpsample.radiation.exchange.view_factors import ViewFactors, view_factors
 
 
 def run_view_factors(mesh: Path, output: Path, groups: Path | None, options: dict[str, Any]) -> str:
-    """Computes and writes; the file appears when it is complete.
+    """Computes and writes, complete or not at all; returns a sentence about what was written.
 
     Args:
         mesh: the mesh file.
         output: .npz, .vf, or vfsparse.inp and what follows.
         groups: a text or an .npy of one whole number for each face; None for no groups.
         options: others of `view_factors`.
-
-    Returns:
-        a sentence about what was written.
 
     Raises:
         TypeError, ValueError, OSError: an argument or a file that cannot be used; before anything is written.

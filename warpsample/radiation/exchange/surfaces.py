@@ -36,13 +36,7 @@ class Surfaces:
 
 
 def surfaces_of(areas: np.ndarray, cast: np.ndarray, groups: np.ndarray | None) -> Surfaces:
-    """The surfaces of faces.
-
-    Args:
-        areas: (F,) of the faces.
-        cast: (F,) bool, which have rays.
-        groups: (F,) int32 or None.
-    """
+    """The surfaces of faces of some areas, (F,); `cast`, (F,) bool, says which have rays; groups: (F,) int32 or None."""
     active = np.where(cast, areas, 0.0)
     if groups is None:
         return Surfaces(None, areas, cast.astype(np.float64), quotients(np.ones(len(areas)), active))

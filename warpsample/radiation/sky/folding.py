@@ -45,12 +45,10 @@ def fold_rows(
     """Writes what rows of a matrix sum to, and the standard error of that, the patches' being independent.
 
     Args:
-        value: (B, K) float32.
-        error: of the same shape.
+        value: (B, K) float32; error too.
         points: (B,) int64, the rows of the results.
         weights: (K, T) float64, contiguous.
         out: sums and errors, (P, T) float32 each.
-        workers: threads.
     """
     fold = FoldArgs(rows=len(points), patches=weights.shape[0], columns=weights.shape[1])
     fold.value, fold.error, fold.points, fold.weights = (a.ctypes.data for a in (value, error, points, weights))

@@ -31,14 +31,10 @@ def groups_of(patches: SkyPatches) -> np.ndarray:
 
 
 def shafts_of(patches: SkyPatches, starts: np.ndarray) -> np.ndarray:
-    """(G, 3, 16) float32, the shafts about groups of patches, as `shaft_vectors` has them.
+    """(G, 3, 16) float32, the shafts about groups of patches, as `shaft_vectors` has them; starts as of `groups_of`.
 
     Two planes are at the azimuths; one goes through the upper corners, and one touches the lower edge in its middle. About
     the cap, the last, there is a square pyramid.
-
-    Args:
-        patches: of the sky.
-        starts: (G + 1,), where groups of neighbours in a row begin, and their end.
     """
     low, high = np.radians(patches.altitudes[starts[:-1]]).T
     first, last = np.radians(patches.azimuths[starts[:-1], 0]), np.radians(patches.azimuths[starts[1:] - 1, 1])
@@ -66,14 +62,9 @@ def _towards(azimuth: np.ndarray, along: np.ndarray, up: np.ndarray) -> np.ndarr
 
 @wp.func
 def look(tree: Accelerator, point: ShadingPoint, local: wp.int32, vectors: wp.uint64, filled: wp.uint64):
-    """(what is known of a shaft, the leaf with the triangle that fills it or else `filled`).
+    """(what is known of a shaft from a point, the leaf with the triangle that fills it or else `filled`).
 
-    Args:
-        tree: as the point's rays see it.
-        point: from which the shaft goes.
-        local: mask of the triangles of its local leaf.
-        vectors: address of those of the shaft.
-        filled: address of a leaf that filled another shaft, and is looked at too; or 0.
+    `filled`, if not 0, is the address of a leaf that filled another shaft, and is looked at too.
     """
     aim_at(vectors, point)
     found = search_shaft(tree, point, local)

@@ -152,11 +152,7 @@ def _looker(disc: bool) -> wp.Function:
 
 @once
 def sun_kernel(disc: bool) -> wp.Kernel:
-    """A kernel with a task for each point, in the order of the placement.
-
-    Args:
-        disc: whether suns are discs.
-    """
+    """A kernel with a task for each point, in the order of the placement, for suns that are points or discs."""
     look_all = _looker(disc)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)

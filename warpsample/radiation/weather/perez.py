@@ -10,18 +10,11 @@ from warpsample.radiation.weather.weather import Weather
 
 
 def perez_sky(weather: Weather, patches: str) -> np.ndarray:
-    """The radiance of each sky patch in each hour, without the sun.
+    """(K, T) float64, W/m²/sr: the radiance of each sky patch in each of T hours, without the sun.
 
     gendaymtx scales the sky by the sum of the patches' solid angles times the sine of their centres, which is 0.5 to 0.04 %
     off the integral that their share of a lobe is. So each hour is scaled here: on an open horizontal plane the diffuse
     radiation of the file comes in.
-
-    Args:
-        weather: T hours.
-        patches: "tregenza", "reinhart2" or "reinhart4".
-
-    Returns:
-        (K, T) float64, W/m²/sr.
 
     Raises:
         ModuleNotFoundError: pyradiance is missing; says how to install it.

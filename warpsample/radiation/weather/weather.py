@@ -51,12 +51,9 @@ class Weather:
 
 
 def read_weather(weather: Any, period: Sequence[str] | None = None) -> Weather:
-    """The weather of a year, or of a period of it.
+    """The weather of a year, or of a period of it; arguments as of `irradiation`.
 
-    Args:
-        weather: the path of an EPW file of 8,760 hours; latin letters in any encoding are read, and what follows the
-            diffuse radiation in a row is ignored. "athens", where no file is called that, is an example: a cloudless year.
-        period: as of `hours_of`; by default the year.
+    Latin letters in any encoding are read, and what follows the diffuse radiation in a row is ignored.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: no such file, or not the weather of a year, hour by hour; a wrong period.
@@ -100,11 +97,7 @@ def _weather(where: tuple[float, ...], sun: Any, direct: np.ndarray, diffuse: np
 
 
 def hours_of(period: Any) -> np.ndarray:
-    """Which of the 8,760 hours are in a period: (8760,) bool.
-
-    Args:
-        period: two texts, the first and the last day, both included, as ("06-01", "08-31"); or with the hour at which it
-            begins or ends, ("03-21T09", "03-21T15"). If the first is later, the period goes on over New Year. None is all.
+    """Which of the 8,760 hours are in a period, as `irradiation` takes it: (8760,) bool.
 
     Raises:
         TypeError, ValueError: something else.

@@ -23,13 +23,8 @@ def covering(leaf: wp.uint64, vectors: wp.uint64, o: wp.vec3, margin: wp.float32
     """Mask of the triangles of a leaf that each ray of a shaft from o meets, whatever is rounded.
 
     The corners' directions, and so all between them, are sums of those of the triangle's corners with positive weights.
-
-    Args:
-        leaf: its address.
-        vectors: of the shaft.
-        o: from where it goes.
-        margin: of an angle, by which the shaft must be within the triangle: at least 2^-20, for a corner's rounding by 2^-24
-            of its distance, and 16 of 2^-24 of products and sums, and what the rays' directions are rounded by.
+    The margin is of an angle, by which the shaft must be within the triangle: at least 2^-20, for a corner's rounding by
+    2^-24 of its distance, and 16 of 2^-24 of products and sums, and what the rays' directions are rounded by.
     """
     p = corner_of(vectors, 0)
     q = corner_of(vectors, 1)

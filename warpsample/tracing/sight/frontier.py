@@ -117,11 +117,8 @@ def _take_apart(
 def _frontier(tree: Accelerator, point: ShadingPoint):
     """(nodes to start from, triangles in the local leaf): the rays of a point above its horizon meet nothing else.
 
-    With neither, nothing is above. -1 nodes: there was no room for all, and rays are to start from the root.
-
-    Args:
-        tree: all of it.
-        point: whose rays' cosines to its normal are at least 2^-12, as the cosine lobe's are.
+    Their cosines to its normal are at least 2^-12, as the cosine lobe's are. With neither, nothing is above. -1 nodes: there
+    was no room for all, and rays are to start from the root.
     """
     local = point.opened + LOCAL_LEAF
     clear_leaf(local)

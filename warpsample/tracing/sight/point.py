@@ -86,14 +86,9 @@ def point_in(workspace: wp.uint64, own: wp.int32, chunk: wp.int32) -> ShadingPoi
 def turned(
     point: ShadingPoint, placement: Placement, normals: wp.uint64, active: wp.uint64, visit: wp.int64
 ) -> ShadingPoint:
-    """The point that is visited so many points after the first, with its normal; it is nowhere yet.
+    """The point in the workspace that is visited so many points after the first, with its normal; it is nowhere yet.
 
-    Args:
-        point: has the workspace.
-        placement: of all points.
-        normals: address of (P, 3) float32, of any length.
-        active: address of (P,) uint8, or 0 where all points count.
-        visit: number in the order of the placement.
+    normals: address of (P, 3) float32, of any length; active: of (P,) uint8, or 0 where all points count.
     """
     point.index = point_of(placement, visit)
     normal = vec3_at(normals, point.index)
@@ -120,13 +115,7 @@ def _origin(placement: Placement, point: ShadingPoint, sides: wp.int32) -> wp.ve
 
 @wp.func
 def standing(point: ShadingPoint, placement: Placement, sides: wp.int32) -> ShadingPoint:
-    """A point where it is, with the origin of its rays, as many as are in a chunk; its normal is known.
-
-    Args:
-        point: of `turned`.
-        placement: of all points.
-        sides: of the starts in the placement, 1 or 2.
-    """
+    """A point of `turned` where it is, with the origin of its rays; `sides`, 1 or 2: of the starts in the placement."""
     point.position = local_origin(placement, point.index)
     point.o = _origin(placement, point, sides)
     point.low = HORIZON_MARGIN * reach_along(placement, point.n, point.o)
@@ -139,13 +128,7 @@ def standing(point: ShadingPoint, placement: Placement, sides: wp.int32) -> Shad
 
 @wp.func
 def bring_near(point: ShadingPoint, k: wp.int32, d: wp.vec3d):
-    """Lets the k-th ray of a point that is far off start near the mesh; without reach if it passes the mesh.
-
-    Args:
-        point: far off.
-        k: of the chunk's rays.
-        d: its direction, unit in float64.
-    """
+    """Lets the k-th ray of a point that is far off, along d, start near the mesh; without reach if it passes the mesh."""
     ahead = way_to_scene(point.position, d)
     set_origin(point.chunk, k, wp.vec3(point.position + ahead * d))
     reach = wp.where(ahead < ZERO, -1.0, wp.float32(wp.float64(point.reach) - ahead))

@@ -34,11 +34,7 @@ def rays_from_afar(point: ShadingPoint, length: wp.int32):
 
 @once
 def prepare_rays(prepare: wp.Function = prepare_wide) -> wp.Function:
-    """A function (tree, point, local, rays) that prepares the first rays of a point's chunk, whose directions are written.
-
-    Args:
-        prepare: the tracer's, (chunk, rays).
-    """
+    """A function (tree, point, local, rays) that prepares the first rays of a chunk that has directions, for a tracer."""
 
     @wp.func
     def prepare_chunk(tree: Accelerator, point: ShadingPoint, local: wp.int32, length: wp.int32):
@@ -51,12 +47,8 @@ def prepare_rays(prepare: wp.Function = prepare_wide) -> wp.Function:
 def first_hit(any_hit: bool, query: wp.Function | None = None, wide: bool = True) -> wp.Function:
     """A function (tree, point, local, k) -> (distance, face) of the nearest face that the k-th prepared ray meets.
 
-    inf and -1 if it meets none or has no reach; with any_hit 0 and some face.
-
-    Args:
-        any_hit: whether some face is enough.
-        query: the tracer's; that of the wide tree by default.
-        wide: whether it is that of the wide tree: then the triangles in the mask `local` of the local leaf are tried first.
+    inf and -1 if it meets none or has no reach; with any_hit 0 and some face. By the query of the wide tree, or another;
+    if it is `wide`, the triangles in the mask `local` of the local leaf are tried first.
     """
     query = query or wide_query(any_hit, several=True)
 

@@ -38,13 +38,7 @@ _walk = tree_walk(boxes_in, _look, wp.uint64, InShaft)
 
 @wp.func
 def search_shaft(tree: Accelerator, point: ShadingPoint, local: wp.int32) -> InShaft:
-    """What is in the shaft that is aimed from a point.
-
-    Args:
-        tree: as the point's rays see it.
-        point: with its shaft.
-        local: mask of the triangles of its local leaf, which is looked into first.
-    """
+    """What is in the shaft that is aimed from a point; first looked into are the triangles `local` of its local leaf."""
     found = InShaft()
     if local != 0:
         found.leaf = point.opened + LOCAL_LEAF

@@ -35,11 +35,10 @@ shaft's plane by 2^-22, and a corner in the test of a ray by 2^-22."""
 
 
 def shaft_vectors(normals: np.ndarray, corners: np.ndarray) -> np.ndarray:
-    """(..., 3, 16) float32 rows of the vectors of shafts, for `aim_about` or `aim_at`.
+    """(..., 3, 16) float32 rows of the vectors of shafts, for `aim_about` or `aim_at`, from (..., 4, 3) each.
 
-    Args:
-        normals: (..., 4, 3), the inward normals of their sides; the point's horizon is another.
-        corners: (..., 4, 3), the unit directions between which all others are.
+    They are the inward normals of their sides, the point's horizon being another, and the unit directions between which all
+    others are.
     """
     vectors = np.zeros((*normals.shape[:-2], WIDTH, 3))
     vectors[..., 1:PLANES, :] = normals

@@ -51,14 +51,7 @@ class WideTree:
 
 
 def fill(topology: Topology, vertices: np.ndarray, faces: np.ndarray, workers: int) -> WideTree:
-    """The tree of these triangles.
-
-    Args:
-        topology: of the same faces.
-        vertices: (V, 3) float32, within 1 of 0.
-        faces: (F, 3) int32.
-        workers: threads.
-    """
+    """The tree of triangles: vertices (V, 3) float32, within 1 of 0, faces (F, 3) int32 and their topology."""
     leaves, nodes = len(topology.faces), len(topology.links)
     tree = WideTree(topology, _in_lines((nodes, 8, WIDTH)), _in_lines((leaves, 10, WIDTH)))
     leaf_boxes, node_boxes = np.empty((leaves, 2, 3), np.float32), np.empty((nodes, 2, 3), np.float32)

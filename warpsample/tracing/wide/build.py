@@ -36,13 +36,7 @@ class Topology:
 
 
 def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
-    """The tree of triangles.
-
-    Args:
-        vertices: (V, 3) float32.
-        faces: (F, 3) int32.
-        workers: threads.
-    """
+    """The tree of triangles: vertices (V, 3) float32, faces (F, 3) int32."""
     count = len(faces)
     lower, upper = np.empty((count, 4), np.float32), np.empty((count, 4), np.float32)
     inputs = [a.ctypes.data for a in (vertices, faces, lower, upper)]

@@ -66,13 +66,8 @@ def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float3
     """Mask of the leaf's triangles that the ray may meet within reach, and from bit 16 on of those that it meets for sure.
 
     Edge functions of the triangles sheared onto the ray (Woop2013), in float32, by more than whose rounding a triangle must
-    be missed, or met for sure. `between_edges` and `plane_distance` tell of others.
-
-    Args:
-        leaf: its address.
-        ray: prepared.
-        reach: of the ray.
-        edge: the longest side, seen along an axis, of what is in the leaf.
+    be missed, or met for sure. `between_edges` and `plane_distance` tell of others. `edge` is the longest side, seen along
+    an axis, of what is in the leaf.
     """
     # Distances are those along the ray's longest axis, a share of 3^-0.5 to 1. With u = 2^-24, e = edge and r as far as a
     # corner and 2 e: a sheared corner is rounded by 4 u r, and that of a triangle that is met is within 2 e. So an edge
