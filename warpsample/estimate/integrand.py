@@ -123,11 +123,7 @@ def _own(data: Any, device: wp.Device) -> tuple[Any, Any]:
 
 
 def _check_arrays_are_set(data: Any, names: set[str]) -> None:
-    """Refuses data without an array that is read: a kernel would read from address 0.
-
-    Raises:
-        ValueError: it is not set.
-    """
+    """Refuses data without an array that is read: a kernel would read from address 0."""
     for name, array in _arrays_in(data):
         if array is None and name.rpartition(".")[2] in names:
             raise ValueError(f"data: got {_name(data._cls)} whose array {name} is not set, want one, or one of no elements")

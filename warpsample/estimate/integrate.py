@@ -95,11 +95,7 @@ def integrate(
 
 
 def _without_mesh(points: Any) -> PlacedPoints:
-    """Points, or normals alone, whose rays meet nothing.
-
-    Raises:
-        TypeError, ValueError: neither SurfacePoints nor (P, 3) numbers.
-    """
+    """Points, or normals alone, (P, 3), whose rays meet nothing."""
     if not isinstance(points, SurfacePoints):
         given = Triples.of(points, "points", "(P, 3)")
         if len(given.shape) != 1:
@@ -120,11 +116,7 @@ def _first_of(plan: Plan) -> Plan:
 
 
 def _check_finite(found: Estimate) -> None:
-    """Refuses a function that is finite at no point.
-
-    Raises:
-        ValueError: it is NaN or infinite at all points that have a normal.
-    """
+    """Refuses a function that is NaN or infinite at all points that have a normal."""
     broken = np.count_nonzero(has_status(found.status, PointStatus.NONFINITE_VALUE))
     if broken and not has_status(found.status, PointStatus.OK).any():
         raise ValueError(f"integrand: got NaN or infinity at each of the first {broken} points, want finite numbers")

@@ -93,11 +93,7 @@ def irradiance(
 
 
 def _picture(radiance: Any) -> np.ndarray:
-    """(H, W) or (H, W, 3) float32.
-
-    Raises:
-        TypeError, ValueError: not a picture of radiances.
-    """
+    """A picture of radiances, (H, W) or (H, W, 3) float32; refuses anything else."""
     got = "got"
     if isinstance(radiance, str | PathLike):
         got, radiance = f"got {str(radiance)!r} with", read_picture(radiance)

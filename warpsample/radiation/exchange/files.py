@@ -87,11 +87,7 @@ def load(path: Any, argument: str) -> dict[str, Any]:
 
 
 def _check_held(held: dict[str, np.ndarray]) -> None:
-    """Refuses what `save` does not write.
-
-    Raises:
-        ValueError: says which array is missing, of another type or shape, or has numbers that no view factors have.
-    """
+    """Refuses what `save` does not write, and says which array is wrong."""
     optional = _OPTIONAL if any(name in held for name in _OPTIONAL) else ()
     lacking = {"data", "standard_error", "indices", "indptr", "shape", "skipped", *_VECTORS, *optional} - set(held)
     if lacking:

@@ -14,11 +14,7 @@ _BYTES = 8  # of a value and its error
 
 
 def _prepare(mesh: Mesh, total: int, **options: Any) -> Numbers:
-    """The rows of the points, if all of them fit into memory.
-
-    Raises:
-        MemoryError: they do not; says how to take fewer points.
-    """
+    """The rows of the points; refuses more of them than fit into memory."""
     patches = len(sky_patches(options["patches"]))
     what = f"{total:,} rows of {patches:,} patches and their errors"
     check_memory(_COPIES * _BYTES * total * patches, what, "take fewer points, or coarser --patches")

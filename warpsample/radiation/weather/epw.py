@@ -53,11 +53,7 @@ def checked_text(path: Path) -> str:
 
 
 def _check_place(line: str) -> None:
-    """Refuses a first line without the numbers of a place.
-
-    Raises:
-        ValueError: says what is wrong.
-    """
+    """Refuses a first line without the numbers of a place."""
     fields = line.split(",")
     if len(fields) < 10:
         raise ValueError(

@@ -119,11 +119,7 @@ def hours_of(period: Any) -> np.ndarray:
 
 
 def _hour(match: re.Match[str], default: int) -> int:
-    """How many hours of the year are over.
-
-    Raises:
-        ValueError: no such day or hour.
-    """
+    """How many hours of the year are over; a ValueError where there is no such day or hour."""
     month, day = int(match[1]), int(match[2])
     hour = default if match[3] is None else int(match[3])
     if hour > 24:
@@ -141,11 +137,7 @@ def _pvlib() -> Any:
 
 
 def _check_nights(direct: np.ndarray, altitude: np.ndarray) -> None:
-    """Refuses a place that does not fit the hours, as one whose longitude is counted towards the west.
-
-    Raises:
-        ValueError: says how much of the sun's radiation comes at night.
-    """
+    """Refuses a place that does not fit the hours, as one whose longitude is counted towards the west."""
     share = direct[altitude < _NIGHT].sum() / max(direct.sum(), 1.0)
     if share > 0.01:
         raise ValueError(
