@@ -33,7 +33,8 @@ def _writer(kind: Any) -> wp.Function:
 
 float_at, int_at, long_at, address_at, byte_at = map(_reader, (wp.float32, wp.int32, wp.int64, wp.uint64, wp.uint8))
 vec3_at, vec3i_at, vec3d_at = map(_reader, (wp.vec3, wp.vec3i, wp.vec3d))
-set_float, set_int, set_address, set_vec3 = map(_writer, (wp.float32, wp.int32, wp.uint64, wp.vec3))
+set_float, set_int, set_address = map(_writer, (wp.float32, wp.int32, wp.uint64))
+set_vec3, set_vec4i = map(_writer, (wp.vec3, wp.vec4i))
 
 
 @wp.func

@@ -3,7 +3,7 @@
 import warp as wp
 
 from warpsample.host.locks import once
-from warpsample.maths.memory import set_byte, set_int
+from warpsample.maths.memory import set_byte, set_vec4i
 from warpsample.maths.numerics import HALF, ONE, ZERO
 from warpsample.radiation.sky.form_factors import open_form_factor, patch_at
 from warpsample.radiation.sky.patch_rays import WEIGHTS, SkyRows, sum_rays
@@ -98,7 +98,7 @@ def _fill_row(sky: SkyRows, tree: Accelerator, point: ShadingPoint, row: wp.int6
             closed += 1
         value[k] = wp.float32(part * share)
         error[k] = wp.float32(deviation * share)
-    return cast, open, closed, below
+    return wp.vec4i(cast, open, closed, below)
 
 
 @once
@@ -112,16 +112,10 @@ def sky_kernel() -> wp.Kernel:
         point = turned(point_in(memory.ptr, WEIGHTS, CHUNK_FLOATS), sky.placement, sky.normals, sky.active, task)
         point = standing(point, sky.placement, 1)
         point.key = point_key(sky.seed, sky.first_point + wp.uint64(point.index))
-        cast = wp.int32(0)
-        open = wp.int32(0)
-        closed = wp.int32(0)
-        below = wp.int32(0)
+        tally = wp.vec4i(0)
         if point.status == 0:
-            cast, open, closed, below = _fill_row(sky, tree, point, wp.where(sky.by_task != 0, task, point.index))
-        set_int(sky.cast, point.index, cast)
-        set_int(sky.open, point.index, open)
-        set_int(sky.closed, point.index, closed)
-        set_int(sky.below, point.index, below)
+            tally = _fill_row(sky, tree, point, wp.where(sky.by_task != 0, task, point.index))
+        set_vec4i(sky.tally, point.index, tally)
         set_byte(sky.status, point.index, point.status)
 
     return fill_rows

@@ -31,7 +31,7 @@ class SkyRows:
     shafts, and of the (3, 3) float64 of their frame. groups: their number, with where they begin, (groups + 1,) int32, and
     their shafts. skip: whether what is known of a patch replaces its rays.
     by_task: whether the i-th task writes the i-th row, else that of its point. value, error: (rows, patches) float32.
-    cast, open, closed, below, status: (P,), int32 but for the uint8 of the status: rays, patches of each kind, why not.
+    tally, status: (P, 4) int32, rays cast and patches open, closed and below the horizon; (P,) uint8, why not.
     """
 
     placement: Placement
@@ -51,10 +51,7 @@ class SkyRows:
     by_task: wp.int32
     value: wp.uint64
     error: wp.uint64
-    cast: wp.uint64
-    open: wp.uint64
-    closed: wp.uint64
-    below: wp.uint64
+    tally: wp.uint64
     status: wp.uint64
 
 

@@ -98,15 +98,11 @@ def sky_seen(plan: Plan, sky: SkyPatches, fold: np.ndarray | None) -> SkyMatrix:
     with bar(plan.options.progress, "casting rays", len(plan.at)):
         rows = _Rows(plan, sky)
         out = rows.whole() if fold is None else rows.folded(fold)
-    return SkyMatrix(*out, rows.cast, rows.status, rows.skipped(), sky, fold is not None)
+    return SkyMatrix(*out, rows.tally[:, 0].copy(), rows.status, rows.skipped(), sky, fold is not None)
 
 
 def _check_fold(fold: Any, patches: int) -> np.ndarray:
-    """`fold` as (K,) or (K, T) of float32 or float64.
-
-    Raises:
-        TypeError, ValueError: no finite numbers, or of another shape.
-    """
+    """`fold` as (K,) or (K, T) finite numbers of float32 or float64."""
     wants = f"finite numbers of shape ({patches},) or ({patches}, T), one for each patch"
     array = as_real(fold, "fold", wants)
     if array.ndim not in (1, 2) or array.shape[0] != patches or array.size == 0:
@@ -122,7 +118,7 @@ class _Rows:
     def __init__(self, plan: Plan, sky: SkyPatches) -> None:
         """Finds where the rays of the points start."""
         self.plan, self.sky, points = plan, sky, len(plan.at)
-        self.cast, self.open, self.closed, self.below = (np.zeros(points, np.int32) for _ in range(4))
+        self.tally = np.zeros((points, 4), np.int32)
         self.status = np.zeros(points, np.uint8)
         self.placement = plan.at.facing(plan.options) if points else None
         self.table, self.frame, self.begins = table_of(sky), np.ascontiguousarray(sky.frame), groups_of(sky)
@@ -154,13 +150,14 @@ class _Rows:
 
     def skipped(self) -> SkySkipped:
         """What was not done."""
-        uncast = (self.cast == 0) & has_status(self.status, PointStatus.OK)
+        uncast = (self.tally[:, 0] == 0) & has_status(self.status, PointStatus.OK)
+        _cast, open_, closed, below = self.tally.sum(axis=0, dtype=np.int64).tolist()
         return SkySkipped(
             points=int(np.count_nonzero(self.status)),
-            open_points=int(np.count_nonzero(uncast & (self.open > 0))),
-            open_patches=int(self.open.sum(dtype=np.int64)),
-            closed_patches=int(self.closed.sum(dtype=np.int64)),
-            patches_below=int(self.below.sum(dtype=np.int64)),
+            open_points=int(np.count_nonzero(uncast & (self.tally[:, 1] > 0))),
+            open_patches=open_,
+            closed_patches=closed,
+            patches_below=below,
         )
 
     def _order(self) -> np.ndarray | None:
@@ -174,7 +171,7 @@ class _Rows:
         if not points:
             return
         self.placement.order = 0 if order is None else order.ctypes.data
-        own = ("table", "shafts", "frame", "begins", "group_shafts", "cast", "open", "closed", "below", "status")
+        own = ("table", "shafts", "frame", "begins", "group_shafts", "tally", "status")
         arrays = {name: getattr(self, name) for name in own}
         arrays |= {"normals": plan.at.normal, "value": value, "error": error}
         rows = SkyRowsArgs(
