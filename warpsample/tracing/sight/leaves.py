@@ -49,7 +49,8 @@ def keep_triangle(leaf: wp.uint64, lane: wp.int32, a: wp.vec3, b: wp.vec3, c: wp
 @wp.func
 def any_in_leaf(leaf: wp.uint64, triangles: wp.int32, column: wp.uint64, reach: wp.float32) -> wp.int32:
     """The lane of some triangle of a mask that a prepared ray meets; -1 if it meets none."""
-    return any_of(leaf, triangles, ray_in(column), reach, float_at(leaf, _LONGEST))
+    _reach, lane = any_of(leaf, triangles, ray_in(column), reach, float_at(leaf, _LONGEST))
+    return lane
 
 
 @wp.func

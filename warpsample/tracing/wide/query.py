@@ -16,13 +16,7 @@ _ALL = wp.constant(wp.int32(2**WIDTH - 1))
 
 
 @wp.func
-def nearest_of(
-    leaf: wp.uint64,
-    lanes: wp.int32,
-    ray: Ray,
-    reach: wp.float32,
-    edge: wp.float32,
-):
+def nearest_of(leaf: wp.uint64, lanes: wp.int32, ray: Ray, reach: wp.float32, edge: wp.float32):
     """(distance, lane in the leaf) of the nearest triangle met, of those in the mask `lanes`; (reach, -1) if none is."""
     found = triangles_near(leaf, ray, reach, edge)
     met = found & lanes
@@ -41,14 +35,8 @@ def nearest_of(
 
 
 @wp.func
-def any_of(
-    leaf: wp.uint64,
-    lanes: wp.int32,
-    ray: Ray,
-    reach: wp.float32,
-    edge: wp.float32,
-) -> wp.int32:
-    """The lane in the leaf of some triangle that is met, of those in the mask `lanes`; -1 if none is."""
+def any_of(leaf: wp.uint64, lanes: wp.int32, ray: Ray, reach: wp.float32, edge: wp.float32):
+    """(reach, lane in the leaf) of some triangle that is met, of those in the mask `lanes`; (reach, -1) if none is."""
     found = triangles_near(leaf, ray, reach, edge) & (lanes | (lanes << WIDTH))
     triangle = wp.int32(-1)
     if found != 0:
@@ -63,19 +51,7 @@ def any_of(
                 if distance > 0.0 and distance < reach and between_edges(leaf, lowest_bit(met), ray):
                     triangle = lowest_bit(met)
             met = met & (met - 1)
-    return triangle
-
-
-@wp.func
-def _nearest_in(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32):
-    """(the new reach, the nearest triangle met in a leaf or -1)."""
-    return nearest_of(leaf, _ALL, ray, reach, edge)
-
-
-@wp.func
-def _any_in(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32):
-    """(the reach, some triangle met in a leaf or -1)."""
-    return reach, any_of(leaf, _ALL, ray, reach, edge)
+    return reach, triangle
 
 
 @wp.func
@@ -145,7 +121,7 @@ def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
     """
     flip = -1 if any_hit else 0
     begin = _begin_at_several if several else _begin_at_one
-    look_into, answer = (_any_in, _any_answer) if any_hit else (_nearest_in, _nearest_answer)
+    look_into, answer = (any_of, _any_answer) if any_hit else (nearest_of, _nearest_answer)
 
     @wp.func
     def walk(accelerator: Accelerator, ray: Ray, reach: wp.float32, scratch: wp.uint64):
@@ -162,7 +138,7 @@ def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
                 visited_leaves += 1
                 leaf = leaf_at(accelerator, ~link)
                 edge = edge_in(node, child)
-                reach, triangle = look_into(leaf, ray, reach, edge)
+                reach, triangle = look_into(leaf, _ALL, ray, reach, edge)
                 if triangle >= 0:
                     hit = triangle
                     hit_leaf = leaf

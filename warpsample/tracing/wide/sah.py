@@ -1,7 +1,6 @@
-"""One split of a range of triangles by the binned surface-area heuristic.
+"""One split of a range of triangles by the binned surface-area heuristic (Wald2007).
 
-Wald2007. Triangles are counted by the sixteen, since that
-many cost as much as one.
+Triangles are counted by the sixteen, since that many cost as much as one.
 """
 
 import warp as wp
