@@ -17,18 +17,14 @@ INACTIVE = 1
 ZERO_NORMAL = 2
 NONFINITE_NORMAL = 3
 
-_INACTIVE = wp.constant(wp.int32(INACTIVE))
-_ZERO = wp.constant(wp.int32(ZERO_NORMAL))
-_NONFINITE = wp.constant(wp.int32(NONFINITE_NORMAL))
-
 
 @wp.func
 def normal_status(n: wp.vec3, weight: wp.float32) -> wp.int32:
     """INACTIVE where the weight is 0, else OK, ZERO_NORMAL or NONFINITE_NORMAL."""
     finite = (n[0] - n[0]) + (n[1] - n[1]) + (n[2] - n[2]) == 0.0
     zero = wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]) == 0.0
-    code = wp.where(finite, wp.where(zero, _ZERO, 0), _NONFINITE)
-    return wp.where(weight == 0.0, _INACTIVE, code)
+    code = wp.where(finite, wp.where(zero, ZERO_NORMAL, 0), NONFINITE_NORMAL)
+    return wp.where(weight == 0.0, INACTIVE, code)
 
 
 @wp.func

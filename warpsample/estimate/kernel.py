@@ -14,7 +14,6 @@ from warpsample.sequences.hashing import point_key
 from warpsample.tracing.queries import CHUNK_FLOATS, PREPARED, Accelerator
 from warpsample.tracing.sight.point import ShadingPoint, point_in, standing, turned, workspace_floats
 
-_NONFINITE_VALUE = wp.constant(wp.int32(NONFINITE_VALUE))
 _ANYTHING = wp.constant(wp.float32(2.0**60))  # nothing is so low below a horizon
 
 
@@ -64,7 +63,7 @@ def _estimator(slots: Slots) -> wp.Function:
         if point.status == 0:
             total, variance, width, degrees, cast, empty = sum_lobe(lobes, accelerator, data, point)
             if wp.dot(total - total, total - total) != ZERO:
-                point.status = _NONFINITE_VALUE
+                point.status = NONFINITE_VALUE
                 total = NOTHING
                 variance = NOTHING
                 width = NOTHING

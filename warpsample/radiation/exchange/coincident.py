@@ -17,7 +17,6 @@ from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.sight.point import SCRATCH
 from warpsample.tracing.sight.touching import faces_touching
 
-_BACK = wp.constant(wp.int32(BACK))
 _NEAR = wp.constant(wp.float32(2.0**-21))  # of the scene's size, as far as eight roundings: so near is in one place
 _OPPOSITE = wp.constant(wp.float32(-0.999))
 _NONE = wp.constant(wp.int32(2**31 - 1))
@@ -62,7 +61,7 @@ def coincident_kernel() -> wp.Kernel:
         i = wp.uint32(ray % wp.int64(rays.each))
         o = in_double(start_of(f, key, i))
         d = in_double(direction_of(frame_about(f.n), key, rays.step, i))
-        met = face_at(rays, _BACK - int_at(rays.codes, ray))
+        met = face_at(rays, BACK - int_at(rays.codes, ray))
         across = wp.cross(met.b, met.c)
         slope = wp.dot(across, d)
         if slope != ZERO:

@@ -25,9 +25,6 @@ from warpsample.tracing.sight.frontier import open_around
 from warpsample.tracing.sight.point import ShadingPoint, point_in, workspace_floats
 from warpsample.tracing.sight.rays import first_hit, prepare_rays, whole_vectors
 
-_SKY = wp.constant(wp.int32(SKY))
-_GROUND = wp.constant(wp.int32(GROUND))
-_BACK = wp.constant(wp.int32(BACK))
 _THREE = wp.constant(wp.float64(3.0))
 _REACH = wp.constant(wp.float32(2.0**60))  # of the scene's size
 _FLOATS = workspace_floats(0)
@@ -53,8 +50,8 @@ def _fill(f: Face, key: wp.vec4ui, step: wp.uint64, first: wp.int32, length: wp.
 def _code(rays: FaceRays, face: wp.int32, d: wp.vec3) -> wp.int32:
     """What is kept of a ray that meets a face, or none."""
     if face < 0:
-        return wp.where(wp.dot(rays.up, d) < 0.0, _GROUND, _SKY)
-    return wp.where(wp.dot(vec3_at(rays.normals, face), d) < 0.0, face, _BACK - face)
+        return wp.where(wp.dot(rays.up, d) < 0.0, GROUND, SKY)
+    return wp.where(wp.dot(vec3_at(rays.normals, face), d) < 0.0, face, BACK - face)
 
 
 @wp.func

@@ -22,9 +22,6 @@ What is found of other patches must not matter: the same rays are cast wherever 
 
 _CONCENTRATION = wp.constant(wp.float64(CONCENTRATION))
 _FLOATS = workspace_floats(WEIGHTS)
-_OPEN = wp.constant(wp.int32(OPEN))
-_CLOSED = wp.constant(wp.int32(CLOSED))
-_UNKNOWN = wp.constant(wp.int32(UNKNOWN))
 
 
 @wp.func
@@ -45,20 +42,20 @@ def _look_into(
     error = wp.array(ptr=sky.error + at, shape=(sky.patches,), dtype=wp.float32)
     begins = wp.array(ptr=sky.begins, shape=(sky.groups + 1,), dtype=wp.int32)
     filled = wp.uint64(0)
-    of_all = wp.where(tree.starts == 0 and local == 0, _OPEN, _UNKNOWN)
+    of_all = wp.where(tree.starts == 0 and local == 0, OPEN, UNKNOWN)
     for group in range(sky.groups):
         most = wp.float32(0.0)
         for k in range(begins[group], begins[group + 1]):
             value[k] = wp.float32(open_form_factor(n, patch_at(sky.table, k)))
             most = wp.max(most, value[k])
         of_group = of_all
-        if search and most > 0.0 and of_all == _UNKNOWN and begins[group + 1] - begins[group] > 1:
+        if search and most > 0.0 and of_all == UNKNOWN and begins[group + 1] - begins[group] > 1:
             of_group, filled = look(tree, point, local, sky.group_shafts + wp.uint64(group) * VECTORS_BYTES, filled)
         for k in range(begins[group], begins[group + 1]):
             known = wp.int32(0)
             if value[k] > 0.0:
                 known = of_group
-                if search and known == _UNKNOWN:
+                if search and known == UNKNOWN:
                     known, filled = look(tree, point, local, sky.shafts + wp.uint64(k) * VECTORS_BYTES, filled)
             error[k] = wp.float32(known)
 
@@ -84,15 +81,15 @@ def _fill_row(sky: SkyRows, tree: Accelerator, point: ShadingPoint, row: wp.int6
     for k in range(sky.patches):
         known = wp.int32(error[k])
         share = wp.float64(value[k])
-        part = wp.where(known == _CLOSED, ZERO, ONE)
+        part = wp.where(known == CLOSED, ZERO, ONE)
         deviation = ZERO
         if known == 0:
             below += 1
-        elif known == _UNKNOWN or sky.skip == 0:
+        elif known == UNKNOWN or sky.skip == 0:
             each = wp.max(1, wp.int32(density * share))
             part, deviation, rays = sum_rays(sky, seen, point, local, n, k, patch_at(sky.table, k), each)
             cast += rays
-        elif known == _OPEN:
+        elif known == OPEN:
             open += 1
         else:
             closed += 1

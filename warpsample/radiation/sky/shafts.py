@@ -13,10 +13,6 @@ from warpsample.tracing.sight.shafts import aim_at, shaft_vectors
 OPEN, CLOSED, UNKNOWN = 1, 2, 3
 """What is known of a patch: nothing is in it; one triangle fills it; neither."""
 
-_OPEN = wp.constant(wp.int32(OPEN))
-_CLOSED = wp.constant(wp.int32(CLOSED))
-_UNKNOWN = wp.constant(wp.int32(UNKNOWN))
-
 _INSIDE = wp.constant(wp.float32(2.0**-17))  # by which a shaft must be within a triangle: directions are rounded by 2^-20
 
 _SECTORS = {"tregenza": 6, "reinhart2": 12, "reinhart4": 12}
@@ -68,11 +64,11 @@ def look(tree: Accelerator, point: ShadingPoint, local: wp.int32, vectors: wp.ui
     """
     aim_at(vectors, point)
     found = search_shaft(tree, point, local)
-    known = wp.where(found.state == EMPTY, _OPEN, _UNKNOWN)
+    known = wp.where(found.state == EMPTY, OPEN, UNKNOWN)
     if found.state == OCCUPIED:
         if (covering(found.leaf, point.shaft, point.o, _INSIDE) & found.triangles) != 0:
-            known = _CLOSED
+            known = CLOSED
             filled = found.leaf
         elif filled != wp.uint64(0) and covering(filled, point.shaft, point.o, _INSIDE) != 0:
-            known = _CLOSED
+            known = CLOSED
     return known, filled

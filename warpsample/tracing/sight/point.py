@@ -36,7 +36,6 @@ LOCAL_LEAF = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES))
 
 _ROW = 16  # parts of the workspace start at multiples of as many floats
 _OPENED_FLOATS = -(-(MOST_STARTS * NODE_BYTES // 4 + OWN_LEAF_FLOATS) // _ROW) * _ROW
-_NONFINITE_POSITION = wp.constant(wp.int32(NONFINITE_POSITION))
 
 
 @wp.struct
@@ -121,7 +120,7 @@ def standing(point: ShadingPoint, placement: Placement, sides: wp.int32) -> Shad
     point.low = HORIZON_MARGIN * reach_along(placement, point.n, point.o)
     point.reach = wp.float32(placement.reach)
     if point.status == 0 and wp.dot(point.position - point.position, point.position - point.position) != ZERO:
-        point.status = _NONFINITE_POSITION
+        point.status = NONFINITE_POSITION
     start_all(point.chunk, point.o, point.reach)
     return point
 

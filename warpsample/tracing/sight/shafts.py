@@ -13,8 +13,8 @@ import warp as wp
 from warpsample.maths.frames import frame_about, to_world
 from warpsample.maths.memory import float_at, vec3_at
 from warpsample.maths.numerics import fma, greater, lesser
+from warpsample.tracing.sight.frontier import limit_of_boxes
 from warpsample.tracing.sight.point import SHAFT_FLOATS, ShadingPoint
-from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.layout import WIDTH, corner, size_of
 
 PLANES, CORNERS = 5, 4
@@ -28,7 +28,6 @@ _ROW = wp.constant(wp.uint64(4 * WIDTH))
 _UPPER = wp.constant(wp.uint64(3 * 4 * WIDTH))
 _ORIGIN = 4 * WIDTH
 _LOW = 4 * WIDTH + 3
-_PADDING = wp.constant(wp.float32(PADDING))
 _MARGIN = wp.constant(wp.float32(2.0**-19))
 """Times the distance of what is compared: a direction is rounded by 2^-20.4 (its variates' stratum, sine and frame), a
 shaft's plane by 2^-22, and a corner in the test of a ray by 2^-22."""
@@ -65,7 +64,7 @@ def _start(point: ShadingPoint):
         rows[3 * WIDTH + k] = wp.dot(wp.vec3(rows[k], rows[WIDTH + k], rows[2 * WIDTH + k]), o)
         k += 1
     # The horizon, exactly; boxes are padded, what is in them is not.
-    rows[3 * WIDTH] = wp.dot(n, o) - point.low + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
+    rows[3 * WIDTH] = limit_of_boxes(wp.dot(n, o) - point.low, n)
     for axis in range(3):
         rows[axis * WIDTH] = n[axis]
         rows[_ORIGIN + axis] = o[axis]
