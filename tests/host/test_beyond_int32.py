@@ -99,7 +99,7 @@ def test_rays(per_point):
     way = Triples.of(directions.reshape(-1, 3), "directions")
     start = Triples.of(origins.reshape(-1, 3) if per_point == 1 else origins, "origins")
     rays = trace.rays_of(placed(scene, start, np.inf), way, ws.Hits(distance, face, "wide"))
-    rays.each = CHUNK
+    rays.per_task = CHUNK
     inputs = [rays, scene.tree(1).accelerator()]
     launch_last(10, ray_kernel(prepare_wide, wide_query(False)), inputs, -(-MANY // CHUNK))
     assert (distance[-1], face[-1]) == (3.0, 0)

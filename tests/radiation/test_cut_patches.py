@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from estimate_cases import at
-from sky_cases import edges, shares
+from sky_cases import edges, form_factors
 
 import warpsample as ws
 from warpsample.bench import scenes
@@ -47,7 +47,7 @@ def test_cut_patches_behind_slats_by_quadrature(name):
     """Slats cut every low patch in two or more: rays that miss a part of one would tell another share."""
     n = unit(NORMALS[name])
     mesh, seen = slats(np.arctan2(n[0], n[1]))
-    exact = shares(n, seen, cells=150)[0]
+    exact = form_factors(n, seen, cells=150)[0]
     errors = []
     for count in (1024, 16384):
         found = ws.sky_matrix(mesh, at((0, 0, 0), n, 64), count)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from warpsample.radiation.exchange.design_effects import shares_and_variances
+from warpsample.radiation.exchange.design_effects import factors_and_variances
 
 
 def by_hand(hits, rays):
@@ -38,7 +38,7 @@ def test_variances_are_those_of_the_formula(replicates):
     rare = rng.binomial(each, share[:, None], (300, replicates))
     hits = np.clip(np.where(share[:, None] > 0.01, steady, rare), 0, each).astype(np.int32)
     hits[0], hits[1] = 0, each
-    value, found = shares_and_variances(hits, rays)
+    value, found = factors_and_variances(hits, rays)
     assert np.array_equal(value, hits.sum(axis=1) / rays)
     # 20 halvings find the power to 1e-6, of which a class has 12 times that.
     assert found == pytest.approx(by_hand(hits, rays), rel=1e-4, abs=0.0)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from estimate_cases import at, same, street
 from meshes import BOX, soup, turned
-from sky_cases import shares
+from sky_cases import form_factors
 
 import warpsample as ws
 from warpsample.bench import scenes
@@ -20,7 +20,7 @@ FAR = ws.as_mesh(([(0, 0, -2), (1, 0, -2), (0, 1, -2)], [(0, 1, 2)]))  # below a
 
 def test_open_planes_are_exact_and_cost_no_ray():
     found = ws.sky_matrix(FAR, at(np.zeros((len(TILTS), 3)), TILTS), 64)
-    exact = shares(TILTS)
+    exact = form_factors(TILTS)
     assert np.abs(found.value - exact).max() <= 1e-6
     assert found.rays.sum() == 0
     assert (found.standard_error == 0.0).all()
@@ -38,10 +38,10 @@ def test_wrong_patches_would_be_seen(tested):
     half = np.array([[np.cos(a), np.sin(a)] for a in [np.radians(6.0)]])[0]
     turn = np.array([[half[0], -half[1], 0.0], [half[1], half[0], 0.0], [0.0, 0.0, 1.0]])
     wrong = {
-        "mirrored": lambda: shares(TILTS * [-1, 1, 1], cells=40),
-        "half a patch": lambda: shares(TILTS @ turn, cells=40),
-        "over pi twice": lambda: shares(TILTS, cells=40) / np.pi,
-        "the ground first": lambda: np.roll(shares(TILTS, cells=40), 1, axis=1),
+        "mirrored": lambda: form_factors(TILTS * [-1, 1, 1], cells=40),
+        "half a patch": lambda: form_factors(TILTS @ turn, cells=40),
+        "over pi twice": lambda: form_factors(TILTS, cells=40) / np.pi,
+        "the ground first": lambda: np.roll(form_factors(TILTS, cells=40), 1, axis=1),
     }
     assert np.abs(found - wrong[tested]()).max() >= 1e-3
 
@@ -50,7 +50,7 @@ def test_wrong_patches_would_be_seen(tested):
 def test_finer_patches_of_open_planes(name):
     multiple = {"reinhart2": 2, "reinhart4": 4}[name]
     found = ws.sky_matrix(FAR, at(np.zeros((4, 3)), TILTS[3:7]), 64, patches=name)
-    assert np.abs(found.value - shares(TILTS[3:7], multiple=multiple, cells=60)).max() <= 1e-6
+    assert np.abs(found.value - form_factors(TILTS[3:7], multiple=multiple, cells=60)).max() <= 1e-6
     assert found.rays.sum() == 0
 
 
@@ -62,7 +62,7 @@ def test_a_street_by_quadrature(count):
     def seen(w):
         return w[:, 2] * np.where(w[:, 0] > 0.0, width - x, x) > height * np.abs(w[:, 0])
 
-    exact = shares([0, 0, 1], seen, cells=200)[0]
+    exact = form_factors([0, 0, 1], seen, cells=200)[0]
     error = found.value - exact
     bars = np.sqrt(np.mean(np.square(found.standard_error.astype(np.float64)), axis=0) / 64)
     assert (np.abs(error.mean(axis=0)) <= 5.0 * bars + 1e-5).all()
@@ -78,7 +78,7 @@ def test_a_wall_shades_the_patches_before_it():
     wall = ws.as_mesh(([(1, -50, -1), (1, 50, -1), (1, 50, 1), (1, -50, 1)], [(0, 1, 2), (0, 2, 3)]))
     normal = (0.2, 0.3, 1.0)
     found = ws.sky_matrix(wall, at((0, 0, 0), normal, 32), 2048)
-    exact = shares(normal, lambda w: w[:, 2] > w[:, 0], cells=200)[0]
+    exact = form_factors(normal, lambda w: w[:, 2] > w[:, 0], cells=200)[0]
     bars = np.sqrt(np.mean(np.square(found.standard_error.astype(np.float64)), axis=0) / 32)
     assert (np.abs(found.value.mean(axis=0) - exact) <= 5.0 * bars + 1e-5).all()
     assert found.skipped.closed_patches > 0
@@ -204,7 +204,7 @@ def test_points_far_off_and_nowhere():
         ws.PointStatus.NONFINITE_NORMAL: 1,
         ws.PointStatus.NONFINITE_POSITION: 1,
     }
-    assert np.abs(found.value[0] - shares([0, 0, 1], cells=80)[0]).max() <= 1e-6
+    assert np.abs(found.value[0] - form_factors([0, 0, 1], cells=80)[0]).max() <= 1e-6
     assert not found.value[1:].any()
     none = ws.sky_matrix(mesh, at(np.zeros((0, 3)), np.zeros((0, 3))), 64)
     assert none.value.shape == (0, 145)

@@ -7,8 +7,8 @@ from view_factor_cases import CUBE, GROUND, LID, X, Y, Z, alike, rectangle, scen
 
 import warpsample as ws
 from warpsample.radiation.exchange import casting
-from warpsample.radiation.exchange.reciprocity import reciprocal_shares
-from warpsample.radiation.exchange.row_shares import Shares
+from warpsample.radiation.exchange.reciprocity import reciprocal_factors
+from warpsample.radiation.exchange.row_factors import RowFactors
 from warpsample.radiation.exchange.surfaces import surfaces_of
 
 COURTYARD = ws.load_mesh("courtyard")
@@ -102,9 +102,9 @@ def test_pooled_factors_are_reciprocal_and_close():
 def test_what_cannot_close_is_told():
     """Two surfaces that see each other alone, of unlike area: nothing is both reciprocal and closed."""
     nothing = (np.zeros(2), np.zeros(2))
-    seen = Shares(np.arange(3), np.array([1, 0]), np.ones(2), np.zeros(2), {"outside": nothing, "behind": nothing})
+    seen = RowFactors(np.arange(3), np.array([1, 0]), np.ones(2), np.zeros(2), {"outside": nothing, "behind": nothing})
     with pytest.warns(UserWarning, match="rows close to 0.3 only"):
-        reciprocal_shares(seen, surfaces_of(np.array([1.0, 2.0]), np.ones(2, bool), None))
+        reciprocal_factors(seen, surfaces_of(np.array([1.0, 2.0]), np.ones(2, bool), None))
 
 
 def test_a_warning_names_the_line_that_calls():

@@ -25,7 +25,7 @@ def local_directions(patch, across, up):
     return np.column_stack([along * np.sin(azimuth), along * np.cos(azimuth), z])
 
 
-def shares(normals, seen=None, multiple=1, cells=200):
+def form_factors(normals, seen=None, multiple=1, cells=200):
     """(N, K) float64, the integrals of max(0, n.w) / pi where `seen` (directions -> bool) says so, by the midpoint rule."""
     normals = np.atleast_2d(np.asarray(normals, np.float64))
     normals = normals / np.linalg.norm(normals, axis=1, keepdims=True)

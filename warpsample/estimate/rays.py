@@ -35,12 +35,12 @@ def spread_of(slots: Slots) -> wp.Function:
         band = wp.float32(stratum - sector * lobes.bands)
         band_size = 1.0 / wp.float32(lobes.bands)
         sector_size = 1.0 / wp.float32(lobes.sectors)
-        each = lobes.samples_per_stratum
+        samples = lobes.samples_per_stratum
         k = wp.int32(0)
         while k < length:
             i = first + k
-            second = wp.where(i >= each, 1, 0)
-            p = sample(one_of(key, other, second), wp.uint32(i - second * each), wp.uint32(each))
+            second = wp.where(i >= samples, 1, 0)
+            p = sample(one_of(key, other, second), wp.uint32(i - second * samples), wp.uint32(samples))
             x = (p[0] + band) * band_size
             y = (p[1] + wp.float32(sector)) * sector_size
             u[k] = wp.where(x < LAST_UNIFORM, x, LAST_UNIFORM)  # where the sum is rounded up to the next stratum

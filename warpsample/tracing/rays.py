@@ -41,13 +41,13 @@ RAY_WORK = 64
 class Rays:
     """Scalars and addresses of `count` directions (P, count, 3) from each placed point: float32, or float64 as it says.
 
-    A task is `each` consecutive rays, at most CHUNK. distance, face (P, count): float32, int32. Optional, else 0: visits
+    A task is `per_task` consecutive rays, at most CHUNK. distance, face (P, count): float32, int32. Optional, else 0: visits
     (P, count, 2) int32, nodes and leaves.
     """
 
     placement: Placement
     count: wp.int64
-    each: wp.int64
+    per_task: wp.int64
     double_directions: wp.int32
     directions: wp.uint64
     distance: wp.uint64
@@ -114,8 +114,8 @@ def ray_kernel(prepare: wp.Function, query: wp.Function, size: int = CHUNK_FLOAT
     def each_ray(rays: Rays, accelerator: Accelerator, first_task: wp.int64):
         words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
         floats = wp.zeros(shape=(size,), dtype=wp.float32)
-        first = (first_task + wp.int64(wp.tid())) * rays.each
-        length = wp.int32(wp.min(rays.each, rays.placement.points * rays.count - first))
+        first = (first_task + wp.int64(wp.tid())) * rays.per_task
+        length = wp.int32(wp.min(rays.per_task, rays.placement.points * rays.count - first))
         row = first / rays.count
         j = first - row * rays.count
         point = point_of(rays.placement, row)
@@ -129,7 +129,7 @@ def ray_kernel(prepare: wp.Function, query: wp.Function, size: int = CHUNK_FLOAT
             if j == rays.count:
                 j = wp.int64(0)
                 row += wp.int64(1)
-        _normalize(floats.ptr, rays.each)
+        _normalize(floats.ptr, rays.per_task)
         prepare(floats.ptr, CHUNK)
         row = first / rays.count
         j = first - row * rays.count
@@ -168,5 +168,5 @@ def trace_rays(scene: Scene, rays: RaysArgs, *, tracer: Tracer, any_hit: bool, d
 def launch_rays(kernel: wp.Kernel, accelerator: AcceleratorArgs, rays: RaysArgs, device: wp.Device, workers: int) -> None:
     """Runs rays through a kernel of `ray_kernel`."""
     total = rays.placement.points * rays.count
-    rays.each = CHUNK if at_home(device) else 1  # on CUDA neighbouring threads then trace neighbouring rays
-    run(kernel, -(-total // rays.each), [rays, accelerator], device, workers=workers, work=RAY_WORK * total)
+    rays.per_task = CHUNK if at_home(device) else 1  # on CUDA neighbouring threads then trace neighbouring rays
+    run(kernel, -(-total // rays.per_task), [rays, accelerator], device, workers=workers, work=RAY_WORK * total)

@@ -32,7 +32,7 @@ class Casting:
     """The checked arguments by which rays are cast."""
 
     mesh: Mesh
-    each: int
+    per_replicate: int
     replicates: int
     seed: int
     up: tuple[float, float, float] | None
@@ -43,7 +43,7 @@ class Casting:
     @property
     def rays(self) -> int:
         """The number of rays of each face."""
-        return self.each * self.replicates
+        return self.per_replicate * self.replicates
 
     def upward(self) -> np.ndarray | None:
         """(F,) float64, the share of each face's hemisphere that is above the horizon; None without one."""
@@ -69,7 +69,7 @@ class Casting:
                 workers=self.workers,
                 work=RAY_WORK * len(rows),
             )
-            collector.all_open(rows[opens == 1], self.each)
+            collector.all_open(rows[opens == 1], self.per_replicate)
             rows = rows[opens == 0]
         done = begin(len(rows), RAY_WORK * self.rays * len(rows))
 
@@ -113,8 +113,8 @@ class Casting:
             seed=seed_for("faces", self.seed),
             first_face=self.first_face,
             replicates=self.replicates,
-            each=self.each,
-            step=step_of(self.each),
+            per_replicate=self.per_replicate,
+            step=step_of(self.per_replicate),
             extent=tuple(scene.extent),
             coarseness=coarseness_of(scene, True),
             up=self.up or (0.0, 0.0, 0.0),
@@ -122,7 +122,7 @@ class Casting:
 
     def _block(self, of_all: FaceRaysArgs, tree: AcceleratorArgs, rows: np.ndarray, surfaces: np.ndarray | None) -> Block:
         """Casts the rays of some faces, and counts what they meet."""
-        codes = np.empty((len(rows), self.replicates, self.each), np.int32)
+        codes = np.empty((len(rows), self.replicates, self.per_replicate), np.int32)
         rays = FaceRaysArgs.from_buffer_copy(of_all)
         rays.rows, rays.codes = rows.ctypes.data, codes.ctypes.data
         run(face_kernel(), len(rows), [rays, tree], cpu(), workers=1, work=RAY_WORK * codes.size)

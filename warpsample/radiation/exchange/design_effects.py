@@ -16,8 +16,8 @@ _PRIOR = 4.0
 _SLICE = 1 << 20  # hits at a time: the squares of all of them would take more memory than the result
 
 
-def shares_and_variances(hits: np.ndarray, rays: int) -> tuple[np.ndarray, np.ndarray]:
-    """Shares F and their variances, (4 v F (1 - F) / n + (R - 1) s^2) / (4 + R - 1): v is a design effect.
+def factors_and_variances(hits: np.ndarray, rays: int) -> tuple[np.ndarray, np.ndarray]:
+    """Factors F and their variances, (4 v F (1 - F) / n + (R - 1) s^2) / (4 + R - 1): v is a design effect.
 
     Args:
         hits: (E, R) integers, of each replicate; of one kind: what meets the sky varies less than what meets a face.

@@ -1,9 +1,9 @@
-"""Draws of the errors of shares: as large as their variances say, and such that those of a row add up to nothing."""
+"""Draws of the errors of factors: as large as their variances say, and such that those of a row add up to nothing."""
 
 import numpy as np
 
 from warpsample.radiation.exchange.closure import rows_of
-from warpsample.radiation.exchange.row_shares import Shares
+from warpsample.radiation.exchange.row_factors import RowFactors
 from warpsample.radiation.exchange.surfaces import quotients
 
 _FEWEST, _MOST = 16, 128
@@ -19,17 +19,17 @@ _LOST = ("outside", "behind")
 
 
 class ErrorDraws:
-    """Draws of the errors of all shares of rows, and of what these lose; `number` of them.
+    """Draws of the errors of all factors of rows, and of what these lose; `number` of them.
 
     Those of a row are independent, less what they sum up to, in proportion to their own variances: as for counts of
     independent rays, where what one gains all others lose; but each with the design effect that it has.
     """
 
-    def __init__(self, shares: Shares) -> None:
+    def __init__(self, factors: RowFactors) -> None:
         """Finds the size of each error before the row's sum is taken off, and which part of that each takes."""
-        self._row, everywhere = rows_of(shares.indptr), np.arange(len(shares.indptr) - 1)
+        self._row, everywhere = rows_of(factors.indptr), np.arange(len(factors.indptr) - 1)
         self._places = [self._row, *[everywhere] * len(_LOST)]
-        variances = [shares.variance, *(shares.others[name][1] for name in _LOST)]
+        variances = [factors.variance, *(factors.others[name][1] for name in _LOST)]
         parts = [np.zeros(len(variance)) for variance in variances]
         for _ in range(_PASSES):
             free = [quotients(variance, 1.0 - part) for variance, part in zip(variances, parts, strict=True)]
@@ -38,14 +38,14 @@ class ErrorDraws:
         left = self._of_rows([one * (1.0 - part) for one, part in zip(free, parts, strict=True)])
         more = [quotients(*sums) for sums in zip(self._of_rows(variances), left, strict=True)]
         self._sizes, self._parts = [np.sqrt(one * scale) for one, scale in zip(free, more, strict=True)], parts
-        self._of_outside = {name: _split(shares, name) for name in ("sky", "ground") if name in shares.others}
+        self._of_outside = {name: _split(factors, name) for name in ("sky", "ground") if name in factors.others}
         lengths = [len(part) for part in (*parts, *(size for _, size in self._of_outside.values()))]
         self._signs, codes = _balanced(sum(lengths))
         self._codes = np.split(codes, np.cumsum(lengths)[:-1])
         self.number = len(self._signs)
 
     def draw(self, number: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-        """Errors of the (E,) shares, and name -> (N,) of what rows lose; the same whenever it is called."""
+        """Errors of the (E,) factors, and name -> (N,) of what rows lose; the same whenever it is called."""
         signs = [self._signs[number][codes] for codes in self._codes]
         free = [size * sign for size, sign in zip(self._sizes, signs, strict=False)]
         found = [one - part * sums for one, part, sums in zip(free, self._parts, self._of_rows(free), strict=True)]
@@ -60,9 +60,9 @@ class ErrorDraws:
         return [sums[places] for places in self._places]
 
 
-def _split(shares: Shares, name: str) -> tuple[np.ndarray, np.ndarray]:
+def _split(factors: RowFactors, name: str) -> tuple[np.ndarray, np.ndarray]:
     """By how much of the error of `outside` the sky or the ground errs, and how large what it errs by itself is."""
-    (outside, whole), (value, variance) = shares.others["outside"], shares.others[name]
+    (outside, whole), (value, variance) = factors.others["outside"], factors.others[name]
     part = np.minimum(quotients(value, outside), np.sqrt(quotients(variance, whole)))
     return part, np.sqrt(np.maximum(variance - np.square(part) * whole, 0.0))
 

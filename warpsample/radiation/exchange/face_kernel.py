@@ -73,8 +73,8 @@ def _middle_of(rays: FaceRays, f: Face, point: ShadingPoint) -> ShadingPoint:
 @wp.func
 def _cast(rays: FaceRays, tree: Accelerator, local: wp.int32, point: ShadingPoint, f: Face, codes: wp.uint64):
     """Casts a replicate's rays, a chunk at a time, and writes their codes."""
-    for first in range(0, rays.each, CHUNK):
-        length = wp.min(CHUNK, rays.each - first)
+    for first in range(0, rays.per_replicate, CHUNK):
+        length = wp.min(CHUNK, rays.per_replicate - first)
         _fill(f, point.key, rays.step, first, whole_vectors(length), point.chunk)
         _prepare(tree, point, local, length)
         for k in range(length):
@@ -98,6 +98,6 @@ def face_kernel() -> wp.Kernel:
             part = row * wp.int64(rays.replicates) + wp.int64(replicate)
             id = (rays.first_face + wp.uint64(face)) * wp.uint64(rays.replicates) + wp.uint64(replicate)
             point.key = point_key(rays.seed, id)
-            _cast(rays, tree, local, point, f, rays.codes + wp.uint64(part) * wp.uint64(rays.each) * wp.uint64(4))
+            _cast(rays, tree, local, point, f, rays.codes + wp.uint64(part) * wp.uint64(rays.per_replicate) * wp.uint64(4))
 
     return cast

@@ -29,9 +29,9 @@ _ROUNDINGS = wp.constant(wp.float64(2.0**-22))
 class FaceRays:
     """Scalars and addresses of the rays of some faces of a scene.
 
-    rows: (B,) int32, the faces. codes: (B, replicates, each) int32, what their rays met, see SKY.
+    rows: (B,) int32, the faces. codes: (B, replicates, per_replicate) int32, what their rays met, see SKY.
     vertices, triangles: (V, 3) float32 and (F, 3) int32 of the scene; normals: (F, 3) float32, unit.
-    step: 2^64 / each, along which sin^2 theta goes. first_face: the global number of face 0.
+    step: 2^64 / per_replicate, along which sin^2 theta goes. first_face: the global number of face 0.
     extent, coarseness: of the scene, by which points are moved off their face. up: the sky's axis.
     """
 
@@ -43,7 +43,7 @@ class FaceRays:
     seed: wp.uint64
     first_face: wp.uint64
     replicates: wp.int32
-    each: wp.int32
+    per_replicate: wp.int32
     step: wp.uint64
     extent: wp.vec3
     coarseness: wp.float32
@@ -53,9 +53,9 @@ class FaceRays:
 FaceRaysArgs = type(FaceRays().__ctype__())
 
 
-def step_of(each: int) -> int:
-    """2^64 / each, rounded."""
-    return round(Fraction(1 << 64, each)) if each > 1 else 0
+def step_of(per_replicate: int) -> int:
+    """2^64 / per_replicate, rounded."""
+    return round(Fraction(1 << 64, per_replicate)) if per_replicate > 1 else 0
 
 
 @wp.struct

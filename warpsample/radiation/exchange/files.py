@@ -14,7 +14,7 @@ from warpsample.host.arguments import check_file, naming_file, told
 from warpsample.host.files import check_output, complete_or_absent, read_arrays, write_arrays
 from warpsample.radiation.exchange.closure import rows_of
 from warpsample.radiation.exchange.radiosity import check_rows
-from warpsample.radiation.exchange.row_shares import matrices_of
+from warpsample.radiation.exchange.row_factors import matrices_of
 
 if TYPE_CHECKING:
     from warpsample.radiation.exchange.view_factors import ViewFactors

@@ -54,7 +54,7 @@ def block_of(rows: np.ndarray, codes: np.ndarray, groups: np.ndarray | None) -> 
 
     Args:
         rows: (B,) int32.
-        codes: (B, replicates, each) int32, see `face_rays.SKY`; changed.
+        codes: (B, replicates, per_replicate) int32, see `face_rays.SKY`; changed.
         groups: (F,) int32, the column that each face counts for; None: its own.
     """
     if groups is not None:
@@ -86,9 +86,9 @@ class Collector:
         self._entries = 0
         self._bytes = _BYTES + _HIT_BYTES * replicates
 
-    def all_open(self, rows: np.ndarray, each: int) -> None:
+    def all_open(self, rows: np.ndarray, per_replicate: int) -> None:
         """Rows all of whose rays meet nothing; which of them go to the sky is told later."""
-        self._special[rows, 0] = each
+        self._special[rows, 0] = per_replicate
 
     def take(self, block: Block) -> None:
         """Adds a block.
@@ -111,18 +111,18 @@ class Collector:
 
 
 def _counted(codes: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(row, code, hits of each replicate) of each code that occurs in a row of (B, replicates, each), in order."""
-    rows, replicates, each = codes.shape
+    """(row, code, hits of each replicate) of each code that occurs in a row of (B, replicates, per_replicate), in order."""
+    rows, replicates, per_replicate = codes.shape
     wide = np.int32 if (int(codes.max()) + 1) * replicates < 2**31 else np.int64
     keys = codes * wide(replicates)  # one sort tells codes apart and replicates within them
     keys += np.arange(replicates, dtype=wide)[:, None]
-    keys = keys.reshape(rows, replicates * each)
+    keys = keys.reshape(rows, replicates * per_replicate)
     keys.sort(axis=1)
     new = np.ones(keys.shape, np.bool_)
     np.not_equal(keys[:, 1:], keys[:, :-1], out=new[:, 1:])
     at = np.flatnonzero(new)
     key, length = keys.ravel()[at], np.diff(at, append=keys.size)
-    code, row = key // wide(replicates), at // (replicates * each)
+    code, row = key // wide(replicates), at // (replicates * per_replicate)
     first = np.ones(len(at), np.bool_)
     first[1:] = (code[1:] != code[:-1]) | (row[1:] != row[:-1])
     hits = np.zeros((np.count_nonzero(first), replicates), np.int32)

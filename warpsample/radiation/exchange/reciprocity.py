@@ -6,15 +6,15 @@ import numpy as np
 
 from warpsample.radiation.exchange.closure import Closure, closure_of, rows_of
 from warpsample.radiation.exchange.error_draws import ErrorDraws
-from warpsample.radiation.exchange.row_shares import Shares
+from warpsample.radiation.exchange.row_factors import RowFactors
 from warpsample.radiation.exchange.surfaces import Surfaces
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 
-def reciprocal_shares(shares: Shares, surfaces: Surfaces) -> Shares:
-    """The shares made reciprocal and closed.
+def reciprocal_factors(factors: RowFactors, surfaces: Surfaces) -> RowFactors:
+    """The factors made reciprocal and closed.
 
     Of all exchanges that close, those that are nearest to what was counted, as counts of independent rays differ: each pair
     gives way by as much as its rays left it open. In a flat room the few rays to its low walls settle what these exchange
@@ -24,23 +24,23 @@ def reciprocal_shares(shares: Shares, surfaces: Surfaces) -> Shares:
         UserWarning: no exchange closes all rows.
     """
     areas = surfaces.areas
-    pooling = _Pooling(shares, areas, surfaces.densities)
-    lost = areas * (shares.others["outside"][0] + shares.others["behind"][0])
-    closure = closure_of(pooling.pairs(shares.value), areas, lost, surfaces.densities)
+    pooling = _Pooling(factors, areas, surfaces.densities)
+    lost = areas * (factors.others["outside"][0] + factors.others["behind"][0])
+    closure = closure_of(pooling.pairs(factors.value), areas, lost, surfaces.densities)
     exchange = closure.exchange
-    variance, others = _variances(shares, pooling, closure, areas)
+    variance, others = _variances(factors, pooling, closure, areas)
     values = exchange.data / areas[rows_of(exchange.indptr)]
-    others = {name: (closure.less * shares.others[name][0], others[name]) for name in shares.others}
-    return Shares(exchange.indptr, exchange.indices, values, variance, others)
+    others = {name: (closure.less * factors.others[name][0], others[name]) for name in factors.others}
+    return RowFactors(exchange.indptr, exchange.indices, values, variance, others)
 
 
 class _Pooling:
     """A_i F_ij of each pair, from both its sides weighted by rays per area."""
 
-    def __init__(self, shares: Shares, areas: np.ndarray, densities: np.ndarray) -> None:
+    def __init__(self, factors: RowFactors, areas: np.ndarray, densities: np.ndarray) -> None:
         """Finds where both sides of each share go."""
-        size, row = len(areas), rows_of(shares.indptr)
-        one, other = (a.astype(np.int64) * size + b for a, b in ((row, shares.indices), (shares.indices, row)))
+        size, row = len(areas), rows_of(factors.indptr)
+        one, other = (a.astype(np.int64) * size + b for a, b in ((row, factors.indices), (factors.indices, row)))
         keys = np.sort(np.concatenate([one, other]))
         keys = keys[np.flatnonzero(np.diff(keys, prepend=-1))]
         self._here, self._there = np.searchsorted(keys, one), np.searchsorted(keys, other)
@@ -51,7 +51,7 @@ class _Pooling:
         self._both = densities[self.rows] + densities[self.columns]
 
     def pooled(self, value: np.ndarray) -> np.ndarray:
-        """(pairs,) of the shares' (E,) values, or of what these are changed by."""
+        """(pairs,) of the factors' (E,) values, or of what these are changed by."""
         hits = self._hits * value
         sums = np.zeros(len(self._both))
         sums[self._here] = hits
@@ -67,14 +67,14 @@ class _Pooling:
 
 
 def _variances(
-    shares: Shares, pooling: _Pooling, closure: Closure, areas: np.ndarray
+    factors: RowFactors, pooling: _Pooling, closure: Closure, areas: np.ndarray
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Those of the closed shares, and of what rows lose: mean squares of draws of the errors of what was counted.
+    """Those of the closed factors, and of what rows lose: mean squares of draws of the errors of what was counted.
 
-    Each draw takes the way of the shares themselves, in linear order: pooled, and adjusted by what closes its rows again.
+    Each draw takes the way of the factors themselves, in linear order: pooled, and adjusted by what closes its rows again.
     """
     exchange, rows, columns = closure.exchange, pooling.rows, pooling.columns
-    draws = ErrorDraws(shares)
+    draws = ErrorDraws(factors)
 
     def changed(draw: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
         entries, others = draws.draw(draw)
@@ -86,13 +86,13 @@ def _variances(
         lost = areas * closure.less * (others["outside"] + others["behind"])
         gaps[:, draw] = -np.bincount(rows, entries, len(areas)) - lost
     shifts = closure.step(gaps)
-    variance, of_others = np.zeros(len(rows)), {name: np.zeros(len(areas)) for name in shares.others}
+    variance, of_others = np.zeros(len(rows)), {name: np.zeros(len(areas)) for name in factors.others}
     slopes = exchange.data * closure.give
     for draw in range(draws.number):
         entries, others = changed(draw)
         shift = shifts[:, draw]
         variance += np.square((entries + slopes * (shift[rows] + shift[columns])) / areas[rows]) / draws.number
         for name, change in others.items():
-            adjusted = closure.less * (change + closure.yields * shares.others[name][0] * shift)
+            adjusted = closure.less * (change + closure.yields * factors.others[name][0] * shift)
             of_others[name] += np.square(adjusted) / draws.number
     return variance, of_others

@@ -15,8 +15,8 @@ from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.radiation.exchange.casting import Casting
 from warpsample.radiation.exchange.files import check_factors_file, load, save
 from warpsample.radiation.exchange.radiosity import radiosity_of
-from warpsample.radiation.exchange.reciprocity import reciprocal_shares
-from warpsample.radiation.exchange.row_shares import Shares, matrices_of, shares_of
+from warpsample.radiation.exchange.reciprocity import reciprocal_factors
+from warpsample.radiation.exchange.row_factors import RowFactors, factors_of, matrices_of
 from warpsample.radiation.exchange.surfaces import Surfaces, check_groups, surfaces_of
 from warpsample.tracing.options import RayOptions
 
@@ -223,10 +223,10 @@ def view_factors(
     with bar(options.progress, "casting rays"):
         counts, cast = casting.counts(np.flatnonzero(is_good).astype(np.int32), groups)
     surfaces = surfaces_of(mesh.face_areas, is_good, groups)
-    shares = shares_of(counts, casting.rays, casting.upward(), surfaces)
+    factors = factors_of(counts, casting.rays, casting.upward(), surfaces)
     if reciprocal:
-        shares = reciprocal_shares(shares, surfaces)
-    return _result(shares, surfaces, status, casting.rays * cast.astype(np.int64), casting.rays)
+        factors = reciprocal_factors(factors, surfaces)
+    return _result(factors, surfaces, status, casting.rays * cast.astype(np.int64), casting.rays)
 
 
 def _status(mesh: Mesh, active: np.ndarray | None) -> np.ndarray:
@@ -237,12 +237,12 @@ def _status(mesh: Mesh, active: np.ndarray | None) -> np.ndarray:
     return status
 
 
-def _result(shares: Shares, surfaces: Surfaces, status: np.ndarray, cast: np.ndarray, rays: int) -> ViewFactors:
+def _result(factors: RowFactors, surfaces: Surfaces, status: np.ndarray, cast: np.ndarray, rays: int) -> ViewFactors:
     """The result of what was counted; `cast`: (F,) rays cast of the `rays` of each face."""
     open_faces = int(np.count_nonzero(has_status(status, PointStatus.OK) & (cast == 0)))
-    matrix, standard_error = matrices_of(shares.value, np.sqrt(shares.variance), shares.indices, shares.indptr)
+    matrix, standard_error = matrices_of(factors.value, np.sqrt(factors.variance), factors.indices, factors.indptr)
     others = {}
-    for name, (value, variance) in shares.others.items():
+    for name, (value, variance) in factors.others.items():
         others |= {name: value, f"{name}_error": np.sqrt(variance)}
     return ViewFactors(
         matrix=matrix,

@@ -86,8 +86,8 @@ def _fill_row(sky: SkyRows, tree: Accelerator, point: ShadingPoint, row: wp.int6
         if known == 0:
             below += 1
         elif known == UNKNOWN or sky.skip == 0:
-            each = wp.max(1, wp.int32(density * share))
-            part, deviation, rays = sum_rays(sky, seen, point, local, n, k, patch_at(sky.table, k), each)
+            per_replicate = wp.max(1, wp.int32(density * share))
+            part, deviation, rays = sum_rays(sky, seen, point, local, n, k, patch_at(sky.table, k), per_replicate)
             cast += rays
         elif known == OPEN:
             open += 1

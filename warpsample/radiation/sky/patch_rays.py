@@ -59,7 +59,9 @@ SkyRowsArgs = type(SkyRows().__ctype__())
 
 
 @wp.func
-def _spread(sky: SkyRows, point: ShadingPoint, slope: Slope, k: wp.int32, each: wp.int32, at: wp.int32, length: wp.int32):
+def _spread(
+    sky: SkyRows, point: ShadingPoint, slope: Slope, k: wp.int32, per_replicate: wp.int32, at: wp.int32, length: wp.int32
+):
     """Writes directions of a patch's rays, both replicates one after the other, from the at-th on, and their weights.
 
     They are about as dense as the cosine: linear in the height along a column, and columns by their weights.
@@ -82,8 +84,8 @@ def _spread(sky: SkyRows, point: ShadingPoint, slope: Slope, k: wp.int32, each: 
     i = wp.int32(0)
     while i < length:
         j = at + i
-        second = wp.where(j >= each, 1, 0)
-        u = fibonacci_sample(one_of(key, other, second), wp.uint32(j - second * each), wp.uint32(each))
+        second = wp.where(j >= per_replicate, 1, 0)
+        u = fibonacci_sample(one_of(key, other, second), wp.uint32(j - second * per_replicate), wp.uint32(per_replicate))
         height = cube_root(cubes + more * u[0] + _LEAST_CUBE)
         share = wp.where(even, u[0], lesser(greater((height - slope.start) * inverse, 0.0), 1.0))
         root = slope.start + steeper * share
@@ -128,9 +130,9 @@ def sum_rays(
     n: wp.vec3d,
     k: wp.int32,
     patch: Patch,
-    each: wp.int32,
+    per_replicate: wp.int32,
 ):
-    """(share of the k-th patch that is seen, its standard error as a share, rays cast), by `each` rays of two replicates.
+    """(share of the k-th patch that is seen, its standard error as a share, rays cast), by two replicates of so many rays.
 
     A share of the rays' weights: where none is blocked, it is 1 in every bit.
     """
@@ -140,9 +142,9 @@ def sum_rays(
     all_first = ZERO
     cast = wp.int32(0)
     slope = slope_of(n, patch)
-    for at in range(0, 2 * each, CHUNK):
-        length = wp.min(CHUNK, 2 * each - at)
-        _spread(sky, point, slope, k, each, at, whole_vectors(length))
+    for at in range(0, 2 * per_replicate, CHUNK):
+        length = wp.min(CHUNK, 2 * per_replicate - at)
+        _spread(sky, point, slope, k, per_replicate, at, whole_vectors(length))
         rays_from_afar(point, length)
         _prepare(tree, point, local, length)
         for i in range(length):
@@ -151,7 +153,7 @@ def sum_rays(
                 cast += 1
                 distance, _face = _hit(tree, point, local, i)
                 seen = wp.where(distance < wp.INF, ZERO, weight)
-                in_first = at + i < each
+                in_first = at + i < per_replicate
                 free += seen
                 all += weight
                 free_first += wp.where(in_first, seen, ZERO)

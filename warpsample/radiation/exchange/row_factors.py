@@ -1,4 +1,4 @@
-"""From counts of rays to shares of a row with their variances: of faces, and of groups of faces."""
+"""From counts of rays to factors of a row with their variances: of faces, and of groups of faces."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from warpsample.radiation.exchange.design_effects import shares_and_variances
+from warpsample.radiation.exchange.design_effects import factors_and_variances
 from warpsample.radiation.exchange.hits_to_matrix import Counts
 from warpsample.radiation.exchange.surfaces import Surfaces
 
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False)
-class Shares:
-    """Shares of rows of a matrix, as CSR has them, and of what meets no front.
+class RowFactors:
+    """Factors of rows of a matrix, as CSR has them, and of what meets no front.
 
     Attributes:
         indptr: (N + 1,) int64.
@@ -33,18 +33,18 @@ class Shares:
     others: dict[str, tuple[np.ndarray, np.ndarray]]
 
 
-def shares_of(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> Shares:
-    """The shares of each surface, by counts of all faces with so many rays each.
+def factors_of(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> RowFactors:
+    """The factors of each surface, by counts of all faces with so many rays each.
 
     `upward` is (F,) float64, the share of each face's hemisphere above the horizon; None: not asked for.
     """
     if surfaces.groups is not None:
-        return _group_shares(counts, rays, upward, surfaces)
+        return _group_factors(counts, rays, upward, surfaces)
     others = {}
     for name, hits, exact in _kinds(counts, rays, upward):
-        value, variance = shares_and_variances(hits, rays)
+        value, variance = factors_and_variances(hits, rays)
         others[name] = (np.where(np.isnan(exact), value, exact), np.where(np.isnan(exact), variance, 0.0))
-    return Shares(counts.indptr, counts.indices, *shares_and_variances(counts.hits, rays), others)
+    return RowFactors(counts.indptr, counts.indices, *factors_and_variances(counts.hits, rays), others)
 
 
 def matrices_of(
@@ -59,20 +59,20 @@ def matrices_of(
     return csr_array((value, *pattern), shape=shape), errors
 
 
-def _group_shares(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> Shares:
+def _group_factors(counts: Counts, rays: int, upward: np.ndarray | None, surfaces: Surfaces) -> RowFactors:
     """Those of groups: means of their faces' by area, whose errors are independent."""
     groups, weights, size = surfaces.groups, surfaces.weights, len(surfaces.areas)
     face = np.repeat(np.arange(len(weights)), np.diff(counts.indptr))
     keys, entry = np.unique(groups[face].astype(np.int64) * size + counts.indices, return_inverse=True)
-    _, single = shares_and_variances(counts.hits, rays)
+    _, single = factors_and_variances(counts.hits, rays)
     value, variance = _folded(counts.hits / rays, single, weights[face], entry.ravel(), len(keys))
     others = {}
     for name, hits, exact in _kinds(counts, rays, upward):
-        known, (_, single) = ~np.isnan(exact), shares_and_variances(hits, rays)
+        known, (_, single) = ~np.isnan(exact), factors_and_variances(hits, rays)
         parts = np.where(known[:, None], exact[:, None] / hits.shape[1], hits / rays)
         others[name] = _folded(parts, np.where(known, 0.0, single), weights, groups, size)
     indptr = np.searchsorted(keys, np.arange(size + 1, dtype=np.int64) * size)
-    return Shares(indptr, (keys % size).astype(np.int32), value, variance, others)
+    return RowFactors(indptr, (keys % size).astype(np.int32), value, variance, others)
 
 
 def _kinds(counts: Counts, rays: int, upward: np.ndarray | None) -> Iterator[tuple[str, np.ndarray, np.ndarray]]:
@@ -93,7 +93,7 @@ def _kinds(counts: Counts, rays: int, upward: np.ndarray | None) -> Iterator[tup
 def _folded(
     parts: np.ndarray, variance: np.ndarray, weights: np.ndarray, into: np.ndarray, size: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Weighted sums of shares (E, replicates), which add up to a face's, and of their variances (E,)."""
+    """Weighted sums of factors (E, replicates), which add up to a face's, and of their variances (E,)."""
     # One after the other in the order of the faces: no block or thread changes a bit.
     sums = np.stack([np.bincount(into, weights * part, size) for part in parts.T], axis=1)
     return sums.sum(axis=1), np.bincount(into, np.square(weights) * variance, size)
