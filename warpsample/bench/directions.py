@@ -144,6 +144,6 @@ RECORD = Benchmark(
         TableView("rows", "The same as a share of a fill's speed right after", cells="of_fill", where=_is_sequence, **_SAME),
     ],
     pictures=[
-        Picture("directions", "rows", "samples", y="million_per_second", series="sequence", where=_all_and_fill, log="x"),
+        Picture("directions", "rows", "samples", y="million_per_second", series="sequence", where=_all_and_fill, log="x")
     ],
 )

@@ -16,8 +16,7 @@ from warpsample.bench.running.timing import timed
 from warpsample.bench.tables import TableView, grouped
 
 COUNTS = tuple(4**k for k in range(1, 9))
-FLOOR = 3e-7
-"""The least RMSE that float32 leaves. The slope is fitted above it."""
+FLOOR = 3e-7  # the least RMSE that float32 leaves: the slope is fitted above it
 _LEAST_WORK = 1 << 21  # directions of a timed run: small counts take more randomisations, or a launch's cost would be all
 
 
@@ -115,7 +114,5 @@ RECORD = Benchmark(
     measure=measure,
     parts={"points": ErrorPoint, "times": TimeToTarget},
     views=[TableView("times", "µs of one estimate", "integrand", "time", across="sequence", split="rmse")],
-    pictures=[
-        Picture("error", "points", "microseconds", y="rmse", panels="integrand", series="sequence", log="xy"),
-    ],
+    pictures=[Picture("error", "points", "microseconds", y="rmse", panels="integrand", series="sequence", log="xy")],
 )

@@ -27,15 +27,12 @@ from warpsample.radiation.weather.irradiation import irradiation
 from warpsample.tracing.trace import trace
 
 DEFAULT_SCENES = ("city", "bunny", "hills")
-RAYS = 1024
-"""Rays of each point, for the sky."""
-MOST_APART = 1.5
-"""Mean square error over the runs' own variance; about 1 where a tool is right."""
+RAYS = 1024  # of each point, for the sky
+MOST_APART = 1.5  # mean square error over the runs' own variance; about 1 where a tool is right
 
 _REFERENCE_RAYS, _REFERENCE_SEED = 1 << 16, 1 << 40  # far from those of the estimates
 _MOST_DIFFERENT = 0.002  # of all pairs: suns behind an edge, as seen from where each tool starts its rays
 _WEATHER = "athens"
-_MANY = 100_000
 _FEW = 16  # points whose year tells what a year costs whatever the points
 _FEWEST, _FIXED_RUNS, _RUNS, _FEWER = 2, 3, 2, 4
 
@@ -77,7 +74,6 @@ class YearTime(ToolRow):
     points: int = column("points")
     took: float | None = maybe("s", show=digits)
     fewer_seconds: float | None = maybe("s of 16 points", "of another run in the same process", show=digits)
-    many_seconds: float | None = maybe(f"s of {_MANY:,} points", "on the line through both", show=digits)
     peak_megabytes: float | None = maybe("peak memory, MB", "Python and mesh included", show=".0f")
 
 
@@ -199,13 +195,8 @@ def compare_suns(scene: str, points: int, workers: int, repeats: int, tools: Seq
 def measure_year(scene: str, points: int, workers: int) -> list[YearTime]:
     """The year of 16 points and then of all, in one process."""
     turns = take_turns(build_year, [_WEATHER], 0, scene=scene, points=points, workers=workers)
-
-    def figures(weather: str) -> dict[str, Any]:
-        took, fewer = turns.seconds[weather][0], turns.told[weather]["fewer_seconds"]
-        many = took + (took - fewer) / (points - _FEW) * (_MANY - points)
-        return {"took": took, "many_seconds": many, **turns.told[weather]}
-
-    return turns.rows(YearTime, figures, scene=scene, workers=workers, points=points)
+    case = {"scene": scene, "workers": workers, "points": points}
+    return turns.rows(YearTime, lambda weather: {"took": turns.seconds[weather][0], **turns.told[weather]}, **case)
 
 
 _BY_SCENE = {"lines": "tool", "split": "scene workers", "brief": all_workers}
@@ -220,7 +211,7 @@ RECORD = Benchmark(
             "sky", f"Sky matrix, {RAYS:,} rays a point", cells="microseconds views rmse times_ours apart", **_BY_SCENE
         ),
         TableView("sun", "Suns of a year", cells="million_pairs traces different", **_BY_SCENE),
-        TableView("year", "A year's irradiation", "scene workers points", "took fewer_seconds many_seconds peak_megabytes"),
+        TableView("year", "A year's irradiation", "scene workers points", "took fewer_seconds peak_megabytes"),
     ],
     pictures=[Picture("radiation", "sky", "microseconds", y="rmse", panels="scene", where=all_workers, log="xy")],
 )

@@ -14,8 +14,7 @@ from warpsample.bench.running.turns import take_turns
 from warpsample.directions.sample import sample_directions
 from warpsample.host.engine import check_workers
 
-PART = 1 << 20
-"""Directions in memory at a time: 12 MB."""
+PART = 1 << 20  # directions in memory at a time: 12 MB
 _SAMPLES = 16
 _TOTAL = 1 << 22
 
@@ -89,7 +88,5 @@ RECORD = Benchmark(
     measure=measure,
     parts={"rows": ScaledCost},
     views=[TableView("rows", "Size", "axis points samples workers", "nanoseconds peak_megabytes")],
-    pictures=[
-        Picture("scaling", "rows", _varied, y="nanoseconds peak_megabytes", series="", panels="axis", log="x"),
-    ],
+    pictures=[Picture("scaling", "rows", _varied, y="nanoseconds peak_megabytes", series="", panels="axis", log="x")],
 )

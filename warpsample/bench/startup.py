@@ -42,11 +42,8 @@ _SCRIPTS = {
     _ESTIMATE: ["first points and their occlusion"],
 }
 
-CACHES = ("cold", "warm")
-"""Kernels are compiled, or they are loaded."""
-
+CACHES = ("cold", "warm")  # kernels are compiled, or they are loaded
 STEPS = [step for steps in _SCRIPTS.values() for step in steps]
-"""What is timed."""
 
 
 @dataclass(frozen=True)

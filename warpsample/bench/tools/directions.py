@@ -1,4 +1,4 @@
-"""Directions of the cosine lobe, and points on a mesh uniform by area, by each tool."""
+"""Directions of the cosine lobe by each tool."""
 
 from collections.abc import Callable
 from functools import partial
@@ -13,8 +13,6 @@ from warpsample.bench.running.turns import Tool, keeping_last
 from warpsample.directions.sample import sample_directions
 from warpsample.host.kernel_cache import load
 from warpsample.maths.frames import frame_about, to_world
-from warpsample.mesh.mesh import as_mesh
-from warpsample.mesh.surface import sample_surface
 from warpsample.proof import twins
 
 Built = tuple[Callable[[], object], Callable[[], Any]]
@@ -96,28 +94,6 @@ def _mitsuba(interleaved: bool, normals: np.ndarray, count: int, workers: int) -
     return work, lambda: np.asarray(result()) if interleaved else np.asarray(result()).T
 
 
-def _surface(mesh: Any, points: int, workers: int) -> Built:
-    ours, seeds = as_mesh(mesh), count_from()
-    work, result = keeping_last(lambda: sample_surface(ours, points, seed=next(seeds), workers=workers))
-    return work, lambda: result().position
-
-
-def _trimesh_surface(mesh: Any, points: int, workers: int) -> Built:
-    import trimesh
-
-    return keeping_last(lambda: trimesh.sample.sample_surface(mesh, points)[0])
-
-
-def _open3d_surface(mesh: Any, points: int, workers: int) -> Built:
-    import open3d
-
-    theirs = open3d.geometry.TriangleMesh(
-        open3d.utility.Vector3dVector(mesh.vertices), open3d.utility.Vector3iVector(mesh.faces)
-    )
-    work, result = keeping_last(lambda: theirs.sample_points_uniformly(points))
-    return work, lambda: result().points
-
-
 DIRECTIONS = {
     "warpsample independent": Tool("warpsample", _warpsample),
     "Mitsuba, three planes": Tool("mitsuba", partial(_mitsuba, False)),
@@ -126,10 +102,3 @@ DIRECTIONS = {
     "NumPy": Tool("numpy", _numpy, threaded=False),
 }
 """By name; each makes (work, result) of (normals, count, threads)."""
-
-SURFACE = {
-    "warpsample surface": Tool("warpsample", _surface),
-    "trimesh surface": Tool("trimesh", _trimesh_surface, threaded=False),
-    "Open3D surface": Tool("open3d", _open3d_surface, threaded=False),
-}
-"""By name; each makes (work, result) of (a trimesh mesh, points, threads)."""
