@@ -91,5 +91,5 @@ def test_all_is_measured_and_shown(tmp_path, capsys):
     text = "\n".join(lines_of("radiation", SETTINGS, found, capsys))
     assert "nobody did not run here: KeyError" in text
     assert "Sky matrix, 1,024 rays a point: bunny, threads 1" in text
-    assert "s of 100,000 points" in text
+    assert "s of 16 points" in text
     assert drawn("radiation", found, tmp_path) == ["radiation.png"]
