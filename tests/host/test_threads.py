@@ -46,7 +46,7 @@ def test_a_fork_waits_for_what_is_being_made(alone):
     alone("fork_while_making")
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_sixteen_threads_for_a_minute(alone):
     alone("stress")
 

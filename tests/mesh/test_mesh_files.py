@@ -21,7 +21,7 @@ TETRAHEDRON = (
 
 
 @pytest.mark.parametrize(("scale", "offset"), [(1e-6, 0.0), (1.0, 0.0), (1.0, 5e6)])
-@pytest.mark.parametrize("kind", cases.KINDS)
+@pytest.mark.parametrize("kind", cases.EACH_KIND)
 def test_coordinates_keep_all_digits_of_the_file(kind, scale, offset, tmp_path):
     vertices = np.random.default_rng(1).normal(size=(42, 3)) * scale + offset
     path = cases.write(kind, tmp_path, vertices, cases.SPHERE.faces)
@@ -31,7 +31,7 @@ def test_coordinates_keep_all_digits_of_the_file(kind, scale, offset, tmp_path):
     assert np.array_equal(mesh.vertices[mesh.faces], vertices.astype(cases.HOLDS[kind])[cases.SPHERE.faces])
 
 
-@pytest.mark.parametrize("kind", [kind for kind in cases.KINDS if kind not in CUT_ANYWHERE])
+@pytest.mark.parametrize("kind", [kind for kind in cases.EACH_KIND if kind.values[0] not in CUT_ANYWHERE])
 def test_what_ends_early_is_refused(kind, tmp_path):
     path = cases.write(kind, tmp_path, cases.SPHERE.vertices, cases.SPHERE.faces)
     content = path.read_bytes()
@@ -59,7 +59,7 @@ def test_wherever_it_ends_early_it_is_refused(kind, tmp_path):
     assert ws.load_mesh(path).report.area == pytest.approx(1.5 + 0.75**0.5)
 
 
-@pytest.mark.parametrize("kind", cases.KINDS)
+@pytest.mark.parametrize("kind", cases.EACH_KIND)
 def test_garbled_empty_and_foreign_files_are_refused(kind, tmp_path, capfd):
     path = cases.write(kind, tmp_path, cases.SPHERE.vertices, cases.SPHERE.faces)
     content = bytearray(path.read_bytes())
@@ -71,13 +71,25 @@ def test_garbled_empty_and_foreign_files_are_refused(kind, tmp_path, capfd):
     path.write_bytes(b"")
     with cases.refused(path, "it is empty"):
         ws.load_mesh(path)
-    path = cases.write(kind, tmp_path, cases.SPHERE.vertices, cases.SPHERE.faces)
-    for suffix in set(cases.SUFFIXES.values()) - {path.suffix}:
-        foreign = tmp_path / f"foreign{suffix}"
+    assert_foreign_files_are_refused(kind, tmp_path, {suffix for suffix in cases.SUFFIXES.values() if "usd" not in suffix})
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", cases.KINDS)
+def test_foreign_files_are_no_usd(kind, tmp_path, capfd):
+    assert_foreign_files_are_refused(kind, tmp_path, {suffix for suffix in cases.SUFFIXES.values() if "usd" in suffix})
+    assert capfd.readouterr() == ("", "")
+
+
+def assert_foreign_files_are_refused(kind, folder, suffixes):
+    """A file of one kind under the suffixes of others is no mesh."""
+    path = cases.write(kind, folder, cases.SPHERE.vertices, cases.SPHERE.faces)
+    for suffix in suffixes - {path.suffix}:
+        foreign = folder / f"foreign{suffix}"
         foreign.write_bytes(path.read_bytes())
         with cases.refused(foreign):
             ws.load_mesh(foreign)
-    assert capfd.readouterr() == ("", "")
 
 
 @pytest.mark.parametrize(
@@ -109,7 +121,7 @@ def test_huge_counts_allocate_nothing(kind, declared, huge, tmp_path):
         tracemalloc.stop()
 
 
-@pytest.mark.parametrize("kind", cases.KINDS)
+@pytest.mark.parametrize("kind", cases.EACH_KIND)
 def test_reading_takes_no_more_than_twice_the_file_and_the_mesh(kind, tmp_path):
     sphere = trimesh.creation.icosphere(subdivisions=4)
     path = cases.write(kind, tmp_path, sphere.vertices, sphere.faces)

@@ -113,7 +113,7 @@ def test_no_power_is_taken_where_nobody_sees_it(repository):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("without", ["AVX-512", "all"])
+@pytest.mark.parametrize("without", ["AVX-512", pytest.param("all", marks=pytest.mark.thorough)])
 def test_verdicts_hold_on_lesser_processors(without, repository, child_environment):
     umath = pytest.importorskip("numpy._core._multiarray_umath", reason="NumPy 1 keeps it elsewhere")
     usable = [name for name in umath.__cpu_dispatch__ if umath.__cpu_features__[name]]

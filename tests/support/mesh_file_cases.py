@@ -13,6 +13,10 @@ SUFFIXES = {
     **{kind: f".{kind}" for kind in ("obj", "off", "glb", "gltf", "usda", "usdc", "usdz")},
 }
 KINDS = list(SUFFIXES)
+"""All kinds. Reading USD takes a process, a third of a second: of its kinds one is quick, and the others are slow tests."""
+
+EACH_KIND = [pytest.param(kind, marks=pytest.mark.slow if kind in ("usda", "usdz") else ()) for kind in KINDS]
+"""All kinds, as parameters of a test."""
 TEXTS = ("ply_text", "stl_text", "obj", "off")  # of any number of digits
 HOLDS = {kind: np.float64 if kind in (*TEXTS, "ply_double") else np.float32 for kind in KINDS}
 

@@ -76,7 +76,7 @@ def measure(
     points: Annotated[int, typer.Option(help="Normals, with 64 directions each.", min=1)] = 65_536,
     repeats: Repeats = 15,
 ) -> Found:
-    """All tools."""
+    """Compares all tools, in turns."""
     return {"rows": compare(list(track(DIRECTIONS, len(DIRECTIONS))), points, repeats)}
 
 
