@@ -7,7 +7,7 @@ import pytest
 from bench_output import drawn, lines_of
 
 from warpsample.bench import visibility
-from warpsample.bench.scenes import points_of, some_of
+from warpsample.bench.scenes import points_of
 from warpsample.bench.tools.numpy_rays import open_share, size_of
 from warpsample.bench.tools.occlusion import ESTIMATORS, Occlusion, by_embree
 from warpsample.bench.visibility import reference_of
@@ -46,7 +46,7 @@ def test_a_tool_that_is_missing_says_so():
 def off_embree(mesh, at, reference, points=256, rays=1 << 14):
     """How far a reference is off independent cosine rays that embreex traces, in standard errors: at each point, and all."""
     chosen = np.linspace(0, len(at) - 1, min(points, len(at))).astype(int)
-    share = by_embree(mesh, some_of(at, chosen), 1)(rays).astype(np.float64)
+    share = by_embree(mesh, at.take(chosen), 1)(rays).astype(np.float64)
     values, errors = (array[chosen].astype(np.float64) for array in (reference.value, reference.standard_error))
     # By Laplace's rule, so that a share of all or nothing has a variance too; of both, since they should agree.
     likely = [(rays * p + 1.0) / (rays + 2.0) for p in (values, share)]

@@ -229,3 +229,18 @@ def test_the_room_opens_without_dask_and_says_what_it_needs(child_environment):
     assert done.stdout == "[]\n"
     assert done.stderr.splitlines()[-1].startswith("ModuleNotFoundError: warpsample.cluster needs dask")
     assert done.stderr.rstrip().endswith("pip install 'warpsample[cluster]'")
+
+
+def test_ids_go_with_the_points(mesh, points):
+    """Also through chunks, and into the name of the run; a first id beside them is refused before anything runs."""
+    ids = (np.arange(POINTS, dtype=np.uint64) * np.uint64(2**31))[::-1]
+    owned = ws.SurfacePoints(points.position, points.normal, points.face, id=ids)
+    right = ws.ambient_occlusion(mesh, owned, RAYS, seed=SEED)
+    lazy = cluster.ambient_occlusion(mesh, owned, RAYS, seed=SEED, chunk=33)
+    assert np.array_equal(assert_same(lazy, right).id, ids)
+    assert lazy.attrs["id"] != cluster.ambient_occlusion(mesh, owned.take(slice(None, None, -1)), RAYS).attrs["id"]
+    assert "id" not in cluster.ambient_occlusion(mesh, points, RAYS).attrs
+    directions = ws.sample_directions(owned, 8, seed=SEED)
+    assert_same(cluster.sample_directions(owned, 8, mesh=mesh, seed=SEED, chunk=33), directions)
+    with pytest.raises(ValueError, match=r"^first_point: got 7, want 0 for points that have ids of their own, `id`$"):
+        cluster.ambient_occlusion(mesh, owned, RAYS, first_point=7)

@@ -208,6 +208,19 @@ with locked(Path(sys.argv[1])):
 
 
 @pytest.mark.slow
+def test_ids_are_part_of_the_run(path, mesh):
+    """Kept beside the numbers, and a store of other ids is not gone on with."""
+    points = ws.sample_surface(mesh, POINTS)
+    own = [ws.SurfacePoints(points.position, points.normal, points.face, id=np.arange(POINTS) * 3 + k) for k in (0, 1)]
+    found = bake(path, mesh, own[0], RAYS, seed=1)
+    assert np.array_equal(found.coords["id"], own[0].id)
+    assert np.array_equal(found.value, ws.ambient_occlusion(mesh, own[0], RAYS, seed=1).value)
+    bake(path, mesh, own[0], RAYS, seed=1, resume=True)
+    for other in (own[1], points):
+        with pytest.raises(ValueError, match="of id "):
+            bake(path, mesh, other, RAYS, seed=1, resume=True)
+
+
 def test_a_second_writer_is_refused_until_the_first_is_gone(path, mesh, right, child_environment):
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
     first = subprocess.Popen([sys.executable, "-c", HOLD, path], env=child_environment, **pipes)

@@ -96,6 +96,13 @@ def test_directions_on_a_device_have_the_same_bits(count, normals):
     assert allocator.live == 0
     for name in ("vectors", "pdf", "status"):
         assert np.array_equal(getattr(here, name), getattr(there, name)), name
+    ids = np.arange(2**32 + 999, 2**32 - 1, -1)
+    points = ws.SurfacePoints(np.zeros((1000, 3)), normals, id=ids)
+    here = ws.sample_directions(points, count, **options | {"first_point": 0})
+    with second_device():
+        there = ws.sample_directions(points, count, device="cpu", **options | {"first_point": 0})
+    assert np.array_equal(here.vectors, there.vectors)
+    assert np.array_equal(here.pdf, there.pdf)
 
 
 def test_a_device_has_a_task_for_each_sample_or_ray(bunny, some, monkeypatch):

@@ -92,6 +92,18 @@ def test_own_points():
     assert len(points) == 5
     assert points.face.tolist() == [-1] * 5
     assert points.barycentric is None
+    assert points.id is None
+
+
+def test_some_points_keep_what_belongs_to_them():
+    points = ws.sample_surface(CUBE, 10, barycentric=True)
+    owned = ws.SurfacePoints(points.position, points.normal, points.face, points.barycentric, np.arange(10) + 2**40)
+    assert owned.id.dtype == np.uint64
+    for rows in ([7, 2, 2], slice(None, None, -3), np.arange(10) % 4 == 1):
+        for name in ("position", "normal", "face", "barycentric", "id"):
+            assert np.array_equal(getattr(owned.take(rows), name), getattr(owned, name)[rows]), name
+    assert points.take([3]).id is None
+    assert np.array_equal(owned.take(np.arange(10) % 2 == 0).to_polydata().point_data["id"], owned.id[::2])
 
 
 @pytest.mark.parametrize(
@@ -104,6 +116,8 @@ def test_own_points():
             (np.zeros((2, 3)), np.zeros((2, 3)), [0, 0], np.zeros((2, 2))),
             r"barycentric: got shape \(2, 2\), want \(2, 3\)",
         ),
+        ((np.zeros((2, 3)), np.zeros((2, 3)), None, None, [1]), r"id: got shape \(1,\), want \(2,\)"),
+        ((np.zeros((2, 3)), np.zeros((2, 3)), None, None, [1, -1]), "id: got -1, want whole numbers from 0 on"),
     ],
 )
 def test_bad_own_points_are_named(arguments, message):

@@ -43,11 +43,18 @@ def data_of(points):
     return data
 
 
+def owned(points):
+    """The points with ids of their own, in no order."""
+    return ws.SurfacePoints(points.position, points.normal, points.face, id=np.arange(1000, 1300)[::-1])
+
+
 ACTIVE = np.arange(300) % 3 > 0
 ESTIMATES = {
     "occlusion": lambda mesh, at, **o: ws.ambient_occlusion(mesh, at, 64, active=ACTIVE, first_point=2**33, **o),
     "tolerance": lambda mesh, at, **o: ws.ambient_occlusion(mesh, at, 256, tolerance=0.05, **o),
     "data": lambda _, at, **o: ws.integrate(at, weighed, 64, data=data_of(300), first_point=1000, **o),
+    "ids": lambda mesh, at, **o: ws.ambient_occlusion(mesh, owned(at), 64, **o),
+    "free ids": lambda _, at, **o: ws.integrate(owned(at), weighed, 64, data=data_of(300), **o),
     "falloff": lambda mesh, at, **o: ws.ambient_occlusion(mesh, at, 32, max_distance=0.5, falloff=1.5, **o),
     "sky": lambda mesh, at, **o: ws.sky_view_factor(mesh, at, 64, up=(0, 1, 0), **o),
     "bent": lambda mesh, at, **o: ws.bent_normals(mesh, at, 64, **o),

@@ -115,7 +115,7 @@ def points_of(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
     """A scene, and points uniform on it by area, in the order of the faces; seed 0."""
     mesh = look_up(SCENES, scene, "scene")()
     found = sample_surface(mesh, points, seed=SEED)
-    return mesh, some_of(found, np.argsort(found.face, kind="stable"))
+    return mesh, found.take(np.argsort(found.face, kind="stable"))
 
 
 def clear_points_of(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
@@ -132,7 +132,7 @@ def clear_points_of(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
     chosen = np.flatnonzero(clear)[:points]
     if len(chosen) < points:
         raise ValueError(f"points: got {len(chosen)} with nothing close before them, want {points}")
-    return mesh, some_of(found, chosen[np.argsort(found.face[chosen], kind="stable")])
+    return mesh, found.take(chosen[np.argsort(found.face[chosen], kind="stable")])
 
 
 def year_of_suns() -> np.ndarray:
@@ -144,11 +144,6 @@ def year_of_suns() -> np.ndarray:
     north = np.cos(latitude) * np.sin(declination) - np.sin(latitude) * np.cos(declination) * np.cos(angle)
     up = np.sin(latitude) * np.sin(declination) + np.cos(latitude) * np.cos(declination) * np.cos(angle)
     return np.stack([east, north, up], axis=1)[up > 0.0].astype(np.float32)
-
-
-def some_of(points: SurfacePoints, chosen: np.ndarray | slice) -> SurfacePoints:
-    """Some of the points."""
-    return SurfacePoints(points.position[chosen], points.normal[chosen], points.face[chosen])
 
 
 def check_scenes(names: list[str] | None) -> None:

@@ -14,7 +14,7 @@ from warpsample.bench.rows import Spread, ToolRow, column, digits, maybe
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import peak_megabytes
 from warpsample.bench.running.turns import keeping_last, take_turns
-from warpsample.bench.scenes import points_of, some_of
+from warpsample.bench.scenes import points_of
 from warpsample.bench.tables import Cell, TableView
 from warpsample.bench.tools.occlusion import ESTIMATORS, Estimator, Occlusion
 from warpsample.estimate.result import Estimate
@@ -92,7 +92,7 @@ def _rmse(found: np.ndarray, right: np.ndarray) -> float:
 def build_many_points(tool: str, scene: str, points: int, rays: int, workers: int) -> ChildJob:
     """Our estimate of many points, and the memory of all its process: Python, mesh and points included."""
     mesh, at = points_of(scene, points)
-    ESTIMATORS[tool].make(mesh, some_of(at, slice(64)), workers)(rays)  # loads kernels
+    ESTIMATORS[tool].make(mesh, at.take(slice(64)), workers)(rays)  # loads kernels
     run = ESTIMATORS[tool].make(mesh, at, workers)
     return ChildJob(lambda: run(rays), lambda: {"peak_megabytes": peak_megabytes()})
 

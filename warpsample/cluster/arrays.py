@@ -21,6 +21,9 @@ POINT_ARRAYS = {
 }
 """(type, shape of a row) of points that workers make."""
 
+GIVEN_ARRAYS = {**POINT_ARRAYS, "id": (np.dtype(np.uint64), ())}
+"""The same of all that points may have which the caller gives."""
+
 _SAMPLES = {"pdf", "distance", "face", "vectors"}
 """Arrays whose second axis are the samples of a point."""
 
@@ -54,8 +57,9 @@ def blocks_of(job: Job) -> dict[str, list[Any]]:
 
 def point_arrays_of(job: Job) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
     """(type, shape of a row) of the coordinates; none if there are no SurfacePoints."""
-    made = {name: (job.given[name].dtype, kind[1]) if job.given else kind for name, kind in POINT_ARRAYS.items()}
-    return made if job.call.at else {}
+    if job.given:
+        return {name: (array.dtype, GIVEN_ARRAYS[name][1]) for name, array in job.given.items()}
+    return POINT_ARRAYS if job.call.at else {}
 
 
 def _array(

@@ -12,7 +12,7 @@ from dask.array import Array
 from dask.callbacks import Callback
 from dask.highlevelgraph import HighLevelGraph
 
-from warpsample.cluster.arrays import POINT_ARRAYS, blocks_of
+from warpsample.cluster.arrays import GIVEN_ARRAYS, blocks_of
 from warpsample.cluster.chunks import FUNCTIONS, Call, numbers, points_in
 from warpsample.cluster.finishing import AT_A_TIME, check_workers_of, finished
 from warpsample.cluster.job import CHUNK, Job, job_of
@@ -138,7 +138,7 @@ def bake_chunk(
         points = points_in(call, span, shared, given)
         found = numbers(call, span.start, points, shared, rows)
         arrays = {name: array for name, array in found.items() if isinstance(array, np.ndarray)}
-        where = {} if points is None else {name: getattr(points, name) for name in POINT_ARRAYS}
+        where = {name: array for name in GIVEN_ARRAYS if (array := getattr(points, name, None)) is not None}
         put(folder, span.start, chunk, where | arrays)
     rays = int(found["rays"].sum(dtype=np.int64)) if "rays" in found else 0
     error = np.square(found["standard_error"], dtype=np.float64) if "standard_error" in found else np.zeros(1)

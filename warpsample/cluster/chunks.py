@@ -34,6 +34,7 @@ class Call:
         rows: names of the arguments that are arrays with a row for each point.
         at: the argument that is SurfacePoints; None if there is none.
         place: where those are: "area" (uniform by it), "faces", "vertices" or "given".
+        given: names of the fields of those that are given.
         seed: of points uniform by area.
         first_point: the global id of the first point of all.
     """
@@ -44,6 +45,7 @@ class Call:
     rows: tuple[str, ...]
     at: str | None
     place: str
+    given: tuple[str, ...]
     seed: int
     first_point: int
 
@@ -51,7 +53,7 @@ class Call:
 def points_in(call: Call, span: range, shared: list[Any], given: list[np.ndarray]) -> SurfacePoints | None:
     """The points of a chunk, rows of that span: those given, or as the functions of `warpsample` make them."""
     if given or not call.at:
-        return SurfacePoints(*given) if given else None
+        return SurfacePoints(**dict(zip(call.given, given, strict=True))) if given else None
     mesh = shared[0]
     if call.place == "area":
         return sample_surface(mesh, len(span), seed=call.seed, first_point=call.first_point + span.start, workers=1)
@@ -82,7 +84,7 @@ def numbers(call: Call, start: int, points: SurfacePoints | None, shared: list[A
     if call.name == "sample_directions":
         arguments.pop("mesh", None)  # is what points are on
     arguments["workers"] = 1 if arguments.get("workers") is None else arguments["workers"]
-    if "first_point" in arguments:
+    if "first_point" in arguments and "id" not in call.given:
         arguments["first_point"] = call.first_point + start
     found = FUNCTIONS[call.name](**arguments)
     return {item.name: getattr(found, item.name) for item in fields(found)}

@@ -124,11 +124,11 @@ def job_of(name: str, arguments: tuple[Any, ...], options: dict[str, Any], chunk
     for argument, array in rows.items():
         if len(array) != total:
             raise ValueError(f"{argument}: got {len(array):,} rows, want {total:,}, one for each point")
-    first = check_first_point(taken.get("first_point", 0), max(total, 1))
+    first = check_first_point(taken.get("first_point", 0), max(total, 1), given.get("id"))
     if place:
         taken.pop(at)
     taken = {argument: named(argument, value, taken.get("integrand")) for argument, value in taken.items()}
-    call = Call(name, taken, tuple(shared), tuple(rows), at if place else None, place or "", seed, first)
+    call = Call(name, taken, tuple(shared), tuple(rows), at if place else None, place or "", tuple(given), seed, first)
     about = _about(call, {**shared, **given, **rows}, total, chunk)
     given, rows = ({key: _cut(array, chunk) for key, array in arrays.items()} for arrays in (given, rows))
     return Job(call, shared, given, rows, total, min(chunk, max(total, 1)), _gives(call, shared, rows), about)
@@ -150,7 +150,8 @@ def _shared(taken: dict[str, Any], on: Any) -> dict[str, Any]:
 def _place(points: Any, at: str, mesh: Mesh | None) -> tuple[str | None, int, dict[str, Any]]:
     """Where SurfacePoints are, how many, and their arrays if they are given; None for what is no SurfacePoints."""
     if isinstance(points, SurfacePoints):
-        return "given", len(points), {name: getattr(points, name) for name in ("position", "normal", "face")}
+        given = {name: getattr(points, name) for name in ("position", "normal", "face", "id")}
+        return "given", len(points), {name: array for name, array in given.items() if array is not None}
     named = isinstance(points, str)
     if at == "points" and not named and mesh is not None and not _whole(points):
         raise TypeError(f"{at}: got {told(points)}, want {_POINTS}")

@@ -47,6 +47,8 @@ class DirectionPlan:
                     vectors=loan.output(vectors.owner, rows),
                     pdf=loan.output(pdf.owner, rows) if pdf else 0,
                     status=loan.output(status, rows, zero=True),
+                    seed=self.options.seed,
+                    ids=loan.put(self.options.ids, rows),
                     active=loan.put(active, rows),
                     parameters=self.distribution.kernel_parameters().__ctype__(),
                 )
@@ -63,24 +65,30 @@ class DirectionPlan:
                 args.vectors += 12 * start * self.count
                 args.pdf += 4 * start * self.count if whole.pdf else 0
                 args.status += start
+                args.ids += 8 * start if whole.ids else 0
                 args.active += start if whole.active else 0
             high, args.first_point = divmod(first_point + start, 2**32)
             args.run = self.sequence.run_words(self.options.seed, high)
             args.points = end - start
-            kernel, tasks, args.segment, args.rows = self.kernel(device, args.points, masked=whole.active != 0)
+            kernel, tasks, args.segment, args.rows = self.kernel(
+                device, args.points, masked=whole.active != 0, own_ids=whole.ids != 0
+            )
             run(kernel, tasks, [args], device, workers=self.options.workers, work=args.points * self.count)
 
-    def kernel(self, device: wp.Device, points: int, masked: bool) -> tuple[wp.Kernel, int, int, int]:
-        """(kernel, tasks, samples of a segment, rows of a task): rows where one fills the vector lanes, and on CUDA."""
+    def kernel(self, device: wp.Device, points: int, masked: bool, own_ids: bool = False) -> tuple[wp.Kernel, int, int, int]:
+        """(kernel, tasks, samples of a segment, rows of a task): rows where one fills the vector lanes, and on CUDA.
+
+        Points with ids of their own come by rows, too: pairs in blocks have keys in which one word alone differs.
+        """
         maps, parts = self.distribution.maps, (self.sequence, self.distribution.about())
         how = {"redraw": maps.redraw, "redraw_below": maps.redraw_below, "with_pdf": self.pdf, "masked": masked}
         if not at_home(device):
-            return direction_rows(*parts, **how, chunk=1), points * self.count, 1, 1
-        if self.count >= _ROW:
+            return direction_rows(*parts, **how, own_ids=own_ids, chunk=1), points * self.count, 1, 1
+        if self.count >= _ROW or own_ids:
             segment = min(self.count, _SEGMENT)
             rows = min(max(1, _TASK // self.count), MOST_ROWS) if segment == self.count else 1
             tasks = -(-points * -(-self.count // segment) // rows)
-            return direction_rows(*parts, **how, chunk=CHUNK), tasks, segment, rows
+            return direction_rows(*parts, **how, own_ids=own_ids, chunk=CHUNK), tasks, segment, rows
         kernel = direction_blocks(*parts, **how, one_sample=self.count == 1)
         return kernel, -(-points * self.count // FLAT_BLOCK), FLAT_BLOCK, 1
 

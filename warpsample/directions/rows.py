@@ -5,6 +5,8 @@ import warp as wp
 from warpsample.directions.samples import Samples, accessors, normal_status, unit_normals
 from warpsample.directions.variates import LANES, fill_variates
 from warpsample.host.locks import once
+from warpsample.maths.memory import address_at
+from warpsample.maths.numerics import high_word, low_word
 from warpsample.sequences.record import Sequence
 
 MOST_ROWS = 128
@@ -98,6 +100,26 @@ def _chunk_filler(
 
 
 @once
+def _keys_of(sequence: Sequence, own_ids: bool) -> wp.Function:
+    """A function that gives the key of a point, by an id of its own or one that is counted from the first."""
+    key_of, run_with = sequence.key, sequence.run
+    if own_ids:
+
+        @wp.func
+        def point_key(samples: Samples, point: wp.int64) -> wp.vec4ui:
+            id = address_at(samples.ids, point)
+            return key_of(run_with(samples.seed, high_word(id)), low_word(id))
+
+    else:
+
+        @wp.func
+        def point_key(samples: Samples, point: wp.int64) -> wp.vec4ui:
+            return key_of(samples.run, samples.first_point + wp.uint32(point))
+
+    return point_key
+
+
+@once
 def direction_rows(
     sequence: Sequence,
     about: wp.Function,
@@ -106,16 +128,18 @@ def direction_rows(
     redraw_below: float,
     with_pdf: bool,
     masked: bool,
+    own_ids: bool = False,
     chunk: int,
 ) -> wp.Kernel:
     """A kernel over tasks of `rows` points with `segment` samples each, which are all of `count` where rows is above 1.
 
     `redraw` replaces `about`, (unit normal, u, Parameters) -> (direction, pdf), where its pdf is below `redraw_below`, since
-    it loses its digits there. As many samples as are in a `chunk`, CHUNK or 1, have their variates computed ahead.
+    it loses its digits there. As many samples as are in a `chunk`, CHUNK or 1, have their variates computed ahead. With
+    `own_ids` points have those of the samples' `ids`.
     """
     move, clear = _mover(with_pdf), _clearer(with_pdf, masked)
     fill_chunk = _chunk_filler(sequence, about, redraw=redraw, redraw_below=redraw_below, with_pdf=with_pdf, chunk=chunk)
-    key_of, lanes, most_rows = sequence.key, min(LANES, chunk), MOST_ROWS if chunk > 1 else 1
+    key_of, lanes, most_rows = _keys_of(sequence, own_ids), min(LANES, chunk), MOST_ROWS if chunk > 1 else 1
     write_units, floats = unit_normals(masked, most_rows, True), 6 * chunk + 4 * most_rows
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
@@ -133,11 +157,10 @@ def direction_rows(
         write_units(normals, active, rows, units)
         start = wp.int32(first_segment - first_point * segments) * samples.segment
         end = wp.min(start + samples.segment, samples.count)
-        run = samples.run
         for k in range(rows):
             point = first_point + wp.int64(k)
             n = wp.vec3(units[k], units[most_rows + k], units[2 * most_rows + k])
-            key = key_of(run, samples.first_point + wp.uint32(point))
+            key = key_of(samples, point)
             row = wp.uint64(point) * wp.uint64(samples.count)
             if wp.abs(units[3 * most_rows + k]) < 0.1:
                 for first in range(start, end, chunk):

@@ -163,7 +163,8 @@ def sample_directions(
     if len(given.shape) != 1 or given.count == 0:
         raise ValueError(f"normals: got shape {(*given.shape, 3)}, want (P, 3) with P of at least 1")
     count = check_integer(count, "count", 1, 2**31 - 1)
-    options = CallOptions.of(given.count, seed=seed, first_point=first_point, active=active).by(
+    ids = normals.id if isinstance(normals, SurfacePoints) else None
+    options = CallOptions.of(given.count, seed=seed, first_point=first_point, ids=ids, active=active).by(
         device=device, workers=workers, progress=progress, given=given.owner, argument="normals"
     )
     sampling = DirectionPlan(

@@ -80,7 +80,7 @@ def integrate(
         0.67
     """
     at = _without_mesh(points) if mesh is None else PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, active=active).by(
+    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, ids=at.id, active=active).by(
         skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
     )
     plan = Plan.of(at, count, options, tolerance=tolerance, distribution=distribution)
@@ -109,9 +109,9 @@ def _first_of(plan: Plan) -> Plan:
     """The first points with few rays; of a call with no more points than that, the plan itself."""
     if len(plan.at) <= _FEW_POINTS:
         return plan
-    few, points, active = slice(_FEW_POINTS), plan.at.points, plan.options.active
-    at = PlacedPoints(SurfacePoints(points.position[few], points.normal[few], points.face[few]), plan.at.mesh)
-    options = replace(plan.options, active=None if active is None else active[few])
+    few, active = slice(_FEW_POINTS), plan.options.active
+    at = PlacedPoints(plan.at.points.take(few), plan.at.mesh)
+    options = replace(plan.options, ids=at.id, active=None if active is None else active[few])
     return replace(plan, at=at, options=options, count=min(plan.count, _FEW_RAYS), tolerance=None)
 
 

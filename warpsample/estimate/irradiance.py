@@ -73,7 +73,7 @@ def irradiance(
         (100,) True
     """
     at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, active=active).by(
+    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, ids=at.id, active=active).by(
         skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
     )
     plan = Plan.of(at, count, options, tolerance=tolerance)

@@ -11,6 +11,7 @@ from warpsample.host.locks import once
 from warpsample.maths.memory import set_byte, set_int
 from warpsample.maths.numerics import ZERO
 from warpsample.sequences.hashing import point_key
+from warpsample.tracing.placement import id_of
 from warpsample.tracing.queries import CHUNK_FLOATS, PREPARED, Accelerator
 from warpsample.tracing.sight.point import ShadingPoint, point_in, standing, turned, workspace_floats
 
@@ -49,7 +50,7 @@ def _estimator(slots: Slots) -> wp.Function:
     def estimate_point(lobes: Lobes, accelerator: Accelerator, data: struct, visit: wp.int64, workspace: ShadingPoint):
         """Stores the numbers of the point that is visited so many points after the first."""
         point = turned(workspace, lobes.placement, lobes.normals, lobes.active, visit)
-        point.key = point_key(lobes.seed, lobes.first_point + wp.uint64(point.index))
+        point.key = point_key(lobes.seed, id_of(lobes.placement, lobes.first_point, point.index))
         if wp.static(traced):
             point = standing(point, lobes.placement, 1)
             if wp.static(not upward):

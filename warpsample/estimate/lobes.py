@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsample.distributions.parameters import Parameters
 from warpsample.estimate.integrand import Lobe
-from warpsample.tracing.placement import Placement
+from warpsample.tracing.placement import Placement, id_of
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.sight.point import ShadingPoint
 from warpsample.tracing.sight.search import EMPTY, in_local_leaf, search_shaft
@@ -63,7 +63,7 @@ def lobe_of(lobes: Lobes, point: ShadingPoint) -> Lobe:
     lobe = Lobe()
     lobe.normal = point.n
     lobe.row = lobes.first_row + wp.int32(point.index)
-    lobe.point = lobes.first_point + wp.uint64(point.index)
+    lobe.point = id_of(lobes.placement, lobes.first_point, point.index)
     return lobe
 
 

@@ -64,7 +64,7 @@ class Runner:
 
     def _placement(self) -> PlacementArgs:
         if not self.traced:
-            return PlacementArgs(points=len(self.at))
+            return PlacementArgs()
         placement = self.at.facing(self.options, self.summed.reach)
         if self.summed.falloff is not None:  # is relative to the reach, so that must be a float32
             placement.reach = min(placement.reach, _MOST_REACH)
@@ -89,6 +89,7 @@ class Runner:
             parameters=self.plan.distribution.kernel_parameters().__ctype__(),
         )
         part.placement.points = rows.stop - rows.start
+        part.placement.ids = loan.put(options.ids, rows)
         if self.traced:
             part.placement.origins = loan.put(self.at.position.owner, rows)
             part.placement.normals = loan.put(self.at.side, rows)

@@ -78,7 +78,7 @@ def ambient_occlusion(
         (100,) 0.7
     """
     at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, active=active).by(
+    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, ids=at.id, active=active).by(
         skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
     )
     plan = Plan.of(at, count, options, tolerance=tolerance)
@@ -147,7 +147,7 @@ def sky_view_factor(
         (2080,) 1.00 0.50
     """
     at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, active=active).by(
+    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, ids=at.id, active=active).by(
         skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
     )
     plan = Plan.of(at, count, options, tolerance=tolerance)
@@ -205,7 +205,7 @@ def bent_normals(
         (100, 3) 0.7
     """
     at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, active=active).by(
+    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, ids=at.id, active=active).by(
         skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
     )
     plan = Plan.of(at, count, options, tolerance=tolerance)

@@ -123,6 +123,8 @@ def check_seed(seed: Any) -> int:
     return check_integer(seed, "seed", 0, 2**64 - 1, "a whole number of 64 bits, 0 to 2^64 - 1")
 
 
-def check_first_point(first_point: Any, points: int) -> int:
-    """A global point id that leaves room for `points` ids of 64 bits."""
+def check_first_point(first_point: Any, points: int, ids: Any = None) -> int:
+    """A global point id that leaves room for `points` ids of 64 bits; with ids of their own, 0."""
+    if ids is not None:
+        return check_integer(first_point, "first_point", 0, 0, "0 for points that have ids of their own, `id`")
     return check_integer(first_point, "first_point", 0, 2**64 - points, f"an id of 64 bits with room for {points} points")

@@ -54,6 +54,7 @@ class CallOptions:
     Attributes:
         seed: of 64 bits.
         first_point: the global id of row 0.
+        ids: (P,) uint64, the global ids of all rows; None if they are counted from the first.
         active: (P,) uint8, not 0 where a point counts; None if all do.
         memory: where kernels run.
         workers: threads on the CPU.
@@ -62,19 +63,23 @@ class CallOptions:
 
     seed: int
     first_point: int
+    ids: np.ndarray | None
     active: np.ndarray | None
     memory: Memory
     workers: int
     progress: bool
 
     @classmethod
-    def of(cls, points: int, *, seed: Any = 0, first_point: Any = 0, active: Any = None) -> "CallOptions":
+    def of(
+        cls, points: int, *, seed: Any = 0, first_point: Any = 0, ids: np.ndarray | None = None, active: Any = None
+    ) -> "CallOptions":
         """The options of a call over so many points, computed on the CPU by all cores.
 
         Args:
             points: how many.
             seed: of 64 bits.
-            first_point: the global id of row 0.
+            first_point: the global id of row 0; 0 if the points have their own, `SurfacePoints.id`.
+            ids: (P,) uint64, those of `SurfacePoints`.
             active: (P,) bool; other points get 0 and a status, and cost next to nothing.
 
         Raises:
@@ -82,7 +87,8 @@ class CallOptions:
         """
         return cls(
             seed=check_seed(seed),
-            first_point=check_first_point(first_point, points),
+            first_point=check_first_point(first_point, points, ids),
+            ids=ids,
             active=check_active(active, points),
             memory=Memory.of(None),
             workers=check_workers(None),

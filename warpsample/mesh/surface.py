@@ -1,6 +1,6 @@
 """Points on the surface of a mesh."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -33,10 +33,12 @@ class SurfacePoints:
             counted wherever directions are asked for.
         face: (P,) int32, the face a point lies on, -1 where it lies on none (the default).
         barycentric: (P, 3) float64 weights of the face's corners, or None.
+        id: (P,) uint64, global ids, by which random numbers are drawn, so that points in another order, or some of them,
+            have the same; or None: row i has the id first_point + i.
 
     Raises:
-        TypeError: not real numbers, or faces that are not whole ones.
-        ValueError: shapes that do not agree, or faces below -1.
+        TypeError: not real numbers, or faces or ids that are not whole ones.
+        ValueError: shapes that do not agree, faces below -1, or ids below 0.
 
     Example:
         >>> eyes = ws.SurfacePoints(position=[[36.0, 36.0, 1.7], [3.0, 3.0, 1.7]], normal=[[0, 0, 1], [0, 0, 1]])
@@ -49,6 +51,7 @@ class SurfacePoints:
     normal: np.ndarray
     face: np.ndarray | None = None
     barycentric: np.ndarray | None = None
+    id: np.ndarray | None = None
 
     def __post_init__(self) -> None:
         """Checks types and shapes and fills in the faces."""
@@ -58,9 +61,10 @@ class SurfacePoints:
         points = len(position)
         face = np.full(points, -1, np.int32) if self.face is None else _check_face(self.face)
         barycentric = None if self.barycentric is None else as_real(self.barycentric, "barycentric")
-        fields = {"position": position, "normal": normal, "face": face, "barycentric": barycentric}
-        shapes = {"normal": (points, 3), "face": (points,), "barycentric": (points, 3)}
-        for name, array in fields.items():
+        id = None if self.id is None else _check_id(self.id)
+        arrays = {"position": position, "normal": normal, "face": face, "barycentric": barycentric, "id": id}
+        shapes = {"normal": (points, 3), "face": (points,), "barycentric": (points, 3), "id": (points,)}
+        for name, array in arrays.items():
             if array is not None and array.shape != shapes.get(name, array.shape):
                 raise ValueError(f"{name}: got shape {array.shape}, want {shapes[name]}, a row for each position")
             object.__setattr__(self, name, array)
@@ -69,8 +73,25 @@ class SurfacePoints:
         """How many points."""
         return len(self.position)
 
+    def take(self, rows: Any) -> "SurfacePoints":
+        """Some of the points, with what belongs to them; those that have no `id` are numbered anew.
+
+        Args:
+            rows: a slice, (N,) whole numbers, or (P,) bool.
+
+        Returns:
+            a point for each of these rows.
+
+        Example:
+            >>> points = ws.face_centers(ws.load_mesh("courtyard"))
+            >>> print(points.take(points.normal[:, 2] > 0.9).position.shape)
+            (1152, 3)
+        """
+        kept = {item.name: getattr(self, item.name) for item in fields(self)}
+        return SurfacePoints(**{name: None if array is None else array[rows] for name, array in kept.items()})
+
     def to_polydata(self) -> "PolyData":
-        """The points as PyVista's PolyData, row for row: "Normals", "face", and "barycentric" where kept.
+        """The points as PyVista's PolyData, row for row: "Normals", "face", and "barycentric" and "id" where kept.
 
         Returns:
             a point for each row, with these as arrays of point data.
@@ -83,7 +104,7 @@ class SurfacePoints:
             >>> print(made.n_points, sorted(made.point_data))
             100 ['Normals', 'face']
         """
-        return cloud(self.position, self.normal, face=self.face, barycentric=self.barycentric)
+        return cloud(self.position, self.normal, face=self.face, barycentric=self.barycentric, id=self.id)
 
 
 @explained_by(CallOptions)
@@ -202,3 +223,12 @@ def _check_face(value: Any) -> np.ndarray:
     if face.size and not (face.min() >= -1 and face.max() < 2**31):
         raise ValueError(f"face: got numbers from {face.min()} to {face.max()}, want -1 (none) or the number of a face")
     return face.astype(np.int32, copy=False)
+
+
+def _check_id(value: Any) -> np.ndarray:
+    id = as_ndarray(value, "id")
+    if id.dtype.kind not in "iu" and id.size:
+        raise TypeError(f"id: got {f'dtype {id.dtype}' if id.ndim else told(value)}, want whole numbers of 64 bits")
+    if id.size and id.min() < 0:
+        raise ValueError(f"id: got {id.min()}, want whole numbers from 0 on")
+    return np.ascontiguousarray(id, np.uint64)

@@ -41,7 +41,7 @@ def bake(run: BakeRun) -> str:
         check_glb(run, mesh)
     points = points_on(mesh, run.points, run.at, run.options["seed"])
     numbers = quantity.numbers(mesh, len(points), run.options)
-    numbers(_slice(points, 0, 1), 0)  # builds the tree and the kernel
+    numbers(points.take(slice(0, 1)), 0)  # builds the tree and the kernel
     start = perf_counter()
     found = quantity.joined(list(_parts(points, run, quantity, numbers)))
     seconds = perf_counter() - start
@@ -65,11 +65,6 @@ def _check(run: BakeRun, quantity: Quantity) -> None:
     check_options(quantity, run.options)
 
 
-def _slice(points: SurfacePoints, first: int, count: int) -> SurfacePoints:
-    rows = slice(first, first + count)
-    return SurfacePoints(points.position[rows], points.normal[rows], points.face[rows])
-
-
 def _parts(points: SurfacePoints, run: BakeRun, quantity: Quantity, numbers: Numbers) -> Iterator[Any]:
     """The numbers part by part, with a progress bar if stderr is a terminal."""
     rays = run.options.get("samples") or quantity.default("samples") or _RAYS
@@ -80,7 +75,7 @@ def _parts(points: SurfacePoints, run: BakeRun, quantity: Quantity, numbers: Num
         task = progress.add_task(quantity.title, total=len(points), told="")
         try:
             for first in range(0, len(points), step):
-                part = numbers(_slice(points, first, step), first)
+                part = numbers(points.take(slice(first, first + step)), first)
                 cast, done = cast + int(part.rays.sum()), min(first + step, len(points))
                 error = float(np.sqrt(np.mean(np.square(part.standard_error))))
                 speed = cast / (perf_counter() - start) / 1e6

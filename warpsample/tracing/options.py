@@ -31,7 +31,7 @@ class RayOptions(CallOptions):
         Args:
             points: how many.
             sequence: of the rays, a name of `warpsample.sequences.names()`.
-            drawn: `seed`, `first_point` and `active` as `CallOptions.of` takes them.
+            drawn: `seed`, `first_point`, `ids` and `active` as `CallOptions.of` takes them.
 
         Raises:
             TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.

@@ -23,6 +23,7 @@ class PlacedPoints:
 
     Attributes:
         points: as they are given.
+        id: of the points, or None.
         mesh: what they see; None where no ray is traced.
         scene: of the mesh, or None.
         position: of the points, as they are given.
@@ -36,7 +37,7 @@ class PlacedPoints:
         Raises:
             ValueError: a face that the mesh has not; names the argument.
         """
-        self.points, self.mesh = points, mesh
+        self.points, self.id, self.mesh = points, points.id, mesh
         self.scene: Scene | None = scene_of(mesh) if mesh else None
         self.position = Triples.of(points.position, f"{argument}.position")
         self.normal = as_directions(Triples.of(points.normal, f"{argument}.normal").owner)
@@ -75,6 +76,7 @@ class PlacedPoints:
         if key not in self._known:
             placement = placed(self.scene, self.position, inf)
             placement.normals = self.side.ctypes.data
+            placement.ids = 0 if self.id is None else self.id.ctypes.data
             starts = set_starts(
                 self.scene, placement, self.face, towards=towards, tracer=options.tracer, workers=options.workers
             )

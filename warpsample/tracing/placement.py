@@ -7,7 +7,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.host.neighbours import address_of
-from warpsample.maths.memory import long_at, vec3_at, vec3d_at
+from warpsample.maths.memory import address_at, long_at, vec3_at, vec3d_at
 from warpsample.maths.numerics import ONE, ZERO
 from warpsample.tracing.scene import Scene, coarseness_of
 from warpsample.tracing.triples import Triples
@@ -34,7 +34,8 @@ class Placement:
     A point x of the user's is (x - centre) * scale inside, where the mesh is within 1 of 0 on each axis, and its extent; a
     distance t inside is t * unit, and reach is inside, too. coarseness: how far apart stored positions are, inside.
     Optional, else 0: normals (P, 3) float32, unit, of the faces that origins are on; starts (P, sides, 3) float32, where
-    rays to these sides start, inside, else they are moved by `offset`; order (P,) int64, in which points are visited.
+    rays to these sides start, inside, else they are moved by `offset`; order (P,) int64, in which points are visited; ids
+    (P,) uint64, of the points in all calls.
     """
 
     points: wp.int64
@@ -43,6 +44,7 @@ class Placement:
     normals: wp.uint64
     starts: wp.uint64
     order: wp.uint64
+    ids: wp.uint64
     centre: wp.vec3d
     scale: wp.float64
     unit: wp.float64
@@ -97,6 +99,14 @@ def point_of(placement: Placement, i: wp.int64) -> wp.int64:
     if placement.order == wp.uint64(0):
         return i
     return long_at(placement.order, i)
+
+
+@wp.func
+def id_of(placement: Placement, first: wp.uint64, point: wp.int64) -> wp.uint64:
+    """The global id of a point: its own, or counted from that of the first."""
+    if placement.ids == wp.uint64(0):
+        return first + wp.uint64(point)
+    return address_at(placement.ids, point)
 
 
 @wp.func

@@ -122,8 +122,7 @@ class Viewer:
 
     def _choose(self, point: int, at: SurfacePoints | None = None) -> None:
         """Pins the point with a global id; it is that row of `points`, unless it is given."""
-        row = slice(point, point + 1)
-        self.chosen = at or SurfacePoints(self.points.position[row], self.points.normal[row], self.points.face[row])
+        self.chosen = at or self.points.take(slice(point, point + 1))
         self._chosen_id = point
         start = self.chosen.position[0]
         self._pin.show(start, start + 1.4 * self.scale * self.chosen.normal[0])

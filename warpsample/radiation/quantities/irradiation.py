@@ -23,7 +23,7 @@ def _prepare(mesh: Mesh, _total: int, *, count: int, seed: int, workers: int | N
 
     def numbers(points: SurfacePoints, first: int) -> Irradiation:
         at = PlacedPoints.of(mesh, points)
-        options = RayOptions.of(len(at), seed=seed, first_point=first).by(workers=workers)
+        options = RayOptions.of(len(at), seed=seed, first_point=first, ids=at.id).by(workers=workers)
         return received(Plan.of(at, count, options), light, series=False)
 
     return numbers

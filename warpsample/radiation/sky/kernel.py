@@ -9,7 +9,7 @@ from warpsample.radiation.sky.form_factors import open_form_factor, patch_at
 from warpsample.radiation.sky.patch_rays import WEIGHTS, SkyRows, sum_rays
 from warpsample.radiation.sky.shafts import CLOSED, OPEN, UNKNOWN, look
 from warpsample.sequences.hashing import point_key
-from warpsample.tracing.placement import in_double
+from warpsample.tracing.placement import id_of, in_double
 from warpsample.tracing.queries import CHUNK_FLOATS, Accelerator
 from warpsample.tracing.sight.frontier import open_around
 from warpsample.tracing.sight.point import ShadingPoint, point_in, standing, turned, workspace_floats
@@ -108,7 +108,7 @@ def sky_kernel() -> wp.Kernel:
         task = first_task + wp.int64(wp.tid())
         point = turned(point_in(memory.ptr, WEIGHTS, CHUNK_FLOATS), sky.placement, sky.normals, sky.active, task)
         point = standing(point, sky.placement, 1)
-        point.key = point_key(sky.seed, sky.first_point + wp.uint64(point.index))
+        point.key = point_key(sky.seed, id_of(sky.placement, sky.first_point, point.index))
         tally = wp.vec4i(0)
         if point.status == 0:
             tally = _fill_row(sky, tree, point, wp.where(sky.by_task != 0, task, point.index))

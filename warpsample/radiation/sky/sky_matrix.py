@@ -81,7 +81,7 @@ def sky_matrix(
         (100, 145) 0.6 0.6
     """
     at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), seed=seed, first_point=first_point, active=active)
+    options = RayOptions.of(len(at), seed=seed, first_point=first_point, ids=at.id, active=active)
     plan = Plan.of(at, count, options.by(skip=skip, tracer="wide", workers=workers, progress=progress))
     sky = sky_patches(patches, up=up, north=north)
     return sky_seen(plan, sky, None if fold is None else _check_fold(fold, len(sky)))

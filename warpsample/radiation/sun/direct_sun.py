@@ -148,7 +148,7 @@ def direct_sun(
         [[ True False False]]
     """
     at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), seed=seed, first_point=first_point, active=active)
+    options = RayOptions.of(len(at), seed=seed, first_point=first_point, ids=at.id, active=active)
     options = options.by(skip=skip, tracer="wide", workers=workers, progress=progress)
     towards = _check_directions(directions)
     weights = None if weights is None else _check_weights(weights, len(towards))

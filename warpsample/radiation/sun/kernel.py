@@ -19,6 +19,7 @@ from warpsample.radiation.sun.rays import (
 from warpsample.radiation.sun.suns import GROUP
 from warpsample.radiation.sun.view import CAST, OWN_FLOATS, PROVEN, Suns, View, add, cosine_to, view_of, word
 from warpsample.sequences.hashing import point_key
+from warpsample.tracing.placement import id_of
 from warpsample.tracing.queries import CHUNK_FLOATS, Accelerator, direction_of
 from warpsample.tracing.sight.point import point_in, standing, turned, workspace_floats
 
@@ -162,7 +163,7 @@ def sun_kernel(disc: bool) -> wp.Kernel:
         point = turned(point_in(memory.ptr, OWN_FLOATS, CHUNK_FLOATS), suns.placement, suns.normals, suns.active, task)
         point = standing(point, suns.placement, 2)
         if wp.static(disc):
-            point.key = point_key(suns.seed, suns.first_point + wp.uint64(point.index))
+            point.key = point_key(suns.seed, id_of(suns.placement, suns.first_point, point.index))
         view = view_of(point)
         if point.status == 0:
             look_all(suns, accelerator, view)

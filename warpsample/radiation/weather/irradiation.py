@@ -114,7 +114,7 @@ def irradiation(
         (2080,) 270 kWh/m2
     """
     at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), seed=seed, first_point=first_point, active=active)
+    options = RayOptions.of(len(at), seed=seed, first_point=first_point, ids=at.id, active=active)
     plan = Plan.of(at, count, options.by(skip=skip, tracer="wide", workers=workers, progress=progress))
     series = check_flag(series, "series")
     return received(
