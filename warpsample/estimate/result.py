@@ -115,7 +115,8 @@ class Estimate(PointCounts):
         occlusion and sky view. Held by intervals of 0.95, at points that are not proven open, in 200 runs at 120 points,
         from 32 to 4,096 rays by any sequence: 95 to 99 % on bunny and city, and on the floors and walls of streets, of which
         95 to 98 % where the value is from 0.2 to 0.8; nearer to 0 and 1 what no ray has met widens them. Under a small
-        opening, or a small thing before the sky, about as wide as long, of which 0.1 to 30 rays are expected: at least 93 %.
+        opening, or a small thing before the sky, about as wide as long, of which 0.1 to 30 rays are expected: at least 93 %;
+        by `r2` as few as 87 % where it lies around the normal, since its edge then runs along the rows of that sequence.
         Of thin slits 97 % in the mean over all, but as few as 77 % where one lies along a row of the Fibonacci lattice; by
         `independent` rays 95 %. Other quantities have as many, but for a short `max_distance` and `falloff` on the bunny (up
         to 98 %), and for a picture with a bright part that few rays meet: what none has met is in no interval. Among leaves,
