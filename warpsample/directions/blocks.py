@@ -114,7 +114,7 @@ def direction_blocks(
     masked: bool,
     one_sample: bool,
 ) -> wp.Kernel:
-    """A kernel over blocks of FLAT_BLOCK consecutive (point, sample) pairs; bit for bit the results of `direction_rows`.
+    """A kernel over tasks of `rows` blocks of FLAT_BLOCK consecutive pairs; bit for bit the results of `direction_rows`.
 
     Unit normals and variates first, as there. Unless each point has one sample, the normals are then repeated, pair by pair:
     a gather from an array that the stores might alias would keep the loop scalar.
@@ -125,9 +125,8 @@ def direction_blocks(
     floats = 2 * FLAT_BLOCK + (3 if one_sample else 6) * _STRIDE
     repeated_at = 4 * (floats - 3 * _STRIDE)  # bytes; where each point has one sample, that is where the units are
 
-    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
-    def direction_blocks(samples: Samples, first_task: wp.int64):
-        first = (first_task + wp.int64(wp.tid())) * _BLOCK
+    @wp.func
+    def fill_block(samples: Samples, first: wp.int64, buffer: wp.uint64):
         count = wp.int32(1)
         if wp.static(not one_sample):
             count = samples.count
@@ -139,10 +138,9 @@ def direction_blocks(
         vectors = wp.array(ptr=samples.vectors + wp.uint64(first) * wp.uint64(12), shape=(3 * length,), dtype=wp.float32)
         pdf = wp.array(ptr=samples.pdf + wp.uint64(first) * wp.uint64(4), shape=(length,), dtype=wp.float32)
         active = wp.array(ptr=samples.active + wp.uint64(point), shape=(span,), dtype=wp.uint8)
-        buffer = wp.zeros(shape=(floats,), dtype=wp.float32)
-        u = wp.array(ptr=buffer.ptr, shape=(2 * FLAT_BLOCK,), dtype=wp.float32)
-        units = wp.array(ptr=buffer.ptr + wp.uint64(8 * FLAT_BLOCK), shape=(3 * _STRIDE,), dtype=wp.float32)
-        repeated = wp.array(ptr=buffer.ptr + wp.uint64(repeated_at), shape=(3 * _STRIDE,), dtype=wp.float32)
+        u = wp.array(ptr=buffer, shape=(2 * FLAT_BLOCK,), dtype=wp.float32)
+        units = wp.array(ptr=buffer + wp.uint64(8 * FLAT_BLOCK), shape=(3 * _STRIDE,), dtype=wp.float32)
+        repeated = wp.array(ptr=buffer + wp.uint64(repeated_at), shape=(3 * _STRIDE,), dtype=wp.float32)
         rare = write_units(normals, active, span, units)
         fill(samples, point, start, length, u)
         if wp.static(not one_sample):
@@ -157,5 +155,14 @@ def direction_blocks(
             j += 1
         if rare != 0:
             mend(samples, point, start, length, normals, active, vectors, pdf)
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def direction_blocks(samples: Samples, first_task: wp.int64):
+        buffer = wp.zeros(shape=(floats,), dtype=wp.float32)
+        first = (first_task + wp.int64(wp.tid())) * wp.int64(samples.rows) * _BLOCK
+        end = wp.min(first + wp.int64(samples.rows) * _BLOCK, samples.points * wp.int64(samples.count))
+        while first < end:
+            fill_block(samples, first, buffer.ptr)
+            first += _BLOCK
 
     return direction_blocks

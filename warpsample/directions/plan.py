@@ -20,7 +20,7 @@ from warpsample.host.vectors import Vectors
 from warpsample.sequences.record import Sequence
 
 _SEGMENT = 1 << 14  # samples of one row that a task takes: enough to share out one point's million samples
-_TASK = 1 << 10  # samples of short rows that a task takes
+_TASK = 1 << 12  # samples of short rows, or of blocks, that a task takes: the memory that it clears is a tenth of these
 _ROW = 20  # samples from which rows are faster than blocks of pairs: 12 with 8 lanes, 24 with 16, to which rows are padded
 
 
@@ -90,7 +90,7 @@ class DirectionPlan:
             tasks = -(-points * -(-self.count // segment) // rows)
             return direction_rows(*parts, **how, own_ids=own_ids, chunk=CHUNK), tasks, segment, rows
         kernel = direction_blocks(*parts, **how, one_sample=self.count == 1)
-        return kernel, -(-points * self.count // FLAT_BLOCK), FLAT_BLOCK, 1
+        return kernel, -(-points * self.count // _TASK), FLAT_BLOCK, _TASK // FLAT_BLOCK
 
 
 def _beside(normals: Vectors, active: np.ndarray | None) -> Array | None:

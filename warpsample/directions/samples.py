@@ -64,8 +64,8 @@ class Samples:
     """Scalars and addresses: normals (P, 3), vectors (P, count, 3), pdf (P, count) float32; status, active (P,) uint8.
 
     The ids of all points have the same high word, which went into the run, what their keys have in common; the low ones
-    begin with first_point. Or they are `ids`, (P,) uint64, else 0, of a run by the seed. A task is `rows` rows, or one
-    segment, if `segment` samples are fewer than `count`.
+    begin with first_point. Or they are `ids`, (P,) uint64, else 0, of a run by the seed. A task is `rows` rows or
+    blocks, or one segment, if `segment` samples are fewer than `count`.
     """
 
     run: wp.vec4ui
