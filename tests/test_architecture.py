@@ -6,6 +6,7 @@
 - `bench`: run time against error, and other tools side by side
 - `cluster`: the calls over Dask, and into Zarr stores
 - `output`: files of directions and of numbers
+- `city`: rasters of heights, as surfaces and back
 - `radiation`: sun, sky patches, weather, view factors
 - `plotting`: arrays to PyVista actors and matplotlib figures, imported lazily; computes nothing else
 - `estimate`: numbers per point (ambient occlusion, sky view, bent normals, irradiance); what is skipped
@@ -43,6 +44,7 @@ ROOMS = [
     "estimate",
     "plotting",
     "radiation",
+    "city",
     "output",
     "cluster",
     "bench",
@@ -65,6 +67,9 @@ HEAVY = {"pyvista", "matplotlib", "scipy", "trimesh", "pxr", "psutil", "rich", "
 """Libraries that are imported where they are used."""
 NOT_EVERYWHERE = {"vtkmodules", "trame", "distributed", "fcntl", "resource"}
 """Others that are imported where they are used: extras of extras, and what some systems do not have."""
+IN_ONE_PLACE = {name: {"cluster"} for name in ("dask", "distributed", "zarr")} | {"xarray": {"cluster", "rasters"}}
+IN_ONE_PLACE |= {name: {"rasters"} for name in ("rasterio", "rioxarray", "affine", "pyproj")}
+"""Libraries that whole folders are made of, which are imported when something of theirs is first used."""
 MOST_FILES = 20
 """Files in a folder, besides `__init__.py`: what has more has stories of its own, a folder each."""
 IN_A_CIRCLE = {"mesh.mesh", "mesh.report"}
@@ -146,8 +151,8 @@ def test_heavy_libraries_are_imported_where_they_are_used(repository):
             if (path.stem, module) == ("accessor", "pyvista"):
                 continue  # PyVista imports it, and nothing here does
             assert not (when == "first" and module.split(".")[0] in HEAVY), f"{path} imports {module} when it is imported"
-            if module.split(".")[0] in {"dask", "distributed", "zarr", "xarray"}:
-                assert path.parent.name == "cluster", f"{path} imports {module}"
+            where = IN_ONE_PLACE.get(module.split(".")[0], {path.parent.name})
+            assert path.parent.name in where, f"{path} imports {module}"
 
 
 def test_files_with_kernels_keep_their_annotations(repository):

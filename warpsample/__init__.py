@@ -5,6 +5,7 @@ from importlib import import_module
 TYPE_CHECKING = False  # importing it from `typing` takes as long as all else here
 if TYPE_CHECKING:
     from warpsample import distributions, sequences
+    from warpsample.city import rasters
     from warpsample.directions.sample import Directions, Status, sample_directions, sample_square
     from warpsample.distributions.beckmann import Beckmann
     from warpsample.distributions.cosine_hemisphere import CosineHemisphere
@@ -85,6 +86,7 @@ __all__ = [
     "irradiation",
     "load_mesh",
     "mean_distance",
+    "rasters",
     "refit",
     "sample_directions",
     "sample_square",
@@ -129,6 +131,8 @@ def __getattr__(name: str) -> object:
     """Imports a name when it is first used: Warp takes a second, in which the command line must react to Ctrl-C."""
     if name in ("distributions", "sequences"):
         return import_module(f"warpsample.{name}")
+    if name == "rasters":
+        return import_module("warpsample.city.rasters")
     if name == "__version__":
         from importlib.metadata import version
 

@@ -1,0 +1,59 @@
+"""Rasters that tests of cities share, with the sums that any surface of one must have."""
+
+import numpy as np
+import rasterio
+from affine import Affine
+
+import warpsample as ws
+
+NORTH_UP = Affine(1.0, 0.0, 0.0, 0.0, -1.0, 0.0)
+
+
+def rough(rows=14, columns=11, seed=5, rim=9.0):
+    """Heights from -10 to 8 with cliffs, slopes and flats, within a flat rim that is higher than all."""
+    rng = np.random.default_rng(seed)
+    heights = np.round(rng.choice([-6.0, 0.0, 4.0], (rows, columns)) + rng.uniform(-4.0, 4.0, (rows, columns)), 3)
+    heights[2:5, 2:5] = 1.5
+    heights[[0, -1]] = rim
+    heights[:, [0, -1]] = rim
+    return heights
+
+
+def flux(mesh):
+    """(3, 3): the sum over the faces of each coordinate of their middle times each of their area vector.
+
+    For a surface that closes a body with a plane below or above it, all three entries of the diagonal are its volume.
+    """
+    middle = mesh.vertices[mesh.faces].mean(axis=1)
+    return middle.T @ (0.5 * mesh.cross_products)
+
+
+def corners_of(mesh):
+    """(F, 9) the triangles of a mesh, their turns kept, in an order of their own: equal for equal surfaces."""
+    corners = np.round(mesh.vertices[mesh.faces], 6) + 0.0
+    first = np.lexsort(corners.transpose(2, 0, 1)[::-1], axis=1)[:, 0]
+    turned = np.stack([corners[np.arange(len(corners)), (first + k) % 3] for k in range(3)], axis=1).reshape(-1, 9)
+    return turned[np.lexsort(turned.T[::-1])]
+
+
+def write_tif(path, bands, *, transform=NORTH_UP, crs="EPSG:3794", mask=None, units=None, scale=None, **profile):
+    """A GeoTIFF of the bands given, (rows, columns) each."""
+    bands = np.atleast_3d(np.asarray(bands).T).T
+    size = {"count": len(bands), "height": bands.shape[1], "width": bands.shape[2]}
+    with rasterio.open(path, "w", "GTiff", **size, dtype=bands.dtype, crs=crs, transform=transform, **profile) as file:
+        file.write(bands)
+        if mask is not None:
+            file.write_mask(mask)
+        if units is not None:
+            file.units = (units,)
+        if scale is not None:
+            file.scales, file.offsets = (scale[0],), (scale[1],)
+    return path
+
+
+def sky(surface, cells, count, **options):
+    """The sky view factor in the middle of some cells, in their order."""
+    points, known = surface.points(options.pop("receiver", "horizontal"))
+    rows = np.searchsorted(known, cells)
+    some = ws.SurfacePoints(points.position[rows], points.normal[rows])
+    return ws.sky_view_factor(surface.mesh, some, count, **options)

@@ -1,0 +1,37 @@
+"""Sky and sun on rasters of heights: surface models of cities, terrain.
+
+`from warpsample import rasters`, then `rasters.sky_view_factor("dsm.tif", 256)`: arrays with coordinates, and error bars.
+"""
+
+from importlib import import_module
+from typing import Any
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from warpsample.city.rasters.raster_surface import RasterSurface, surface
+
+__all__ = ["RasterSurface", "surface"]
+
+_HOMES = dict.fromkeys(("RasterSurface", "surface"), "raster_surface")
+
+
+def __getattr__(name: str) -> Any:
+    """Imports a call, and with it xarray and rasterio, when it is first used.
+
+    Raises:
+        AttributeError: there is no such call.
+        ModuleNotFoundError: a library is missing; names the extra.
+    """
+    if name not in _HOMES:
+        raise AttributeError(f"module 'warpsample.city.rasters' has no attribute {name!r}")
+    try:
+        home = import_module(f"warpsample.city.rasters.{_HOMES[name]}")
+    except ModuleNotFoundError as error:
+        raise ModuleNotFoundError(f"warpsample.rasters needs {error.name}: pip install 'warpsample[city]'") from error
+    globals()[name] = value = getattr(home, name)
+    return value
+
+
+def __dir__() -> list[str]:
+    """The calls, imported or not."""
+    return sorted({*globals(), *__all__})

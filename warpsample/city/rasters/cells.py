@@ -1,0 +1,178 @@
+"""The models for cities: cells that share corners with neighbours a step away, and vertical walls between the others.
+
+In the plane of rows and columns a corner has four cells about it, in a ring. Two of them that are next to each other in the
+ring are linked if their heights differ by no more than a step; what hangs together so has the corner's height in common, the
+mean of its cells'. With steps of no height each cell is flat.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from warpsample.city.rasters.grid import Grid
+from warpsample.city.rasters.triangles import TOP, WALL, Triangles
+
+STEP = 2.0 * (1.0 + 2.0**-10)
+"""How far linked cells of joined surfaces differ at most, in cells: a slope of 63°, and what float32 heights round."""
+
+_UPPER_LEFT, _UPPER_RIGHT, _LOWER_RIGHT, _LOWER_LEFT = range(4)
+_RING = ((0, 0), (0, 1), (1, 1), (1, 0))
+"""Rows and columns of a corner's four cells after its first one."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Corners:
+    """The corners of the cells, once for each height that they have.
+
+    number: (4, rows + 1, columns + 1) int32, the vertex of each of the four cells about a corner; -1 without a cell.
+    height: (V,) float64. row, column: (V,) where.
+    """
+
+    number: np.ndarray
+    height: np.ndarray
+    row: np.ndarray
+    column: np.ndarray
+
+
+def joined_cells(grid: Grid, step: float) -> Triangles:
+    """The cells of a raster, with walls where they differ by more than a step.
+
+    A cell is four triangles about its centre, which keeps its height, or two if its corners are in one plane with that. A
+    wall fills what is between the edges of two cells, and faces away from the upper one. There is none towards a cell
+    without a height, or at the border.
+
+    Args:
+        grid: of heights.
+        step: in lengths of a cell; 0 makes flat blocks.
+    """
+    corners = _corners(grid, step)
+    top_faces, top_cells, peaks = _tops(grid, corners)
+    centres = grid.centres(peaks)
+    wall_faces, wall_cells, crossings = _walls(grid, corners, first=len(corners.height) + len(peaks))
+    vertices = [grid.places(corners.column, corners.row, corners.height), centres, crossings]
+    faces = np.concatenate([top_faces, wall_faces])
+    return Triangles(
+        vertices=np.concatenate(vertices),
+        faces=faces[:, ::-1] if grid.mirrored else faces,
+        kind=np.repeat(np.array([TOP, WALL], np.uint8), [len(top_faces), len(wall_faces)]),
+        cell=np.concatenate([top_cells, wall_cells]),
+    )
+
+
+def _corners(grid: Grid, step: float) -> _Corners:
+    """The vertices at the corners of the cells."""
+    rows, columns = grid.height.shape
+    padded = np.pad(grid.height, 1, constant_values=np.nan)
+    around = np.stack([padded[i : i + rows + 1, j : j + columns + 1] for i, j in _RING])
+    number = np.full(around.shape, -1, np.int32)
+    heights, places, known = [], [], 0
+    links = _links(around, step * np.array(grid.sides))
+    for slot in range(4):
+        members = _members(links, slot)
+        first = ~np.isnan(around[slot]) & ~members[:slot].any(axis=0)
+        more, total = np.zeros(around.shape[1:]), np.ones(around.shape[1:])
+        for other in range(slot + 1, 4):
+            more += np.where(members[other], around[other] - around[slot], 0.0)
+            total += members[other]
+        place = np.flatnonzero(first)
+        own = np.full(first.shape, -1, np.int32)
+        own.ravel()[place] = known + np.arange(len(place), dtype=np.int32)
+        for other in range(slot, 4):
+            np.copyto(number[other], own, where=first & members[other])
+        heights.append((around[slot] + more / total).ravel()[place])
+        places.append(place)
+        known += len(place)
+    row, column = np.divmod(np.concatenate(places), columns + 1)
+    return _Corners(number, np.concatenate(heights), row, column)
+
+
+def _links(around: np.ndarray, steps: np.ndarray) -> list[np.ndarray]:
+    """Whether each cell of the ring differs from the next one by no more than a step along the row, or the column."""
+    return [np.abs(around[(slot + 1) % 4] - around[slot]) <= steps[slot % 2] for slot in range(4)]
+
+
+def _members(links: list[np.ndarray], slot: int) -> np.ndarray:
+    """(4, ...) bool: which cells of the ring hang together with one of them."""
+    members = np.zeros((4, *links[0].shape), bool)
+    members[slot] = True
+    for way, before in ((1, 0), (-1, -1)):
+        reached = np.ones(links[0].shape, bool)
+        for away in range(3):
+            reached = reached & links[(slot + way * away + before) % 4]
+            members[(slot + way * (away + 1)) % 4] |= reached
+    return members
+
+
+def _tops(grid: Grid, corners: _Corners) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(faces, their cells, cells that have a vertex at their centre, numbered after the corners)."""
+    cells, n = grid.cells, corners.number
+    around = (n[_LOWER_RIGHT, :-1, :-1], n[_LOWER_LEFT, :-1, 1:], n[_UPPER_LEFT, 1:, 1:], n[_UPPER_RIGHT, 1:, :-1])
+    ring = np.stack([corner.ravel()[cells] for corner in around])
+    above = corners.height[ring] - grid.height.ravel()[cells]
+    level = (above[0] + above[2] == 0.0) & (above[1] + above[3] == 0.0)
+    peaks = cells[~level]
+    faces = np.empty((2 * len(cells) + 2 * len(peaks), 3), np.int32)
+    size = np.where(level, 2, 4)
+    first = np.cumsum(size) - size
+    upper_left, upper_right, lower_right, lower_left = ring[:, level]
+    faces[first[level]] = np.stack([upper_left, lower_left, lower_right], axis=1)
+    faces[first[level] + 1] = np.stack([upper_left, lower_right, upper_right], axis=1)
+    centre = len(corners.height) + np.arange(len(peaks), dtype=np.int32)
+    for side in range(4):
+        sides = (centre, ring[(side + 1) % 4, ~level], ring[side, ~level])
+        faces[first[~level] + side] = np.stack(sides, axis=1)
+    return faces, np.repeat(cells, size), peaks
+
+
+@dataclass(frozen=True, eq=False)
+class _Edges:
+    """Edges between a cell a and the next one b in its row or column: the vertices at the two ends, and the cells.
+
+    Seen from b, the end p is on the left of q. pa, qa, pb, qb: (N,) vertices. a, b: (N,) cells.
+    """
+
+    pa: np.ndarray
+    qa: np.ndarray
+    pb: np.ndarray
+    qb: np.ndarray
+    a: np.ndarray
+    b: np.ndarray
+
+
+def _edges(grid: Grid, corners: _Corners) -> Iterator[_Edges]:
+    """The edges between cells that do not have both ends in common: those within rows, then those within columns."""
+    n, number = corners.number, np.arange(grid.height.size).reshape(grid.height.shape)
+    upper, lower = n[:, :-1, 1:-1], n[:, 1:, 1:-1]
+    in_rows = (lower[_UPPER_LEFT], upper[_LOWER_LEFT], lower[_UPPER_RIGHT], upper[_LOWER_RIGHT])
+    left, right = n[:, 1:-1, :-1], n[:, 1:-1, 1:]
+    in_columns = (left[_UPPER_RIGHT], right[_UPPER_LEFT], left[_LOWER_RIGHT], right[_LOWER_LEFT])
+    cells = ((number[:, :-1], number[:, 1:]), (number[:-1], number[1:]))
+    for (pa, qa, pb, qb), (a, b) in zip((in_rows, in_columns), cells, strict=True):
+        apart = np.nonzero((pa >= 0) & (pb >= 0) & ((pa != pb) | (qa != qb)))
+        yield _Edges(*(array[apart] for array in (pa, qa, pb, qb, a, b)))
+
+
+def _walls(grid: Grid, corners: _Corners, first: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(faces, their upper cells, (X, 3) vertices where edges of two cells cross, numbered from `first` on)."""
+    faces, cells, crossings = [], [], []
+    for edge in _edges(grid, corners):
+        at_p = corners.height[edge.pa] - corners.height[edge.pb]
+        at_q = corners.height[edge.qa] - corners.height[edge.qb]
+        cross = at_p * at_q < 0.0
+        crossings.append(_crossings(grid, corners, edge, cross, at_p / np.where(cross, at_p - at_q, 1.0)))
+        middle = np.zeros(len(cross), np.int32)
+        middle[cross] = first + np.arange(len(crossings[-1]))
+        first += len(crossings[-1])
+        of_q = np.stack([np.where(cross, middle, edge.pb), edge.qb, edge.qa], axis=1)
+        of_p = np.stack([edge.pb, np.where(cross, middle, edge.qa), edge.pa], axis=1)
+        for made, above in ((of_q, at_q), (of_p, at_p)):
+            faces.append(made[above != 0.0])
+            cells.append(np.where(above > 0.0, edge.a, edge.b)[above != 0.0])
+    return np.concatenate(faces), np.concatenate(cells), np.concatenate(crossings)
+
+
+def _crossings(grid: Grid, corners: _Corners, edge: _Edges, cross: np.ndarray, share: np.ndarray) -> np.ndarray:
+    """(X, 3) where the edges of two cells cross, a share of the way from p to q: between long and narrow cells only."""
+    p, q, t = edge.pb[cross], edge.qb[cross], share[cross]
+    return grid.places(*((1.0 - t) * of[p] + t * of[q] for of in (corners.column, corners.row, corners.height)))

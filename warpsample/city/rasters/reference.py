@@ -1,0 +1,82 @@
+"""What a coordinate reference system says of a raster: its units, and where north is."""
+
+from typing import Any
+
+import numpy as np
+import pyproj
+from pyproj.exceptions import CRSError, ProjError
+
+from warpsample.host.arguments import told
+
+_FOOT, _SURVEY_FOOT = 0.3048, 1200.0 / 3937.0
+_METRES = dict.fromkeys(("m", "metre", "metres", "meter", "meters"), 1.0)
+_METRES |= {"mm": 0.001, "cm": 0.01, "dm": 0.1, "km": 1000.0}
+_METRES |= dict.fromkeys(("ft", "foot", "feet", "international foot"), _FOOT)
+_METRES |= dict.fromkeys(("us-ft", "ftus", "us survey foot", "us survey feet", "foot_us"), _SURVEY_FOOT)
+_STEP = 1e-4  # degrees of latitude, 11 m: the meridian is straight over them, and float64 has them to nine digits
+
+
+def crs_of(crs: Any) -> pyproj.CRS | None:
+    """A CRS whose first two axes are lengths; None for None.
+
+    Raises:
+        TypeError, ValueError: no CRS, or one in degrees; names `source`.
+    """
+    if crs is None:
+        return None
+    try:
+        found = pyproj.CRS.from_user_input(crs)
+    except CRSError as error:
+        raise ValueError(f"source: got {told(crs)} for its CRS, want one that pyproj knows, or None") from error
+    unit = _flat(found).axis_info[0].unit_name if _flat(found).axis_info else ""
+    if found.is_geocentric or any(angle in unit.lower() for angle in ("degree", "radian", "grad", "arc")):
+        raise ValueError(
+            f"source: got coordinates in {unit} of {found.name}, want lengths, as heights are; reproject it first, as by "
+            "da.rio.reproject(da.rio.estimate_utm_crs()) or gdalwarp"
+        )
+    return found
+
+
+def metres_of(crs: pyproj.CRS | None) -> float:
+    """The length of the unit of a CRS's first two axes in metres; 1 if it is not known."""
+    axes = _flat(crs).axis_info if crs else []
+    return axes[0].unit_conversion_factor or 1.0 if axes else 1.0
+
+
+def height_metres_of(crs: pyproj.CRS | None, unit: str) -> float | None:
+    """The unit of heights in metres, told by a name or else by a CRS of three axes; None if neither tells.
+
+    Args:
+        crs: of the raster.
+        unit: as a band or an array tells it; "" for none.
+    """
+    if unit.strip().lower() in _METRES:
+        return _METRES[unit.strip().lower()]
+    parts = crs.sub_crs_list if crs else []
+    axes = parts[1].axis_info if len(parts) > 1 else crs.axis_info[2:] if crs else []
+    return axes[0].unit_conversion_factor or None if axes else None
+
+
+def true_north(crs: pyproj.CRS | None, x: float, y: float) -> tuple[float, float, float]:
+    """The direction of the meridian at a place of the map, unit; (0, 1, 0) for a map that is nowhere on Earth.
+
+    Raises:
+        ValueError: the CRS does not reach there; names `source`.
+    """
+    if crs is None or crs.geodetic_crs is None:
+        return 0.0, 1.0, 0.0
+    to_map = pyproj.Transformer.from_crs(crs.geodetic_crs.to_2d(), _flat(crs), always_xy=True)
+    try:
+        longitude, latitude = to_map.transform(x, y, direction="INVERSE", errcheck=True)
+        latitudes = np.clip([latitude - _STEP, latitude + _STEP], -90.0, 90.0)
+        along = np.diff(to_map.transform([longitude, longitude], latitudes, errcheck=True)).ravel()
+    except ProjError as error:
+        raise ValueError(f"source: got a raster about {x:g}, {y:g}, which is nowhere on Earth by {crs.name}") from error
+    length = float(np.hypot(*along))
+    return float(along[0]) / length, float(along[1]) / length, 0.0
+
+
+def _flat(crs: pyproj.CRS) -> pyproj.CRS:
+    """The horizontal part of a CRS."""
+    flat = crs.sub_crs_list[0] if crs.sub_crs_list else crs
+    return flat.source_crs if flat.is_bound else flat
