@@ -5,10 +5,10 @@ import pytest
 from affine import Affine
 from raster_cases import NORTH_UP, corners_of, flux, rough
 
+from warpsample import rasters
+
 pytest.importorskip("rasterio")
 pytest.importorskip("rioxarray")
-
-from warpsample import rasters
 
 MODELS = ("joined", "block", "tin")
 LONG, SHEARED = Affine(1.0, 0.0, 0.0, 0.0, 4.0, 0.0), Affine(3.0, 0.5, 0.0, 0.2, -0.5, 0.0)

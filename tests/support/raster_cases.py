@@ -7,6 +7,7 @@ from affine import Affine
 import warpsample as ws
 
 NORTH_UP = Affine(1.0, 0.0, 0.0, 0.0, -1.0, 0.0)
+ON_A_MAP = Affine(2.5, 0.0, 500000.0, 0.0, -2.5, 5000000.0)
 
 
 def rough(rows=14, columns=11, seed=5, rim=9.0):
@@ -36,7 +37,7 @@ def corners_of(mesh):
     return turned[np.lexsort(turned.T[::-1])]
 
 
-def write_tif(path, bands, *, transform=NORTH_UP, crs="EPSG:3794", mask=None, units=None, scale=None, **profile):
+def write_tif(path, bands, *, transform=ON_A_MAP, crs="EPSG:3794", mask=None, units=None, scale=None, **profile):
     """A GeoTIFF of the bands given, (rows, columns) each."""
     bands = np.atleast_3d(np.asarray(bands).T).T
     size = {"count": len(bands), "height": bands.shape[1], "width": bands.shape[2]}

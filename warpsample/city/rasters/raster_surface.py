@@ -1,5 +1,6 @@
 """The surface that a raster of heights stands for, and the way from its points back to the raster."""
 
+import warnings
 from dataclasses import dataclass
 from typing import Any
 
@@ -89,7 +90,10 @@ class RasterSurface:
         laid = np.full(grid.height.size, np.nan, numbers.dtype)
         laid[cell] = numbers
         made = xr.DataArray(laid.reshape(grid.height.shape), grid.coordinates, grid.dims)
-        made = made if grid.crs is None else made.rio.write_crs(grid.crs)
+        if grid.crs is not None:
+            with warnings.catch_warnings():  # CF has no words for some, the WKT beside it has
+                warnings.filterwarnings("ignore", ".*lost in conversion to CF", UserWarning)
+                made = made.rio.write_crs(grid.crs)
         return made.rio.write_transform(grid.transform).rio.write_nodata(np.nan)
 
 

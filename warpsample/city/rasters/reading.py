@@ -30,7 +30,7 @@ _LARGEST = 1e30
 """What is larger stands for none, such as float32's largest number in a raster whose tag is float64's copy of it."""
 
 _BYTES = 900
-"""Of memory for each cell: its triangles as they are made, without the tree."""
+"""Of memory for each cell: its triangles, their normals and their tree."""
 
 _MOST_CELLS = 2**28
 """Vertices, of which there are at most five to a cell, are counted by 32 bits."""
@@ -68,11 +68,7 @@ def _of_file(path: str) -> Grid:
             bands = [n for n, colour in enumerate(file.colorinterp, 1) if colour != ColorInterp.alpha]
             if len(bands) != 1:
                 raise ValueError(f"source: got {path!r} with {len(bands)} bands, want one band of heights")
-            if file.transform.is_identity and file.crs is None:
-                raise ValueError(
-                    f"source: got {path!r}, which has no place on a map, want a raster with a transform; "
-                    "(array, affine, None) says where it is"
-                )
+            _check_place(file.transform, file.crs, repr(path))
             band = bands[0] - 1
             _check_size(file.shape)
             heights = _heights(file.read(band + 1), file.nodata, file.scales[band], file.offsets[band])
@@ -124,7 +120,9 @@ def _transform_of(array: xr.DataArray, dims: tuple[str, str]) -> Affine:
     That may be of a larger array, of which this one is a part.
     """
     if not all(name in array.coords and array.coords[name].ndim == 1 and array.sizes[name] > 1 for name in dims):
-        return array.rio.transform()
+        transform = array.rio.transform()
+        _check_place(transform, array.rio.crs, "an xarray.DataArray")
+        return transform
     steps, starts = [], []
     for name in dims:
         centres = array.coords[name].to_numpy()
@@ -190,12 +188,21 @@ def _coordinates(transform: Affine, shape: tuple[int, int]) -> dict[str, np.ndar
     return {"y": np.arange(shape[0]) * e + (0.5 * e + f), "x": np.arange(shape[1]) * a + (0.5 * a + c)}
 
 
+def _check_place(transform: Affine, crs: Any, what: str) -> None:
+    """Refuses rasters that neither say where they are nor how large their cells are."""
+    if transform == Affine.identity() and crs is None:
+        raise ValueError(
+            f"source: got {what}, which has no place on a map, want a raster with a transform; "
+            "(array, affine, None) says where it is"
+        )
+
+
 def _check_size(shape: tuple[int, int]) -> None:
     """Refuses rasters without cells, and those that are too large, before they are read."""
     rows, columns = shape
     if not 0 < rows * columns <= _MOST_CELLS:
         raise ValueError(f"source: got {rows:,} x {columns:,} cells, want 1 to {_MOST_CELLS:,}; take it in tiles")
-    check_memory(_BYTES * rows * columns, f"the triangles of {rows:,} x {columns:,} cells", "take them in tiles")
+    check_memory(_BYTES * rows * columns, f"the surface of {rows:,} x {columns:,} cells", "take it in tiles")
 
 
 @contextmanager

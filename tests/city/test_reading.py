@@ -1,0 +1,294 @@
+"""Rasters as people have them: what stands for no height, how they are stored, what their CRS says, and bad ones."""
+
+import warnings
+from types import SimpleNamespace
+
+import numpy as np
+import pyproj
+import pytest
+from affine import Affine
+from raster_cases import ON_A_MAP as UTM
+from raster_cases import write_tif
+
+from warpsample import rasters
+
+rasterio = pytest.importorskip("rasterio")
+rioxarray = pytest.importorskip("rioxarray")
+xr = pytest.importorskip("xarray")
+
+HEIGHTS = np.array([[1.0, 2.0, 3.0, 4.0], [5.0, 0.0, 7.0, 8.0], [9.0, 10.0, 11.0, 12.0]])
+GONE = HEIGHTS == 0.0
+LOWEST = float(np.finfo(np.float32).min)
+
+
+def heights_of(source):
+    return rasters.surface(source, model="block").grid.height
+
+
+def same(found, right=HEIGHTS, gone=GONE):
+    assert np.array_equal(np.isnan(found), gone)
+    assert np.array_equal(found[~gone], right[~gone])
+
+
+@pytest.mark.parametrize(
+    ("stored", "dtype", "profile"),
+    [
+        (-9999.0, "float32", {"nodata": -9999.0}),
+        (77.0, "float64", {"nodata": 77.0}),
+        (77, "uint8", {"nodata": 77}),
+        (np.nan, "float32", {"nodata": np.nan}),
+        (LOWEST, "float32", {"nodata": LOWEST}),  # the tag is a float64's digits of it
+        (0.1, "float32", {"nodata": 0.1}),
+        (np.nan, "float64", {}),
+        (-9999, "int16", {}),
+        (-32768, "int16", {}),
+        (LOWEST, "float32", {}),
+        (-LOWEST, "float32", {}),
+        (-np.inf, "float32", {"nodata": -9999.0}),
+        (np.inf, "float64", {}),
+        (65, "uint16", {"mask": np.where(GONE, 0, 255).astype(np.uint8)}),
+    ],
+)
+def test_cells_without_a_height_are_known_by_whatever_stands_for_none(tmp_path, stored, dtype, profile):
+    values = np.where(GONE, stored, HEIGHTS).astype(dtype)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", rasterio.errors.NotGeoreferencedWarning)
+        path = write_tif(tmp_path / "dsm.tif", values, transform=UTM, **profile)
+    same(heights_of(path))
+    if "mask" not in profile:  # rioxarray leaves masks to those who ask
+        same(heights_of(rioxarray.open_rasterio(path)))
+        same(heights_of(rioxarray.open_rasterio(path, masked=True)))
+        if not profile:
+            same(heights_of((values, UTM, None)))
+    same(heights_of((np.ma.masked_array(values, GONE), UTM, "EPSG:3794")))
+
+
+def test_a_band_of_transparency_is_no_band_of_heights(tmp_path):
+    bands = np.stack([HEIGHTS, np.where(GONE, 0.0, 255.0)]).astype(np.uint8)
+    path = write_tif(tmp_path / "dsm.tif", bands, alpha="YES")
+    same(heights_of(path))
+
+
+def test_scaled_whole_numbers_are_heights(tmp_path):
+    values = np.where(GONE, -1, 100 * (HEIGHTS + 5.0)).astype(np.int32)
+    path = write_tif(tmp_path / "dsm.tif", values, nodata=-1, scale=(0.01, -5.0))
+    same(np.round(heights_of(path), 9))
+    same(np.round(heights_of(rioxarray.open_rasterio(path)), 9))
+    same(np.round(heights_of(rioxarray.open_rasterio(path, mask_and_scale=True)), 9))
+
+
+@pytest.mark.parametrize("dtype", ["int8", "uint8", "int16", "uint32", "int64", "float16", "float32", "float64"])
+def test_heights_of_every_type(dtype):
+    same(heights_of((HEIGHTS.astype(dtype), UTM, None)), gone=np.zeros(HEIGHTS.shape, bool))
+
+
+def test_xarrays_of_every_kind_are_the_same_raster(tmp_path):
+    path = write_tif(tmp_path / "dsm.tif", np.where(GONE, np.nan, HEIGHTS), transform=UTM)
+    whole = rasters.surface(path)
+    opened = rioxarray.open_rasterio(path)
+    for array in (
+        opened,
+        opened.squeeze(drop=True),
+        opened.squeeze().transpose("x", "y"),
+        opened.chunk({"y": 2, "x": 3}),
+        opened[0, ::-1],
+        opened[0, :, ::-1],
+        opened.drop_vars("spatial_ref").rio.write_crs("EPSG:3794"),
+    ):
+        found = rasters.surface(array)
+        assert found.grid.crs == whole.grid.crs
+        x, y, _ = found.mesh.vertices.T
+        assert (x.min(), x.max(), y.min(), y.max()) == (500000.0, 500010.0, 4999992.5, 5000000.0)
+        assert np.isclose(found.mesh.face_areas.sum(), whole.mesh.face_areas.sum())
+        points, cell = found.points()
+        laid = found.to_raster(points.position[:, 2], cell)
+        apart = laid - array.squeeze(drop=True)  # xarray compares by coordinates: all cells must have a partner
+        assert apart.sizes == {"y": 3, "x": 4}
+        assert np.nanmax(np.abs(apart)) == 0.0
+
+
+def test_a_part_of_an_array_is_where_it_was(tmp_path):
+    """Its stored transform is still that of the whole."""
+    path = write_tif(tmp_path / "dsm.tif", HEIGHTS, transform=UTM)
+    part = rasters.surface(rioxarray.open_rasterio(path)[:, 1:, 2:])
+    assert np.array_equal(part.grid.centres(part.grid.cells)[0], [500006.25, 4999996.25, 7.0])
+    assert part.to_raster(np.zeros(4), part.grid.cells).rio.bounds() == (500005.0, 4999992.5, 500010.0, 4999997.5)
+
+
+@pytest.mark.parametrize("turn", [0.0, 20.0])
+@pytest.mark.parametrize("scale", [(0.5, -0.25), (0.5, 0.25), (-0.5, -0.25)])
+def test_results_have_the_rasters_crs_transform_and_coordinates(tmp_path, turn, scale):
+    transform = Affine.translation(563999.5, 146000.25) @ Affine.rotation(turn) @ Affine.scale(*scale)
+    path = write_tif(tmp_path / "dsm.tif", HEIGHTS, transform=transform)
+    surface = rasters.surface(path)
+    points, cell = surface.points()
+    laid = surface.to_raster(points.position[:, 0], cell)
+    assert laid.rio.crs.to_epsg() == 3794
+    assert laid.rio.transform(recalc=turn == 0.0).almost_equals(transform, 1e-9)
+    laid.rio.to_raster(tmp_path / "out.tif", recalc_transform=False)
+    with rasterio.open(tmp_path / "out.tif") as file:
+        assert (file.crs.to_epsg(), file.transform) == (3794, transform)
+        assert np.array_equal(file.read(1), laid)
+    opened = rioxarray.open_rasterio(path)
+    if turn == 0.0:
+        assert laid.x.equals(opened.x)
+        assert laid.y.equals(opened.y)
+        assert np.array_equal(laid, np.broadcast_to(opened.x, (3, 4)))
+    again = rasters.surface(opened)
+    assert np.allclose(again.mesh.vertices, surface.mesh.vertices, atol=1e-9, rtol=0.0)
+
+
+@pytest.mark.parametrize(
+    ("crs", "longitude", "latitude", "degrees"),
+    [
+        ("EPSG:3794", 15.840, 46.455, 0.6),
+        ("EPSG:5514", 14.42, 50.08, -7.8),
+        ("EPSG:2056", 8.54, 47.38, 0.75),
+        ("EPSG:32633", 8.95, 60.3, -5.3),
+        ("EPSG:3007", 13.0, 57.7, None),
+        ("EPSG:7415", 4.36, 52.0, -0.8),
+        ("EPSG:2263+6360", -74.0, 40.7, None),
+    ],
+)
+def test_north_is_where_the_meridian_points(crs, longitude, latitude, degrees):
+    """Against pyproj's own convergence of meridians: above 0 where the map's north is east of true north."""
+    there = pyproj.Transformer.from_crs("EPSG:4326", crs, always_xy=True).transform(longitude, latitude)
+    surface = rasters.surface((HEIGHTS, Affine(1.0, 0.0, there[0] - 2.0, 0.0, -1.0, there[1] + 1.5), crs))
+    assert surface.to_raster(np.zeros(12), surface.grid.cells).rio.crs == crs
+    projection = pyproj.Proj(pyproj.CRS(crs).sub_crs_list[0] if pyproj.CRS(crs).is_compound else crs)
+    source = pyproj.CRS(crs).geodetic_crs.to_2d()
+    place = pyproj.Transformer.from_crs("EPSG:4326", source, always_xy=True).transform(longitude, latitude)
+    right = projection.get_factors(*place).meridian_convergence
+    assert degrees is None or right == pytest.approx(degrees, abs=0.06)
+    found = np.degrees(np.arctan2(surface.north[0], surface.north[1]))
+    assert found == pytest.approx(-right, abs=2e-4)  # the shift between datums is a few metres
+    assert np.hypot(*surface.north[:2]) == pytest.approx(1.0)
+
+
+def test_north_is_up_the_map_without_a_crs():
+    assert rasters.surface((HEIGHTS, UTM, None)).north == (0.0, 1.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("crs", "units", "factor"),
+    [
+        ("EPSG:3794", None, 1.0),
+        ("EPSG:3794", "metre", 1.0),
+        ("EPSG:3794", "ft", 0.3048),
+        ("EPSG:3794", "cm", 0.01),
+        ("EPSG:2263", "metre", 3937.0 / 1200.0),
+        ("EPSG:2263", "US survey foot", 1.0),
+        ("EPSG:2263+6360", None, 1.0),  # heights in US survey feet
+        ("EPSG:2263+5703", None, 3937.0 / 1200.0),  # in metres
+        ("EPSG:7415", None, 1.0),
+    ],
+)
+def test_heights_are_converted_to_the_unit_of_the_coordinates(crs, units, factor):
+    array = xr.DataArray(HEIGHTS, dims=("y", "x"), attrs={"units": units} if units else {}).rio.write_crs(crs)
+    grid = rasters.surface(array.rio.write_transform(UTM)).grid
+    assert np.allclose(grid.height, factor * HEIGHTS, rtol=1e-9)
+    assert grid.metres == pytest.approx(1200.0 / 3937.0 if "2263" in crs else 1.0)
+
+
+def test_the_unit_of_a_band_is_read(tmp_path):
+    path = write_tif(tmp_path / "dsm.tif", HEIGHTS, units="ft")
+    assert np.allclose(heights_of(path), 0.3048 * HEIGHTS)
+
+
+def test_heights_of_an_unknown_unit_on_a_map_in_feet_are_taken_as_feet_with_a_warning():
+    with pytest.warns(UserWarning, match=r"no unit of its heights, and coordinates in units of 0\.304801 m"):
+        same(heights_of((HEIGHTS, UTM, "EPSG:2263")), gone=np.zeros(HEIGHTS.shape, bool))
+
+
+def array_of(values=HEIGHTS, **coordinates):
+    return xr.DataArray(values, dims=("y", "x"), coords=coordinates)
+
+
+@pytest.mark.parametrize(
+    ("source", "kind", "message"),
+    [
+        (
+            None,
+            TypeError,
+            r"source: got a value of type NoneType, want the path of a raster, an xarray\.DataArray, or a tuple",
+        ),
+        (HEIGHTS, TypeError, r"source: got a NumPy array, want the path of a raster"),
+        ((HEIGHTS, UTM), TypeError, r"source: got a value of type tuple, want the path of a raster"),
+        (array_of().to_dataset(name="dsm"), TypeError, "source: got .*Dataset.*want the path of a raster"),
+        ("missing.tif", FileNotFoundError, r"source: got 'missing\.tif', which is missing, want the path"),
+        ("text.tif", ValueError, r"source: got 'text\.tif', which cannot be read as a raster: .*not recognized"),
+        ("cut.tif", ValueError, r"source: got 'cut\.tif', which cannot be read as a raster: "),
+        ("rgb.tif", ValueError, r"source: got 'rgb\.tif' with 3 bands, want one band of heights"),
+        ("nowhere.tif", ValueError, r"source: got 'nowhere\.tif', which has no place on a map"),
+        ("degrees.tif", ValueError, r"source: got coordinates in degree of WGS 84, want lengths"),
+        ((HEIGHTS, UTM, "EPSG:4979"), ValueError, "source: got coordinates in degree"),
+        ((HEIGHTS, UTM, "EPSG:4978"), ValueError, "source: got coordinates in metre of WGS 84, want"),
+        ((HEIGHTS, UTM, "nothing"), ValueError, "source: got 'nothing' for its CRS, want one that pyproj knows"),
+        ((HEIGHTS[0], UTM, None), ValueError, r"source: got an array of shape \(4,\), want \(rows, columns\)"),
+        ((np.stack([HEIGHTS, HEIGHTS]), UTM, None), ValueError, r"shape \(2, 3, 4\), want \(rows, columns\)"),
+        ((HEIGHTS > 3, UTM, None), TypeError, "source: got dtype bool, want an array of real numbers"),
+        ((HEIGHTS * 1j, UTM, None), TypeError, "source: got dtype complex128, want an array of real numbers"),
+        ((np.full((3, 4), np.nan), UTM, None), ValueError, "source: got 3 x 4 cells without any height, want at least one"),
+        ((np.empty((0, 4)), UTM, None), ValueError, "source: got 0 x 4 cells, want 1 to"),
+        ((HEIGHTS, None, None), TypeError, "source: got None for its transform, want an affine"),
+        ((HEIGHTS, (1.0, 0.0, 0.0), None), TypeError, r"source: got \(1\.0, 0\.0, 0\.0\) for its transform"),
+        ((HEIGHTS, Affine(1.0, 2.0, 0.0, 2.0, 4.0, 0.0), None), ValueError, "want one whose cells have an area"),
+        ((HEIGHTS, Affine(np.nan, 0.0, 0.0, 0.0, -1.0, 0.0), None), ValueError, "want one whose cells have an area"),
+        (xr.DataArray(HEIGHTS, dims=("lat", "lon")), ValueError, r"dimensions \('lat', 'lon'\), want y and x"),
+        (xr.DataArray(np.zeros((2, 3, 4)), dims=("time", "y", "x")), ValueError, "want y and x alone: one band"),
+        (array_of(x=[0.0, 1.0, 2.0, 4.0], y=[2.0, 1.0, 0.0]), ValueError, "coordinates 'x' that are not evenly spaced"),
+        (array_of(x=list("abcd"), y=[2.0, 1.0, 0.0]), TypeError, "coordinates 'x' of dtype <U1, want real numbers"),
+        (array_of(HEIGHTS > 3, x=[0, 1, 2, 3], y=[2, 1, 0]), TypeError, "heights of dtype bool, want real numbers"),
+        (array_of(), ValueError, "which has no place on a map"),
+    ],
+)
+def test_bad_rasters_are_refused_in_a_sentence(tmp_path, monkeypatch, source, kind, message):
+    monkeypatch.chdir(tmp_path)
+    name = source if isinstance(source, str) else ""
+    if name == "text.tif":
+        (tmp_path / source).write_text("heights")
+    if name == "cut.tif":
+        write_tif(source, np.random.default_rng(0).random((300, 300)))
+        (tmp_path / source).write_bytes((tmp_path / source).read_bytes()[:200_000])
+    if name == "rgb.tif":
+        write_tif(source, np.stack([HEIGHTS] * 3))
+    if name == "degrees.tif":
+        write_tif(source, HEIGHTS, crs="EPSG:4326", transform=Affine(1e-4, 0.0, 15.0, 0.0, -1e-4, 46.0))
+    if name == "nowhere.tif":
+        with pytest.warns(rasterio.errors.NotGeoreferencedWarning):
+            write_tif(source, HEIGHTS, crs=None, transform=Affine.identity())
+    with pytest.raises(kind, match=message) as caught:
+        rasters.surface(source)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_model_and_a_receiver_that_are_none_are_refused():
+    with pytest.raises(ValueError, match="model: got 'mesh', want one of joined, block, tin"):
+        rasters.surface((HEIGHTS, UTM, None), model="mesh")
+    with pytest.raises(ValueError, match="receiver: got 'tilted', want one of horizontal, surface"):
+        rasters.surface((HEIGHTS, UTM, None)).points("tilted")
+    with pytest.raises(ValueError, match="source: got 1 x 4 cells, no 2 x 2 of which have heights"):
+        rasters.surface((HEIGHTS[:1], UTM, None), model="tin")
+    with pytest.raises(ValueError, match=r"values: got shape \(3,\), want \(12,\), a number for each cell"):
+        rasters.surface((HEIGHTS, UTM, None)).to_raster(np.zeros(3), np.arange(12))
+
+
+def test_what_is_too_large_is_refused_before_it_is_read(tmp_path, monkeypatch):
+    monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=10**9))
+    huge = np.broadcast_to(np.float32(0.0), (4096, 4096))  # 4 bytes in all
+    with pytest.raises(
+        MemoryError, match=r"the surface of 4,096 x 4,096 cells need 15\.1 GB and 1\.0 GB are free; take it in"
+    ):
+        rasters.surface((huge, UTM, None))
+    path = tmp_path / "sparse.tif"
+    size = {"count": 1, "height": 17_000, "width": 17_000, "dtype": "float32"}
+    with rasterio.open(path, "w", "GTiff", **size, transform=UTM, sparse_ok=True, tiled=True, compress="deflate"):
+        pass
+    with pytest.raises(ValueError, match="source: got 17,000 x 17,000 cells, want 1 to 268,435,456; take it in tiles"):
+        rasters.surface(path)
+
+
+def test_a_raster_outside_of_its_crs_has_no_north():
+    far = rasters.surface((HEIGHTS, Affine(1.0, 0.0, 9e9, 0.0, -1.0, 9e9), "EPSG:32633"))
+    with pytest.raises(ValueError, match="which is nowhere on Earth by WGS 84 / UTM zone 33N"):
+        _ = far.north
