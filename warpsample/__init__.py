@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from warpsample.estimate.intervals import Interval
     from warpsample.estimate.irradiance import irradiance
     from warpsample.estimate.quantities.mean_distance import MeanDistance, mean_distance
+    from warpsample.estimate.quantities.visible_sky import visible_sky
     from warpsample.estimate.result import Estimate, PointStatus, Skipped
     from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
     from warpsample.mesh.files import load_mesh
@@ -99,6 +100,7 @@ __all__ = [
     "tree",
     "vertex_points",
     "view_factors",
+    "visible_sky",
 ]
 
 # Distributions are not listed: they are found by their records.
@@ -108,6 +110,7 @@ _HOMES = {
     "estimate.intervals": ("Interval",),
     "estimate.irradiance": ("irradiance",),
     "estimate.quantities.mean_distance": ("MeanDistance", "mean_distance"),
+    "estimate.quantities.visible_sky": ("visible_sky",),
     "estimate.result": ("Estimate", "PointStatus", "Skipped"),
     "estimate.visibility": ("SkyView", "ambient_occlusion", "bent_normals", "sky_view_factor"),
     "mesh.mesh": ("Mesh", "as_mesh"),
