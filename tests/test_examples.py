@@ -31,6 +31,9 @@ def public():
             yield name, item
     yield from methods("Distribution", Distribution)
     yield from methods("accessor", ACCESSOR)
+    yield from (
+        (f"rasters.{name}", call) for name in ws.rasters.__all__ if inspect.isfunction(call := getattr(ws.rasters, name))
+    )
 
 
 def own(owner):

@@ -15,7 +15,7 @@ from warpsample.proof import defects, report
 from warpsample.proof.evidence import Evidence, Subject
 from warpsample.viewer.accessor import WarpsampleAccessor
 
-ROOMS = ("distributions", "sequences", "tracing", "estimate", "proof", "bench", "output", "radiation")
+ROOMS = ("distributions", "sequences", "tracing", "estimate", "proof", "bench", "output", "radiation", "city")
 
 
 def documents(repository):
@@ -67,14 +67,15 @@ def test_the_first_page_is_short(repository):
                 (7, r"^\(2080, 145\) True\n$"),
                 (8, r"^\(2080,\) 270 kWh/m2\n\(2080, 24\) 2021-06-21T12:00\n$"),
                 (9, r"^True 1\.0\n3\.9 W/m2, 1\.7 without other faces\n$"),
-                (10, r"^0\.7[45]\d* 6400\n$"),
+                (10, r"^0\.26 ± 0\.00\d, EPSG:3794\n4 of 15 hours\n$"),
+                (11, r"^0\.7[45]\d* 6400\n$"),
             )
         ),
     ],
 )
 def test_python_blocks_run_and_print_what_they_say(index, expected, repository, tmp_path, child_environment):
     found = blocks(repository, "python")
-    assert len(found) == 11
+    assert len(found) == 12
     script = tmp_path / "example.py"
     script.write_text(found[index])
     given = {"env": child_environment, "cwd": tmp_path, "capture_output": True, "text": True}

@@ -8,11 +8,13 @@ from typing import Any
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from warpsample.city.rasters.calls import irradiation, sky_view_factor, sun_hours, visible_sky
     from warpsample.city.rasters.raster_surface import RasterSurface, surface
 
-__all__ = ["RasterSurface", "surface"]
+__all__ = ["RasterSurface", "irradiation", "sky_view_factor", "sun_hours", "surface", "visible_sky"]
 
 _HOMES = dict.fromkeys(("RasterSurface", "surface"), "raster_surface")
+_HOMES |= dict.fromkeys(("irradiation", "sky_view_factor", "sun_hours", "visible_sky"), "calls")
 
 
 def __getattr__(name: str) -> Any:
@@ -27,7 +29,8 @@ def __getattr__(name: str) -> Any:
     try:
         home = import_module(f"warpsample.city.rasters.{_HOMES[name]}")
     except ModuleNotFoundError as error:
-        raise ModuleNotFoundError(f"warpsample.rasters needs {error.name}: pip install 'warpsample[city]'") from error
+        missing = str(error.name).partition(".")[0]
+        raise ModuleNotFoundError(f"warpsample.rasters needs {missing}: pip install 'warpsample[city]'") from error
     globals()[name] = value = getattr(home, name)
     return value
 

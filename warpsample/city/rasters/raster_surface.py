@@ -57,6 +57,13 @@ class RasterSurface:
 
         Raises:
             TypeError, ValueError: another receiver.
+
+        Example:
+            >>> from affine import Affine
+            >>> step = ws.rasters.surface((np.array([[0.0, np.nan], [5.0, 5.0]]), Affine(1, 0, 0, 0, -1, 0), None))
+            >>> points, cell = step.points()
+            >>> print(cell, points.position[1])
+            [0 2 3] [ 0.5 -1.5  5. ]
         """
         check_choice(receiver, "receiver", RECEIVERS)
         cells = self.grid.cells
@@ -82,6 +89,13 @@ class RasterSurface:
 
         Raises:
             TypeError, ValueError: no numbers, or not one for each cell.
+
+        Example:
+            >>> from affine import Affine
+            >>> step = ws.rasters.surface((np.array([[0.0, np.nan], [5.0, 5.0]]), Affine(1, 0, 0, 0, -1, 0), None))
+            >>> points, cell = step.points()
+            >>> print(step.to_raster(points.position[:, 2], cell).values.tolist())
+            [[0.0, nan], [5.0, 5.0]]
         """
         numbers = as_real(values, "values")
         if numbers.shape != np.shape(cell):
@@ -119,8 +133,7 @@ def surface(source: Any, *, model: str = "joined") -> RasterSurface:
 
     Example:
         >>> from affine import Affine
-        >>> from warpsample import rasters
-        >>> step = rasters.surface((np.array([[0.0, 0.0], [5.0, 5.0]]), Affine(1, 0, 0, 0, -1, 0), None))
+        >>> step = ws.rasters.surface((np.array([[0.0, 0.0], [5.0, 5.0]]), Affine(1, 0, 0, 0, -1, 0), None))
         >>> print(step.mesh.face_areas[step.kind == 0].sum(), step.mesh.face_areas[step.kind == 1].sum())
         4.0 10.0
     """

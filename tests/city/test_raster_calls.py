@@ -1,0 +1,139 @@
+"""Sky and sun of rasters as datasets: the numbers of the calls, where they belong, and what they are."""
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from affine import Affine
+from raster_cases import NORTH_UP, rough, write_tif
+
+import warpsample as ws
+from warpsample import rasters
+
+rasterio = pytest.importorskip("rasterio")
+rioxarray = pytest.importorskip("rioxarray")
+xr = pytest.importorskip("xarray")
+
+HEIGHTS = rough()
+HEIGHTS[5, 6] = np.nan
+SLOVENIA = Affine(1.0, 0.0, 564000.0, 0.0, -1.0, 146000.0)
+WEST = Affine(1.0, 0.0, 166000.0, 0.0, -1.0, 6690000.0)  # of UTM's zone 33, where the map's north is 5.3° off
+
+
+@pytest.fixture
+def path(tmp_path):
+    return write_tif(tmp_path / "dsm.tif", HEIGHTS.astype(np.float32), transform=SLOVENIA)
+
+
+def test_a_dataset_has_the_numbers_of_the_call_in_their_cells(path):
+    found = rasters.sky_view_factor(path, 64, seed=7, max_distance=50.0)
+    made = rasters.surface(path)
+    points, cell = made.points()
+    right = ws.sky_view_factor(made.mesh, points, 64, seed=7, max_distance=50.0)
+    assert list(found) == ["value", "standard_error"]
+    for name in found:
+        assert found[name].dtype == np.float32
+        assert found[name].dims == ("y", "x")
+        assert np.array_equal(found[name].values.ravel()[cell], getattr(right, name))
+        assert np.isnan(found[name].values[5, 6])
+        assert np.isnan(found[name].values).sum() == 1
+    assert found.rio.crs.to_epsg() == 3794
+    assert found.rio.transform() == SLOVENIA
+    opened = rioxarray.open_rasterio(path, masked=True)[0]
+    assert (opened - found.value).shape == opened.shape
+
+
+def test_the_attributes_say_what_it_is_and_how_to_make_it_again(path):
+    found = rasters.sky_view_factor(path, 32, receiver="surface", model="block", seed=3)
+    told = found.attrs
+    assert told["definition"].startswith("cosine-weighted share of the sky")
+    assert "the normal of the cell's surface" in told["definition"]
+    assert {name: told[name] for name in ("quantity", "unit", "model", "receiver", "count", "seed", "sequence", "up")} == {
+        "quantity": "sky", "unit": "1", "model": "block", "receiver": "surface", "count": 32, "seed": 3,
+        "sequence": "fibonacci", "up": "0.0 0.0 1.0",
+    }  # fmt: skip
+    assert (told["source"], told["warpsample"], told["cells_without_height"]) == (str(path), ws.__version__, 1)
+    assert found.value.attrs["units"] == "1"
+    assert found.standard_error.attrs["long_name"] == "standard error of the sky view factor"
+    visible = rasters.visible_sky((HEIGHTS, SLOVENIA, None), 32)
+    assert "1 - mean of sin(h)" in visible.attrs["definition"]
+    assert (visible.attrs["source"], visible.attrs["quantity"]) == ("an array, tuple", "visible-sky")
+
+
+def test_files_keep_the_numbers_and_where_they_are(path, tmp_path):
+    found = rasters.sky_view_factor(path, 32)
+    found.to_netcdf(tmp_path / "sky.nc")
+    found.to_array("band").rio.to_raster(tmp_path / "sky.tif")
+    with xr.open_dataset(tmp_path / "sky.nc", decode_coords="all") as again:
+        assert again.rio.crs.to_epsg() == 3794
+        assert again.rio.transform() == SLOVENIA
+        assert again.attrs["definition"] == found.attrs["definition"]
+        assert again.value.equals(found.value)
+    with rasterio.open(tmp_path / "sky.tif") as file:
+        assert (file.count, file.crs.to_epsg(), file.transform) == (2, 3794, SLOVENIA)
+        assert np.array_equal(file.read(2), found.standard_error, equal_nan=True)
+
+
+@pytest.mark.slow
+def test_the_sun_stands_by_true_north():
+    pytest.importorskip("pvlib")
+    pytest.importorskip("pyradiance")
+    heights = np.pad(rough(), 3, constant_values=0.0)
+    for call, receiver in (("sun_hours", "surface"), ("irradiation", "horizontal")):
+        given = {"period": ("03-20", "03-25")} | ({"patches": "tregenza", "count": 64} if call == "irradiation" else {})
+        found = getattr(rasters, call)((heights, WEST, "EPSG:32633"), "athens", receiver=receiver, **given)
+        made = rasters.surface((heights, WEST, "EPSG:32633"))
+        assert np.degrees(np.arctan2(*made.north[:2])) == pytest.approx(5.3, abs=0.1)
+        points, _ = made.points(receiver)
+        direct = ws.irradiation if call == "irradiation" else sun_hours_of()
+        right = direct(made.mesh, points, "athens", north=made.north, **given)
+        wrong = direct(made.mesh, points, "athens", **given)
+        assert np.array_equal(found.value.values.ravel(), right.value)
+        assert (right.value != wrong.value).mean() > 0.1
+        assert found.value.attrs["units"] == {"sun_hours": "h", "irradiation": "kWh m-2"}[call]
+        assert found.attrs["north"] == " ".join(str(item) for item in made.north)
+        assert found.attrs["period"] == "03-20 03-25"
+        assert ("upwards" in found.attrs["definition"]) == (receiver == "horizontal")
+
+
+def sun_hours_of():
+    from warpsample.radiation.quantities.sun_hours import sun_hours
+
+    return sun_hours
+
+
+def test_wrong_options_are_named_before_anything_is_read():
+    for call, given, kind, message in (
+        (rasters.sky_view_factor, {"up": (0, 0, 1)}, TypeError, "up: got it for sky view factor of a raster, want one of"),
+        (
+            rasters.sky_view_factor,
+            {"rays": 3},
+            TypeError,
+            "rays: got it for sky view factor of a raster, want one of count",
+        ),
+        (rasters.visible_sky, {"receiver": "surface"}, TypeError, "receiver: got it for visible sky of a raster"),
+        (rasters.sky_view_factor, {"model": "mesh"}, ValueError, "model: got 'mesh', want one of joined, block, tin"),
+        (rasters.sky_view_factor, {"receiver": "tilted"}, ValueError, "receiver: got 'tilted', want one of horizontal"),
+    ):
+        with pytest.raises(kind, match=f"^{message}"):
+            call("missing.tif", **given)
+    with pytest.raises(ValueError, match="^count: got 1, want a whole number from 2"):
+        rasters.sky_view_factor((HEIGHTS, NORTH_UP, None), 1)
+
+
+def test_what_is_missing_is_told_with_the_extra(child_environment):
+    code = (
+        "import sys; sys.modules['rioxarray'] = None; from warpsample import rasters; "
+        "print(type(rasters).__name__); rasters.sky_view_factor"
+    )
+    done = subprocess.run([sys.executable, "-c", code], env=child_environment, capture_output=True, text=True, check=False)
+    assert done.stdout == "module\n"
+    wanted = "ModuleNotFoundError: warpsample.rasters needs rioxarray: pip install 'warpsample[city]'"
+    assert done.stderr.splitlines()[-1] == wanted
+
+
+def test_the_calls_are_told_and_others_are_not_there():
+    assert set(rasters.__all__) <= set(dir(rasters))
+    with pytest.raises(AttributeError, match="no attribute 'hillshade'"):
+        rasters.hillshade  # noqa: B018

@@ -1,0 +1,214 @@
+"""Sky and sun in the cells of a raster: what the calls of `warpsample` say at their middles, laid out as the raster is."""
+
+from collections.abc import Mapping
+from importlib.metadata import version
+from os import PathLike, fspath
+from typing import Any
+
+import xarray as xr
+
+from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, RasterSurface, surface
+from warpsample.estimate.quantities.record import Quantity
+from warpsample.estimate.quantities.sky_view_factor import RECORD as SKY
+from warpsample.estimate.quantities.visible_sky import RECORD as VISIBLE_SKY
+from warpsample.host.arguments import check_choice
+from warpsample.host.options import explained_by
+from warpsample.radiation.quantities.irradiation import RECORD as IRRADIATION
+from warpsample.radiation.quantities.sun_hours import RECORD as SUN_HOURS
+
+_SET_HERE = ("up", "north", "first_point", "active", "series")
+"""Options of the calls that the raster decides, or whose results are no raster."""
+
+_UNTOLD = ("first_point", "active", "series", "workers", "progress")
+"""Options by which no number changes, or that a raster has not."""
+
+_NORMAL = {"horizontal": "upwards", "surface": "the normal of the cell's surface"}
+_COSINE = (
+    "cosine-weighted share of the sky that is seen from the middle of each cell: 1/pi times the integral of max(n.w, 0) "
+    "over the directions w above the horizon along which nothing is met, n {normal}"
+)
+_DEFINITIONS = {
+    ("sky", "horizontal"): _COSINE + "; with a horizon h to each azimuth the mean of cos(h)^2",
+    ("sky", "surface"): _COSINE,
+    ("visible-sky", "horizontal"): (
+        "share of the sky's solid angle that is seen from the middle of each cell: 1/(2 pi) times the integral of 1 over "
+        "the directions above the horizon along which nothing is met; with a horizon h to each azimuth 1 - mean of sin(h)"
+    ),
+}
+_OF_THE_SUN = {
+    "irradiation": (
+        "sum over the hours of the period of what sun, sky and the ground beyond the raster bring to the middle of each "
+        "cell, for each m2 of a receiver whose normal is {normal}; neighbours reflect nothing"
+    ),
+    "sun-hours": (
+        "hours of the period in whose middle the sun's centre is above the horizon, in front of a receiver whose normal is "
+        "{normal}, and not hidden from the middle of the cell"
+    ),
+}
+
+
+@explained_by(surface)
+def sky_view_factor(
+    source: Any, count: int = 256, *, model: str = "joined", receiver: str = "horizontal", **options: Any
+) -> xr.Dataset:
+    """The cosine-weighted share of the sky that each cell sees, as `warpsample.sky_view_factor` has it.
+
+    Times the diffuse irradiance of open ground it is that of the cell, under an even sky. It is the SVF of SOLWEIG and UMEP.
+
+    Args:
+        source, model: see `surface`.
+        count: rays of each cell.
+        receiver: "horizontal", or "surface": tilted as the cell is.
+        **options: of `warpsample.sky_view_factor` by name, as max_distance, seed, tolerance, device, workers, progress.
+
+    Returns:
+        `value` and `standard_error` (y, x), NaN where there is no height; and what makes them again as attributes.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free.
+
+    Example:
+        >>> from affine import Affine
+        >>> street = np.zeros((60, 60)); street[:, :20] = street[:, 40:] = 20.0
+        >>> found = ws.rasters.sky_view_factor((street, Affine(1, 0, 0, 0, -1, 0), None), 1024)
+        >>> print(found.value.shape, f"{found.value[30, 30]:.1f}")
+        (60, 60) 0.5
+    """
+    return _laid(SKY, source, {"count": count, **options}, model=model, receiver=receiver)
+
+
+@explained_by(surface, sky_view_factor)
+def visible_sky(source: Any, count: int = 256, *, model: str = "joined", **options: Any) -> xr.Dataset:
+    """The share of the sky's solid angle that each cell sees, as `warpsample.visible_sky` has it.
+
+    It is the sky view factor of RVT, xarray-spatial, GRASS r.skyview and WhiteboxTools, whichever way a receiver is tilted.
+
+    Args:
+        source, model: see `surface`.
+        count: rays of each cell.
+        **options: of `warpsample.visible_sky` by name, as max_distance, seed, tolerance, device, workers, progress.
+
+    Returns:
+        as `sky_view_factor`.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free.
+
+    Example:
+        >>> from affine import Affine
+        >>> step = np.zeros((40, 40)); step[:, 20:] = 20.0
+        >>> found = ws.rasters.visible_sky((step, Affine(1, 0, 0, 0, -1, 0), None))
+        >>> print(f"{found.value[20, 19]:.1f}, {found.value[20, 30]:.1f}")
+        0.5, 1.0
+    """
+    return _laid(VISIBLE_SKY, source, {"count": count, **options}, model=model, receiver="horizontal")
+
+
+@explained_by(surface, sky_view_factor)
+def irradiation(
+    source: Any, weather: Any, *, model: str = "joined", receiver: str = "surface", **options: Any
+) -> xr.Dataset:
+    """What a year's sun and sky bring to each cell in kWh/m², as `warpsample.irradiation` has it.
+
+    The sun stands by true north, which is not the raster's: the meridian at its middle tells.
+
+    Args:
+        source, model: see `surface`.
+        weather: an EPW file of 8,760 hours; "athens", where no file is called that, is an example.
+        receiver: "surface": for each m² of the cell as it is tilted, of which it has its plan area over the cosine of its
+            slope; or "horizontal".
+        **options: of `warpsample.irradiation` by name, as period, ground_albedo, patches, count, seed, workers, progress.
+
+    Returns:
+        as `sky_view_factor`, in kWh/m².
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
+        ModuleNotFoundError: pvlib or pyradiance is missing; says how to install them.
+        MemoryError: more than is free.
+
+    Example:
+        >>> from affine import Affine
+        >>> flat = (np.zeros((4, 4)), Affine(10, 0, 0, 0, -10, 0), None)
+        >>> june = ws.rasters.irradiation(flat, "athens", period=("06-01", "06-30"), patches="tregenza")
+        >>> print(f"{june.value.mean():.0f} {june.value.units}")
+        270 kWh m-2
+    """
+    return _laid(IRRADIATION, source, {"weather": weather, **options}, model=model, receiver=receiver)
+
+
+@explained_by(surface, sky_view_factor, irradiation)
+def sun_hours(source: Any, weather: Any, *, model: str = "joined", receiver: str = "surface", **options: Any) -> xr.Dataset:
+    """In how many hours of a year or a period each cell sees the sun.
+
+    Args:
+        source, model: see `surface`.
+        weather: see `irradiation`.
+        receiver: "surface": a cell does not see the sun behind its own plane; or "horizontal".
+        **options: period, seed and workers, as of `warpsample.irradiation`.
+
+    Returns:
+        as `sky_view_factor`, in hours; the standard error is 0: nothing is drawn at random.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
+        ModuleNotFoundError: pvlib is missing; says how to install it.
+        MemoryError: more than is free.
+
+    Example:
+        >>> from affine import Affine
+        >>> flat = (np.zeros((4, 4)), Affine(10, 0, 0, 0, -10, 0), None)
+        >>> print(float(ws.rasters.sun_hours(flat, "athens", period=("06-21", "06-21")).value.mean()))
+        15.0
+    """
+    return _laid(SUN_HOURS, source, {"weather": weather, **options}, model=model, receiver=receiver)
+
+
+def _laid(quantity: Quantity, source: Any, options: dict[str, Any], *, model: str, receiver: str) -> xr.Dataset:
+    """A quantity in the cells of a raster."""
+    _check(quantity, options)
+    check_choice(model, "model", MODELS)
+    check_choice(receiver, "receiver", RECEIVERS)
+    made = surface(source, model=model)
+    points, cell = made.points(receiver)
+    if "north" in quantity.parameters:
+        options["north"] = made.north
+    found = quantity.call(made.mesh, points, **options)
+    unit = quantity.unit.replace("/m2", " m-2") or "1"
+    laid = {}
+    for name in ("value", "standard_error"):
+        laid[name] = made.to_raster(getattr(found, name), cell)
+        laid[name].attrs |= {"units": unit, "long_name": f"{'standard error of the ' * (name != 'value')}{quantity.title}"}
+    options = {name: options.get(name, default) for name, default in quantity.parameters.items() if name not in _UNTOLD}
+    return xr.Dataset(laid, attrs=_attributes(quantity, made, source, {"model": model, "receiver": receiver, **options}))
+
+
+def _check(quantity: Quantity, options: Mapping[str, Any]) -> None:
+    """Refuses options that the call has not, or that the raster decides."""
+    known = [name for name in quantity.parameters if name not in _SET_HERE]
+    for name in options:
+        if name not in known:
+            raise TypeError(f"{name}: got it for {quantity.title} of a raster, want one of {', '.join(known)}")
+
+
+def _attributes(quantity: Quantity, made: RasterSurface, source: Any, told: Mapping[str, Any]) -> dict[str, Any]:
+    """What a file says of its numbers: numbers and texts, as all formats hold them."""
+    definition = _DEFINITIONS.get((quantity.name, told["receiver"])) or _OF_THE_SUN[quantity.name]
+    return {
+        "quantity": quantity.name,
+        "definition": definition.format(normal=_NORMAL[told["receiver"]]),
+        "unit": quantity.unit or "1",
+        "source": fspath(source) if isinstance(source, str | PathLike) else f"an array, {type(source).__name__}",
+        "warpsample": version("warpsample"),
+        "cells_without_height": int(made.grid.height.size - len(made.grid.cells)),
+        **{name: _plain(value) for name, value in told.items()},
+    }
+
+
+def _plain(value: Any) -> int | float | str:
+    """A value as NetCDF, Zarr and GeoTIFF keep it: several in a text, with spaces between."""
+    if isinstance(value, tuple | list):
+        return " ".join(str(item) for item in value)
+    return value if isinstance(value, int | float) and not isinstance(value, bool) else str(value)
