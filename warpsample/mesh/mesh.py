@@ -23,6 +23,7 @@ LARGEST = 1e36
 
 _SMALLEST = 1e-140  # size of a mesh whose areas have a float64
 _LEAST_SQUARE = 1e-280  # square of a length that keeps its precision
+_BLOCK = 1 << 18  # faces that are looked at together, so that what is between takes little memory
 _SLIVER = 2.0**-48  # of abs(e1) abs(e2): below 16 roundings of the cross product the normal is noise
 
 
@@ -117,11 +118,14 @@ class Mesh:
             raise ValueError(
                 f"mesh: got a mesh of size {np.ptp(self.bounds, axis=0).max():.3g}, want at least {_SMALLEST:g}"
             )
-        corner, first, second = (self.vertices[self.faces[:, k]] for k in range(3))
-        first -= corner
-        second -= corner
-        crosses = np.cross(first, second)
-        crosses[lengths(crosses) <= _SLIVER * lengths(first) * lengths(second)] = 0.0
+        crosses = np.empty((len(self.faces), 3))
+        for start in range(0, len(self.faces), _BLOCK):
+            rows = slice(start, start + _BLOCK)
+            corner, first, second = (self.vertices[self.faces[rows, k]] for k in range(3))
+            first -= corner
+            second -= corner
+            crosses[rows] = np.cross(first, second)
+            crosses[rows][lengths(crosses[rows]) <= _SLIVER * lengths(first) * lengths(second)] = 0.0
         return crosses
 
     @once_property
