@@ -44,6 +44,20 @@ def test_a_dataset_has_the_numbers_of_the_call_in_their_cells(path):
     assert (opened - found.value).shape == opened.shape
 
 
+def test_a_cell_draws_the_same_numbers_whatever_other_cells_have_no_height():
+    heights = np.pad(np.where(np.arange(12) < 6, 0.0, 8.0)[None], ((0, 9), (0, 0)), mode="edge")
+    apart = np.concatenate([heights, np.full((3, 12), -9999.0)])  # rows that are no part of the surface
+    gap = np.concatenate([np.full((3, 12), -9999.0), heights])
+    right = rasters.sky_view_factor((heights, NORTH_UP, None), 64, seed=1)
+    found = rasters.sky_view_factor((apart, NORTH_UP, None), 64, seed=1)
+    assert np.array_equal(found.value[:10], right.value)
+    made = rasters.surface((gap, NORTH_UP @ Affine.translation(0.0, -3.0), None))
+    points, cell = made.points()
+    assert np.array_equal(points.id, cell)
+    other = ws.sky_view_factor(made.mesh, points, 64, seed=1)
+    assert (other.value != right.value.values.ravel()).any()
+
+
 def test_the_attributes_say_what_it_is_and_how_to_make_it_again(path):
     found = rasters.sky_view_factor(path, 32, receiver="surface", model="block", seed=3)
     told = found.attrs

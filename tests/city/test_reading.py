@@ -190,6 +190,17 @@ def test_heights_are_converted_to_the_unit_of_the_coordinates(crs, units, factor
     assert grid.metres == pytest.approx(1200.0 / 3937.0 if "2263" in crs else 1.0)
 
 
+def test_heights_without_a_map_keep_their_unit():
+    array = xr.DataArray(HEIGHTS, dims=("y", "x"), attrs={"units": "ft"}).rio.write_transform(UTM)
+    same(heights_of(array), gone=np.zeros(HEIGHTS.shape, bool))
+
+
+def test_coordinates_of_float32_are_evenly_spaced_but_for_their_rounding():
+    centres = {"x": np.float32(564000.5 + np.arange(200)), "y": np.float32(146000.5 - np.arange(50))}
+    array = xr.DataArray(np.zeros((50, 200)), centres, ("y", "x"))
+    assert np.allclose(rasters.surface(array).grid.transform[:6], (1.0, 0.0, 564000.0, 0.0, -1.0, 146001.0), atol=0.03)
+
+
 def test_the_unit_of_a_band_is_read(tmp_path):
     path = write_tif(tmp_path / "dsm.tif", HEIGHTS, units="ft")
     assert np.allclose(heights_of(path), 0.3048 * HEIGHTS)

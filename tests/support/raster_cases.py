@@ -55,6 +55,4 @@ def write_tif(path, bands, *, transform=ON_A_MAP, crs="EPSG:3794", mask=None, un
 def sky(surface, cells, count, **options):
     """The sky view factor in the middle of some cells, in their order."""
     points, known = surface.points(options.pop("receiver", "horizontal"))
-    rows = np.searchsorted(known, cells)
-    some = ws.SurfacePoints(points.position[rows], points.normal[rows])
-    return ws.sky_view_factor(surface.mesh, some, count, **options)
+    return ws.sky_view_factor(surface.mesh, points.take(np.searchsorted(known, cells)), count, **options)

@@ -53,7 +53,7 @@ class RasterSurface:
             receiver: "horizontal" has normals up; "surface" those of the cell, the mean of its triangles' by area.
 
         Returns:
-            the points, and (P,) int64, their cells, row * columns + column.
+            the points, and (P,) int64, their cells, row * columns + column; these are the ids of their random numbers, too.
 
         Raises:
             TypeError, ValueError: another receiver.
@@ -75,7 +75,7 @@ class RasterSurface:
             top = self.kind == TOP
             crosses, place = self.mesh.cross_products[top].T, np.searchsorted(cells, self.cell[top])
             normal = unit_or_zero(np.stack([np.bincount(place, axis, len(cells)) for axis in crosses], axis=1))
-        return SurfacePoints(self.grid.centres(cells), normal), cells
+        return SurfacePoints(self.grid.centres(cells), normal, id=cells.astype(np.uint64)), cells
 
     def to_raster(self, values: Any, cell: np.ndarray) -> xr.DataArray:
         """Numbers of cells, laid out as the raster is.
