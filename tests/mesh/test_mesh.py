@@ -159,3 +159,9 @@ def test_areas_and_normals_of_sizes_whose_squares_are_no_float64(scale):
     assert mesh.face_areas / scale / scale == pytest.approx(plain.face_areas, rel=1e-14)
     assert np.abs(mesh.face_normals - plain.face_normals).max() <= 1e-7
     assert mesh.report.degenerate_faces == 0
+
+
+def test_blocks_of_faces_change_no_bit(bunny, monkeypatch):
+    assert len(bunny.faces) % 4096
+    monkeypatch.setattr("warpsample.mesh.mesh._BLOCK", 4096)
+    assert np.array_equal(ws.Mesh(bunny.vertices, bunny.faces).cross_products, bunny.cross_products)

@@ -29,7 +29,7 @@ _UNDECLARED = (-9999.0, -99999.0, -32767.0, -32768.0)
 _LARGEST = 1e30
 """What is larger stands for none, such as float32's largest number in a raster whose tag is float64's copy of it."""
 
-_BYTES = 900
+_BYTES = 1000
 """Of memory for each cell: its triangles, their normals and their tree."""
 
 _MOST_CELLS = 2**28
