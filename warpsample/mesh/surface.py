@@ -77,16 +77,21 @@ class SurfacePoints:
         """Some of the points, with what belongs to them; those that have no `id` are numbered anew.
 
         Args:
-            rows: a slice, (N,) whole numbers, or (P,) bool.
+            rows: a slice, (N,) whole numbers from 0 to P - 1, or (P,) bool.
 
         Returns:
             a point for each of these rows.
+
+        Raises:
+            TypeError: neither whole numbers nor bool.
+            ValueError: another shape, or a row that is not there.
 
         Example:
             >>> points = ws.face_centers(ws.load_mesh("courtyard"))
             >>> print(points.take(points.normal[:, 2] > 0.9).position.shape)
             (1152, 3)
         """
+        rows = rows if isinstance(rows, slice) else _check_rows(rows, len(self))
         kept = {item.name: getattr(self, item.name) for item in fields(self)}
         return SurfacePoints(**{name: None if array is None else array[rows] for name, array in kept.items()})
 
@@ -223,6 +228,17 @@ def _check_face(value: Any) -> np.ndarray:
     if face.size and not (face.min() >= -1 and face.max() < 2**31):
         raise ValueError(f"face: got numbers from {face.min()} to {face.max()}, want -1 (none) or the number of a face")
     return face.astype(np.int32, copy=False)
+
+
+def _check_rows(value: Any, points: int) -> np.ndarray:
+    rows = as_ndarray(value, "rows")
+    if rows.dtype.kind not in "biu":
+        raise TypeError(f"rows: got {f'dtype {rows.dtype}' if rows.ndim else told(value)}, want whole numbers or bool")
+    if rows.ndim != 1 or (rows.dtype == bool and len(rows) != points):
+        raise ValueError(f"rows: got shape {rows.shape}, want (N,) whole numbers, or ({points},) bool")
+    if rows.dtype != bool and rows.size and not (rows.min() >= 0 and rows.max() < points):
+        raise ValueError(f"rows: got numbers from {rows.min()} to {rows.max()}, want those of {points} points, from 0 on")
+    return rows
 
 
 def _check_id(value: Any) -> np.ndarray:
