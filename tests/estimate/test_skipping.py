@@ -32,6 +32,23 @@ def test_skipping_changes_no_bit(bunny, name):
     assert skipped >= 0.05 * cast
 
 
+@pytest.mark.parametrize("name", MESHES)
+def test_rays_together_meet_what_each_meets_alone(name):
+    """With a falloff of nearly 0 the nearest hit is asked for, ray by ray, and counts as any hit does."""
+    mesh = MESHES[name]()
+    size = np.ptp(mesh.vertices, axis=0).max()
+    corners, surface = ws.vertex_points(mesh), ws.sample_surface(mesh, 200, seed=3)
+    afar = ws.SurfacePoints(surface.position + 40.0 * size * np.array([0.0, 0.0, 1.0]), -surface.normal)
+    for where in (surface, corners, afar):
+        for count, reach in ((2, size), (16, 0.2 * size), (144, 100.0 * size), (500, 0.1 * size)):
+            together, alone = (
+                ws.ambient_occlusion(mesh, where, count, max_distance=reach, falloff=falloff) for falloff in (None, 1e-30)
+            )
+            assert np.array_equal(together.value, alone.value)
+            assert np.array_equal(together.rays, alone.rays)
+    assert 0.0 < together.value.mean() <= 1.0
+
+
 def test_a_wrong_shaft_would_be_seen(bunny, points, monkeypatch):
     strata = strata_of(500)
     turned = type(strata)(strata.bands, strata.sectors, strata.samples_per_stratum, np.roll(strata.shafts, 1, axis=0))

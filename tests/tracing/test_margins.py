@@ -18,11 +18,13 @@ from margin_cases import (
     triangles_about,
 )
 
-from warpsample.tracing.queries import CHUNK_FLOATS
+from warpsample.tracing.queries import CHUNK_FLOATS, direction_of, vector_in
+from warpsample.tracing.sight.point import SIDES_FLOATS
+from warpsample.tracing.sight.sides import open_leaf, rays_passing, triangles_passed
 from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.candidates import boxes_met, triangles_near
 from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH
-from warpsample.tracing.wide.prepare import prepare_wide, ray_in
+from warpsample.tracing.wide.prepare import Ray, prepare_wide, ray_in
 from warpsample.tracing.wide.triangle import between_edges, plane_distance
 
 
@@ -33,6 +35,13 @@ def _boxes_met(nodes: wp.array2d[wp.float32], chunks: wp.array2d[wp.float32], re
     prepare_wide(chunk, 16)
     mask, _ = boxes_met(nodes.ptr + wp.uint64(i) * wp.uint64(NODE_BYTES), ray_in(chunk), reach, 0)
     masks[i] = mask
+
+
+@wp.func
+def _met(leaf: wp.uint64, k: wp.int32, ray: Ray, reach: wp.float32) -> wp.float32:
+    """The distance of a triangle that a ray meets, decided in float64; -1 if it does not."""
+    distance = plane_distance(leaf, k, ray)
+    return wp.where(distance > 0.0 and distance < reach and between_edges(leaf, k, ray), distance, -1.0)
 
 
 @wp.kernel(enable_backward=False, module="unique")
@@ -52,9 +61,37 @@ def _triangles(
     near[i, 0] = masks & 0xFFFF
     near[i, 1] = masks >> WIDTH
     for k in range(WIDTH):
-        distance = plane_distance(leaf, k, ray)
-        met = distance > 0.0 and distance < sizes[i, 1] and between_edges(leaf, k, ray)
-        distances[i, k] = wp.where(met, distance, -1.0)
+        distances[i, k] = _met(leaf, k, ray, sizes[i, 1])
+
+
+@wp.kernel(enable_backward=False, module="unique")
+def _sides(
+    leaves: wp.array2d[wp.float32],
+    chunks: wp.array2d[wp.float32],
+    sizes: wp.array2d[wp.float32],
+    near: wp.array2d[wp.int32],
+    distances: wp.array2d[wp.float32],
+):
+    """What `_triangles` does, as packets do: with the triangles in lanes, and one by one with the rays in lanes."""
+    i = wp.tid()
+    chunk = chunks.ptr + wp.uint64(i) * wp.uint64(4 * CHUNK_FLOATS)
+    leaf = leaves.ptr + wp.uint64(i) * wp.uint64(LEAF_BYTES)
+    prepare_wide(chunk, 16)
+    ray = ray_in(chunk)
+    sides = wp.zeros(shape=(SIDES_FLOATS,), dtype=wp.float32)
+    open_leaf(leaf, vector_in(chunk, 0), sizes[i, 1], sides.ptr)
+    masks = triangles_passed(sides.ptr, direction_of(chunk, 0))
+    others = wp.int32(0)
+    for k in range(WIDTH):
+        distances[i, k] = _met(leaf, k, ray, sizes[i, 1])
+        lanes = rays_passing(sides.ptr, k, chunk)
+        others = others | ((lanes & 1) << k) | (((lanes >> WIDTH) & 1) << (WIDTH + k))
+    near[i, 0] = masks & 0xFFFF
+    near[i, 1] = wp.where(others == masks, masks >> WIDTH, -1)
+
+
+ROUTES = {"alone": _triangles, "together": _sides}
+each_route = pytest.mark.parametrize("route", ROUTES)
 
 
 @pytest.mark.parametrize("along_axes", [False, True])
@@ -79,8 +116,9 @@ def test_a_ray_meets_the_boxes_of_all_places_on_it_and_none_far_beside_it(along_
     assert found[there & (t > reach + 4.0 * PADDING)].sum() == 0
 
 
+@each_route
 @pytest.mark.parametrize("hit", [True, False])
-def test_triangles_are_met_as_in_long_double_and_seldom_looked_at_in_vain(hit):
+def test_triangles_are_met_as_in_long_double_and_seldom_looked_at_in_vain(route, hit):
     rng, origins, ways = rays_into_the_scene(2)
     places, _, t = places_on(rng, origins, ways, furthest=3.0)
     t[:, 2::5] = 10.0 ** rng.uniform(-9.0, -5.0, t[:, 2::5].shape) * rng.choice([-1.0, 1.0], t[:, 2::5].shape)  # at 0
@@ -93,7 +131,7 @@ def test_triangles_are_met_as_in_long_double_and_seldom_looked_at_in_vain(hit):
     reach[::3] = (t[:, 0] * (1.0 + 10.0 ** rng.uniform(-9.0, -5.0, N) * rng.choice([-1.0, 1.0], N)))[::3]  # that of a place
     inputs = [leaves(triangles), chunks(origins, ways), on_cpu(np.stack([edge, reach], axis=1))]
     outputs = wp.zeros((N, 2), wp.int32, device="cpu"), wp.zeros((N, WIDTH), wp.float32, device="cpu")
-    near, distances = launch(_triangles, N, inputs, *outputs)
+    near, distances = launch(ROUTES[route], N, inputs, *outputs)
     near, known = bits(near[:, 0]), bits(near[:, 1])
     assert near[distances > 0.0].all()
     assert (distances[known] > 0.0).all()
@@ -115,8 +153,9 @@ def test_triangles_are_met_as_in_long_double_and_seldom_looked_at_in_vain(hit):
         assert near[large].mean() <= 0.02
 
 
+@each_route
 @pytest.mark.parametrize("collapsed", [False, True])
-def test_what_is_small_and_beside_the_ray_is_not_taken_for_met(collapsed):
+def test_what_is_small_and_beside_the_ray_is_not_taken_for_met(route, collapsed):
     """The ray is in the planes of these triangles, or they are points: their edge functions are nothing but rounding."""
     rng, origins, ways = rays_into_the_scene(4)
     places = rng.uniform(-1.0, 1.0, (N, WIDTH, 3))
@@ -128,7 +167,7 @@ def test_what_is_small_and_beside_the_ray_is_not_taken_for_met(collapsed):
     edge = np.ptp(triangles, axis=2).max(axis=(1, 2))
     inputs = [leaves(triangles), chunks(origins, ways), on_cpu(np.stack([edge, np.full(N, 2.0**60)], axis=1))]
     outputs = wp.zeros((N, 2), wp.int32, device="cpu"), wp.zeros((N, WIDTH), wp.float32, device="cpu")
-    near, distances = launch(_triangles, N, inputs, *outputs)
+    near, distances = launch(ROUTES[route], N, inputs, *outputs)
     near, known = bits(near[:, 0]), bits(near[:, 1])
     assert near[distances > 0.0].all()
     assert (distances[known] > 0.0).all()

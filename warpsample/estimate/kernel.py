@@ -5,7 +5,7 @@ import warp as wp
 from warpsample.estimate.free import BLOCK, free_lobe
 from warpsample.estimate.lobe import NOTHING, traced_lobe
 from warpsample.estimate.lobes import NONFINITE_VALUE, Lobes
-from warpsample.estimate.rays import SQUARE_FLOATS
+from warpsample.estimate.rays import OWN_FLOATS
 from warpsample.estimate.slots import Slots
 from warpsample.host.locks import once
 from warpsample.maths.memory import set_byte, set_int
@@ -82,8 +82,9 @@ def estimate_kernel(slots: Slots) -> wp.Kernel:
     """A kernel with a task for each `rows` points in the order of the placement, which share cleared memory."""
     struct, estimate_point, traced = slots.struct, _estimator(slots), slots.query is not None
     chunk = (CHUNK_FLOATS if slots.wide else PREPARED) if traced else slots.channels * BLOCK
-    own = SQUARE_FLOATS if traced else 2 * BLOCK
-    floats = workspace_floats(own, chunk, traced and slots.wide)
+    own = OWN_FLOATS if traced else 2 * BLOCK
+    searches = traced and slots.wide
+    floats = workspace_floats(own, chunk, searches, searches and slots.any_hit)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def estimate(lobes: Lobes, accelerator: Accelerator, data: struct, first_task: wp.int64):

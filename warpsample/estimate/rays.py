@@ -9,8 +9,8 @@ from warpsample.sequences.hashing import ONE_WORD, one_of, stream_key
 from warpsample.tracing.queries import CHUNK, set_direction
 from warpsample.tracing.sight.point import ShadingPoint
 
-SQUARE_FLOATS = 2 * CHUNK
-"""float32 numbers of the variates of a chunk."""
+OWN_FLOATS = 3 * CHUNK
+"""float32 numbers of a chunk's variates, and then of its rays' weights."""
 
 LAST_UNIFORM = wp.constant(wp.float32(1.0 - 2.0**-24))
 """For variates that are rounded up to the next stratum."""
@@ -27,7 +27,7 @@ def spread_of(slots: Slots) -> wp.Function:
 
         Each replicate of each stratum is a stream of its own.
         """
-        u = wp.array(ptr=point.own, shape=(SQUARE_FLOATS,), dtype=wp.float32)
+        u = wp.array(ptr=point.own, shape=(OWN_FLOATS,), dtype=wp.float32)
         stream = wp.uint32(2 * stratum)
         key = stream_key(point.key, stream)
         other = stream_key(point.key, stream + ONE_WORD)
@@ -58,7 +58,7 @@ def directions_of(slots: Slots) -> wp.Function:
 
     @wp.func
     def write_directions(lobes: Lobes, point: ShadingPoint, length: wp.int32):
-        u = wp.array(ptr=point.own, shape=(SQUARE_FLOATS,), dtype=wp.float32)
+        u = wp.array(ptr=point.own, shape=(OWN_FLOATS,), dtype=wp.float32)
         n = point.n
         chunk = point.chunk
         rare = wp.int32(0)

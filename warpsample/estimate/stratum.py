@@ -2,15 +2,17 @@
 
 import warp as wp
 
+from warpsample.estimate.integrand import Lobe
 from warpsample.estimate.lobes import Lobes, lobe_of
 from warpsample.estimate.rays import spread_of
 from warpsample.estimate.slots import Slots
 from warpsample.host.locks import once
-from warpsample.maths.memory import float_at
+from warpsample.maths.memory import float_at, set_vec3, vec3_at
 from warpsample.maths.numerics import HALF, ONE, ZERO
 from warpsample.tracing.queries import CHUNK, REACH, Accelerator, column_of, direction_of
+from warpsample.tracing.sight.packets import NO_RAYS, first_rays, ray_set, set_size
 from warpsample.tracing.sight.point import ShadingPoint
-from warpsample.tracing.sight.rays import first_hit, prepare_rays, rays_from_afar, whole_vectors
+from warpsample.tracing.sight.rays import first_hit, prepare_rays, rays_blocked, rays_from_afar, whole_vectors
 
 
 @once
@@ -41,31 +43,50 @@ def jump_of(slots: Slots) -> wp.Function:
 
 @once
 def share_of(slots: Slots) -> wp.Function:
-    """A function that traces a ray and gives the share of its weight that it adds."""
-    any_hit, hit = slots.any_hit, first_hit(slots.any_hit, slots.query, slots.wide)
+    """A function that traces a ray and gives the share of its weight that it adds, by how far it gets."""
+    hit = first_hit(False, slots.query, slots.wide)
 
     @wp.func
     def share_of(lobes: Lobes, tree: Accelerator, point: ShadingPoint, local: wp.int32, k: wp.int32):
-        """(the share of its weight that a ray adds, 1 if it meets something and else 0)."""
+        """(the share of its weight that a ray adds, whether it meets something)."""
         distance, _face = hit(tree, point, local, k)
         share = wp.float32(1.0)
         if distance < wp.INF:
-            share = 0.0
-            if wp.static(not any_hit):
-                reach = float_at(column_of(point.chunk, k), REACH)
-                t = (distance + (point.reach - reach)) / point.reach
-                share = 1.0 - wp.pow(1.0 - t, lobes.falloff)
-        return share, wp.where(distance < wp.INF, 1, 0)
+            reach = float_at(column_of(point.chunk, k), REACH)
+            t = (distance + (point.reach - reach)) / point.reach
+            share = 1.0 - wp.pow(1.0 - t, lobes.falloff)
+        return share, distance < wp.INF
 
     return share_of
 
 
 @once
+def weighing(slots: Slots) -> wp.Function:
+    """A function that weighs the rays of a chunk."""
+    weigh, struct, constant = slots.weigh, slots.struct, slots.constant
+
+    @wp.func
+    def weigh_rays(lobe: Lobe, data: struct, point: ShadingPoint, length: wp.int32) -> wp.uint64:
+        """The set of rays that weigh anything; all weights are kept, unless they are one."""
+        alive = first_rays(length)
+        if wp.static(not constant):
+            alive = NO_RAYS
+            for k in range(length):
+                w = weigh(direction_of(point.chunk, k), lobe, data)
+                set_vec3(point.own, k, w)
+                if w[0] != 0.0 or w[1] != 0.0 or w[2] != 0.0:
+                    alive = alive | ray_set(k)
+        return alive
+
+    return weigh_rays
+
+
+@once
 def stratum_sum(slots: Slots) -> wp.Function:
     """A function that sums a stratum."""
-    spread, share_left = spread_of(slots), share_of(slots)
-    weigh, struct, counts, channels = slots.weigh, slots.struct, slots.counts, slots.channels
-    prepare = prepare_rays(slots.prepare)
+    spread, weigh, struct = spread_of(slots), weighing(slots), slots.struct
+    any_hit, constant, counts, channels = slots.any_hit, slots.constant, slots.counts, slots.channels
+    prepare, block, share_left = prepare_rays(slots.prepare), rays_blocked(slots.query, slots.wide), share_of(slots)
 
     @wp.func
     def sum_stratum(
@@ -88,28 +109,34 @@ def stratum_sum(slots: Slots) -> wp.Function:
         more_y = ZERO
         more_z = ZERO
         cast = wp.int32(0)
-        free = 2 * lobes.samples_per_stratum
+        each = lobes.samples_per_stratum
+        free = 2 * each
         w = wp.vec3(1.0, 0.0, 0.0)
         lobe = lobe_of(lobes, point)
-        for first in range(0, 2 * lobes.samples_per_stratum, CHUNK):
-            length = wp.min(CHUNK, 2 * lobes.samples_per_stratum - first)
+        for first in range(0, 2 * each, CHUNK):
+            length = wp.min(CHUNK, 2 * each - first)
             spread(lobes, point, stratum, first, whole_vectors(length))
+            rays = weigh(lobe, data, point, length)
+            left = rays
             if found != 0:
                 rays_from_afar(point, length)
                 prepare(tree, point, local, length)
-            for k in range(length):
-                w = weigh(direction_of(point.chunk, k), lobe, data)
-                share = wp.float32(1.0)
-                if found != 0 and (w[0] != 0.0 or w[1] != 0.0 or w[2] != 0.0):
-                    cast += 1
-                    share, met = share_left(lobes, tree, point, local, k)
-                    free -= met
-                sign = wp.where(first + k < lobes.samples_per_stratum, 1, -1)
-                if wp.static(counts):
-                    hit = wp.where(share * w[0] != 0.0, 1, 0)
-                    hits += hit
-                    more_hits += sign * hit
-                else:
+                cast += set_size(rays)
+                if wp.static(any_hit):
+                    left = rays & (~block(tree, point, local, rays, length))
+                    free -= set_size(rays & (~left))
+            if wp.static(counts):
+                hits += set_size(left)
+                more_hits += 2 * set_size(left & first_rays(wp.clamp(each - first, 0, length))) - set_size(left)
+            else:
+                for k in range(length):
+                    if wp.static(not constant):
+                        w = vec3_at(point.own, k)
+                    share = wp.where((rays & (~left) & ray_set(k)) != NO_RAYS, 0.0, 1.0)
+                    if wp.static(not any_hit) and found != 0 and (rays & ray_set(k)) != NO_RAYS:
+                        share, met = share_left(lobes, tree, point, local, k)
+                        free -= wp.where(met, 1, 0)
+                    sign = wp.where(first + k < each, 1, -1)
                     x += wp.float64(share * w[0])
                     more_x += wp.float64(sign) * wp.float64(share * w[0])
                     if wp.static(channels > 1):

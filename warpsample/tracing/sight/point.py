@@ -15,7 +15,7 @@ from warpsample.tracing.placement import (
 )
 from warpsample.tracing.queries import CHUNK_FLOATS, REACH, column_of, set_origin, start_all
 from warpsample.tracing.sight.leaves import OWN_LEAF_FLOATS
-from warpsample.tracing.wide.layout import MOST_STARTS, NODE_BYTES, SCRATCH, WIDTH
+from warpsample.tracing.wide.layout import MOST_DEPTH, MOST_STARTS, NODE_BYTES, SCRATCH, WIDTH
 
 NONFINITE_POSITION = 4
 """The status of a point that is nowhere; `directions.samples` has the others that a point may have."""
@@ -31,11 +31,18 @@ below itself.
 SHAFT_FLOATS = 5 * WIDTH
 """float32 numbers of a shaft: see `shafts`."""
 
+SIDES_FLOATS = 12 * WIDTH
+"""float32 numbers of an opened leaf: see `sides`."""
+
 LOCAL_LEAF = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES))
 """Where a point's local leaf is, in bytes from its first node on."""
 
 _ROW = 16  # parts of the workspace start at multiples of as many floats
 _OPENED_FLOATS = -(-(MOST_STARTS * NODE_BYTES // 4 + OWN_LEAF_FLOATS) // _ROW) * _ROW
+_PACKET_FLOATS = SIDES_FLOATS + 4 * (MOST_STARTS + (WIDTH - 1) * MOST_DEPTH)
+"""Of an opened leaf, and of nodes that wait: of each, all children may take its place, and one of these is opened next."""
+
+_SCRATCH_FLOATS = -(-SCRATCH // _ROW) * _ROW
 
 
 @wp.struct
@@ -46,7 +53,7 @@ class ShadingPoint:
     n: its unit normal. position: in the scene's coordinates. o: where its rays start. low: what is lower than this below
     the horizon of o is below it. reach: of its rays.
     chunk: of rays. own: what the kernel asked for. shaft: the one that is aimed. opened: the nodes that rays start from, and
-    the local leaf. scratch: nodes that wait.
+    the local leaf. scratch: nodes that wait. sides, waiting: of packets, an opened leaf, and nodes with rays that wait.
     """
 
     index: wp.int64
@@ -62,11 +69,14 @@ class ShadingPoint:
     shaft: wp.uint64
     opened: wp.uint64
     scratch: wp.uint64
+    sides: wp.uint64
+    waiting: wp.uint64
 
 
-def workspace_floats(own: int, chunk: int = CHUNK_FLOATS, searches: bool = True) -> int:
-    """float32 numbers of the workspace of a kernel: a multiple of 16 of its own, a chunk, and what searches need."""
-    return chunk + own + (SHAFT_FLOATS + _OPENED_FLOATS + SCRATCH if searches else 0)
+def workspace_floats(own: int, chunk: int = CHUNK_FLOATS, searches: bool = True, packets: bool = False) -> int:
+    """float32 numbers of the workspace of a kernel: a multiple of 16 of its own, a chunk, what searches and packets need."""
+    searching = SHAFT_FLOATS + _OPENED_FLOATS + _SCRATCH_FLOATS if searches else 0
+    return chunk + own + searching + (_PACKET_FLOATS if packets else 0)
 
 
 @wp.func
@@ -78,6 +88,8 @@ def point_in(workspace: wp.uint64, own: wp.int32, chunk: wp.int32) -> ShadingPoi
     point.shaft = point.own + wp.uint64(4 * own)
     point.opened = point.shaft + wp.uint64(4 * SHAFT_FLOATS)
     point.scratch = point.opened + wp.uint64(4 * _OPENED_FLOATS)
+    point.sides = point.scratch + wp.uint64(4 * _SCRATCH_FLOATS)
+    point.waiting = point.sides + wp.uint64(4 * SIDES_FLOATS)
     return point
 
 

@@ -1,7 +1,6 @@
 """The rays of a point, a chunk at a time: prepared together, then each asked what it meets.
 
-A traversal of all rays of a chunk together belongs into `prepare_rays`, which has all that it needs; what `first_hit` then
-reads off is what it found.
+`rays_blocked` asks for all together whether they meet anything.
 """
 
 import warp as wp
@@ -12,6 +11,7 @@ from warpsample.maths.memory import float_at
 from warpsample.tracing.placement import far_off, in_double
 from warpsample.tracing.queries import REACH, Accelerator, column_of, direction_of
 from warpsample.tracing.sight.leaves import any_in_leaf, nearest_in_leaf
+from warpsample.tracing.sight.packets import NO_RAYS, ray_set, rays_left
 from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint, bring_near
 from warpsample.tracing.wide.layout import face_in
 from warpsample.tracing.wide.prepare import prepare_wide
@@ -82,3 +82,32 @@ def first_hit(any_hit: bool, query: wp.Function | None = None, wide: bool = True
         return distance, face
 
     return hit
+
+
+@once
+def rays_blocked(query: wp.Function | None = None, wide: bool = True) -> wp.Function:
+    """A function (tree, point, local, rays, length) -> those of a set of prepared rays that meet something, with any hit.
+
+    The set is of the first `length` of a chunk. They go together through the wide tree, unless the point is far off, where
+    they start here and there; by another query one by one.
+    """
+    hit = first_hit(any_hit=True, query=query, wide=wide)
+
+    @wp.func
+    def one_by_one(tree: Accelerator, point: ShadingPoint, local: wp.int32, rays: wp.uint64, length: wp.int32):
+        blocked = NO_RAYS
+        for k in range(length):
+            if (rays & ray_set(k)) != NO_RAYS:
+                distance, _face = hit(tree, point, local, k)
+                if distance < wp.INF:
+                    blocked = blocked | ray_set(k)
+        return blocked
+
+    @wp.func
+    def blocked(tree: Accelerator, point: ShadingPoint, local: wp.int32, rays: wp.uint64, length: wp.int32):
+        if wp.static(wide):
+            if not far_off(point.position) and point.reach > 0.0:
+                return rays & (~rays_left(tree, point, local, rays, length))
+        return one_by_one(tree, point, local, rays, length)
+
+    return blocked

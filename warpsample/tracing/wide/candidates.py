@@ -23,30 +23,41 @@ _SURELY = wp.constant(wp.int32(2**30))
 
 
 @wp.func
+def entered(node: wp.uint64, ray: Ray, k: wp.int32) -> wp.float32:
+    """How far away a ray enters the box of a node's k-th child, at least 0."""
+    x = wp.array(ptr=node + ray.near_x, shape=(WIDTH,), dtype=wp.float32)
+    y = wp.array(ptr=node + _ROW + ray.near_y, shape=(WIDTH,), dtype=wp.float32)
+    z = wp.array(ptr=node + _ROW + _ROW + ray.near_z, shape=(WIDTH,), dtype=wp.float32)
+    enter_x = fma(x[k], ray.inverse_x, ray.shift_x)
+    enter_y = fma(y[k], ray.inverse_y, ray.shift_y)
+    enter_z = fma(z[k], ray.inverse_z, ray.shift_z)
+    return greater(greater(enter_x, enter_y), greater(enter_z, 0.0))
+
+
+@wp.func
+def left_at(node: wp.uint64, ray: Ray, reach: wp.float32, k: wp.int32) -> wp.float32:
+    """How far away it leaves that box, at most as far as the reach; it meets the box if that is not before it enters."""
+    x = wp.array(ptr=node + _UPPER - ray.near_x, shape=(WIDTH,), dtype=wp.float32)
+    y = wp.array(ptr=node + _UPPER + _ROW - ray.near_y, shape=(WIDTH,), dtype=wp.float32)
+    z = wp.array(ptr=node + _UPPER + _ROW + _ROW - ray.near_z, shape=(WIDTH,), dtype=wp.float32)
+    leave_x = fma(x[k], ray.inverse_x, ray.shift_x)
+    leave_y = fma(y[k], ray.inverse_y, ray.shift_y)
+    leave_z = fma(z[k], ray.inverse_z, ray.shift_z)
+    return lesser(lesser(leave_x, leave_y), lesser(leave_z, reach))
+
+
+@wp.func
 def boxes_met(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
     """(mask of the children whose boxes the ray meets within reach, the nearest of them; the farthest with flip = -1).
 
     The boxes are larger than what is in them by more than all rounding here (`boxes.PADDING`).
     """
-    near_x = wp.array(ptr=node + ray.near_x, shape=(WIDTH,), dtype=wp.float32)
-    near_y = wp.array(ptr=node + _ROW + ray.near_y, shape=(WIDTH,), dtype=wp.float32)
-    near_z = wp.array(ptr=node + _ROW + _ROW + ray.near_z, shape=(WIDTH,), dtype=wp.float32)
-    far_x = wp.array(ptr=node + _UPPER - ray.near_x, shape=(WIDTH,), dtype=wp.float32)
-    far_y = wp.array(ptr=node + _UPPER + _ROW - ray.near_y, shape=(WIDTH,), dtype=wp.float32)
-    far_z = wp.array(ptr=node + _UPPER + _ROW + _ROW - ray.near_z, shape=(WIDTH,), dtype=wp.float32)
     hit = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
     best = wp.int32(_NO_HIT)
     k = wp.int32(0)
     while k < WIDTH:
-        enter_x = fma(near_x[k], ray.inverse_x, ray.shift_x)
-        enter_y = fma(near_y[k], ray.inverse_y, ray.shift_y)
-        enter_z = fma(near_z[k], ray.inverse_z, ray.shift_z)
-        leave_x = fma(far_x[k], ray.inverse_x, ray.shift_x)
-        leave_y = fma(far_y[k], ray.inverse_y, ray.shift_y)
-        leave_z = fma(far_z[k], ray.inverse_z, ray.shift_z)
-        enter = greater(greater(enter_x, enter_y), greater(enter_z, 0.0))
-        leave = lesser(lesser(leave_x, leave_y), lesser(leave_z, reach))
-        met = enter <= leave
+        enter = entered(node, ray, k)
+        met = enter <= left_at(node, ray, reach, k)
         # The child's number in the last bits of its distance: one minimum tells both.
         key = ((wp.cast(enter, wp.int32) & (~_CHILD)) | k) ^ flip
         best = wp.min(best, wp.where(met, key, _NO_HIT))

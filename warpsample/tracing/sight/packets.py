@@ -1,0 +1,181 @@
+"""The rays of one point all together against the tree: which of them meet anything.
+
+They leave from one origin, so that the planes through the origin and the sides of a triangle serve all of them: a leaf is
+opened once for all rays that meet its box. What float32 does not decide is decided as for single rays: no ray gets another
+answer. A set of rays is a mask of 64 bits, one for each ray of a chunk.
+"""
+
+import warp as wp
+
+from warpsample.maths.memory import address_at, set_address
+from warpsample.maths.numerics import high_word, low_word, lowest_bit
+from warpsample.tracing.queries import CHUNK, Accelerator, column_of, direction_of
+from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint
+from warpsample.tracing.sight.sides import open_leaf, rays_passing, triangles_passed
+from warpsample.tracing.wide.candidates import entered, left_at
+from warpsample.tracing.wide.lanes import lanes_with
+from warpsample.tracing.wide.layout import NODE_BYTES, WIDTH, edge_in, leaf_at, link_in, node_at
+from warpsample.tracing.wide.prepare import ray_in
+from warpsample.tracing.wide.query import any_of
+from warpsample.tracing.wide.triangle import between_edges, plane_distance
+
+_ROW = wp.constant(wp.uint64(4 * WIDTH))
+_ALL = wp.constant(wp.int32(2**WIDTH - 1))
+_ENTRY = wp.constant(wp.uint64(16))
+"""Bytes of what waits on the stack: the address of a node, and the rays that meet its box."""
+
+NO_RAYS = wp.constant(wp.uint64(0))
+_ONE = wp.constant(wp.uint64(1))
+
+
+@wp.func
+def first_rays(length: wp.int32) -> wp.uint64:
+    """The set of the first rays of a chunk."""
+    return wp.where(length > 0, (~NO_RAYS) >> wp.uint64((CHUNK - length) % CHUNK), NO_RAYS)
+
+
+@wp.func
+def set_size(rays: wp.uint64) -> wp.int32:
+    """How many rays a set has."""
+    return wp.int32(wp.bit_count(rays))
+
+
+@wp.func
+def ray_set(k: wp.int32) -> wp.uint64:
+    """The set of the k-th ray."""
+    return _ONE << wp.uint64(k)
+
+
+@wp.func
+def lowest_ray(rays: wp.uint64) -> wp.int32:
+    """The first ray of a set that has some."""
+    return wp.int32(wp.bit_count((rays & (~rays + _ONE)) - _ONE))
+
+
+@wp.func
+def _meets(leaf: wp.uint64, triangles: wp.int32, column: wp.uint64, reach: wp.float32) -> wp.bool:
+    """Whether a ray meets one of these triangles, as single rays decide it."""
+    met = wp.bool(False)
+    ray = ray_in(column)
+    while triangles != 0 and not met:
+        k = lowest_bit(triangles)
+        triangles = triangles & (triangles - 1)
+        distance = plane_distance(leaf, k, ray)
+        met = distance > 0.0 and distance < reach and between_edges(leaf, k, ray)
+    return met
+
+
+@wp.func
+def _past_triangles(
+    leaf: wp.uint64, triangles: wp.int32, point: ShadingPoint, alive: wp.uint64, blocks: wp.int32
+) -> wp.uint64:
+    """The rays alive that pass these triangles of a leaf; rays in lanes."""
+    open_leaf(leaf, point.o, point.reach, point.sides)
+    while triangles != 0:
+        t = lowest_bit(triangles)
+        triangles = triangles & (triangles - 1)
+        for block in range(blocks):
+            passing = rays_passing(point.sides, t, point.chunk + wp.uint64(block) * _ROW)
+            if passing != 0:
+                shift = wp.uint64(WIDTH * block)
+                alive = alive & (~(wp.uint64((passing >> WIDTH) & _ALL) << shift))
+                maybe = alive & (wp.uint64(passing & _ALL) << shift)
+                while maybe != NO_RAYS:
+                    k = lowest_ray(maybe)
+                    maybe = maybe & (maybe - _ONE)
+                    if _meets(leaf, 1 << t, column_of(point.chunk, k), point.reach):
+                        alive = alive & (~ray_set(k))
+    return alive
+
+
+@wp.func
+def _past_leaf(leaf: wp.uint64, edge: wp.float32, point: ShadingPoint, rays: wp.uint64, alive: wp.uint64) -> wp.uint64:
+    """The rays alive without those of `rays` that a leaf stops; triangles in lanes. To open it does not pay for one ray."""
+    if (rays & (rays - _ONE)) == NO_RAYS:
+        _reach, triangle = any_of(leaf, _ALL, ray_in(column_of(point.chunk, lowest_ray(rays))), point.reach, edge)
+        return wp.where(triangle >= 0, alive & (~rays), alive)
+    open_leaf(leaf, point.o, point.reach, point.sides)
+    while rays != NO_RAYS:
+        k = lowest_ray(rays)
+        rays = rays & (rays - _ONE)
+        passed = triangles_passed(point.sides, direction_of(point.chunk, k))
+        met = wp.where((passed >> WIDTH) & _ALL != 0, 1, 0)
+        if met == 0 and passed != 0:
+            met = wp.where(_meets(leaf, passed & _ALL, column_of(point.chunk, k), point.reach), 1, 0)
+        alive = alive & (~(wp.uint64(met) << wp.uint64(k)))
+    return alive
+
+
+@wp.func
+def _children_met(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.int32:
+    """Mask of the children whose boxes some of these rays meet; in `scratch`, two words for each child: which of them."""
+    reach = point.reach
+    low = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
+    high = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
+    while rays != NO_RAYS:
+        bit = rays & (~rays + _ONE)
+        rays = rays & (rays - _ONE)
+        ray = ray_in(column_of(point.chunk, lowest_ray(bit)))
+        low_bit = wp.int32(low_word(bit))
+        high_bit = wp.int32(high_word(bit))
+        k = wp.int32(0)
+        while k < WIDTH:
+            meets = wp.where(entered(node, ray, k) <= left_at(node, ray, reach, k), -1, 0)
+            low[k] = low[k] | (meets & low_bit)
+            high[k] = high[k] | (meets & high_bit)
+            k += 1
+    words = wp.array(ptr=point.scratch, shape=(2 * WIDTH,), dtype=wp.int32)
+    some = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
+    i = wp.int32(0)
+    while i < WIDTH:
+        words[i] = low[i]
+        words[WIDTH + i] = high[i]
+        some[i] = wp.where((low[i] | high[i]) != 0, -1, 0)
+        i += 1
+    return lanes_with(some.ptr, 31)
+
+
+@wp.func
+def _rays_of(point: ShadingPoint, child: wp.int32) -> wp.uint64:
+    """The rays that were found at a child."""
+    words = wp.array(ptr=point.scratch, shape=(2 * WIDTH,), dtype=wp.uint32)
+    return (wp.uint64(words[WIDTH + child]) << wp.uint64(32)) | wp.uint64(words[child])
+
+
+@wp.func
+def _put(top: wp.uint64, node: wp.uint64, rays: wp.uint64) -> wp.uint64:
+    """The new top of the stack, with a node that some rays are to look into."""
+    set_address(top, 0, node)
+    set_address(top, 1, rays)
+    return top + _ENTRY
+
+
+@wp.func
+def _past_tree(tree: Accelerator, point: ShadingPoint, alive: wp.uint64) -> wp.uint64:
+    """The rays alive that meet nothing from the nodes on from which they start."""
+    top = point.waiting
+    for start in range(tree.starts):
+        top = _put(top, tree.start + wp.uint64(start) * wp.uint64(NODE_BYTES), alive)
+    while top != point.waiting:
+        top -= _ENTRY
+        node = address_at(top, 0)
+        mask = _children_met(node, point, address_at(top, 1) & alive)
+        while mask != 0:
+            child = lowest_bit(mask)
+            mask = mask & (mask - 1)
+            rays = alive & _rays_of(point, child)
+            if rays != NO_RAYS:
+                link = link_in(node, child)
+                if link < 0:
+                    alive = _past_leaf(leaf_at(tree, ~link), edge_in(node, child), point, rays, alive)
+                else:
+                    top = _put(top, node_at(tree, link), rays)
+    return alive
+
+
+@wp.func
+def rays_left(tree: Accelerator, point: ShadingPoint, local: wp.int32, alive: wp.uint64, length: wp.int32) -> wp.uint64:
+    """The rays alive, of the first of a prepared chunk, that meet nothing; `local` as for `first_hit`."""
+    if local != 0:
+        alive = _past_triangles(point.opened + LOCAL_LEAF, local, point, alive, (length + WIDTH - 1) / WIDTH)
+    return _past_tree(tree, point, alive)
