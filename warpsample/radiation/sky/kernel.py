@@ -21,7 +21,7 @@ CONCENTRATION = 4.0
 What is found of other patches must not matter: the same rays are cast wherever the tree's boxes are."""
 
 _CONCENTRATION = wp.constant(wp.float64(CONCENTRATION))
-_FLOATS = workspace_floats(WEIGHTS)
+_FLOATS = workspace_floats(WEIGHTS, packets=True)
 
 
 @wp.func

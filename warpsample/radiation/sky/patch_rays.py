@@ -10,16 +10,16 @@ from warpsample.sequences.fibonacci import fibonacci_sample
 from warpsample.sequences.hashing import ONE_WORD, one_of, stream_key
 from warpsample.tracing.placement import Placement
 from warpsample.tracing.queries import CHUNK, Accelerator, set_direction
+from warpsample.tracing.sight.packets import NO_RAYS, ray_set, set_size
 from warpsample.tracing.sight.point import ShadingPoint
-from warpsample.tracing.sight.rays import first_hit, prepare_rays, rays_from_afar, whole_vectors
+from warpsample.tracing.sight.rays import prepare_rays, rays_blocked, rays_from_afar, whole_vectors
 
 WEIGHTS = 2 * CHUNK
 """Floats for the weights of a chunk's rays; a chunk more than there are, as all loops run over whole vectors."""
 
 _FAINT = wp.constant(wp.float32(FAINT))
 _LEAST_CUBE = wp.constant(wp.float32(1e-12))
-_hit = first_hit(True)
-_prepare = prepare_rays()
+_prepare, _blocked = prepare_rays(), rays_blocked()
 
 
 @wp.struct
@@ -111,6 +111,15 @@ def _spread(
 
 
 @wp.func
+def _weighing_anything(point: ShadingPoint, length: wp.int32) -> wp.uint64:
+    """The set of the rays of a chunk that have a weight."""
+    rays = NO_RAYS
+    for i in range(length):
+        rays = rays | wp.where(float_at(point.own, i) > 0.0, ray_set(i), NO_RAYS)
+    return rays
+
+
+@wp.func
 def _to_highest(sky: SkyRows, tree: Accelerator, point: ShadingPoint, local: wp.int32, n: wp.vec3d, patch: Patch):
     """Prepares one ray, to where a patch is highest above the point's horizon."""
     frame = wp.array(ptr=sky.frame, shape=(3,), dtype=wp.vec3d)
@@ -147,12 +156,13 @@ def sum_rays(
         _spread(sky, point, slope, k, per_replicate, at, whole_vectors(length))
         rays_from_afar(point, length)
         _prepare(tree, point, local, length)
+        rays = _weighing_anything(point, length)
+        blocked = _blocked(tree, point, local, rays, length)
+        cast += set_size(rays)
         for i in range(length):
-            weight = wp.float64(float_at(point.own, i))
-            if weight > ZERO:
-                cast += 1
-                distance, _face = _hit(tree, point, local, i)
-                seen = wp.where(distance < wp.INF, ZERO, weight)
+            if (rays & ray_set(i)) != NO_RAYS:
+                weight = wp.float64(float_at(point.own, i))
+                seen = wp.where((blocked & ray_set(i)) != NO_RAYS, ZERO, weight)
                 in_first = at + i < per_replicate
                 free += seen
                 all += weight
@@ -163,8 +173,7 @@ def sum_rays(
         # Few rays that are all but parallel to the horizon: one where the patch is highest above it.
         cast = 1
         _to_highest(sky, tree, point, local, n, patch)
-        distance, _face = _hit(tree, point, local, 0)
-        share = wp.where(distance < wp.INF, ZERO, ONE)
+        share = wp.where(_blocked(tree, point, local, ray_set(0), 1) != NO_RAYS, ZERO, ONE)
     else:
         share = free / all
         # The replicates' deviations from the share add up to 0: one is half of their difference.
