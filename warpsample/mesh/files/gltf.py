@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
+from warpsample.host.json_tree import Part, parsed
 from warpsample.mesh.files.gltf_data import Data, binary
-from warpsample.mesh.files.gltf_json import Part, parsed
 from warpsample.mesh.files.joining import joined
 from warpsample.mesh.polygons import triangles
 

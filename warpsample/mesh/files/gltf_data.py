@@ -10,7 +10,7 @@ from urllib.parse import unquote
 import numpy as np
 
 from warpsample.host.arguments import check_file, told
-from warpsample.mesh.files.gltf_json import Part, parsed
+from warpsample.host.json_tree import Part, parsed
 
 _WHOLE = {5121: "<u1", 5123: "<u2", 5125: "<u4"}
 _KINDS = {**_WHOLE, 5120: "<i1", 5122: "<i2", 5126: "<f4"}

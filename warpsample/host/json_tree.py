@@ -1,4 +1,4 @@
-"""The JSON of a glTF file: what is read from it is checked there and then, and what is wrong is named by its JSON path."""
+"""The JSON of a file: what is read from it is checked there and then, and what is wrong is named by its JSON path."""
 
 import json
 import sys
