@@ -6,7 +6,7 @@
 - `bench`: run time against error, and other tools side by side
 - `cluster`: the calls over Dask, and into Zarr stores
 - `output`: files of directions and of numbers
-- `city`: rasters of heights, as surfaces and back
+- `city`: rasters of heights and CityJSON, as surfaces and back
 - `radiation`: sun, sky patches, weather, view factors
 - `plotting`: arrays to PyVista actors and matplotlib figures, imported lazily; computes nothing else
 - `estimate`: numbers per point (ambient occlusion, sky view, bent normals, irradiance); what is skipped

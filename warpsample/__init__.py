@@ -6,6 +6,8 @@ TYPE_CHECKING = False  # importing it from `typing` takes as long as all else he
 if TYPE_CHECKING:
     from warpsample import distributions, sequences
     from warpsample.city import rasters
+    from warpsample.city.cityjson.city import City, load_city
+    from warpsample.city.cityjson.surfaces import CitySurfaces
     from warpsample.directions.sample import Directions, Status, sample_directions, sample_square
     from warpsample.distributions.beckmann import Beckmann
     from warpsample.distributions.cosine_hemisphere import CosineHemisphere
@@ -46,6 +48,8 @@ if TYPE_CHECKING:
 __all__ = [
     "GGX",
     "Beckmann",
+    "City",
+    "CitySurfaces",
     "CosineHemisphere",
     "Directions",
     "Estimate",
@@ -85,6 +89,7 @@ __all__ = [
     "integrate",
     "irradiance",
     "irradiation",
+    "load_city",
     "load_mesh",
     "mean_distance",
     "rasters",
@@ -105,6 +110,8 @@ __all__ = [
 
 # Distributions are not listed: they are found by their records.
 _HOMES = {
+    "city.cityjson.city": ("City", "load_city"),
+    "city.cityjson.surfaces": ("CitySurfaces",),
     "directions.sample": ("Directions", "Status", "sample_directions", "sample_square"),
     "estimate.integrate": ("integrate",),
     "estimate.intervals": ("Interval",),

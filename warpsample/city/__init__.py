@@ -1,4 +1,4 @@
-"""Cities and terrain as people have them: rasters of heights."""
+"""Cities and terrain as people have them: rasters of heights and CityJSON."""
 
 from warpsample.city import rasters
 

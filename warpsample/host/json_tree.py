@@ -37,7 +37,7 @@ class Part:
 
     def reals(self, key: str, default: Sequence[float]) -> np.ndarray:
         """The list of finite numbers under a key, as many as the default has."""
-        values = self._list(key, default)
+        values = self.values(key, default)
         finite = [value for value in values if type(value) in (int, float) and abs(value) <= sys.float_info.max]
         if not len(finite) == len(values) == len(default):
             raise ValueError(f"{self.at(key)}: got {told(values)}, want {len(default)} finite numbers")
@@ -49,7 +49,7 @@ class Part:
 
     def texts(self, key: str) -> list[str]:
         """A list of texts; empty if it is not there."""
-        return [_of_kind(value, f"{self.at(key)}[{i}]", str, "a text") for i, value in enumerate(self._list(key))]
+        return [_of_kind(value, f"{self.at(key)}[{i}]", str, "a text") for i, value in enumerate(self.values(key))]
 
     def part(self, key: str) -> "Part":
         """An object, which must be there."""
@@ -57,8 +57,16 @@ class Part:
 
     def parts(self, key: str) -> list["Part"]:
         """A list of objects; empty if it is not there."""
-        members = ((value, f"{self.at(key)}[{i}]") for i, value in enumerate(self._list(key)))
+        members = ((value, f"{self.at(key)}[{i}]") for i, value in enumerate(self.values(key)))
         return [Part(_of_kind(value, path, dict, "an object"), path) for value, path in members]
+
+    def members(self, key: str) -> dict[str, "Part"]:
+        """The objects that are the members of one, by name; there must be one."""
+        whole = self.part(key)
+        return {
+            name: Part(_of_kind(value, whole.at(name), dict, "an object"), whole.at(name))
+            for name, value in whole.content.items()
+        }
 
     def index(self, key: str, among: Sequence[Any], default: int | None = None) -> int:
         """The number of one of several items; one without a default must be there."""
@@ -66,14 +74,15 @@ class Part:
 
     def indices(self, key: str, among: Sequence[Any]) -> list[int]:
         """The numbers of some of several items; empty if they are not there."""
-        return [_index(value, f"{self.at(key)}[{i}]", among) for i, value in enumerate(self._list(key))]
+        return [_index(value, f"{self.at(key)}[{i}]", among) for i, value in enumerate(self.values(key))]
 
     def _member(self, key: str, default: Any) -> Any:
         if key not in self.content and default is None:
             raise ValueError(f"{self.at(key)} is missing")
         return self.content.get(key, default)
 
-    def _list(self, key: str, default: Sequence[Any] = ()) -> Sequence[Any]:
+    def values(self, key: str, default: Sequence[Any] = ()) -> Sequence[Any]:
+        """A list, of whatever there is; the default if it is not there."""
         return _of_kind(self.content[key], self.at(key), list, "a list") if key in self.content else default
 
 

@@ -1,0 +1,250 @@
+"""Damaged and hostile CityJSON is refused in one sentence, soon, or read and written; nothing crashes."""
+
+import copy
+import json
+import re
+import tracemalloc
+
+import city_files as cases
+import numpy as np
+import pytest
+
+import warpsample as ws
+
+TREE = {"type": "GeometryInstance", "template": 0, "boundaries": [0]}
+TEMPLATES = {"vertices-templates": cases.VERTICES, "templates": [cases.surfaces()]}
+
+
+def refused(path, why):
+    return pytest.raises(
+        ValueError, match=f"^path: got '{re.escape(str(path))}', which cannot be read as a CityJSON file: {why}"
+    )
+
+
+def geometry(**changes):
+    return cases.house(cases.SOLID | changes)
+
+
+def with_parents(parents):
+    document = cases.house()
+    for name, above in parents.items():
+        document["CityObjects"][name] = {"type": "Building", "parents": above, "geometry": [cases.SOLID]}
+    return document
+
+
+DAMAGED = {
+    "a type": (cases.house(type="FeatureCollection"), "its type is 'FeatureCollection', want 'CityJSON'$"),
+    "a version": (cases.house(version="0.9"), "its version is '0.9', want 1.0, 1.1 or 2.0$"),
+    "a version that is a number": (cases.house(version=2), "version: got 2, want a text$"),
+    "no transform": ({k: v for k, v in cases.house().items() if k != "transform"}, "transform is missing$"),
+    "a scale of 0": (
+        cases.house(transform=cases.TRANSFORM | {"scale": [0, 1, 1]}),
+        r"transform.scale: got \[0.0, 1.0, 1.0\]",
+    ),
+    "a scale of two": (cases.house(transform=cases.TRANSFORM | {"scale": [1, 1]}), "transform.scale: got .*, want lists of"),
+    "no objects": (cases.house(CityObjects={}), "it has no surfaces$"),
+    "a list of objects": (cases.house(CityObjects=[]), r"CityObjects: got \[\], want an object$"),
+    "an object that is none": (cases.house(CityObjects={"a": 3}), "CityObjects.a: got 3, want an object$"),
+    "vertices that are none": (cases.house(vertices=7), "vertices: got 7, want a list$"),
+    "vertices of two": (cases.house(vertices=[[1, 2]]), r"vertices: got \[\[1, 2\]\], want lists of three numbers$"),
+    "vertices of texts": (cases.house(vertices=[["1", 2, 3]]), "vertices: got a number of type str, want"),
+    "vertices of bools": (cases.house(vertices=[[True, 2, 3]]), "vertices: got a number of type bool, want"),
+    "vertices beyond all": (cases.house(vertices=[[10**400, 2, 3]]), "int too large"),
+    "vertices beyond float64": (
+        cases.house(vertices=[[1e308, 2, 3]], transform={"scale": [1e9] * 3, "translate": [0] * 3}),
+        "",
+    ),
+    "a corner beyond": (
+        geometry(boundaries=[[[[0, 1, 99]]]]),
+        r"CityObjects.house.geometry\[0\].boundaries: got the vertex 99",
+    ),
+    "a corner below": (geometry(boundaries=[[[[0, 1, -1]]]]), ".*: got the vertex -1, want one of the 16 that there are$"),
+    "a huge corner": (geometry(boundaries=[[[[0, 1, 10**30]]]]), ".*: got the vertex 10{30}, want"),
+    "a corner of 1.5": (
+        geometry(boundaries=[[[[0, 1, 1.5]]]]),
+        ".*: got the corner 1.5, want whole numbers, Solid's depth$",
+    ),
+    "a corner of null": (geometry(boundaries=[[[[0, 1, None]]]]), ".*: got the corner None, want"),
+    "too deep": (geometry(boundaries=[cases.SOLID["boundaries"]]), r".*: got the corner \[.*, want whole numbers"),
+    "not deep enough": (geometry(boundaries=cases.FACES), ".*boundaries: got .*, want a ring, a list of vertices$"),
+    "boundaries of a number": (geometry(boundaries=3), ".*boundaries: got 3, want a list$"),
+    "another geometry": (geometry(type="Sphere"), r".*geometry\[0\].type: got 'Sphere', want one of MultiSurface, "),
+    "no type": (cases.house({"lod": 2}), r"CityObjects.house.geometry\[0\].type is missing$"),
+    "no level of detail": (geometry(lod=None), ".*lod: got None, want a level of detail, such as 2.2$"),
+    "semantics of a text": (geometry(semantics="roof"), ".*semantics: got 'roof', want an object$"),
+    "semantics without types": (
+        geometry(semantics={"surfaces": [{}], "values": [[0] * 10]}),
+        r".*surfaces\[0\].type is missing",
+    ),
+    "semantics beyond": (
+        geometry(semantics={"surfaces": [], "values": [[0] * 10]}),
+        ".*values: got 0, want null or the number",
+    ),
+    "semantics too short": (
+        geometry(semantics=cases.SEMANTICS | {"values": [[0, 1]]}),
+        r".*values: got \[0, 1\], want null or 10",
+    ),
+    "semantics too flat": (
+        geometry(semantics=cases.SEMANTICS | {"values": [0]}),
+        r".*values: got 0, want null or 10 of them",
+    ),
+    "semantics too deep": (
+        geometry(semantics=cases.SEMANTICS | {"values": [[[0]] * 10]}),
+        r".*values: got \[0\], want null or the",
+    ),
+    "a parent beyond": (
+        geometry(semantics={"surfaces": [{"type": "Door", "parent": 1}], "values": None}),
+        r".*surfaces\[0\].parent: got 1, want a whole number below 1",
+    ),
+    "attributes of a list": (with_attributes := cases.house(), ""),
+    "its own parent": (with_parents({"a": ["a"]}), "its object 'a' is its own ancestor$"),
+    "a circle": (with_parents({"a": ["b"], "b": ["c"], "c": ["a"]}), "its object 'a' is its own ancestor$"),
+    "many parents": (
+        with_parents({f"a{i}": [f"a{i + 1}"] for i in range(300)}),
+        "its object 'a0' has more than 100 ancestors$",
+    ),
+    "parents of numbers": (with_parents({"a": [3]}), r"CityObjects.a.parents\[0\]: got 3, want a text$"),
+    "no templates": (cases.house(TREE), r"CityObjects.house.geometry\[0\].template: got 0, want a whole number below 0"),
+    "a template of a template": (
+        cases.house(TREE, **{"geometry-templates": TEMPLATES | {"templates": [TREE | {"lod": "2"}]}}),
+        r"geometry-templates.templates\[0\].type: got 'GeometryInstance', want one of",
+    ),
+    "a template without place": (
+        cases.house(TREE | {"boundaries": []}, **{"geometry-templates": TEMPLATES}),
+        ".*got .*, want one",
+    ),
+    "a template beyond": (
+        cases.house(TREE | {"boundaries": [16]}, **{"geometry-templates": TEMPLATES}),
+        ".*boundaries.0.: got 16",
+    ),
+    "a matrix of nine": (
+        cases.house(TREE | {"transformationMatrix": [1] * 9}, **{"geometry-templates": TEMPLATES}),
+        ".*transformationMatrix: got .*, want 16 finite numbers$",
+    ),
+    "a perspective": (
+        cases.house(TREE | {"transformationMatrix": [1.0] * 16}, **{"geometry-templates": TEMPLATES}),
+        r".*transformationMatrix: got \[1.0, 1.0, 1.0, 1.0\] at its end, want 0, 0, 0, 1$",
+    ),
+}
+with_attributes["CityObjects"]["house"]["attributes"] = [1]
+DAMAGED["attributes of a list"] = (with_attributes, r"CityObjects.house.attributes: got \[1\], want an object$")
+
+
+@pytest.mark.parametrize("name", DAMAGED)
+def test_what_is_damaged_is_refused_in_a_sentence(tmp_path, name):
+    document, why = DAMAGED[name]
+    path = cases.written(tmp_path / "a.json", document)
+    with refused(path, why) as caught:
+        ws.load_city(path)
+    assert "\n" not in str(caught.value)
+    assert len(str(caught.value)) < 400
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("", "it is empty$"),
+        ("   \n ", "it has no surfaces$"),
+        ("[]", r"its JSON is \[\], want an object$"),
+        ("hello", "Expecting value"),
+        ('{"type":"CityJSON","type":"CityJSON"}', "its JSON has an object with two members 'type'$"),
+        ('{"type":"CityJSON","version":"2.0","x":NaN}', "its JSON has the number NaN, want finite ones$"),
+        ("[" * 100_000, "its JSON is nested too deeply$"),
+        ('{"a":' * 100_000, "its JSON is nested too deeply$"),
+        ('{"type":"CityJSONFeature"}', "its type is 'CityJSONFeature', want 'CityJSON'$"),
+        ('{"type":"CityJSON","version":"1.0","vertices":[],"CityObjects":{}}\n{"type":"CityJSON"', "line 2: Expecting"),
+        (
+            '{"type":"CityJSON","version":"1.0","vertices":[],"CityObjects":{}}\n{"type":"Feature"}',
+            "line 2: its type is 'Feature', want 'CityJSONFeature'$",
+        ),
+        ('{"type":"CityJSON","version":"2.0","x":' + "9" * 5000 + "}", "Exceeds the limit"),
+    ],
+)
+def test_what_is_no_cityjson_is_refused_in_a_sentence(tmp_path, text, why):
+    path = tmp_path / "a.city.jsonl"
+    path.write_text(text)
+    with refused(path, why):
+        ws.load_city(path)
+    path.write_bytes(b'{"type":"\xff\xfe"}')
+    with refused(path, "its JSON is no UTF-8$"):
+        ws.load_city(path)
+
+
+def test_wherever_a_file_ends_early_it_is_refused(tmp_path):
+    content = json.dumps(cases.house()).encode()
+    path = tmp_path / "a.json"
+    for end in range(1, len(content), 7):
+        path.write_bytes(content[:end])
+        with refused(path, ""):
+            ws.load_city(path)
+
+
+ODD = [None, True, -1, 0, 1.5, 10**20, "", "x", [], {}, [[]], [None], {"type": "Solid"}]
+
+
+def nodes(value, path=()):
+    yield path
+    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, item in items:
+        yield from nodes(item, (*path, key))
+
+
+def test_whatever_stands_in_its_place_is_refused_or_read_and_written(tmp_path):
+    """Each node of a file with templates, parents and semantics becomes one of the odd values."""
+    document = cases.house(cases.SOLID, TREE | {"transformationMatrix": np.eye(4).ravel().tolist()})
+    document["geometry-templates"] = TEMPLATES
+    document["CityObjects"]["part"] = {"type": "BuildingPart", "parents": ["house"], "geometry": [cases.surfaces()]}
+    rng, places = np.random.default_rng(3), list(nodes(document))[1:]
+    outcomes = {"read": 0, "refused in a line": 0}
+    for where in rng.permutation(len(places))[:150]:
+        changed = copy.deepcopy(document)
+        *above, last = places[where]
+        holder = changed
+        for key in above:
+            holder = holder[key]
+        holder[last] = ODD[rng.integers(len(ODD))]
+        outcomes[_outcome(tmp_path, changed)] += 1
+    assert min(outcomes.values()) > 20
+
+
+def _outcome(tmp_path, document):
+    """What becomes of a file; if it is read, it can be written and read again."""
+    path = cases.written(tmp_path / "a.json", document)
+    try:
+        city = ws.load_city(path, split=True)
+    except ValueError as error:
+        return f"refused in {'lines' if chr(10) in str(error) else 'a line'}"
+    city.write(tmp_path / "b.json", {"ws_x": np.ones(len(city.surfaces))})
+    again = ws.load_city(tmp_path / "b.json", split=True)
+    assert again.surfaces.area.tolist() == city.surfaces.area.tolist()
+    return "read"
+
+
+def test_a_template_that_is_placed_without_end_takes_no_memory(tmp_path, monkeypatch):
+    """A few bytes stand for 10^9 corners: refused as soon as the free memory would not hold them."""
+    import psutil
+
+    template = cases.surfaces(boundaries=cases.FACES * 100)
+    objects = {f"t{i}": {"type": "CityFurniture", "geometry": [TREE]} for i in range(400)}
+    document = cases.house(CityObjects=objects, **{"geometry-templates": TEMPLATES | {"templates": [template]}})
+    path = cases.written(tmp_path / "a.json", document)
+
+    class Free:
+        available = 1 << 28
+
+    monkeypatch.setattr(psutil, "virtual_memory", Free)
+    tracemalloc.start()
+    with pytest.raises(MemoryError, match="corners and more need .* GB are free; take a part of the city$"):
+        ws.load_city(path)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 1 << 27
+
+
+def test_an_object_of_very_many_parents_is_refused_by_their_number(tmp_path):
+    document = cases.house()
+    document["CityObjects"] |= {f"g{i}": {"type": "CityObjectGroup"} for i in range(20_000)}
+    document["CityObjects"]["house"]["parents"] = [f"g{i}" for i in range(20_000)]
+    path = cases.written(tmp_path / "a.json", document)
+    with refused(path, "its object 'house' has more than 100 ancestors$"):
+        ws.load_city(path)

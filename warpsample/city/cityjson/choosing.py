@@ -1,0 +1,73 @@
+"""Which geometries of an object are traced: those of one level of detail (LoD), each surface once."""
+
+import re
+from typing import Any
+
+from warpsample.city.cityjson.boundaries import DEPTHS
+from warpsample.host.arguments import told
+from warpsample.host.json_tree import Part
+
+INSTANCE = "GeometryInstance"
+_NO_SURFACES = ("MultiPoint", "MultiLineString")
+_LEAST = 1.0  # below it are footprints, within what the others are of
+_MOST_ANCESTORS = 100
+
+Choice = tuple[int, Part, float]
+"""The number of a geometry among those of its object, the geometry (of an instance its template), and its LoD."""
+
+
+def as_lod(value: Any, argument: str) -> float:
+    """A level of detail, a number or its text, as a number; what is none is a ValueError that names the argument."""
+    is_number = type(value) in (int, float) and 0 <= value < 100
+    if not is_number and not (isinstance(value, str) and re.fullmatch(r"\d(\.\d+)?", value)):
+        raise ValueError(f"{argument}: got {told(value)}, want a level of detail, such as 2.2")
+    return float(value)
+
+
+def surfaced(thing: Part, templates: list[Part]) -> list[Choice]:
+    """The geometries of an object that have surfaces."""
+    made = []
+    for number, placed in enumerate(thing.parts("geometry")):
+        is_instance = placed.text("type") == INSTANCE
+        geometry = templates[placed.index("template", templates)] if is_instance else placed
+        kind = geometry.text("type")
+        if kind not in DEPTHS and kind not in _NO_SURFACES:
+            raise ValueError(f"{geometry.at('type')}: got {told(kind)}, want one of {', '.join((*DEPTHS, *_NO_SURFACES))}")
+        if kind in DEPTHS:
+            made.append((number, geometry, as_lod(geometry.content.get("lod"), geometry.at("lod"))))
+    return made
+
+
+def chosen(found: list[Choice], thing: Part, lod: float | None) -> list[Choice]:
+    """Those of one LoD, by default the highest that is no footprint.
+
+    Many files have the same faces as surfaces and as a solid: the ones with semantics are taken, or else the solids.
+    """
+    level = max((choice[2] for choice in found if choice[2] >= _LEAST), default=None) if lod is None else lod
+    kinds: dict[str, list[Choice]] = {"solids": [], "surfaces": [], INSTANCE: []}
+    for number, geometry, own in found:
+        is_instance = thing.values("geometry")[number]["type"] == INSTANCE
+        name = INSTANCE if is_instance else "solids" if DEPTHS[geometry.text("type")] > 1 else "surfaces"
+        if own == level:
+            kinds[name].append((number, geometry, own))
+    best = max(("solids", "surfaces"), key=lambda name: (any("semantics" in c[1] for c in kinds[name]), bool(kinds[name])))
+    return kinds[best] + kinds[INSTANCE]
+
+
+def ancestors(objects: dict[str, Part], name: str) -> list[str]:
+    """The parents of an object, theirs, and so on, as far as the document has them, each once.
+
+    One that is its own ancestor, or has more than a hundred, is a ValueError.
+    """
+    found: dict[str, None] = {}
+    left = [name]
+    while left:
+        for parent in objects[left.pop()].texts("parents"):
+            if parent == name:
+                raise ValueError(f"its object {told(name)} is its own ancestor")
+            if parent in objects and parent not in found:
+                found[parent] = None
+                left.append(parent)
+        if len(found) > _MOST_ANCESTORS:
+            raise ValueError(f"its object {told(name)} has more than {_MOST_ANCESTORS} ancestors")
+    return list(found)

@@ -1,0 +1,214 @@
+"""The faces of all objects of a CityJSON file, in world coordinates."""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from warpsample.city.cityjson.boundaries import outlines_of, semantics_of
+from warpsample.city.cityjson.choosing import INSTANCE, ancestors, chosen, surfaced
+from warpsample.city.cityjson.documents import read_each
+from warpsample.host.arguments import told
+from warpsample.host.engine import check_memory
+from warpsample.host.json_tree import Part
+from warpsample.mesh.holes import Outlines
+
+_BYTES = 250  # of a corner: its triangles, and what is computed of them
+
+
+@dataclass(frozen=True)
+class Geometry:
+    """A geometry that is traced, and where it stands in the file.
+
+    Attributes:
+        document: the number of the line in a sequence, of those that are not empty; else 0.
+        object: the id of its object.
+        kind: the object's type.
+        ancestors: the ids of the objects above it.
+        number: among the object's geometries.
+        lod: its level of detail.
+        types: of its semantic objects.
+        is_instance: whether the geometry is a template, which other objects have as well.
+        faces: how many it has.
+    """
+
+    document: int
+    object: str
+    kind: str
+    ancestors: list[str]
+    number: int
+    lod: float
+    types: list[str]
+    is_instance: bool
+    faces: int
+
+
+@dataclass
+class Gathered:
+    """What the documents read so far hold.
+
+    Attributes:
+        lods: all that occur.
+        geometries: those that are traced.
+        vertices: (V, 3) blocks, in world coordinates.
+        outlines: of each geometry, its corners among all vertices.
+        semantics: of each geometry, (N,) the semantic object of each face, or -1.
+    """
+
+    lods: set[float] = field(default_factory=set)
+    geometries: list[Geometry] = field(default_factory=list)
+    vertices: list[np.ndarray] = field(default_factory=list)
+    outlines: list[Outlines] = field(default_factory=list)
+    semantics: list[np.ndarray] = field(default_factory=list)
+    _offset: int = 0
+    _corners: int = 0
+    _checked: int = 0
+
+    def place(self, points: np.ndarray) -> int:
+        """Adds vertices; gives the number of the first of them."""
+        self.vertices.append(points)
+        self._offset += len(points)
+        return self._offset - len(points)
+
+    def add(self, geometry: Geometry, outlines: Outlines, semantics: np.ndarray, first: int) -> None:
+        """Adds a geometry whose corners count from the vertex `first` on; a MemoryError if there are too many."""
+        self._corners += len(outlines.corners)
+        if self._corners > self._checked:  # and again before it doubles
+            self._checked = 2 * self._corners
+            check_memory(_BYTES * self._checked, f"{self._corners:,} corners and more", "take a part of the city")
+        self.geometries.append(geometry)
+        self.outlines.append(Outlines(outlines.corners + first, outlines.sizes, outlines.rings))
+        self.semantics.append(semantics)
+
+
+@dataclass(frozen=True)
+class Head:
+    """What the first object of a file says for all of them."""
+
+    tree: Part
+
+    @cached_property
+    def templates(self) -> list[Part]:
+        """The geometries that objects share."""
+        return self.tree.part("geometry-templates").parts("templates") if "geometry-templates" in self.tree else []
+
+    @cached_property
+    def _outlines(self) -> dict[str, Outlines]:
+        return {}
+
+    def outlines(self, template: Part) -> Outlines:
+        """The faces of a template; they are read once."""
+        if template.path not in self._outlines:
+            self._outlines[template.path] = outlines_of(template, len(self.template_points))
+        return self._outlines[template.path]
+
+    @cached_property
+    def template_points(self) -> np.ndarray:
+        """(V, 3) float64, their vertices."""
+        found = self.tree.part("geometry-templates")
+        return _numbers(found.content.get("vertices-templates"), found.at("vertices-templates"))
+
+    @cached_property
+    def transform(self) -> np.ndarray:
+        """(2, 3) float64, the scale and the translation of vertices; version 1.0 may have none."""
+        if "transform" not in self.tree and self.tree.text("version").startswith("1.0"):
+            return np.float64([(1, 1, 1), (0, 0, 0)])
+        found = self.tree.part("transform")
+        scale, translate = (_numbers([found.content.get(key)], found.at(key))[0] for key in ("scale", "translate"))
+        if not (scale > 0.0).all():
+            raise ValueError(f"{found.at('scale')}: got {scale.tolist()}, want numbers above 0")
+        return np.stack([scale, translate])
+
+    def points(self, tree: Part) -> np.ndarray:
+        """(V, 3) float64, the vertices of a document in world coordinates."""
+        scale, translate = self.transform
+        return _numbers(tree.values("vertices"), tree.at("vertices")) * scale + translate
+
+
+def gather(content: bytes, lod: float | None) -> Gathered:
+    """The surfaces of all objects of a file, of one level of detail, or of the highest that each object has."""
+    found, heads = Gathered(), []
+
+    def read(number: int, tree: Part) -> None:
+        if not number:
+            heads.append(Head(tree))
+        _add_document(found, heads[0], tree, number, lod)
+
+    read_each(content, read)
+    return found
+
+
+def _add_document(found: Gathered, head: Head, tree: Part, number: int, lod: float | None) -> None:
+    points = head.points(tree)
+    first = found.place(points)
+    objects = tree.members("CityObjects")
+    for name, thing in objects.items():
+        above = ancestors(objects, name)
+        if thing.content.get("attributes") is not None:
+            thing.part("attributes")
+        choices = surfaced(thing, head.templates)
+        found.lods |= {own for _, _, own in choices}
+        for at, geometry, own in chosen(choices, thing, lod):
+            placed = thing.parts("geometry")[at]
+            is_instance = placed.text("type") == INSTANCE
+            outlines = head.outlines(geometry) if is_instance else outlines_of(geometry, len(points))
+            start = first
+            if is_instance:
+                outlines, copies = _instance(placed, outlines, head.template_points, points)
+                start = found.place(copies)
+            kind, faces = thing.text("type"), len(outlines.rings)
+            types, semantics = _semantics(geometry, faces)
+            shape = Geometry(number, name, kind, above, at, own, types, is_instance, faces)
+            found.add(shape, outlines, semantics, start)
+
+
+def _semantics(geometry: Part, faces: int) -> tuple[list[str], np.ndarray]:
+    if geometry.content.get("semantics") is None:
+        return [], np.full(faces, -1, np.int32)
+    surfaces = geometry.part("semantics").parts("surfaces")
+    for surface in surfaces:
+        surface.indices("children", surfaces)
+        if "parent" in surface:
+            surface.index("parent", surfaces)
+    return [surface.text("type") for surface in surfaces], semantics_of(geometry, len(surfaces))
+
+
+def _instance(placed: Part, outlines: Outlines, template: np.ndarray, points: np.ndarray) -> tuple[Outlines, np.ndarray]:
+    """The faces of a template where an object has it, and their vertices; mirrored ones are turned inside out again."""
+    matrix = _matrix(placed)
+    anchors = placed.indices("boundaries", points)
+    if len(anchors) != 1:
+        raise ValueError(f"{placed.at('boundaries')}: got {told(anchors)}, want one vertex")
+    used, corners = np.unique(outlines.corners, return_inverse=True)
+    if np.linalg.det(matrix[:3, :3]) < 0.0:
+        corners = _reversed(corners, outlines.sizes)
+    copies = template[used] @ matrix[:3, :3].T + matrix[:3, 3] + points[anchors[0]]
+    return Outlines(corners, outlines.sizes, outlines.rings), copies
+
+
+def _matrix(placed: Part) -> np.ndarray:
+    key = "transformationMatrix"
+    matrix = placed.reals(key, np.eye(4).ravel().tolist()).reshape(4, 4)
+    if not np.array_equal(matrix[3], (0.0, 0.0, 0.0, 1.0)):
+        raise ValueError(f"{placed.at(key)}: got {matrix[3].tolist()} at its end, want 0, 0, 0, 1")
+    return matrix
+
+
+def _reversed(corners: np.ndarray, sizes: np.ndarray) -> np.ndarray:
+    """The corners with each ring the other way round."""
+    ends = np.cumsum(sizes)
+    return corners[np.repeat(2 * ends - sizes, sizes) - 1 - np.arange(len(corners))]
+
+
+def _numbers(rows: object, at: str) -> np.ndarray:
+    """(n, 3) float64 of lists of three finite numbers."""
+    wants = "lists of three numbers"
+    if type(rows) is not list or any(type(row) is not list or len(row) != 3 for row in rows):
+        raise ValueError(f"{at}: got {told(rows)}, want {wants}")
+    others = {type(number) for row in rows for number in row} - {int, float}
+    if others:
+        raise TypeError(f"{at}: got a number of type {others.pop().__name__}, want {wants}")
+    found = np.array(rows, np.float64).reshape(-1, 3)
+    if not np.isfinite(found).all():
+        raise ValueError(f"{at}: got a number that is not finite, want {wants}")
+    return found

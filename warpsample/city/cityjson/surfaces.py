@@ -1,0 +1,95 @@
+"""The table of a city's surfaces: what each is of, and its area."""
+
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+
+from warpsample.city.cityjson.gathering import Gathered
+from warpsample.city.cityjson.kinds import BY_NORMAL, by_normal, is_built
+from warpsample.host.tables import to_frame
+from warpsample.mesh.holes import Outlines
+
+
+@dataclass(frozen=True, eq=False)
+class CitySurfaces:
+    """The N surfaces of a city, a row each: the faces of a geometry that have one semantic object, or one by one if split.
+
+    Attributes:
+        object: (N,) ids of the objects.
+        type: (N,) as RoofSurface, by the semantics; without these, of what is built, by the normal (upright within 30
+            degrees are walls); else "".
+        lod: (N,) float64, the level of detail.
+        faces: (N,) int32, how many polygons.
+        area: (N,) float64, m2: by Newell's formula, less the holes.
+    """
+
+    object: np.ndarray
+    type: np.ndarray
+    lod: np.ndarray
+    faces: np.ndarray
+    area: np.ndarray
+
+    def __len__(self) -> int:
+        """How many surfaces."""
+        return len(self.area)
+
+    def to_frame(self) -> Any:
+        """The table as a pandas.DataFrame, or as arrays by name where pandas is not installed.
+
+        Returns:
+            a row for each surface.
+
+        Example:
+            >>> print(list(ws.load_city("courtyard").surfaces.to_frame()))
+            ['object', 'type', 'lod', 'faces', 'area']
+        """
+        return to_frame({item.name: getattr(self, item.name) for item in fields(self)})
+
+
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """Where the surfaces stand in the file, and which of the polygons each has.
+
+    Attributes:
+        geometry: (N,) the number of the geometry.
+        semantic: (N,) the number of the semantic object there, or -1.
+        row: (P,) of each polygon, the surface that it belongs to.
+    """
+
+    geometry: np.ndarray
+    semantic: np.ndarray
+    row: np.ndarray
+
+
+def surfaces_of(found: Gathered, points: np.ndarray, outlines: Outlines, split: bool) -> tuple[CitySurfaces, Rows]:
+    """The surfaces of what was gathered, in the order of the file; one for each polygon if they are to be split."""
+    geometry = np.repeat(np.arange(len(found.geometries)), [len(each.rings) for each in found.outlines])
+    semantic = np.concatenate(found.semantics)
+    types, kind = _types(found, geometry, semantic, by_normal(outlines.crosses(points)[outlines.outer]))
+    row, first = np.arange(len(kind)), np.arange(len(kind))
+    if not split:
+        _, first, row = np.unique(np.stack([geometry, semantic, kind]), axis=1, return_index=True, return_inverse=True)
+        row = row.ravel()
+    areas = np.bincount(row, outlines.areas(points), len(first))
+    held = [found.geometries[number] for number in geometry[first].tolist()]
+    table = CitySurfaces(
+        object=np.array([one.object for one in held], object),
+        type=np.array([types[number] for number in kind[first].tolist()], object),
+        lod=np.array([one.lod for one in held]),
+        faces=np.bincount(row, minlength=len(first)).astype(np.int32),
+        area=areas,
+    )
+    return table, Rows(geometry[first], semantic[first], row)
+
+
+def _types(found: Gathered, geometry: np.ndarray, semantic: np.ndarray, facing: np.ndarray) -> tuple[list[str], np.ndarray]:
+    """The names of all types, and (P,) which of them each polygon has."""
+    names = {name: number for number, name in enumerate((*BY_NORMAL, ""))}
+    starts = np.cumsum([0, *(len(one.types) for one in found.geometries)])
+    of_semantics = [names.setdefault(name, len(names)) for one in found.geometries for name in one.types]
+    built = np.array([is_built(one.kind) for one in found.geometries])
+    kind = np.where(built[geometry], facing, names[""])
+    has = semantic >= 0
+    kind[has] = np.array(of_semantics, np.int64)[starts[geometry[has]] + semantic[has]]
+    return list(names), kind

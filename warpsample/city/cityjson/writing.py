@@ -1,0 +1,120 @@
+"""Results as attributes in a CityJSON file, of surfaces and of objects; all else stays as it is."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from copy import deepcopy
+from math import isfinite
+from typing import Any
+
+import numpy as np
+
+from warpsample.city.cityjson.boundaries import DEPTHS, nested
+from warpsample.city.cityjson.gathering import Geometry
+from warpsample.city.cityjson.kinds import ROOF, WALL
+from warpsample.city.cityjson.surfaces import CitySurfaces, Rows
+
+_OF_OBJECTS = {ROOF: "_roof", WALL: "_wall", "": ""}
+"""What the names of results end in on an object, by the type of the surfaces that it has; of other types it has none."""
+_PER_AREA = "_m2"
+_DIGITS = 7  # that a float32 has
+
+ERROR = "_error"
+"""What the name of errors ends in, after that of their values."""
+
+Results = Mapping[str, np.ndarray]
+"""Numbers of the surfaces by the name of the attribute; NaN where there is none. Errors are named after their values."""
+
+
+class Editor:
+    """Puts results of surfaces into the objects of the file that they were read from."""
+
+    def __init__(
+        self, geometries: Sequence[Geometry], surfaces: CitySurfaces, rows: Rows, results: Results, *, split: bool
+    ) -> None:
+        """Takes the results, and where the surfaces stand."""
+        self.geometries, self.surfaces, self.rows, self.split = geometries, surfaces, rows, split
+        self.results = dict(_with_totals(results, surfaces.area))
+        self.numbers: dict[int, list[int]] = {}
+        for number, geometry in enumerate(geometries):
+            self.numbers.setdefault(geometry.document, []).append(number)
+        self.starts = np.searchsorted(rows.geometry, np.arange(len(geometries) + 1)).tolist()
+
+    def edit(self, number: int, document: dict[str, Any]) -> None:
+        """Changes one document of the file."""
+        below: dict[str, list[int]] = {}
+        for at in self.numbers.get(number, ()):
+            geometry, held = self.geometries[at], range(self.starts[at], self.starts[at + 1])
+            for name in (geometry.object, *geometry.ancestors):
+                below.setdefault(name, []).extend(held)
+            if not geometry.is_instance:
+                self._edit_geometry(document["CityObjects"][geometry.object]["geometry"][geometry.number], held)
+        for name, held in below.items():
+            found = dict(self._means(np.array(held)))
+            if found:
+                thing = document["CityObjects"][name]
+                thing["attributes"] = (thing.get("attributes") or {}) | found
+
+    def _edit_geometry(self, geometry: dict[str, Any], held: range) -> None:
+        numbers = self.rows.semantic[held.start : held.stop].tolist()
+        if self.split:
+            numbers = _split(geometry, numbers, self.surfaces.type[held.start : held.stop].tolist())
+        for row, number in zip(held, numbers, strict=True):
+            if number is not None and number >= 0:
+                geometry["semantics"]["surfaces"][number].update(self._cells(row))
+
+    def _cells(self, row: int) -> dict[str, float]:
+        return dict(_finite({name: column[row] for name, column in self.results.items()}))
+
+    def _means(self, held: np.ndarray) -> Iterator[tuple[str, float]]:
+        """The attributes of an object from the surfaces that it and those below it have."""
+        kinds = self.surfaces.type[held]
+        for kind, end in _OF_OBJECTS.items():
+            for name, column in self.results.items():
+                has = (kinds == kind) & np.isfinite(self.results[name.removesuffix(ERROR)][held])
+                areas = self.surfaces.area[held[has]]
+                if areas.sum() > 0.0:
+                    weights = np.ones(len(areas)) if self._is_total(name) else areas / areas.sum()
+                    terms = weights * column[held[has]]
+                    mean = np.sqrt(np.square(terms).sum()) if name.endswith(ERROR) else terms.sum()
+                    yield from _finite({name + end: float(mean), f"ws_area{_PER_AREA}{end}": float(areas.sum())})
+
+    def _is_total(self, name: str) -> bool:
+        return name.removesuffix(ERROR) + _PER_AREA in self.results
+
+
+def _with_totals(results: Results, areas: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:
+    """The columns, and of those that are per m2 the sums over the area."""
+    for name, column in results.items():
+        yield name, column
+        plain, end = (name.removesuffix(ERROR), ERROR) if name.endswith(ERROR) else (name, "")
+        if plain.endswith(_PER_AREA):
+            yield plain.removesuffix(_PER_AREA) + end, column * areas
+
+
+def _finite(cells: Mapping[str, float]) -> Iterator[tuple[str, float]]:
+    """Those that are numbers, to as many digits as they have."""
+    return ((name, float(f"{value:.{_DIGITS}g}")) for name, value in cells.items() if isfinite(value))
+
+
+def _split(geometry: dict[str, Any], semantic: list[int], types: list[str]) -> list[int | None]:
+    """Gives each face that has a type a semantic object of its own, and says its number."""
+    old = (geometry.get("semantics") or {}).get("surfaces", [])
+    made: list[dict[str, Any]] = []
+    renamed: dict[int, list[int]] = {}
+    numbers: list[int | None] = []
+    for was, kind in zip(semantic, types, strict=True):
+        numbers.append(len(made) if kind else None)
+        if kind:
+            renamed.setdefault(was, []).append(len(made))
+            made.append({"type": kind} if was < 0 else deepcopy(old[was]))
+    for was in sorted(set(range(len(old))) - set(renamed)):  # without a face, as the parent of others
+        renamed[was] = [len(made)]
+        made.append(old[was])
+    for surface in made:
+        if "parent" in surface:
+            surface["parent"] = renamed[surface["parent"]][0]
+        if "children" in surface:
+            surface["children"] = [number for child in surface["children"] for number in renamed[child]]
+    if made:
+        values = nested(numbers, geometry["boundaries"], DEPTHS[geometry["type"]])
+        geometry["semantics"] = (geometry.get("semantics") or {}) | {"surfaces": made, "values": values}
+    return numbers
