@@ -1,5 +1,6 @@
 """A validated triangle mesh, made from the meshes of other libraries, and a report of its flaws."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
@@ -11,6 +12,7 @@ from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property, read_only
 from warpsample.host.neighbours import as_ndarray, kind_told
 from warpsample.mesh.known import arrived, digest_of, remember
+from warpsample.mesh.parts import check_names, check_part
 from warpsample.mesh.polydata import surface
 from warpsample.mesh.polygons import faces_of_cells
 from warpsample.mesh.report import MeshReport, report_of
@@ -34,10 +36,14 @@ class Mesh:
     Attributes:
         vertices: (V, 3) float64, within ±1e36, in the user's coordinates and unit; a read-only copy.
         faces: (F, 3) int32 indices of vertices, counter-clockwise seen from outside; a read-only copy.
+        part: (F,) int32, which of `parts` each face is of, -1 of none, or None; a read-only copy. No number at a point
+            depends on it.
+        parts: the names of the parts, of which several may be alike.
 
     Raises:
-        TypeError: vertices are not real numbers or faces not whole ones.
-        ValueError: wrong shapes, no faces, an index that no vertex has, a coordinate that is not finite or beyond 1e36.
+        TypeError: vertices are not real numbers, faces or part not whole ones, or parts no texts.
+        ValueError: wrong shapes, no faces, an index that no vertex has, a part that has no name, a coordinate that is not
+            finite or beyond 1e36.
 
     Example:
         >>> mesh = ws.Mesh([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]], [[0, 1, 2]])
@@ -47,6 +53,8 @@ class Mesh:
 
     vertices: np.ndarray
     faces: np.ndarray
+    part: np.ndarray | None = None
+    parts: Sequence[str] = ()
 
     def __post_init__(self) -> None:
         """Validates, copies and freezes: what later calls read must stay what was checked here."""
@@ -54,24 +62,38 @@ class Mesh:
         faces = _check_faces(as_ndarray(self.faces, "faces", "whole numbers"), len(vertices))
         object.__setattr__(self, "vertices", vertices)
         object.__setattr__(self, "faces", faces)
+        object.__setattr__(self, "parts", check_names(self.parts))
+        if self.part is not None or self.parts:
+            object.__setattr__(self, "part", check_part(self.part, len(faces), len(self.parts)))
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickled and copied as what it is made of, without its tree; a process that knows that content has it already."""
-        remember(self.digest, self)
-        return arrived, (self.digest, Mesh, self.vertices, self.faces)
+        remember(self._content, self)
+        return arrived, (self._content, Mesh, self.vertices, self.faces, self.part, self.parts)
 
     def __dask_tokenize__(self) -> tuple[str, str]:
         """What Dask names tasks on it by."""
-        return "warpsample.Mesh", self.digest
+        return "warpsample.Mesh", self._content
 
     def __sizeof__(self) -> int:
-        """Bytes of vertices and faces, as Dask asks for them."""
-        return object.__sizeof__(self) + self.vertices.nbytes + self.faces.nbytes
+        """Bytes of vertices, faces and parts, as Dask asks for them."""
+        names = 0 if self.part is None else self.part.nbytes + sum(map(len, self.parts))
+        return object.__sizeof__(self) + self.vertices.nbytes + self.faces.nbytes + names
 
     @once_property
     def digest(self) -> str:
-        """SHA-256 of vertices and faces, in hexadecimal digits: the same for meshes of the same content."""
+        """SHA-256 of vertices and faces, in hexadecimal digits: the same for meshes that get the same numbers.
+
+        So parts are not in it: a store of numbers is one of this mesh however its faces are named.
+        """
         return digest_of(self.vertices, self.faces)
+
+    @once_property
+    def _content(self) -> str:
+        """What a mesh is known by that arrives in another process: its digest, with its parts if it has any."""
+        if self.part is None:
+            return self.digest
+        return digest_of(self.vertices, self.faces, self.part, np.frombuffer("\0".join(self.parts).encode(), np.uint8))
 
     def to_polydata(self) -> "PolyData":
         """The triangles as PyVista's PolyData.

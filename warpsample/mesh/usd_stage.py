@@ -26,7 +26,7 @@ _MOST_OF_BYTE = 1020
 
 
 def main(path: str) -> None:
-    """Writes the meshes in a file to stdout, each as its numbers of points and triangles, these, and a matrix."""
+    """Writes the meshes in a file to stdout, each as three lengths, its points, triangles, matrix and name."""
     found = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # whatever usd-core prints
     _limit_memory()
@@ -36,10 +36,11 @@ def main(path: str) -> None:
         found.write((str(error) if isinstance(error, ValueError) else f"{error} ({type(error).__name__})").encode())
         found.close()
         sys.exit(REFUSED)
-    for points, faces, matrix in parts:
-        found.write(struct.pack("<qq", len(points), len(faces)))
+    for points, faces, matrix, name in parts:
+        found.write(struct.pack("<qqq", len(points), len(faces), len(name)))
         for array, kind in ((points, np.float64), (faces, np.int32), (matrix, np.float64)):
             found.write(np.ascontiguousarray(array, kind).data)
+        found.write(name)
     found.close()
 
 
@@ -53,7 +54,7 @@ def _limit_memory() -> None:
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def _read(path: Path) -> list[tuple[np.ndarray, np.ndarray, np.ndarray]]:
+def _read(path: Path) -> list[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]]:
     from pxr import Tf
 
     try:
@@ -145,12 +146,13 @@ def _said(error: Any, path: Path) -> str:
     return reason.partition(" matching ")[0]
 
 
-def _parts(stage: Any) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-    """Points, triangles and matrix of each mesh that has faces."""
+def _parts(stage: Any) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]]:
+    """Points, triangles, matrix and name of each mesh that has faces."""
     from pxr import Usd, UsdGeom
 
     first = Usd.TimeCode.EarliestTime()
-    for prim, matrix in _surfaces(stage.GetPseudoRoot(), np.eye(4), UsdGeom.XformCache(first), Usd.PrimDefaultPredicate):
+    placements, predicate = UsdGeom.XformCache(first), Usd.PrimDefaultPredicate
+    for prim, matrix, path in _surfaces(stage.GetPseudoRoot(), np.eye(4), placements, predicate):
         mesh = UsdGeom.Mesh(prim)
         points, counts, indices = (
             np.array(attribute.Get(first) or (), kind)
@@ -164,11 +166,14 @@ def _parts(stage: Any) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
             points = points.reshape(-1, 3)
             faces = triangles(points, counts, indices)
             is_left_handed = mesh.GetOrientationAttr().Get(first) == UsdGeom.Tokens.leftHanded
-            yield points, faces[:, ::-1] if is_left_handed else faces, matrix
+            yield points, faces[:, ::-1] if is_left_handed else faces, matrix, str(path).encode()
 
 
-def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> Iterator[tuple[Any, np.ndarray]]:
-    """The meshes at or below `root` that match `predicate`, with their matrices; `above` is that of the parent."""
+def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> Iterator[tuple[Any, np.ndarray, Any]]:
+    """The meshes at or below `root` that match `predicate`, with their matrices and the paths that name them.
+
+    `above` is the matrix of the parent.
+    """
     from pxr import Usd, UsdGeom
 
     prims = iter(Usd.PrimRange(root, Usd.TraverseInstanceProxies(predicate)))
@@ -182,9 +187,9 @@ def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> 
         matrix = np.array(placements.ComputeRelativeTransform(prim, root)[0]) @ above
         if prim.IsA(UsdGeom.PointInstancer):
             prims.PruneChildren()
-            yield from _instances(prim, matrix, placements)
+            yield from ((*placed, prim.GetPath()) for placed in _instances(prim, matrix, placements))
         elif prim.IsA(UsdGeom.Mesh):
-            yield prim, matrix
+            yield prim, matrix, prim.GetPath()
         elif prim.IsA(UsdGeom.Gprim) and not prim.IsA(UsdGeom.Curves) and not prim.IsA(UsdGeom.Points):
             raise ValueError(f"{prim.GetPath()} is a {prim.GetTypeName()}, want only meshes")
 
@@ -200,4 +205,5 @@ def _instances(prim: Any, above: np.ndarray, placements: Any) -> Iterator[tuple[
     prototypes = [prim.GetStage().GetPrimAtPath(path) for path in instancer.GetPrototypesRel().GetForwardedTargets()]
     for matrix, number, shown in zip(matrices, instancer.GetProtoIndicesAttr().Get(time), is_shown, strict=True):
         if shown:
-            yield from _surfaces(prototypes[number], np.array(matrix) @ above, placements, are_drawn)
+            found = _surfaces(prototypes[number], np.array(matrix) @ above, placements, are_drawn)
+            yield from ((prim, placed) for prim, placed, _ in found)

@@ -159,7 +159,7 @@ def refit(mesh: Any, vertices: Any, *, workers: int | None = None) -> Mesh:
     vertices = as_real(vertices, "vertices")
     if vertices.shape != mesh.vertices.shape:
         raise ValueError(f"vertices: got shape {vertices.shape}, want {mesh.vertices.shape}, that of the mesh's own")
-    moved = Mesh(vertices, mesh.faces)
+    moved = Mesh(vertices, mesh.faces, mesh.part, mesh.parts)
     before = scene_of(mesh)
     before.tree(workers)
     after = before.moved(moved)

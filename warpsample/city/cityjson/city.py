@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.city.cityjson.choosing import as_lod
+from warpsample.city.cityjson.context import with_context
 from warpsample.city.cityjson.documents import rewritten
 from warpsample.city.cityjson.example import example_content
 from warpsample.city.cityjson.gathering import Gathered, Geometry, gather
@@ -150,7 +151,7 @@ class City:
         write_bytes(target, rewritten(self.content, editor.edit))
 
 
-def load_city(path: str | PathLike, *, lod: Any = None, split: bool = False) -> City:
+def load_city(path: str | PathLike, *, lod: Any = None, split: bool = False, context: Any = None) -> City:
     """The surfaces of a CityJSON file, version 1.0, 1.1 or 2.0, or of a sequence (CityJSONSeq, one object on each line).
 
     Of each object the geometries of one level of detail are taken: those with semantics, or else the solids, if it has the
@@ -161,6 +162,8 @@ def load_city(path: str | PathLike, *, lod: Any = None, split: bool = False) -> 
         path: of the file.
         lod: the level of detail, as 2.2 or "2.2"; by default the highest that each object has, without footprints (LoD 0).
         split: whether each polygon is a surface of its own, with results of its own.
+        context: what stands around, and gets no results: a mesh in the same coordinates, as the terrain, or "ground", a
+            level plane through the lowest point, black as all of a mesh; by default nothing, as below the horizon no sky is.
 
     Returns:
         the mesh, the surface of each of its triangles, and the table of the surfaces.
@@ -185,7 +188,7 @@ def load_city(path: str | PathLike, *, lod: Any = None, split: bool = False) -> 
         found = gather(content, lod)
         if not found.geometries:
             raise ValueError(_nothing(found, lod))
-        return _city(found, path, content, split)
+    return _city(found, path, content, split=split, context=context)
 
 
 def _check_target(path: Any, source: Path) -> Path:
@@ -214,12 +217,14 @@ def _nothing(found: Gathered, lod: float | None) -> str:
     return f"it has no surfaces of LoD {'1 or more' if lod is None else f'{lod:g}'}, but of {there}"
 
 
-def _city(found: Gathered, path: Path, content: bytes, split: bool) -> City:
+def _city(found: Gathered, path: Path, content: bytes, *, split: bool, context: Any) -> City:
     points = np.concatenate(found.vertices)
     parts = ([getattr(each, name) for each in found.outlines] for name in ("corners", "sizes", "rings"))
     outlines = Outlines(*map(np.concatenate, parts))
     surfaces, rows = surfaces_of(found, points, outlines, split)
     triangles, owner = outlines.triangles(points)
-    mesh = Mesh(points, triangles)
-    surface = read_only(rows.row[owner].astype(np.int32))
-    return City(mesh, surface, surfaces, split, found.geometries, rows, path, content)
+    vertices, faces = with_context(points, triangles, context)
+    surface = np.full(len(faces), -1, np.int32)
+    surface[: len(owner)] = rows.row[owner]
+    mesh = Mesh(vertices, faces, surface, surfaces.names)
+    return City(mesh, read_only(surface), surfaces, split, found.geometries, rows, path, content)

@@ -34,6 +34,11 @@ class CitySurfaces:
         """How many surfaces."""
         return len(self.area)
 
+    @property
+    def names(self) -> list[str]:
+        """The object and the type of each, as "house/RoofSurface"; what the parts of the mesh are called."""
+        return [f"{name}/{kind}" if kind else name for name, kind in zip(self.object, self.type, strict=True)]
+
     def to_frame(self) -> Any:
         """The table as a pandas.DataFrame, or as arrays by name where pandas is not installed.
 

@@ -11,7 +11,8 @@ import numpy as np
 
 from warpsample.host.json_tree import Part, parsed
 from warpsample.mesh.files.gltf_data import Data, binary
-from warpsample.mesh.files.joining import joined
+from warpsample.mesh.files.joining import joined, joined_parts
+from warpsample.mesh.parts import Named
 from warpsample.mesh.polygons import triangles
 
 _TRIANGLES, _STRIP, _FAN = 4, 5, 6
@@ -20,8 +21,10 @@ _EXTENSIONS = {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "EXT_mes
 _AFFINE = 1e-6  # of a matrix' last row (0, 0, 0, 1): some float32 roundings, nothing that a perspective would need
 
 
-def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
+def read(path: Path) -> Named:
     """Vertices and faces of the file's scene in its rest pose; lines and points are left out.
+
+    A part is a node that places a mesh, by its name, or by that of the mesh if it has none.
 
     A ValueError is for a file that is shorter or longer than it declares, no glTF as its specification has it, or
     compressed, sparse or instanced by an extension.
@@ -32,13 +35,13 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
         if needed:
             raise ValueError(f"it uses {', '.join(sorted(needed))}, want a file that does not")
         with np.errstate(all="ignore"):  # `Mesh` refuses coordinates that are not finite
-            return joined(_surfaces(tree, Data.of(tree, path, chunk)))
+            return joined_parts(_surfaces(tree, Data.of(tree, path, chunk)))
     except (TypeError, FileNotFoundError) as error:  # of the check of one member
         raise ValueError(str(error)) from None
 
 
-def _surfaces(tree: Part, data: Data) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-    """Points, triangles and matrix of each mesh that a node of the scene places. A mesh is read once."""
+def _surfaces(tree: Part, data: Data) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, str]]:
+    """Points, triangles, matrix and name of each mesh that a node of the scene places. A mesh is read once."""
     meshes = tree.parts("meshes")
     found: dict[int, tuple[np.ndarray, np.ndarray] | None] = {}
     for node, matrix in _placed(tree):
@@ -50,7 +53,8 @@ def _surfaces(tree: Part, data: Data) -> Iterator[tuple[np.ndarray, np.ndarray, 
             found[number] = joined((*_surface(p, data), None) for p in faced) if faced else None
         surface = found[number]
         if surface is not None:
-            yield (*surface, matrix)
+            names = [part.text("name") for part in (node, meshes[number]) if "name" in part]
+            yield (*surface, matrix, next(filter(None, names), ""))
 
 
 def _placed(tree: Part) -> Iterator[tuple[Part, np.ndarray]]:

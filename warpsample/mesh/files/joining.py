@@ -1,10 +1,11 @@
 """Joins the meshes of a scene, each placed by its matrix, into one."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
 from warpsample.host.engine import check_memory
+from warpsample.mesh.parts import Named, named_parts
 
 _MOST = 2**31 - 1  # vertices: faces are int32
 
@@ -32,6 +33,21 @@ def joined(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None]]) ->
     if not faces:
         raise ValueError("it has no faces")
     return (vertices[0], faces[0]) if len(faces) == 1 else (np.concatenate(vertices), np.concatenate(faces))
+
+
+def joined_parts(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None, str]]) -> Named:
+    """Vertices and faces of all parts as by `joined`, and the parts, by the name that each has as its last item."""
+    names: list[str] = []
+    counts: list[int] = []
+
+    def noted() -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray | None]]:
+        for *placed, name in parts:
+            names.append(name)
+            counts.append(len(placed[1]))
+            yield tuple(placed)
+
+    vertices, faces = joined(noted())
+    return vertices, faces, *named_parts(counts, names)
 
 
 def _placed(points: np.ndarray, triangles: np.ndarray, matrix: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:

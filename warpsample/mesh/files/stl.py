@@ -11,14 +11,15 @@ from pathlib import Path
 import numpy as np
 
 from warpsample.mesh.files.text import numbered, three
+from warpsample.mesh.parts import Named, named_parts
 
 _HEADER = 84  # bytes, the last four of which are the number of faces
 _FACE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 _WORDS = {"solid", "facet", "outer", "vertex", "endloop", "endfacet", "endsolid"}
 
 
-def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and faces; corners of equal coordinates are one vertex.
+def read(path: Path) -> Named:
+    """Vertices and faces; corners of equal coordinates are one vertex. A text's solids are its parts, by their names.
 
     Another size than the header declares, unknown words, and facets, loops or solids that do not end are a ValueError.
     """
@@ -27,27 +28,34 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
         header = file.read(_HEADER)
     faces = int.from_bytes(header[80:], "little")
     if size == _HEADER + faces * _FACE.itemsize and size > _HEADER:
-        return _merged(np.fromfile(path, _FACE, offset=_HEADER)["corners"].reshape(-1, 3))
+        return *_merged(np.fromfile(path, _FACE, offset=_HEADER)["corners"].reshape(-1, 3)), None, ()
     if header[:5].lower() == b"solid":
-        return _merged(_text(path))
+        corners, counts, names = _text(path)
+        return *_merged(corners), *named_parts(counts, names)
     wants = f"whose header declares {faces:,} faces, {_HEADER + faces * _FACE.itemsize:,} bytes"
     raise ValueError(f"it has {size:,} bytes, {wants}" if size > _HEADER else "it has no faces")
 
 
-def _text(path: Path) -> np.ndarray:
+def _text(path: Path) -> tuple[np.ndarray, list[int], list[str]]:
+    """(N, 3) corners, and the number of facets and the name of each solid."""
     positions, seen = array("d"), Counter(dict.fromkeys(_WORDS, 0))
+    starts, names = [], []
     for number, words in numbered(path):
         word = words[0].lower()
         if word not in _WORDS:
             raise ValueError(f"line {number} begins with {words[0][:20]!r}, which is not known")
         seen[word] += 1
+        if word == "solid":
+            starts.append(seen["facet"])
+            names.append(" ".join(words[1:]))
         if word == "vertex":
             positions.extend(three(words[1:]))
         elif word == "endfacet" and len(positions) != 9 * seen[word]:
             raise ValueError(f"line {number} ends a facet that does not have three corners")
     if len({seen[word] for word in ("facet", "outer", "endloop", "endfacet")}) > 1 or seen["solid"] != seen["endsolid"]:
         raise ValueError("it ends within a solid")
-    return np.frombuffer(positions).reshape(-1, 3)
+    counts = np.diff([*starts, seen["facet"]]).tolist()
+    return np.frombuffer(positions).reshape(-1, 3), counts, names
 
 
 def _merged(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -13,20 +13,25 @@ from pathlib import Path
 
 import numpy as np
 
+from warpsample.mesh.parts import Named
 from warpsample.mesh.polygons import triangles
 
-# First words of the lines of an .obj that make no surface: other vertex data, groups, materials, lines and points.
-_NO_SURFACE = {"vt", "vn", "vp", "l", "p", "g", "o", "s", "mg", "lod", "bevel", "c_interp", "d_interp", "usemtl", "mtllib"}
+_NAMING = ("o", "g", "usemtl")
+# First words of the lines of an .obj that make no surface: other vertex data, lines and points.
+_NO_SURFACE = {"vt", "vn", "vp", "l", "p", "s", "mg", "lod", "bevel", "c_interp", "d_interp", "mtllib"}
 _NO_SURFACE |= {"usemap", "maplib", "shadow_obj", "trace_obj"}
 
 
-def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray]:
+def read_obj(path: Path) -> Named:
     """Vertices and faces of an .obj; polygons are cut into triangles. A ValueError gives the number of the line.
+
+    A part is what has one object, group and material ("o", "g", "usemtl"); those that are given, joined by "/", name it.
 
     It declares no counts, so a truncated file cannot always be detected. Detected are a line with too few numbers, a face
     with fewer than three corners or with corners of different kinds, and a face with missing vertices.
     """
     positions, lengths, corners, number = array("d"), array("i"), array("i"), 0
+    given, parts, part = dict.fromkeys(_NAMING, ""), {"": 0}, array("i")
     try:
         for number, words in numbered(path, joins=True):  # noqa: B007  (the error names it)
             if words[0] == "v":
@@ -35,11 +40,24 @@ def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray]:
                 face = _corners(words[1:], len(positions) // 3)
                 lengths.append(len(face))
                 corners.extend(face)
+                name = "/".join(filter(None, given.values()))
+                part.append(parts.setdefault(name, len(parts)))
+            elif words[0] in given:
+                given[words[0]] = " ".join(words[1:])
             elif words[0] not in _NO_SURFACE:
                 raise ValueError(f"it begins with {words[0][:20]!r}, which is not known")
     except ValueError as error:
         raise ValueError(f"line {number}: {error}") from None
-    return _cut(positions, lengths, corners)
+    vertices, faces = _cut(positions, lengths, corners)
+    return vertices, faces, *_used(np.repeat(np.array(part, np.int32), np.array(lengths, np.int64) - 2), list(parts))
+
+
+def _used(part: np.ndarray, names: list[str]) -> tuple[np.ndarray | None, list[str]]:
+    """The parts that have faces; (None, []) if none has a name."""
+    if len(names) == 1:
+        return None, []
+    used, part = np.unique(part, return_inverse=True)
+    return part.astype(np.int32), [names[number] for number in used.tolist()]
 
 
 def read_off(path: Path) -> tuple[np.ndarray, np.ndarray]:

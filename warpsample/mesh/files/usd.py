@@ -11,15 +11,18 @@ from pathlib import Path
 
 import numpy as np
 
-from warpsample.mesh.files.joining import joined
+from warpsample.mesh.files.joining import joined_parts
+from warpsample.mesh.parts import Named
 from warpsample.mesh.usd_stage import REFUSED
 
 _PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.mesh.usd_stage import main; main({file!r})"
 _LONGEST = 200  # characters of a reason, which may quote an array of the file
 
 
-def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
+def read(path: Path) -> Named:
     """Vertices and faces of all meshes that a renderer would show, with instances, at their earliest time.
+
+    A part is a prim, by its path; the instances of a point instancer are one.
 
     Points, curves, invisible prims, guides and proxies are left out. A subdivision surface gives its cage, an animated mesh
     its first pose, without skeletons.
@@ -42,11 +45,11 @@ def read(path: Path) -> tuple[np.ndarray, np.ndarray]:
         raise ValueError(reason if len(reason) <= _LONGEST else f"{reason[: _LONGEST - 3]}...")
     if child.returncode:
         raise ValueError(f"usd-core ended with {child.returncode}: it is damaged, or needs more memory than is free")
-    return joined(_parts(found))
+    return joined_parts(_parts(found))
 
 
-def _parts(found: bytes) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-    """Points, triangles and matrix of each mesh."""
+def _parts(found: bytes) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, str]]:
+    """Points, triangles, matrix and name of each mesh."""
     at = 0
 
     def taken(kind: type, rows: int, columns: int) -> np.ndarray:
@@ -56,5 +59,6 @@ def _parts(found: bytes) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
         return array
 
     while at < len(found):
-        points, faces = taken(np.int64, 1, 2)[0]
-        yield taken(np.float64, points, 3), taken(np.int32, faces, 3), taken(np.float64, 4, 4)
+        points, faces, name = taken(np.int64, 1, 3)[0]
+        arrays = taken(np.float64, points, 3), taken(np.int32, faces, 3), taken(np.float64, 4, 4)
+        yield *arrays, taken(np.uint8, 1, name).tobytes().decode()

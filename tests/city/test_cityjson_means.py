@@ -1,0 +1,111 @@
+"""Means over the surfaces of a city: exact where they must be, with error bars that hold, and with what stands around."""
+
+import city_files as cases
+import numpy as np
+import pytest
+
+import warpsample as ws
+
+
+@pytest.fixture
+def path(tmp_path):
+    return cases.written(tmp_path / "a.json", cases.house())
+
+
+def row(city, kind):
+    return list(city.surfaces.type).index(kind)
+
+
+def test_points_are_on_their_triangles_by_area_and_none_on_the_ground(path):
+    city = ws.load_city(path, context="ground")
+    points = city.points(2000, seed=3)
+    each = np.bincount(points.face, minlength=len(city.surface))
+    ground = (city.surface == row(city, "GroundSurface")) | (city.surface < 0)
+    assert (each[ground] == 0).all()
+    share = city.mesh.face_areas / city.mesh.face_areas[~ground].sum()
+    assert np.abs(each - 2000 * share)[~ground].max() <= 2.0
+    assert (each[~ground] >= 2).all()
+    corner = city.mesh.vertices[city.mesh.faces[points.face]]
+    across = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    sides = [np.cross(corner[:, (k + 1) % 3] - corner[:, k], points.position - corner[:, k]) for k in range(3)]
+    assert min(np.einsum("pi,pi->p", side, across).min() for side in sides) >= -1e-6
+    assert np.abs(np.einsum("pi,pi->p", points.position - corner[:, 0], points.normal)).max() < 1e-6
+    roof = points.position[city.surface[points.face] == row(city, "RoofSurface")]
+    # Uniform by area about the shaft in the middle: the mean of each axis to four standard errors, 10 / sqrt(12 N).
+    assert roof.mean(axis=0)[:2] - cases.TRANSFORM["translate"][:2] == pytest.approx(
+        5.0, abs=4 * 10 / np.sqrt(12 * len(roof))
+    )
+
+
+def test_the_mean_of_a_linear_value_is_that_of_the_surface(path):
+    """By area over triangles of any size, within four of its error bars; the height of the walls is 2.5 m in the mean."""
+    city = ws.load_city(path)
+    points = city.points(400)
+    height = points.position[:, 2] - city.mesh.bounds[0, 2]
+    values, errors, areas = city.surface_means(height, points=points)
+    wall, roof, ground = (row(city, kind) for kind in ("WallSurface", "RoofSurface", "GroundSurface"))
+    assert values[wall] == pytest.approx(2.5, abs=4 * errors[wall])
+    assert 0.0 < errors[wall] < 0.2
+    assert (values[roof], errors[roof]) == (pytest.approx(5.0), pytest.approx(0.0, abs=1e-9))
+    assert np.isnan([values[ground], errors[ground]]).all()
+    assert areas.tolist() == city.surfaces.area.tolist()
+
+
+def test_centres_of_triangles_do_without_points(path):
+    city = ws.load_city(path)
+    values, errors, _ = city.surface_means(
+        city.mesh.vertices[city.mesh.faces][:, :, 2].mean(axis=1), np.full(len(city.surface), 0.3)
+    )
+    wall = city.surface == row(city, "WallSurface")
+    share = city.mesh.face_areas[wall] / city.mesh.face_areas[wall].sum()
+    assert errors[row(city, "WallSurface")] == pytest.approx(0.3 * np.sqrt(np.square(share).sum()))
+    assert values[row(city, "RoofSurface")] == pytest.approx(3.5)
+
+
+def test_what_stands_around_takes_the_view_and_gets_no_numbers(path):
+    """Of a wall on open ground half of the lobe meets the ground; no ground, and it is open. The sky is above either."""
+    found = {}
+    for name, context in (
+        ("none", None),
+        ("plane", "ground"),
+        ("box", ([[0, 0, 9e3], [1, 0, 9e3], [0, 1, 9e3]], [[0, 1, 2]])),
+    ):
+        city = ws.load_city(path, context=context, split=True)
+        points = city.points(300, seed=1)
+        outer = 3  # the row of a wall that looks outward
+        for quantity in (ws.ambient_occlusion, ws.sky_view_factor):
+            seen = quantity(city.mesh, points, 64)
+            values, _, _ = city.surface_means(seen.value, seen.standard_error, points=points)
+            assert len(values) == len(city.surfaces) == 10
+            found[name, quantity.__name__] = values[outer]
+    assert found["none", "ambient_occlusion"] == found["box", "ambient_occlusion"] == 1.0
+    # The plane ends 300 m away, 1 degree below the horizon: of the lobe sin(1 degree) / 2 at most; and some rays' noise.
+    assert found["plane", "ambient_occlusion"] == pytest.approx(0.505, abs=0.02)
+    for name in ("none", "plane", "box"):
+        assert found[name, "sky_view_factor"] == pytest.approx(0.5, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda city: city.surface_means([1.0]), r"values: got shape \(1,\), want \(\d+,\), one for each point"),
+        (lambda city: city.surface_means(np.zeros(len(city.surface)), [0.0]), r"error: got shape \(1,\), want"),
+        (lambda city: city.surface_means("x"), "values: got 'x', want real numbers"),
+        (lambda city: city.points(0), "count: got 0, want a whole number from 1"),
+        (lambda city: city.points(seed=-1), "seed: got -1, want"),
+        (
+            lambda city: ws.load_city(city.path, context="grond"),
+            "context: got 'grond', want a mesh; warpsample.load_mesh reads",
+        ),
+        (
+            lambda city: ws.load_city(city.path, context=3),
+            "context: got a value of type int, want 'ground', a warpsample.Mesh",
+        ),
+        (lambda city: ws.load_city(city.path, split=1), "split: got 1, want True or False"),
+        (lambda _: ws.load_city(7), "path: got 7, want the path of a CityJSON file"),
+        (lambda _: ws.load_city("nowhere.json"), "path: got 'nowhere.json', which is missing, want a CityJSON file"),
+    ],
+)
+def test_bad_arguments(path, call, message):
+    with pytest.raises((TypeError, ValueError, FileNotFoundError), match=f"^{message}"):
+        call(ws.load_city(path))
