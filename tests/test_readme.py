@@ -15,7 +15,18 @@ from warpsample.proof import defects, report
 from warpsample.proof.evidence import Evidence, Subject
 from warpsample.viewer.accessor import WarpsampleAccessor
 
-ROOMS = ("distributions", "sequences", "tracing", "estimate", "proof", "bench", "output", "radiation", "city")
+ROOMS = (
+    "distributions",
+    "sequences",
+    "tracing",
+    "estimate",
+    "proof",
+    "bench",
+    "output",
+    "radiation",
+    "city",
+    "city/cityjson",
+)
 
 
 def documents(repository):
@@ -68,7 +79,8 @@ def test_the_first_page_is_short(repository):
                 (8, r"^\(2080,\) 270 kWh/m2\n\(2080, 24\) 2021-06-21T12:00\n$"),
                 (9, r"^True 1\.0\n3\.9 W/m2, 1\.7 without other faces\n$"),
                 (10, r"^0\.26 ± 0\.00\d, EPSG:3794\n4 of 15 hours\n$"),
-                (11, r"^0\.7[45]\d* 6400\n$"),
+                (11, r"^\['' 'RoofSurface' 'WallSurface'\] \[0\.74 0\.91 0\.42\] True\n$"),
+                (12, r"^0\.7[45]\d* 6400\n$"),
             )
         ),
     ],
@@ -112,6 +124,8 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample bake courtyard -o sky.ply --quantity sky --samples 256",
         "warpsample bake courtyard -o year.vtp --quantity irradiation --weather athens --at faces",
         "warpsample view courtyard --up z --screenshot clouds.html",
+        "warpsample bake tile.city.jsonl -o out.city.jsonl --quantity sky --samples 256",  # these: test_by_parts.py
+        "warpsample bake tile.city.jsonl -o year.csv --quantity irradiation --weather athens --split",
         "python viz/gallery.py",  # test_gallery.py, without the benchmarks
         "python viz/shirley_overlay.py --screenshot shirley_overlay.png",  # these: test_plotting.py
         "python viz/offset_family.py --screenshot offset_family.png",

@@ -32,7 +32,7 @@ def read(path):
             return {name: file[name] for name in file}
     if path.suffix == ".csv":
         table = np.genfromtxt(path, delimiter=",", names=True)
-        return {name: table[name] for name in table.dtype.names}
+        return {_field(name): table[name] for name in table.dtype.names}
     if path.suffix == ".vtp":
         import pyvista as pv
 
@@ -43,6 +43,12 @@ def read(path):
         return {name.removeprefix("_"): array for name, array in made.vertex_attributes.items()}
     raw = made.metadata["_ply_raw"]
     return {name: column for kind in ("vertex", "face") for name, column in _columns(raw[kind]["data"]).items()}
+
+
+def _field(header):
+    """The field of the result that a column of a .csv is of: headers tell the quantity and its unit."""
+    found = re.fullmatch(r"(?:ambient_occlusion|sky_view_factor|irradiance)(_[rgb])?(_error)?", header)
+    return header if found is None else f"{'standard_error' if found[2] else 'value'}{found[1] or ''}"
 
 
 def _columns(data):

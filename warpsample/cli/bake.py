@@ -2,6 +2,7 @@
 
 import inspect
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -34,11 +35,15 @@ OPTIONS: dict[str, tuple[Any, str]] = {
 
 def bake_command(
     mesh: MeshFile,
-    output: Annotated[Path, output_file(".ply .vtp .glb .npz .csv .zarr")],
+    output: Annotated[Path, output_file(".ply .vtp .glb .npz .csv .zarr; of CityJSON, .city.json or .city.jsonl")],
     *,
     quantity: str = "ao",
     points: Annotated[int | None, option("So many points, uniform by area; else those of --at.")] = None,
     at: At = None,
+    by: Annotated[Literal["part"] | None, option("Means over the named parts of the mesh, a row each; .csv only.")] = None,
+    lod: Annotated[str | None, option("Level of detail of CityJSON, as 2.2; by default the highest of each object.")] = None,
+    split: Annotated[bool, typer.Option("--split", help="A result for each polygon of CityJSON.")] = False,
+    context: Annotated[str | None, option("What stands around CityJSON: ground, a level plane, or a mesh file.")] = None,
     seed: Annotated[int, typer.Option(help="Seed of points and rays.")] = 0,
     workers: Workers = None,
     chunk: stores.Chunk = None,
@@ -47,12 +52,18 @@ def bake_command(
     resume: stores.Resume = False,
     **options: Any,
 ) -> None:
-    """Estimate a number at each vertex, face or point of a mesh, with its standard error, into a file."""
+    """Estimate a number at each vertex, face or point of a mesh, with its standard error, into a file.
+
+    Of CityJSON, the means over its surfaces, as attributes of these or into a .csv.
+    """
     from warpsample.output.bake import bake
+    from warpsample.output.by_parts import is_by_parts
 
     given = {name: value for name, value in options.items() if value is not None}
-    at = "vertices" if points is None and at is None else at
-    run = BakeRun(mesh, output, quantity, at, points, {"seed": seed, "workers": workers, **given})
+    options = {"seed": seed, "workers": workers, **given}
+    run = BakeRun(mesh, output, quantity, at, points, options, by, lod, split, context)
+    if points is None and at is None and not is_by_parts(run):
+        run = replace(run, at="vertices")
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
         if output.suffix == stores.SUFFIX:
             summary = stores.bake_into_store(run, chunk, cluster, processes, resume)

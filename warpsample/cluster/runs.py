@@ -12,6 +12,7 @@ from warpsample.cluster.store import check_store
 from warpsample.host.arguments import check_integer
 from warpsample.mesh.files import load_mesh
 from warpsample.output.baked import BakeRun
+from warpsample.output.by_parts import check_parts
 from warpsample.output.quantities import check_options, in_stores, quantity_of
 from warpsample.output.terminal_bar import terminal_bar
 
@@ -41,6 +42,7 @@ def bake_run(run: BakeRun, chunk: int | None, address: str | None, processes: in
 def _check(run: BakeRun, address: str | None, processes: int | None, threads: int | None) -> None:
     if run.quantity not in in_stores():
         raise ValueError(f"--quantity: got {run.quantity} for {run.output.name}, want one of {', '.join(in_stores())}")
+    check_parts(run, quantity_of(run.quantity))
     check_options(quantity_of(run.quantity), run.options)
     if run.points is not None and run.at is not None:
         raise ValueError(f"--points: got {run.points} together with --at {run.at}, want one of the two")

@@ -1,9 +1,9 @@
 """Means over parts of a mesh from numbers at points of it, and what errors they have.
 
-Within a stratum, one face or one part, the points are alike: its mean is theirs, and its variance that of their values over
-their number. This holds the rays' noise, too, since each point has random numbers of its own: errors of points are
-independent. A stratum with one point has the error of that point's rays alone. Strata count by area, and their errors are
-independent as well. What all points have in common is in none of it: the weather, the model of the sky, the mesh.
+The points of a face are alike: its mean is theirs, and its variance that of their values over their number. This holds the
+rays' noise, too, since each point has random numbers of its own: errors of points are independent. A face with one point has
+the error of that point's rays alone, and one without is left out. Faces count by area, and their errors are independent as
+well. What all points have in common is in none of it: the weather, the model of the sky, the mesh.
 """
 
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ class PartMeans:
 
     Attributes:
         value: (N,) or (N, k) float64; NaN for parts without a point.
-        standard_error: of the same shape and unit; NaN where it is not known, for a part with one random point.
+        standard_error: of the same shape and unit.
         points: (N,) int64, how many had a number.
     """
 
@@ -27,41 +27,26 @@ class PartMeans:
 
 
 def part_means(
-    part: np.ndarray,
-    areas: np.ndarray,
-    face: np.ndarray,
-    value: np.ndarray,
-    error: np.ndarray,
-    *,
-    count: int,
-    each_face: bool,
+    part: np.ndarray, areas: np.ndarray, face: np.ndarray, value: np.ndarray, error: np.ndarray, *, count: int
 ) -> PartMeans:
     """The means over the parts of a mesh.
 
     Args:
         part: (F,) which of so many parts each face is of, or -1.
         areas: (F,) of the faces.
-        face: (P,) the face of each point.
+        face: (P,) the face of each point, on which it is its centre or a random one; -1 of none.
         value: (P,) or (P, k) numbers at the points; NaN of points that have none.
         error: of the same shape, their standard errors.
         count: how many parts.
-        each_face: whether the points are meant for their own face, as its centre or so many random ones on each; else they
-            are random ones on the whole part, uniform by area.
     """
     inside = (face >= 0) & (part[face] >= 0) & np.isfinite(value.reshape(len(value), -1)).all(axis=1)
     face, value, error = face[inside], value[inside], error[inside]
-    strata = len(part) if each_face else count
-    stratum = face if each_face else part[face]
-    owner = part if each_face else np.arange(count)
-    points = np.bincount(stratum, minlength=strata)
-    weights = areas if each_face else np.bincount(part[part >= 0], areas[part >= 0], count)
-    weights = np.where((points > 0) & (owner >= 0), weights, 0.0)
-    owner = np.maximum(owner, 0)
+    points = np.bincount(face, minlength=len(part))
+    weights = np.where((points > 0) & (part >= 0), areas, 0.0)
+    owner = np.maximum(part, 0)
     total = np.bincount(owner, weights, count)
-    found = [
-        _means(stratum, points, v, e, each_face=each_face)
-        for v, e in zip(np.atleast_2d(value.T), np.atleast_2d(error.T), strict=True)
-    ]
+    components = zip(np.atleast_2d(value.T), np.atleast_2d(error.T), strict=True)
+    found = [_means(face, points, *component) for component in components]
     with np.errstate(invalid="ignore", divide="ignore"):
         means = [np.bincount(owner, weights * mean, count) / total for mean, _ in found]
         errors = [np.sqrt(np.bincount(owner, weights**2 * variance, count)) / total for _, variance in found]
@@ -70,12 +55,9 @@ def part_means(
     return PartMeans(np.stack(means, axis=1).reshape(shape), np.stack(errors, axis=1).reshape(shape), used)
 
 
-def _means(
-    stratum: np.ndarray, points: np.ndarray, value: np.ndarray, error: np.ndarray, *, each_face: bool
-) -> tuple[np.ndarray, np.ndarray]:
-    """The mean of each stratum and its variance; 0 for strata without points."""
+def _means(face: np.ndarray, points: np.ndarray, value: np.ndarray, error: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The mean of each face and its variance; 0 for faces without points."""
     many = np.maximum(points, 1)
-    mean = np.bincount(stratum, value, len(points)) / many
-    spread = np.bincount(stratum, np.square(value - mean[stratum]), len(points)) / (np.maximum(points - 1, 1) * many)
-    own = np.bincount(stratum, np.square(error, dtype=np.float64), len(points))
-    return mean, np.where(points == 1, own if each_face else np.nan, spread)
+    mean = np.bincount(face, value, len(points)) / many
+    spread = np.bincount(face, np.square(value - mean[face]), len(points)) / (np.maximum(points - 1, 1) * many)
+    return mean, np.where(points == 1, np.bincount(face, np.square(error, dtype=np.float64), len(points)), spread)

@@ -1,6 +1,7 @@
 """Writes numbers at the points of a mesh into a file: `warpsample bake`."""
 
 from collections.abc import Iterator
+from pathlib import Path
 from time import perf_counter
 from typing import Any
 
@@ -13,6 +14,7 @@ from warpsample.host.files import check_output, complete_or_absent
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.baked import WRITERS, Baked, BakeRun, check_glb, writers_of
+from warpsample.output.by_parts import check_parts, city_of, is_by_parts, points_of_parts, write_parts
 from warpsample.output.places import check_places, points_on
 from warpsample.output.quantities import check_options, quantity_of
 from warpsample.output.terminal_bar import terminal_bar
@@ -36,26 +38,34 @@ def bake(run: BakeRun) -> str:
     """
     quantity = quantity_of(run.quantity)
     _check(run, quantity)
-    mesh = load_mesh(run.mesh)
+    city = city_of(run)
+    mesh = load_mesh(run.mesh) if city is None else city.mesh
     if run.output.suffix == ".glb":
         check_glb(run, mesh)
-    points = points_on(mesh, run.points, run.at, run.options["seed"])
+    by_parts = is_by_parts(run)
+    points = points_of_parts(run, mesh, city) if by_parts else points_on(mesh, run.points, run.at, run.options["seed"])
     numbers = quantity.numbers(mesh, len(points), run.options)
     numbers(points.take(slice(0, 1)), 0)  # builds the tree and the kernel
     start = perf_counter()
     found = quantity.joined(list(_parts(points, run, quantity, numbers)))
     seconds = perf_counter() - start
-    with complete_or_absent(run.output) as file:
-        writers_of(quantity)[run.output.suffix](file, Baked(run, mesh, points, found))
+    baked = Baked(run, mesh, points, found)
+    if by_parts:
+        write_parts(baked, city)
+    else:
+        with complete_or_absent(run.output) as file:
+            writers_of(quantity)[run.output.suffix](file, baked)
     return _summary(run, quantity, found, seconds)
 
 
 def _check(run: BakeRun, quantity: Quantity) -> None:
+    check_parts(run, quantity)
     suffixes = tuple(writers_of(quantity))
-    if run.output.suffix not in suffixes:
+    if not is_by_parts(run) and run.output.suffix not in suffixes:
         raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(suffixes)}")
     Memory.of(run.options.get("device"))
-    check_output(run.output, "--output", run.mesh, *(run.options.get(option) for option in quantity.files))
+    files = [run.options.get(option) for option in quantity.files]
+    check_output(run.output, "--output", run.mesh, *files, *([Path(run.context)] if run.context else []))
     check_places(run.points, run.at)
     if run.points is not None and run.output.suffix in (".ply", ".glb"):
         raise ValueError(

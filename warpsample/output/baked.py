@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from math import pi
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -30,7 +30,8 @@ class BakeRun:
     """The arguments of `warpsample bake`.
 
     The output's suffix is of WRITERS, and `at` of places.PLACES, or None: on the surface, uniform by area, so many `points`.
-    The options are those that were given of what the quantity takes, by their names on the command line, and the seed.
+    The options are those that were given of what the quantity takes, by their names on the command line, and the seed. `by`
+    is "part" for means over the named parts of the mesh; `lod`, `split` and `context`, "ground" or a path, are for CityJSON.
     """
 
     mesh: Path
@@ -39,6 +40,16 @@ class BakeRun:
     at: str | None
     points: int | None
     options: dict[str, Any]
+    by: str | None = None
+    lod: str | None = None
+    split: bool = False
+    context: str | None = None
+
+    @property
+    def told(self) -> dict[str, str]:
+        """What a file tells of these, but for the options, and for what is as it mostly is."""
+        kept = (item for item in fields(self) if item.name != "options" and getattr(self, item.name) != item.default)
+        return {item.name: str(getattr(self, item.name)) for item in kept}
 
 
 @dataclass(frozen=True)
@@ -94,9 +105,10 @@ def _local(mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _write_npz(file: BinaryIO, baked: Baked, **more: np.ndarray) -> None:
-    points, run = baked.points, vars(baked.run) | baked.quantity.told(baked.run.options)
+    points = baked.points
     arrays = {"position": points.position, "normal": points.normal, "face": points.face, **baked.arrays, **more}
-    told = {name: str(value) for name, value in run.items() if name != "options"}
+    options = baked.quantity.told(baked.run.options)
+    told = baked.run.told | {name: str(value) for name, value in options.items()}
     write_arrays(file, {**arrays, "run": np.array(json.dumps(told))})
 
 
@@ -104,7 +116,8 @@ def _write_csv(file: BinaryIO, baked: Baked) -> None:
     columns = baked.columns
     formats = ["%.17g"] * 3 + ["%d" if name in ("rays", "status") else "%.9g" for name in columns]
     table = np.column_stack([baked.points.position, *columns.values()])
-    np.savetxt(file, table, formats, delimiter=",", header=",".join(["x", "y", "z", *columns]), comments="")
+    header = ",".join(["x", "y", "z", *map(baked.quantity.header, columns)])
+    np.savetxt(file, table, formats, delimiter=",", header=header, comments="")
 
 
 def _write_ply(file: BinaryIO, baked: Baked) -> None:

@@ -54,6 +54,12 @@ class City:
     path: Path
     content: bytes
 
+    @property
+    def receiving(self) -> np.ndarray:
+        """(F,) float64, m2: the areas of the triangles that have numbers; 0 of GroundSurfaces and a context."""
+        kind = np.append(self.surfaces.type, GROUND)[self.surface]  # the last is for -1
+        return np.where(kind == GROUND, 0.0, self.mesh.face_areas)
+
     def points(self, count: int | None = None, *, seed: int = 0) -> SurfacePoints:
         """Random points on each triangle, for means over surfaces; a GroundSurface, which lies on earth, has none.
 
@@ -74,9 +80,7 @@ class City:
             >>> print(len(points), np.bincount(points.face).min())
             8320 4
         """
-        kind = np.append(self.surfaces.type, GROUND)[self.surface]  # the last is for -1
-        areas = np.where(kind == GROUND, 0.0, self.mesh.face_areas)
-        return spread_points(self.mesh, areas, count, check_seed(seed))
+        return spread_points(self.mesh, self.receiving, count, check_seed(seed))
 
     def surface_means(
         self, values: Any, error: Any = None, *, points: SurfacePoints | None = None
@@ -114,8 +118,7 @@ class City:
         for name, array in (("values", value), ("error", error)):
             if array.shape != (len(face),):
                 raise ValueError(f"{name}: got shape {array.shape}, want ({len(face)},), one for each point")
-        given = {"count": len(self.surfaces), "each_face": True}
-        found = part_means(self.surface, self.mesh.face_areas, face, value, error, **given)
+        found = part_means(self.surface, self.mesh.face_areas, face, value, error, count=len(self.surfaces))
         earth = self.surfaces.type == GROUND
         values, errors = (np.where(earth, np.nan, array) for array in (found.value, found.standard_error))
         return values, errors, self.surfaces.area.copy()

@@ -39,6 +39,11 @@ class CitySurfaces:
         """The object and the type of each, as "house/RoofSurface"; what the parts of the mesh are called."""
         return [f"{name}/{kind}" if kind else name for name, kind in zip(self.object, self.type, strict=True)]
 
+    @property
+    def columns(self) -> dict[str, np.ndarray]:
+        """The columns by name."""
+        return {item.name: getattr(self, item.name) for item in fields(self)}
+
     def to_frame(self) -> Any:
         """The table as a pandas.DataFrame, or as arrays by name where pandas is not installed.
 
@@ -49,7 +54,7 @@ class CitySurfaces:
             >>> print(list(ws.load_city("courtyard").surfaces.to_frame()))
             ['object', 'type', 'lod', 'faces', 'area']
         """
-        return to_frame({item.name: getattr(self, item.name) for item in fields(self)})
+        return to_frame(self.columns)
 
 
 @dataclass(frozen=True, eq=False)

@@ -32,7 +32,7 @@ class Editor:
     ) -> None:
         """Takes the results, and where the surfaces stand."""
         self.geometries, self.surfaces, self.rows, self.split = geometries, surfaces, rows, split
-        self.results = dict(_with_totals(results, surfaces.area))
+        self.results = dict(with_totals(results, surfaces.area))
         self.numbers: dict[int, list[int]] = {}
         for number, geometry in enumerate(geometries):
             self.numbers.setdefault(geometry.document, []).append(number)
@@ -81,7 +81,7 @@ class Editor:
         return name.removesuffix(ERROR) + _PER_AREA in self.results
 
 
-def _with_totals(results: Results, areas: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:
+def with_totals(results: Results, areas: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:
     """The columns, and of those that are per m2 the sums over the area."""
     for name, column in results.items():
         yield name, column

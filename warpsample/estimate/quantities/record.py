@@ -1,6 +1,7 @@
 """The record of a quantity: all that commands, files, stores, the accessor and the tables of READMEs know of it."""
 
 import inspect
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
@@ -18,6 +19,9 @@ OPTIONS = {argument: option for option, argument in ARGUMENTS.items()}
 
 _LAST = ("rays", "status")  # of the columns
 _OF_INTERVALS = ("spread", "degrees_of_freedom")  # in no column: what `interval` is made of
+
+_NO_UNITS = ("", "mesh units")
+"""Of shares, and of what the mesh knows."""
 
 _UNTOLD = ("active", "first_point", "progress", "workers")
 """Arguments by which no bit changes, or that the command line has not."""
@@ -127,6 +131,14 @@ class Quantity:
             split = zip(self.channels, array.T, strict=True) if array.ndim == 2 else ()
             columns.update({f"{name}_{letter}": column for letter, column in split} or {name: array})
         return columns
+
+    def header(self, column: str) -> str:
+        """What a column is called in a table: by the quantity and its unit, as "irradiation_kwh_m2" and its "_error"."""
+        unit = "" if self.unit in _NO_UNITS else f"_{self.unit.lower().replace('/', '_')}"
+        known = re.fullmatch("(value|standard_error)(_[a-z])?", column)
+        if known:
+            return f"{self.call.__name__}{known[2] or ''}{unit}{'_error' if known[1] == 'standard_error' else ''}"
+        return column if column in _LAST else f"{column}{unit}"
 
     def colours(self, found: Any) -> np.ndarray:
         """(P, 4) uint8, from black to white; three components are red, green and blue."""
