@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from warpsample.mesh.mesh import Mesh, as_mesh
     from warpsample.mesh.report import MeshReport
     from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+    from warpsample.output.frame import to_frame
     from warpsample.radiation.exchange.view_factors import ViewFactors, view_factors
     from warpsample.radiation.sky.patches import SkyPatches, sky_patches
     from warpsample.radiation.sky.result import SkyMatrix, SkySkipped
@@ -101,6 +102,7 @@ __all__ = [
     "sky_matrix",
     "sky_patches",
     "sky_view_factor",
+    "to_frame",
     "trace",
     "tree",
     "vertex_points",
@@ -124,6 +126,7 @@ _HOMES = {
     "mesh.files": ("load_mesh",),
     "mesh.report": ("MeshReport",),
     "mesh.surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
+    "output.frame": ("to_frame",),
     "radiation.sun.direct_sun": ("direct_sun",),
     "radiation.weather.irradiation": ("Irradiation", "irradiation"),
     "radiation.sky.patches": ("SkyPatches", "sky_patches"),

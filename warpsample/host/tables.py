@@ -10,7 +10,7 @@ import numpy as np
 _BLOCK = 1 << 14  # rows that are written at a time
 
 
-def to_frame(columns: Mapping[str, np.ndarray]) -> Any:
+def frame_of(columns: Mapping[str, np.ndarray]) -> Any:
     """A pandas.DataFrame of columns, or these as a dictionary where pandas is not installed."""
     try:
         import pandas as pd

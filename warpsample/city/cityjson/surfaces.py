@@ -7,7 +7,7 @@ import numpy as np
 
 from warpsample.city.cityjson.gathering import Gathered
 from warpsample.city.cityjson.kinds import BY_NORMAL, by_normal, is_built
-from warpsample.host.tables import to_frame
+from warpsample.host.tables import frame_of
 from warpsample.mesh.holes import Outlines
 
 
@@ -54,7 +54,7 @@ class CitySurfaces:
             >>> print(list(ws.load_city("courtyard").surfaces.to_frame()))
             ['object', 'type', 'lod', 'faces', 'area']
         """
-        return to_frame(self.columns)
+        return frame_of(self.columns)
 
 
 @dataclass(frozen=True, eq=False)
