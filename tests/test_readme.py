@@ -87,7 +87,7 @@ def test_the_first_page_is_short(repository):
 )
 def test_python_blocks_run_and_print_what_they_say(index, expected, repository, tmp_path, child_environment):
     found = blocks(repository, "python")
-    assert len(found) == 12
+    assert len(found) == 13
     script = tmp_path / "example.py"
     script.write_text(found[index])
     given = {"env": child_environment, "cwd": tmp_path, "capture_output": True, "text": True}
