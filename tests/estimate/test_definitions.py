@@ -1,5 +1,10 @@
 """What a user defines for `integrate`: functions, structs and data, as they are at the call; and what is wrong with them."""
 
+import subprocess
+import sys
+from types import MappingProxyType, SimpleNamespace
+from typing import Any
+
 import numpy as np
 import pytest
 import warp as wp
@@ -61,6 +66,125 @@ def test_numbers_are_those_of_what_is_defined_now(monkeypatch):
     assert ws.integrate(UP, tall, 2).value[0] == 12.0
     monkeypatch.setitem(globals(), "helper", helper_again)
     assert ws.integrate(UP, tall, 2).value[0] == 14.0
+
+
+def a_default(gain):
+    @wp.func
+    def inner(w: wp.vec3, k: float = gain):
+        return k
+
+    @wp.func
+    def function(w: wp.vec3) -> float:
+        return inner(w)
+
+    return function
+
+
+def in_a_loop(gain):
+    settings = SimpleNamespace(gains=[gain, gain])
+
+    @wp.func
+    def function(w: wp.vec3) -> float:
+        total = 0.0
+        for i in range(2):
+            total += 0.5 * wp.static(settings.gains[i])
+        return total
+
+    return function
+
+
+def in_a_call(gain):
+    def number(i):
+        return gain * i
+
+    @wp.func
+    def inner(x: Any):
+        total = 0.0
+        for i in range(2):
+            total += wp.static(number(i))
+        return total
+
+    @wp.func
+    def between(w: wp.vec3):
+        return inner(w[2])
+
+    @wp.func
+    def function(w: wp.vec3) -> float:
+        return between(w)
+
+    return function
+
+
+def in_a_function(gain):
+    @wp.func
+    def inner(w: wp.vec3):
+        return gain
+
+    known = MappingProxyType({"a": (inner,)})
+
+    @wp.func
+    def function(w: wp.vec3) -> float:
+        total = 0.0
+        for i in range(1):
+            total += wp.static(known["a"][i])(w)
+        return total
+
+    return function
+
+
+def of_64_bits(gain):
+    small, scale = 1.0 + 2.0**-40 * gain, 2.0**40
+
+    @wp.func
+    def function(w: wp.vec3) -> float:
+        return float((wp.float64(small) - wp.float64(1.0)) * wp.float64(scale))
+
+    return function
+
+
+def of_a_long_integer(gain):
+    large = 2**32 * int(gain)
+
+    @wp.func
+    def function(w: wp.vec3) -> float:
+        return float(wp.uint64(large) >> wp.uint64(32))
+
+    return function
+
+
+UNSEEN = [a_default, in_a_loop, in_a_call, in_a_function, of_64_bits, of_a_long_integer]
+"""Makers of functions that give a number; Warp's own hash of a kernel of ours does not see which."""
+
+
+@pytest.mark.parametrize("make", UNSEEN)
+def test_what_warp_does_not_see_is_in_the_name_that_it_sees(make):
+    names = [integrand_of(make(gain)).function.key for gain in (1.0, 5.0, 1.0)]
+    assert names[0] == names[2] != names[1]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("make", UNSEEN)
+def test_numbers_are_those_that_warp_does_not_see(make):
+    for gain in (1.0, 5.0, 1.0):
+        assert ws.integrate(UP, make(gain), 2).value[0] == gain
+
+
+@pytest.mark.slow
+def test_a_process_finds_no_kernel_of_another_number(child_environment, tmp_path):
+    """Both with one cache of kernels."""
+    file = tmp_path / "gains.py"
+    file.write_text(
+        "import sys\nimport warp as wp, warpsample as ws\n\nGAIN = float(sys.argv[1])\nGAINS = [GAIN, GAIN]\n\n\n"
+        "@wp.func\ndef inner(w: wp.vec3, k: float = GAIN) -> float:\n    return k\n\n\n"
+        "@wp.func\ndef gains(w: wp.vec3) -> wp.vec3:\n    total = float(0.0)\n    for i in range(2):\n"
+        "        total += wp.static(GAINS[i])\n    return wp.vec3(inner(w), total, 0.0)\n\n\n"
+        "print(*ws.integrate([[0.0, 0.0, 1.0]], gains, 2).value[0], file=sys.stderr)\n"
+    )
+    for gain in (1.0, 5.0):
+        done = subprocess.run(
+            [sys.executable, file, str(gain)], env=child_environment, capture_output=True, text=True, check=True
+        )
+        assert done.stderr.splitlines()[-1] == f"{gain} {2 * gain} 0.0"
 
 
 def test_the_last_definition_of_a_function_and_a_struct_counts():

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.cluster.content import WHAT, data_content, difference, function_content, is_data, is_function
 from warpsample.estimate.integrand import with_arrays
+from warpsample.estimate.source.content import WHAT, data_content, difference, function_content, is_data
+from warpsample.estimate.source.definitions import is_function, naming_function
 from warpsample.host.neighbours import as_ndarray
 
 _ARRAYS = ("__array__", "__array_interface__", "__dlpack__", "__cuda_array_interface__")
@@ -68,7 +69,8 @@ def named(argument: str, value: Any, function: Any) -> Any:
         function: the one that reads the data.
     """
     if is_function(value):
-        return Named(argument, value, function_content(value))
+        with naming_function(argument):
+            return Named(argument, value, function_content(value))
     if is_data(value):
         own = with_arrays(value, wp.clone)
         return Named(argument, own, data_content(own, function))

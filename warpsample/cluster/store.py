@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 
 from warpsample.cluster.arrays import point_arrays_of
-from warpsample.cluster.content import difference
 from warpsample.cluster.holdings import about_of, whole_chunks
 from warpsample.cluster.job import STREAMS_OF, Job
 from warpsample.cluster.metadata import check_metadata, metadata_of
+from warpsample.estimate.source.content import difference
 from warpsample.host.arguments import told
 from warpsample.host.files import WriteError
 from warpsample.host.interrupts import uninterrupted

@@ -3,13 +3,15 @@
 from collections.abc import Callable, Iterator
 from ctypes import Structure
 from dataclasses import dataclass
+from hashlib import sha256
 from inspect import signature
 from typing import Any
 
 import numpy as np
 import warp as wp
 
-from warpsample.estimate.definitions import NUMBERS, latest, meaning, names_in, returned
+from warpsample.estimate.source.content import function_content
+from warpsample.estimate.source.definitions import NUMBERS, latest, names_in, naming_function, returned
 from warpsample.host.arguments import told
 from warpsample.host.arrays import cpu
 from warpsample.host.device_memory import Loan, at_home
@@ -34,6 +36,9 @@ class NoData:
     """The data of a function that takes none."""
 
     nothing: wp.int32
+
+
+_DIGITS = 16  # of the name of a function, which Warp's hash of a kernel sees
 
 
 @dataclass(frozen=True)
@@ -100,7 +105,9 @@ def integrand_of(function: Any, data: Any = None, argument: str = "integrand", d
     if data is not None:
         _check_arrays_are_set(data, names_in(function))
     colour = _returns_colour(function, argument)
-    form = _in_one_form(function, struct, len(given), colour, meaning(function))
+    with naming_function(argument):
+        content = sha256(repr(function_content(function)).encode()).hexdigest()
+    form = _in_one_form(function, struct, len(given), colour, content)
     return Integrand(form, 3 if colour else 1, NoData() if data is None else data, struct)
 
 
@@ -183,27 +190,27 @@ def _number_as_vector(x: Any) -> wp.vec3:
 
 
 @once
-def _in_one_form(function: wp.Function, struct: Any, count: int, colour: bool, meaning: tuple[Any, ...]) -> wp.Function:
+def _in_one_form(function: wp.Function, struct: Any, count: int, colour: bool, content: str) -> wp.Function:
     """A function of up to three arguments that gives a number of any type or a vec3, as one of three that gives a vec3.
 
-    Another meaning makes another one.
+    Another content makes another one, under a name that Warp's hash of a kernel sees.
     """
-    vector = _as_vector if colour else _number_as_vector
+    name, vector = f"integrand_{content[:_DIGITS]}", _as_vector if colour else _number_as_vector
     if count == 1:
 
-        @wp.func
+        @wp.func(name=name)
         def value(w: wp.vec3, lobe: Lobe, data: struct):
             return vector(function(w))
 
     elif count == 2:
 
-        @wp.func
+        @wp.func(name=name)
         def value(w: wp.vec3, lobe: Lobe, data: struct):
             return vector(function(w, lobe))
 
     else:
 
-        @wp.func
+        @wp.func(name=name)
         def value(w: wp.vec3, lobe: Lobe, data: struct):
             return vector(function(w, lobe, data))
 

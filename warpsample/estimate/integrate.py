@@ -7,11 +7,11 @@ import numpy as np
 
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
-from warpsample.estimate.definitions import naming_function
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.plan import Plan, RaySum, reach_of
 from warpsample.estimate.result import Estimate, PointStatus, has_status
+from warpsample.estimate.source.definitions import naming_function
 from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.host.arguments import told
 from warpsample.host.options import explained_by

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsample.estimate.definitions import naming_function
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.plan import Plan, RaySum
 from warpsample.estimate.result import Estimate
+from warpsample.estimate.source.definitions import naming_function
 from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.estimate.weights import seen_in
 from warpsample.host.arrays import as_real, as_unit

@@ -1,34 +1,28 @@
-"""What a function of the user's and its data hold, so that two runs can be told apart: numbers, and digests of the rest."""
+"""What a function of the user's and its data hold, so that two runs can be told apart: numbers, and digests of the rest.
 
-import re
+Warp's own hash of a kernel does not do: it sees no defaults of arguments, 32 bits of each number, and what a `wp.static` in
+a loop gives only where the kernel's own module has one.
+"""
+
 from collections.abc import Iterator
 from ctypes import Array
 from hashlib import sha256
-from inspect import getclosurevars
 from math import isfinite
-from types import ModuleType
 from typing import Any
 from uuid import uuid4
 
 import numpy as np
 import warp as wp
 
-from warpsample.estimate.definitions import latest, names_in
+from warpsample.estimate.source.definitions import called, is_function, latest, names_in, reached
 from warpsample.mesh.known import digest_of
 
 WHAT = "what"
 """The entry of a content that is the name of a function, or of a struct."""
 
 _OURS = "warpsample."
-_PLAIN = (list, tuple, dict, set, frozenset, np.ndarray)  # what a `wp.static` may read
-_WHERE = re.compile(r" at 0x[0-9a-f]+")  # of an object, as Python prints it
 _BEHIND = ("mesh_", "bvh_", "hash_grid_", "volume_", "texture_")  # built-ins that read what a number is the address of
 _ADDRESS = "address"
-
-
-def is_function(value: Any) -> bool:
-    """Whether a value is a function of the user's."""
-    return isinstance(value, wp.Function) and value.func is not None
 
 
 def is_data(value: Any) -> bool:
@@ -38,12 +32,12 @@ def is_data(value: Any) -> bool:
 
 def function_content(function: wp.Function) -> dict[str, Any]:
     """A digest of a function as it is now, and of each that it calls: their sources, and the numbers that these name."""
-    reached, parts = [latest(function)], {}
-    for one in reached:  # grows
-        for definition in _definitions(one) if one is not reached[0] else [one]:
-            told, called = _told(definition)
-            parts.setdefault(_name(one.func), []).append(told)  # two that a function has defined are of one name
-            reached += [other for other in called if other not in reached]
+    parts: dict[str, list[Any]] = {}
+    users = called(latest(function))
+    for one in reached(users):
+        parts.setdefault(_name(one.func), []).append(_told(one))  # two that a function has defined are of one name
+    for one in users:
+        parts[_name(one.func)].append([[code, _number(value)] for code, value in one.adj.deferred_static_expressions])
     return {WHAT: _name(function.func), **{name: sha256(repr(told).encode()).hexdigest() for name, told in parts.items()}}
 
 
@@ -96,45 +90,13 @@ def _is_address(value: Any, raw: Any, kind: Any) -> bool:
     return kind is wp.uint64 and raw != 0
 
 
-def _told(function: wp.Function) -> tuple[list[Any], list[wp.Function]]:
-    """One definition by its source and what that names, and the functions that it calls, without this package's own."""
-    constants, types, called = function.adj.get_references()
+def _told(function: wp.Function) -> list[Any]:
+    """One definition by its source and what that names."""
+    constants, types, _ = function.adj.get_references()
     static = function.adj.resolved_static_expressions
     told = [function.adj.source, function.native_snippet]
     told += [_kind(kind) for kind in (*types, *function.input_types.values())]
-    told += [[name, _number(value)] for name, value in (*constants.items(), *static.items())]
-    named: list[wp.Function] = []
-    told += [[name, _walked(value, named)] for name, value in _named(function) if isinstance(value, _PLAIN)]
-    users = [one for one in (*called, *static.values(), *named) if is_function(one)]
-    return told, [one for one in users if not one.func.__module__.startswith(_OURS)]
-
-
-def _walked(value: Any, functions: list[wp.Function]) -> Any:
-    """What a list or the like holds, the same in each process; the functions in it are told by name, and put into a list."""
-    if is_function(value):
-        functions.append(value)
-        return _name(value.func)
-    if isinstance(value, np.ndarray) and not value.dtype.hasobject:
-        return digest_of(value)
-    if isinstance(value, dict):
-        return "dict", [[_walked(part, functions) for part in item] for item in value.items()]
-    if isinstance(value, set | frozenset):
-        return "set", sorted(repr(_walked(part, functions)) for part in value)
-    if isinstance(value, list | tuple | np.ndarray):
-        return type(value).__name__, [_walked(part, functions) for part in value]
-    return _WHERE.sub("", _number(value))
-
-
-def _definitions(function: wp.Function) -> list[wp.Function]:
-    """All definitions of a function's name, for other types of arguments."""
-    known = sorted((function.user_overloads | function.user_templates).items())
-    return [one for _, one in known if one.generic_parent is None] or [function]
-
-
-def _named(function: wp.Function) -> Iterator[tuple[str, Any]]:
-    """(name, value) of all that a function's source names outside of itself."""
-    known = getclosurevars(function.func)
-    return ((name, value) for name, value in (known.nonlocals | known.globals).items() if not isinstance(value, ModuleType))
+    return told + [[name, _number(value)] for one in (constants, static, function.defaults) for name, value in one.items()]
 
 
 def _number(value: Any) -> str:
