@@ -142,20 +142,22 @@ _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 def __getattr__(name: str) -> object:
     """Imports a name when it is first used: Warp takes a second, in which the command line must react to Ctrl-C."""
-    if name in ("distributions", "sequences"):
-        return import_module(f"warpsample.{name}")
+    if name not in __all__ and name != "__version__":
+        raise AttributeError(f"module 'warpsample' has no attribute {name!r}")
+    from warpsample.host.making import imported, uninterrupted
+
+    if name in ("distributions", "sequences"):  # also by the package's own imports, which may not wait for another thread's
+        return uninterrupted(lambda: import_module(f"warpsample.{name}"))
     if name == "rasters":
-        return import_module("warpsample.city.rasters")
+        return imported("warpsample.city.rasters")
     if name == "__version__":
         from importlib.metadata import version
 
         value: object = version("warpsample")
     elif name in _HOME:
-        value = getattr(import_module(f"warpsample.{_HOME[name]}"), name)
-    elif name in __all__:
-        value = import_module("warpsample.distributions").classes()[name]
+        value = getattr(imported(f"warpsample.{_HOME[name]}"), name)
     else:
-        raise AttributeError(f"module 'warpsample' has no attribute {name!r}")
+        value = imported("warpsample.distributions").classes()[name]
     globals()[name] = value
     return value
 

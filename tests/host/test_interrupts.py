@@ -17,7 +17,8 @@ from warp._src.context import pack_arg
 from warpsample.host import engine
 from warpsample.host.arguments import naming_file
 from warpsample.host.interrupts import uninterrupted
-from warpsample.host.locks import making, once
+from warpsample.host.locks import once
+from warpsample.host.making import making
 
 CPU = wp.get_device("cpu")
 MUCH = 10**9  # work, so that threads share it
@@ -276,6 +277,77 @@ except RuntimeError as error:
     os._exit(7 if os.getpid() != parent and "forked within a call" in str(error) else 1)
 print(os.waitstatus_to_exitcode(os.waitpid(children[0], 0)[1]))
 """
+
+
+IMPORTED = """
+import os, signal, sys, threading
+import warpsample as ws
+
+class Stop(Exception):
+    pass
+
+class Finder:
+    def find_spec(self, name, *rest):
+        if name == sys.argv[1] and at.pop(0):
+            arrived()
+
+def stop(number, frame):
+    raise Stop
+
+at = [True, *100 * [False]]
+signal.signal(signal.SIGALRM, stop)
+sys.meta_path.insert(0, Finder())
+"""
+"""A child in which `arrived` is called as a module of a name begins to be imported."""
+STOPPED = """
+def arrived():
+    signal.raise_signal(signal.SIGALRM)
+
+stopped = 0
+try:
+    ws.load_mesh("courtyard")
+    ws.face_centers(ws.load_mesh("courtyard"))
+except Stop as error:
+    stopped = 1 + (error.__context__ is not None)
+print(stopped, len(ws.face_centers(ws.load_mesh("courtyard"))), file=sys.stderr)
+"""
+FORKED = """
+def arrived():
+    begun.set()
+    forked.wait(2.0)  # which it is only where no fork waits for imports
+
+begun, forked = threading.Event(), threading.Event()
+thread = threading.Thread(target=lambda: ws.load_mesh)
+thread.start()
+begun.wait()
+child = os.fork()
+if child == 0:
+    signal.signal(signal.SIGALRM, signal.SIG_DFL)
+    signal.alarm(int(sys.argv[2]))
+    os._exit(len(ws.load_mesh("courtyard").faces) % 251)
+forked.set()
+thread.join()
+print(os.waitpid(child, 0)[1] >> 8, file=sys.stderr)
+"""
+
+
+def says(code, environment, *arguments):
+    command = [sys.executable, "-c", IMPORTED + code, *arguments]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    return done.stderr.splitlines()[-1]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("module", ["numpy.linalg", "warp._src.types", "warpsample.mesh.mesh", "warpsample.mesh.surface"])
+def test_an_import_is_not_torn_apart(module, child_environment):
+    """NumPy and Warp cannot be imported again where they were torn; what a handler raises comes out as it is."""
+    assert says(STOPPED, child_environment, module) == "1 2080"
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
+def test_a_fork_waits_for_an_import(child_environment):
+    assert says(FORKED, child_environment, "warpsample.mesh.mesh", str(int(HANGS))) == str(2080 % 251)
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from weather_files import ATHENS, COLUMNS, header, rows, sun_altitude, write_epw
 
+from warpsample.host.making import imported
 from warpsample.radiation.weather.epw import YEAR
 from warpsample.radiation.weather.weather import hours_of, read_weather
 
@@ -181,6 +182,7 @@ def test_no_file_is_a_sentence(tmp_path):
 
 def test_pvlib_is_asked_for_by_the_extra(athens, monkeypatch):
     monkeypatch.setitem(sys.modules, "pvlib", None)
+    imported.cache_clear()
     with pytest.raises(ModuleNotFoundError, match=r"pip install 'warpsample\[radiation\]'"):
         read_weather(athens)
 

@@ -4,8 +4,9 @@
 Each quantity that has `in_stores` in its record has its call here.
 """
 
-from importlib import import_module
 from typing import Any
+
+from warpsample.host.making import imported
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ def __getattr__(name: str) -> Any:
     if name.startswith("_"):
         raise AttributeError(f"module 'warpsample.cluster' has no attribute {name!r}")
     try:
-        home = import_module(f"warpsample.cluster.{'baking' if name == 'bake' else 'calls'}")
+        home = imported(f"warpsample.cluster.{'baking' if name == 'bake' else 'calls'}")
     except ModuleNotFoundError as error:
         raise ModuleNotFoundError(f"warpsample.cluster needs {error.name}: pip install 'warpsample[cluster]'") from error
     globals()[name] = value = getattr(home, name) if name in __all__ else home.call_of(name)
@@ -34,5 +35,5 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     """The calls, imported or not."""
-    quantities = import_module("warpsample.output.quantities").quantities().values()
+    quantities = imported("warpsample.output.quantities").quantities().values()
     return sorted({*globals(), *__all__, *(quantity.call.__name__ for quantity in quantities if quantity.in_stores)})

@@ -16,7 +16,7 @@ from warpsample.cluster.arrays import dimensions, point_arrays_of
 from warpsample.cluster.holdings import RECORDS, arrays_of
 from warpsample.cluster.job import Job
 from warpsample.host.interrupts import uninterrupted
-from warpsample.host.locks import making
+from warpsample.host.making import making
 
 _FILE = "zarr.json"
 _ABSENT = {"f": float("nan"), "i": -2, "u": 255}  # what is read where no chunk is

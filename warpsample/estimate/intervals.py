@@ -18,6 +18,7 @@ from typing import NamedTuple
 import numpy as np
 import warp as wp
 
+from warpsample.host.making import imported
 from warpsample.maths.numerics import ONE, TWO, ZERO
 
 _HALF_A_RAY, _IF_ALL_AGREE, _IF_ONE_DIFFERS = 0.25, 1.64**2, 3.85  # variances of what no ray has met, in rays squared
@@ -41,9 +42,7 @@ class Interval(NamedTuple):
 
 def interval_of(value: np.ndarray, spread: np.ndarray, degrees: np.ndarray, level: float) -> Interval:
     """The interval about a value with that much of a t distribution, of a scale and degrees of freedom."""
-    from scipy.special import stdtrit
-
-    half = spread * stdtrit(np.maximum(degrees, 1.0).astype(np.float64), 0.5 + 0.5 * level)
+    half = spread * imported("scipy.special").stdtrit(np.maximum(degrees, 1.0).astype(np.float64), 0.5 + 0.5 * level)
     return Interval((value - half).astype(np.float32), (value + half).astype(np.float32))
 
 

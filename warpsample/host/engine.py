@@ -13,7 +13,7 @@ import warp as wp
 from warpsample.host.arguments import check_integer
 from warpsample.host.interrupts import handlers_first
 from warpsample.host.kernel_cache import load
-from warpsample.host.locks import make
+from warpsample.host.making import imported, make
 from warpsample.host.progress import begin
 from warpsample.host.sharing import share
 
@@ -48,9 +48,7 @@ def check_memory(needed: int, what: str, remedy: str) -> None:
     """Refuses what does not fit into the free memory: a MemoryError says what is needed and free, and what to do."""
     if needed < _ALWAYS_FREE:
         return
-    import psutil  # 20 ms that most imports of the package do not need
-
-    free = psutil.virtual_memory().available
+    free = imported("psutil").virtual_memory().available
     if needed > free:
         raise MemoryError(f"{what} need {needed / 1e9:.1f} GB and {free / 1e9:.1f} GB are free; {remedy}")
 

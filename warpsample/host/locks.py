@@ -1,34 +1,15 @@
 """Values that a process makes once: by one thread at a time, visible when complete, never half-made in a forked child."""
 
-import os
-import threading
 from collections.abc import Callable
 from functools import partial, wraps
 from typing import Any, Generic, TypeVar
 
 import numpy as np
 
-from warpsample.host.interrupts import uninterrupted
-
-making = threading.RLock()
-"""Held while a kernel is built or loaded, a launch recorded, a tree or another cache made: Warp does not allow two threads
-there. A fork waits for it, so that the child finds everything either complete or not begun."""
-
-if hasattr(os, "register_at_fork"):
-    os.register_at_fork(before=making.acquire, after_in_parent=making.release, after_in_child=making.release)
+from warpsample.host.making import make, making
 
 T = TypeVar("T")
 _UNKNOWN: Any = object()
-
-
-def make(work: Callable[[], T]) -> T:
-    """Makes something while no other thread does, and to its end: Warp does not bear interrupts there, either."""
-
-    def alone() -> T:
-        with making:
-            return work()
-
-    return uninterrupted(alone)
 
 
 def once(factory: Callable[..., T]) -> Callable[..., T]:

@@ -4,6 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from warpsample.host.making import imported
+
 _LEAST_EXPECTED = 5.0  # a smaller count is not close enough to normal for chi-square (Cochran1954)
 
 
@@ -42,13 +44,12 @@ def histogram_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest:
     total = observed.sum()
     if not abs(expected.sum() - total) <= 1e-3 * total:
         raise ValueError(f"expected: got a sum of {expected.sum():.6g}, want that of the observed counts, {total:.6g}")
-    from scipy.stats import chi2
-
     difference = observed - expected
     statistic = float((difference**2 / expected).sum())
     dof = len(observed) - 1
     deviation = np.sqrt(expected * (1.0 - expected / total))
-    return HistogramTest(observed, expected, difference / deviation, statistic, dof, float(chi2.sf(statistic, dof)))
+    p_value = float(imported("scipy.stats").chi2.sf(statistic, dof))
+    return HistogramTest(observed, expected, difference / deviation, statistic, dof, p_value)
 
 
 def joined_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest | None:

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from warpsample.host.json_tree import Part, parsed
+from warpsample.host.making import imported
 from warpsample.mesh.files.gltf_data import Data, binary
 from warpsample.mesh.files.joining import joined, joined_parts
 from warpsample.mesh.parts import Named
@@ -118,12 +119,10 @@ def _matrix(node: Part) -> np.ndarray:
 
 
 def _rotation(node: Part) -> np.ndarray:
-    from scipy.spatial.transform import Rotation  # heavy, and only scenes need it
-
     quaternion = node.reals("rotation", (0.0, 0.0, 0.0, 1.0))
     if not 0.5 < np.linalg.norm(quaternion) < 2.0:  # rounded ones are nearer to 1
         raise ValueError(f"{node.at('rotation')}: got {quaternion.tolist()}, want a quaternion of length 1")
-    return Rotation.from_quat(quaternion).as_matrix().T
+    return imported("scipy.spatial.transform").Rotation.from_quat(quaternion).as_matrix().T
 
 
 def _surface(primitive: Part, data: Data) -> tuple[np.ndarray, np.ndarray]:

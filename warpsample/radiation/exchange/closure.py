@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from warpsample.host.making import imported
+
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
@@ -56,8 +58,7 @@ def closure_of(pairs: "csr_array", areas: np.ndarray, lost: np.ndarray, densitie
     Warns:
         UserWarning: no u closes all rows.
     """
-    from scipy.sparse import csr_array
-
+    csr_array = imported("scipy.sparse").csr_array
     row, there = rows_of(pairs.indptr), areas > 0.0
     own = np.where(densities > 0.0, densities, 1.0)
     give = 2.0 / (own[row] + own[pairs.indices])

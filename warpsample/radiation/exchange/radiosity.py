@@ -7,6 +7,7 @@ import numpy as np
 
 from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real
+from warpsample.host.making import imported
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -75,9 +76,9 @@ def _solved(matrix: "csr_array", emitted: np.ndarray, share: np.ndarray) -> np.n
 
 def _corrections(matrix: "csr_array", lacking: np.ndarray, share: np.ndarray) -> np.ndarray:
     """(N, k), what to add to each column, to some digits."""
-    from scipy.sparse.linalg import LinearOperator, gmres
-
-    equations = LinearOperator(matrix.shape, matvec=lambda leaving: leaving - share * (matrix @ leaving), dtype=np.float64)
+    linear = imported("scipy.sparse.linalg")
+    operator, gmres = linear.LinearOperator, linear.gmres
+    equations = operator(matrix.shape, matvec=lambda leaving: leaving - share * (matrix @ leaving), dtype=np.float64)
     return np.stack([gmres(equations, column, restart=_PRODUCTS, maxiter=1, atol=0.0)[0] for column in lacking.T], axis=1)
 
 

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from warpsample.host.making import imported
 from warpsample.radiation.exchange.closure import Closure, closure_of, rows_of
 from warpsample.radiation.exchange.error_draws import ErrorDraws
 from warpsample.radiation.exchange.row_factors import RowFactors
@@ -60,10 +61,8 @@ class _Pooling:
 
     def pairs(self, value: np.ndarray) -> "csr_array":
         """The pooled values as a matrix of all surfaces."""
-        from scipy.sparse import csr_array
-
         size = len(self._indptr) - 1
-        return csr_array((self.pooled(value), self.columns, self._indptr), shape=(size, size))
+        return imported("scipy.sparse").csr_array((self.pooled(value), self.columns, self._indptr), shape=(size, size))
 
 
 def _variances(

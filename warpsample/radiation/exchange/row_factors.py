@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from warpsample.host.making import imported
 from warpsample.radiation.exchange.design_effects import factors_and_variances
 from warpsample.radiation.exchange.hits_to_matrix import Counts
 from warpsample.radiation.exchange.surfaces import Surfaces
@@ -51,8 +52,7 @@ def matrices_of(
     value: np.ndarray, error: np.ndarray, indices: np.ndarray, indptr: np.ndarray
 ) -> tuple["csr_array", "csr_array"]:
     """Two square matrices, each with a pattern of its own: who drops entries of one in place leaves the other as it is."""
-    from scipy.sparse import csr_array
-
+    csr_array = imported("scipy.sparse").csr_array
     kind, shape = np.int32 if len(indices) < 2**31 else np.int64, (len(indptr) - 1, len(indptr) - 1)
     pattern = indices.astype(kind, copy=False), indptr.astype(kind, copy=False)
     errors = csr_array((error, *(part.copy() for part in pattern)), shape=shape)

@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.host.making import imported
 from warpsample.radiation.exchange.matrix_files import read_matrix
 from warpsample.radiation.sky.patches import MULTIPLES, SkyPatches, sky_patches
 from warpsample.radiation.weather.weather import Weather
@@ -49,10 +50,9 @@ def _gendaymtx(weather: Weather, split: int, patches: int) -> np.ndarray:
 
 def _pyradiance() -> Any:
     try:
-        import pyradiance
+        return imported("pyradiance")
     except ModuleNotFoundError:
         raise ModuleNotFoundError("the Perez sky needs pyradiance: pip install 'warpsample[radiation]'") from None
-    return pyradiance
 
 
 def _wea(weather: Weather) -> bytes:

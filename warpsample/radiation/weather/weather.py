@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.host.arguments import check_file, naming_file, told
+from warpsample.host.making import imported
 from warpsample.radiation.weather.epw import YEAR, checked_text, radiation
 
 _NIGHT = -10.0  # degrees: in an hour whose middle is as deep, the sun is down all the time
@@ -75,10 +76,8 @@ def read_weather(weather: Any, period: Sequence[str] | None = None) -> Weather:
 
 def _athens(pvlib: Any) -> Weather:
     """A cloudless year in Athens, by the clear sky of Ineichen2008."""
-    import pandas  # noqa: ICN001
-
     where = (37.98, 23.73, 2.0, 107.0)
-    hours = pandas.date_range("2021-01-01", periods=len(YEAR), freq="h", tz=timezone(timedelta(hours=where[2])))
+    hours = imported("pandas").date_range("2021-01-01", periods=len(YEAR), freq="h", tz=timezone(timedelta(hours=where[2])))
     sun = _sun(pvlib, hours, where)
     sky = pvlib.clearsky.simplified_solis(sun["apparent_elevation"])
     return _weather(where, sun, sky["dni"].to_numpy(np.float64), sky["dhi"].to_numpy(np.float64))
@@ -129,11 +128,10 @@ def _hour(match: re.Match[str], default: int) -> int:
 
 def _pvlib() -> Any:
     try:
-        import pvlib
-        import pvlib.iotools
+        imported("pvlib.iotools")
+        return imported("pvlib")
     except ModuleNotFoundError:
         raise ModuleNotFoundError("weather needs pvlib: pip install 'warpsample[radiation]'") from None
-    return pvlib
 
 
 def _check_nights(direct: np.ndarray, altitude: np.ndarray) -> None:

@@ -1,0 +1,54 @@
+"""What a process makes or imports once: to its end, and never half-made in a forked child."""
+
+import os
+import threading
+from collections.abc import Callable
+from functools import cache
+from importlib import import_module
+from types import ModuleType
+from typing import Any, TypeVar
+
+from warpsample.host.interrupts import uninterrupted
+
+T = TypeVar("T")
+
+making = threading.RLock()
+"""Held while a kernel is built or loaded, a launch recorded, a tree or another cache made: Warp does not allow two threads
+there. A fork waits for it, so that the child finds everything either complete or not begun."""
+
+_importing = (
+    threading.RLock()
+)  # held while parts of this package are imported, which make things: always the first of the two
+
+
+def _hold() -> None:
+    _importing.acquire()
+    making.acquire()
+
+
+def _let_go() -> None:
+    making.release()
+    _importing.release()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(before=_hold, after_in_parent=_let_go, after_in_child=_let_go)
+
+
+def make(work: Callable[[], T]) -> T:
+    """Makes something while no other thread does, and to its end: Warp does not bear interrupts there, either."""
+    return _alone(work, making)
+
+
+@cache
+def imported(name: str) -> ModuleType:
+    """A module that is imported when it is first used, to its end: a torn import of NumPy or Warp cannot be repeated."""
+    return _alone(lambda: import_module(name), _importing if name.startswith("warpsample.") else making)
+
+
+def _alone(work: Callable[[], T], lock: Any) -> T:
+    def alone() -> T:
+        with lock:
+            return work()
+
+    return uninterrupted(alone)
