@@ -75,7 +75,7 @@ def traced_lobe(slots: Slots) -> wp.Function:
         anything = wp.where(seen.starts == 0 and local == 0, 0, 1)
         for sector in range(lobes.sectors):
             sector_found = anything
-            for step in range(wp.where(lobes.bands == 1, 1, 0), lobes.bands + 1):  # the whole sector, then its bands
+            for step in range(wp.where(lobes.bands > 2, 0, 1), lobes.bands + 1):  # a sector of many bands, then its bands
                 found = sector_found
                 stratum_local = local
                 if wp.static(wide):
