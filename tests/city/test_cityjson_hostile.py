@@ -52,7 +52,7 @@ DAMAGED = {
     "vertices beyond all": (cases.house(vertices=[[10**400, 2, 3]]), "int too large"),
     "vertices beyond float64": (
         cases.house(vertices=[[1e308, 2, 3]], transform={"scale": [1e9] * 3, "translate": [0] * 3}),
-        "",
+        r"it has coordinates beyond 1e\+36$",
     ),
     "a corner beyond": (
         geometry(boundaries=[[[[0, 1, 99]]]]),

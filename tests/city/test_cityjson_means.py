@@ -85,6 +85,28 @@ def test_what_stands_around_takes_the_view_and_gets_no_numbers(path):
         assert found[name, "sky_view_factor"] == pytest.approx(0.5, abs=0.01)
 
 
+@pytest.mark.slow
+def test_the_error_bars_of_a_real_city_hold(repository):
+    """Of 118 roofs and walls of 3DBAG: the mean squared error is that of the bars, and 95 % are within about two."""
+    city = ws.load_city(repository / "tests/city/data/3dbag_901.city.jsonl")
+
+    def seen(count, rays, seed):
+        points = city.points(count, seed=seed)
+        found = ws.sky_view_factor(city.mesh, points, rays, seed=seed)
+        return np.array(city.surface_means(found.value, found.standard_error, points=points)[:2])
+
+    right, rest = seen(200_000, 256, 99)
+    known = np.isfinite(right)
+    assert np.count_nonzero(known) == 118
+    runs = np.array([seen(None, 32, seed) for seed in range(16)])[:, :, known]
+    squares = np.square(runs[:, 0] - right[known])
+    bars = np.square(runs[:, 1]) + np.square(rest[known])
+    # The largest tenth of the surfaces makes most of the sum, of which 16 runs know it to about sqrt(2 / 200) = 10 %.
+    assert squares.sum() / bars.sum() == pytest.approx(1.0, abs=0.4)
+    # Some bars are of a few points whose values are alike by chance: 95 % of a normal one, less some.
+    assert (squares <= 4.0 * bars).mean() > 0.9
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [

@@ -1,5 +1,7 @@
 """`warpsample bake` of irradiation, sun hours and sky matrices: the numbers in the files, and what is refused."""
 
+import json
+
 import numpy as np
 import pytest
 import trimesh
@@ -64,9 +66,31 @@ def test_irradiation_in_columns_and_by_default_of_the_year(call, yard, tmp_path)
     output = tmp_path / "year.csv"
     call("bake", "courtyard", "-o", output, "--quantity", "irradiation", "--weather", "athens", "--points", 9)
     table = np.genfromtxt(output, delimiter=",", names=True)
-    assert table.dtype.names[3:8] == ("value", "standard_error", "direct", "diffuse", "ground")
+    names = ("irradiation_kwh_m2", "irradiation_kwh_m2_error", "direct_kwh_m2", "diffuse_kwh_m2", "ground_kwh_m2")
+    assert table.dtype.names[3:8] == names
     right = ws.irradiation(yard, ws.sample_surface(yard, 9), "athens")
-    np.testing.assert_allclose(table["value"], right.value, rtol=1e-6)
+    np.testing.assert_allclose(table[names[0]], right.value, rtol=1e-6)
+
+
+def test_irradiation_of_a_city_with_its_sums(call, athens, tmp_path):
+    """By the surfaces' areas, with errors; the year's numbers are those of the calls that `bake` makes."""
+    given = ["--weather", athens, "--period", "06-21", "06-22", "--samples", 64, "--patches", "tregenza", "--points", 900]
+    path = tmp_path / "yard.city.json"
+    path.write_bytes(ws.load_city("courtyard").content)
+    for name in ("out.city.json", "out.csv"):
+        assert call("bake", path, "-o", tmp_path / name, "--quantity", "irradiation", "--lod", "1", *given)[0] == 0
+    city = ws.load_city(path)
+    points = city.points(900)
+    options = {"period": ("06-21", "06-22"), "patches": "tregenza", "count": 64}
+    right = ws.irradiation(city.mesh, points, athens, **options)
+    values, errors, areas = city.surface_means(right.value, right.standard_error, points=points)
+    table = np.genfromtxt(tmp_path / "out.csv", delimiter=",", names=True, dtype=None, encoding="utf-8")
+    for name, column in (("_m2", values), ("_m2_error", errors), ("", values * areas), ("_error", errors * areas)):
+        assert table[f"irradiation_kwh{name}"] == pytest.approx(column, rel=1e-6), name
+    ground, buildings = json.loads((tmp_path / "out.city.json").read_text())["CityObjects"].values()
+    assert ground["attributes"]["ws_irradiation_kwh"] == pytest.approx((values * areas)[0], rel=1e-6)
+    assert buildings["attributes"]["ws_irradiation_kwh_wall"] == pytest.approx((values * areas)[2], rel=1e-6)
+    assert buildings["attributes"]["ws_irradiation_kwh_m2_error_roof"] == pytest.approx(errors[1], rel=1e-6)
 
 
 def test_sun_hours_of_points(call, athens, yard, tmp_path):
@@ -105,7 +129,7 @@ def test_sun_hours_of_a_night_are_0(call, tmp_path):
     output = tmp_path / "night.csv"
     night = ["--weather", "athens", "--period", "01-01T00", "01-01T03"]
     assert call("bake", "courtyard", "-o", output, "--quantity", "sun-hours", *night)[0] == 0
-    assert not np.genfromtxt(output, delimiter=",", names=True)["value"].any()
+    assert not np.genfromtxt(output, delimiter=",", names=True)["sun_hours_h"].any()
 
 
 def test_points_without_a_normal_have_no_sun_hours(call, athens, tmp_path):
@@ -115,7 +139,7 @@ def test_points_without_a_normal_have_no_sun_hours(call, athens, tmp_path):
     _, out, _ = call("bake", path, "-o", output, *given)
     assert out.endswith("points without a number: 1 zero_normal\n")
     table = np.genfromtxt(output, delimiter=",", names=True)
-    assert (table["value"].tolist(), table["status"].tolist()) == ([1.0, 0.0], [0.0, 2.0])
+    assert (table["sun_hours_h"].tolist(), table["status"].tolist()) == ([1.0, 0.0], [0.0, 2.0])
 
 
 def test_a_sky_matrix_with_its_directions_and_for_radiance(call, yard, tmp_path, monkeypatch):

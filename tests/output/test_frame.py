@@ -38,6 +38,8 @@ def test_what_is_known_of_each_point(box):
         "below_horizon",
     ]
     assert list(table["id"]) == list(range(2**64 - 12, 2**64))
+    own = ws.SurfacePoints(points.position, points.normal, points.face, id=np.arange(12) ** 2)
+    assert list(ws.to_frame(found, own)["id"]) == [number**2 for number in range(12)]
     assert list(table["part"]) == ["b"] * 3 + [""] * 5 + ["a"] * 4
     assert np.array_equal(table["area"], np.where(np.arange(12) == 3, np.nan, 2.0), equal_nan=True)
     assert np.array_equal(np.column_stack([table[axis] for axis in "xyz"]), points.position)

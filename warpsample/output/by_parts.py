@@ -64,8 +64,7 @@ def points_of_parts(run: BakeRun, mesh: Mesh, city: City | None) -> SurfacePoint
     areas = np.where(mesh.part >= 0, mesh.face_areas, 0.0) if city is None else city.receiving
     if run.at != "faces":
         return spread_points(mesh, areas, run.points, run.options["seed"])
-    centers, rows = face_centers(mesh), areas > 0.0
-    return SurfacePoints(centers.position[rows], centers.normal[rows], centers.face[rows])
+    return face_centers(mesh).take(areas > 0.0)
 
 
 def write_parts(baked: Baked, city: City | None) -> None:

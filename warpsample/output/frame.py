@@ -19,7 +19,7 @@ def to_frame(found: Any, points: SurfacePoints, mesh: Any = None, *, first_point
         found: what a call over points gave: an Estimate, Irradiation, SkyMatrix, Hits, ...
         points: P of them, that it is of.
         mesh: what they are on, for the parts and the areas of their faces.
-        first_point: the global id of row 0, as the call had it.
+        first_point: the global id of row 0, as the call had it, where the points have no ids of their own.
 
     Returns:
         a pandas.DataFrame, or a dictionary of arrays where pandas is not installed. Its columns are id; with a mesh part, if
@@ -42,8 +42,8 @@ def to_frame(found: Any, points: SurfacePoints, mesh: Any = None, *, first_point
         raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints")
     if not is_dataclass(found) or isinstance(found, type):
         raise TypeError(f"found: got {told(found)}, want the result of a call over points")
-    first = check_first_point(first_point, len(points))
-    columns = {"id": np.uint64(first) + np.arange(len(points), dtype=np.uint64)}
+    first = check_first_point(first_point, len(points), points.id)
+    columns = {"id": np.uint64(first) + np.arange(len(points), dtype=np.uint64) if points.id is None else points.id}
     columns |= {} if mesh is None else _of_faces(points.face, as_mesh(mesh))
     columns["face"] = points.face
     for name, rows in (("", points.position), ("normal_", points.normal)):

@@ -82,7 +82,9 @@ def _edited(text: bytes, edit: Callable[[dict[str, Any]], None]) -> bytes:
     found = json.loads(text, parse_float=_as_spelt)
     edit(found)
     mark = secrets.token_hex(16)  # around the numbers, as JSON's encoder writes no text as it is
-    made = json.dumps(
-        found, separators=(",", ":"), ensure_ascii=text.isascii(), default=lambda number: f"{mark}{number.text}"
-    )
+    options = {"separators": (",", ":"), "ensure_ascii": text.isascii()}
+    try:
+        made = json.dumps(found, default=lambda number: f"{mark}{number.text}", **options)
+    except RecursionError:  # which is reached sooner by a call from further down
+        raise ValueError("its JSON is nested too deeply") from None
     return re.sub(f'"{mark}([^"]*)"', r"\1", made).encode("utf-8", "backslashreplace")

@@ -12,6 +12,7 @@ from warpsample.host.arguments import told
 from warpsample.host.engine import check_memory
 from warpsample.host.json_tree import Part
 from warpsample.mesh.holes import Outlines
+from warpsample.mesh.mesh import LARGEST
 
 _BYTES = 250  # of a corner: its triangles, and what is computed of them
 
@@ -65,7 +66,9 @@ class Gathered:
     _checked: int = 0
 
     def place(self, points: np.ndarray) -> int:
-        """Adds vertices; gives the number of the first of them."""
+        """Adds vertices; gives the number of the first of them. A ValueError if one is too far away to be traced."""
+        if not (np.abs(points) <= LARGEST).all():
+            raise ValueError(f"it has coordinates beyond {LARGEST:g}")
         self.vertices.append(points)
         self._offset += len(points)
         return self._offset - len(points)
@@ -134,7 +137,8 @@ def gather(content: bytes, lod: float | None) -> Gathered:
             heads.append(Head(tree))
         _add_document(found, heads[0], tree, number, lod)
 
-    read_each(content, read)
+    with np.errstate(all="ignore"):  # what is not finite is refused
+        read_each(content, read)
     return found
 
 

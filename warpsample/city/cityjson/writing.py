@@ -48,7 +48,7 @@ class Editor:
             if not geometry.is_instance:
                 self._edit_geometry(document["CityObjects"][geometry.object]["geometry"][geometry.number], held)
         for name, held in below.items():
-            found = dict(self._means(np.array(held)))
+            found = dict(self._means(np.array(held, np.int64)))
             if found:
                 thing = document["CityObjects"][name]
                 thing["attributes"] = (thing.get("attributes") or {}) | found

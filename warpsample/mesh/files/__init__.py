@@ -28,6 +28,7 @@ def load_mesh(path: str | PathLike) -> Mesh:
 
     Several meshes in one file become one, each where its scene places it; polygons are cut into triangles; of an .stl, whose
     faces share no corners, those of equal coordinates become one vertex. Coordinates keep all digits that the file holds.
+    What it names is in `part` and `parts`: objects, groups and materials of an .obj, solids of an .stl, nodes, prims.
     A file that ends early is refused, but for what it does not tell: the end of an .obj between two of its lines, and of
     .obj, .off and .ply as text within the very last number; and numbers that were changed into others.
     "courtyard", where no file is called that, is an example: four buildings around a yard, in metres.
@@ -55,6 +56,7 @@ def load_mesh(path: str | PathLike) -> Mesh:
     path = check_file(path, "path", "a mesh file")
     suffix = path.suffix.lower()
     if suffix not in _READERS:
-        raise ValueError(f"path: got {path.name!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
+        hint = "; warpsample.load_city reads CityJSON" if suffix in (".json", ".jsonl") else ""
+        raise ValueError(f"path: got {path.name!r}, want a file that ends in one of {' '.join(SUFFIXES)}{hint}")
     with naming_file("path", path, "a mesh"):
         return Mesh(*_READERS[suffix](path))
