@@ -7,12 +7,13 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from warpsample.city.rasters.canopy import crowns_over, prisms
 from warpsample.city.rasters.cells import STEP, joined_cells
 from warpsample.city.rasters.centres import between_centres
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reading import grid_of
 from warpsample.city.rasters.triangles import TOP
-from warpsample.host.arguments import check_choice
+from warpsample.host.arguments import check_choice, check_flag
 from warpsample.host.arrays import as_real
 from warpsample.mesh.mesh import Mesh, unit_or_zero
 from warpsample.mesh.surface import SurfacePoints
@@ -31,7 +32,7 @@ class RasterSurface:
         mesh: its triangles, normals up.
         kind: (F,) uint8, 0 for the top of a cell, 1 for a wall.
         cell: (F,) int64, row * columns + column; of a wall, of the upper cell.
-        canopy_mesh: the same with crowns, or None.
+        canopy_mesh: the same triangles, and then those of crowns, opaque; None if there are none.
     """
 
     grid: Grid
@@ -111,7 +112,9 @@ class RasterSurface:
         return made.rio.write_transform(grid.transform).rio.write_nodata(np.nan)
 
 
-def surface(source: Any, *, model: str = "joined") -> RasterSurface:
+def surface(
+    source: Any, *, model: str = "joined", canopy: Any = None, trunk: Any = 0.25, relative: bool = True
+) -> RasterSurface:
     """The surface that a raster of heights stands for.
 
     Args:
@@ -120,16 +123,23 @@ def surface(source: Any, *, model: str = "joined") -> RasterSurface:
         model: "joined": cells share their corners with neighbours that differ by at most a step of two cells, 63°, and
             vertical walls stand between the others; for cities with roofs, and all else. "block": each cell is flat, with
             vertical walls; for models of boxes. "tin": triangles between the centres of cells; for bare terrain.
+        canopy: a raster of the same cells, as `source`: how high crowns of trees reach above the ground, 0 where there are
+            none. `source` is without trees then. A crown is a closed prism over its cell, joined with its neighbours'.
+        trunk: how high the underside of a crown is above the ground, below which rays pass: a share of its height, 0 to 1,
+            or another raster. A point of the ground that is within a crown, as all are with 0, sees nothing but through it.
+        relative: whether `canopy` and `trunk` are heights above the ground; False: elevations.
 
     Returns:
         its triangles, in the coordinates of the map.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: no such raster or model; says what it got and what it wants.
+        TypeError, ValueError, FileNotFoundError: no such raster or model, or crowns of other cells or below the ground; says
+            what it got and what it wants.
         MemoryError: its triangles need more memory than is free.
 
     Warns:
-        UserWarning: the unit of its heights is not told, and that of its coordinates is no metre.
+        UserWarning: the unit of its heights is not told, and that of its coordinates is no metre; or crowns have their
+            underside at or above their top.
 
     Example:
         >>> from affine import Affine
@@ -138,6 +148,13 @@ def surface(source: Any, *, model: str = "joined") -> RasterSurface:
         4.0 10.0
     """
     check_choice(model, "model", MODELS)
+    relative = check_flag(relative, "relative")
     grid = grid_of(source)
+    crowns = None if canopy is None else crowns_over(grid, canopy, trunk, relative)
     made = between_centres(grid) if model == "tin" else joined_cells(grid, STEP if model == "joined" else 0.0)
-    return RasterSurface(grid, model, Mesh(made.vertices, made.faces), made.kind, made.cell)
+    with_crowns = None
+    if crowns is not None and crowns.any:
+        vertices, faces = prisms(grid, crowns)
+        both = np.concatenate([made.faces, len(made.vertices) + faces])
+        with_crowns = Mesh(np.concatenate([made.vertices, vertices]), both)
+    return RasterSurface(grid, model, Mesh(made.vertices, made.faces), made.kind, made.cell, with_crowns)

@@ -1,0 +1,141 @@
+"""Crowns of trees over a raster of heights: closed prisms over their cells, from the base to the top."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from numbers import Real
+from typing import Any
+from warnings import warn
+
+import numpy as np
+
+from warpsample.city.rasters.grid import Grid
+from warpsample.city.rasters.reading import grid_of
+from warpsample.host.arguments import check_number
+
+_SIDES = (((0, 1), (1, 1), (1, 0)), ((-1, 0), (1, 0), (0, 0)), ((0, -1), (0, 0), (0, 1)), ((1, 0), (0, 1), (1, 1)))
+"""Of a cell: where the neighbour is, (rows, columns), and both ends of the edge, (columns, rows), the left one first as seen
+from there, in a raster with its north at the top."""
+
+_RING = ((0, 0), (0, 1), (1, 1), (1, 0))
+"""The corners of a cell, (columns, rows), counter-clockwise seen from above in such a raster."""
+
+_OFF = 0.01
+"""Of a cell's length: what corners of two rasters may be apart whose transforms were written with fewer digits."""
+
+
+@dataclass(frozen=True, eq=False)
+class Crowns:
+    """Where crowns are, one to a cell at most.
+
+    Attributes:
+        base: (rows, columns) float64, the elevation of their undersides; NaN without a crown.
+        top: the same of their tops, which are above.
+    """
+
+    base: np.ndarray
+    top: np.ndarray
+
+    @property
+    def any(self) -> bool:
+        """Whether there is a crown at all."""
+        return bool((~np.isnan(self.top)).any())
+
+
+def crowns_over(grid: Grid, canopy: Any, trunk: Any, relative: bool) -> Crowns:
+    """The crowns over the ground that a raster has.
+
+    Args:
+        grid: of the ground and of buildings, without trees.
+        canopy: a raster of the same cells, the crowns' tops: heights above the ground, 0 or nothing where there are none.
+        trunk: the height of their undersides above the ground, as a share of that, 0 to 1; or another raster.
+        relative: whether both rasters are heights above the ground; else elevations, and what is not above the ground, or 0,
+            is none.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: no such raster, or heights below 0; names the argument.
+
+    Warns:
+        UserWarning: crowns whose underside is not below their top; they are left out.
+    """
+    top = _heights(grid, canopy, "canopy")
+    if relative and (top < 0.0).any():
+        raise ValueError(
+            f"canopy: got heights from {np.nanmin(top):g} to {np.nanmax(top):g}, want heights above the ground, 0 where "
+            "there are no crowns; relative=False takes elevations"
+        )
+    ground = grid.height if relative else 0.0
+    top = np.where((top != 0.0) & (ground + top > grid.height), ground + top, np.nan)
+    if isinstance(trunk, Real):
+        base = grid.height + check_number(trunk, "trunk", 0.0, 1.0) * (top - grid.height)
+    else:
+        base = np.fmax(ground + _heights(grid, trunk, "trunk"), grid.height)
+    hollow = ~np.isnan(top) & ~(base < top)
+    if hollow.any():
+        warn(f"trunk: got undersides at or above the tops of {hollow.sum():,} crowns, which are left out", stacklevel=3)
+    none = hollow | np.isnan(top)
+    return Crowns(np.where(none, np.nan, base), np.where(none, np.nan, top))
+
+
+def prisms(grid: Grid, crowns: Crowns) -> tuple[np.ndarray, np.ndarray]:
+    """The surface of all crowns together, facing outwards: ((V, 3) float64, (F, 3) int32).
+
+    Neighbours have no walls where both are full, so that crowns of the same base and top are one prism.
+    """
+    cells = np.flatnonzero(~np.isnan(crowns.top))
+    row, column = np.divmod(cells, crowns.top.shape[1])
+    base, top = crowns.base.ravel()[cells], crowns.top.ravel()[cells]
+    ring = [(column + i, row + j) for i, j in _RING]
+    quads = [_quads(grid, ring, [top] * 4), _quads(grid, ring[::-1], [base] * 4)]
+    padded = (np.pad(heights, 1, constant_values=np.nan) for heights in (crowns.base, crowns.top))
+    around = [np.where(np.isnan(heights), np.inf, heights) for heights in padded]
+    for (down, right), *ends in _SIDES:
+        other_base, other_top = (heights[row + 1 + down, column + 1 + right] for heights in around)
+        left, end = ((column + i, row + j) for i, j in ends)
+        for low, high in ((base, np.minimum(top, other_base)), (np.maximum(base, other_top), top)):
+            wall = low < high
+            foot, head = low[wall], high[wall]
+            corners = [(at[0][wall], at[1][wall]) for at in (left, end, end, left)]
+            quads.append(_quads(grid, corners, [foot, foot, head, head]))
+    vertices = np.concatenate(quads).reshape(-1, 3)
+    first = 4 * np.arange(len(vertices) // 4, dtype=np.int32)[:, None]
+    faces = (first + np.array([[0, 1, 2, 0, 2, 3]], np.int32)).reshape(-1, 3)
+    return vertices, faces[:, ::-1] if grid.mirrored else faces
+
+
+def _quads(grid: Grid, corners: list[tuple[np.ndarray, np.ndarray]], heights: list[np.ndarray]) -> np.ndarray:
+    """(N, 4, 3) from the columns and rows of four corners, and their heights."""
+    return np.stack([grid.places(*at, height) for at, height in zip(corners, heights, strict=True)], axis=1)
+
+
+def _heights(grid: Grid, source: Any, argument: str) -> np.ndarray:
+    """(rows, columns) of a raster that has the cells of another one; NaN where it has nothing.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: no such raster; names the argument.
+    """
+    with _calling(argument):
+        found = grid_of(source)
+    shape, wanted = found.height.shape, grid.height.shape
+    if shape != wanted:
+        raise ValueError(
+            f"{argument}: got {shape[0]} x {shape[1]} cells, want {wanted[0]} x {wanted[1]}, those of the heights"
+        )
+    rows, columns = (np.array(corners) for corners in zip((0, 0), (0, shape[1]), (shape[0], 0), strict=True))
+    off = found.places(columns, rows, 0.0 * rows) - grid.places(columns, rows, 0.0 * rows)
+    if np.abs(off).max() > _OFF * min(grid.sides):
+        raise ValueError(
+            f"{argument}: got cells that are {np.abs(off).max():g} off those of the heights, want the same cells"
+        )
+    if found.crs and grid.crs and found.crs.to_2d() != grid.crs.to_2d():
+        raise ValueError(f"{argument}: got coordinates of {found.crs.name}, want {grid.crs.name}, as the heights have")
+    return found.height
+
+
+@contextmanager
+def _calling(argument: str) -> Iterator[None]:
+    """Lets what is said of the raster `source` be said of another argument."""
+    try:
+        yield
+    except (TypeError, ValueError, FileNotFoundError) as error:
+        raise type(error)(str(error).replace("source: ", f"{argument}: ", 1)) from error

@@ -1,0 +1,144 @@
+"""What is seen through crowns: two runs by the same rays, one with opaque crowns and one without them.
+
+Of what lies behind crowns a share is seen, the same however many of them a ray crosses: with B seen beside all crowns and A
+seen without them, B + share * (A - B). Both are found by the same rays, so that their errors go together: their sum,
+(1 - share) of B's and share of A's, is no less than that of the result, Lindberg2011.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
+from typing import Any
+
+import numpy as np
+
+from warpsample.city.rasters.raster_surface import RasterSurface
+from warpsample.estimate.plan import Plan
+from warpsample.host.arguments import told
+from warpsample.host.arrays import as_real
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.radiation.sun.direct_sun import direct_sun
+from warpsample.radiation.weather.irradiation import Irradiation, received
+from warpsample.radiation.weather.light import Light
+from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
+
+_MONTHS, _DAYS = 12, 365
+_WANTS = "a share from 0 to 1, or 12 of them, for each month, or 365, for each day"
+
+
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """What P points see, crowns in its way.
+
+    Attributes:
+        value: (P,) float32.
+        standard_error: (P,) float32, at most so much.
+        rays: (P,) int32, in both runs.
+        status: (P,) uint8, a `PointStatus`.
+    """
+
+    value: np.ndarray
+    standard_error: np.ndarray
+    rays: np.ndarray
+    status: np.ndarray
+
+
+def check_transmittance(value: Any) -> np.ndarray:
+    """(1,), (12,) or (365,) float64, the share of light that passes crowns: always, in each month, or on each day.
+
+    Raises:
+        TypeError, ValueError: something else.
+    """
+    shares = np.atleast_1d(as_real(value, "transmittance", _WANTS)).astype(np.float64)
+    if shares.shape not in ((1,), (_MONTHS,), (_DAYS,)) or not ((shares >= 0.0) & (shares <= 1.0)).all():
+        raise ValueError(f"transmittance: got {told(value)}, want {_WANTS}")
+    return shares
+
+
+def shares_of_hours(transmittance: np.ndarray, hours: np.ndarray) -> np.ndarray:
+    """(T,) the share that passes crowns in each of (T,) hours, datetime64 of a year without 29 February."""
+    if len(transmittance) == _MONTHS:
+        return transmittance[hours.astype("datetime64[M]").astype(int) % 12]
+    if len(transmittance) == _DAYS:
+        return transmittance[np.array([_day_of(day) for day in hours.astype("datetime64[D]")], int)]
+    return np.broadcast_to(transmittance, hours.shape)
+
+
+def _day_of(day: np.datetime64) -> int:
+    """The number of a day in a year without 29 February, from 0 on: files of typical years join months of several years."""
+    month = day.astype("datetime64[M]")
+    first = np.datetime64("2021-01", "M") + month.astype(int) % 12
+    return int((first.astype("datetime64[D]") - np.datetime64("2021-01-01")).astype(int) + (day - month).astype(int))
+
+
+def seen_through(surface: RasterSurface, transmittance: np.ndarray, call: Callable[[Mesh], Any]) -> Seen:
+    """What points see of a sky that is the same at any time.
+
+    Args:
+        surface: with crowns or without.
+        transmittance: (1,).
+        call: what they see with a mesh in the way, as an Estimate has it.
+
+    Raises:
+        ValueError: shares by date.
+    """
+    if len(transmittance) != 1:
+        raise ValueError(f"transmittance: got {len(transmittance)} shares for what has no date, want one")
+    return _joined(Seen, [_dimmed(call(mesh), share) for mesh, share in _views(surface, transmittance)])
+
+
+def irradiation_through(
+    surface: RasterSurface,
+    points: SurfacePoints,
+    light: Light,
+    transmittance: np.ndarray,
+    *,
+    count: int,
+    options: RayOptions,
+) -> Irradiation:
+    """What a period's light brings to points of a surface; arguments as of `irradiation` and `received`."""
+    parts = []
+    for mesh, shares in _views(surface, shares_of_hours(transmittance, light.hours)):
+        plan = Plan.of(PlacedPoints.of(mesh, points), count, options)
+        parts.append(received(plan, light_through(light, shares), series=False))
+    return _joined(Irradiation, parts)
+
+
+def light_through(light: Light, shares: np.ndarray) -> Light:
+    """A light of which a share is left in each of its hours, (T,)."""
+    return replace(
+        light,
+        direct=light.direct * shares[light.sun_rows],
+        radiance=light.radiance * shares[light.sky_rows],
+        ground=light.ground * shares[light.sky_rows],
+    )
+
+
+def sun_through(
+    surface: RasterSurface, points: SurfacePoints, suns: np.ndarray, shares: np.ndarray, **options: Any
+) -> np.ndarray:
+    """(P,) float64, the number of suns (T, 3) that points see, those behind crowns counted by the shares (T,) that pass."""
+    views = _views(surface, shares)
+    return np.sum([direct_sun(mesh, points, suns, weights=np.array(share), **options) for mesh, share in views], axis=0)
+
+
+def _views(surface: RasterSurface, shares: np.ndarray) -> tuple[tuple[Mesh, np.ndarray], ...]:
+    """The meshes to look at, and how much what is seen there counts."""
+    if surface.canopy_mesh is None:
+        return ((surface.mesh, np.ones_like(shares)),)
+    return (surface.canopy_mesh, 1.0 - shares), (surface.mesh, shares)
+
+
+def _dimmed(found: Any, share: np.ndarray) -> Seen:
+    """A share of an estimate."""
+    value, error = (np.float32(share * array.astype(np.float64)) for array in (found.value, found.standard_error))
+    return Seen(value, error, found.rays, found.status)
+
+
+def _joined(kind: type[Any], parts: list[Any]) -> Any:
+    """The sum of results; what is no number of light is the first's."""
+    summed = ("value", "standard_error", "direct", "diffuse", "ground", "rays")
+    names = [item.name for item in fields(kind) if item.name in summed]
+    sums = {name: sum(getattr(part, name) for part in parts[1:]) for name in names}
+    return replace(parts[0], **{name: getattr(parts[0], name) + more for name, more in sums.items()})
