@@ -10,8 +10,9 @@ from warnings import warn
 import numpy as np
 
 from warpsample.city.rasters.grid import Grid
-from warpsample.city.rasters.reading import grid_of
-from warpsample.host.arguments import check_number
+from warpsample.city.rasters.reader import RasterReader
+from warpsample.city.rasters.reading import reader_of
+from warpsample.host.arguments import check_flag, check_number
 
 _SIDES = (((0, 1), (1, 1), (1, 0)), ((-1, 0), (1, 0), (0, 0)), ((0, -1), (0, 0), (0, 1)), ((1, 0), (0, 1), (1, 1)))
 """Of a cell: where the neighbour is, (rows, columns), and both ends of the edge, (columns, rows), the left one first as seen
@@ -20,6 +21,7 @@ from there, in a raster with its north at the top."""
 _RING = ((0, 0), (0, 1), (1, 1), (1, 0))
 """The corners of a cell, (columns, rows), counter-clockwise seen from above in such a raster."""
 
+_ALL = slice(None)
 _OFF = 0.01
 """Of a cell's length: what corners of two rasters may be apart whose transforms were written with fewer digits."""
 
@@ -42,39 +44,59 @@ class Crowns:
         return bool((~np.isnan(self.top)).any())
 
 
-def crowns_over(grid: Grid, canopy: Any, trunk: Any, relative: bool) -> Crowns:
-    """The crowns over the ground that a raster has.
+@dataclass(frozen=True, eq=False)
+class Canopy:
+    """The rasters of crowns, checked, and not read yet.
 
-    Args:
-        grid: of the ground and of buildings, without trees.
-        canopy: a raster of the same cells, the crowns' tops: heights above the ground, 0 or nothing where there are none.
-        trunk: the height of their undersides above the ground, as a share of that, 0 to 1; or another raster.
-        relative: whether both rasters are heights above the ground; else elevations, and what is not above the ground, or 0,
-            is none.
-
-    Raises:
-        TypeError, ValueError, FileNotFoundError: no such raster, or heights below 0; names the argument.
-
-    Warns:
-        UserWarning: crowns whose underside is not below their top; they are left out.
+    Attributes:
+        top: of the crowns' tops, on the cells of the ground.
+        trunk: the height of their undersides above the ground, as a share of that; or another raster.
+        relative: whether both are heights above the ground; else elevations, and what is 0 or not above the ground is none.
     """
-    top = _heights(grid, canopy, "canopy")
-    if relative and (top < 0.0).any():
-        raise ValueError(
-            f"canopy: got heights from {np.nanmin(top):g} to {np.nanmax(top):g}, want heights above the ground, 0 where "
-            "there are no crowns; relative=False takes elevations"
-        )
-    ground = grid.height if relative else 0.0
-    top = np.where((top != 0.0) & (ground + top > grid.height), ground + top, np.nan)
-    if isinstance(trunk, Real):
-        base = grid.height + check_number(trunk, "trunk", 0.0, 1.0) * (top - grid.height)
-    else:
-        base = np.fmax(ground + _heights(grid, trunk, "trunk"), grid.height)
-    hollow = ~np.isnan(top) & ~(base < top)
-    if hollow.any():
-        warn(f"trunk: got undersides at or above the tops of {hollow.sum():,} crowns, which are left out", stacklevel=3)
-    none = hollow | np.isnan(top)
-    return Crowns(np.where(none, np.nan, base), np.where(none, np.nan, top))
+
+    top: RasterReader
+    trunk: float | RasterReader
+    relative: bool
+
+    @classmethod
+    def of(cls, ground: RasterReader, canopy: Any, trunk: Any, relative: Any) -> "Canopy | None":
+        """The canopy over the ground; None without one. Arguments as of `surface`.
+
+        Raises:
+            TypeError, ValueError, FileNotFoundError: no such rasters, or of other cells; names the argument.
+        """
+        relative = check_flag(relative, "relative")
+        if canopy is None:
+            return None
+        share = check_number(trunk, "trunk", 0.0, 1.0) if isinstance(trunk, Real) else _on(ground, trunk, "trunk")
+        return cls(_on(ground, canopy, "canopy"), share, relative)
+
+    def crowns(self, grid: Grid, rows: slice = _ALL, columns: slice = _ALL) -> Crowns:
+        """The crowns over the ground of these rows and columns.
+
+        Raises:
+            ValueError: heights below 0.
+
+        Warns:
+            UserWarning: crowns whose underside is not below their top; they are left out.
+        """
+        top = self.top.read(rows, columns)
+        if self.relative and (top < 0.0).any():
+            raise ValueError(
+                f"canopy: got heights from {np.nanmin(top):g} to {np.nanmax(top):g}, want heights above the ground, 0 where "
+                "there are no crowns; relative=False takes elevations"
+            )
+        ground = grid.height if self.relative else 0.0
+        top = np.where((top != 0.0) & (ground + top > grid.height), ground + top, np.nan)
+        if isinstance(self.trunk, RasterReader):
+            base = np.fmax(ground + self.trunk.read(rows, columns), grid.height)
+        else:
+            base = grid.height + self.trunk * (top - grid.height)
+        hollow = ~np.isnan(top) & ~(base < top)
+        if hollow.any():
+            warn(f"trunk: got undersides at or above the tops of {hollow.sum():,} crowns, which are left out", stacklevel=3)
+        none = hollow | np.isnan(top)
+        return Crowns(np.where(none, np.nan, base), np.where(none, np.nan, top))
 
 
 def prisms(grid: Grid, crowns: Crowns) -> tuple[np.ndarray, np.ndarray]:
@@ -108,32 +130,41 @@ def _quads(grid: Grid, corners: list[tuple[np.ndarray, np.ndarray]], heights: li
     return np.stack([grid.places(*at, height) for at, height in zip(corners, heights, strict=True)], axis=1)
 
 
-def _heights(grid: Grid, source: Any, argument: str) -> np.ndarray:
-    """(rows, columns) of a raster that has the cells of another one; NaN where it has nothing.
+def _on(ground: RasterReader, source: Any, argument: str) -> RasterReader:
+    """A raster that has the cells of the ground.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: no such raster; names the argument.
     """
-    with _calling(argument):
-        found = grid_of(source)
-    shape, wanted = found.height.shape, grid.height.shape
+    with calling(argument):
+        found = reader_of(source)
+    shape, wanted = found.shape, ground.shape
     if shape != wanted:
         raise ValueError(
             f"{argument}: got {shape[0]} x {shape[1]} cells, want {wanted[0]} x {wanted[1]}, those of the heights"
         )
     rows, columns = (np.array(corners) for corners in zip((0, 0), (0, shape[1]), (shape[0], 0), strict=True))
-    off = found.places(columns, rows, 0.0 * rows) - grid.places(columns, rows, 0.0 * rows)
-    if np.abs(off).max() > _OFF * min(grid.sides):
+    off = found.outline.places(columns, rows, 0.0 * rows) - ground.outline.places(columns, rows, 0.0 * rows)
+    if np.abs(off).max() > _OFF * min(ground.outline.sides):
         raise ValueError(
             f"{argument}: got cells that are {np.abs(off).max():g} off those of the heights, want the same cells"
         )
-    if found.crs and grid.crs and found.crs.to_2d() != grid.crs.to_2d():
-        raise ValueError(f"{argument}: got coordinates of {found.crs.name}, want {grid.crs.name}, as the heights have")
-    return found.height
+    check_same_map(ground, found, argument)
+    return found
+
+
+def check_same_map(ground: RasterReader, other: RasterReader, argument: str) -> None:
+    """Refuses a raster of another map.
+
+    Raises:
+        ValueError: names both.
+    """
+    if other.crs and ground.crs and other.crs.to_2d() != ground.crs.to_2d():
+        raise ValueError(f"{argument}: got coordinates of {other.crs.name}, want {ground.crs.name}, as the heights have")
 
 
 @contextmanager
-def _calling(argument: str) -> Iterator[None]:
+def calling(argument: str) -> Iterator[None]:
     """Lets what is said of the raster `source` be said of another argument."""
     try:
         yield

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from warpsample.city.rasters.canopy import crowns_over, prisms
+from warpsample.city.rasters.canopy import Canopy, Crowns, prisms
 from warpsample.city.rasters.cells import STEP, joined_cells
 from warpsample.city.rasters.centres import between_centres
 from warpsample.city.rasters.grid import Grid
-from warpsample.city.rasters.reading import grid_of
+from warpsample.city.rasters.reading import reader_of, with_heights
 from warpsample.city.rasters.triangles import TOP
-from warpsample.host.arguments import check_choice, check_flag
+from warpsample.host.arguments import check_choice
 from warpsample.host.arrays import as_real
 from warpsample.mesh.mesh import Mesh, unit_or_zero
 from warpsample.mesh.surface import SurfacePoints
@@ -148,13 +148,21 @@ def surface(
         4.0 10.0
     """
     check_choice(model, "model", MODELS)
-    relative = check_flag(relative, "relative")
-    grid = grid_of(source)
-    crowns = None if canopy is None else crowns_over(grid, canopy, trunk, relative)
+    reader = reader_of(source)
+    canopy = Canopy.of(reader, canopy, trunk, relative)
+    grid = with_heights(reader.grid())
+    return surface_of(grid, model, canopy and canopy.crowns(grid))
+
+
+def surface_of(grid: Grid, model: str, crowns: Crowns | None) -> RasterSurface:
+    """The surface of a grid, and of the crowns over it."""
     made = between_centres(grid) if model == "tin" else joined_cells(grid, STEP if model == "joined" else 0.0)
-    with_crowns = None
+    mesh, with_crowns = Mesh(made.vertices, made.faces), None
     if crowns is not None and crowns.any:
-        vertices, faces = prisms(grid, crowns)
-        both = np.concatenate([made.faces, len(made.vertices) + faces])
-        with_crowns = Mesh(np.concatenate([made.vertices, vertices]), both)
-    return RasterSurface(grid, model, Mesh(made.vertices, made.faces), made.kind, made.cell, with_crowns)
+        with_crowns = beside(mesh, *prisms(grid, crowns))
+    return RasterSurface(grid, model, mesh, made.kind, made.cell, with_crowns)
+
+
+def beside(mesh: Mesh, vertices: np.ndarray, faces: np.ndarray) -> Mesh:
+    """A mesh and, after it, more triangles."""
+    return Mesh(np.concatenate([mesh.vertices, vertices]), np.concatenate([mesh.faces, len(mesh.vertices) + faces]))

@@ -1,8 +1,9 @@
 """Reads rasters of heights: files, xarray's arrays, and arrays with a transform. Here alone they are checked."""
 
 import warnings
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
@@ -13,13 +14,14 @@ import xarray as xr
 from affine import Affine
 from rasterio.enums import ColorInterp
 from rasterio.errors import NotGeoreferencedWarning, RasterioError, RasterioIOError
+from rasterio.windows import Window
 from rioxarray.exceptions import MissingSpatialDimensionError
 
 from warpsample.city.rasters.grid import Grid
+from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reference import crs_of, height_metres_of, metres_of
 from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real
-from warpsample.host.engine import check_memory
 from warpsample.host.neighbours import kind_told
 
 _WANTS = "the path of a raster, an xarray.DataArray, or a tuple (array, affine, crs or None)"
@@ -29,15 +31,21 @@ _UNDECLARED = (-9999.0, -99999.0, -32767.0, -32768.0)
 _LARGEST = 1e30
 """What is larger stands for none, such as float32's largest number in a raster whose tag is float64's copy of it."""
 
-_BYTES = 1000
-"""Of memory for each cell: its triangles, their normals and their tree."""
 
-_MOST_CELLS = 2**28
-"""Vertices, of which there are at most five to a cell, are counted by 32 bits."""
+def with_heights(grid: Grid) -> Grid:
+    """A grid that has some height.
+
+    Raises:
+        ValueError: it has none.
+    """
+    if not grid.valid.any():
+        rows, columns = grid.height.shape
+        raise ValueError(f"source: got {rows} x {columns} cells without any height, want at least one")
+    return grid
 
 
-def grid_of(source: Any) -> Grid:
-    """A raster of heights.
+def reader_of(source: Any) -> RasterReader:
+    """A raster of heights that is checked, and not read yet.
 
     Args:
         source: the path of a raster that GDAL reads, with one band; an xarray.DataArray of two dimensions, or whose others
@@ -45,9 +53,7 @@ def grid_of(source: Any) -> Grid:
             height are masked, NaN, infinite, beyond 1e30, what the raster says is none, or -9999, -99999, -32767, -32768.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: something else; several bands; a CRS in degrees; no place on a map; no
-            cell with a height.
-        MemoryError: its triangles need more memory than is free.
+        TypeError, ValueError, FileNotFoundError: something else; several bands; a CRS in degrees; no place on a map.
 
     Warns:
         UserWarning: the unit of its heights is not told, and that of its coordinates is no metre.
@@ -61,22 +67,27 @@ def grid_of(source: Any) -> Grid:
     raise TypeError(f"source: got {kind_told(source)}, want {_WANTS}")
 
 
-def _of_file(path: str) -> Grid:
-    with _naming(path), warnings.catch_warnings():
-        warnings.simplefilter("ignore", NotGeoreferencedWarning)
-        with rasterio.open(path) as file:
-            bands = [n for n, colour in enumerate(file.colorinterp, 1) if colour != ColorInterp.alpha]
-            if len(bands) != 1:
-                raise ValueError(f"source: got {path!r} with {len(bands)} bands, want one band of heights")
-            _check_place(file.transform, file.crs, repr(path))
-            band = bands[0] - 1
-            _check_size(file.shape)
-            heights = _heights(file.read(band + 1), file.nodata, file.scales[band], file.offsets[band])
-            heights[file.read_masks(band + 1) == 0] = np.nan
-            return _grid(heights, file.transform, file.crs, file.units[band] or "")
+def _of_file(path: str) -> RasterReader:
+    with _opened(path) as file:
+        bands = [n for n, colour in enumerate(file.colorinterp, 1) if colour != ColorInterp.alpha]
+        if len(bands) != 1:
+            raise ValueError(f"source: got {path!r} with {len(bands)} bands, want one band of heights")
+        _check_place(file.transform, file.crs, repr(path))
+        unit = file.units[bands[0] - 1] or ""
+        return _reader(file.shape, file.transform, file.crs, unit, partial(_band, path, bands[0]))
 
 
-def _of_data_array(array: xr.DataArray) -> Grid:
+def _band(path: str, band: int, rows: slice, columns: slice) -> np.ndarray:
+    """A part of a file's heights; opened for it alone, since GDAL's files are for one thread and one process."""
+    with _opened(path) as file:
+        window = Window.from_slices(rows, columns)
+        values = file.read(band, window=window)
+        heights = _heights(values, file.nodata, file.scales[band - 1], file.offsets[band - 1])
+        heights[file.read_masks(band, window=window) == 0] = np.nan
+        return heights
+
+
+def _of_data_array(array: xr.DataArray) -> RasterReader:
     try:
         dims = array.rio.y_dim, array.rio.x_dim
     except MissingSpatialDimensionError:
@@ -87,31 +98,40 @@ def _of_data_array(array: xr.DataArray) -> Grid:
     if any(size != 1 for size in others.values()):
         raise ValueError(f"source: got an xarray.DataArray of sizes {dict(array.sizes)}, want y and x alone: one band")
     array = array.isel(dict.fromkeys(others, 0)).transpose(*dims)
-    _check_size(array.shape)
-    transform = _transform_of(array, dims)
-    known = array.attrs
-    heights = _heights(array.to_numpy(), array.rio.nodata, known.get("scale_factor", 1.0), known.get("add_offset", 0.0))
+    known, nodata = array.attrs, array.rio.nodata
     coordinates = {name: array.coords[name].variable for name in dims if name in array.coords}
-    return _grid(heights, transform, array.rio.crs, str(known.get("units", "")), dims=dims, coordinates=coordinates)
+    if not array.size:
+        raise ValueError(f"source: got an xarray.DataArray of sizes {dict(array.sizes)}, want cells")
+
+    def heights(rows: slice, columns: slice) -> np.ndarray:
+        part = array.isel(dict(zip(dims, (rows, columns), strict=True))).to_numpy()
+        return _heights(part, nodata, known.get("scale_factor", 1.0), known.get("add_offset", 0.0))
+
+    where = _transform_of(array, dims), array.rio.crs, str(known.get("units", ""))
+    return _reader(array.shape, *where, heights, dims=dims, coordinates=coordinates)
 
 
-def _of_array(array: Any, transform: Any, crs: Any) -> Grid:
+def _of_array(array: Any, transform: Any, crs: Any) -> RasterReader:
     masked = np.ma.getmask(array)
-    heights = as_real(np.ma.getdata(array) if masked is not np.ma.nomask else array, "source", "an array of real numbers")
-    if heights.ndim == 3 and len(heights) == 1:
-        heights, masked = heights[0], masked[0] if masked is not np.ma.nomask else masked
-    if heights.ndim != 2:
-        raise ValueError(f"source: got an array of shape {heights.shape}, want (rows, columns)")
-    _check_size(heights.shape)
-    heights = _heights(heights, None)
-    heights[masked] = np.nan
+    values = as_real(np.ma.getdata(array) if masked is not np.ma.nomask else array, "source", "an array of real numbers")
+    masked = np.broadcast_to(masked, values.shape)
+    if values.ndim == 3 and len(values) == 1:
+        values, masked = values[0], masked[0]
+    if values.ndim != 2:
+        raise ValueError(f"source: got an array of shape {values.shape}, want (rows, columns)")
     try:
         affine = Affine(*(float(number) for number in tuple(transform)[:6]))
     except TypeError:
         raise TypeError(
             f"source: got {told(transform)} for its transform, want an affine.Affine or its numbers a, b, c, d, e, f"
         ) from None
-    return _grid(heights, affine, crs, "")
+
+    def heights(rows: slice, columns: slice) -> np.ndarray:
+        part = _heights(values[rows, columns], None)
+        part[masked[rows, columns]] = np.nan
+        return part
+
+    return _reader(values.shape, affine, crs, "", heights)
 
 
 def _transform_of(array: xr.DataArray, dims: tuple[str, str]) -> Affine:
@@ -150,22 +170,21 @@ def _heights(values: np.ndarray, nodata: float | None, scale: float = 1.0, offse
     return heights
 
 
-def _grid(
-    heights: np.ndarray,
+def _reader(
+    shape: tuple[int, int],
     transform: Affine,
     crs: Any,
     unit: str,
+    heights: Callable[[slice, slice], np.ndarray],
     *,
     dims: tuple[str, str] = ("y", "x"),
     coordinates: Mapping[str, Any] | None = None,
-) -> Grid:
-    """A checked grid, whose heights are in the unit of its coordinates."""
+) -> RasterReader:
+    """A checked reader, whose heights are made those of the unit of its coordinates."""
     numbers = np.array(transform[:6])
     size = max(np.abs(numbers[[0, 1, 3, 4]]).max(), 1e-300)
     if not np.isfinite(numbers).all() or abs(transform.determinant) <= 1e-12 * size**2:
         raise ValueError(f"source: got the transform {tuple(numbers.tolist())}, want one whose cells have an area")
-    if np.isnan(heights).all():
-        raise ValueError(f"source: got {heights.shape[0]} x {heights.shape[1]} cells without any height, want at least one")
     found = crs_of(crs)
     metres, height_metres = metres_of(found), height_metres_of(found, unit) if found else None
     if height_metres is None and abs(metres - 1.0) > 1e-5:
@@ -173,11 +192,8 @@ def _grid(
             f"source: got no unit of its heights, and coordinates in units of {metres:g} m; they are taken to be the same",
             stacklevel=2,
         )
-    if height_metres is not None and abs(height_metres / metres - 1.0) > 1e-5:
-        heights *= height_metres / metres
-    if coordinates is None:
-        coordinates = _coordinates(transform, heights.shape)
-    return Grid(heights, transform, found, metres, dims, coordinates)
+    coordinates = _coordinates(transform, shape) if coordinates is None else coordinates
+    return RasterReader(shape, transform, found, metres, dims, coordinates, (height_metres or metres) / metres, heights)
 
 
 def _coordinates(transform: Affine, shape: tuple[int, int]) -> dict[str, np.ndarray]:
@@ -197,24 +213,19 @@ def _check_place(transform: Affine, crs: Any, what: str) -> None:
         )
 
 
-def _check_size(shape: tuple[int, int]) -> None:
-    """Refuses rasters without cells, and those that are too large, before they are read."""
-    rows, columns = shape
-    if not 0 < rows * columns <= _MOST_CELLS:
-        raise ValueError(f"source: got {rows:,} x {columns:,} cells, want 1 to {_MOST_CELLS:,}; take it in tiles")
-    check_memory(_BYTES * rows * columns, f"the surface of {rows:,} x {columns:,} cells", "take it in tiles")
-
-
 @contextmanager
-def _naming(path: str) -> Iterator[None]:
-    """Names the file that rasterio cannot read.
+def _opened(path: str) -> Iterator[Any]:
+    """A file that rasterio reads.
 
     Raises:
         FileNotFoundError: it is missing.
         ValueError: it is no raster, or damaged.
     """
     try:
-        yield
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", NotGeoreferencedWarning)
+            with rasterio.open(path) as file:
+                yield file
     except RasterioError as error:
         if isinstance(error, RasterioIOError) and "://" not in path and ":" not in path[2:] and not Path(path).exists():
             raise FileNotFoundError(f"source: got {path!r}, which is missing, want {_WANTS}") from error
