@@ -13,13 +13,16 @@ import numpy as np
 
 from warpsample.city.rasters.raster_surface import RasterSurface
 from warpsample.estimate.plan import Plan
+from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.radiation.sky.patches import sky_patches
 from warpsample.radiation.sun.direct_sun import direct_sun
-from warpsample.radiation.weather.irradiation import Irradiation, received
-from warpsample.radiation.weather.light import Light
+from warpsample.radiation.weather.irradiation import Irradiation, irradiation, received
+from warpsample.radiation.weather.light import Light, light_of, sun_directions
+from warpsample.radiation.weather.weather import read_weather
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
 
@@ -79,13 +82,42 @@ def seen_through(surface: RasterSurface, transmittance: np.ndarray, call: Callab
         surface: with crowns or without.
         transmittance: (1,).
         call: what they see with a mesh in the way, as an Estimate has it.
+    """
+    return _joined(Seen, [_dimmed(call(mesh), share) for mesh, share in _views(surface, transmittance)])
+
+
+def seen_of(
+    quantity: Quantity, surface: RasterSurface, points: SurfacePoints, options: dict[str, Any], transmittance: np.ndarray
+) -> Seen:
+    """A quantity at points of a surface, by its call, or by the hours of its light where what passes crowns has a date."""
+    if len(transmittance) == 1 or surface.canopy_mesh is None:
+        return seen_through(surface, transmittance[:1], lambda mesh: quantity.call(mesh, points, **options))
+    given = {name: value for name, value in quantity.parameters.items() if name != "first_point"} | options
+    if quantity.call is irradiation:
+        names = ("weather", "period", "ground_albedo", "patches", "up", "north")
+        light = light_of(**{name: given[name] for name in names})
+        cast = RayOptions.of(len(points), seed=given["seed"], ids=points.id).by(workers=given["workers"])
+        found = irradiation_through(surface, points, light, transmittance, count=given["count"], options=cast)
+        return Seen(found.value, found.standard_error, found.rays, found.status)
+    weather = read_weather(given["weather"], given["period"])
+    weather = weather.chosen(weather.sun_altitude > 0.0)
+    frame = sky_patches(up=given["up"], north=given["north"]).frame
+    bare = quantity.call(surface.mesh, points, **options)
+    shares = shares_of_hours(transmittance, weather.hours)
+    hours = sun_through(surface, points, sun_directions(weather, frame), shares, workers=given["workers"])
+    return replace(_dimmed(bare, np.ones(())), value=hours.astype(np.float32))
+
+
+def check_dates(quantity: Quantity, transmittance: np.ndarray) -> None:
+    """Refuses shares by date for a quantity that has none.
 
     Raises:
-        ValueError: shares by date.
+        ValueError: says how many there are.
     """
-    if len(transmittance) != 1:
-        raise ValueError(f"transmittance: got {len(transmittance)} shares for what has no date, want one")
-    return _joined(Seen, [_dimmed(call(mesh), share) for mesh, share in _views(surface, transmittance)])
+    if len(transmittance) != 1 and "weather" not in quantity.parameters:
+        raise ValueError(
+            f"transmittance: got {len(transmittance)} shares for the {quantity.title}, want one: it has no date"
+        )
 
 
 def irradiation_through(

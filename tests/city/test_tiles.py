@@ -1,0 +1,194 @@
+"""Tiles: the numbers of the whole raster where the margin reaches over it, and else between two bounds."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from affine import Affine
+from raster_cases import NORTH_UP
+
+pytest.importorskip("rasterio")
+pytest.importorskip("rioxarray")
+
+import warpsample as ws
+from warpsample.city.rasters import far
+from warpsample.city.rasters.far import FarField
+from warpsample.city.rasters.reading import reader_of
+from warpsample.city.rasters.tiles import RasterRun
+from warpsample.estimate.quantities.ambient_occlusion import RECORD as OCCLUSION
+from warpsample.estimate.quantities.sky_view_factor import RECORD as SKY
+
+OPTIONS = {"model": "joined", "receiver": "horizontal", "canopy": None, "trunk": 0.25, "relative": True}
+OPTIONS |= {"transmittance": 0.03, "tile": None, "margin": None, "far": None}
+
+
+def town(rows=60, columns=44, seed=2):
+    """Blocks of houses on a slope, and a hole."""
+    rng = np.random.default_rng(seed)
+    heights = 0.2 * np.arange(columns) + np.zeros((rows, columns))
+    for _ in range(60):
+        i, j = rng.integers(0, rows - 6), rng.integers(0, columns - 6)
+        heights[i : i + 5, j : j + 4] = rng.uniform(4.0, 25.0)
+    return heights
+
+
+def run(source, quantity=SKY, count=64, **options):
+    if isinstance(source, np.ndarray):
+        source = source, NORTH_UP, None
+    return RasterRun.of(source, quantity, {"count": count}, **OPTIONS | options)
+
+
+def whole(made):
+    """What all tiles of a run have, laid out."""
+    laid = {name: np.full(made.reader.shape, np.nan, np.float32) for name in made.names}
+    for span in made.spans():
+        for name, values in made.numbers(span).items():
+            laid[name][span] = values
+    return laid
+
+
+@pytest.mark.parametrize("model", ["joined", "block", "tin"])
+def test_a_margin_of_the_whole_raster_changes_nothing(model):
+    """The law is 1e-6 in 99 of 100 cells; here the mesh is the same, and so are the bits."""
+    heights = town()
+    heights[20:22, 7] = np.nan
+    right = whole(run(heights, model=model))
+    found = whole(run(heights, model=model, tile=17, margin=60))
+    for name in ("value", "standard_error"):
+        assert np.array_equal(found[name], right[name], equal_nan=True), name
+    assert np.nanmax(found["far_error"]) == 0.0
+    assert np.array_equal(np.isnan(right["value"]), np.isnan(heights))
+    points, cells = ws.rasters.surface((heights, NORTH_UP, None), model=model).points()
+    plain = ws.sky_view_factor(
+        ws.rasters.surface((heights, NORTH_UP, None), model=model).mesh, replace(points, id=cells), 64
+    )
+    assert np.array_equal(right["value"].ravel()[cells], plain.value)
+
+
+@pytest.mark.parametrize("margin", [3, 8, 20])
+@pytest.mark.parametrize("quantity", [SKY, OCCLUSION])
+def test_what_is_beyond_the_margin_is_bounded(quantity, margin, monkeypatch):
+    """Ray by ray, so in each cell: the same rays see no more with the upper columns, and no less with the lower ones.
+
+    But for rays that graze edges, whose hits float32 decides, in few cells; and as the Earth is flat in the whole raster,
+    by its curvature over 60 m, 3e-4 m.
+    """
+    monkeypatch.setattr(far, "_FINENESS", 4)  # else a raster so small is not pooled
+    heights = town()
+    right = whole(run(heights, quantity, model="block"))
+    found = whole(run(heights, quantity, model="block", tile=16, margin=margin))
+    off = np.abs(found["value"].astype(np.float64) - right["value"]) - found["far_error"]
+    assert (off <= 1e-6).mean() >= 0.99
+    assert off.max() <= 3.0 / 64.0
+    assert 0.0 < found["far_error"].mean() < 0.05
+
+
+def test_without_the_far_field_the_bound_would_not_hold():
+    """So that the law above is not true of everything."""
+    heights = town()
+    right = whole(run(heights, model="block"))["value"]
+    found = run(heights, model="block", tile=16, margin=3)
+    vars(found)["field"] = None
+    bare = whole(found)["value"]
+    assert (np.abs(bare.astype(np.float64) - right) > 1e-3).mean() > 0.1
+
+
+@pytest.mark.parametrize("transform", [NORTH_UP, Affine(2.0, 0.3, 5.0, 0.1, 1.5, 7.0)])
+@pytest.mark.parametrize("model", ["joined", "block"])
+def test_columns_are_above_and_below_the_terrain(model, transform):
+    """By vertical rays from the middle of each cell beyond the window, on both sides."""
+    heights = town()
+    heights[50, 3] = np.nan
+    reader = reader_of((heights, transform, None))
+    field = FarField.of(reader, None, margin=120, model=model)  # cells of 2, then 4, ...
+    assert field.size == 2
+    tile = slice(10, 20), slice(12, 20)
+    near = tuple(slice(part.start - 4, part.stop + 4) for part in tile)
+    inside = np.zeros(heights.shape, bool)
+    inside[near] = True
+    upper, lower = (_height_of(ws.as_mesh(columns), reader, 100.0) for columns in field.columns(tile, near))
+    assert np.isnan(upper[inside & ~np.isnan(heights)]).all()
+    known = ~inside & ~np.isnan(heights)
+    assert (upper[known] >= heights[known] - 5e-4).all()  # float32, and the Earth's curvature over 80 m
+    covered = known & ~np.isnan(lower)
+    assert covered.sum() > 0.9 * known.sum()
+    assert (lower[covered] <= heights[covered] + 1e-4).all()
+    assert not covered[50:52, 2:4].any()
+
+
+def _height_of(mesh, reader, top):
+    """(rows, columns) where vertical rays from above meet a mesh first; NaN where they miss it."""
+    rows, columns = reader.shape
+    start = reader.outline.centres(np.arange(rows * columns)) + np.array([1e-3, 2e-3, 0.0])
+    start[:, 2] = top
+    hits = ws.trace(mesh, start, np.tile([0.0, 0.0, -1.0], (rows * columns, 1)))
+    return np.where(np.isinf(hits.distance), np.nan, top - hits.distance).reshape(rows, columns)
+
+
+def test_mountains_beyond_the_raster_are_seen():
+    """A crest of 100 m all around, 1 km away, of a coarse raster that is turned: the whole by a closed form, cos² h."""
+    flat = np.zeros((21, 21))
+    coarse = np.zeros((201, 201))
+    x, y = np.meshgrid(np.arange(201) - 100, np.arange(201) - 100)
+    crest = np.hypot(x, y) * 20.0 > 1000.0
+    coarse[crest] = 100.0
+    turned = (
+        Affine.translation(10.5, -10.5) @ Affine.rotation(30.0) @ Affine.scale(20.0) @ Affine.translation(-100.5, -100.5)
+    )
+    for tile in (None, 8):
+        made = run(flat, count=1024, model="block", far=(coarse, turned, None), tile=tile)
+        found = whole(made)
+        lower, upper = (1.0 / (1.0 + (100.0 / distance) ** 2) for distance in (980.0, 1040.0))
+        assert lower - 1e-3 <= found["value"].mean(dtype=np.float64) <= upper + 1e-3
+        assert 0.0 < found["far_error"].max() < 0.002
+
+
+def test_far_terrain_sinks_with_the_distance():
+    """A crest 1,000 m above at 50 km is 1.146° high on a flat Earth, and 0.950° on ours, by the facts of CITY.md."""
+    reader = reader_of((np.zeros((3, 3)), Affine.scale(100.0, -100.0), None))
+    coarse = np.zeros((100, 180))
+    coarse[:, 145:] = 1000.0  # from 95 km on
+    other = reader_of((coarse, Affine.translation(-50e3, 50e3) @ Affine.scale(1e3, -1e3), None))
+    field = FarField.of(reader, other, margin=50, model="block")
+    tile = slice(0, 3), slice(0, 3)
+    (upper, _), (lower, _) = field.columns(tile, tile)
+    for vertices in (upper, lower):
+        top = vertices[(vertices[:, 0] > 99e3) & (abs(vertices[:, 1]) < 2e3), 2].max()
+        assert abs(top - (1000.0 - 0.87 * 100_000.0**2 / (2.0 * 6_371_000.0))) < 0.0137 * 3_200.0  # cells there are so long
+    assert np.degrees(np.arctan2(1000.0 - 0.87 * 50e3**2 / (2 * 6371e3), 50e3)) == pytest.approx(0.950, abs=2e-3)
+
+
+def test_crowns_beyond_the_margin_are_bounded_too(monkeypatch):
+    monkeypatch.setattr(far, "_FINENESS", 2)
+    heights, rng = town(), np.random.default_rng(5)
+    canopy = np.where(rng.random(heights.shape) < 0.2, 9.0, 0.0), NORTH_UP, None
+    given = {"canopy": canopy, "transmittance": 0.2, "model": "block"}
+    right = whole(run(heights, **given))
+    exact = whole(run(heights, **given, tile=20, margin=60))
+    assert np.array_equal(exact["value"], right["value"])
+    found = whole(run(heights, **given, tile=20, margin=5))
+    off = np.abs(found["value"].astype(np.float64) - right["value"]) - found["far_error"]
+    assert (off <= 1e-6).mean() >= 0.99
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"tile": 0}, "tile: got 0, want a whole number of at least 1|tile: got 0, want a whole number from 1"),
+        ({"tile": 8, "margin": 0}, "margin: got 0"),
+        ({"margin": 8}, "margin: got 8 without tile, want tile, around which it is"),
+        ({"far": "missing.tif"}, "far: got 'missing.tif', which is missing"),
+        ({"transmittance": [0.5] * 12}, "transmittance: got 12 shares for the sky view factor, want one: it has no date"),
+        ({"model": "mesh"}, "model: got 'mesh'"),
+        ({"receiver": "wall"}, "receiver: got 'wall'"),
+    ],
+)
+def test_bad_tiles_are_named(options, message):
+    with pytest.raises((TypeError, ValueError, FileNotFoundError), match="^(" + message + ")"):
+        run(np.zeros((4, 4)), **options)
+
+
+def test_a_far_raster_of_another_map_is_refused():
+    source = np.zeros((4, 4)), NORTH_UP, "EPSG:3794"
+    with pytest.raises(ValueError, match="^far: got coordinates of WGS 84 / UTM zone 33N, want Slovenia"):
+        run(source, far=(np.zeros((4, 4)), NORTH_UP, "EPSG:32633"))

@@ -1,0 +1,190 @@
+"""A quantity in the cells of a raster, tile by tile: each with a margin as it is, and columns for what is beyond that.
+
+What is drawn at a cell follows its number in the whole raster, row * columns + column, so that tiles agree with the whole
+but for what is beyond their margin, and for how float32 rounds in another mesh.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from warpsample.city.rasters.canopy import Canopy, calling, check_same_map
+from warpsample.city.rasters.far import FarField
+from warpsample.city.rasters.leaves import Seen, check_dates, check_transmittance, seen_of
+from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, RasterSurface, beside, surface_of
+from warpsample.city.rasters.reader import RasterReader
+from warpsample.city.rasters.reading import reader_of
+from warpsample.estimate.quantities.record import Quantity
+from warpsample.host.arguments import check_choice, check_integer, told
+
+MARGIN = 256
+"""Cells around a tile: 50 of them are as long as the cells of the nearest ring beyond."""
+
+Span = tuple[slice, slice]
+"""Rows and columns."""
+
+
+@dataclass(frozen=True, eq=False)
+class RasterRun:
+    """A checked call on a raster.
+
+    Attributes:
+        reader: of the heights.
+        quantity: what is computed in each cell.
+        options: arguments of its call by name, without the mesh and the points.
+        model, receiver: see `surface`.
+        canopy: or None.
+        transmittance: (1,), (12,) or (365,), what passes crowns.
+        tile: cells along the sides of a tile; None: one for all.
+        margin: cells around it.
+        other: the raster of what is beyond the edges, or None.
+    """
+
+    reader: RasterReader
+    quantity: Quantity
+    options: dict[str, Any]
+    model: str
+    receiver: str
+    canopy: Canopy | None
+    transmittance: np.ndarray
+    tile: int | None
+    margin: int
+    other: RasterReader | None
+
+    @classmethod
+    def of(
+        cls,
+        source: Any,
+        quantity: Quantity,
+        options: dict[str, Any],
+        *,
+        model: Any,
+        receiver: Any,
+        canopy: Any,
+        trunk: Any,
+        relative: Any,
+        transmittance: Any,
+        tile: Any,
+        margin: Any,
+        far: Any,
+    ) -> "RasterRun":
+        """A run of arguments as the calls of `rasters` take them.
+
+        Raises:
+            TypeError, ValueError, FileNotFoundError: one that cannot be used; names it, what it got and what it wants.
+        """
+        check_choice(model, "model", MODELS)
+        check_choice(receiver, "receiver", RECEIVERS)
+        shares = check_transmittance(transmittance)
+        check_dates(quantity, shares)
+        if margin is not None and tile is None:
+            raise ValueError(f"margin: got {told(margin)} without tile, want tile, around which it is")
+        tile = None if tile is None else check_integer(tile, "tile", 1, 2**31 - 1)
+        margin = MARGIN if margin is None else check_integer(margin, "margin", 1, 2**31 - 1)
+        reader, other = reader_of(source), None
+        if far is not None:
+            with calling("far"):
+                other = reader_of(far)
+            check_same_map(reader, other, "far")
+        trees = Canopy.of(reader, canopy, trunk, relative)
+        if "north" in quantity.parameters:
+            options = {**options, "north": reader.outline.north}
+        return cls(reader, quantity, options, model, receiver, trees, shares, tile, margin, other)
+
+    @property
+    def far(self) -> bool:
+        """Whether there may be something beyond the margins, so that results are bounds."""
+        return self.tile is not None or self.other is not None
+
+    @cached_property
+    def field(self) -> FarField | None:
+        """The ground and buildings beyond the margins: read once."""
+        return FarField.of(self.reader, self.other, margin=self.margin, model=self.model) if self.far else None
+
+    @cached_property
+    def wooded(self) -> FarField | None:
+        """Crowns, too: the ground and buildings are what they are without them."""
+        if not self.far or self.canopy is None:
+            return self.field
+        return FarField.of(self.reader, self.other, margin=self.margin, model=self.model, canopy=self.canopy)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What there is in each cell."""
+        return ("value", "standard_error", *(("far_error",) if self.far else ()))
+
+    @property
+    def grid(self) -> tuple[int, int]:
+        """How many tiles are above, and beside each other."""
+        (rows, columns), (height, width) = self.reader.shape, self.sides
+        return -(-rows // height), -(-columns // width)
+
+    @property
+    def sides(self) -> tuple[int, int]:
+        """Rows and columns of a tile, but the last ones."""
+        rows, columns = self.reader.shape
+        return (rows, columns) if self.tile is None else (min(self.tile, rows), min(self.tile, columns))
+
+    def spans(self) -> Iterator[Span]:
+        """Rows and columns of the tiles, row by row."""
+        height, width = self.sides
+        rows, columns = self.reader.shape
+        for row in range(0, rows, height):
+            for column in range(0, columns, width):
+                yield slice(row, min(row + height, rows)), slice(column, min(column + width, columns))
+
+    def numbers(self, span: Span) -> dict[str, np.ndarray]:
+        """What there is in the cells of a tile: (rows, columns) float32 by name, NaN in cells without a height."""
+        shape = tuple(part.stop - part.start for part in span)
+        laid = {name: np.full(shape, np.nan, np.float32) for name in self.names}
+        near = span if self.field is None else self.field.window_of(span, self.margin)
+        window = tuple(slice(max(0, n.start), min(n.stop, size)) for n, size in zip(near, self.reader.shape, strict=True))
+        grid = self.reader.grid(*window)
+        row, column = (first.start - part.start for first, part in zip(span, window, strict=True))
+        inside = np.zeros(grid.height.shape, bool)
+        inside[row : row + shape[0], column : column + shape[1]] = True
+        if not (inside & grid.valid).any():
+            return laid
+        surface = surface_of(grid, self.model, self.canopy and self.canopy.crowns(grid, *window))
+        points, cells = surface.points(self.receiver)
+        chosen = inside.ravel()[cells]
+        i, j = np.divmod(cells[chosen], grid.height.shape[1])
+        id = (i + window[0].start) * self.reader.shape[1] + j + window[1].start
+        points = replace(points.take(chosen), id=id)
+        found = [self._seen(made, points) for made in self._between(surface, span, near)]
+        for name, values in _bounded(found).items():
+            if name in laid:
+                laid[name][i - row, j - column] = values
+        return laid
+
+    def _between(self, surface: RasterSurface, span: Span, near: Span) -> list[RasterSurface]:
+        """The surface with upper, and with lower columns beyond it; or itself, if there is nothing."""
+        columns = [] if self.field is None else self.field.columns(span, near)
+        trees = columns if self.wooded is self.field or surface.canopy_mesh is None else self.wooded.columns(span, near)
+        return [_with_columns(surface, *both) for both in zip(columns, trees, strict=True)] or [surface]
+
+    def _seen(self, surface: RasterSurface, points: Any) -> Seen:
+        return seen_of(self.quantity, surface, points, self.options, self.transmittance)
+
+
+def _with_columns(
+    surface: RasterSurface, columns: tuple[np.ndarray, np.ndarray], trees: tuple[np.ndarray, np.ndarray]
+) -> RasterSurface:
+    """A surface with further triangles, which are no cells, and others beside the crowns."""
+    canopy = surface.canopy_mesh and beside(surface.canopy_mesh, *trees)
+    return replace(surface, mesh=beside(surface.mesh, *columns), canopy_mesh=canopy)
+
+
+def _bounded(found: list[Seen]) -> dict[str, np.ndarray]:
+    """The middle of what is seen with the upper and with the lower columns, by the same rays, and half of its width."""
+    upper, lower = found[0], found[-1]
+    value, error = ((a.astype(np.float64) + b) / 2.0 for a, b in _pairs(upper, lower))
+    return {"value": value, "standard_error": error, "far_error": np.abs(lower.value.astype(np.float64) - upper.value) / 2.0}
+
+
+def _pairs(one: Seen, other: Seen) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Values and errors of both."""
+    return ((getattr(one, name), getattr(other, name)) for name in ("value", "standard_error"))
