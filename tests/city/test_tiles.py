@@ -192,3 +192,43 @@ def test_a_far_raster_of_another_map_is_refused():
     source = np.zeros((4, 4)), NORTH_UP, "EPSG:3794"
     with pytest.raises(ValueError, match="^far: got coordinates of WGS 84 / UTM zone 33N, want Slovenia"):
         run(source, far=(np.zeros((4, 4)), NORTH_UP, "EPSG:32633"))
+
+
+def test_calls_take_trees_and_tiles():
+    heights = town()
+    canopy = np.where(np.random.default_rng(5).random(heights.shape) < 0.2, 9.0, 0.0), NORTH_UP, None
+    given = {"canopy": canopy, "transmittance": 0.2, "trunk": 0.5}
+    right = ws.rasters.sky_view_factor((heights, NORTH_UP, None), 32, **given)
+    found = ws.rasters.sky_view_factor((heights, NORTH_UP, None), 32, **given, tile=20, margin=60)
+    assert list(right) == ["value", "standard_error"]
+    assert list(found) == ["value", "standard_error", "far_error"]
+    assert np.array_equal(found.value, right.value)
+    assert {name: found.attrs[name] for name in ("canopy", "trunk", "transmittance", "tile", "margin")} == {
+        "canopy": "an array, tuple", "trunk": 0.5, "transmittance": 0.2, "tile": 20, "margin": 60,
+    }  # fmt: skip
+    assert "tile" not in right.attrs
+    assert found.far_error.attrs["long_name"] == "error by pooled terrain far off of the sky view factor"
+    bare = ws.rasters.sky_view_factor((heights, NORTH_UP, None), 32)
+    assert (right.value < bare.value).mean() > 0.5
+    with pytest.raises(TypeError, match="^crowns: got it for sky view factor of a raster, want one of .*canopy, trunk"):
+        ws.rasters.sky_view_factor((heights, NORTH_UP, None), 32, crowns=canopy)
+
+
+@pytest.mark.slow
+def test_sun_hours_and_irradiation_through_crowns():
+    pytest.importorskip("pvlib")
+    pytest.importorskip("pyradiance")
+    flat = np.zeros((5, 5)), Affine.scale(4.0, -4.0), None
+    canopy = np.eye(5) * 6.0, Affine.scale(4.0, -4.0), None
+    for call, own in (
+        (ws.rasters.sun_hours, {}),
+        (ws.rasters.irradiation, {"patches": "tregenza", "count": 64}),
+    ):
+        given = {"period": ("06-01", "06-10"), **own}
+        dated = [0.0] * 5 + [0.4] + [0.0] * 6
+        one, other = (call(flat, "athens", canopy=canopy, transmittance=share, **given) for share in (0.4, dated))
+        assert np.allclose(one.value, other.value, rtol=1e-5)
+        assert np.allclose(one.standard_error, other.standard_error, rtol=1e-3, atol=1e-6)
+        bare = call(flat, "athens", **given).value
+        assert (one.value <= bare).all()
+        assert one.value[2, 2] < 0.9 * bare[2, 2]  # below a crown

@@ -2,16 +2,18 @@
 
 from collections.abc import Mapping
 from importlib.metadata import version
+from numbers import Real
 from os import PathLike, fspath
 from typing import Any
 
+import numpy as np
 import xarray as xr
 
-from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, RasterSurface, surface
+from warpsample.city.rasters.raster_surface import on_map, surface
+from warpsample.city.rasters.tiles import RasterRun
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.sky_view_factor import RECORD as SKY
 from warpsample.estimate.quantities.visible_sky import RECORD as VISIBLE_SKY
-from warpsample.host.arguments import check_choice
 from warpsample.host.options import explained_by
 from warpsample.radiation.quantities.irradiation import RECORD as IRRADIATION
 from warpsample.radiation.quantities.sun_hours import RECORD as SUN_HOURS
@@ -21,6 +23,17 @@ _SET_HERE = ("up", "north", "first_point", "active", "series")
 
 _UNTOLD = ("first_point", "active", "series", "workers", "progress")
 """Options by which no number changes, or that a raster has not."""
+
+TREES_AND_TILES: dict[str, Any] = {
+    "canopy": None,
+    "trunk": 0.25,
+    "relative": True,
+    "transmittance": 0.03,
+    "tile": None,
+    "margin": None,
+    "far": None,
+}
+"""Options that all calls have besides those of the quantity, and their defaults."""
 
 _NORMAL = {"horizontal": "upwards", "surface": "the normal of the cell's surface"}
 _COSINE = (
@@ -35,7 +48,11 @@ _DEFINITIONS = {
         "the directions above the horizon along which nothing is met; with a horizon h to each azimuth 1 - mean of sin(h)"
     ),
 }
-_OF_THE_SUN = {
+_OF_THE_REST = {
+    "ao": (
+        "cosine-weighted share of the directions about the middle of each cell along which nothing is met: 1/pi times the "
+        "integral of max(n.w, 0) over them, n {normal}"
+    ),
     "irradiation": (
         "sum over the hours of the period of what sun, sky and the ground beyond the raster bring to the middle of each "
         "cell, for each m2 of a receiver whose normal is {normal}; neighbours reflect nothing"
@@ -59,10 +76,17 @@ def sky_view_factor(
         source, model: see `surface`.
         count: rays of each cell.
         receiver: "horizontal", or "surface": tilted as the cell is.
-        **options: of `warpsample.sky_view_factor` by name, as max_distance, seed, tolerance, device, workers, progress.
+        **options: by name, `canopy`, `trunk` and `relative` as `surface` takes them; `transmittance`, the share of light
+            that passes crowns, 0.03, however many; or where there is a date 12 shares, for each month, or 365, for days.
+            `tile`: cells along the sides of tiles that are computed one by one, for rasters past memory, each with a
+            `margin` of 256 cells around it as they are. What is beyond that is pooled, and `far_error` is how much farther
+            off than by the standard error a value may be for it. `far`: another raster of the same map, as `source`, of the
+            terrain beyond the edges; with it or with tiles the Earth is round beyond the margin.
+            And those of `warpsample.sky_view_factor`, as max_distance, seed, tolerance, device, workers, progress.
 
     Returns:
-        `value` and `standard_error` (y, x), NaN where there is no height; and what makes them again as attributes.
+        `value` and `standard_error` (y, x), NaN where there is no height; with tiles `far_error`; and what makes them again
+        as attributes.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
@@ -87,7 +111,7 @@ def visible_sky(source: Any, count: int = 256, *, model: str = "joined", **optio
     Args:
         source, model: see `surface`.
         count: rays of each cell.
-        **options: of `warpsample.visible_sky` by name, as max_distance, seed, tolerance, device, workers, progress.
+        **options: as of `sky_view_factor`.
 
     Returns:
         as `sky_view_factor`.
@@ -119,7 +143,8 @@ def irradiation(
         weather: an EPW file of 8,760 hours; "athens", where no file is called that, is an example.
         receiver: "surface": for each m² of the cell as it is tilted, of which it has its plan area over the cosine of its
             slope; or "horizontal".
-        **options: of `warpsample.irradiation` by name, as period, ground_albedo, patches, count, seed, workers, progress.
+        **options: of trees and tiles, as of `sky_view_factor`; and those of `warpsample.irradiation`, as period,
+            ground_albedo, patches, count, seed, workers, progress.
 
     Returns:
         as `sky_view_factor`, in kWh/m².
@@ -147,7 +172,7 @@ def sun_hours(source: Any, weather: Any, *, model: str = "joined", receiver: str
         source, model: see `surface`.
         weather: see `irradiation`.
         receiver: "surface": a cell does not see the sun behind its own plane; or "horizontal".
-        **options: period, seed and workers, as of `warpsample.irradiation`.
+        **options: of trees and tiles, as of `sky_view_factor`; and period, seed and workers, as of `warpsample.irradiation`.
 
     Returns:
         as `sky_view_factor`, in hours; the standard error is 0: nothing is drawn at random.
@@ -168,47 +193,71 @@ def sun_hours(source: Any, weather: Any, *, model: str = "joined", receiver: str
 
 def _laid(quantity: Quantity, source: Any, options: dict[str, Any], *, model: str, receiver: str) -> xr.Dataset:
     """A quantity in the cells of a raster."""
-    _check(quantity, options)
-    check_choice(model, "model", MODELS)
-    check_choice(receiver, "receiver", RECEIVERS)
-    made = surface(source, model=model)
-    points, cell = made.points(receiver)
-    if "north" in quantity.parameters:
-        options["north"] = made.north
-    found = quantity.call(made.mesh, points, **options)
-    unit = quantity.unit.replace("/m2", " m-2") or "1"
-    laid = {}
-    for name in ("value", "standard_error"):
-        laid[name] = made.to_raster(getattr(found, name), cell)
-        laid[name].attrs |= {"units": unit, "long_name": f"{'standard error of the ' * (name != 'value')}{quantity.title}"}
-    options = {name: options.get(name, default) for name, default in quantity.parameters.items() if name not in _UNTOLD}
-    return xr.Dataset(laid, attrs=_attributes(quantity, made, source, {"model": model, "receiver": receiver, **options}))
+    run, about = run_of(quantity, source, options, model=model, receiver=receiver)
+    laid = {name: np.full(run.reader.shape, np.nan, np.float32) for name in run.names}
+    for span in run.spans():
+        for name, values in run.numbers(span).items():
+            laid[name][span] = values
+    outline = run.reader.outline
+    arrays = {name: on_map(outline, values).assign_attrs(attributes_of(name, quantity)) for name, values in laid.items()}
+    return xr.Dataset(arrays, attrs=about | {"cells_without_height": int(np.isnan(laid["value"]).sum())})
+
+
+def run_of(
+    quantity: Quantity, source: Any, options: dict[str, Any], *, model: str, receiver: str
+) -> tuple[RasterRun, dict[str, Any]]:
+    """The checked run of a call, and all that it is told, as numbers and texts.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
+    """
+    how = {name: options.get(name, default) for name, default in TREES_AND_TILES.items()}
+    own = {name: value for name, value in options.items() if name not in how}
+    _check(quantity, own)
+    run = RasterRun.of(source, quantity, own, model=model, receiver=receiver, **how)
+    own = {name: run.options.get(name, default) for name, default in quantity.parameters.items() if name not in _UNTOLD}
+    rasters = {name: _name_of(how[name]) for name in ("canopy", "trunk", "far")}
+    told = {"model": model, "receiver": receiver, **how, **rasters, "margin": run.margin if run.tile else None}
+    told = {name: value for name, value in told.items() if value is not None}
+    return run, _attributes(quantity, source, told | own)
+
+
+def attributes_of(name: str, quantity: Quantity) -> dict[str, str]:
+    """The unit and the title of one of the arrays of a run."""
+    said = {"standard_error": "standard error of the ", "far_error": "error by pooled terrain far off of the "}
+    return {"units": quantity.unit.replace("/m2", " m-2") or "1", "long_name": said.get(name, "") + quantity.title}
 
 
 def _check(quantity: Quantity, options: Mapping[str, Any]) -> None:
     """Refuses options that the call has not, or that the raster decides."""
-    known = [name for name in quantity.parameters if name not in _SET_HERE]
+    known = [name for name in (*quantity.parameters, *TREES_AND_TILES) if name not in _SET_HERE]
     for name in options:
         if name not in known:
             raise TypeError(f"{name}: got it for {quantity.title} of a raster, want one of {', '.join(known)}")
 
 
-def _attributes(quantity: Quantity, made: RasterSurface, source: Any, told: Mapping[str, Any]) -> dict[str, Any]:
+def _attributes(quantity: Quantity, source: Any, told: Mapping[str, Any]) -> dict[str, Any]:
     """What a file says of its numbers: numbers and texts, as all formats hold them."""
-    definition = _DEFINITIONS.get((quantity.name, told["receiver"])) or _OF_THE_SUN[quantity.name]
+    definition = _DEFINITIONS.get((quantity.name, told["receiver"])) or _OF_THE_REST[quantity.name]
     return {
         "quantity": quantity.name,
         "definition": definition.format(normal=_NORMAL[told["receiver"]]),
         "unit": quantity.unit or "1",
-        "source": fspath(source) if isinstance(source, str | PathLike) else f"an array, {type(source).__name__}",
+        "source": _name_of(source),
         "warpsample": version("warpsample"),
-        "cells_without_height": int(made.grid.height.size - len(made.grid.cells)),
         **{name: _plain(value) for name, value in told.items()},
     }
 
 
+def _name_of(source: Any) -> Any:
+    """A raster by its path, or by what it is; what is no raster as it is."""
+    if source is None or isinstance(source, Real):
+        return source
+    return fspath(source) if isinstance(source, str | PathLike) else f"an array, {type(source).__name__}"
+
+
 def _plain(value: Any) -> int | float | str:
     """A value as NetCDF, Zarr and GeoTIFF keep it: several in a text, with spaces between."""
-    if isinstance(value, tuple | list):
+    if isinstance(value, tuple | list | np.ndarray):
         return " ".join(str(item) for item in value)
     return value if isinstance(value, int | float) and not isinstance(value, bool) else str(value)

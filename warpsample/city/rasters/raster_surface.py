@@ -104,12 +104,17 @@ class RasterSurface:
         grid = self.grid
         laid = np.full(grid.height.size, np.nan, numbers.dtype)
         laid[cell] = numbers
-        made = xr.DataArray(laid.reshape(grid.height.shape), grid.coordinates, grid.dims)
-        if grid.crs is not None:
-            with warnings.catch_warnings():  # CF has no words for some, the WKT beside it has
-                warnings.filterwarnings("ignore", ".*lost in conversion to CF", UserWarning)
-                made = made.rio.write_crs(grid.crs)
-        return made.rio.write_transform(grid.transform).rio.write_nodata(np.nan)
+        return on_map(grid, laid.reshape(grid.height.shape))
+
+
+def on_map(grid: Grid, values: np.ndarray) -> xr.DataArray:
+    """Numbers of all cells with the coordinates, the CRS and the transform of a raster."""
+    made = xr.DataArray(values, grid.coordinates, grid.dims)
+    if grid.crs is not None:
+        with warnings.catch_warnings():  # CF has no words for some, the WKT beside it has
+            warnings.filterwarnings("ignore", ".*lost in conversion to CF", UserWarning)
+            made = made.rio.write_crs(grid.crs)
+    return made.rio.write_transform(grid.transform).rio.write_nodata(np.nan)
 
 
 def surface(

@@ -16,7 +16,7 @@ from warpsample.city.rasters.far import FarField
 from warpsample.city.rasters.leaves import Seen, check_dates, check_transmittance, seen_of
 from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, RasterSurface, beside, surface_of
 from warpsample.city.rasters.reader import RasterReader
-from warpsample.city.rasters.reading import reader_of
+from warpsample.city.rasters.reading import reader_of, with_heights
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.arguments import check_choice, check_integer, told
 
@@ -146,6 +146,8 @@ class RasterRun:
         row, column = (first.start - part.start for first, part in zip(span, window, strict=True))
         inside = np.zeros(grid.height.shape, bool)
         inside[row : row + shape[0], column : column + shape[1]] = True
+        if self.tile is None:
+            with_heights(grid)
         if not (inside & grid.valid).any():
             return laid
         surface = surface_of(grid, self.model, self.canopy and self.canopy.crowns(grid, *window))
