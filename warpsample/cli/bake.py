@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 import typer
 
 from warpsample import sequences
-from warpsample.cli import stores
+from warpsample.cli import rasters, stores
 from warpsample.cli.terminal import At, MeshFile, Workers, fail_plainly, option, output_file, working
 from warpsample.estimate.quantities.record import OPTIONS as NAMES
 from warpsample.output.baked import BakeRun
@@ -35,7 +35,9 @@ OPTIONS: dict[str, tuple[Any, str]] = {
 
 def bake_command(
     mesh: MeshFile,
-    output: Annotated[Path, output_file(".ply .vtp .glb .npz .csv .zarr; of CityJSON, .city.json or .city.jsonl")],
+    output: Annotated[
+        Path, output_file(".ply .vtp .glb .npz .csv .zarr; of CityJSON .city.json .city.jsonl .csv; of a raster .tif .zarr")
+    ],
     *,
     quantity: str = "ao",
     points: Annotated[int | None, option("So many points, uniform by area; else those of --at.")] = None,
@@ -50,21 +52,42 @@ def bake_command(
     cluster: stores.Cluster = None,
     processes: stores.Processes = None,
     resume: stores.Resume = False,
+    model: rasters.Model = None,
+    receiver: rasters.Receiver = None,
+    canopy: rasters.Canopy = None,
+    trunk: rasters.Trunk = None,
+    transmittance: rasters.Transmittance = None,
+    tile: rasters.Tile = None,
+    margin: rasters.Margin = None,
+    far: rasters.Far = None,
     **options: Any,
 ) -> None:
     """Estimate a number at each vertex, face or point of a mesh, with its standard error, into a file.
 
-    Of CityJSON, the means over its surfaces, as attributes of these or into a .csv.
+    Of CityJSON, the means over its surfaces, as attributes of these or into a .csv; of a raster of heights, in each cell.
     """
     from warpsample.output.bake import bake
     from warpsample.output.by_parts import is_by_parts
 
     given = {name: value for name, value in options.items() if value is not None}
+    working_on = f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"
+    alone = {"model": model, "receiver": receiver, "canopy": canopy, "trunk": trunk, "transmittance": transmittance}
+    alone |= {"tile": tile, "margin": margin, "far": far}
     options = {"seed": seed, "workers": workers, **given}
+    if rasters.is_raster(mesh, output):
+        of_meshes = {"points": points, "at": at, "by": by, "lod": lod, "split": split or None, "context": context}
+        drawn = {**of_meshes, "chunk": chunk, "cluster": cluster, **options}
+        with working(working_on):
+            summary = rasters.bake_raster_file(
+                mesh, output, quantity, trees_and_tiles=alone, options=drawn, processes=processes, resume=resume
+            )
+        print(summary)
+        return
+    rasters.refuse_for_meshes(mesh, **alone)
     run = BakeRun(mesh, output, quantity, at, points, options, by, lod, split, context)
     if points is None and at is None and not is_by_parts(run):
         run = replace(run, at="vertices")
-    with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
+    with working(working_on):
         if output.suffix == stores.SUFFIX:
             summary = stores.bake_into_store(run, chunk, cluster, processes, resume)
         else:

@@ -3,6 +3,7 @@
 import json
 from collections.abc import Iterable
 from functools import partial
+from math import prod
 from pathlib import Path
 from typing import Any
 from zlib import crc32
@@ -78,15 +79,21 @@ def whole_chunks(path: Path, names: Iterable[str], argument: str = "path") -> np
     """
     arrays = arrays_of(path, names, argument)
     first = next(iter(arrays.values()))
-    chunks = range(-(-first.shape[0] // first.chunks[0]))
+    chunks = range(prod(_grid_of(first)))
     return np.array([uninterrupted(partial(_is_whole, path, arrays, i)) for i in chunks], np.bool_)
+
+
+def _grid_of(array: Any) -> tuple[int, ...]:
+    """How many chunks an array has along each axis."""
+    return tuple(-(-size // side) for size, side in zip(array.shape, array.chunks, strict=True))
 
 
 def _is_whole(path: Path, arrays: dict[str, Any], chunk: int) -> bool:
     """Whether a chunk's files hold what was written to them, by the record that was written last."""
     try:
         record = json.loads(path.joinpath(record_of(chunk)).read_bytes())
-        files = {name: path / file_of(name, chunk, array.ndim) for name, array in arrays.items()}
+        places = {name: np.unravel_index(chunk, _grid_of(array)) for name, array in arrays.items()}
+        files = {name: path.joinpath(name, "c", *map(str, place)) for name, place in places.items()}
         return record[INDEX] == chunk and all(record[name] == crc32(file.read_bytes()) for name, file in files.items())
     except (OSError, ValueError, LookupError, TypeError):
         return False

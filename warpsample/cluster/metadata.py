@@ -31,6 +31,11 @@ def metadata_of(job: Job) -> dict[str, bytes]:
     group = zarr.create_group(MemoryStore(files), zarr_format=3, attributes=attributes)
     for name, kind in {**coordinates, **job.gives}.items():
         add_array(group, name, kind, job.total, job.chunk)
+    return contents_of(group, files)
+
+
+def contents_of(group: zarr.Group, files: dict[str, Any]) -> dict[str, bytes]:
+    """The contents of all files of a store in memory, its metadata consolidated, with a place for the records."""
     with making, warnings.catch_warnings():  # that the format's text does not have them yet, though its readers do
         warnings.simplefilter("ignore")
         zarr.consolidate_metadata(group.store)

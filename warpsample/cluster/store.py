@@ -3,6 +3,7 @@
 import json
 import math
 import shutil
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -58,24 +59,25 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
         return whole
     _check_space(path, job, job.count)
     job.check_count()
-    uninterrupted(partial(_make, path, job))
+    uninterrupted(partial(make_store, path, partial(metadata_of, job)))
     return np.zeros(job.count, np.bool_)
 
 
 def _check_space(path: Path, job: Job, chunks: int) -> None:
-    """Refuses more chunks than there is space for, before they are compressed: positions hardly can be.
+    """Refuses more chunks than there is space for, before they are compressed: positions hardly can be."""
+    kinds, points = {**point_arrays_of(job), **job.gives}.values(), min(job.total, chunks * job.chunk)
+    check_space(path, sum(points * dtype.itemsize * math.prod(shape) for dtype, shape in kinds), f"{points:,} points")
+
+
+def check_space(path: Path, needed: int, what: str) -> None:
+    """Refuses a store for which there is no space.
 
     Raises:
-        WriteError: says how much they take, and how much is free.
+        WriteError: says how many bytes it takes, and how many are free.
     """
-    kinds = {**point_arrays_of(job), **job.gives}.values()
-    needed = sum(min(job.total, chunks * job.chunk) * dtype.itemsize * math.prod(shape) for dtype, shape in kinds)
     free = shutil.disk_usage(path.parent).free
     if needed > free:
-        raise WriteError(
-            f"{path} cannot be written: {min(job.total, chunks * job.chunk):,} points take {needed / 1e9:,.3f} GB, and "
-            f"{free / 1e9:,.3f} GB are free"
-        )
+        raise WriteError(f"{path} cannot be written: {what} take {needed / 1e9:,.3f} GB, and {free / 1e9:,.3f} GB are free")
 
 
 def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
@@ -98,8 +100,8 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
             raise ValueError(f"{argument}: got {str(path)!r} of {name} {told(old)}, want one of {name} {told(new)}")
 
 
-def _make(path: Path, job: Job) -> None:
-    """The metadata, complete or absent.
+def make_store(path: Path, metadata: Callable[[], dict[str, bytes]]) -> None:
+    """Writes the metadata of a store, contents by their paths within it; complete or absent.
 
     Raises:
         WriteError: they cannot be written.
@@ -107,8 +109,8 @@ def _make(path: Path, job: Job) -> None:
     part = path.with_name(f".{path.name}.part")
     shutil.rmtree(part, ignore_errors=True)
     try:
-        for file, content in metadata_of(job).items():
-            part.joinpath(file).parent.mkdir(parents=True)
+        for file, content in metadata().items():
+            part.joinpath(file).parent.mkdir(parents=True, exist_ok=True)
             part.joinpath(file).write_bytes(content)
         part.rename(path)
     except OSError as error:

@@ -115,16 +115,33 @@ def put(folder: Path, start: int, chunk: int, arrays: dict[str, np.ndarray]) -> 
 
 
 def _put(folder: Path, start: int, chunk: int, arrays: dict[str, np.ndarray]) -> None:
-    record = {INDEX: start // chunk}
+    files = {}
+    for name, rows in arrays.items():
+        file = file_of(name, start // chunk, rows.ndim)
+        encoder, encoded = _encoder(folder, name, rows.dtype, rows.shape[1:], chunk)
+        encoder[start : start + len(rows)] = rows
+        files[name] = file, encoded.pop(file).to_bytes() if len(rows) else b""
+    _put_encoded(folder, start // chunk, files)
+
+
+def put_encoded(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) -> None:
+    """Writes the files of a chunk, and last a record of them; as `put`.
+
+    Args:
+        folder: of the call.
+        index: of the chunk.
+        files: (path in the store, content) by the names of the arrays.
+    """
+    uninterrupted(partial(_put_encoded, folder, index, files))
+
+
+def _put_encoded(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) -> None:
+    record = {INDEX: index}
     try:
-        for name, rows in arrays.items():
-            file = file_of(name, start // chunk, rows.ndim)
-            encoder, encoded = _encoder(folder, name, rows.dtype, rows.shape[1:], chunk)
-            encoder[start : start + len(rows)] = rows
-            content = encoded.pop(file).to_bytes() if len(rows) else b""
+        for name, (file, content) in files.items():
             record[name] = crc32(content)
             _place(folder, file, content)
-        _place(folder, record_of(start // chunk), json.dumps(record).encode())
+        _place(folder, record_of(index), json.dumps(record).encode())
     except OSError as error:
         _check(folder)
         raise WriteError(f"{store_of(folder)} cannot be written: {error.strerror or error}") from None

@@ -35,6 +35,9 @@ TREES_AND_TILES: dict[str, Any] = {
 }
 """Options that all calls have besides those of the quantity, and their defaults."""
 
+QUANTITIES = ("ao", "sky", "visible-sky", "irradiation", "sun-hours")
+"""By the names of their records."""
+
 _NORMAL = {"horizontal": "upwards", "surface": "the normal of the cell's surface"}
 _COSINE = (
     "cosine-weighted share of the sky that is seen from the middle of each cell: 1/pi times the integral of max(n.w, 0) "

@@ -1,0 +1,226 @@
+"""Rasters baked by the command: tiles that are whole or absent, runs that go on, and GeoTIFFs that appear at the end."""
+
+import signal
+import subprocess
+import sys
+import time
+from importlib import import_module
+
+import numpy as np
+import pytest
+from affine import Affine
+from raster_cases import write_tif
+
+from warpsample import rasters
+
+pytestmark = pytest.mark.slow  # seconds each
+
+for library in ("dask", "zarr", "rioxarray"):
+    pytest.importorskip(library)
+rasterio = pytest.importorskip("rasterio")
+xr = pytest.importorskip("xarray")
+baking = import_module("warpsample.cluster.raster_baking")
+
+SLOVENIA = Affine(1.0, 0.0, 564000.0, 0.0, -1.0, 146000.0)
+TILES, RAYS = 12, 32  # 15 x 15 cells of 60 x 44
+
+
+def heights():
+    rng = np.random.default_rng(2)
+    made = np.zeros((60, 44), np.float32)
+    for _ in range(60):
+        i, j = rng.integers(0, 54), rng.integers(0, 38)
+        made[i : i + 5, j : j + 4] = rng.uniform(4.0, 25.0)
+    made[7, 9] = np.nan
+    return made
+
+
+@pytest.fixture
+def dsm(tmp_path):
+    folder = tmp_path / "given"
+    folder.mkdir()
+    return write_tif(folder / "dsm.tif", heights(), transform=SLOVENIA)
+
+
+@pytest.fixture
+def folder(tmp_path):
+    made = tmp_path / "made"
+    made.mkdir()
+    return made
+
+
+def job(dsm, **options):
+    given = {"count": RAYS, "tile": 15, "margin": 6, **options}
+    return baking.RasterJob(str(dsm), "sky", "joined", "horizontal", tuple(sorted(given.items())))
+
+
+def bake(dsm, output, resume=False, processes=None, **options):
+    return baking.bake_raster(job(dsm, **options), output, processes, resume)
+
+
+def contents(store):
+    """The bytes of all files of a store, by their paths."""
+    return {str(path.relative_to(store)): path.read_bytes() for path in store.rglob("*") if path.is_file()}
+
+
+@pytest.fixture
+def computed(monkeypatch):
+    """The tiles that are computed; the test may set after how many comes an interrupt."""
+    ran, bake_tile = [], baking.bake_tile
+
+    def counted(job, folder, index, workers):
+        if len(ran) == counted.most:
+            raise KeyboardInterrupt
+        ran.append(index)
+        return bake_tile(job, folder, index, workers)
+
+    counted.most = -1
+    monkeypatch.setattr(baking, "bake_tile", counted)
+    return ran, counted
+
+
+def test_a_store_has_the_numbers_of_the_call_on_the_map(dsm, folder):
+    said = bake(dsm, folder / "sky.zarr")
+    assert said.startswith(f"{folder / 'sky.zarr'}: sky view factor of 60 x 44 cells in {TILES} tiles")
+    right = rasters.sky_view_factor(dsm, RAYS, tile=15, margin=6)
+    with xr.open_zarr(folder / "sky.zarr", decode_coords="all") as found:
+        for name in ("value", "standard_error", "far_error"):
+            assert np.array_equal(found[name], right[name], equal_nan=True), name
+            assert found[name].dims == ("y", "x")
+        assert np.array_equal(found.y, right.y)
+        assert np.array_equal(found.x, right.x)
+        assert found.rio.crs.to_epsg() == 3794
+        assert found.rio.transform() == SLOVENIA
+        assert found.attrs["definition"] == right.attrs["definition"]
+        assert (found.attrs["tile"], found.attrs["margin"], found.attrs["count"]) == (15, 6, RAYS)
+        assert found.value.attrs["units"] == "1"
+    assert [path.name for path in folder.iterdir()] == ["sky.zarr"]
+
+
+def test_a_geotiff_has_bands_tags_and_the_layout(dsm, folder):
+    bake(dsm, folder / "sky.tif")
+    right = rasters.sky_view_factor(dsm, RAYS, tile=15, margin=6)
+    with rasterio.open(folder / "sky.tif") as file:
+        assert file.descriptions == ("value", "standard_error", "far_error")
+        for band, name in enumerate(file.descriptions, 1):
+            assert np.array_equal(file.read(band), right[name], equal_nan=True), name
+        assert (file.crs.to_epsg(), file.transform) == (3794, SLOVENIA)
+        assert np.isnan(file.nodata)
+        assert file.tags(ns="IMAGE_STRUCTURE")["LAYOUT"] == "COG"
+        assert file.tags()["definition"] == right.attrs["definition"]
+    assert [path.name for path in folder.iterdir()] == ["sky.tif"]
+    bake(dsm, folder / "whole.tif", tile=None, margin=None)
+    with rasterio.open(folder / "whole.tif") as file:
+        assert file.descriptions == ("value", "standard_error")
+
+
+@pytest.mark.parametrize("name", ["sky.zarr", "sky.tif"])
+def test_an_interrupted_run_goes_on_to_the_same_bytes(dsm, folder, name, computed):
+    ran, counted = computed
+    bake(dsm, folder / f"right_{name}")
+    assert ran == list(range(TILES))
+    ran.clear()
+    counted.most = 5
+    store = folder / (name if name.endswith(".zarr") else f"{name}.zarr")
+    with pytest.raises(KeyboardInterrupt, match=f"interrupted after 5 of {TILES} tiles; {store} can be resumed"):
+        bake(dsm, folder / name)
+    assert not (folder / "sky.tif").exists()
+    counted.most = -1
+    with pytest.raises(ValueError, match="which is there already, want a new name, or to resume it"):
+        bake(dsm, folder / name)
+    assert "5 of them were there already" in bake(dsm, folder / name, resume=True)
+    assert ran == list(range(TILES))
+    if name == "sky.tif":
+        assert (folder / name).read_bytes() == (folder / f"right_{name}").read_bytes()
+    else:
+        assert contents(folder / name) == contents(folder / f"right_{name}")
+    assert sorted(path.name for path in folder.iterdir()) == sorted([name, f"right_{name}"])
+
+
+def test_a_killed_run_goes_on_to_the_same_bytes(dsm, folder, child_environment):
+    bake(dsm, folder / "right.zarr")
+    command = [sys.executable, "-m", "warpsample", "bake", str(dsm), "-o", str(folder / "sky.zarr"), "--quantity", "sky"]
+    command += ["--samples", str(RAYS), "--tile", "15", "--margin", "6"]
+    child = subprocess.Popen(command, env=child_environment, cwd=folder)
+    records = folder / "sky.zarr" / ".run" / "chunks"
+    waited = time.monotonic() + 300.0
+    while not (records.is_dir() and len(list(records.iterdir())) >= 2):
+        assert child.poll() is None, "it ended before it was killed"
+        assert time.monotonic() < waited, "it hangs"
+        time.sleep(0.001)
+    child.send_signal(signal.SIGKILL)
+    child.wait()
+    there = len(list(records.iterdir()))
+    subprocess.run([*command, "--resume"], env=child_environment, cwd=folder, check=True)
+    assert 2 <= there <= TILES
+    assert contents(folder / "sky.zarr") == contents(folder / "right.zarr")
+
+
+def test_processes_write_the_same_bytes(dsm, folder):
+    bake(dsm, folder / "right.zarr")
+    bake(dsm, folder / "sky.zarr", processes=2)
+    assert contents(folder / "sky.zarr") == contents(folder / "right.zarr")
+
+
+def test_a_damaged_tile_is_computed_again_and_no_other(dsm, folder, computed):
+    ran, _ = computed
+    bake(dsm, folder / "sky.zarr")
+    right = contents(folder / "sky.zarr")
+    ran.clear()
+    file = folder / "sky.zarr" / "value" / "c" / "1" / "2"
+    file.write_bytes(file.read_bytes()[:-1])
+    bake(dsm, folder / "sky.zarr", resume=True)
+    assert ran == [5]
+    assert contents(folder / "sky.zarr") == right
+
+
+@pytest.mark.parametrize(
+    ("options", "what"),
+    [({"tile": 20}, "tile 15"), ({"margin": 7}, "margin 6"), ({"seed": 1}, "seed 0"), ({"count": 64}, "count")],
+)
+def test_a_store_of_another_run_is_refused(dsm, folder, options, what):
+    bake(dsm, folder / "sky.zarr")
+    right = contents(folder / "sky.zarr")
+    with pytest.raises(ValueError, match=f"of {what}"):
+        bake(dsm, folder / "sky.zarr", resume=True, **options)
+    write_tif(dsm, heights()[::-1], transform=SLOVENIA)
+    with pytest.raises(ValueError, match="of source_file"):
+        bake(dsm, folder / "sky.zarr", resume=True)
+    assert contents(folder / "sky.zarr") == right
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["-o", "sky.png"], "--output: got 'sky.png' for a raster, want .tif or .zarr"),
+        (["-o", "sky.tif", "--points", "5"], "--points: got 5 for dsm.tif; it applies only to meshes"),
+        (["-o", "sky.tif", "--margin", "5"], "--margin: got 5 without tile, want tile, around which it is"),
+        (["-o", "sky.tif", "--canopy", "none.tif"], "--canopy: got 'none.tif', which is missing"),
+        (["-o", "sky.tif", "--tile", "0"], "--tile: got 0, want a whole number from 1 to 2147483647"),
+        (["-o", "sky.tif", "--processes", "0"], "--processes: got 0, want a whole number from 1 to 1024"),
+        (["-o", "dsm.tif"], "--output: got 'dsm.tif'"),
+        (
+            ["-o", "sky.tif", "--weather", "athens"],
+            "--weather: got athens for sky; it applies only to irradiation and sun-hours",
+        ),
+        (["-o", "sky.tif", "--quantity", "irradiation"], "--weather: got None for irradiation, want an EPW weather file"),
+        (["-o", "sky.tif", "--quantity", "sky-matrix"], "--quantity: got 'sky-matrix', want one of ao, sky, visible-sky"),
+        (["-o", "sky.tif", "--up", "0", "0", "1"], "--up: got (0.0, 0.0, 1.0) for dsm.tif; it applies only to meshes"),
+        (["-o", "no/sky.tif"], "--output: got 'no/sky.tif'"),
+    ],
+)
+def test_bad_input_is_one_sentence_and_leaves_nothing(dsm, arguments, said, child_environment):
+    command = [sys.executable, "-m", "warpsample", "bake", "dsm.tif", "--quantity", "sky", *arguments]
+    before = dsm.read_bytes()
+    done = subprocess.run(command, check=False, env=child_environment, cwd=dsm.parent, capture_output=True, text=True)
+    assert done.returncode == 2
+    assert said in done.stderr.splitlines()[-1]
+    assert len(done.stderr.splitlines()) == 1
+    assert [path.name for path in dsm.parent.iterdir()] == ["dsm.tif"]
+    assert dsm.read_bytes() == before
+
+
+def test_options_of_rasters_are_refused_for_meshes(tmp_path, child_environment):
+    command = [sys.executable, "-m", "warpsample", "bake", "courtyard", "-o", str(tmp_path / "a.ply"), "--tile", "9"]
+    done = subprocess.run(command, check=False, env=child_environment, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (2, "error: --tile: got 9 for courtyard; it applies only to rasters\n")
