@@ -123,12 +123,22 @@ def test_every_command_has_the_same_two_options_for_its_points(call, cube, tmp_p
     status, _, err = call(command, cube, "-o", output, "--at", "faces", "--points", 9)
     assert (status, err) == (2, "error: --points: got 9 together with --at faces, want one of the two\n")
     monkeypatch.setattr("psutil.virtual_memory", lambda: SimpleNamespace(available=10**9))
+    monkeypatch.setattr("shutil.disk_usage", lambda _: SimpleNamespace(free=10**15))
     status, _, err = call(command, cube, "-o", output, "--points", 2**31 - 1)
     assert status == 2
     assert err == "error: 2,147,483,647 surface points need 85.9 GB and 1.0 GB are free; take fewer with --points\n"
     for old in ("--count", "--placement"):
         assert call(command, cube, "-o", output, old, "faces")[0] == 2
     assert not output.exists()
+
+
+def test_directions_that_no_disk_holds_are_refused_at_once(call, cube, tmp_path, monkeypatch):
+    monkeypatch.setattr("shutil.disk_usage", lambda _: SimpleNamespace(free=2_500_000))
+    output = tmp_path / "d.npz"
+    status, _, err = call("directions", cube, "-o", output, "--points", 10**8, "--samples", 10**5)
+    wants = "10,000,000,000,000 directions take 120.000 TB, and 2.500 MB are free"
+    assert (status, err) == (1, f"error: {output} cannot be written: {wants}\n")
+    assert set(tmp_path.iterdir()) == {cube}
 
 
 @pytest.mark.parametrize(("command", "rows"), [("directions", 10_000), ("bake", 8)])

@@ -16,9 +16,10 @@ from warpsample.city.rasters.raster_surface import on_map
 from warpsample.city.rasters.tiles import RasterRun, Span
 from warpsample.cluster.holdings import arrays_of, whole_chunks
 from warpsample.cluster.metadata import contents_of
-from warpsample.cluster.store import check_same, check_space, make_store
+from warpsample.cluster.store import check_same, make_store
 from warpsample.cluster.writing import put_encoded
 from warpsample.host.interrupts import uninterrupted
+from warpsample.host.space import check_space
 
 _MAP = "spatial_ref"
 

@@ -18,6 +18,7 @@ from warpsample.estimate.source.content import difference
 from warpsample.host.arguments import told
 from warpsample.host.files import WriteError
 from warpsample.host.interrupts import uninterrupted
+from warpsample.host.space import check_space
 
 SUFFIX = ".zarr"
 
@@ -66,18 +67,8 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
 def _check_space(path: Path, job: Job, chunks: int) -> None:
     """Refuses more chunks than there is space for, before they are compressed: positions hardly can be."""
     kinds, points = {**point_arrays_of(job), **job.gives}.values(), min(job.total, chunks * job.chunk)
-    check_space(path, sum(points * dtype.itemsize * math.prod(shape) for dtype, shape in kinds), f"{points:,} points")
-
-
-def check_space(path: Path, needed: int, what: str) -> None:
-    """Refuses a store for which there is no space.
-
-    Raises:
-        WriteError: says how many bytes it takes, and how many are free.
-    """
-    free = shutil.disk_usage(path.parent).free
-    if needed > free:
-        raise WriteError(f"{path} cannot be written: {what} take {needed / 1e9:,.3f} GB, and {free / 1e9:,.3f} GB are free")
+    needed = sum(points * dtype.itemsize * math.prod(shape) for dtype, shape in kinds)
+    check_space(path, needed, f"{points:,} points")
 
 
 def check_same(path: Path, about: dict[str, Any], argument: str) -> None:

@@ -16,6 +16,7 @@ from warpsample.host.arguments import check_integer, check_seed
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import check_memory, check_workers
 from warpsample.host.files import check_output, complete_or_absent, new_archive, write_array
+from warpsample.host.space import check_space
 from warpsample.mesh.examples import content_of
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.surface import SurfacePoints
@@ -32,6 +33,7 @@ CLOUD_SCALE = 0.05
 DIRECTIONS_PER_PART = 1 << 22
 """Directions of an .npz that are in memory at a time, 50 MB."""
 
+_BYTES_IN_FILE = 12  # of a direction, at least
 _BYTES_IN_CLOUD = 24  # of a direction: once as sampled, once without the points that have none
 
 
@@ -65,6 +67,9 @@ def export(run: DirectionsRun, workers: int | None = None) -> str:
     _check(run)
     check_workers(workers)
     mesh = load_mesh(run.mesh)
+    if run.points is not None:
+        ways = run.points * run.samples
+        check_space(run.output, ways * _BYTES_IN_FILE, f"{ways:,} directions")
     points = points_on(mesh, run.points, run.at, run.seed)
     with complete_or_absent(run.output) as file:
         if run.output.suffix == ".npz":
