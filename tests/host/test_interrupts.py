@@ -315,7 +315,9 @@ FORKED = """
 def arrived():
     begun.set()
     forked.wait(2.0)  # which it is only where no fork waits for imports
+    logging.getLogger("imported")  # takes a lock that a fork takes, too
 
+import logging
 begun, forked = threading.Event(), threading.Event()
 thread = threading.Thread(target=lambda: ws.load_mesh)
 thread.start()

@@ -31,6 +31,7 @@ def _let_go() -> None:
     _importing.release()
 
 
+import_module("logging")  # has a lock that a fork takes, too, and imports need: what is registered last is taken first
 if hasattr(os, "register_at_fork"):
     os.register_at_fork(before=_hold, after_in_parent=_let_go, after_in_child=_let_go)
 
