@@ -216,6 +216,7 @@ def test_bad_warp_arrays_are_named():
         (lambda: as_distribution("ggx(0.1)"), TypeError, r"distribution: got 'ggx\(0.1\)', want .*parameters go by name"),
         (lambda: as_distribution("ggx(alpha=x)"), TypeError, "distribution: got .*parameters are plain numbers"),
         (lambda: as_distribution("ggx(alpha="), TypeError, r"distribution: got 'ggx\(alpha=', want ggx\(alpha=...\)"),
+        (lambda: as_distribution("ggx(alpha=0.1"), TypeError, r"distribution: got 'ggx\(alpha=0.1', want ggx\(alpha=...\)$"),
         (lambda: as_distribution("ggx(beta=1)"), TypeError, r"distribution: got 'ggx\(beta=1\)', want ggx\(alpha=...\)$"),
         (lambda: as_distribution("ggx(alpha=2)"), ValueError, "alpha: got 2, want a number from 1e-06 to 1"),
         (

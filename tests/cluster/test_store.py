@@ -5,19 +5,21 @@ import shutil
 import subprocess
 import sys
 from importlib import import_module
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import warpsample as ws
 from warpsample import cluster
+from warpsample.host.files import check_output
 
 pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
 dask = pytest.importorskip("dask")
 pytest.importorskip("zarr")
 xr = pytest.importorskip("xarray")
-baking, holdings = (import_module(f"warpsample.cluster.{name}") for name in ("baking", "holdings"))
+baking, holdings, lock = (import_module(f"warpsample.cluster.{name}") for name in ("baking", "holdings", "lock"))
 
 POINTS, RAYS, CHUNK = 130, 40, 50
 ARRAYS = ("value", "standard_error", "spread", "degrees_of_freedom", "rays", "status")
@@ -261,9 +263,13 @@ def test_a_store_that_cannot_be_written(path, tmp_path, mesh):
     for name, message in [
         ("out.vtp", "want a name that ends in .zarr"),
         ("no/out.zarr", "whose folder does not exist"),
+        ("x" * 246 + ".zarr", "which cannot be written: File name too long"),
+        ("loop.zarr", "which is a link to itself"),
         ("file.zarr", "which is there already and is no store"),
     ]:
         (tmp_path / "file.zarr").touch()
+        if not (tmp_path / "loop.zarr").is_symlink():
+            (tmp_path / "loop.zarr").symlink_to("loop.zarr")
         with pytest.raises(ValueError, match=message):
             bake(tmp_path / name, mesh)
     with pytest.raises(ValueError, match="^call: got 'occlusion', want one of ambient_occlusion"):
@@ -273,6 +279,27 @@ def test_a_store_that_cannot_be_written(path, tmp_path, mesh):
     assert "WriteError: " in done.stderr.splitlines()[-1]
     assert done.stderr.splitlines()[-1].endswith("cannot be written: File too large")
     assert not any(whole_chunks(path))
+
+
+def test_a_store_by_another_name_has_the_same_lock(path, mesh, right, tmp_path):
+    (tmp_path / "link.zarr").symlink_to(path)
+    bake(tmp_path / "link.zarr", mesh)  # where there is nothing yet
+    (tmp_path / "link.zarr").unlink()
+    assert_whole(path, right)
+    (tmp_path / "link.zarr").symlink_to(path)
+    with lock.locked(path), pytest.raises(OSError, match=r"out.zarr cannot be written: another process is writing it$"):
+        bake(tmp_path / "link.zarr", mesh, resume=True)
+
+
+def test_a_folder_that_is_gone_is_a_sentence(mesh, tmp_path, monkeypatch):
+    (tmp_path / "gone").mkdir()
+    monkeypatch.chdir(tmp_path / "gone")
+    (tmp_path / "gone").rmdir()
+    wants = "cannot be written: No such file or directory$"
+    with pytest.raises(ValueError, match=f"^path: got 'out.zarr', which {wants}"):
+        bake("out.zarr", mesh)
+    with pytest.raises(ValueError, match=f"^--output: got 'out.npz', which {wants}"):
+        check_output(Path("out.npz"), "--output")
 
 
 # The command line

@@ -90,6 +90,10 @@ def test_the_command_says_what_it_did_and_goes_on(call, path, monkeypatch):
             ("bake", "courtyard", "-o", "x.zarr", "--cluster", "nowhere"),
             "--cluster: got 'nowhere', where no scheduler answers",
         ),
+        (
+            ("bake", "courtyard", "-o", "x.zarr", "--cluster", "inproc://a"),
+            "--cluster: got 'inproc://a', which its own process alone reaches, want HOST:PORT",
+        ),
         (("export", "x.zarr", "courtyard", "-o", "x.vtp"), "store: got 'x.zarr', which is missing"),
         (("export", "x.zarr", "courtyard", "-o", "x.txt"), "--output: got 'x.txt', want a file that ends in one of"),
     ],

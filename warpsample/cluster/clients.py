@@ -72,8 +72,10 @@ def _left_to_us(number: signal.Signals) -> Iterator[None]:
 
 
 def _connected(client: Any, address: str) -> Any:
+    if address.startswith("inproc:"):
+        raise ConnectionError(f"cluster: got {address!r}, which its own process alone reaches, want HOST:PORT")
     try:
         return client(address, timeout=_PATIENCE)
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, TypeError) as error:
         reason = str(error).splitlines()[0]
         raise ConnectionError(f"cluster: got {address!r}, where no scheduler answers: {reason}") from None

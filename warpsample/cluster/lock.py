@@ -23,12 +23,17 @@ def locked(path: Path) -> Iterator[None]:
     Raises:
         WriteError: another process writes it, or it cannot be written at all.
     """
-    file, held = path.with_name(f".{path.name}.lock"), []
+    file, held = path.with_name(lock_name(path)), []
     try:
         uninterrupted(partial(_take, path, file, held))
         yield
     finally:
         uninterrupted(partial(_give_back, file, held))
+
+
+def lock_name(path: Path) -> str:
+    """The name of the file that is locked for a store."""
+    return f".{path.name}.lock"
 
 
 def _take(path: Path, file: Path, held: list[Any]) -> None:

@@ -2,6 +2,7 @@
 
 import json
 import math
+import os
 import shutil
 from collections.abc import Callable
 from functools import partial
@@ -13,6 +14,7 @@ import numpy as np
 from warpsample.cluster.arrays import point_arrays_of
 from warpsample.cluster.holdings import about_of, whole_chunks
 from warpsample.cluster.job import STREAMS_OF, Job
+from warpsample.cluster.lock import lock_name
 from warpsample.cluster.metadata import check_metadata, metadata_of
 from warpsample.estimate.source.content import difference
 from warpsample.host.arguments import told
@@ -24,18 +26,24 @@ SUFFIX = ".zarr"
 
 
 def check_store(path: Any, argument: str) -> Path:
-    """A path that a store may be at, absolute: workers may run elsewhere.
+    """A path that a store may be at, absolute: workers may run elsewhere; and without links: a store has one lock.
 
     Raises:
-        ValueError: another suffix, a file, or no folder to make it in.
+        ValueError: another suffix, a file, a name that cannot be one, or no folder to make it in.
     """
-    found = Path(path).absolute()
-    if found.suffix != SUFFIX:
+    if Path(path).suffix != SUFFIX:
         raise ValueError(f"{argument}: got {str(path)!r}, want a name that ends in {SUFFIX}")
-    if found.exists() and not (found / "zarr.json").is_file():
-        raise ValueError(f"{argument}: got {str(path)!r}, which is there already and is no store, want a new name")
-    if not found.parent.is_dir():
-        raise ValueError(f"{argument}: got {str(path)!r}, whose folder does not exist")
+    try:
+        found = Path(os.path.realpath(path))
+        found.with_name(lock_name(found)).exists()  # which raises an error where that is too long
+        if found.is_symlink():
+            raise ValueError(f"{argument}: got {str(path)!r}, which is a link to itself")
+        if found.exists() and not (found / "zarr.json").is_file():
+            raise ValueError(f"{argument}: got {str(path)!r}, which is there already and is no store, want a new name")
+        if not found.parent.is_dir():
+            raise ValueError(f"{argument}: got {str(path)!r}, whose folder does not exist")
+    except OSError as error:
+        raise ValueError(f"{argument}: got {str(path)!r}, which cannot be written: {error.strerror}") from error
     return found
 
 

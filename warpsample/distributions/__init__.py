@@ -87,9 +87,11 @@ def as_distribution(value: Any) -> Distribution:
         return value
     if not isinstance(value, str):
         raise TypeError(f"distribution: got {told(value)}, want a name or an instance such as CosineHemisphere()")
-    name, _, inside = value.partition("(")
+    name, opened, inside = value.rstrip().partition("(")
     kind = get(name.strip())
     try:
+        if opened and not inside.endswith(")"):
+            raise SyntaxError
         return kind(**_keywords(inside.removesuffix(")")))
     except (TypeError, SyntaxError) as error:
         example = f"{name}({', '.join(f'{field.name}=...' for field in fields(kind))})"

@@ -233,8 +233,8 @@ def _mode(target: Path) -> int:
 @to_its_end
 def _flaw(path: Path, inputs: list[Path]) -> str:
     """Why an output cannot be written; empty if it can."""
-    target = _target(path)
     try:
+        target = _target(path)
         mode = _mode(target)
         for source in inputs:
             if _same(target, source):
