@@ -122,6 +122,16 @@ def test_one_level_of_detail_of_each_object(tmp_path):
             load(tmp_path, document, lod=lod)
 
 
+def test_a_building_is_left_out_where_its_parts_have_more_detail(tmp_path):
+    """Else all that is finer would be within it. Furniture of more detail takes nothing away."""
+    block = {"type": "Solid", "lod": "1", "boundaries": [cases.FACES[:6]]}
+    for kind, found in (("BuildingPart", {"part"}), ("BuildingInstallation", {"house", "part"})):
+        document = cases.house(block)
+        document["CityObjects"]["part"] = {"type": kind, "parents": ["house"], "geometry": [cases.SOLID]}
+        assert set(load(tmp_path, document).surfaces.object) == found
+        assert set(load(tmp_path, document, lod=1).surfaces.object) == {"house"}
+
+
 def test_what_a_file_has_twice_is_traced_once(tmp_path):
     with_names = cases.surfaces(semantics={"surfaces": cases.SEMANTICS["surfaces"], "values": [0, 1, *[2] * 8]})
     plain = cases.SOLID | {"semantics": None}

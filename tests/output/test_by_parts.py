@@ -119,7 +119,14 @@ def test_options_of_cityjson(call, tmp_path):
         (["a.json", "-o", "x.csv", "--at", "vertices"], "--at: got vertices for means over parts, want faces, or --points"),
         (["a.json", "-o", "x.csv", "--points", "0"], "--points: got 0, want a whole number from 1"),
         (["a.json", "-o", "a.json"], "--output: got 'a.json', which is the input"),
-        (["a.json", "-o", "x.zarr", "--by", "part"], "--output: got 'x.zarr' for --by part, want a file that ends in .csv"),
+        (
+            ["a.json", "-o", "x.zarr"],
+            "--output: got 'x.zarr' for CityJSON, want .city.json, .city.jsonl, .csv or a mesh file",
+        ),
+        (
+            ["cube.ply", "-o", "x.zarr", "--by", "part"],
+            "--output: got 'x.zarr' for --by part, want a file that ends in .csv",
+        ),
     ],
 )
 def test_bad_input_is_one_line(call, cube, tmp_path, monkeypatch, arguments, message):

@@ -36,9 +36,11 @@ def check_parts(run: BakeRun, quantity: Quantity) -> None:
         for option in ("lod", "split", "context"):
             if getattr(run, option):
                 raise ValueError(f"--{option}: got {getattr(run, option)} for {run.mesh.name}; it applies only to CityJSON")
+    name = run.output.name
+    if is_city(run) and run.output.suffix == ".zarr":
+        raise ValueError(f"--output: got {name!r} for CityJSON, want .city.json, .city.jsonl, .csv or a mesh file")
     if not is_by_parts(run):
         return
-    name = run.output.name
     if run.output.suffix not in ((*CITY_SUFFIXES, ".csv") if is_city(run) else (".csv",)):
         raise ValueError(f"--output: got {name!r} for --by {run.by}, want a file that ends in .csv")
     if quantity.is_matrix:

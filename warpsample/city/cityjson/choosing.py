@@ -54,6 +54,18 @@ def chosen(found: list[Choice], thing: Part, lod: float | None) -> list[Choice]:
     return kinds[best] + kinds[INSTANCE]
 
 
+def coarser(objects: dict[str, Part], taken: dict[str, list[Choice]], above: dict[str, list[str]]) -> set[str]:
+    """The objects whose geometry is a coarser one of the same, as parts of them have a finer one: the two are not traced."""
+    levels = {name: found[0][2] for name, found in taken.items() if found}
+    return {
+        parent
+        for name, level in levels.items()
+        if objects[name].text("type").endswith("Part")
+        for parent in above[name]
+        if levels.get(parent, level) < level
+    }
+
+
 def ancestors(objects: dict[str, Part], name: str) -> list[str]:
     """The parents of an object, theirs, and so on, as far as the document has them, each once.
 

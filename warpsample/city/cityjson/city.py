@@ -163,7 +163,8 @@ def load_city(path: str | PathLike, *, lod: Any = None, split: bool = False, con
 
     Args:
         path: of the file.
-        lod: the level of detail, as 2.2 or "2.2"; by default the highest that each object has, without footprints (LoD 0).
+        lod: the level of detail, as 2.2 or "2.2"; by default the highest that each object has, without footprints (LoD 0)
+            and without buildings whose parts have a higher one.
         split: whether each polygon is a surface of its own, with results of its own.
         context: what stands around, and gets no results: a mesh in the same coordinates, as the terrain, or "ground", a
             level plane through the lowest point, black as all of a mesh; by default nothing, as below the horizon no sky is.

@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy as np
 
 from warpsample.city.cityjson.boundaries import outlines_of, semantics_of
-from warpsample.city.cityjson.choosing import INSTANCE, ancestors, chosen, surfaced
+from warpsample.city.cityjson.choosing import INSTANCE, Choice, ancestors, chosen, coarser, surfaced
 from warpsample.city.cityjson.documents import read_each
 from warpsample.host.arguments import told
 from warpsample.host.engine import check_memory
@@ -146,24 +146,43 @@ def _add_document(found: Gathered, head: Head, tree: Part, number: int, lod: flo
     points = head.points(tree)
     first = found.place(points)
     objects = tree.members("CityObjects")
+    above = {name: ancestors(objects, name) for name in objects}
+    choices = {name: surfaced(thing, head.templates) for name, thing in objects.items()}
+    found.lods |= {own for each in choices.values() for _, _, own in each}
+    taken = {name: chosen(choices[name], thing, lod) for name, thing in objects.items()}
+    left_out = coarser(objects, taken, above) if lod is None else set()
     for name, thing in objects.items():
-        above = ancestors(objects, name)
         if thing.content.get("attributes") is not None:
             thing.part("attributes")
-        choices = surfaced(thing, head.templates)
-        found.lods |= {own for _, _, own in choices}
-        for at, geometry, own in chosen(choices, thing, lod):
-            placed = thing.parts("geometry")[at]
-            is_instance = placed.text("type") == INSTANCE
-            outlines = head.outlines(geometry) if is_instance else outlines_of(geometry, len(points))
-            start = first
-            if is_instance:
-                outlines, copies = _instance(placed, outlines, head.template_points, points)
-                start = found.place(copies)
-            kind, faces = thing.text("type"), len(outlines.rings)
-            types, semantics = _semantics(geometry, faces)
-            shape = Geometry(number, name, kind, above, at, own, types, is_instance, faces)
-            found.add(shape, outlines, semantics, start)
+        for choice in taken[name] if name not in left_out else ():
+            _add_geometry(found, head, _Place(number, name, thing, above[name], points, first), choice)
+
+
+@dataclass(frozen=True)
+class _Place:
+    """An object, where it stands in the file, and the vertices of its document, which count from `first` on."""
+
+    document: int
+    name: str
+    thing: Part
+    above: list[str]
+    points: np.ndarray
+    first: int
+
+
+def _add_geometry(found: Gathered, head: Head, place: _Place, choice: Choice) -> None:
+    number, geometry, lod = choice
+    placed, first = place.thing.parts("geometry")[number], place.first
+    is_instance = placed.text("type") == INSTANCE
+    if is_instance:
+        outlines, copies = _instance(placed, head.outlines(geometry), head.template_points, place.points)
+        first = found.place(copies)
+    else:
+        outlines = outlines_of(geometry, len(place.points))
+    kind, faces = place.thing.text("type"), len(outlines.rings)
+    types, semantics = _semantics(geometry, faces)
+    shape = Geometry(place.document, place.name, kind, place.above, number, lod, types, is_instance, faces)
+    found.add(shape, outlines, semantics, first)
 
 
 def _semantics(geometry: Part, faces: int) -> tuple[list[str], np.ndarray]:
