@@ -124,6 +124,9 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample bake courtyard -o sky.ply --quantity sky --samples 256",
         "warpsample bake courtyard -o year.vtp --quantity irradiation --weather athens --at faces",
         "warpsample view courtyard --up z --screenshot clouds.html",
+        # these: tests/cluster/test_raster_store.py
+        "warpsample bake dsm.tif -o svf.tif --quantity sky --tile 1024 --margin 256 --far alps_25m.tif --processes 2",
+        "warpsample bake dsm.tif -o svf.tif --quantity sky --tile 1024 --margin 256 --far alps_25m.tif --resume",
         "warpsample bake tile.city.jsonl -o out.city.jsonl --quantity sky --samples 256",  # these: test_by_parts.py
         "warpsample bake tile.city.jsonl -o year.csv --quantity irradiation --weather athens --split",
         "python viz/gallery.py",  # test_gallery.py, without the benchmarks

@@ -1,5 +1,6 @@
 """Rasters baked by the command: tiles that are whole or absent, runs that go on, and GeoTIFFs that appear at the end."""
 
+import re
 import signal
 import subprocess
 import sys
@@ -224,3 +225,15 @@ def test_options_of_rasters_are_refused_for_meshes(tmp_path, child_environment):
     command = [sys.executable, "-m", "warpsample", "bake", "courtyard", "-o", str(tmp_path / "a.ply"), "--tile", "9"]
     done = subprocess.run(command, check=False, env=child_environment, capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (2, "error: --tile: got 9 for courtyard; it applies only to rasters\n")
+
+
+def test_the_commands_of_the_readme_run(dsm, repository, child_environment):
+    text = (repository / "warpsample" / "city" / "README.md").read_text()
+    lines = re.search(r"```sh\n(.*?)```", text, flags=re.DOTALL)[1].splitlines()
+    assert len(lines) == 2
+    write_tif(dsm.parent / "alps_25m.tif", np.zeros((40, 40), np.float32), transform=SLOVENIA @ Affine.scale(25.0))
+    for line in lines:
+        command = [sys.executable, "-m", *line.split()]
+        subprocess.run(command, env=child_environment, cwd=dsm.parent, check=True)
+        with rasterio.open(dsm.parent / "svf.tif") as file:
+            assert np.array_equal(np.isnan(file.read(1)), np.isnan(heights()))

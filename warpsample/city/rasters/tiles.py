@@ -6,7 +6,7 @@ but for what is beyond their margin, and for how float32 rounds in another mesh.
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -19,6 +19,7 @@ from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reading import reader_of, with_heights
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.arguments import check_choice, check_integer, told
+from warpsample.mesh.surface import SurfacePoints
 
 MARGIN = 256
 """Cells around a tile: 50 of them are as long as the cells of the nearest ring beyond."""
@@ -156,19 +157,26 @@ class RasterRun:
         i, j = np.divmod(cells[chosen], grid.height.shape[1])
         id = (i + window[0].start) * self.reader.shape[1] + j + window[1].start
         points = replace(points.take(chosen), id=id)
-        found = [self._seen(made, points) for made in self._between(surface, span, near)]
+        found = list(map(partial(self._seen, points), self._between(surface, span, near)))
         for name, values in _bounded(found).items():
             if name in laid:
                 laid[name][i - row, j - column] = values
         return laid
 
-    def _between(self, surface: RasterSurface, span: Span, near: Span) -> list[RasterSurface]:
-        """The surface with upper, and with lower columns beyond it; or itself, if there is nothing."""
-        columns = [] if self.field is None else self.field.columns(span, near)
-        trees = columns if self.wooded is self.field or surface.canopy_mesh is None else self.wooded.columns(span, near)
-        return [_with_columns(surface, *both) for both in zip(columns, trees, strict=True)] or [surface]
+    def _between(self, surface: RasterSurface, span: Span, near: Span) -> Iterator[RasterSurface]:
+        """The surface with upper, and then with lower columns beyond it; or itself, if there is nothing.
 
-    def _seen(self, surface: RasterSurface, points: Any) -> Seen:
+        Each is gone, with its tree, when the next one is made, unless the caller keeps it.
+        """
+        columns = [] if self.field is None else self.field.columns(span, near)
+        alike = self.wooded is self.field or surface.canopy_mesh is None
+        trees = list(columns) if alike else self.wooded.columns(span, near)
+        if not columns:
+            yield surface
+        while columns:
+            yield _with_columns(surface, columns.pop(0), trees.pop(0))
+
+    def _seen(self, points: SurfacePoints, surface: RasterSurface) -> Seen:
         return seen_of(self.quantity, surface, points, self.options, self.transmittance)
 
 
