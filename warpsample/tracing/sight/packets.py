@@ -7,9 +7,10 @@ answer. A set of rays is a mask of 64 bits, one for each ray of a chunk.
 
 import warp as wp
 
-from warpsample.maths.memory import address_at, set_address
+from warpsample.maths.memory import address_at, float_at, set_address
 from warpsample.maths.numerics import high_word, low_word, lowest_bit
-from warpsample.tracing.queries import CHUNK, Accelerator, column_of, direction_of
+from warpsample.tracing.placement import far_off
+from warpsample.tracing.queries import CHUNK, REACH, Accelerator, column_of, direction_of
 from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint
 from warpsample.tracing.sight.sides import open_leaf, rays_passing, triangles_passed
 from warpsample.tracing.wide.candidates import entered, left_at
@@ -174,8 +175,24 @@ def _past_tree(tree: Accelerator, point: ShadingPoint, alive: wp.uint64) -> wp.u
 
 
 @wp.func
-def rays_left(tree: Accelerator, point: ShadingPoint, local: wp.int32, alive: wp.uint64, length: wp.int32) -> wp.uint64:
-    """The rays alive, of the first of a prepared chunk, that meet nothing; `local` as for `first_hit`."""
+def blocked_together(
+    tree: Accelerator, point: ShadingPoint, local: wp.int32, rays: wp.uint64, length: wp.int32
+) -> wp.uint64:
+    """Those of a set of the first rays of a prepared chunk that meet something; `local` as for `first_hit`.
+
+    Rays of a point that is far off start here and there, with reaches of their own: they are sets of one.
+    """
+    alive = rays
     if local != 0:
         alive = _past_triangles(point.opened + LOCAL_LEAF, local, point, alive, (length + WIDTH - 1) / WIDTH)
-    return _past_tree(tree, point, alive)
+    left = alive
+    apart = far_off(point.position)
+    while alive != NO_RAYS:
+        these = alive
+        if apart:
+            these = ray_set(lowest_ray(alive))
+            point.reach = float_at(column_of(point.chunk, lowest_ray(alive)), REACH)
+        alive = alive & (~these)
+        if point.reach > 0.0:
+            left = left & (~these | _past_tree(tree, point, these))
+    return rays & (~left)

@@ -11,7 +11,7 @@ from warpsample.maths.memory import float_at
 from warpsample.tracing.placement import far_off, in_double
 from warpsample.tracing.queries import REACH, Accelerator, column_of, direction_of
 from warpsample.tracing.sight.leaves import any_in_leaf, nearest_in_leaf
-from warpsample.tracing.sight.packets import NO_RAYS, ray_set, rays_left
+from warpsample.tracing.sight.packets import NO_RAYS, blocked_together, ray_set
 from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint, bring_near
 from warpsample.tracing.wide.layout import face_in
 from warpsample.tracing.wide.prepare import prepare_wide
@@ -88,26 +88,20 @@ def first_hit(any_hit: bool, query: wp.Function | None = None, wide: bool = True
 def rays_blocked(query: wp.Function | None = None, wide: bool = True) -> wp.Function:
     """A function (tree, point, local, rays, length) -> those of a set of prepared rays that meet something, with any hit.
 
-    The set is of the first `length` of a chunk. They go together through the wide tree, unless the point is far off, where
-    they start here and there; by another query one by one.
+    The set is of the first `length` of a chunk. They go together through the wide tree, by another query one by one.
     """
+    if wide:
+        return blocked_together
     hit = first_hit(any_hit=True, query=query, wide=wide)
 
     @wp.func
-    def one_by_one(tree: Accelerator, point: ShadingPoint, local: wp.int32, rays: wp.uint64, length: wp.int32):
-        blocked = NO_RAYS
+    def blocked(tree: Accelerator, point: ShadingPoint, local: wp.int32, rays: wp.uint64, length: wp.int32):
+        met = NO_RAYS
         for k in range(length):
             if (rays & ray_set(k)) != NO_RAYS:
                 distance, _face = hit(tree, point, local, k)
                 if distance < wp.INF:
-                    blocked = blocked | ray_set(k)
-        return blocked
-
-    @wp.func
-    def blocked(tree: Accelerator, point: ShadingPoint, local: wp.int32, rays: wp.uint64, length: wp.int32):
-        if wp.static(wide):
-            if not far_off(point.position) and point.reach > 0.0:
-                return rays & (~rays_left(tree, point, local, rays, length))
-        return one_by_one(tree, point, local, rays, length)
+                    met = met | ray_set(k)
+        return met
 
     return blocked
