@@ -96,6 +96,20 @@ def test_options_of_cityjson(call, tmp_path):
     assert len(ws.load_mesh(tmp_path / "b.ply").faces) == len(ws.load_city(path).mesh.faces)
 
 
+def test_terrain_around_a_city_may_be_a_raster(call, tmp_path):
+    """Of one height, 2 m below the house, so that the walls see half of their lobe, and a bit between."""
+    rasterio = pytest.importorskip("rasterio")
+    where = {"transform": rasterio.Affine(50, 0, 83000, 0, -50, 448000), "crs": "EPSG:28992"}
+    with rasterio.open(tmp_path / "dtm.tif", "w", width=80, height=80, count=1, dtype="float32", **where) as file:
+        file.write(np.full((1, 80, 80), -3.5, np.float32))
+    path = cases.written(tmp_path / "a.json", cases.house(cases.surfaces(boundaries=cases.FACES[:6])))
+    given = ["--samples", 32, "--points", 300, "--split", "--context", tmp_path / "dtm.tif"]
+    status, _, err = call("bake", path, "-o", tmp_path / "b.csv", *given)
+    assert (status, err) == (0, "")
+    walls = [float(row["ambient_occlusion"]) for row in rows(tmp_path / "b.csv") if row["type"] == "WallSurface"]
+    assert np.mean(walls) == pytest.approx(0.5, abs=0.05)
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

@@ -45,7 +45,7 @@ def bake_command(
     by: Annotated[Literal["part"] | None, option("Means over the named parts of the mesh, a row each; .csv only.")] = None,
     lod: Annotated[str | None, option("Level of detail of CityJSON, as 2.2; by default the highest of each object.")] = None,
     split: Annotated[bool, typer.Option("--split", help="A result for each polygon of CityJSON.")] = False,
-    context: Annotated[str | None, option("What stands around CityJSON: ground, a level plane, or a mesh file.")] = None,
+    context: Annotated[str | None, option("Around CityJSON: ground, a level plane, or terrain, a mesh or a raster.")] = None,
     seed: Annotated[int, typer.Option(help="Seed of points and rays.")] = 0,
     workers: Workers = None,
     chunk: stores.Chunk = None,

@@ -1,9 +1,12 @@
 """Means over the named parts of a mesh, or over the surfaces of a city: what `warpsample bake` writes of them."""
 
 from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from warpsample.city import rasters
 from warpsample.city.cityjson.city import City, load_city
 from warpsample.city.cityjson.context import GROUND_PLANE
 from warpsample.city.cityjson.placing import spread_points
@@ -11,7 +14,7 @@ from warpsample.city.cityjson.writing import with_totals
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.files import complete_or_absent
 from warpsample.host.tables import write_csv
-from warpsample.mesh.files import load_mesh
+from warpsample.mesh.files import SUFFIXES, load_mesh
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.part_means import part_means
 from warpsample.mesh.surface import SurfacePoints, face_centers
@@ -55,8 +58,15 @@ def city_of(run: BakeRun) -> City | None:
     """The city of a run of CityJSON, in its context."""
     if not is_city(run):
         return None
-    plain = run.context in (None, GROUND_PLANE)
-    return load_city(run.mesh, lod=run.lod, split=run.split, context=run.context if plain else load_mesh(run.context))
+    return load_city(run.mesh, lod=run.lod, split=run.split, context=_context(run.context))
+
+
+def _context(name: str | None) -> Any:
+    """What stands around a city: nothing, a plane, or the mesh of a mesh file or of a raster of heights."""
+    if name in (None, GROUND_PLANE):
+        return name
+    is_raster = Path(name).suffix.lower() not in (*SUFFIXES, "")
+    return rasters.surface(name).mesh if is_raster else load_mesh(name)
 
 
 def points_of_parts(run: BakeRun, mesh: Mesh, city: City | None) -> SurfacePoints:
