@@ -175,7 +175,9 @@ def test_a_process_finds_no_kernel_of_another_number(child_environment, tmp_path
     file = tmp_path / "gains.py"
     file.write_text(
         "import sys\nimport warp as wp, warpsample as ws\n\nGAIN = float(sys.argv[1])\nGAINS = [GAIN, GAIN]\n\n\n"
-        "@wp.func\ndef inner(w: wp.vec3, k: float = GAIN) -> float:\n    return k\n\n\n"
+        "def made(gain):\n    @wp.func\n"
+        "    def inner(w: wp.vec3, k: float = gain) -> float:\n        return k\n\n    return inner\n\n\n"
+        "inner = made(GAIN)\n\n\n"
         "@wp.func\ndef gains(w: wp.vec3) -> wp.vec3:\n    total = float(0.0)\n    for i in range(2):\n"
         "        total += wp.static(GAINS[i])\n    return wp.vec3(inner(w), total, 0.0)\n\n\n"
         "print(*ws.integrate([[0.0, 0.0, 1.0]], gains, 2).value[0], file=sys.stderr)\n"
