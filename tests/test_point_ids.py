@@ -138,6 +138,7 @@ def test_some_calls_differ_by_the_ids(scene):
     assert np.array_equal(alike[0], ws.sample_directions(points.take([0]), 8, first_point=9).vectors[0])
 
 
+@pytest.mark.slow
 def test_integrands_are_told_the_ids(scene):
     _mesh, points = scene
     ids = np.arange(POINTS)[::-1] * 3
