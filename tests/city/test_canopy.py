@@ -72,6 +72,7 @@ def test_a_wood_of_one_height_is_one_prism():
     assert wooded(np.zeros((5, 7)), np.zeros((5, 7))).canopy_mesh is None
 
 
+@pytest.mark.slow
 def test_under_a_canopy_without_end():
     flat = np.zeros((9, 9))
     made = wooded(flat, flat + 4.0, Affine.scale(1e4, -1e4))
@@ -113,6 +114,7 @@ def test_a_point_within_a_crown_sees_through_it_alone():
     assert float(sky(made, 4, 0.3, 64).value[0]) == pytest.approx(0.3, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_the_trunk_zone_lets_the_sun_pass():
     """From 10 in front of a crown from 2 to 6 high and 20 wide, towards it: under it, through it, over it."""
     transform = Affine.scale(20.0, -1e4)

@@ -58,6 +58,7 @@ def test_a_cell_draws_the_same_numbers_whatever_other_cells_have_no_height():
     assert (other.value != right.value.values.ravel()).any()
 
 
+@pytest.mark.slow
 def test_the_attributes_say_what_it_is_and_how_to_make_it_again(path):
     found = rasters.sky_view_factor(path, 32, receiver="surface", model="block", seed=3)
     told = found.attrs

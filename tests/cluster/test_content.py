@@ -142,6 +142,7 @@ def test_two_functions_of_one_name_are_both_told(defined):
     assert len({str(told(*numbers)) for numbers in ((1.0, 2.0), (3.0, 2.0), (1.0, 3.0))}) == 3
 
 
+@pytest.mark.slow
 def test_a_function_in_another_process_is_the_same(defined, tmp_path, child_environment):
     module = defined()
     code = (

@@ -20,6 +20,8 @@ from warpsample.output.quantities import quantities
 
 PACKAGE = Path(ws.__file__).parent
 RESULTS = (
+    ws.City,
+    ws.CitySurfaces,
     ws.Directions,
     ws.Estimate,
     ws.Hits,
@@ -34,7 +36,10 @@ RESULTS = (
 FOR_PROOFS = ("seam",)  # takes what `sample` has taken
 PLANE = pv.PolyData.from_regular_faces(VERTICES, FACES)
 HALVES = csr_array(np.full((2, 2), 0.5))
+CITY = ws.load_city("courtyard")
 EXAMPLES = {
+    ws.City: CITY,
+    ws.CitySurfaces: CITY.surfaces,
     ws.Directions: ws.Directions(np.zeros((4, COUNT, 3), np.float32), None, np.zeros(4, np.uint8)),
     ws.Estimate: ws.Estimate(*np.zeros((4, 4), np.float32), np.zeros(4, int), np.zeros(4, np.uint8), ws.Skipped()),
     ws.GGX: ws.GGX(0.5),

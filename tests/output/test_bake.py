@@ -87,6 +87,7 @@ def test_a_mesh_file_is_the_mesh_in_shades(call, torus, tmp_path):
     assert np.array_equal(made.visual.vertex_colors[:, 0], shades)
 
 
+@pytest.mark.slow
 def test_sky_at_points_and_light(call, torus, tmp_path):
     output, light = tmp_path / "out.npz", tmp_path / "light.npy"
     np.save(light, np.dstack([np.ones((4, 8)), np.zeros((4, 8)), np.ones((4, 8))]))

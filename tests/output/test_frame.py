@@ -47,6 +47,7 @@ def test_what_is_known_of_each_point(box):
     assert np.array_equal(table["value"], found.value)
 
 
+@pytest.mark.slow
 def test_results_of_every_kind(box):
     mesh, points = box
     bent = ws.bent_normals(mesh, points, 32)

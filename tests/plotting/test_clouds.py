@@ -128,6 +128,7 @@ def test_what_is_too_narrow_to_be_seen_is_refused():
         lobes.lobe_of(ws.Beckmann(1e-6))
 
 
+@pytest.mark.slow
 def test_every_slider_goes_from_end_to_end():
     """Every distribution can be made, drawn and judged at both ends of what its slider shows."""
     for name in controls.spatial():

@@ -21,6 +21,7 @@ MESH = ws.Mesh(VERTICES, FACES)
 POINTS = ws.vertex_points(MESH)
 UNIT = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.6, 0.0, 0.8], [0.0, 0.6, 0.8]], np.float32)
 COUNT = 16
+FACES_OF_COURTYARD = 2080
 
 
 @wp.struct
@@ -145,6 +146,21 @@ KINDS = {
     "face": kind(
         np.array([0, 1, -1, 0]), "of Warp", wrong=([0.0, 1.0, 0.0, 1.0], [-2, 0, 0, 0], [2**31, 0, 0, 0], [2**64, 0, 0, 0])
     ),
+    "Mesh.part": kind(np.array([0, -1]), wrong=([0.0, 0.0], [-2, 0], [0, 1])),
+    "Mesh.parts": kind(("wall",), said=("part",), wrong=("wall", ("wall", 1))),
+    "load_city.path": kind("courtyard", wrong=("a\0b", "long" * 1000, Path(__file__))),
+    "lod": kind(1, wrong=("2.2.2", "roof", 7)),
+    "split": kind(False, *FLAG),
+    "context": kind("ground", said=IN_MESH, wrong=("earth", "3.ply", *BAD_MESHES)),
+    "City.points.count": kind(100, WHOLE, wrong=(0, np.float64(2.0))),
+    "City.surface_means.values": kind(np.ones(FACES_OF_COURTYARD)),
+    "error": kind(np.ones(FACES_OF_COURTYARD)),
+    "City.surface_means.points": kind(POINTS, said=("values",), wrong=(MESH, UNIT)),
+    "City.write.path": kind(Path(tempfile.mkdtemp(), "out.city.json")),
+    "results": kind(
+        {"a": np.ones(3)}, "{}", said=("results['a']",), wrong=({"": np.ones(3)}, {"a": UNIT}, {"a_error": np.ones(3)})
+    ),
+    "found": kind(ws.trace(MESH, POINTS, UNIT), wrong=(ws.Hits,)),
     "SurfacePoints.id": kind(np.array([7, 0, 2**40, 3], np.uint64), "of Warp", wrong=([0.0, 1.0, 2.0, 3.0], [-1, 0, 0, 0])),
     "rows": kind(np.array([3, 0]), "one less", "of Warp", wrong=([0.5], [4], [-1])),
     "SurfacePoints.barycentric": kind(np.full((4, 3), 1 / 3)),
@@ -175,6 +191,9 @@ NEEDS = {  # to be of use
     "data": {"integrand": radiance},
     "cosine": {"weights": np.ones(4)},
     "integrate.mesh": {"points": POINTS},
+    "Mesh.part": {"parts": ("wall",)},
+    "Mesh.parts": {"part": np.array([0, 0])},
+    "City.surface_means.points": {"values": np.ones(4)},
     "integrate.max_distance": {"points": POINTS, "mesh": MESH},
 }
 NEEDS |= {  # to be quick
@@ -182,7 +201,13 @@ NEEDS |= {  # to be quick
     for argument in signature(ws.irradiation).parameters
     if argument not in ("period", "patches")
 }
-NO_DEFAULT = {"UniformCone.cos_angle", "UniformCone.one_minus_cos", "integrate.data"}  # one of the two must be given
+NO_DEFAULT = {
+    "UniformCone.cos_angle",
+    "UniformCone.one_minus_cos",
+    "integrate.data",
+    "City.surface_means.points",
+    "Mesh.part",
+}  # one of the two must be given
 
 
 def kind_of(name, argument):

@@ -22,12 +22,14 @@ from warpsample.host.arguments import check_file, check_flag, check_seed, naming
 from warpsample.host.arrays import as_real
 from warpsample.host.files import check_output, write_bytes
 from warpsample.host.locks import read_only
+from warpsample.host.neighbours import kind_told
 from warpsample.mesh.holes import Outlines
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.part_means import part_means
 from warpsample.mesh.surface import SurfacePoints
 
 _FILE = "a CityJSON file"
+_SUFFIXES = (".json", ".jsonl")
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,6 +114,8 @@ class City:
             >>> print(values.round(1), errors.max() < 0.01)
             [0.7 0.9 0.4] True
         """
+        if not isinstance(points, SurfacePoints | None):
+            raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints")
         face = np.arange(len(self.surface)) if points is None else points.face
         value = as_real(values, "values")
         error = np.zeros(value.shape) if error is None else as_real(error, "error")
@@ -190,14 +194,19 @@ def load_city(path: str | PathLike, *, lod: Any = None, split: bool = False, con
     with naming_file("path", path, _FILE) if made is None else nullcontext():
         content = path.read_bytes() if made is None else made
         found = gather(content, lod)
-        if not found.geometries:
-            raise ValueError(_nothing(found, lod))
+        if not found.lods:
+            raise ValueError("it has no surfaces")
+    if not found.geometries:
+        there = ", ".join(f"{level:g}" for level in sorted(found.lods))
+        raise ValueError(f"lod: got {lod or 'none'}, want one of those that {str(path)!r} has surfaces of: {there}")
     return _city(found, path, content, split=split, context=context)
 
 
 def _check_target(path: Any, source: Path) -> Path:
     if not isinstance(path, str | PathLike):
         raise TypeError(f"path: got {told(path)}, want the path of {_FILE}")
+    if Path(path).suffix not in _SUFFIXES:
+        raise ValueError(f"path: got {str(path)!r}, want a file that ends in one of {' '.join(_SUFFIXES)}")
     check_output(Path(path), "path", source)
     return Path(path)
 
@@ -212,13 +221,6 @@ def _check_results(results: Any, count: int) -> dict[str, np.ndarray]:
         if name.removesuffix(ERROR) not in columns:
             raise ValueError(f"results: got {name!r} without {name.removesuffix(ERROR)!r}, want values with their errors")
     return columns
-
-
-def _nothing(found: Gathered, lod: float | None) -> str:
-    if not found.lods:
-        return "it has no surfaces"
-    there = ", ".join(f"{level:g}" for level in sorted(found.lods))
-    return f"it has no surfaces of LoD {'1 or more' if lod is None else f'{lod:g}'}, but of {there}"
 
 
 def _city(found: Gathered, path: Path, content: bytes, *, split: bool, context: Any) -> City:
