@@ -1,7 +1,9 @@
 """How a checked call of `sample_directions` is run: which kernel, in which parts, on which device."""
 
 from dataclasses import dataclass
+from functools import lru_cache, partial
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import warp as wp
@@ -37,9 +39,9 @@ class DirectionPlan:
     def fill(self, normals: Vectors, vectors: Vectors, pdf: Vectors | None) -> Array:
         """Writes vectors and pdf, all arrays of one kind and on one device, and returns the status."""
         memory, active = self.options.memory, _beside(normals, self.options.active)
-        on_host = isinstance(normals.owner, np.ndarray)
-        status = np.zeros(normals.count, np.uint8) if on_host else wp.zeros(normals.count, wp.uint8, memory.device)
-        for rows in memory.parts(normals.count, 16 * self.count + 14):
+        on_host, points = isinstance(normals.owner, np.ndarray), normals.count
+        status = np.zeros(points, np.uint8) if on_host else wp.zeros(points, wp.uint8, memory.device)
+        for rows in memory.parts(points, 16 * self.count + 14):
             with memory.loan() as loan:
                 args = SamplesArgs(
                     count=self.count,
@@ -68,7 +70,7 @@ class DirectionPlan:
                 args.ids += 8 * start if whole.ids else 0
                 args.active += start if whole.active else 0
             high, args.first_point = divmod(first_point + start, 2**32)
-            args.run = self.sequence.run_words(self.options.seed, high)
+            args.run = _run_words(self.sequence, self.options.seed, high)
             args.points = end - start
             kernel, tasks, args.segment, args.rows = self.kernel(
                 device, args.points, masked=whole.active != 0, own_ids=whole.ids != 0
@@ -80,17 +82,31 @@ class DirectionPlan:
 
         Points with ids of their own come by rows, too: pairs in blocks have keys in which one word alone differs.
         """
-        maps, parts = self.distribution.maps, (self.sequence, self.distribution.about())
-        how = {"redraw": maps.redraw, "redraw_below": maps.redraw_below, "with_pdf": self.pdf, "masked": masked}
+        of_kind = partial(_kernel, self.distribution, self.sequence, self.pdf, masked)
         if not at_home(device):
-            return direction_rows(*parts, **how, own_ids=own_ids, chunk=1), points * self.count, 1, 1
+            return of_kind(own_ids=own_ids, chunk=1), points * self.count, 1, 1
         if self.count >= _ROW or own_ids:
             segment = min(self.count, _SEGMENT)
             rows = min(max(1, _TASK // self.count), MOST_ROWS) if segment == self.count else 1
             tasks = -(-points * -(-self.count // segment) // rows)
-            return direction_rows(*parts, **how, own_ids=own_ids, chunk=CHUNK), tasks, segment, rows
-        kernel = direction_blocks(*parts, **how, one_sample=self.count == 1)
+            return of_kind(own_ids=own_ids, chunk=CHUNK), tasks, segment, rows
+        kernel = of_kind(one_sample=self.count == 1)
         return kernel, -(-points * self.count // _TASK), FLAT_BLOCK, _TASK // FLAT_BLOCK
+
+
+@lru_cache(maxsize=256)
+def _kernel(distribution: Distribution, sequence: Sequence, pdf: bool, masked: bool, **shape: Any) -> wp.Kernel:
+    """The kernel for rows, or with `one_sample` for blocks; its maps are looked up for the first call of a distribution."""
+    maps = distribution.maps
+    make = direction_blocks if "one_sample" in shape else direction_rows
+    how = {"redraw": maps.redraw, "redraw_below": maps.redraw_below, "with_pdf": pdf, "masked": masked}
+    return make(sequence, distribution.about(), **how, **shape)
+
+
+@lru_cache(maxsize=1024)
+def _run_words(sequence: Sequence, seed: int, high: int) -> wp.vec4ui:
+    """The words of a run as a struct takes them in a tenth of the time."""
+    return wp.vec4ui(*sequence.run_words(seed, high))
 
 
 def _beside(normals: Vectors, active: np.ndarray | None) -> Array | None:
@@ -102,5 +118,7 @@ def _beside(normals: Vectors, active: np.ndarray | None) -> Array | None:
 
 def same_high_word(first_point: int, points: int) -> list[tuple[int, int]]:
     """Rows [start, end) between which the global id does not cross a multiple of 2^32."""
+    if first_point % 2**32 + points <= 2**32:
+        return [(0, points)]
     crossings = range(-first_point % 2**32 or 2**32, points, 2**32)
     return list(pairwise([0, *crossings, points]))

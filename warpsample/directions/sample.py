@@ -3,7 +3,6 @@
 from collections import Counter
 from dataclasses import dataclass
 from enum import IntEnum
-from math import prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -160,13 +159,13 @@ def sample_directions(
         (100, 16, 3) (100, 16) True
     """
     given = as_vectors(normals.normal if isinstance(normals, SurfacePoints) else normals, 3, "normals", "(P, {})")
-    if len(given.shape) != 1 or given.count == 0:
+    if len(given.shape) != 1 or given.shape == (0,):
         raise ValueError(f"normals: got shape {(*given.shape, 3)}, want (P, 3) with P of at least 1")
-    count = check_integer(count, "count", 1, 2**31 - 1)
+    points, count = given.shape[0], check_integer(count, "count", 1, 2**31 - 1)
     ids = normals.id if isinstance(normals, SurfacePoints) else None
-    options = CallOptions.of(given.count, seed=seed, first_point=first_point, ids=ids, active=active).by(
-        device=device, workers=workers, progress=progress, given=given.owner, argument="normals"
-    )
+    drawn = {"seed": seed, "first_point": first_point, "ids": ids, "active": active}
+    how = {"device": device, "workers": workers, "progress": progress, "given": given.owner, "argument": "normals"}
+    options = CallOptions.of(points, **drawn, **how)
     sampling = DirectionPlan(
         as_spatial(distribution),
         sequences.get(sequence),
@@ -174,11 +173,11 @@ def sample_directions(
         check_flag(pdf, "pdf"),
         options,
     )
-    shape = (given.count, count)
+    shape, total = (points, count), points * count
     vectors = None if out is None else check_out(out, given, shape)
-    size = prod(shape) * ((12 if out is None else 0) + (4 if sampling.pdf else 0)) + given.count
+    size = total * ((12 if out is None else 0) + (4 if sampling.pdf else 0)) + points
     if given.device.is_cpu:
-        check_memory(size, f"{prod(shape):,} directions", _STREAM_HINT)
+        check_memory(size, f"{total:,} directions", _STREAM_HINT)
     vectors = vectors or new_vectors(given, shape, 3)
     densities = new_vectors(given, shape, 1) if sampling.pdf else None
     with bar(options.progress, "sampling directions"):

@@ -9,8 +9,8 @@ import _signal  # the functions behind `signal`, which spends a hundred times as
 import signal
 import sys
 import threading
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
+from contextlib import ContextDecorator
 from functools import partial, wraps
 from traceback import walk_tb
 from types import CodeType, FrameType
@@ -20,20 +20,25 @@ T = TypeVar("T")
 P = ParamSpec("P")
 
 
-@contextmanager
-def handlers_first() -> Iterator[None]:
+class handlers_first(ContextDecorator):  # noqa: N801  (a class, as each small call pays for a generator)
     """Raises what a signal's handler has raised, where an error was made of that within, such as one that names a file.
 
     A handler raises anything, most often a deadline's TimeoutError, which is an OSError but says nothing of a file.
     """
-    before = sys.exc_info()[1]
-    try:
-        yield
-    except Exception as error:
-        own = raised_by_a_handler(error, before)
-        if own is None or own is error:
-            raise
-        raise own from own.__cause__
+
+    def __enter__(self) -> None:
+        """Keeps what is being handled already."""
+        self._before = sys.exc_info()[1]
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, _: object) -> None:
+        """Raises the handler's own error, if it led to this one."""
+        own = raised_by_a_handler(error, self._before) if isinstance(error, Exception) else None
+        if own is not None and own is not error:
+            raise own from own.__cause__
+
+    def _recreate_cm(self) -> "handlers_first":
+        """One of its own for each call of a function that is decorated."""
+        return handlers_first()
 
 
 def raised_by_a_handler(error: BaseException, before: BaseException | None = None) -> BaseException | None:

@@ -71,9 +71,16 @@ class CallOptions:
 
     @classmethod
     def of(
-        cls, points: int, *, seed: Any = 0, first_point: Any = 0, ids: np.ndarray | None = None, active: Any = None
+        cls,
+        points: int,
+        *,
+        seed: Any = 0,
+        first_point: Any = 0,
+        ids: np.ndarray | None = None,
+        active: Any = None,
+        **how: Any,
     ) -> "CallOptions":
-        """The options of a call over so many points, computed on the CPU by all cores.
+        """The options of a call over so many points.
 
         Args:
             points: how many.
@@ -81,6 +88,7 @@ class CallOptions:
             first_point: the global id of row 0; 0 if the points have their own, `SurfacePoints.id`.
             ids: (P,) uint64, those of `SurfacePoints`.
             active: (P,) bool; other points get 0 and a status, and cost next to nothing.
+            how: what `by` takes; by default computed on the CPU by all cores.
 
         Raises:
             TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
@@ -90,20 +98,10 @@ class CallOptions:
             first_point=check_first_point(first_point, points, ids),
             ids=ids,
             active=check_active(active, points),
-            memory=Memory.of(None),
-            workers=check_workers(None),
-            progress=False,
+            **_ways(**how),
         )
 
-    def by(
-        self: Options,
-        *,
-        device: Any = None,
-        workers: int | None = None,
-        progress: bool = False,
-        given: Array | None = None,
-        argument: str = "",
-    ) -> Options:
+    def by(self: Options, **how: Any) -> Options:
         """A copy of the options that are computed in another way.
 
         Args:
@@ -116,9 +114,20 @@ class CallOptions:
         Raises:
             TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
         """
-        return replace(
-            self,
-            memory=Memory.of(device, given, argument),
-            workers=check_workers(workers),
-            progress=check_flag(progress, "progress"),
-        )
+        return replace(self, **_ways(**how))
+
+
+def _ways(
+    *,
+    device: Any = None,
+    workers: int | None = None,
+    progress: bool = False,
+    given: Array | None = None,
+    argument: str = "",
+) -> dict[str, Any]:
+    """The fields that say how a call is computed, by the arguments of `CallOptions.by`."""
+    return {
+        "memory": Memory.of(device, given, argument),
+        "workers": check_workers(workers),
+        "progress": check_flag(progress, "progress"),
+    }

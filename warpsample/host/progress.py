@@ -4,7 +4,7 @@ A bar is for `progress=True`, on a terminal's stderr or in a notebook only.
 """
 
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from contextvars import ContextVar
 from typing import Any
 
@@ -12,15 +12,17 @@ LEAST_WORK = 1 << 25
 """Directions, or the like: 0.1 s. What takes less does not show how far it is."""
 
 _shown: ContextVar[tuple[Any, Any, bool] | None] = ContextVar("shown", default=None)
+_NO_BAR = nullcontext()
 _asked: ContextVar[Callable[[], None] | None] = ContextVar("asked", default=None)
 
 
-@contextmanager
-def bar(progress: bool, what: str, total: int | None = None) -> Iterator[None]:
+def bar(progress: bool, what: str, total: int | None = None) -> AbstractContextManager[None]:
     """Shows a bar for the work within, if `progress` is True: anew for each run, or one of `total` tasks."""
-    if not progress:
-        yield
-        return
+    return _bar(what, total) if progress else _NO_BAR
+
+
+@contextmanager
+def _bar(what: str, total: int | None) -> Iterator[None]:
     from rich.console import Console  # only bars need it
     from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
 

@@ -16,4 +16,6 @@ def records_of(package: ModuleType) -> dict[str, Any]:
 
 def look_up(known: dict[str, Any], name: str, argument: str) -> Any:
     """known[name], or the error of `check_choice`, with the names that exist."""
+    if isinstance(name, str) and name in known:
+        return known[name]
     return known[check_choice(name, argument, sorted(known))]

@@ -1,6 +1,7 @@
 """Arrays of vectors as kernels take them: their memory, size and device; and those that results are written to."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import prod
 from typing import Any
 
@@ -97,13 +98,19 @@ def new_vectors(like: Vectors, shape: tuple[int, ...], width: int) -> Vectors:
     return Vectors(np.empty(shape if width == 1 else (*shape, width), np.float32), shape, width, like.device)
 
 
+@lru_cache(maxsize=64)
+def _wanted(shape: tuple[int, ...]) -> str:
+    """What `out` is to be, in words that are seldom read."""
+    return f"a C-contiguous, writeable float32 array of shape {(*shape, 3)}"
+
+
 def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
     """The caller's own output array, if it can be written as it is: (*shape, 3) float32, C-contiguous, same kind and device.
 
     Another kind or type is a TypeError; another shape or device, and one that is not contiguous, read-only, or over the
     normals, a ValueError.
     """
-    want = f"a C-contiguous, writeable float32 array of shape {(*shape, 3)}"
+    want = _wanted(shape)
     out = own_memory(from_cuda(out, "out"), want)
     if isinstance(out, wp.array) and isinstance(like.owner, wp.array):
         vectors = _warp_vectors(out, 3, "out")
@@ -122,6 +129,6 @@ def check_out(out: Any, like: Vectors, shape: tuple[int, ...]) -> Vectors:
     if (*vectors.shape, vectors.width) != (*shape, 3):
         raise ValueError(f"out: got shape {(*vectors.shape, vectors.width)}, want {want}")
     first, other = vectors.address, like.address
-    if first < other + 12 * like.count and other < first + 12 * vectors.count:
+    if first < other + 12 * like.count and other < first + 12 * prod(shape):
         raise ValueError("out: got an array that overlaps the normals, want one apart from them")
     return vectors

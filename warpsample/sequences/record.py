@@ -12,7 +12,7 @@ STREAMS = 3
 """The number of the definition of all random streams: it grows when the same seed gives other numbers."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Sequence:
     """Points of the unit square, as a pure function of seed, surface point and sample.
 
