@@ -91,6 +91,16 @@ def test_the_tree_has_every_sun_once_and_every_node_before_its_children(name):
     assert tree.spans[0, 2] == len(tree.spans)
 
 
+def test_a_tree_is_made_once_for_the_same_suns():
+    suns = year().astype(np.float32)
+    tree = SunTree.of(suns, 0.0)
+    assert SunTree.of(suns.copy(), 0.0) is tree
+    assert SunTree.of(suns, 0.5) is not tree
+    suns[0] = suns[1]
+    assert np.array_equal(SunTree.of(suns, 0.0).groups, SunTree.built(suns, 0.0).groups)
+    assert not np.array_equal(SunTree.of(suns, 0.0).groups, tree.groups)
+
+
 def test_groups_of_a_year_are_narrow():
     tree = SunTree.of(year().astype(np.float32), 0.0)
     _, corners = vectors_of(tree.shafts[tree.spans[:, 1] == tree.spans[:, 0] + 1])

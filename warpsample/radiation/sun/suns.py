@@ -5,6 +5,7 @@ is a pyramid from the point: four planes about the suns, or about their discs.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import radians
 
 import numpy as np
@@ -14,6 +15,7 @@ from warpsample.tracing.sight.shafts import shaft_vectors
 GROUP = 16
 """Suns of a group, at most: as many as are looked at at once."""
 
+_MOST_KEPT = 1 << 16  # suns of a tree that is kept: 3 MB, with discs 15
 _WIDEST = 0.6  # radians from its axis: a shaft that is wider meets something anyway
 _NO_AXIS = 0.5  # of the suns along their mean: shafts end long before
 
@@ -39,7 +41,15 @@ class SunTree:
 
     @classmethod
     def of(cls, directions: np.ndarray, disc: float) -> "SunTree":
-        """The tree of (T, 3) float32 unit vectors, at least one, with discs of that diameter in degrees."""
+        """The tree of (T, 3) float32 unit vectors, at least one, with discs of that diameter in degrees.
+
+        The last few are kept, by content, since calls for other points most often have the same suns.
+        """
+        return _kept(directions.tobytes(), disc) if len(directions) <= _MOST_KEPT else cls.built(directions, disc)
+
+    @classmethod
+    def built(cls, directions: np.ndarray, disc: float) -> "SunTree":
+        """A new tree."""
         count, radius = len(directions), radians(0.5 * disc)
         levels = max(0, int(np.ceil(np.log2(count / GROUP))))
         bounds = [(np.arange(2**level + 1) * count) >> level for level in range(levels + 1)]
@@ -65,6 +75,11 @@ class SunTree:
         return cls(groups, columns, spans, shafts, disc_shafts)
 
 
+@lru_cache(maxsize=4)
+def _kept(directions: bytes, disc: float) -> SunTree:
+    return SunTree.built(np.frombuffer(directions, np.float32).reshape(-1, 3), disc)
+
+
 def _members(bounds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The part that each row is in, and its place there."""
     of = np.repeat(np.arange(len(bounds) - 1), np.diff(bounds))
@@ -74,9 +89,11 @@ def _members(bounds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def _sorted(directions: np.ndarray, bounds: np.ndarray) -> np.ndarray:
     """The order in which each part is sorted along the axis on which it is widest."""
     low, high = (f.reduceat(directions, bounds[:-1]) for f in (np.minimum, np.maximum))
-    of, _ = _members(bounds)
-    along = directions[np.arange(len(of)), np.argmax(high - low, axis=1)[of]]
-    return np.lexsort((along, of))
+    of, lane = _members(bounds)
+    along = np.full((len(bounds) - 1, np.diff(bounds).max()), np.inf, np.float32)  # parts differ in size by at most one
+    along[of, lane] = directions[np.arange(len(of)), np.argmax(high - low, axis=1)[of]]
+    order = np.argsort(along, axis=1, kind="stable") + bounds[:-1, None]
+    return order[of, lane]
 
 
 def _places(levels: int) -> list[np.ndarray]:
@@ -90,18 +107,19 @@ def _places(levels: int) -> list[np.ndarray]:
 
 def _shafts(suns: np.ndarray, bounds: np.ndarray, radius: float) -> tuple[np.ndarray, np.ndarray]:
     """(N, 3, 16) shafts about the discs of each part of the suns, and whether they are of use."""
-    first, (of, _) = bounds[:-1], _members(bounds)
+    first, size = bounds[:-1], np.diff(bounds)
     total = np.add.reduceat(suns, first)
     length = np.linalg.norm(total, axis=1, keepdims=True)
     axis = np.where(length > _NO_AXIS, total, suns[first]) / np.where(length > _NO_AXIS, length, 1.0)
-    forward = np.maximum((suns * axis[of]).sum(axis=1), 1e-3)
+    forward = np.maximum(_dots(suns, axis, size), 1e-3)
     of_use = np.minimum.reduceat(forward, first) > _NO_AXIS
-    across, aside = _sides(suns, axis, forward, first, of)
+    across, aside = _sides(suns, axis, forward, first, size)
     normals, tangents = [], []
     for side in (across, aside):
-        along = (suns * side[of]).sum(axis=1)
-        angle, length = np.arctan2(along, forward), np.hypot(along, forward)
-        half = np.arcsin(np.minimum(1.0, np.sin(radius) / length))  # in which the disc is seen in that plane
+        along = _dots(suns, side, size)
+        angle, half = np.arctan2(along, forward), 0.0
+        if radius:  # the angle at which the disc is seen in that plane
+            half = np.arcsin(np.minimum(1.0, np.sin(radius) / np.hypot(along, forward)))
         low, high = np.minimum.reduceat(angle - half, first), np.maximum.reduceat(angle + half, first)
         of_use &= np.maximum(-low, high) < _WIDEST
         low, high = np.clip([low, high], -_WIDEST, _WIDEST)[..., None]
@@ -112,16 +130,20 @@ def _shafts(suns: np.ndarray, bounds: np.ndarray, radius: float) -> tuple[np.nda
     return shaft_vectors(np.stack(normals, axis=1), np.moveaxis(corners / lengths, 0, 1)), of_use
 
 
+def _dots(suns: np.ndarray, vectors: np.ndarray, size: np.ndarray) -> np.ndarray:
+    """The dot product of each sun and its part's vector."""
+    return np.einsum("ij,ij->i", suns, np.repeat(vectors, size, axis=0))
+
+
 def _sides(
-    suns: np.ndarray, axis: np.ndarray, forward: np.ndarray, first: np.ndarray, of: np.ndarray
+    suns: np.ndarray, axis: np.ndarray, forward: np.ndarray, first: np.ndarray, size: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Two unit vectors across each axis, along and across which its suns lie."""
     least = np.eye(3)[np.abs(axis).argmin(axis=1)]
     x = np.cross(axis, least) / np.maximum(np.linalg.norm(np.cross(axis, least), axis=1, keepdims=True), 1e-3)
     y = np.cross(axis, x)
-    u, v = ((suns * side[of]).sum(axis=1) / forward for side in (x, y))
+    u, v = (_dots(suns, side, size) / forward for side in (x, y))
     moments = [np.add.reduceat(p, first) for p in (u, v, u * u, v * v, u * v)]
-    size = np.diff(np.append(first, len(suns)))
     u, v, uu, vv, uv = (moment / size for moment in moments)
     turn = 0.5 * np.arctan2(2.0 * (uv - u * v), (uu - u * u) - (vv - v * v))[:, None]
     across = np.cos(turn) * x + np.sin(turn) * y
