@@ -1,6 +1,7 @@
 """Global ids of points: what is drawn at a point follows its id, in every call, however the points are put together."""
 
 from dataclasses import fields, is_dataclass
+from inspect import signature
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ from weather_files import write_epw
 from weights_of_tests import by_point
 
 import warpsample as ws
+from warpsample.output.quantities import quantities
 from warpsample.radiation.quantities.sun_hours import sun_hours
 
 FIRST, POINTS = 2**33 - 20, 60
@@ -25,6 +27,7 @@ ESTIMATES = {
     "function": lambda mesh, at, **o: ws.integrate(at, by_point, 40, mesh=mesh, distribution="ggx(alpha=0.3)", **o),
     "free": lambda _, at, **o: ws.integrate(at, by_point, 40, **o),
     "distance": lambda mesh, at, **o: ws.mean_distance(mesh, at, 40, **o),
+    "visible": lambda mesh, at, **o: ws.visible_sky(mesh, at, 40, **o),
 }
 PATCHES_AND_SUNS = {
     "patches": lambda mesh, at, **o: ws.sky_matrix(mesh, at, 300, **o),
@@ -108,6 +111,22 @@ def assert_rows_where(found, right, chosen, rows):
 @pytest.mark.parametrize("call", CALLS)
 def test_what_is_drawn_follows_the_ids(call, scene):
     assert_laws(call, *scene)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", quantities())
+def test_every_quantity_follows_the_ids(name, scene, athens):
+    """Those that a list of calls like the above forgets, too."""
+    pytest.importorskip("pvlib")
+    pytest.importorskip("pyradiance")
+    mesh, points = scene
+    call = quantities()[name].call
+    taken = signature(call).parameters
+    given = {"radiance": PICTURE, "weather": athens, "period": ("06-21T09", "06-21T12"), "count": 40, "patches": "tregenza"}
+    given = {key: value for key, value in given.items() if key in taken}
+    ids = np.arange(FIRST, FIRST + POINTS)
+    whole = call(mesh, points, **given, first_point=FIRST) if "first_point" in taken else call(mesh, points, **given)
+    assert_rows(call(mesh, with_ids(points, ids).take(np.arange(POINTS)[::-1]), **given), whole, slice(None, None, -1))
 
 
 @pytest.mark.slow

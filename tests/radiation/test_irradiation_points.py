@@ -9,6 +9,7 @@ import trimesh
 from irradiation_cases import BEHIND, DAY, PARTS, points
 
 import warpsample as ws
+from warpsample.host.making import imported
 
 pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 
@@ -98,5 +99,6 @@ def test_too_many_hours_are_told(athens, monkeypatch):
 
 def test_pyradiance_is_asked_for_by_the_extra(athens, monkeypatch):
     monkeypatch.setitem(sys.modules, "pyradiance", None)
+    imported.cache_clear()
     with pytest.raises(ModuleNotFoundError, match=r"pip install 'warpsample\[radiation\]'"):
         ws.irradiation(BEHIND, points([(0, 0, 1)]), athens)

@@ -183,6 +183,7 @@ def test_no_file_is_a_sentence(tmp_path):
 def test_pvlib_is_asked_for_by_the_extra(athens, monkeypatch):
     monkeypatch.setitem(sys.modules, "pvlib", None)
     imported.cache_clear()
+    imported.cache_clear()
     with pytest.raises(ModuleNotFoundError, match=r"pip install 'warpsample\[radiation\]'"):
         read_weather(athens)
 

@@ -198,7 +198,8 @@ def load_city(path: str | PathLike, *, lod: Any = None, split: bool = False, con
             raise ValueError("it has no surfaces")
     if not found.geometries:
         there = ", ".join(f"{level:g}" for level in sorted(found.lods))
-        raise ValueError(f"lod: got {lod or 'none'}, want one of those that {str(path)!r} has surfaces of: {there}")
+        got = "none" if lod is None else f"{lod:g}"
+        raise ValueError(f"lod: got {got}, want one of those that {str(path)!r} has surfaces of: {there}")
     return _city(found, path, content, split=split, context=context)
 
 

@@ -64,9 +64,8 @@ def visible_sky(
         0.23, 0.36
     """
     at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, active=active).by(
-        skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
-    )
+    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, active=active, ids=at.id)
+    options = options.by(skip=skip, tracer=tracer, device=device, workers=workers, progress=progress)
     plan = Plan.of(at, count, options, tolerance=tolerance, distribution=UniformHemisphere())
     reach = reach_of(max_distance)
     return estimate(plan, RaySum(above_plane(as_unit(up, "up")), reach=reach, result=Share))  # type: ignore[return-value]
