@@ -1,5 +1,6 @@
 """Sky matrices against quadrature, sky view factors and themselves: turned, in parts, on threads, without skipping."""
 
+from dataclasses import replace
 from math import hypot
 
 import numpy as np
@@ -10,7 +11,7 @@ from sky_cases import form_factors
 
 import warpsample as ws
 from warpsample.bench import scenes
-from warpsample.radiation.sky.shafts import shafts_of
+from warpsample.radiation.sky.prepared import prepared
 
 TILTS = np.array(
     [[0, 0, 1], [0, 1, 0], [1, 0, 0], [-0.3, 0.5, 0.6], [0.2, -0.9, -0.3], [0.7, 0.1, -0.7], [1, 0.3, 1e-7], [1e-4, 0, 1]]
@@ -132,10 +133,14 @@ def test_skipping_threads_parts_and_masks_change_no_bit(bunny, monkeypatch):
 
 
 def test_wrong_shafts_would_be_seen(bunny, monkeypatch):
-    home = "warpsample.radiation.sky.sky_matrix.shafts_of"
+    def shifted(sky):
+        own = prepared(sky)
+        return replace(own, shafts=np.roll(own.shafts, 7, axis=0), group_shafts=np.roll(own.group_shafts, 7, axis=0))
+
     points = ws.sample_surface(bunny, 100, seed=3)
     right = ws.sky_matrix(bunny, points, 300)
-    monkeypatch.setattr(home, lambda *a: np.roll(shafts_of(*a), 7, axis=0))
+    assert same(ws.sky_matrix(bunny, points, 300), right)
+    monkeypatch.setattr("warpsample.radiation.sky.sky_matrix.prepared", shifted)
     assert not same(ws.sky_matrix(bunny, points, 300), right)
 
 

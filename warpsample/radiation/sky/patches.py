@@ -5,6 +5,7 @@ of each row straddles north. The last patch is a cap about the zenith.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -82,12 +83,18 @@ def sky_patches(name: str = "tregenza", *, up: Any = (0.0, 0.0, 1.0), north: Any
     length = np.linalg.norm(towards)
     if length < _PARALLEL:
         raise ValueError(f"north: got {told(north)}, which is along up, want a direction apart from up {told(up)}")
+    return _patches_of(name, multiple, zenith.tobytes(), (towards / length).tobytes())
+
+
+@lru_cache(maxsize=8)
+def _patches_of(name: str, multiple: int, up: bytes, north: bytes) -> SkyPatches:
+    """The patches of a sky by its checked arguments: the same ones for the same bits."""
+    zenith, towards = np.frombuffer(up), np.frombuffer(north)
     rows, low, high, first, last = _edges(multiple)
     middle, across = np.radians(0.5 * (low + high)), np.radians(0.5 * (first + last))
     middle[-1] = 0.5 * np.pi
     local = np.stack([np.cos(middle) * np.sin(across), np.cos(middle) * np.cos(across), np.sin(middle)], axis=1)
     local[-1] = (0.0, 0.0, 1.0)
-    towards /= length
     frame = np.array([np.cross(towards, zenith), towards, zenith])
     solid = np.radians(last - first) * (np.sin(np.radians(high)) - np.sin(np.radians(low)))
     solid[-1] = 4.0 * np.pi * np.square(np.sin(0.5 * np.radians(90.0 - low[-1])))

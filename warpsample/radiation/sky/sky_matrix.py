@@ -13,12 +13,11 @@ from warpsample.host.options import explained_by
 from warpsample.host.progress import bar
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.sky.folding import fold_rows
-from warpsample.radiation.sky.form_factors import table_of
 from warpsample.radiation.sky.kernel import sky_kernel
 from warpsample.radiation.sky.patch_rays import SkyRowsArgs
 from warpsample.radiation.sky.patches import SkyPatches, sky_patches
+from warpsample.radiation.sky.prepared import prepared
 from warpsample.radiation.sky.result import SkyMatrix, SkySkipped
-from warpsample.radiation.sky.shafts import groups_of, shafts_of
 from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
@@ -121,9 +120,6 @@ class _Rows:
         self.tally = np.zeros((points, 4), np.int32)
         self.status = np.zeros(points, np.uint8)
         self.placement = plan.at.facing(plan.options) if points else None
-        self.table, self.frame, self.begins = table_of(sky), np.ascontiguousarray(sky.frame), groups_of(sky)
-        self.shafts = shafts_of(sky, np.arange(len(sky) + 1))
-        self.group_shafts = shafts_of(sky, self.begins)
 
     def whole(self) -> list[np.ndarray]:
         """The matrix and its errors."""
@@ -171,9 +167,8 @@ class _Rows:
         if not points:
             return
         self.placement.order = 0 if order is None else order.ctypes.data
-        own = ("table", "shafts", "frame", "begins", "group_shafts", "tally", "status")
-        arrays = {name: getattr(self, name) for name in own}
-        arrays |= {"normals": plan.at.normal, "value": value, "error": error}
+        sky = prepared(self.sky)
+        own = {"normals": plan.at.normal, "value": value, "error": error, "tally": self.tally, "status": self.status}
         rows = SkyRowsArgs(
             placement=self.placement,
             seed=seed_for("sky", options.seed),
@@ -181,10 +176,10 @@ class _Rows:
             active=0 if options.active is None else options.active.ctypes.data,
             count=plan.count,
             patches=len(self.sky),
-            groups=len(self.begins) - 1,
+            groups=len(sky.begins) - 1,
             skip=options.skip,
             by_task=by_task,
-            **{name: array.ctypes.data for name, array in arrays.items()},
+            **{name: array.ctypes.data for name, array in (own | vars(sky)).items()},
         )
         accelerator = options.tracer.accelerator(plan.at.scene, cpu(), options.workers)
         work = prod((RAY_WORK, points, plan.count + len(self.sky)))

@@ -1,5 +1,6 @@
 """The sky's radiance, patch by patch and hour by hour: the model of Perez1993, by Radiance's `gendaymtx`."""
 
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -24,7 +25,8 @@ def perez_sky(weather: Weather, patches: str) -> np.ndarray:
     share = _horizontal_shares(sky_patches(patches))
     if len(weather.hours) == 0:
         return np.zeros((len(share), 0))
-    radiance = _gendaymtx(weather, MULTIPLES[patches], len(share)).astype(np.float64)
+    shape = len(share), len(weather.hours)
+    radiance = _gendaymtx(_pyradiance(), _wea(weather), MULTIPLES[patches], shape).astype(np.float64)
     received = np.pi * (share @ radiance)
     dark = received == 0.0  # below 1e-4 W/m² gendaymtx has no sky
     radiance *= np.where(dark, 0.0, weather.diffuse_horizontal) / np.where(dark, 1.0, received)
@@ -37,15 +39,16 @@ def _horizontal_shares(sky: SkyPatches) -> np.ndarray:
     return np.radians(np.diff(sky.azimuths, axis=1)[:, 0]) * (high - low) / (2.0 * np.pi)
 
 
-def _gendaymtx(weather: Weather, split: int, patches: int) -> np.ndarray:
-    """(K, T) float32."""
-    content = _pyradiance().gendaymtx(
-        _wea(weather), outform="f", mfactor=split, sky_only=True, solar_radiance=True, sky_color=[1, 1, 1]
+@lru_cache(maxsize=1)
+def _gendaymtx(pyradiance: Any, hours: bytes, split: int, shape: tuple[int, int]) -> np.ndarray:
+    """(K, T) float32, of which the last is kept: 10 MB of a year and the default patches, and half a second."""
+    content = pyradiance.gendaymtx(
+        hours, outform="f", mfactor=split, sky_only=True, solar_radiance=True, sky_color=[1, 1, 1]
     )
     found = read_matrix(content, "gendaymtx")[1:, :, 0]  # without the ground, and grey
-    if found.shape != (patches, len(weather.hours)) or not np.isfinite(found).all():
-        raise RuntimeError(f"gendaymtx: got {found.shape} numbers, want {patches} patches of {len(weather.hours)} hours")
-    return found
+    if found.shape != shape or not np.isfinite(found).all():
+        raise RuntimeError(f"gendaymtx: got {found.shape} numbers, want {shape[0]} patches of {shape[1]} hours")
+    return np.ascontiguousarray(found)
 
 
 def _pyradiance() -> Any:

@@ -4,6 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import timedelta, timezone
+from functools import lru_cache
 from io import StringIO
 from os import PathLike, fspath
 from pathlib import Path
@@ -66,14 +67,21 @@ def read_weather(weather: Any, period: Sequence[str] | None = None) -> Weather:
     path = check_file(weather, "weather", "an EPW weather file")
     pvlib = _pvlib()
     with naming_file("weather", path, "an EPW weather file"):
-        table, place = pvlib.iotools.read_epw(StringIO(checked_text(path)))
-        where = tuple(place[name] for name in ("latitude", "longitude", "TZ", "altitude"))
-        sun = _sun(pvlib, table.index, where)
-        direct, diffuse = radiation(table, "dni", "direct normal"), radiation(table, "dhi", "diffuse horizontal")
-        _check_nights(direct, sun["elevation"].to_numpy())
-    return _weather(where, sun, direct, diffuse).chosen(chosen)
+        return _year(pvlib, checked_text(path)).chosen(chosen)
 
 
+@lru_cache(maxsize=2)
+def _year(pvlib: Any, text: str) -> Weather:
+    """The weather of a file, by its content: reading it and finding the sun takes a fifth of a second."""
+    table, place = pvlib.iotools.read_epw(StringIO(text))
+    where = tuple(place[name] for name in ("latitude", "longitude", "TZ", "altitude"))
+    sun = _sun(pvlib, table.index, where)
+    direct, diffuse = radiation(table, "dni", "direct normal"), radiation(table, "dhi", "diffuse horizontal")
+    _check_nights(direct, sun["elevation"].to_numpy())
+    return _weather(where, sun, direct, diffuse)
+
+
+@lru_cache(maxsize=1)
 def _athens(pvlib: Any) -> Weather:
     """A cloudless year in Athens, by the clear sky of Ineichen2008."""
     where = (37.98, 23.73, 2.0, 107.0)
