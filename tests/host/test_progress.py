@@ -5,10 +5,12 @@ import pty
 import re
 import subprocess
 import sys
+import threading
 from contextlib import suppress
 
 import numpy as np
 import pytest
+from hangs import HANGS
 
 import warpsample as ws
 from warpsample.host import engine, progress
@@ -74,6 +76,89 @@ def test_a_bar_is_told_of_all_work_whichever_thread_does_it(name, workers, monke
     assert progress.begin(10, 10**9) is None
 
 
+class Terminal:
+    """Takes the place of stderr, and tells when something is written to it."""
+
+    def __init__(self, is_terminal):
+        self.isatty, self.text, self.told = lambda: is_terminal, "", threading.Event()
+
+    def write(self, text):
+        self.text += text
+        self.told.set()
+
+    def flush(self):
+        pass
+
+
+def test_a_terminal_is_told_what_is_awaited(monkeypatch):
+    terminal = Terminal(True)
+    monkeypatch.setattr(sys, "stderr", terminal)
+    monkeypatch.setattr(progress, "_PATIENCE", 0.001)
+    with progress.awaited("compiling"):
+        assert terminal.told.wait(HANGS)
+    assert terminal.text == "warpsample: compiling\n"
+
+
+def test_what_ends_in_time_is_not_told(monkeypatch):
+    terminal, threads = Terminal(True), set(threading.enumerate())
+    monkeypatch.setattr(sys, "stderr", terminal)
+    monkeypatch.setattr(progress, "_PATIENCE", HANGS)
+    with progress.awaited("compiling"):
+        (timer,) = set(threading.enumerate()) - threads
+    timer.join(HANGS)
+    assert not timer.is_alive()
+    assert terminal.text == ""
+
+
+@pytest.mark.parametrize("closed", [None, Terminal(False)])
+def test_only_a_terminal_is_told(closed, monkeypatch):
+    threads = set(threading.enumerate())
+    monkeypatch.setattr(sys, "stderr", closed)
+    with progress.awaited("compiling"):
+        assert set(threading.enumerate()) == threads
+
+
+@pytest.mark.parametrize("notebook", [True, False])
+def test_a_notebook_is_told_where_a_bar_is_shown(notebook, monkeypatch):
+    terminal, threads = Terminal(False), set(threading.enumerate())
+    monkeypatch.setattr(sys, "stderr", terminal)
+    monkeypatch.setattr(progress, "_PATIENCE", 0.001)
+    monkeypatch.setattr("rich.progress.Progress", Display())
+    monkeypatch.setattr("rich.console._is_jupyter", lambda: notebook)
+    with progress.bar(True, "casting rays"), progress.awaited("compiling"):
+        assert terminal.told.wait(HANGS) if notebook else set(threading.enumerate()) == threads
+    assert terminal.text == ("warpsample: compiling\n" if notebook else "")
+
+
+@pytest.mark.slow
+def test_a_terminal_is_told_what_is_compiled_and_that_it_is_once(child_environment, tmp_path):
+    code = """
+from warpsample.host import progress
+progress._PATIENCE = 0.0
+import warpsample as ws
+ws.sample_square("sobol", 1, 1)
+"""
+    environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path)}
+    said = [on_a_terminal(code, environment) for _ in range(2)]
+    assert re.fullmatch(r"warpsample: compiling the kernel square_blocks, once: it is kept in \S+\s+", said[0])
+    assert str(tmp_path) in said[0]
+    assert said[1] == ""
+
+
+def on_a_terminal(code, environment):
+    """What a Python program writes to a terminal."""
+    master, slave = pty.openpty()
+    running = subprocess.Popen([sys.executable, "-c", code], env=environment, stdin=slave, stdout=slave, stderr=slave)
+    os.close(slave)
+    text = b""
+    with suppress(OSError):
+        while part := os.read(master, 1 << 16):
+            text += part
+    os.close(master)
+    assert running.wait() == 0
+    return text.decode()
+
+
 @pytest.mark.slow
 def test_on_a_terminal_the_share_that_is_done_is_shown(child_environment):
     code = """
@@ -88,17 +173,8 @@ engine.MOST_WORK, progress.LEAST_WORK = 1 << 17, 1
 for _ in range(5):
     ws.ambient_occlusion(mesh, points, 8192, workers=1, skip=False, progress=True)
 """
-    master, slave = pty.openpty()
-    environment = {**child_environment, "TERM": "xterm", "COLUMNS": "100"}
-    running = subprocess.Popen([sys.executable, "-c", code], env=environment, stdin=slave, stdout=slave, stderr=slave)
-    os.close(slave)
-    text = b""
-    with suppress(OSError):
-        while part := os.read(master, 1 << 16):
-            text += part
-    os.close(master)
-    assert running.wait() == 0
-    before, after = text.decode().split("quiet")
+    text = on_a_terminal(code, {**child_environment, "TERM": "xterm", "COLUMNS": "100"})
+    before, after = text.split("quiet")
     assert "casting rays" not in before
     assert "casting rays" in after
     shares = {int(share) for share in re.findall(r"(\d+)%", after)}

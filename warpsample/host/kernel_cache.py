@@ -19,6 +19,7 @@ from typing import BinaryIO
 import warp as wp
 
 from warpsample.host.locks import once
+from warpsample.host.progress import awaited
 
 WIDE_VECTORS = "-mprefer-vector-width=512"
 """For the compiler, which on Intel's processors with AVX-512 prefers 256 bits: loops of one kernel then are 1.1 to 1.6 times
@@ -65,7 +66,8 @@ def load(kernel: wp.Kernel, device: str) -> None:
                 return
             except Exception:  # whatever Warp raises about files that another process has just removed
                 whole = False
-        _build(kernel.module, load_module, entry)
+        with awaited(f"compiling the kernel {kernel.func.__name__}, once: it is kept in {entry.parent}"):
+            _build(kernel.module, load_module, entry)
     if whole is False:
         outcome = "it was built anew" if _is_whole(entry) else "it cannot be replaced, delete it"
         warnings.warn(f"kernel cache: {entry} was damaged; {outcome}", stacklevel=2)

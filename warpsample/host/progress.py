@@ -1,16 +1,22 @@
 """What happens between the batches of a long call: a bar moves, and whoever no longer wants the call stops it.
 
-A bar is for `progress=True`, on a terminal's stderr or in a notebook only.
+A bar is for `progress=True`, on a terminal's stderr or in a notebook only. So is a line that says what is being waited for,
+but that a terminal is told in any case.
 """
 
+import sys
+import threading
 from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from contextvars import ContextVar
 from typing import Any
 
 LEAST_WORK = 1 << 25
 """Directions, or the like: 0.1 s. What takes less does not show how far it is."""
 
+_PATIENCE = 1.0  # seconds without a word
+
+_seen: ContextVar[bool] = ContextVar("seen", default=False)
 _shown: ContextVar[tuple[Any, Any, bool] | None] = ContextVar("shown", default=None)
 _NO_BAR = nullcontext()
 _asked: ContextVar[Callable[[], None] | None] = ContextVar("asked", default=None)
@@ -30,11 +36,39 @@ def _bar(what: str, total: int | None) -> Iterator[None]:
     columns = TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn()
     disable = not (console.is_terminal or console.is_jupyter)
     with Progress(*columns, console=console, disable=disable, transient=True) as display:
-        token = _shown.set((display, display.add_task(what, total=total), total is not None))
+        token, seen = _shown.set((display, display.add_task(what, total=total), total is not None)), _seen.set(not disable)
         try:
             yield
         finally:
             _shown.reset(token)
+            _seen.reset(seen)
+
+
+@contextmanager
+def awaited(what: str) -> Iterator[None]:
+    """Says what the work within is if it takes more than a second: on stderr, which a bar of rich's writes around."""
+    if not (_seen.get() or _is_terminal()):
+        yield
+        return
+    timer = threading.Timer(_PATIENCE, _say, [f"warpsample: {what}\n"])
+    timer.daemon = True
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+
+
+def _is_terminal() -> bool:
+    with suppress(AttributeError, ValueError):  # there is no stderr, or it is closed
+        return sys.stderr.isatty()
+    return False
+
+
+def _say(line: str) -> None:
+    with suppress(AttributeError, ValueError, OSError):
+        sys.stderr.write(line)
+        sys.stderr.flush()
 
 
 @contextmanager
