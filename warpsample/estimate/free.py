@@ -1,4 +1,9 @@
-"""Lobes that nothing blocks: the directions of several streams are made and integrated together, in loops that vectorise."""
+"""Lobes that nothing blocks: the directions of several streams are made and integrated together, in loops that vectorise.
+
+The points of a lattice go round the square. Where the integrand does not, as from the horizon to the normal, or from one end
+of a sector to the other, its step there is most of the error if it is smooth. Folded, u to 1 - |2u - 1|, which is uniform as
+well, the points go to and fro, and there is no step: the error falls by 1/n^2, not 1/n (Hickernell2002).
+"""
 
 import warp as wp
 
@@ -8,7 +13,7 @@ from warpsample.estimate.lobes import Lobes, lobe_of
 from warpsample.estimate.rays import LAST_UNIFORM
 from warpsample.estimate.slots import Slots
 from warpsample.host.locks import once
-from warpsample.maths.numerics import ZERO
+from warpsample.maths.numerics import ZERO, clamp_uniform
 from warpsample.sequences.hashing import stream_key
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.sight.point import ShadingPoint
@@ -19,10 +24,16 @@ BLOCK = 256
 _TOGETHER = wp.constant(wp.int32(2 * LANES))  # variates are filled by multiples of it
 
 
+@wp.func
+def _folded(u: wp.float32) -> wp.float32:
+    """1 - |2u - 1|, below 1."""
+    return clamp_uniform(1.0 - wp.abs(2.0 * u - 1.0))
+
+
 @once
 def _stream_fill(slots: Slots) -> wp.Function:
-    """A function that fills the variates of a part of one stream, stretched over its sector."""
-    fill = fill_variates(slots.sequence, BLOCK)
+    """A function that fills the variates of a part of one stream, stretched over its sector; a full circle needs no fold."""
+    fill, wraps = fill_variates(slots.sequence, BLOCK), slots.sequence.wraps
 
     @wp.func
     def fill_stream(lobes: Lobes, key: wp.vec4ui, stream: wp.int32, first: wp.int32, filled: wp.int32, at: wp.uint64):
@@ -32,7 +43,11 @@ def _stream_fill(slots: Slots) -> wp.Function:
         size = 1.0 / wp.float32(lobes.sectors)
         k = wp.int32(0)
         while k < filled:
-            y = (u[BLOCK + k] + sector) * size
+            y = u[BLOCK + k]
+            if wp.static(wraps):
+                u[k] = _folded(u[k])
+                y = wp.where(lobes.sectors > 1, _folded(y), y)
+            y = (y + sector) * size
             u[BLOCK + k] = wp.where(y < LAST_UNIFORM, y, LAST_UNIFORM)
             k += 1
 

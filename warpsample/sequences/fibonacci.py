@@ -35,6 +35,7 @@ RECORD = Sequence(
     name="fibonacci",
     sample=fibonacci_sample,
     progressive=False,
+    wraps=True,
     colour="#d1495b",
     marker="s",
     cells_off=1,

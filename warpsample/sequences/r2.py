@@ -27,6 +27,7 @@ RECORD = Sequence(
     name="r2",
     sample=r2_sample,
     progressive=True,
+    wraps=True,
     edge=0.45,
     unseen=0.9,
     colour="#5b8e3e",

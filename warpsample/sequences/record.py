@@ -36,6 +36,7 @@ class Sequence:
             intervals hold what is expected there. Independent samples take 1.55, by the bounds of Clopper1934.
         progressive: whether the first m points are the same for every count.
         nets: whether sets of a power of two are so much more even than others that no other count should be chosen.
+        wraps: whether its points go round the square, so that one that leaves at an end comes in at the other: lattices.
         random: whether the points of one surface point are independent of each other, too.
         cells_off: by how many cells of 2^-24 the integer twin may differ, because a quotient of float64s is rounded.
         colour: of its curves, as "#rrggbb".
@@ -60,6 +61,7 @@ class Sequence:
     unseen: float = 0.6
     random: bool = False
     nets: bool = False
+    wraps: bool = False
     cells_off: int = 0
 
     def edge_variance(self, count: int) -> float:
