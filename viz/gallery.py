@@ -104,6 +104,14 @@ SHOTS = (
         needs="zarr",  # there is none for Python 3.10
     ),
     Shot(
+        "maps",
+        "Maps of terrain and of a city",
+        "A real hillside by lidar, the share of the sky that each of its cells sees, and what a cloudless year in Athens "
+        "would bring to the roofs and walls of real buildings.",
+        "viz/maps.py --screenshot FILE",
+        needs="rasterio",
+    ),
+    Shot(
         "glossy_reflection",
         "A kernel of one's own: glossy reflections",
         "An environment map filtered for surfaces of growing roughness, as renderers do before they look it up; below, a "

@@ -217,7 +217,7 @@ def test_the_sky_is_shown_of_the_ground_that_sees_least_of_it_and_the_slider_tur
     assert differing(before / 255.0, drawn.screenshot(return_img=True) / 255.0) > 0.01
 
 
-@pytest.mark.parametrize("name", [*PNG_SCRIPTS, "occlusion", "sun_and_sky", "view_factors", "baked_store"])
+@pytest.mark.parametrize("name", [*PNG_SCRIPTS, "maps", "occlusion", "sun_and_sky", "view_factors", "baked_store"])
 def test_scripts_say_what_is_wrong(name, script, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(rendering, "has_screen", lambda: False)
     main = script(name).main

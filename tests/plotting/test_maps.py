@@ -1,0 +1,87 @@
+"""Maps: their scale bars and arrows are true, and buildings stand where they are, with their walls to the south."""
+
+from pathlib import Path
+
+import matplotlib.image
+import numpy as np
+import pytest
+import rasterio
+from affine import Affine
+from matplotlib.patches import Rectangle
+from matplotlib.text import Annotation
+
+import warpsample as ws
+from warpsample.plotting.map_sheet import Map, map_sheet, scale_length
+
+
+@pytest.mark.parametrize(
+    ("width", "bar"), [(400.0, 100.0), (170.0, 50.0), (60.0, 20.0), (59.0, 10.0), (3.0, 1.0), (0.7, 0.2)]
+)
+def test_a_scale_bar_is_round_and_a_third_of_the_map_at_most(width, bar):
+    assert scale_length(width) == pytest.approx(bar)
+
+
+def test_a_map_has_its_scale_its_north_and_its_first_row_on_top():
+    value = np.full((30, 60), np.nan)
+    value[0] = 7.0
+    north = np.array([-0.6, 0.8])
+    figure = map_sheet([Map(value, 2.5, "title", "label, m", "gray", (5.0, 10.0), tuple(north))], "caption")
+    axes = figure.axes[0]
+    (shown,) = axes.images
+    assert shown.get_extent() == [0.0, 150.0, 0.0, 75.0]
+    assert (shown.origin, shown.get_clim(), float(shown.get_array()[0, 0])) == ("upper", (5.0, 10.0), 7.0)
+    assert scale_length(150.0) in [each.get_width() for each in axes.patches if isinstance(each, Rectangle)]
+    assert "50 m" in [text.get_text() for text in axes.texts]
+    (arrow,) = (text for text in axes.texts if isinstance(text, Annotation))
+    along = np.subtract(arrow.xy, arrow.xyann)  # from its tail to its tip
+    assert along / np.linalg.norm(along) == pytest.approx(north)
+
+
+def test_buildings_are_seen_from_above_with_their_walls_to_the_south(script, monkeypatch):
+    """Plan areas are kept; of a wall to the south LEAN of its area is seen, of one to the north nothing."""
+    maps = script("maps")
+    monkeypatch.setattr(maps, "PIXELS", 400)
+    low, high = np.array([10.0, 20.0, 3.0]), np.array([18.0, 26.0, 8.0])
+    corners = np.array([[x, y, z] for z in (low[2], high[2]) for y in (low[1], high[1]) for x in (low[0], high[0])])
+    sides = {
+        "ground": (0, 2, 3, 1),
+        "roof": (4, 5, 7, 6),
+        "south": (0, 1, 5, 4),
+        "north": (3, 2, 6, 7),
+        "west": (2, 0, 4, 6),
+    }
+    sides["east"] = (1, 3, 7, 5)
+    faces = np.array([t for a, b, c, d in sides.values() for t in ((a, b, c), (a, c, d))])
+    seen = maps.seen_from_above(ws.as_mesh((corners, faces)), np.repeat(np.arange(6), 2), 20.0)
+    cell = 20.0 / 400
+    area = np.bincount(seen[seen >= 0], minlength=6) * cell**2
+    # A row of pixels more or less along each edge.
+    assert area == pytest.approx([0.0, 48.0, 8.0 * 5.0 * maps.LEAN, 0.0, 0.0, 0.0], abs=2.0 * cell * 8.0)
+    rows = [np.flatnonzero((seen == part).any(axis=1)) for part in (1, 2)]
+    assert rows[0].max() < rows[1].min()  # north is up: the roof is above the wall to the south
+    # The map's middle is that of the box, 14, 23, 5.5 on average over its triangles.
+    assert np.flatnonzero((seen == 1).any(axis=0)).min() * cell == pytest.approx(6.0, abs=0.1)
+    assert rows[0].min() * cell == pytest.approx(10.0 - 3.0 - 2.5 * maps.LEAN, abs=0.1)
+
+
+@pytest.mark.slow
+def test_the_picture_of_a_raster_and_of_a_city(can_render, script, tmp_path, capsys):
+    height = np.where(np.arange(20) < 10, 0.0, 15.0) * np.ones((20, 1))
+    path, file = tmp_path / "step.tif", tmp_path / "maps.png"
+    with rasterio.open(
+        path, "w", driver="GTiff", height=20, width=20, count=1, dtype="float32", crs="EPSG:3794",
+        transform=Affine(1.0, 0.0, 564000.0, 0.0, -1.0, 146000.0),
+    ) as raster:  # fmt: skip
+        raster.write(height.astype(np.float32), 1)
+    maps = script("maps")
+    terrain, sky = maps.hills(path, 64, 0)
+    assert np.array_equal(terrain.value, height)
+    # Half of it next to the wall, which ends 10 m away: at most 0.53. Three standard errors of ten cells of 64 rays: 0.06.
+    assert float(sky.value[5:15, 9].mean()) == pytest.approx(0.515, abs=0.075)
+    assert sky.value[:, 10:].min() > 0.99
+    assert sky.north[0] < 0.0 < sky.north[1]  # the place is east of the map's middle meridian
+    maps.main(terrain=path, city=Path("courtyard"), samples=16, side=100.0, screenshot=file, size=(900, 340))
+    assert capsys.readouterr().out == f"{file}: step.tif, 16 rays a cell; courtyard; seed 0\n"
+    picture = matplotlib.image.imread(file)
+    assert picture.shape[:2] == (340, 900)
+    assert (np.ptp(picture[..., :3], axis=-1) > 0.3).mean() > 0.05  # viridis and inferno, which no text has

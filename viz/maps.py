@@ -1,0 +1,86 @@
+"""Two maps as cities and terrain need them: the sky that hills see, and what the sun brings to real buildings."""
+
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import typer
+
+import warpsample as ws
+from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
+from warpsample.plotting import rendering
+from warpsample.plotting.map_sheet import Map, map_sheet
+
+HERE = Path(__file__).parent
+HILLS = HERE / "data" / "tm1_564_146.tif"
+TOWN = HERE.parent / "tests" / "city" / "data" / "3dbag_901.city.jsonl"
+LEAN = 0.7  # metres to the north by which the map shows what is a metre higher, so that walls to the south are seen
+PIXELS = 1200  # along a side of the buildings' map
+
+
+def hills(path: Path, samples: int, seed: int) -> list[Map]:
+    """The heights of a raster, and the share of the sky that is seen."""
+    from warpsample import rasters  # noqa: PLC0415  (it says which extra is missing)
+
+    surface = rasters.surface(path)
+    found = rasters.visible_sky(path, samples, seed=seed)
+    height, cell, north = surface.grid.height, abs(surface.grid.transform.a), tuple(surface.north[:2])
+    low = float(np.floor(20.0 * np.nanquantile(found.value, 0.005)) / 20.0)
+    span = (float(np.nanmin(height)), float(np.nanmax(height)))
+    return [
+        Map(height, cell, "Terrain", "height, m", "viridis", span, north),
+        Map(found.value.to_numpy(), cell, "The sky that each cell sees", "share of the sky", "gray", (low, 1.0), north),
+    ]
+
+
+def town(path: Path, weather: Path, side: float, seed: int) -> Map:
+    """What a year brings to each roof and wall, as a file with results has it, in a square about the middle building."""
+    city = ws.load_city(path, split=True)
+    points = city.points(seed=seed)
+    year = ws.irradiation(city.mesh, points, weather, seed=seed)
+    values, _, _ = city.surface_means(year.value, year.standard_error, points=points)
+    surface = seen_from_above(city.mesh, city.surface, side)
+    shown = np.where(surface < 0, np.nan, values[surface])
+    high = float(rendering.round_ticks(float(np.nanmax(values)), 5)[-1])
+    title, label = (
+        "A year's sun on buildings, from the south",
+        f"mean of each roof and wall, kWh/m²; weather: {weather.stem}",
+    )
+    return Map(shown, side / PIXELS, title, label, "inferno", (0.0, high))
+
+
+def seen_from_above(mesh: ws.Mesh, part: np.ndarray, side: float) -> np.ndarray:
+    """(R, R) the part of the face that each pixel of an oblique map shows, -1 for none."""
+    middle = np.median(mesh.vertices[mesh.faces].mean(axis=1), axis=0)
+    high = mesh.vertices[:, 2].max() + 1.0
+    off = side * ((np.arange(PIXELS) + 0.5) / PIXELS - 0.5)
+    right, up = np.meshgrid(middle[0] + off, middle[1] + LEAN * middle[2] - off)
+    origins = np.stack([right, up - LEAN * high, np.full_like(right, high)], axis=-1).reshape(-1, 3)
+    face = ws.trace(mesh, origins, np.broadcast_to([0.0, LEAN, -1.0], origins.shape)).face
+    return np.where(face < 0, -1, part[face]).reshape(PIXELS, PIXELS)
+
+
+@fail_plainly(count="--samples")
+def main(
+    terrain: Annotated[Path, typer.Option(help="Raster of heights; by default a hillside in Slovenia.")] = HILLS,
+    city: Annotated[Path, typer.Option(help="CityJSON file; by default 52 buildings of the Netherlands.")] = TOWN,
+    weather: Annotated[Path, typer.Option(help="A year, .epw, or athens, an example.")] = Path("athens"),
+    side: Annotated[float, typer.Option(help="Of the map of buildings, in metres.", min=1.0)] = 170.0,
+    samples: Annotated[int, typer.Option(help="Rays of each cell of the terrain.")] = 256,
+    seed: Annotated[int, typer.Option(help="Seed of the rays.")] = 0,
+    screenshot: FigureFile = None,
+    size: Size = (1800, 760),
+) -> None:
+    """Show the sky that terrain sees, and what a year's sun brings to buildings, as maps."""
+    rendering.check_output(screenshot, rendering.FIGURE_SUFFIXES, terrain, city, weather)
+    rendering.check_size(size, (900, 340))
+    rendering.check_rendering()
+    maps = [*hills(terrain, samples, seed), town(city, weather, side, seed)]
+    what = f"{terrain.name}, {samples:,} rays a cell; {city.name}; seed {seed}"
+    figure = map_sheet(maps, what)
+    rendering.size_figure(figure, size)
+    show_or_save(figure, screenshot, what)
+
+
+if __name__ == "__main__":
+    typer.run(main)

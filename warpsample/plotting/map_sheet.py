@@ -1,0 +1,96 @@
+"""Maps side by side, each with its colours, a scale bar and an arrow to the north."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from warpsample.plotting.rendering import INK, SKY
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+_WIDTH, _HEIGHT = 18.0, 7.6  # inches, for which the text is sized
+_TITLE, _TEXT = 17, 14
+_FROM_EDGE = 0.035  # of the map's longer side
+
+
+@dataclass(frozen=True, eq=False)
+class Map:
+    """Numbers seen from above.
+
+    Attributes:
+        value: (R, C), the first row in the north; NaN shows the background.
+        cell: the side of one of them, in metres.
+        title: stands above the map.
+        label: says below its colours what they are, with the unit.
+        colours: the name of a colour map.
+        span: the numbers that have its first and its last colour; lower ones have the first, too, and none is higher.
+        north: (2,) the direction of true north, to the right and up.
+    """
+
+    value: np.ndarray
+    cell: float
+    title: str
+    label: str
+    colours: str
+    span: tuple[float, float]
+    north: tuple[float, float] = (0.0, 1.0)
+
+
+def map_sheet(maps: list[Map], caption: str) -> "Figure":
+    """Draws maps side by side, equally high, and a caption below all of them."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(_WIDTH, _HEIGHT), layout="compressed", dpi=100)
+    shapes = [each.value.shape for each in maps]
+    grid = figure.subplots(1, len(maps), width_ratios=[columns / rows for rows, columns in shapes], squeeze=False)
+    for axes, each in zip(grid[0], maps, strict=True):
+        _draw_map(axes, each)
+    figure.supxlabel(caption, fontsize=_TEXT, color=INK)
+    return figure
+
+
+def _draw_map(axes: "Axes", each: Map) -> None:
+    rows, columns = np.multiply(each.value.shape, each.cell)
+    low, high = each.span
+    shown = axes.imshow(each.value, cmap=each.colours, vmin=low, vmax=high, extent=(0.0, columns, 0.0, rows))
+    axes.set(xticks=[], yticks=[], facecolor=SKY)
+    axes.set_title(each.title, fontsize=_TITLE, color=INK)
+    extend = "min" if np.nanmin(each.value, initial=high) < low else "neither"
+    bar = axes.figure.colorbar(shown, ax=axes, orientation="horizontal", extend=extend, shrink=0.9, pad=0.02, aspect=25)
+    bar.set_label(each.label, fontsize=_TEXT, color=INK)
+    bar.ax.tick_params(labelsize=_TEXT)
+    edge = _FROM_EDGE * max(rows, columns)
+    _draw_scale(axes, columns, edge)
+    _draw_north(axes, np.array([columns, rows]) - 2.5 * edge, edge, each.north)
+
+
+def scale_length(width: float) -> float:
+    """The longest of 1, 2 and 5 times a power of ten that is no more than a third of a map's width."""
+    power = 10.0 ** np.floor(np.log10(width / 3.0))
+    return float(max(step * power for step in (1.0, 2.0, 5.0) if step * power <= width / 3.0))
+
+
+def _draw_scale(axes: "Axes", width: float, edge: float) -> None:
+    """Draws a bar of a round length in the lower left corner."""
+    length = scale_length(width)
+    _fill(axes, (0.5 * edge, 0.5 * edge), length + edge, 2.3 * edge, color="white", alpha=0.85)
+    _fill(axes, (edge, edge), length, 0.25 * edge, color=INK)
+    axes.text(edge + 0.5 * length, 1.4 * edge, f"{length:g} m", ha="center", va="bottom", fontsize=_TEXT, color=INK)
+
+
+def _draw_north(axes: "Axes", at: np.ndarray, edge: float, north: tuple[float, float]) -> None:
+    """Draws an arrow through a place to the north, above an N."""
+    _fill(axes, at + edge * np.array([-1.0, -2.4]), 2.0 * edge, 4.0 * edge, color="white", alpha=0.85)
+    along = edge * np.array(north)
+    style = {"arrowstyle": "-|>", "mutation_scale": 22, "linewidth": 2.5, "color": INK, "shrinkA": 0, "shrinkB": 0}
+    axes.annotate("", at + 1.2 * along, at - 0.6 * along, arrowprops=style)
+    axes.text(at[0], at[1] - 0.9 * edge, "N", ha="center", va="top", fontsize=_TEXT, color=INK)
+
+
+def _fill(axes: "Axes", corner: Any, width: float, height: float, **style: Any) -> None:
+    from matplotlib.patches import Rectangle
+
+    axes.add_patch(Rectangle(corner, width, height, linewidth=0.0, **style))
