@@ -1,7 +1,5 @@
 """Tiles: the numbers of the whole raster where the margin reaches over it, and else between two bounds."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from affine import Affine
@@ -13,6 +11,7 @@ pytest.importorskip("rioxarray")
 import warpsample as ws
 from warpsample.city.rasters import far
 from warpsample.city.rasters.far import FarField
+from warpsample.city.rasters.horizons import sky_by_horizons
 from warpsample.city.rasters.reading import reader_of
 from warpsample.city.rasters.tiles import RasterRun
 from warpsample.estimate.quantities.ambient_occlusion import RECORD as OCCLUSION
@@ -59,9 +58,7 @@ def test_a_margin_of_the_whole_raster_changes_nothing(model):
     assert np.nanmax(found["far_error"]) == 0.0
     assert np.array_equal(np.isnan(right["value"]), np.isnan(heights))
     points, cells = ws.rasters.surface((heights, NORTH_UP, None), model=model).points()
-    plain = ws.sky_view_factor(
-        ws.rasters.surface((heights, NORTH_UP, None), model=model).mesh, replace(points, id=cells), 64
-    )
+    plain = sky_by_horizons(SKY, ws.rasters.surface((heights, NORTH_UP, None), model=model).mesh, points, {"count": 64})
     assert np.array_equal(right["value"].ravel()[cells], plain.value)
 
 

@@ -207,6 +207,10 @@ def test_a_store_of_another_run_is_refused(dsm, folder, options, what):
         (["-o", "sky.tif", "--quantity", "irradiation"], "--weather: got None for irradiation, want an EPW weather file"),
         (["-o", "sky.tif", "--quantity", "sky-matrix"], "--quantity: got 'sky-matrix', want one of ao, sky, visible-sky"),
         (["-o", "sky.tif", "--up", "0", "0", "1"], "--up: got (0.0, 0.0, 1.0) for dsm.tif; it applies only to meshes"),
+        (
+            ["-o", "sky.tif", "--quantity", "visible-sky", "--receiver", "surface"],
+            "--receiver: got 'surface' for the visible sky, want 'horizontal': it counts no cosines",
+        ),
         (["-o", "no/sky.tif"], "--output: got 'no/sky.tif'"),
     ],
 )

@@ -18,6 +18,7 @@ import warp as wp
 wp.config.log_level = wp.LOG_WARNING
 wp.config.cpu_compiler_flags += " -Rpass=loop-vectorize -Rpass-missed=loop-vectorize"
 import warpsample as ws
+from warpsample.city.rasters.horizon_kernel import horizon_kernel
 from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.weights import Weights, above, everywhere
@@ -31,6 +32,7 @@ for kernel in (
     ray_kernel(prepare_wide, wide_query(True)),
     estimate_kernel(Slots(*rays, everywhere, Weights, True, True, 1, prepare_wide, several, True, True)),
     estimate_kernel(Slots(*rays, above, Weights, False, False, 1, None, None, True, True)),
+    horizon_kernel(),
 ):
     print("@@", file=sys.stderr, flush=True)
     wp.load_module(kernel.module, device="cpu")
@@ -46,7 +48,7 @@ def test_the_hot_loops_are_vectorised(tmp_path, child_environment):
     triangles above the horizon; a shaft's vectors and limits, boxes and triangles; of rays together, the sides of a leaf,
     and triangles or rays between them. Those of an integral without a mesh are:
     variates; their move into the sector; directions with the integrand. Its sums are four chains of additions in a fixed
-    order (and the rest).
+    order (and the rest). Horizons have azimuths and directions besides what rays together have.
     The remark is at the loop's end, or at a branch in it that became a selection.
     """
     script = tmp_path / "remarks.py"
@@ -54,7 +56,7 @@ def test_the_hot_loops_are_vectorised(tmp_path, child_environment):
     environment = {**child_environment, "WARP_CACHE_PATH": str(tmp_path / "cache")}
     done = subprocess.run([sys.executable, script], env=environment, capture_output=True, text=True, check=True)
     _, *compiled = done.stderr.split("@@")
-    for remarks, loops, in_order in zip(compiled, (4, 4, 15, 3), (0, 0, 0, 2), strict=True):
+    for remarks, loops, in_order in zip(compiled, (4, 4, 15, 3, 11), (0, 0, 0, 2, 0), strict=True):
         hot = re.findall(
             r":(\d+):\d+: remark: vectorized loop \(vectorization width: (\d+).*\n.*(?:goto end_while_|if \(var_\d+\) {)",
             remarks,

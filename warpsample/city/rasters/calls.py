@@ -74,6 +74,7 @@ def sky_view_factor(
     """The cosine-weighted share of the sky that each cell sees, as `warpsample.sky_view_factor` has it.
 
     Times the diffuse irradiance of open ground it is that of the cell, under an even sky. It is the SVF of SOLWEIG and UMEP.
+    Rays look for the horizon to each azimuth, unless there are crowns, or an option that is about rays all over the sky.
 
     Args:
         source, model: see `surface`.
@@ -85,7 +86,8 @@ def sky_view_factor(
             `margin` of 256 cells around it as they are. What is beyond that is pooled, and `far_error` is how much farther
             off than by the standard error a value may be for it. `far`: another raster of the same map, as `source`, of the
             terrain beyond the edges; with it or with tiles the Earth is round beyond the margin.
-            And those of `warpsample.sky_view_factor`, as max_distance, seed, tolerance, device, workers, progress.
+            And those of `warpsample.sky_view_factor`, as max_distance, seed, workers, progress; of rays all over the sky
+            tolerance, sequence, tracer, device.
 
     Returns:
         `value` and `standard_error` (y, x), NaN where there is no height; with tiles `far_error`; and what makes them again
@@ -221,6 +223,7 @@ def run_of(
     own = {name: run.options.get(name, default) for name, default in quantity.parameters.items() if name not in _UNTOLD}
     rasters = {name: _name_of(how[name]) for name in ("canopy", "trunk", "far")}
     told = {"model": model, "receiver": receiver, **how, **rasters, "margin": run.margin if run.tile else None}
+    told["method"] = "horizons" if run.by_horizons else "rays"
     told = {name: value for name, value in told.items() if value is not None}
     return run, _attributes(quantity, source, told | own)
 

@@ -6,12 +6,13 @@ seen without them, B + share * (A - B). Both are found by the same rays, so that
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
 
 from warpsample.city.rasters.raster_surface import RasterSurface
+from warpsample.city.rasters.seen import Seen
 from warpsample.estimate.plan import Plan
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.arguments import told
@@ -28,23 +29,6 @@ from warpsample.tracing.placed_points import PlacedPoints
 
 _MONTHS, _DAYS = 12, 365
 _WANTS = "a share from 0 to 1, or 12 of them, for each month, or 365, for each day"
-
-
-@dataclass(frozen=True, eq=False)
-class Seen:
-    """What P points see, crowns in its way.
-
-    Attributes:
-        value: (P,) float32.
-        standard_error: (P,) float32, at most so much.
-        rays: (P,) int32, in both runs.
-        status: (P,) uint8, a `PointStatus`.
-    """
-
-    value: np.ndarray
-    standard_error: np.ndarray
-    rays: np.ndarray
-    status: np.ndarray
 
 
 def check_transmittance(value: Any) -> np.ndarray:

@@ -13,11 +13,14 @@ import numpy as np
 
 from warpsample.city.rasters.canopy import Canopy, calling, check_same_map
 from warpsample.city.rasters.far import FarField
-from warpsample.city.rasters.leaves import Seen, check_dates, check_transmittance, seen_of
+from warpsample.city.rasters.horizons import finds_horizons, sky_by_horizons
+from warpsample.city.rasters.leaves import check_dates, check_transmittance, seen_of
 from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, RasterSurface, beside, surface_of
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reading import reader_of, with_heights
+from warpsample.city.rasters.seen import Seen
 from warpsample.estimate.quantities.record import Quantity
+from warpsample.estimate.quantities.visible_sky import visible_sky
 from warpsample.host.arguments import check_choice, check_integer, told
 from warpsample.mesh.surface import SurfacePoints
 
@@ -79,6 +82,8 @@ class RasterRun:
         """
         check_choice(model, "model", MODELS)
         check_choice(receiver, "receiver", RECEIVERS)
+        if quantity.call is visible_sky and receiver != "horizontal":
+            raise ValueError(f"receiver: got {receiver!r} for the visible sky, want 'horizontal': it counts no cosines")
         shares = check_transmittance(transmittance)
         check_dates(quantity, shares)
         if margin is not None and tile is None:
@@ -176,7 +181,14 @@ class RasterRun:
         while columns:
             yield _with_columns(surface, columns.pop(0), trees.pop(0))
 
+    @property
+    def by_horizons(self) -> bool:
+        """Whether rays look for horizons: crowns have none, as rays pass below them."""
+        return self.canopy is None and finds_horizons(self.quantity, self.options)
+
     def _seen(self, points: SurfacePoints, surface: RasterSurface) -> Seen:
+        if self.by_horizons:
+            return sky_by_horizons(self.quantity, surface.mesh, points, self.options)
         return seen_of(self.quantity, surface, points, self.options, self.transmittance)
 
 
