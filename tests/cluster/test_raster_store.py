@@ -1,6 +1,8 @@
 """Rasters baked by the command: tiles that are whole or absent, runs that go on, and GeoTIFFs that appear at the end."""
 
+import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -11,6 +13,7 @@ import numpy as np
 import pytest
 from affine import Affine
 from raster_cases import write_tif
+from weather_files import write_epw
 
 from warpsample import rasters
 
@@ -122,7 +125,7 @@ def test_an_interrupted_run_goes_on_to_the_same_bytes(dsm, folder, name, compute
     assert ran == list(range(TILES))
     ran.clear()
     counted.most = 5
-    store = folder / (name if name.endswith(".zarr") else f"{name}.zarr")
+    store = folder / (name if name.endswith(".zarr") else f".{name}.making.zarr")
     with pytest.raises(KeyboardInterrupt, match=f"interrupted after 5 of {TILES} tiles; {store} can be resumed"):
         bake(dsm, folder / name)
     assert not (folder / "sky.tif").exists()
@@ -184,10 +187,116 @@ def test_a_store_of_another_run_is_refused(dsm, folder, options, what):
     right = contents(folder / "sky.zarr")
     with pytest.raises(ValueError, match=f"of {what}"):
         bake(dsm, folder / "sky.zarr", resume=True, **options)
-    write_tif(dsm, heights()[::-1], transform=SLOVENIA)
-    with pytest.raises(ValueError, match="of source_file"):
-        bake(dsm, folder / "sky.zarr", resume=True)
     assert contents(folder / "sky.zarr") == right
+
+
+def rewritten(path, change):
+    """Lets a file have other contents of the same size, at the same time of change."""
+    before = path.stat()
+    change(path)
+    assert path.stat().st_size == before.st_size
+    os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
+
+
+def raised(path):
+    with rasterio.open(path, "r+") as file:
+        file.write(file.read(1) + np.float32(0.5), 1)
+
+
+def warmer(path):
+    """A year in which the sun of one hour is stronger."""
+    lines = path.read_bytes().split(b"\n")
+    row = next(i for i, line in enumerate(lines) if line.split(b",")[1:4] == [b"6", b"21", b"12"])
+    fields = lines[row].split(b",")
+    fields[14] = b"%d" % (int(fields[14]) + 1)
+    path.write_bytes(b"\n".join([*lines[:row], b",".join(fields), *lines[row + 1 :]]))
+
+
+@pytest.mark.filterwarnings("ignore:Dataset has no geotransform")
+def test_what_files_say_is_compared_not_their_size_and_age(dsm, folder, computed):
+    _, counted = computed
+    counted.most = 0
+    given = dsm.parent
+    for name in ("crowns.tif", "bases.tif", "alps.tif"):
+        write_tif(given / name, np.full((60, 44), 2.0 + len(name), np.float32), transform=SLOVENIA)
+    write_tif(given / "bare.tif", heights(), transform=None)
+    (given / "bare.tfw").write_text("1.0\n0.0\n0.0\n-1.0\n564000.5\n145999.5\n")
+    rasterio.shutil.copy(dsm, given / "dsm.vrt", driver="VRT")
+    year = given / "year.epw"
+    write_epw(year)
+    trees = {"canopy": str(given / "crowns.tif"), "trunk": str(given / "bases.tif"), "far": str(given / "alps.tif")}
+    sun = {"weather": str(year), "period": ("06-21", "06-21"), "tile": 15}
+    jobs = {
+        "sky": job(dsm, **trees),
+        "vrt": job(given / "dsm.vrt"),
+        "bare": job(given / "bare.tif"),
+        "sun": baking.RasterJob(str(dsm), "sun-hours", "joined", "surface", tuple(sorted(sun.items()))),
+    }
+    for name, one in jobs.items():
+        with pytest.raises(KeyboardInterrupt):
+            baking.bake_raster(one, folder / f"{name}.zarr", None, False)
+    cases = [
+        ("sun", year, warmer, "weather_content"),
+        (
+            "bare",
+            given / "bare.tfw",
+            lambda path: path.write_text(path.read_text().replace("0.5", "1.5")),
+            "source_transform",
+        ),
+        ("sky", given / "alps.tif", raised, "far_heights"),
+        ("sky", given / "bases.tif", raised, "trunk_heights"),
+        ("sky", given / "crowns.tif", raised, "canopy_heights"),
+        ("vrt", dsm, raised, "source_heights"),
+        ("sky", dsm, raised, "source_heights"),
+    ]
+    for name, file, change, what in cases:
+        rewritten(file, change)
+        with pytest.raises(ValueError, match=f"of {what} '"):
+            baking.bake_raster(jobs[name], folder / f"{name}.zarr", None, True)
+
+
+def moved(path):
+    write_tif(path, heights(), transform=SLOVENIA @ Affine.scale(1.5))
+
+
+@pytest.mark.parametrize(("change", "when", "there"), [(raised, 4, 5), (raised, TILES - 1, TILES), (moved, 4, TILES)])
+def test_a_file_that_changes_meanwhile_puts_no_number_into_the_store(dsm, folder, monkeypatch, change, when, there):
+    before, bake_tile = dsm.read_bytes(), baking.bake_tile
+
+    def changing(job, store, index, workers):
+        told = bake_tile(job, store, index, workers)
+        if index == when:
+            change(dsm)
+        return told
+
+    bake(dsm, folder / "right.tif")
+    monkeypatch.setattr(baking, "bake_tile", changing)
+    with pytest.raises(ValueError, match=r"source: got .* when the run began; with what it was .* can be resumed"):
+        bake(dsm, folder / "sky.tif")
+    assert not (folder / "sky.tif").exists()
+    monkeypatch.undo()
+    dsm.write_bytes(before)
+    assert f"{there} of them were there already" in bake(dsm, folder / "sky.tif", resume=True)
+    assert (folder / "sky.tif").read_bytes() == (folder / "right.tif").read_bytes()
+
+
+def test_what_is_not_our_working_store_stays(dsm, folder, computed):
+    _, counted = computed
+    bake(dsm, folder / "sky.tif.zarr")
+    own = contents(folder / "sky.tif.zarr")
+    bake(dsm, folder / "sky.tif", resume=True)
+    assert contents(folder / "sky.tif.zarr") == own
+    hidden = folder / ".sky.tif.making.zarr"
+    shutil.copytree(folder / "sky.tif.zarr", hidden)
+    with pytest.raises(ValueError, match="of making None, want one of making 'sky.tif'"):
+        bake(dsm, folder / "sky.tif", resume=True)
+    assert contents(hidden) == own
+    shutil.rmtree(hidden)
+    counted.most = counted.most + 1 + 2 * TILES + 3
+    with pytest.raises(KeyboardInterrupt):
+        bake(dsm, folder / "sky.tif")
+    with pytest.raises(ValueError, match="of making 'sky.tif', want one of making None"):
+        bake(dsm, hidden, resume=True)
 
 
 @pytest.mark.parametrize(

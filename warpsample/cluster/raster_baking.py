@@ -1,7 +1,7 @@
 """`warpsample bake` of a raster: tile by tile into a store that resumes, and from there into a GeoTIFF."""
 
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import closing, nullcontext
 from dataclasses import dataclass
 from functools import lru_cache
@@ -18,21 +18,31 @@ from dask.highlevelgraph import HighLevelGraph
 
 from warpsample.city.rasters.calls import run_of
 from warpsample.city.rasters.cog import write_cog
+from warpsample.city.rasters.content import digests_of, place_of, unchanging
 from warpsample.city.rasters.tiles import RasterRun
 from warpsample.cluster.baking import DONE
 from warpsample.cluster.clients import computing
 from warpsample.cluster.finishing import finished
+from warpsample.cluster.holdings import about_of
 from warpsample.cluster.job import STREAMS_OF, VERSIONS
 from warpsample.cluster.lock import locked
 from warpsample.cluster.raster_store import begin_raster, put_tile, tiles_in
 from warpsample.cluster.sending import current_client
-from warpsample.cluster.store import SUFFIX, check_store
-from warpsample.cluster.writing import at_work, writing
-from warpsample.host.arguments import check_integer
-from warpsample.host.files import check_output
+from warpsample.cluster.store import SUFFIX, check_new, check_store
+from warpsample.cluster.writing import at_work, store_of, writing
+from warpsample.host.arguments import check_integer, told
+from warpsample.host.files import check_output, complete_or_absent, read_arrays, write_arrays
+from warpsample.mesh.known import digest_of
 from warpsample.output.quantities import quantity_of
 from warpsample.output.terminal_bar import terminal_bar
+from warpsample.radiation.weather.weather import read_weather
 from warpsample.sequences.record import STREAMS
+
+_DIGESTS = "digests.npz"
+"""The file of a call, in its folder, that says what the rasters hold which its tiles are computed from."""
+
+_MAKING = "making"
+"""What says in a store that it goes when the file of this name is made of it."""
 
 
 @dataclass(frozen=True)
@@ -53,19 +63,16 @@ class RasterJob:
     options: tuple[tuple[str, Any], ...]
 
     def run(self) -> tuple[RasterRun, dict[str, Any]]:
-        """The checked run, and what tells it from others: its arguments, and how large and how old its files are."""
+        """The checked run, and what tells it from others but for heights, which are not read yet."""
         how = {"model": self.model, "receiver": self.receiver}
         run, about = run_of(quantity_of(self.quantity), self.source, dict(self.options), **how)
-        given = {
-            "source": self.source,
-            **{name: value for name, value in self.options if name in ("canopy", "trunk", "far")},
-        }
-        for name, path in given.items():
-            if isinstance(path, str) and Path(path).is_file():
-                found = Path(path).stat()
-                about[f"{name}_file"] = f"{found.st_size} bytes of {found.st_mtime_ns} ns"
         about.pop("workers", None)
-        return run, about | {STREAMS_OF: STREAMS, **_versions()}
+        for name, raster in run.rasters.items():
+            about |= {f"{name}_{what}": told for what, told in place_of(raster).items()}
+        if "weather" in run.options:
+            weather = run.options["weather"] = read_weather(run.options["weather"])
+            about["weather_content"] = weather.digest
+        return run, about | {STREAMS_OF: STREAMS, **{name: version(name) for name in VERSIONS}}
 
 
 def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: bool) -> str:
@@ -73,7 +80,7 @@ def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: boo
 
     Args:
         job: what to compute.
-        output: of a name that ends in .zarr, .tif or .tiff. Beside a GeoTIFF is a store until it is complete.
+        output: of a name that ends in .zarr, .tif or .tiff. Beside a GeoTIFF is a hidden store until it is complete.
         processes: of this machine, a thread each; by default the tiles are computed one by one, by all threads.
         resume: whether to go on with the store, if there is one.
 
@@ -81,7 +88,8 @@ def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: boo
         a report in sentences.
 
     Raises:
-        TypeError, ValueError, FileNotFoundError: an argument that cannot be used; before anything is computed.
+        TypeError, ValueError, FileNotFoundError: an argument that cannot be used, before anything is computed; or a file
+            changed meanwhile.
         KeyboardInterrupt: with a sentence that says how far it was.
         OSError: it cannot be written, or another process is writing it.
     """
@@ -90,20 +98,30 @@ def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: boo
     is_store = output.suffix == SUFFIX
     if not is_store:
         check_output(output, "--output", Path(job.source))
-    store = check_store(output if is_store else output.with_name(f"{output.name}{SUFFIX}"), "--output")
+    store = check_store(output if is_store else output.with_name(f".{output.name}.making{SUFFIX}"), "--output")
     run, about = job.run()
     start = perf_counter()
     with locked(store):
-        total = run.grid[0] * run.grid[1]
+        check_new(store, resume, "--output")
+        digests = {name: digests_of(raster) for name, raster in run.rasters.items()}
+        about |= _heights(digests)
+        marked = about if is_store else about | {_MAKING: output.name}
+        whole = begin_raster(store, run, marked, "--output")
         with terminal_bar() as bar, computing(None, processes, None) if processes else nullcontext():
-            task = bar.add_task(run.quantity.title, total=total, told="")
-            there = _compute(
-                job, store, resume, lambda done: bar.update(task, completed=done, told=f"{done} of {total} tiles")
+            task = bar.add_task(run.quantity.title, total=len(whole), told="")
+            _compute(
+                job,
+                store,
+                whole,
+                digests,
+                lambda done: bar.update(task, completed=done, told=f"{done} of {len(whole)} tiles"),
             )
+        _check_unchanged(store, job)
         if not is_store:
             write_cog(output, run, about, tiles_in(store, run))
             shutil.rmtree(store)
     rows, columns = run.reader.shape
+    total, there = len(whole), int(whole.sum())
     lines = [
         f"{output}: {run.quantity.title} of {rows:,} x {columns:,} cells in {total:,} {'tile' if total == 1 else 'tiles'}"
     ]
@@ -111,21 +129,51 @@ def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: boo
     return "\n  ".join([*lines, f"took {perf_counter() - start:.2f} s"])
 
 
-def _compute(job: RasterJob, store: Path, resume: bool, heard: Callable[[int], None]) -> int:
-    """Computes what is missing of a store; how many tiles were there."""
-    run, about = job.run()
-    whole = begin_raster(store, run, about, resume, "--output")
-    there = done = int(whole.sum())
+def _compute(
+    job: RasterJob, store: Path, whole: np.ndarray, digests: Mapping[str, np.ndarray], heard: Callable[[int], None]
+) -> None:
+    """Computes the tiles of a store that are not whole."""
+    done = int(whole.sum())
     heard(done)
     try:
-        with writing(store) as folder, closing(_told(job, folder, np.flatnonzero(~whole).tolist())) as all_told:
-            for _ in all_told:
-                done += 1
-                heard(done)
+        with writing(store) as folder:
+            with complete_or_absent(folder / _DIGESTS) as stream:
+                write_arrays(stream, digests)
+            with closing(_told(job, folder, np.flatnonzero(~whole).tolist())) as all_told:
+                for _ in all_told:
+                    done += 1
+                    heard(done)
     except KeyboardInterrupt as interrupt:  # raised again itself: it may stand for another signal
         interrupt.args = (f"interrupted after {done:,} of {len(whole):,} tiles; {store} can be resumed",)
         raise
-    return there
+
+
+def _heights(digests: Mapping[str, np.ndarray]) -> dict[str, str]:
+    """What tells rasters of other heights apart."""
+    return {f"{name}_heights": digest_of(found) for name, found in digests.items()}
+
+
+def _check_unchanged(store: Path, job: RasterJob, digests: Mapping[str, np.ndarray] | None = None) -> RasterRun:
+    """The run of a job, if its files still say what they did when the run of its store began.
+
+    Args:
+        store: of the run.
+        job: what is computed.
+        digests: those of the rasters then; without, all are read once more.
+
+    Raises:
+        ValueError: one changed; names what.
+    """
+    run, about = job.run()
+    about |= _heights(digests or {name: digests_of(raster) for name, raster in run.rasters.items()})
+    kept = about_of(store, "--output")
+    for name, now in about.items():
+        if kept.get(name) != now:
+            raise ValueError(
+                f"{name.rpartition('_')[0] or name}: got {name} {told(now)}, which was {told(kept.get(name))} when the run "
+                f"began; with what it was {store} can be resumed"
+            )
+    return run
 
 
 def _told(job: RasterJob, folder: Path, tiles: list[int]) -> Iterator[Any]:
@@ -146,19 +194,17 @@ def _tasks(job: RasterJob, folder: Path, tiles: list[int]) -> Array:
 
 def bake_tile(job: RasterJob, folder: str, index: int, workers: int | None) -> np.ndarray:
     """One task: computes a tile and writes it, unless the call that has the folder ends before."""
-    run, span = _run_of(job, workers)
     with at_work(Path(folder)):
+        run, span = _run_of(job, Path(folder), workers)
         put_tile(Path(folder), index, run, run.numbers(span[index]))
     return np.zeros(1, DONE)
 
 
 @lru_cache(maxsize=1)
-def _run_of(job: RasterJob, workers: int | None) -> tuple[RasterRun, list[Any]]:
-    """The run of a job in this process, whose far field is read once."""
-    run, _ = job.run()
+def _run_of(job: RasterJob, folder: Path, workers: int | None) -> tuple[RasterRun, list[Any]]:
+    """The run of a call in this process, whose far field is read once: of what the call began with, or an error."""
+    digests = read_arrays(folder / _DIGESTS)
+    run = _check_unchanged(store_of(folder), job, digests)
+    run = run.reading({name: unchanging(raster, digests[name], name) for name, raster in run.rasters.items()})
     run.options["workers"] = workers
     return run, list(run.spans())
-
-
-def _versions() -> dict[str, str]:
-    return {name: version(name) for name in VERSIONS}

@@ -24,18 +24,16 @@ from warpsample.host.space import check_space
 _MAP = "spatial_ref"
 
 
-def begin_raster(path: Path, run: RasterRun, about: Mapping[str, Any], resume: bool, argument: str) -> np.ndarray:
+def begin_raster(path: Path, run: RasterRun, about: Mapping[str, Any], argument: str) -> np.ndarray:
     """Makes the store of a run without its tiles, or finds the one that it is to go on with.
 
     Returns:
         (tiles,) bool, which are there already, and whole.
 
     Raises:
-        ValueError: there is one, and it is not to be resumed, or is of another run; names what differs. Or it is damaged.
+        ValueError: there is one of another run; names what differs. Or it is damaged.
         WriteError: it cannot be made, or there is no space for it.
     """
-    if path.exists() and not resume:
-        raise ValueError(f"{argument}: got {str(path)!r}, which is there already, want a new name, or to resume it")
     cells = run.reader.shape[0] * run.reader.shape[1]
     whole = np.zeros(run.grid[0] * run.grid[1], np.bool_)
     if path.exists():

@@ -58,8 +58,7 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
             would have too many chunks.
         WriteError: it cannot be made, or there is no space for it.
     """
-    if path.exists() and not resume:
-        raise ValueError(f"{argument}: got {str(path)!r}, which is there already, want a new name, or to resume it")
+    check_new(path, resume, argument)
     if path.exists():
         check_same(path, job.about, argument)
         check_metadata(path, job, argument)
@@ -70,6 +69,12 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
     job.check_count()
     uninterrupted(partial(make_store, path, partial(metadata_of, job)))
     return np.zeros(job.count, np.bool_)
+
+
+def check_new(path: Path, resume: bool, argument: str) -> None:
+    """Refuses, by a ValueError, a store that is there and not to be resumed."""
+    if path.exists() and not resume:
+        raise ValueError(f"{argument}: got {str(path)!r}, which is there already, want a new name, or to resume it")
 
 
 def _check_space(path: Path, job: Job, chunks: int) -> None:

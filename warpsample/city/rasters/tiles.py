@@ -4,7 +4,7 @@ What is drawn at a cell follows its number in the whole raster, row * columns + 
 but for what is beyond their margin, and for how float32 rounds in another mesh.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Any
@@ -99,6 +99,20 @@ class RasterRun:
         if "north" in quantity.parameters:
             options = {**options, "north": reader.outline.north}
         return cls(reader, quantity, options, model, receiver, trees, shares, tile, margin, other)
+
+    @property
+    def rasters(self) -> dict[str, RasterReader]:
+        """All that it reads, by the arguments that they are given as."""
+        trees = {} if self.canopy is None else {"canopy": self.canopy.top, "trunk": self.canopy.trunk}
+        given = {"source": self.reader, **trees, "far": self.other}
+        return {name: raster for name, raster in given.items() if isinstance(raster, RasterReader)}
+
+    def reading(self, rasters: Mapping[str, RasterReader]) -> "RasterRun":
+        """Puts other readers in place of all `rasters` of a run, which stays as it is otherwise."""
+        canopy = self.canopy
+        if canopy is not None:
+            canopy = replace(canopy, top=rasters["canopy"], trunk=rasters.get("trunk", canopy.trunk))
+        return replace(self, reader=rasters["source"], canopy=canopy, other=rasters.get("far"))
 
     @property
     def far(self) -> bool:

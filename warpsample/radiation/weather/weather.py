@@ -14,6 +14,7 @@ import numpy as np
 
 from warpsample.host.arguments import check_file, naming_file, told
 from warpsample.host.making import imported
+from warpsample.mesh.known import digest_of
 from warpsample.radiation.weather.epw import YEAR, checked_text, radiation
 
 _NIGHT = -10.0  # degrees: in an hour whose middle is as deep, the sun is down all the time
@@ -46,6 +47,12 @@ class Weather:
     sun_altitude: np.ndarray
     sun_azimuth: np.ndarray
 
+    @property
+    def digest(self) -> str:
+        """SHA-256 of what a file tells: the place, the hours and their radiation. The sun follows from the first two."""
+        place = np.array([self.latitude, self.longitude, self.time_zone, self.altitude])
+        return digest_of(place, self.hours.view(np.int64), self.direct_normal, self.diffuse_horizontal)
+
     def chosen(self, rows: np.ndarray) -> "Weather":
         """Some of the hours, by a mask or by indices."""
         arrays = {name: array[rows] for name, array in vars(self).items() if isinstance(array, np.ndarray)}
@@ -53,7 +60,7 @@ class Weather:
 
 
 def read_weather(weather: Any, period: Sequence[str] | None = None) -> Weather:
-    """The weather of a year, or of a period of it; arguments as of `irradiation`.
+    """The weather of a year, or of a period of it; arguments as of `irradiation`, or the Weather of a year.
 
     Latin letters in any encoding are read, and what follows the diffuse radiation in a row is ignored.
 
@@ -62,6 +69,8 @@ def read_weather(weather: Any, period: Sequence[str] | None = None) -> Weather:
         ModuleNotFoundError: pvlib is missing; says how to install it.
     """
     chosen = hours_of(period)
+    if isinstance(weather, Weather):
+        return weather.chosen(chosen)
     if isinstance(weather, str | PathLike) and fspath(weather) == "athens" and not Path(weather).exists():
         return _athens(_pvlib()).chosen(chosen)
     path = check_file(weather, "weather", "an EPW weather file")
