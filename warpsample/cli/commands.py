@@ -1,6 +1,5 @@
 """The commands of `warpsample`."""
 
-from contextlib import closing
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -16,13 +15,12 @@ from warpsample.cli.terminal import (
     MeshFile,
     Size,
     Workers,
-    console,
     fail_plainly,
     option,
     output_file,
-    with_progress,
     working,
 )
+from warpsample.cli.verify import verify_command
 from warpsample.mesh.files import load_mesh
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
@@ -153,33 +151,4 @@ def view(
     print(f"{screenshot}: {seen}")
 
 
-@app.command()
-@fail_plainly()
-def verify(
-    thorough: Annotated[bool, typer.Option("--thorough", help="Sweep all 2^24 variates, not every fourth.")] = False,
-    power: Annotated[bool, typer.Option("--power", help="Try the laws on planted defects instead.")] = False,
-    plant: Annotated[str | None, option("Put this planted defect among the samplers; see --power.")] = None,
-    markdown: Annotated[bool, typer.Option("--markdown", help="The README's table of distributions instead.")] = False,
-) -> None:
-    """Prove every sampler: a table for each law. Exit status 1 if one is broken."""
-    from warpsample.host.registry import look_up
-    from warpsample.proof import report, run
-
-    tasks = run.planted() if power else run.trial()
-    if plant is not None:
-        defects = {task.key: task for task in run.planted()}
-        tasks.append(look_up(defects, plant, "plant"))
-    with closing(run.run(tasks, thorough)) as found:  # its processes end with it, whoever is interrupted
-        outcome = dict(with_progress(found, len(tasks), "verifying"))
-    in_order = {task: outcome[task] for task in tasks}
-    verdicts = [verdict for task in in_order for verdict in in_order[task]]
-    tables = console()
-    if power:
-        tables.print(report.power_table({str(task.key): found for task, found in in_order.items()}))
-        raise SystemExit(any(all(v.passed for v in found) for found in in_order.values()))
-    if markdown:
-        print(report.markdown(verdicts))
-    else:
-        report.show(verdicts, tables)
-        tables.print(run.extent(thorough))
-    raise SystemExit(not all(v.passed for v in verdicts))
+app.command("verify")(verify_command)

@@ -6,15 +6,54 @@ from dataclasses import fields
 from functools import cache
 from typing import Any
 
-from warpsample.distributions.record import Distribution
+from warpsample.distributions.own import OwnDistribution, Twin, check_kind, check_twin, is_same, registered
+from warpsample.distributions.record import Distribution, Maps
 from warpsample.host.arguments import told
 from warpsample.host.registry import look_up, records_of
 
+__all__ = ["Distribution", "Maps", "as_distribution", "as_spatial", "classes", "get", "names", "register"]
+
 
 @cache
-def _known() -> dict[str, type[Distribution]]:
+def _shipped() -> dict[str, type[Distribution]]:
     """By name. Found when first asked for: reading all files takes as long as half of `import warp`."""
     return records_of(sys.modules[__name__])
+
+
+def _known() -> dict[str, type[Distribution]]:
+    """Those of the package, and users' own."""
+    return _shipped() | {name: entry.kind for name, entry in registered.items()}
+
+
+def register(kind: type[Distribution], *, twin: Twin | None = None) -> type[Distribution]:
+    """Lets a distribution of your own go by its name, as those of the package, and `warpsample verify --only` judge it.
+
+    An instance is taken wherever a distribution is, registered or not.
+
+    Args:
+        kind: a subclass of `ws.distributions.Distribution`, a frozen dataclass of its parameters that has `name`, `density`,
+            `support`, `source` and `maps`, and `_cdf` unless it is not `symmetric`.
+        twin: (directions, density), a second implementation in float64 NumPy, of (distribution, u (..., 2)) ->
+            (..., 3) and (distribution, w (..., 3)) -> (...); the laws need it, nothing else does.
+
+    Returns:
+        the class. Where it is registered again, as by a cell of a notebook, the newest counts.
+
+    Raises:
+        TypeError: no such class, or something it lacks.
+        ValueError: a name or a measure that cannot be, or a name that another distribution has.
+
+    Example:
+        >>> print(ws.distributions.register(ws.GGX).name)  # known already; the room's README has one that is new
+        ggx
+    """
+    kind, twin = check_kind(kind), check_twin(twin)
+    other = _known().get(kind.name)
+    if other is not None and not is_same(kind, other):
+        raise ValueError(f"kind: got {kind.__name__} with name = {kind.name!r}, which {other.__name__} has, want another")
+    if kind.name not in _shipped():
+        registered[kind.name] = OwnDistribution(kind, twin)
+    return kind
 
 
 def names() -> list[str]:

@@ -46,6 +46,22 @@ _SUMMARIES = {
 }
 
 
+def show_one(verdicts: list[Verdict], console: Any) -> None:
+    """Prints one table, of few subjects: a row for each law that was tried on each distribution, its hardest case."""
+    table = _table()
+    for heading in ("law", "of", "cases", "measured", "limit"):
+        table.add_column(heading, justify="left" if heading in ("law", "of") else "right")
+    table.add_column("")
+    table.add_column("at", overflow="fold")
+    for law in dict.fromkeys(v.law for v in verdicts):
+        for group in _groups(v for v in verdicts if v.law == law):
+            limit = "p ≥ " if group[0].statistical else "≤ "
+            row = _row(group)
+            table.add_row(law, *row[:3], f"{limit}{row[3]}", *row[4:])
+    console.print(table)
+    console.print(conclusion(verdicts))
+
+
 def show(verdicts: list[Verdict], console: Any) -> None:
     """Prints a table for each law on a rich Console: the hardest case of each distribution, its limit, and the verdict."""
     for law, summary in _SUMMARIES.items():
@@ -94,7 +110,7 @@ def power_table(caught: dict[str, list[Verdict]]) -> Any:
 
 def markdown(verdicts: list[Verdict]) -> str:
     """The table of distributions in their README: their records, their worst errors over all cases, and their limits."""
-    measured = {law: _worst_by_name(verdicts, law) for law in ("unit length", "direction", "density", "round trip")}
+    measured = {law: _worst_byname_of(verdicts, law) for law in ("unit length", "direction", "density", "round trip")}
     lines = [
         "| distribution | density | per | inverse | worst errors: length, direction, density, inverse | source |",
         "| --- | --- | --- | --- | --- | --- |",
@@ -116,11 +132,11 @@ def _inverse(kind: type[Distribution]) -> str:
     return "yes" if all(invertible) else "in part" if any(invertible) else "no"
 
 
-def _worst_by_name(verdicts: Iterable[Verdict], law: str) -> dict[str, float]:
+def _worst_byname_of(verdicts: Iterable[Verdict], law: str) -> dict[str, float]:
     worst: dict[str, float] = {}
     for v in verdicts:
         if v.law == law:
-            worst[_name(v)] = max(worst.get(_name(v), 0.0), v.measured)
+            worst[name_of(v)] = max(worst.get(name_of(v), 0.0), v.measured)
     return worst
 
 
@@ -128,11 +144,11 @@ def _groups(verdicts: Iterable[Verdict]) -> list[list[Verdict]]:
     """Verdicts grouped by distribution, the hardest case of each first."""
     groups: dict[str, list[Verdict]] = {}
     for v in verdicts:
-        groups.setdefault(_name(v), []).append(v)
+        groups.setdefault(name_of(v), []).append(v)
     return [sorted(group, key=_slack) for _, group in sorted(groups.items())]
 
 
-def _name(v: Verdict) -> str:
+def name_of(v: Verdict) -> str:
     """The class of a distribution, or the whole subject."""
     case = re.fullmatch(r"(\w+)\(.*\)", v.subject)
     return case[1] if case else v.subject
@@ -145,16 +161,17 @@ def _slack(v: Verdict) -> float:
 def _row(group: list[Verdict]) -> list[str]:
     hardest = group[0]
     verdict = "[green]holds[/]" if all(v.passed for v in group) else "[red]BROKEN[/]"
-    at = hardest.subject[len(_name(hardest)) + 1 : -1] if len(group) > 1 and hardest.measured != 0.0 else ""
+    at = hardest.subject[len(name_of(hardest)) + 1 : -1] if len(group) > 1 and hardest.measured != 0.0 else ""
     return [
-        _name(hardest) if len(group) > 1 else hardest.subject.removesuffix("()"),
+        name_of(hardest) if len(group) > 1 else hardest.subject.removesuffix("()"),
         str(len(group)),
-        _figure(hardest.measured),
-        _figure(hardest.limit),
+        figure(hardest.measured),
+        figure(hardest.limit),
         verdict,
         "; ".join(filter(None, (at, hardest.note))),
     ]
 
 
-def _figure(value: float) -> str:
+def figure(value: float) -> str:
+    """A measured number as tables show it: two digits."""
     return f"{value:.2g}" if value == 0.0 or 1e-3 <= value < 1e3 else f"{value:.1e}"

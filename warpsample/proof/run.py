@@ -9,8 +9,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
-from warpsample import sequences
+from warpsample import distributions, sequences
 from warpsample.distributions.record import Distribution
+from warpsample.host.registry import look_up
 from warpsample.proof import defects, mixing, rays, routes, streams, stress, verify
 from warpsample.proof.verify import Verdict
 
@@ -31,11 +32,18 @@ class TrialPart:
         return _KINDS[self.kind](self.key, thorough)
 
 
-def trial() -> list[TrialPart]:
+def trial(only: str | None = None) -> list[TrialPart]:
     """All tasks, the longest first: every case, sequence, second route and hostile input, and the rays.
 
-    Without the extra `test` it is a ModuleNotFoundError, before any work.
+    Without the extra `test` it is a ModuleNotFoundError, before any work; so is a distribution without a twin a
+    NotImplementedError. `only`: the name of a distribution, of a sequence, or "meshes", "rays" or "routes".
     """
+    if only is not None:
+        kind = look_up(_kinds_of_parts(), only, "only")
+        tasks = [TrialPart("case", case) for case in verify.cases(only)] if kind == "case" else [TrialPart(kind, only)]
+        if kind == "rays":
+            rays.closed_meshes()
+        return tasks
     rays.closed_meshes()
     cases = sorted(verify.cases(), key=lambda case: case.symmetric)
     return [
@@ -45,6 +53,12 @@ def trial() -> list[TrialPart]:
         TrialPart("routes"),
         TrialPart("rays"),
     ]
+
+
+def _kinds_of_parts() -> dict[str, str]:
+    """The kind of task by what can be asked for by name."""
+    parts = dict.fromkeys(distributions.names(), "case") | dict.fromkeys(sequences.names(), "sequence")
+    return parts | {kind: kind for kind in ("meshes", "rays", "routes")}
 
 
 def extent(thorough: bool) -> str:

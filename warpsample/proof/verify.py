@@ -14,6 +14,7 @@ from warpsample import distributions
 from warpsample.distributions.record import Distribution
 from warpsample.proof import laws
 from warpsample.proof.evidence import Evidence, Subject
+from warpsample.proof.twins import check_twin
 
 FAMILY_WISE = 1e-4
 MOST_STATISTICS = 1000
@@ -198,9 +199,13 @@ LAWS = (
 )
 
 
-def cases() -> list[Distribution]:
-    """Every case of every distribution."""
-    return [case for name in distributions.names() for case in distributions.get(name).cases()]
+def cases(only: str | None = None) -> list[Distribution]:
+    """Every case of every distribution, or of one; a NotImplementedError if one has no twin."""
+    names = distributions.names() if only is None else [only]
+    found = [case for name in names for case in distributions.get(name).cases()]
+    for case in found:
+        check_twin(case)
+    return found
 
 
 def judge(evidence: Evidence, which: Iterable[Law] = LAWS) -> list[Verdict]:

@@ -6,25 +6,40 @@ float32, as the kernels take them. The twins of the sequences, in exact integers
 
 import numpy as np
 
+from warpsample.distributions.own import Twin, registered
 from warpsample.distributions.record import Distribution
 from warpsample.proof.twins import microfacets, shapes
 from warpsample.proof.twins.angles import frames, polar_angle, spherical
 
-__all__ = ["density", "directions", "frames", "names", "polar_angle", "spherical"]
+__all__ = ["check_twin", "density", "directions", "frames", "names", "polar_angle", "spherical"]
 
 _TWINS = {**shapes.TWINS, **microfacets.TWINS}
 
 
+def check_twin(distribution: Distribution) -> Twin:
+    """The functions (directions, density) of a distribution; a NotImplementedError says where to put them."""
+    found = _TWINS.get(distribution.name)
+    if found is None and distribution.name in registered:
+        found = registered[distribution.name].twin
+    if found is None:
+        raise NotImplementedError(
+            f"distribution: got {distribution!r}, which has no twin to be judged by; write a second implementation in "
+            "float64 NumPy, of the directions and of the density, and give it to register(..., twin=(directions, density)), "
+            "or, within the package, name it in TWINS of proof/twins/shapes.py"
+        )
+    return found
+
+
 def directions(distribution: Distribution, u: np.ndarray) -> np.ndarray:
     """The exact value of `distribution.sample(u)`: (..., width) float64 for float64 u."""
-    return _TWINS[distribution.name][0](distribution, u)
+    return check_twin(distribution)[0](distribution, u)
 
 
 def density(distribution: Distribution, w: np.ndarray) -> np.ndarray:
     """The exact value of `distribution.pdf(w)` for w in the support: float64 for float64 w of about unit length."""
-    return _TWINS[distribution.name][1](distribution, w)
+    return check_twin(distribution)[1](distribution, w)
 
 
 def names() -> set[str]:
-    """The distributions that have a twin."""
+    """The distributions of the package that have a twin."""
     return set(_TWINS)
