@@ -1,4 +1,4 @@
-"""Directions around surface normals, sampled by NVIDIA Warp kernels: exact densities, good sequences, many points."""
+"""How much sky, sun and light each place of a 3D model gets: rays of proven samplers, NVIDIA Warp's kernels, error bars."""
 
 from importlib import import_module
 

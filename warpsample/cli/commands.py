@@ -42,7 +42,7 @@ def warpsample_command(
         bool, typer.Option("--version", help="Say the version and exit.", callback=_say_version, is_eager=True)
     ] = False,
 ) -> None:
-    """Directions around the normals of a mesh."""
+    """How much sky, sun and light each place of a 3D model gets, by rays of proven samplers, with error bars."""
 
 
 @app.command()

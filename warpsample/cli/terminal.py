@@ -34,7 +34,7 @@ At = Annotated[
     Literal["vertices", "faces"] | None, option("Where, if not at --points: at the vertices, or the faces' centres.")
 ]
 FigureFile = Annotated[Path | None, option("No window, but a file: .png, .svg or .pdf.")]
-Workers = Annotated[int | None, option("Threads; all cores by default.")]
+Workers = Annotated[int | None, option("Threads; by default as WARPSAMPLE_WORKERS says, or all cores.")]
 Size = Annotated[tuple[int, int], typer.Option(help="Width and height in pixels.")]
 
 _OF_SIGPIPE = 128 + 13  # the status of what ends by that signal

@@ -9,6 +9,7 @@ from warpsample.estimate.result import Estimate
 from warpsample.estimate.runner import Runner
 from warpsample.estimate.strata import strata_of
 from warpsample.estimate.tolerance import count_within
+from warpsample.host.log import log
 from warpsample.host.progress import bar
 
 
@@ -20,6 +21,7 @@ def estimate(plan: Plan, summed: RaySum) -> Estimate:
         if plan.tolerance is None or len(plan.at) == 0:
             return runner.result(options.seed, plan.count)
         count, trial = count_within(runner, plan.tolerance)
+        log.info("tolerance %g: %d of at most %d rays of each point", plan.tolerance, count, plan.count)
         main = runner.result(options.seed, count)
     saved = strata_of(plan.count, traced=traced).rays - strata_of(count, traced=traced).rays
     unneeded = saved * np.count_nonzero(main.status == 0) - int(trial.sum(dtype=np.int64))

@@ -28,19 +28,23 @@ MOST_WORK = 1 << 25
 MOST_TASKS = (1 << 31) - 1
 """Tasks of a batch: wp.tid() is an int32."""
 
+MOST_WORKERS = 1024
+"""Threads of a call."""
+
 _MOST_ON_DEVICE = 1 << 34  # directions of a batch on a CUDA device, which is idle in part with fewer than 10^5 tasks
-
-
 _ALWAYS_FREE = 1 << 24  # bytes; asking the system for the rest takes 100 us
 
 _idle: dict[tuple[wp.Kernel, str], list[wp.Launch]] = defaultdict(list)
 
 
 def check_workers(workers: int | None) -> int:
-    """The number of threads to use, from 1 to 1024: by default all cores that this process may run on."""
+    """The number of threads to use, from 1 to 1024: by default what WARPSAMPLE_WORKERS says, else a thread for each core."""
     if workers is None:
+        said = os.environ.get("WARPSAMPLE_WORKERS", "").strip()
+        if said:
+            return check_integer(int(said) if said.isdecimal() else said, "WARPSAMPLE_WORKERS", 1, MOST_WORKERS)
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return check_integer(workers, "workers", 1, 1024)
+    return check_integer(workers, "workers", 1, MOST_WORKERS)
 
 
 def check_memory(needed: int, what: str, remedy: str) -> None:

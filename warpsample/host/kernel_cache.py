@@ -14,11 +14,13 @@ from contextlib import ExitStack, contextmanager, suppress
 from functools import partial
 from hashlib import sha256
 from pathlib import Path
+from time import perf_counter
 from typing import BinaryIO
 
 import warp as wp
 
 from warpsample.host.locks import once
+from warpsample.host.log import log
 from warpsample.host.progress import awaited
 
 WIDE_VECTORS = "-mprefer-vector-width=512"
@@ -67,7 +69,9 @@ def load(kernel: wp.Kernel, device: str) -> None:
             except Exception:  # whatever Warp raises about files that another process has just removed
                 whole = False
         with awaited(f"compiling the kernel {kernel.func.__name__}, once: it is kept in {entry.parent}"):
+            begin = perf_counter()
             _build(kernel.module, load_module, entry)
+        log.info("compiled the kernel %s for %s in %.2f s", kernel.func.__name__, device, perf_counter() - begin)
     if whole is False:
         outcome = "it was built anew" if _is_whole(entry) else "it cannot be replaced, delete it"
         warnings.warn(f"kernel cache: {entry} was damaged; {outcome}", stacklevel=2)

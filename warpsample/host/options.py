@@ -106,7 +106,7 @@ class CallOptions:
 
         Args:
             device: where to compute, the CPU by default; on a CUDA device in parts, which come back as NumPy's arrays.
-            workers: threads on the CPU, all cores by default.
+            workers: threads on the CPU, by default as many as WARPSAMPLE_WORKERS says, or as there are cores.
             progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
             given: an array that the call was given, on whose device a wp.array is computed with.
             argument: what that array is called.

@@ -22,6 +22,7 @@ from warpsample.city.rasters.seen import Seen
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.visible_sky import visible_sky
 from warpsample.host.arguments import check_choice, check_integer, told
+from warpsample.host.log import log
 from warpsample.mesh.surface import SurfacePoints
 
 MARGIN = 256
@@ -159,6 +160,7 @@ class RasterRun:
     def numbers(self, span: Span) -> dict[str, np.ndarray]:
         """What there is in the cells of a tile: (rows, columns) float32 by name, NaN in cells without a height."""
         shape = tuple(part.stop - part.start for part in span)
+        log.info("tile of rows %d to %d, columns %d to %d", *(edge for part in span for edge in (part.start, part.stop - 1)))
         laid = {name: np.full(shape, np.nan, np.float32) for name in self.names}
         near = span if self.field is None else self.field.window_of(span, self.margin)
         window = tuple(slice(max(0, n.start), min(n.stop, size)) for n, size in zip(near, self.reader.shape, strict=True))
