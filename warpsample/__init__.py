@@ -32,9 +32,11 @@ if TYPE_CHECKING:
     from warpsample.estimate.result import Estimate, PointStatus, Skipped
     from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
     from warpsample.mesh.files import load_mesh
+    from warpsample.mesh.grid_points import grid_points
     from warpsample.mesh.mesh import Mesh, as_mesh
     from warpsample.mesh.report import MeshReport
-    from warpsample.mesh.surface import SurfacePoints, face_centers, sample_surface, vertex_points
+    from warpsample.mesh.sampling import sample_surface
+    from warpsample.mesh.surface import SurfacePoints, face_centers, vertex_points
     from warpsample.output.frame import to_frame
     from warpsample.radiation.exchange.view_factors import ViewFactors, view_factors
     from warpsample.radiation.sky.patches import SkyPatches, sky_patches
@@ -87,6 +89,7 @@ __all__ = [
     "direct_sun",
     "distributions",
     "face_centers",
+    "grid_points",
     "integrate",
     "irradiance",
     "irradiation",
@@ -124,8 +127,10 @@ _HOMES = {
     "estimate.visibility": ("SkyView", "ambient_occlusion", "bent_normals", "sky_view_factor"),
     "mesh.mesh": ("Mesh", "as_mesh"),
     "mesh.files": ("load_mesh",),
+    "mesh.grid_points": ("grid_points",),
     "mesh.report": ("MeshReport",),
-    "mesh.surface": ("SurfacePoints", "face_centers", "sample_surface", "vertex_points"),
+    "mesh.sampling": ("sample_surface",),
+    "mesh.surface": ("SurfacePoints", "face_centers", "vertex_points"),
     "output.frame": ("to_frame",),
     "radiation.sun.direct_sun": ("direct_sun",),
     "radiation.weather.irradiation": ("Irradiation", "irradiation"),

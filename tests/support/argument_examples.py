@@ -184,6 +184,14 @@ KINDS = {
     "view_factors.active": kind(np.array([True, False]), "bool"),
     "emission": kind(np.ones(2), "float32(0.5)", WHOLE, "-1", "1.5", "no axis"),
     "reflectance": kind(np.array([0.5, 0.1]), "float32(0.5)", "no axis", wrong=([0.5, 1.5], [0.5, nan])),
+    "grid_points.spacing": kind(0.5, *POSITIVE, "2**70"),
+    "grid_points.on": kind("ground"),
+    "grid_points.faces": kind(np.array([True, False]), "bool"),
+    "height": kind(1.0, *POSITIVE, "2**70"),
+    "sample_surface.spacing": kind("random"),
+    "radius": kind(0.5, *POSITIVE, "2**70", said=("count",)),
+    "distributions.register.kind": kind(ws.GGX, wrong=(ws.GGX(0.5), ws.Mesh)),
+    "twin": kind((np.add, np.add), wrong=((np.add,), np.add)),
     "ViewFactors.save.path": kind(Path(mkdtemp()) / "factors.npz"),
 }
 NEEDS = {  # to be of use
@@ -196,6 +204,11 @@ NEEDS = {  # to be of use
     "City.surface_means.points": {"values": np.ones(4)},
     "integrate.max_distance": {"points": POINTS, "mesh": MESH},
 }
+NEEDS |= {  # one of the two
+    f"sample_surface.{argument}": {"count": COUNT}
+    for argument in signature(ws.sample_surface).parameters
+    if argument not in ("count", "radius")
+} | {"sample_surface.radius": {"spacing": "blue"}}
 NEEDS |= {  # to be quick
     f"irradiation.{argument}": {"period": JUNE, "patches": "tregenza"}
     for argument in signature(ws.irradiation).parameters
@@ -207,6 +220,8 @@ NO_DEFAULT = {
     "integrate.data",
     "City.surface_means.points",
     "Mesh.part",
+    "sample_surface.count",
+    "sample_surface.radius",
 }  # one of the two must be given
 
 

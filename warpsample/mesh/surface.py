@@ -5,20 +5,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from warpsample.host.arguments import check_flag, check_integer, told
+from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real
-from warpsample.host.engine import check_memory, run
 from warpsample.host.neighbours import as_ndarray
-from warpsample.host.options import CallOptions, explained_by
 from warpsample.mesh.mesh import as_mesh
-from warpsample.mesh.placing import BLOCK, guide_to, place_points
 from warpsample.mesh.polydata import cloud
 
 if TYPE_CHECKING:
     from pyvista import PolyData
-
-BYTES_PER_POINT = 24 + 12 + 4
-"""Of memory: position, normal and face."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,71 +104,6 @@ class SurfacePoints:
             100 ['Normals', 'face']
         """
         return cloud(self.position, self.normal, face=self.face, barycentric=self.barycentric, id=self.id)
-
-
-@explained_by(CallOptions)
-def sample_surface(
-    mesh: Any,
-    count: int,
-    *,
-    seed: int = 0,
-    first_point: int = 0,
-    barycentric: bool = False,
-    device: Any = None,
-    workers: int | None = None,
-) -> SurfacePoints:
-    """Points uniform by area: a face by its share of the area, then a uniform point of that triangle.
-
-    Row i is a pure function of (mesh, seed, first_point + i), so a run can be split anywhere. The areas are summed in
-    float64 and drawn from with 64 bits: 10^7 faces keep their shares, where float32 gives 1.7 % of all points to the last.
-
-    Args:
-        mesh: a Mesh or whatever `as_mesh` takes. Degenerate faces get no points.
-        count: how many, 1 to 2^31 - 1.
-        barycentric: whether to keep the weights of the corners.
-        seed, first_point, device, workers: see `CallOptions`.
-
-    Returns:
-        position float64, normal float32 (of the face), face; barycentric if asked for.
-
-    Raises:
-        TypeError, ValueError: an argument that cannot be used, or a mesh without area; names it.
-        MemoryError: more than is free.
-
-    Source: Turk1990, method 2.
-
-    Example:
-        >>> mesh = ws.load_mesh("courtyard")
-        >>> points = ws.sample_surface(mesh, 100, seed=1)
-        >>> print(points.position.shape, points.normal.shape, points.face.max() < len(mesh.faces))
-        (100, 3) (100, 3) True
-    """
-    mesh, barycentric = as_mesh(mesh), check_flag(barycentric, "barycentric")
-    count = check_integer(count, "count", 1, 2**31 - 1)
-    options = CallOptions.of(count, seed=seed, first_point=first_point).by(device=device, workers=workers)
-    memory = options.memory
-    if not mesh.face_areas.any():
-        raise ValueError("mesh: got a mesh whose faces have no area, want at least one that has")
-    size = count * (BYTES_PER_POINT + (24 if barycentric else 0))
-    check_memory(size, f"{count:,} surface points", "take them in parts with first_point")
-    position, normal, face = np.empty((count, 3)), np.empty((count, 3), np.float32), np.empty(count, np.int32)
-    weights = np.empty((count if barycentric else 0, 3))
-    block = BLOCK if memory.in_place else 1
-    last = int(np.searchsorted(mesh.area_sums, mesh.area_sums[-1]))  # the last face that has an area
-    guide = guide_to(mesh.area_sums[: last + 1], count)
-    with memory.loan() as whole:
-        surface = [len(mesh.vertices), last, *map(whole.put, (mesh.vertices, mesh.faces, mesh.area_sums, guide))]
-        surface += [(len(guide) - 1).bit_length() - 1, whole.put(mesh.face_normals)]
-        for rows in memory.parts(count, size // count):
-            points = rows.stop - rows.start
-            with memory.loan() as loan:
-                found = [loan.output(array, rows) for array in (position, normal, face)]
-                found.append(loan.output(weights, rows) if barycentric else 0)
-                inputs = [options.seed, options.first_point + rows.start, points, *surface, *found]
-                run(
-                    place_points(block), -(-points // block), inputs, memory.device, workers=options.workers, work=8 * points
-                )
-    return SurfacePoints(position, normal, face, weights if barycentric else None)
 
 
 def face_centers(mesh: Any) -> SurfacePoints:
