@@ -192,6 +192,8 @@ KINDS = {
     "radius": kind(0.5, *POSITIVE, "2**70", said=("count",)),
     "distributions.register.kind": kind(ws.GGX, wrong=(ws.GGX(0.5), ws.Mesh)),
     "twin": kind((np.add, np.add), wrong=((np.add,), np.add)),
+    "transmittance": kind(np.array([0.5, 0.1]), "float32(0.5)", "no axis", wrong=([0.5, 1.5], [0.5, nan], [0.5, -0.1])),
+    **{f"load_mesh.{name}": kind(0.5, "float32(0.5)", "no axis") for name in ("transmittance", "reflectance")},
     "ViewFactors.save.path": kind(Path(mkdtemp()) / "factors.npz"),
 }
 NEEDS = {  # to be of use

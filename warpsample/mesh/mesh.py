@@ -1,7 +1,7 @@
 """A validated triangle mesh, made from the meshes of other libraries, and a report of its flaws."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +12,7 @@ from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property, read_only
 from warpsample.host.neighbours import as_ndarray, kind_told
 from warpsample.mesh.known import arrived, digest_of, remember
+from warpsample.mesh.optics import check_share, check_sum, optics_digest
 from warpsample.mesh.parts import check_names, check_part
 from warpsample.mesh.polydata import surface
 from warpsample.mesh.polygons import faces_of_cells
@@ -39,11 +40,15 @@ class Mesh:
         part: (F,) int32, which of `parts` each face is of, -1 of none, or None; a read-only copy. No number at a point
             depends on it.
         parts: the names of the parts, of which several may be alike.
+        transmittance: (F,) float32, the share of light that goes straight on behind each face, from either side and at any
+            angle, at each crossing; read-only. None: all faces are opaque. One number is that of all faces.
+        reflectance: (F,) float32, the share that either side of each face sends back, evenly in all directions, likewise.
+            None: all faces are black. It is kept for what is to come: no number depends on it yet.
 
     Raises:
-        TypeError: vertices are not real numbers, faces or part not whole ones, or parts no texts.
+        TypeError: vertices or shares are not real numbers, faces or part not whole ones, or parts no texts.
         ValueError: wrong shapes, no faces, an index that no vertex has, a part that has no name, a coordinate that is not
-            finite or beyond 1e36.
+            finite or beyond 1e36, a share outside 0 to 1, or a transmittance and a reflectance whose sum is above 1.
 
     Example:
         >>> mesh = ws.Mesh([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]], [[0, 1, 2]])
@@ -55,6 +60,8 @@ class Mesh:
     faces: np.ndarray
     part: np.ndarray | None = None
     parts: Sequence[str] = ()
+    transmittance: np.ndarray | None = None
+    reflectance: np.ndarray | None = None
 
     def __post_init__(self) -> None:
         """Validates, copies and freezes: what later calls read must stay what was checked here."""
@@ -65,35 +72,42 @@ class Mesh:
         object.__setattr__(self, "parts", check_names(self.parts))
         if self.part is not None or self.parts:
             object.__setattr__(self, "part", check_part(self.part, len(faces), len(self.parts)))
+        for name in ("transmittance", "reflectance"):
+            object.__setattr__(self, name, check_share(getattr(self, name), name, len(faces)))
+        check_sum(self.transmittance, self.reflectance)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickled and copied as what it is made of, without its tree; a process that knows that content has it already."""
         remember(self._content, self)
-        return arrived, (self._content, Mesh, self.vertices, self.faces, self.part, self.parts)
+        content = self.vertices, self.faces, self.part, self.parts, self.transmittance, self.reflectance
+        return arrived, (self._content, Mesh, *content)
 
     def __dask_tokenize__(self) -> tuple[str, str]:
         """What Dask names tasks on it by."""
         return "warpsample.Mesh", self._content
 
     def __sizeof__(self) -> int:
-        """Bytes of vertices, faces and parts, as Dask asks for them."""
+        """Bytes of vertices, faces, parts and optical properties, as Dask asks for them."""
         names = 0 if self.part is None else self.part.nbytes + sum(map(len, self.parts))
-        return object.__sizeof__(self) + self.vertices.nbytes + self.faces.nbytes + names
+        optics = sum(array.nbytes for array in (self.transmittance, self.reflectance) if array is not None)
+        return object.__sizeof__(self) + self.vertices.nbytes + self.faces.nbytes + names + optics
 
     @once_property
     def digest(self) -> str:
-        """SHA-256 of vertices and faces, in hexadecimal digits: the same for meshes that get the same numbers.
+        """SHA-256 of vertices, faces and optical properties, in hexadecimal digits: the same for meshes of the same numbers.
 
         So parts are not in it: a store of numbers is one of this mesh however its faces are named.
         """
-        return digest_of(self.vertices, self.faces)
+        return optics_digest(digest_of(self.vertices, self.faces), self.transmittance, self.reflectance)
 
     @once_property
     def _content(self) -> str:
         """What a mesh is known by that arrives in another process: its digest, with its parts if it has any."""
         if self.part is None:
             return self.digest
-        return digest_of(self.vertices, self.faces, self.part, np.frombuffer("\0".join(self.parts).encode(), np.uint8))
+        names = np.frombuffer("\0".join(self.parts).encode(), np.uint8)
+        shape = digest_of(self.vertices, self.faces, self.part, names)
+        return optics_digest(shape, self.transmittance, self.reflectance)
 
     def to_polydata(self) -> "PolyData":
         """The triangles as PyVista's PolyData.
@@ -110,6 +124,11 @@ class Mesh:
             1089 2080
         """
         return surface(self.vertices, self.faces)
+
+    @once_property
+    def transmits(self) -> bool:
+        """Whether light goes through some face."""
+        return self.transmittance is not None and bool(self.transmittance.any())
 
     @once_property
     def used(self) -> np.ndarray:
@@ -178,26 +197,31 @@ class Mesh:
         return report_of(self)
 
 
-def as_mesh(mesh: Any) -> Mesh:
+def as_mesh(mesh: Any, *, transmittance: Any = None, reflectance: Any = None) -> Mesh:
     """What other libraries hold, as a Mesh.
 
     Args:
         mesh: a Mesh, which is given back as it is; a tuple (vertices, faces); a pyvista.PolyData, a trimesh.Trimesh or a
             meshio.Mesh. Polygons are cut into triangles.
+        transmittance: a number from 0 to 1, or (F,) of them: see `Mesh`. By default as the mesh has it.
+        reflectance: likewise; with the transmittance at most 1.
 
     Returns:
         the checked mesh; what it was made of may change later, it does not.
 
     Raises:
         TypeError: something else.
-        ValueError: what it holds is not a valid triangle mesh.
+        ValueError: what it holds is not a valid triangle mesh, or shares that no surface has.
 
     Example:
         >>> mesh = ws.as_mesh((np.eye(3), np.array([[0, 1, 2]])))  # or ws.as_mesh(pyvista.Sphere())
         >>> print(len(mesh.faces), mesh.face_areas.round(3))
         1 [0.866]
     """
-    return mesh_of(mesh, "mesh", "a warpsample.Mesh")
+    made = mesh_of(mesh, "mesh", "a warpsample.Mesh")
+    given = {"transmittance": transmittance, "reflectance": reflectance}
+    given = {name: share for name, share in given.items() if share is not None}
+    return replace(made, **given) if given else made
 
 
 def mesh_of(value: Any, argument: str, wants: str) -> Mesh:

@@ -1,6 +1,7 @@
 """A mesh in the coordinates of its tracers, with their search structures, kept while the mesh lives."""
 
 import warnings
+from dataclasses import replace
 from functools import partial
 from typing import Any
 from weakref import WeakKeyDictionary
@@ -115,8 +116,15 @@ def _main_part(vertices: np.ndarray) -> np.ndarray:
     return np.quantile(vertices[:: -(-len(vertices) // _LOOKED_AT)], [0.1, 0.9], axis=0)
 
 
-def scene_of(mesh: Mesh) -> Scene:
-    """The scene of a mesh; the same one while the mesh lives, whichever threads ask."""
+def scene_of(mesh: Mesh, *, through: bool = False) -> Scene:
+    """The scene of a mesh; the same one while the mesh lives, whichever threads ask.
+
+    Args:
+        mesh: any.
+        through: whether the caller takes care of faces that light goes through; else they are refused by a ValueError.
+    """
+    if mesh.transmits and not through:
+        raise ValueError("mesh: got one with a transmittance above 0, which this call does not take; want opaque faces")
     scene = _scenes.get(mesh)
     if scene is None:
         with making:
@@ -160,8 +168,8 @@ def refit(mesh: Any, vertices: Any, *, workers: int | None = None) -> Mesh:
     vertices = as_real(vertices, "vertices")
     if vertices.shape != mesh.vertices.shape:
         raise ValueError(f"vertices: got shape {vertices.shape}, want {mesh.vertices.shape}, that of the mesh's own")
-    moved = Mesh(vertices, mesh.faces, mesh.part, mesh.parts)
-    before = scene_of(mesh)
+    moved = replace(mesh, vertices=vertices)
+    before = scene_of(mesh, through=True)
     before.tree(workers)
     after = before.moved(moved)
     after.tree(workers)

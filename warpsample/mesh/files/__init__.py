@@ -5,11 +5,12 @@ that we know keeps to that but usd-core; each reader says what others do. The te
 """
 
 from os import PathLike
+from typing import Any
 
 from warpsample.host.arguments import check_file, naming_file
 from warpsample.mesh.examples import example
 from warpsample.mesh.files import gltf, ply, stl, text, usd
-from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.mesh import Mesh, as_mesh
 
 _READERS = {
     ".ply": ply.read,
@@ -23,7 +24,7 @@ SUFFIXES = tuple(_READERS)
 """Suffixes of the files that `load_mesh` reads."""
 
 
-def load_mesh(path: str | PathLike) -> Mesh:
+def load_mesh(path: str | PathLike, *, transmittance: Any = None, reflectance: Any = None) -> Mesh:
     """The triangle mesh in a file: .ply .obj .stl .off .glb .gltf or, with usd-core, .usd .usda .usdc .usdz.
 
     Several meshes in one file become one, each where its scene places it; polygons are cut into triangles; of an .stl, whose
@@ -35,14 +36,17 @@ def load_mesh(path: str | PathLike) -> Mesh:
 
     Args:
         path: of the file, or "courtyard".
+        transmittance: a number from 0 to 1, or (F,) of them, a face each: see `Mesh`.
+        reflectance: likewise; with the transmittance at most 1.
 
     Returns:
         vertices in the file's coordinates and unit, float64, and faces, checked.
 
     Raises:
-        TypeError: not a path.
+        TypeError: not a path, or shares that are no numbers.
         FileNotFoundError: no such file.
         ValueError: another suffix, no mesh in it, or a file that is truncated, damaged or of another format; names the path.
+            Shares that no surface has.
         ModuleNotFoundError: a .usd file without usd-core; says how to install it.
 
     Example:
@@ -51,8 +55,11 @@ def load_mesh(path: str | PathLike) -> Mesh:
         (1089, 3) (2080, 3) 96
     """
     made = example(path)
-    if made is not None:
-        return Mesh(*made)
+    mesh = _read(path) if made is None else Mesh(*made)
+    return as_mesh(mesh, transmittance=transmittance, reflectance=reflectance)
+
+
+def _read(path: Any) -> Mesh:
     path = check_file(path, "path", "a mesh file")
     suffix = path.suffix.lower()
     if suffix not in _READERS:
