@@ -46,10 +46,12 @@ if TYPE_CHECKING:
     from warpsample.radiation.weather.irradiation import Irradiation, irradiation
     from warpsample.tracing.scene import refit
     from warpsample.tracing.trace import Hits, trace
+    from warpsample.tracing.trace_all import AllHits, trace_all
     from warpsample.tracing.tree import tree
 
 __all__ = [
     "GGX",
+    "AllHits",
     "Beckmann",
     "City",
     "CitySurfaces",
@@ -107,6 +109,7 @@ __all__ = [
     "sky_view_factor",
     "to_frame",
     "trace",
+    "trace_all",
     "tree",
     "vertex_points",
     "view_factors",
@@ -140,6 +143,7 @@ _HOMES = {
     "radiation.exchange.view_factors": ("ViewFactors", "view_factors"),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
+    "tracing.trace_all": ("AllHits", "trace_all"),
     "tracing.tree": ("tree",),
 }
 _HOME = {name: home for home, names in _HOMES.items() for name in names}

@@ -24,6 +24,7 @@ RESULTS = (
     ws.CitySurfaces,
     ws.Directions,
     ws.Estimate,
+    ws.AllHits,
     ws.Hits,
     ws.Interval,
     ws.MeshReport,

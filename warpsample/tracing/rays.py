@@ -42,7 +42,7 @@ class Rays:
     """Scalars and addresses of `count` directions (P, count, 3) from each placed point: float32, or float64 as it says.
 
     A task is `per_task` consecutive rays, at most CHUNK. distance, face (P, count): float32, int32. Optional, else 0: visits
-    (P, count, 2) int32, nodes and leaves.
+    (P, count, 2) int32, nodes and leaves; first (P, count) int64, where in distance and face the hits of a ray start.
     """
 
     placement: Placement
@@ -53,6 +53,7 @@ class Rays:
     distance: wp.uint64
     face: wp.uint64
     visits: wp.uint64
+    first: wp.uint64
 
 
 RaysArgs = type(Rays().__ctype__())
@@ -106,9 +107,43 @@ def _normalize(chunk: wp.uint64, length: wp.int64):
         k += 1
 
 
+@wp.func
+def in_units(rays: Rays, column: wp.uint64, near: wp.float32) -> wp.float32:
+    """A distance along a ray in the user's units, from where the user lets it start."""
+    return wp.float32((wp.float64(near) + wp.float64(float_at(column, AHEAD))) * rays.placement.unit)
+
+
 @once
-def ray_kernel(prepare: wp.Function, query: wp.Function, size: int = CHUNK_FLOATS) -> wp.Kernel:
-    """A kernel over tasks of consecutive rays, in the placement's order, by what a `Tracer` has; size: floats of a chunk."""
+def hit_of(query: wp.Function) -> wp.Function:
+    """A function (rays, accelerator, column, ray, scratch) that writes what a prepared ray meets, by a tracer's query."""
+
+    @wp.func
+    def write_hit(rays: Rays, accelerator: Accelerator, column: wp.uint64, ray: wp.int64, scratch: wp.uint64):
+        distance = wp.float32(wp.INF)
+        face = wp.int32(-1)
+        reach = float_at(column, REACH)
+        if reach > 0.0:
+            near, face, nodes, leaves = query(accelerator, column, reach, scratch)
+            distance = in_units(rays, column, near)
+            if rays.visits != wp.uint64(0):
+                set_int(rays.visits, wp.int64(2) * ray, nodes)
+                set_int(rays.visits, wp.int64(2) * ray + wp.int64(1), leaves)
+        elif not (reach <= 0.0):
+            distance = wp.float32(wp.NAN)
+        set_float(rays.distance, ray, distance)
+        set_int(rays.face, ray, face)
+
+    return write_hit
+
+
+@once
+def ray_kernel(prepare: wp.Function, answer: wp.Function, size: int = CHUNK_FLOATS) -> wp.Kernel:
+    """A kernel over tasks of consecutive rays, in the placement's order; size: floats of a chunk.
+
+    Args:
+        prepare: of a `Tracer`.
+        answer: (rays, accelerator, column, ray, scratch), as `hit_of` makes it: writes what a ray finds.
+    """
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def each_ray(rays: Rays, accelerator: Accelerator, first_task: wp.int64):
@@ -139,27 +174,14 @@ def ray_kernel(prepare: wp.Function, query: wp.Function, size: int = CHUNK_FLOAT
             if j == rays.count:
                 j = wp.int64(0)
                 row += wp.int64(1)
-            distance = wp.float32(wp.INF)
-            face = wp.int32(-1)
-            column = floats.ptr + wp.uint64(4 * k)
-            reach = float_at(column, REACH)
-            if reach > 0.0:
-                near, face, nodes, leaves = query(accelerator, column, reach, words.ptr)
-                distance = wp.float32((wp.float64(near) + wp.float64(float_at(column, AHEAD))) * rays.placement.unit)
-                if rays.visits != wp.uint64(0):
-                    set_int(rays.visits, wp.int64(2) * ray, nodes)
-                    set_int(rays.visits, wp.int64(2) * ray + wp.int64(1), leaves)
-            elif not (reach <= 0.0):
-                distance = wp.float32(wp.NAN)
-            set_float(rays.distance, ray, distance)
-            set_int(rays.face, ray, face)
+            answer(rays, accelerator, floats.ptr + wp.uint64(4 * k), ray, words.ptr)
 
     return each_ray
 
 
 def trace_rays(scene: Scene, rays: RaysArgs, *, tracer: Tracer, any_hit: bool, device: wp.Device, workers: int) -> None:
     """Traces rays, placed in a scene and without order, in the order that suits it; counts visits if they say where."""
-    kernel = ray_kernel(tracer.prepare, tracer.face_query(any_hit), tracer.floats)
+    kernel = ray_kernel(tracer.prepare, hit_of(tracer.face_query(any_hit)), tracer.floats)
     order = order_of(scene, rays.placement, rays.count, workers) if at_home(device) else None
     rays.placement.order = 0 if order is None else order.ctypes.data
     launch_rays(kernel, tracer.accelerator(scene, device, workers), rays, device, workers)

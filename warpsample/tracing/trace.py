@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from math import inf, prod
+from math import inf
 from typing import Any
 
 import numpy as np
@@ -13,17 +13,13 @@ from warpsample.host.arguments import check_flag, check_number
 from warpsample.host.arrays import Array
 from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_memory
-from warpsample.host.neighbours import address_of, kind_told
 from warpsample.host.options import explained_by
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import as_mesh
-from warpsample.mesh.surface import SurfacePoints
+from warpsample.tracing.given_rays import GivenRays
 from warpsample.tracing.options import RayOptions
-from warpsample.tracing.placed_points import PlacedPoints
-from warpsample.tracing.placement import MOST_DISTANCE, PlacementArgs, placed
 from warpsample.tracing.rays import RaysArgs, trace_rays
 from warpsample.tracing.scene import scene_of
-from warpsample.tracing.triples import Triples
 
 _BYTES_OF_POINT, _BYTES_OF_RAY = 24 + 12, 24 + 4 + 4  # on a device: origin, face's normal; direction, distance, face
 
@@ -99,12 +95,9 @@ def trace(
         [100.  inf] [ True False]
     """
     mesh, any_hit = as_mesh(mesh), check_flag(any_hit, "any_hit")
-    at = PlacedPoints(origins, mesh, "origins") if isinstance(origins, SurfacePoints) else None
-    start = Triples.of(origins, "origins", "(P, 3) or (3,)") if at is None else at.position
-    way = Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
-    _check_pair(start, way)
+    given = GivenRays.of(mesh, origins, directions)
+    way, rays = given.way, given.count
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
-    rays = prod(way.shape)
     options = RayOptions.of(rays).by(
         tracer=tracer, device=device, workers=workers, progress=progress, given=way.owner, argument="directions"
     )
@@ -115,27 +108,23 @@ def trace(
         return hits
     with bar(options.progress, "tracing rays"):
         scene = scene_of(mesh)
-        reach = min(reach, MOST_DISTANCE)
-        placement = placed(scene, start, reach) if at is None else at.two_sided(options, reach)
-        asked, memory = rays_of(placement, way, hits), options.memory
-        arrays = {"start": start, "normals": None if at is None else at.side, "way": way, "hits": hits}
-        for part in [asked] if memory.in_place else _parts(memory, asked, **arrays):
+        asked, memory = given.placed(options, reach, hits), options.memory
+        for part in [asked] if memory.in_place else _parts(memory, asked, given, hits):
             trace_rays(scene, part, tracer=options.tracer, any_hit=any_hit, device=memory.device, workers=options.workers)
     return hits
 
 
-def _parts(
-    memory: Memory, asked: RaysArgs, *, start: Triples, normals: np.ndarray | None, way: Triples, hits: Hits
-) -> Iterator[RaysArgs]:
+def _parts(memory: Memory, asked: RaysArgs, given: GivenRays, hits: Hits) -> Iterator[RaysArgs]:
     """The rays of NumPy's arrays in parts, each on the device until the next is asked for."""
+    normals = None if given.at is None else given.at.side
     for points, rays in _blocks(memory, asked.placement.points, asked.count):
         with memory.loan() as loan:
             part = RaysArgs.from_buffer_copy(asked)
             part.placement.points = points.stop - points.start
             part.count = (rays.stop - rays.start) // part.placement.points
-            part.placement.origins = loan.put(start.owner.reshape(-1, 3), points)
+            part.placement.origins = loan.put(given.start.owner.reshape(-1, 3), points)
             part.placement.normals = loan.put(normals, points)
-            part.directions = loan.put(way.owner.reshape(-1, 3), rays)
+            part.directions = loan.put(given.way.owner.reshape(-1, 3), rays)
             part.distance = loan.output(hits.distance.reshape(-1), rays)
             part.face = loan.output(hits.face.reshape(-1), rays)
             yield part
@@ -150,26 +139,3 @@ def _blocks(memory: Memory, points: int, count: int) -> Iterator[tuple[slice, sl
     for point in range(points):
         for rays in memory.parts(count, _BYTES_OF_RAY, _BYTES_OF_POINT):
             yield slice(point, point + 1), slice(point * count + rays.start, point * count + rays.stop)
-
-
-def rays_of(placement: PlacementArgs, directions: Triples, hits: Hits) -> RaysArgs:
-    """The rays from placed points, and where their hits go. It holds addresses: the caller keeps the arrays."""
-    return RaysArgs(
-        placement=placement,
-        count=prod(directions.shape) // placement.points,
-        double_directions=directions.double,
-        directions=address_of(directions.owner),
-        distance=address_of(hits.distance),
-        face=address_of(hits.face),
-    )
-
-
-def _check_pair(start: Triples, way: Triples) -> None:
-    if way.shape[: len(start.shape)] != start.shape or len(way.shape) - len(start.shape) > 1:
-        rows = "".join(f"{size}, " for size in start.shape)
-        raise ValueError(f"directions: got shape {(*way.shape, 3)}, want ({rows}3) or ({rows}n, 3), as there are origins")
-    if start.device != way.device or isinstance(start.owner, wp.array) != isinstance(way.owner, wp.array):
-        raise ValueError(
-            f"directions: got {kind_told(way.owner)} on {way.device}, "
-            f"want {kind_told(start.owner)} on {start.device}, as the origins are"
-        )

@@ -12,10 +12,11 @@ from warpsample.bench.running.turns import Tool
 from warpsample.bench.scenes import ray_set
 from warpsample.host.arrays import cpu
 from warpsample.mesh.mesh import Mesh
+from warpsample.tracing.given_rays import rays_of
 from warpsample.tracing.placement import placed
-from warpsample.tracing.rays import launch_rays, ray_kernel, trace_rays
+from warpsample.tracing.rays import hit_of, launch_rays, ray_kernel, trace_rays
 from warpsample.tracing.scene import Scene, scene_of
-from warpsample.tracing.trace import Hits, rays_of, trace
+from warpsample.tracing.trace import Hits, trace
 from warpsample.tracing.tracers import BUILTIN, WIDE
 from warpsample.tracing.triples import Triples
 
@@ -56,7 +57,7 @@ def _warp_mesh(mesh: Mesh, kind: str, count: int) -> RayTool:
             return lambda: trace(mesh, *rays, tracer="warp", workers=workers).face.ravel() >= 0
         start, way = (Triples.of(array, "rays") for array in rays)
         accelerator = scene.builtin(way.device)
-        kernel = ray_kernel(BUILTIN.prepare, BUILTIN.distance_query(True))
+        kernel = ray_kernel(BUILTIN.prepare, hit_of(BUILTIN.distance_query(True)))
 
         def work() -> np.ndarray:
             hits = Hits(way.empty(np.float32), way.empty(np.int32), "warp")

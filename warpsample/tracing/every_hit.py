@@ -1,0 +1,110 @@
+"""Kernels that find every hit of rays: they count them first, and then write them where there is room, in order."""
+
+import warp as wp
+
+from warpsample.host.locks import once
+from warpsample.maths.memory import float_at, int_at, long_at, set_float, set_int
+from warpsample.maths.numerics import lowest_bit
+from warpsample.tracing.queries import REACH, Accelerator
+from warpsample.tracing.rays import Rays, in_units, ray_kernel
+from warpsample.tracing.wide.layout import face_in
+from warpsample.tracing.wide.prepare import Ray, prepare_wide, ray_in
+from warpsample.tracing.wide.through import crossed, through_walk
+from warpsample.tracing.wide.triangle import plane_distance
+
+INVALID = wp.constant(wp.int32(-1))
+"""The number of hits of a ray that is none."""
+
+
+@wp.struct
+class Written:
+    """Addresses of a ray's distances, inside, and faces, and how many are there."""
+
+    distance: wp.uint64
+    face: wp.uint64
+    count: wp.int32
+
+
+@wp.func
+def _count(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: wp.int32):
+    return found + wp.bit_count(crossed(leaf, ray, reach, edge))
+
+
+@wp.func
+def _write(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Written):
+    mask = crossed(leaf, ray, reach, edge)
+    while mask != 0:
+        k = lowest_bit(mask)
+        mask = mask & (mask - 1)
+        set_float(found.distance, found.count, plane_distance(leaf, k, ray))
+        set_int(found.face, found.count, face_in(leaf, k))
+        found.count += 1
+    return found
+
+
+_walk_to_count = through_walk(_count, wp.int32)
+_walk_to_write = through_walk(_write, Written)
+
+
+@wp.func
+def _after(hits: Written, i: wp.int32, distance: wp.float32, face: wp.int32) -> wp.bool:
+    """Whether the i-th hit belongs behind one at that distance on that face."""
+    other = float_at(hits.distance, i)
+    return other > distance or (other == distance and int_at(hits.face, i) > face)
+
+
+@wp.func
+def _sort(hits: Written):
+    """Brings hits into the order of their distances, and where these are equal of their faces: Shell's sort, in place."""
+    gap = wp.int32(1)
+    while gap < hits.count / 3:
+        gap = 3 * gap + 1
+    while gap > 0:
+        for i in range(gap, hits.count):
+            distance = float_at(hits.distance, i)
+            face = int_at(hits.face, i)
+            j = i
+            while j >= gap and _after(hits, wp.max(j - gap, 0), distance, face):
+                set_float(hits.distance, j, float_at(hits.distance, j - gap))
+                set_int(hits.face, j, int_at(hits.face, j - gap))
+                j -= gap
+            set_float(hits.distance, j, distance)
+            set_int(hits.face, j, face)
+        gap = gap / 3
+
+
+@wp.func
+def _count_hits(rays: Rays, accelerator: Accelerator, column: wp.uint64, ray: wp.int64, scratch: wp.uint64):
+    count = INVALID
+    reach = float_at(column, REACH)
+    if reach > 0.0:
+        count = _walk_to_count(accelerator, ray_in(column), reach, 0, scratch)
+    elif reach <= 0.0:
+        count = 0
+    set_int(rays.face, ray, count)
+
+
+@wp.func
+def _write_hits(rays: Rays, accelerator: Accelerator, column: wp.uint64, ray: wp.int64, scratch: wp.uint64):
+    reach = float_at(column, REACH)
+    if reach > 0.0:
+        first = wp.uint64(long_at(rays.first, ray)) * wp.uint64(4)
+        hits = Written()
+        hits.distance = rays.distance + first
+        hits.face = rays.face + first
+        hits = _walk_to_write(accelerator, ray_in(column), reach, hits, scratch)
+        for i in range(hits.count):  # as the user gets them, so that what is equal to him is ordered by faces
+            set_float(hits.distance, i, in_units(rays, column, float_at(hits.distance, i)))
+        _sort(hits)
+
+
+@once
+def counting_kernel() -> wp.Kernel:
+    """A kernel over rays that writes how many faces each crosses, in the place of its face; -1 for one that is invalid."""
+    return ray_kernel(prepare_wide, _count_hits)
+
+
+@once
+def writing_kernel() -> wp.Kernel:
+    """A kernel over rays that writes the hits of each from its `first` on, by distance and face."""
+    return ray_kernel(prepare_wide, _write_hits)

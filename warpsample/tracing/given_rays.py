@@ -1,0 +1,85 @@
+"""The origins and directions of a call, checked, and placed in the scene of a mesh."""
+
+from dataclasses import dataclass
+from math import prod
+from typing import Any
+
+import warp as wp
+
+from warpsample.host.neighbours import address_of, kind_told
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
+from warpsample.tracing.placement import MOST_DISTANCE, PlacementArgs, placed
+from warpsample.tracing.rays import RaysArgs
+from warpsample.tracing.scene import scene_of
+from warpsample.tracing.triples import Triples
+
+
+@dataclass(frozen=True, eq=False)
+class GivenRays:
+    """Rays as a caller gives them; it keeps the arrays that kernels read.
+
+    Attributes:
+        mesh: what they may meet.
+        at: the points that they leave, or None where these are any origins.
+        start: the origins; without an axis where all rays have one.
+        way: the directions.
+    """
+
+    mesh: Mesh
+    at: PlacedPoints | None
+    start: Triples
+    way: Triples
+
+    @classmethod
+    def of(cls, mesh: Mesh, origins: Any, directions: Any) -> "GivenRays":
+        """The rays of two arguments.
+
+        Raises:
+            TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
+        """
+        at = PlacedPoints(origins, mesh, "origins", through=True) if isinstance(origins, SurfacePoints) else None
+        start = Triples.of(origins, "origins", "(P, 3) or (3,)") if at is None else at.position
+        way = Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
+        _check_pair(start, way)
+        return cls(mesh, at, start, way)
+
+    @property
+    def count(self) -> int:
+        """How many rays."""
+        return prod(self.way.shape)
+
+    def placed(self, options: RayOptions, reach: float, hits: Any = None) -> RaysArgs:
+        """At least one ray in the scene of the mesh, with a reach in the user's units; `hits` as for `rays_of`."""
+        reach = min(reach, MOST_DISTANCE)
+        scene = scene_of(self.mesh, through=True)
+        placement = placed(scene, self.start, reach) if self.at is None else self.at.two_sided(options, reach)
+        return rays_of(placement, self.way, hits)
+
+
+def rays_of(placement: PlacementArgs, directions: Triples, hits: Any = None) -> RaysArgs:
+    """The rays from placed points, and where the distances and faces of their hits go, if that is known by now.
+
+    It holds addresses: the caller keeps the arrays.
+    """
+    return RaysArgs(
+        placement=placement,
+        count=prod(directions.shape) // placement.points,
+        double_directions=directions.double,
+        directions=address_of(directions.owner),
+        distance=0 if hits is None else address_of(hits.distance),
+        face=0 if hits is None else address_of(hits.face),
+    )
+
+
+def _check_pair(start: Triples, way: Triples) -> None:
+    if way.shape[: len(start.shape)] != start.shape or len(way.shape) - len(start.shape) > 1:
+        rows = "".join(f"{size}, " for size in start.shape)
+        raise ValueError(f"directions: got shape {(*way.shape, 3)}, want ({rows}3) or ({rows}n, 3), as there are origins")
+    if start.device != way.device or isinstance(start.owner, wp.array) != isinstance(way.owner, wp.array):
+        raise ValueError(
+            f"directions: got {kind_told(way.owner)} on {way.device}, "
+            f"want {kind_told(start.owner)} on {start.device}, as the origins are"
+        )
