@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
     from warpsample.mesh.files import load_mesh
     from warpsample.mesh.grid_points import grid_points
+    from warpsample.mesh.files.uv import load_uv
     from warpsample.mesh.mesh import Mesh, as_mesh
     from warpsample.mesh.report import MeshReport
     from warpsample.mesh.sampling import sample_surface
@@ -97,6 +98,7 @@ __all__ = [
     "irradiation",
     "load_city",
     "load_mesh",
+    "load_uv",
     "mean_distance",
     "rasters",
     "refit",
@@ -131,6 +133,7 @@ _HOMES = {
     "mesh.mesh": ("Mesh", "as_mesh"),
     "mesh.files": ("load_mesh",),
     "mesh.grid_points": ("grid_points",),
+    "mesh.files.uv": ("load_uv",),
     "mesh.report": ("MeshReport",),
     "mesh.sampling": ("sample_surface",),
     "mesh.surface": ("SurfacePoints", "face_centers", "vertex_points"),

@@ -22,6 +22,8 @@ POINTS = ws.vertex_points(MESH)
 UNIT = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.6, 0.0, 0.8], [0.0, 0.6, 0.8]], np.float32)
 COUNT = 16
 FACES_OF_COURTYARD = 2080
+QUAD = Path(tempfile.mkdtemp(), "quad.obj")
+QUAD.write_text("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n")
 
 
 @wp.struct
@@ -85,6 +87,8 @@ KINDS = {
     "vertices": kind(VERTICES + 1.0, wrong=(VERTICES * nan,)),
     "faces": kind(FACES, wrong=(FACES.astype(float), FACES - 1, FACES + 2)),
     "path": kind(Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd", wrong=("a\0b", "long" * 1000)),
+    "load_uv.path": kind(QUAD, wrong=("a\0b", "long" * 1000, Path(__file__))),
+    "set": kind(0, said=("path",), wrong=(256,)),
     "points": kind(POINTS, wrong=(MESH, UNIT)),
     "integrate.points": kind(UNIT, wrong=(FACES,)),
     "integrand": kind(without_data, said=("data",), wrong=(without_a_type, radiance, radiance.func, Sky)),

@@ -40,6 +40,11 @@ def triangles(points: np.ndarray, counts: np.ndarray, indices: np.ndarray) -> np
     return faces
 
 
+def corner_triangles(points: np.ndarray, counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
+    """(F, 3) places in `indices` of the corners of what `triangles` makes of the same polygons."""
+    return triangles(points[indices], counts, np.arange(len(indices)))
+
+
 def _fans(counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
     starts = np.repeat(np.cumsum(counts) - counts, counts - 2)
     step = np.arange(len(starts)) - np.repeat(np.cumsum(counts - 2) - (counts - 2), counts - 2)

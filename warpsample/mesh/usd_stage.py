@@ -10,7 +10,7 @@ from zipfile import ZipFile
 
 import numpy as np
 
-from warpsample.mesh.polygons import triangles
+from warpsample.mesh.polygons import corner_triangles, triangles
 
 try:
     import resource
@@ -21,17 +21,21 @@ REFUSED = 3
 """What the process ends with where it gives a reason instead of meshes."""
 _TWO_COUNTS = ("TOKENS", "PATHS")
 """Sections of a binary file that begin with two counts, where others begin with one."""
+_TEXTURE_TYPES = ("texCoord2", "float2[", "double2[", "half2[")
 _MOST_OF_BYTE = 1020
 """Entries that a byte of a section stands for, at most: LZ4 makes 255 bytes of it, each of them four numbers."""
 
 
-def main(path: str) -> None:
-    """Writes the meshes in a file to stdout, each as three lengths, its points, triangles, matrix and name."""
+def main(path: str, uv: str = "") -> None:
+    """Writes the meshes in a file to stdout, each as three lengths, its points, triangles, matrix and name.
+
+    With `uv`, "0" for the first of the sets of texture coordinates, "1" ..., these stand in place of the points.
+    """
     found = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # whatever usd-core prints
     _limit_memory()
     try:
-        parts = _read(Path(path))
+        parts = _read(Path(path), int(uv) if uv else None)
     except Exception as error:
         found.write((str(error) if isinstance(error, ValueError) else f"{error} ({type(error).__name__})").encode())
         found.close()
@@ -54,11 +58,11 @@ def _limit_memory() -> None:
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def _read(path: Path) -> list[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]]:
+def _read(path: Path, uv: int | None) -> list[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]]:
     from pxr import Tf
 
     try:
-        return list(_parts(_open(path)))
+        return list(_parts(_open(path), uv))
     except Tf.ErrorException as error:
         raise ValueError(_said(error, path)) from None
 
@@ -146,8 +150,8 @@ def _said(error: Any, path: Path) -> str:
     return reason.partition(" matching ")[0]
 
 
-def _parts(stage: Any) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]]:
-    """Points, triangles, matrix and name of each mesh that has faces."""
+def _parts(stage: Any, uv: int | None) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]]:
+    """Points or texture coordinates, triangles, matrix and name of each mesh that has faces."""
     from pxr import Usd, UsdGeom
 
     first = Usd.TimeCode.EarliestTime()
@@ -164,9 +168,32 @@ def _parts(stage: Any) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, byt
         )
         if len(counts):
             points = points.reshape(-1, 3)
-            faces = triangles(points, counts, indices)
+            if uv is None:
+                faces = triangles(points, counts, indices)
+            else:
+                points, faces = _texture_corners(prim, uv, counts, indices), corner_triangles(points, counts, indices)
             is_left_handed = mesh.GetOrientationAttr().Get(first) == UsdGeom.Tokens.leftHanded
             yield points, faces[:, ::-1] if is_left_handed else faces, matrix, str(path).encode()
+
+
+def _texture_corners(prim: Any, number: int, counts: np.ndarray, indices: np.ndarray) -> np.ndarray:
+    """(K, 3): u, v and 0 of each corner of the polygons of a mesh; NaN if it has no such set, "st" before the others."""
+    from pxr import Usd, UsdGeom
+
+    primvars = UsdGeom.PrimvarsAPI(prim).FindPrimvarsWithInheritance()
+    sets = [p for p in primvars if p.HasValue() and str(p.GetTypeName()).startswith(_TEXTURE_TYPES)]
+    if number >= len(sets):
+        return np.full((len(indices), 3), np.nan)
+    found = sorted(sets, key=lambda primvar: (primvar.GetPrimvarName() != "st", primvar.GetPrimvarName()))[number]
+    values = np.array(found.ComputeFlattened(Usd.TimeCode.EarliestTime()), np.float64).reshape(-1, 2)
+    each = {
+        UsdGeom.Tokens.constant: np.zeros(len(indices), np.int64),
+        UsdGeom.Tokens.uniform: np.repeat(np.arange(len(counts)), counts),
+        UsdGeom.Tokens.faceVarying: np.arange(len(indices)),
+    }.get(found.GetInterpolation(), indices)
+    if each.max(initial=0) >= len(values):
+        raise ValueError(f"{found.GetAttr().GetPath()} has {len(values):,} texture coordinates, want {each.max() + 1:,}")
+    return np.pad(values[each], ((0, 0), (0, 1)))
 
 
 def _surfaces(root: Any, above: np.ndarray, placements: Any, predicate: Any) -> Iterator[tuple[Any, np.ndarray, Any]]:

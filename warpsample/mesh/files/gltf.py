@@ -5,6 +5,8 @@ Not by trimesh, which takes a damaged .gltf for one without a name and reads the
 
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +14,7 @@ import numpy as np
 from warpsample.host.json_tree import Part, parsed
 from warpsample.host.making import imported
 from warpsample.mesh.files.gltf_data import Data, binary
-from warpsample.mesh.files.joining import joined, joined_parts
+from warpsample.mesh.files.joining import joined, joined_corners, joined_parts
 from warpsample.mesh.parts import Named
 from warpsample.mesh.polygons import triangles
 
@@ -30,15 +32,88 @@ def read(path: Path) -> Named:
     A ValueError is for a file that is shorter or longer than it declares, no glTF as its specification has it, or
     compressed, sparse or instanced by an extension.
     """
+    with _opened(path) as (tree, data):
+        return joined_parts(_surfaces(tree, data))
+
+
+def read_corners(path: Path, name: str) -> np.ndarray:
+    """(F, 3, k) float64: an attribute of the corners of `read`'s faces, NaN of primitives that have none.
+
+    Those of "NORMAL" are unit vectors, turned as the nodes turn them; those of others, as "TEXCOORD_0", are as they are.
+    """
+    with _opened(path) as (tree, data):
+        return joined_corners(_attributes(placed, data, name) for placed in placed_primitives(tree))
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[tuple[Part, Data]]:
+    """The JSON of a file and its data; what is wrong with a member is a ValueError."""
     tree, chunk = binary(path) if path.suffix.lower() == ".glb" else (parsed(path.read_bytes()), memoryview(b""))
     try:
         needed = _EXTENSIONS & set(tree.texts("extensionsUsed"))
         if needed:
             raise ValueError(f"it uses {', '.join(sorted(needed))}, want a file that does not")
         with np.errstate(all="ignore"):  # `Mesh` refuses coordinates that are not finite
-            return joined_parts(_surfaces(tree, Data.of(tree, path, chunk)))
+            yield tree, Data.of(tree, path, chunk)
     except (TypeError, FileNotFoundError) as error:  # of the check of one member
         raise ValueError(str(error)) from None
+
+
+@dataclass(frozen=True)
+class PlacedPrimitive:
+    """A primitive of triangles at one of its places, in the order in which `read` has their faces.
+
+    Attributes:
+        node: that places it.
+        mesh: the number of the mesh that it is of.
+        number: of the primitive within that mesh.
+        primitive: what the file says of it.
+        matrix: that places it, and multiplies from the right.
+    """
+
+    node: Part
+    mesh: int
+    number: int
+    primitive: Part
+    matrix: np.ndarray
+
+
+def placed_primitives(tree: Part) -> Iterator[PlacedPrimitive]:
+    """The primitives of triangles that the scene places."""
+    meshes = tree.parts("meshes")
+    for node, matrix in _placed(tree):
+        if "mesh" in node:
+            number = node.index("mesh", meshes)
+            yield from (PlacedPrimitive(node, number, i, p, matrix) for i, p in _faced(meshes[number]))
+
+
+def _faced(mesh: Part) -> list[tuple[int, Part]]:
+    """The primitives of triangles of a mesh, and their numbers."""
+    primitives = enumerate(mesh.parts("primitives"))
+    return [(i, p) for i, p in primitives if p.whole("mode", _TRIANGLES, _FAN) >= _TRIANGLES]
+
+
+def _attributes(placed: PlacedPrimitive, data: Data, name: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Values, triangles and matrix of an attribute of a primitive."""
+    points, triangles = surface(placed.primitive, data)
+    attributes, width = placed.primitive.part("attributes"), 3 if name == "NORMAL" else 2
+    if name not in attributes:
+        return np.full((len(points), width), np.nan), triangles, placed.matrix
+    values = data.vectors(attributes, name, width).astype(np.float64)
+    if len(values) != len(points):
+        raise ValueError(
+            f"{attributes.at(name)}: got {len(values):,} of them, want one for each of {len(points):,} positions"
+        )
+    return _turned(values, placed.matrix) if width == 3 else values, triangles, placed.matrix
+
+
+def _turned(normals: np.ndarray, matrix: np.ndarray) -> np.ndarray:
+    """Unit normals where a matrix has moved the surface; NaN of those that it makes none of."""
+    rows = matrix[:3, :3]
+    turned = normals @ (
+        np.cross(rows[[1, 2, 0]], rows[[2, 0, 1]]) * np.sign(np.linalg.det(rows))
+    )  # of the inverse's columns
+    return turned / np.linalg.norm(turned, axis=1, keepdims=True)
 
 
 def _surfaces(tree: Part, data: Data) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, str]]:
@@ -50,12 +125,12 @@ def _surfaces(tree: Part, data: Data) -> Iterator[tuple[np.ndarray, np.ndarray, 
             continue
         number = node.index("mesh", meshes)
         if number not in found:
-            faced = [p for p in meshes[number].parts("primitives") if p.whole("mode", _TRIANGLES, _FAN) >= _TRIANGLES]
-            found[number] = joined((*_surface(p, data), None) for p in faced) if faced else None
-        surface = found[number]
-        if surface is not None:
+            faced = _faced(meshes[number])
+            found[number] = joined((*surface(p, data), None) for _, p in faced) if faced else None
+        known = found[number]
+        if known is not None:
             names = [part.text("name") for part in (node, meshes[number]) if "name" in part]
-            yield (*surface, matrix, next(filter(None, names), ""))
+            yield (*known, matrix, next(filter(None, names), ""))
 
 
 def _placed(tree: Part) -> Iterator[tuple[Part, np.ndarray]]:
@@ -125,8 +200,9 @@ def _rotation(node: Part) -> np.ndarray:
     return imported("scipy.spatial.transform").Rotation.from_quat(quaternion).as_matrix().T
 
 
-def _surface(primitive: Part, data: Data) -> tuple[np.ndarray, np.ndarray]:
-    points = data.positions(primitive.part("attributes"), "POSITION")
+def surface(primitive: Part, data: Data) -> tuple[np.ndarray, np.ndarray]:
+    """Points (V, 3) and triangles (F, 3) of a primitive, before it is placed."""
+    points = data.vectors(primitive.part("attributes"), "POSITION")
     corners = data.indices(primitive, "indices") if "indices" in primitive else np.arange(len(points), dtype=np.int32)
     mode = primitive.whole("mode", _TRIANGLES)
     if mode != _TRIANGLES:

@@ -30,9 +30,9 @@ class Data:
         """The data of a file, whose path other files are near to, and whose first buffer may be a chunk of itself."""
         return cls(tree.parts("accessors"), tree.parts("bufferViews"), _buffers(path, tree.parts("buffers"), chunk))
 
-    def positions(self, by: Part, key: str) -> np.ndarray:
-        """(V, 3) numbers of the accessor that a member refers to; without a copy unless they are normalized."""
-        accessor, found = self._numbers(by, key, shape="VEC3", width=3, kinds=_KINDS)
+    def vectors(self, by: Part, key: str, width: int = 3) -> np.ndarray:
+        """(V, width) numbers of the accessor that a member refers to; without a copy unless they are normalized."""
+        accessor, found = self._numbers(by, key, shape=f"VEC{width}", width=width, kinds=_KINDS)
         if not accessor.flag("normalized"):
             return found
         if found.dtype.itemsize == 4:

@@ -50,11 +50,29 @@ def joined_parts(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None
     return vertices, faces, *named_parts(counts, names)
 
 
+def joined_corners(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | None]]) -> np.ndarray:
+    """(F, 3, k) float64: what the corners of the faces have, in the order in which `joined` has these.
+
+    A part is values (V, k), triangles (F, 3), indices of them, and the matrix that places it, or None.
+    """
+    found, size = [np.empty((0, 3, 2))], 0
+    for values, triangles, matrix in parts:
+        size += 24 * triangles.size
+        check_memory(size, "what the corners of a scene have", "leave out some of it")
+        found.append(values[_outward(triangles, matrix)].astype(np.float64))
+    return np.concatenate(found[1:] or found)
+
+
 def _placed(points: np.ndarray, triangles: np.ndarray, matrix: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
     if matrix is None:
         return points, triangles
     with np.errstate(all="ignore"):  # what is not finite is refused by the mesh
         placed = points @ matrix[:3, :3]
         placed += matrix[3, :3]
-    is_mirrored = np.linalg.det(matrix[:3, :3]) < 0.0
-    return placed, triangles[:, ::-1] if is_mirrored else triangles
+    return placed, _outward(triangles, matrix)
+
+
+def _outward(triangles: np.ndarray, matrix: np.ndarray | None) -> np.ndarray:
+    """Triangles whose outside stays outside: their winding is reversed where the matrix mirrors them."""
+    is_mirrored = matrix is not None and np.linalg.det(matrix[:3, :3]) < 0.0
+    return triangles[:, ::-1] if is_mirrored else triangles

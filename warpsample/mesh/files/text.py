@@ -9,12 +9,13 @@ import re
 from array import array
 from collections.abc import Iterator
 from itertools import islice
+from math import nan
 from pathlib import Path
 
 import numpy as np
 
 from warpsample.mesh.parts import Named
-from warpsample.mesh.polygons import triangles
+from warpsample.mesh.polygons import corner_triangles, triangles
 
 _NAMING = ("o", "g", "usemtl")
 # First words of the lines of an .obj that make no surface: other vertex data, lines and points.
@@ -50,6 +51,39 @@ def read_obj(path: Path) -> Named:
         raise ValueError(f"line {number}: {error}") from None
     vertices, faces = _cut(positions, lengths, corners)
     return vertices, faces, *_used(np.repeat(np.array(part, np.int32), np.array(lengths, np.int64) - 2), list(parts))
+
+
+def read_obj_uv(path: Path) -> np.ndarray:
+    """(F, 3, 2) texture coordinates of the corners of `read_obj`'s faces, v upward; NaN of faces that have none.
+
+    A ValueError gives the number of the line.
+    """
+    positions, texture, number = array("d"), array("d", (nan, nan)), 0
+    lengths, corners, named = array("i"), array("i"), array("i")
+    try:
+        for number, words in numbered(path, joins=True):  # noqa: B007  (the error names it)
+            if words[0] == "v":
+                positions.extend(three(words[1:]))
+            elif words[0] == "vt":
+                texture.extend(real(word) for word in (*words[1:], "0" if words[1:] else "", "")[:2])
+            elif words[0] == "f":
+                corners.extend(_corners(words[1:], len(positions) // 3))
+                has_none = words[1].split("/")[1:2] in ([], [""])
+                named.extend([0] * len(words[1:]) if has_none else _texture_corners(words[1:], len(texture) // 2 - 1))
+                lengths.append(len(words) - 1)
+    except ValueError as error:
+        raise ValueError(f"line {number}: {error}") from None
+    polygons = np.frombuffer(lengths, "i"), np.frombuffer(corners, "i")
+    cut = corner_triangles(np.frombuffer(positions).reshape(-1, 3), *polygons)
+    return np.frombuffer(texture).reshape(-1, 2)[np.frombuffer(named, "i")[cut]]
+
+
+def _texture_corners(words: list[str], coordinates: int) -> list[int]:
+    """The texture coordinates of the corners of a face, from 1 on."""
+    found = [index + 1 for index in _corners(words, coordinates, 1)]
+    if not 1 <= min(found) <= max(found) <= coordinates:
+        raise ValueError(f"a face has the texture coordinates {min(found)} to {max(found)}, but they are 1 to {coordinates}")
+    return found
 
 
 def _used(part: np.ndarray, names: list[str]) -> tuple[np.ndarray | None, list[str]]:
@@ -128,12 +162,12 @@ def _plain(word: str | bytes) -> str | bytes:
     return word
 
 
-def _corners(words: list[str], vertices: int) -> list[int]:
+def _corners(words: list[str], vertices: int, column: int = 0) -> list[int]:
     """The corners of a face of an .obj, from 0 on: the file counts from 1, or back from -1; slashes precede other data."""
     parts = [word.split("/") for word in words]
     if len({tuple(map(bool, part)) for part in parts}) != 1 or len(parts) < 3:
         raise ValueError(f"it is not a face: {' '.join(words)[:60]!r}")
-    indices = [whole(part[0]) for part in parts]
+    indices = [whole(part[column]) for part in parts]
     if 0 in indices:
         raise ValueError("a face has the vertex 0, but vertices count from 1")
     return [index - 1 if index > 0 else vertices + index for index in indices]

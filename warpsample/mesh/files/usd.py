@@ -11,11 +11,11 @@ from pathlib import Path
 
 import numpy as np
 
-from warpsample.mesh.files.joining import joined_parts
+from warpsample.mesh.files.joining import joined_corners, joined_parts
 from warpsample.mesh.parts import Named
 from warpsample.mesh.usd_stage import REFUSED
 
-_PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.mesh.usd_stage import main; main({file!r})"
+_PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.mesh.usd_stage import main; main({file!r}, {uv!r})"
 _LONGEST = 200  # characters of a reason, which may quote an array of the file
 
 
@@ -31,9 +31,22 @@ def read(path: Path) -> Named:
         ModuleNotFoundError: usd-core is missing; says how to install it.
         ValueError: a file that usd-core cannot open, or that refers to one; a surface that is no mesh, such as a sphere.
     """
+    return joined_parts(_parts(_found(path)))
+
+
+def read_corners(path: Path, number: int) -> np.ndarray:
+    """(F, 3, 2) float64: a set of texture coordinates of the corners of `read`'s faces, v upward; NaN of prims without it.
+
+    Number 0 is the primvar "st", or the first by name; the errors are those of `read`.
+    """
+    return joined_corners(part[:3] for part in _parts(_found(path, str(number))))[..., :2]
+
+
+def _found(path: Path, uv: str = "") -> bytes:
+    """What a process of `usd_stage` writes of a file."""
     if find_spec("pxr") is None:
         raise ModuleNotFoundError(f"path: got {path.name!r}, which needs usd-core: pip install usd-core")
-    program = _PROGRAM.format(path=sys.path, file=str(path))
+    program = _PROGRAM.format(path=sys.path, file=str(path), uv=uv)
     pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
     with subprocess.Popen([sys.executable, "-c", program], **pipes) as child:
         try:
@@ -45,7 +58,7 @@ def read(path: Path) -> Named:
         raise ValueError(reason if len(reason) <= _LONGEST else f"{reason[: _LONGEST - 3]}...")
     if child.returncode:
         raise ValueError(f"usd-core ended with {child.returncode}: it is damaged, or needs more memory than is free")
-    return joined_parts(_parts(found))
+    return found
 
 
 def _parts(found: bytes) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, str]]:
