@@ -7,6 +7,7 @@
 - `cluster`: the calls over Dask, and into Zarr stores
 - `output`: files of directions and of numbers
 - `city`: rasters of heights and CityJSON, as surfaces and back
+- `texture`: texels as points on a mesh, images of numbers at them, .glb in and out
 - `radiation`: sun, sky patches, weather, view factors
 - `plotting`: arrays to PyVista actors and matplotlib figures, imported lazily; computes nothing else
 - `estimate`: numbers per point (ambient occlusion, sky view, bent normals, irradiance); what is skipped
@@ -44,6 +45,7 @@ ROOMS = [
     "estimate",
     "plotting",
     "radiation",
+    "texture",
     "city",
     "output",
     "cluster",

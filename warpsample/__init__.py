@@ -45,6 +45,8 @@ if TYPE_CHECKING:
     from warpsample.radiation.sky.sky_matrix import sky_matrix
     from warpsample.radiation.sun.direct_sun import direct_sun
     from warpsample.radiation.weather.irradiation import Irradiation, irradiation
+    from warpsample.texture.report import TextureReport
+    from warpsample.texture.texture_points import TexturePoints, texture_points
     from warpsample.tracing.scene import refit
     from warpsample.tracing.trace import Hits, trace
     from warpsample.tracing.trace_all import AllHits, trace_all
@@ -78,6 +80,8 @@ __all__ = [
     "SkyView",
     "Status",
     "SurfacePoints",
+    "TexturePoints",
+    "TextureReport",
     "UniformCone",
     "UniformDisk",
     "UniformHemisphere",
@@ -109,6 +113,7 @@ __all__ = [
     "sky_matrix",
     "sky_patches",
     "sky_view_factor",
+    "texture_points",
     "to_frame",
     "trace",
     "trace_all",
@@ -144,6 +149,8 @@ _HOMES = {
     "radiation.sky.sky_matrix": ("sky_matrix",),
     "radiation.sky.result": ("SkyMatrix", "SkySkipped"),
     "radiation.exchange.view_factors": ("ViewFactors", "view_factors"),
+    "texture.report": ("TextureReport",),
+    "texture.texture_points": ("TexturePoints", "texture_points"),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
     "tracing.trace_all": ("AllHits", "trace_all"),

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 import warp as wp
-from argument_examples import COUNT, FACES, MESH, NEEDS, NO_DEFAULT, POINTS, UNIT, VERTICES, kind_of, values
+from argument_examples import COUNT, FACES, MESH, NEEDS, NO_DEFAULT, POINTS, TEXELS, UNIT, VERTICES, kind_of, values
 from scipy.sparse import csr_array
 
 import warpsample as ws
@@ -31,6 +31,8 @@ RESULTS = (
     ws.Skipped,
     ws.SkyPatches,
     ws.SkySkipped,
+    ws.TexturePoints,
+    ws.TextureReport,
     ws.ViewFactors,
     *(quantity.result for quantity in quantities().values()),
 )  # which users read and do not make
@@ -49,6 +51,7 @@ EXAMPLES = {
         *np.zeros((2, 4, 145), np.float32), *np.zeros((2, 4), np.uint8), ws.SkySkipped(), ws.sky_patches()
     ),
     ws.SurfacePoints: POINTS,
+    ws.TexturePoints: TEXELS,
     ws.ViewFactors: ws.ViewFactors(
         HALVES, HALVES, *np.zeros((5, 2)), np.full(2, COUNT), np.zeros(2, np.uint8), ws.Skipped()
     ),

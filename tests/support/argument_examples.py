@@ -24,6 +24,8 @@ COUNT = 16
 FACES_OF_COURTYARD = 2080
 QUAD = Path(tempfile.mkdtemp(), "quad.obj")
 QUAD.write_text("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n")
+UV = np.array([[(0.1, 0.9), (0.9, 0.9), (0.9, 0.1)], [(0.1, 0.9), (0.9, 0.1), (0.1, 0.1)]])
+TEXELS = ws.texture_points(MESH, UV, 4)
 
 
 @wp.struct
@@ -88,6 +90,15 @@ KINDS = {
     "faces": kind(FACES, wrong=(FACES.astype(float), FACES - 1, FACES + 2)),
     "path": kind(Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd", wrong=("a\0b", "long" * 1000)),
     "load_uv.path": kind(QUAD, wrong=("a\0b", "long" * 1000, Path(__file__))),
+    "uv": kind(UV, wrong=(UV[:1], UV[..., :1])),
+    "size": kind(8, WHOLE, wrong=(0, (8, 0), (8, 8, 8), 2**20)),
+    "samples": kind(2, WHOLE, wrong=(0, 2000)),
+    "texture_points.normals": kind("smooth", wrong=("flat",)),
+    "corner_normals": kind(np.ones((2, 3, 3)), wrong=(UV,)),
+    "TexturePoints.part.rows": kind(slice(0, 2), wrong=(range(2),)),
+    "TexturePoints.image.values": kind(TEXELS.points.position[:, 0]),
+    "errors": kind(TEXELS.points.position[:, 0]),
+    "gutter": kind("all", WHOLE, wrong=("none", 2**40)),
     "set": kind(0, said=("path",), wrong=(256,)),
     "points": kind(POINTS, wrong=(MESH, UNIT)),
     "integrate.points": kind(UNIT, wrong=(FACES,)),

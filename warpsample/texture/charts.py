@@ -1,0 +1,17 @@
+"""Charts: the faces that hang together by corners that have the same texture coordinates."""
+
+import numpy as np
+
+from warpsample.host.making import imported
+
+
+def charts_of(uv: np.ndarray) -> np.ndarray:
+    """(F,) int32, the chart of each face, from 0 on; those of faces without coordinates say nothing."""
+    flat = np.ascontiguousarray(np.nan_to_num(uv.reshape(-1, 2)) + 0.0)  # + 0.0: -0 is 0
+    _, corner = np.unique(flat.view("V16").ravel(), return_inverse=True)
+    a, b, c = corner.reshape(-1, 3).T
+    sparse = imported("scipy.sparse")
+    count = int(corner.max()) + 1
+    links = sparse.coo_array((np.ones(2 * len(a), np.bool_), (np.r_[a, b], np.r_[b, c])), (count, count))
+    _, chart = imported("scipy.sparse.csgraph").connected_components(links, directed=False)
+    return chart[a].astype(np.int32)

@@ -1,0 +1,107 @@
+"""Runs the kernels of `coverage`: which texels and samples of them have a point, on which face, and what overlaps."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from warpsample.host.device_memory import Memory
+from warpsample.host.engine import check_memory, run
+from warpsample.sequences.hashing import seed_for
+from warpsample.texture.coverage import claim_texels, mark_overlaps, weigh_corners
+
+MOST_TEXELS = (1 << 31) - 1
+"""Of an image, times their samples: kernels count them by int32."""
+
+_TASK = 1 << 16  # texels of the box of a face that a task looks at: a large one is shared by many
+_SEED = seed_for("texels", 0)
+_LAST_FACE = 0xFFFFFFFF
+
+
+@dataclass(frozen=True, eq=False)
+class Claims:
+    """The points that the texels of an image get.
+
+    Attributes:
+        id: (P,) uint64, the texel, row * width + column, times the number of samples, plus the sample's number; ascending.
+        face: (P,) int32, which they are on.
+        overlapped: how many texels have their centres strictly inside of two or more faces.
+        overlapping: (F,) bool, the faces that have such centres.
+    """
+
+    id: np.ndarray
+    face: np.ndarray
+    overlapped: int
+    overlapping: np.ndarray
+
+
+def claims_of(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int], samples: int, memory: Memory) -> Claims:
+    """Who claims which texels of an image of so many columns and rows.
+
+    Args:
+        corners: (F, 3, 2) float64, of the faces, in texels.
+        usable: (F,) bool, which of them have texels.
+        size: columns and rows.
+        samples: of each texel. One is at its centre, or at the point of a face that is nearest to it; of several those
+            count that are within a face, or the first one if none is.
+        memory: where the kernels run.
+    """
+    texels = size[0] * size[1]
+    check_memory(texels * (13 + 4 * samples), f"an image of {size[0]} x {size[1]} texels", "take fewer texels")
+    nearest, within = np.zeros(texels, np.uint64), np.zeros(texels, np.int32)
+    owners = np.zeros(texels * samples if samples > 1 else 0, np.uint32)
+    marks = np.zeros(len(corners), np.int32)
+    boxes, tasks, rows = _tasks(corners, usable, size)
+    with memory.loan() as loan:
+        own = loan.put(corners), loan.put(boxes), loan.put(tasks), rows
+        with memory.loan() as inner:
+            found = [inner.output(array, zero=True) if array.size else 0 for array in (nearest, owners, within)]
+            inputs = [*own, *size, samples, len(corners), _SEED, *found]
+            if len(tasks):  # one thread: Warp's atomics are none on the CPU
+                run(claim_texels(), len(tasks), inputs, memory.device, workers=1, work=texels * samples)
+        overlapped = int(np.count_nonzero(within > 1))
+        if overlapped:
+            inputs = [*own, size[0], loan.put(within), loan.output(marks, zero=True)]
+            run(mark_overlaps(), len(tasks), inputs, memory.device, workers=1, work=texels)
+    id, face = _points(nearest, owners, samples, len(corners))
+    return Claims(id, face, overlapped, marks > 0)
+
+
+def weights_of(
+    corners: np.ndarray, id: np.ndarray, face: np.ndarray, width: int, *, samples: int, memory: Memory, workers: int
+) -> np.ndarray:
+    """(P, 3) float64, the weights of the corners of the faces at points of `Claims`."""
+    weights = np.empty((len(id), 3))
+    with memory.loan() as loan:
+        inputs = [loan.put(corners), loan.put(id), loan.put(face), width, samples, _SEED, loan.output(weights)]
+        if len(id):
+            run(weigh_corners(), len(id), inputs, memory.device, workers=workers, work=8 * len(id))
+    return weights
+
+
+def _tasks(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int]) -> tuple[np.ndarray, np.ndarray, int]:
+    """The boxes of faces as `claim_texels` has them, of texels with a centre nearer than 1; its tasks; rows of a task."""
+    most = np.array(size, np.float64)
+    with np.errstate(invalid="ignore"):
+        low = np.clip(np.floor(corners.min(axis=1) - 1.5) + 1.0, 0.0, most)
+        high = np.clip(np.ceil(corners.max(axis=1) + 0.5), 0.0, most)
+    boxes = np.stack([low, high], axis=2).reshape(-1, 4)
+    boxes[~usable] = 0.0
+    boxes = boxes.astype(np.int32)
+    rows = max(1, _TASK // size[0])
+    height = np.where(boxes[:, 1] > boxes[:, 0], boxes[:, 3] - boxes[:, 2], 0)
+    counts = -(-height // rows)
+    face = np.repeat(np.arange(len(boxes), dtype=np.int32), counts)
+    part = np.arange(len(face)) - np.repeat(np.cumsum(counts) - counts, counts)
+    return boxes, np.stack([face, boxes[face, 2] + rows * part], axis=1).astype(np.int32), rows
+
+
+def _points(nearest: np.ndarray, owners: np.ndarray, samples: int, faces: int) -> tuple[np.ndarray, np.ndarray]:
+    """Ids and faces of all points, from what the faces have claimed."""
+    texel = np.flatnonzero(nearest)
+    face = (np.uint64(_LAST_FACE) - (nearest[texel] & np.uint64(_LAST_FACE))).astype(np.int32)
+    if samples == 1:
+        return texel.astype(np.uint64), face
+    alone = np.flatnonzero(~owners.reshape(-1, samples)[texel].any(axis=1))
+    owners[texel[alone] * samples] = faces - face[alone]
+    id = np.flatnonzero(owners)
+    return id.astype(np.uint64), (faces - owners[id].astype(np.int64)).astype(np.int32)

@@ -1,0 +1,256 @@
+"""Which texels the faces of a chart reach, and at which point of which face: kernels, on the CPU and on CUDA.
+
+In units of texels, so that the centre of the first one is (0.5, 0.5). Faces claim texels by the largest of their keys, which
+does not depend on the order in which they do.
+"""
+
+import warp as wp
+
+from warpsample.host.locks import once
+from warpsample.maths.memory import int_at
+from warpsample.sequences.sobol import sobol
+
+_ZERO = wp.constant(wp.float64(0.0))
+_ONE = wp.constant(wp.float64(1.0))
+_HALF = wp.constant(wp.float64(0.5))
+_STRICTLY = wp.constant(wp.float64(1e-6))  # of a texel: within it two faces share an edge, and do not overlap
+_FARTHEST = wp.constant(wp.uint64(0x7F800000))  # above the bits of every finite float32
+_LAST_FACE = wp.constant(wp.uint64(0xFFFFFFFF))
+_WORD = wp.constant(wp.uint64(32))
+
+NO_FACE = 0
+"""The key of a texel that no face reaches."""
+
+
+@wp.struct
+class Triangle:
+    """The corners of a face and what is inside of each of its edges, where `normal . (p - corner)` is at least 0."""
+
+    a: wp.vec2d
+    b: wp.vec2d
+    c: wp.vec2d
+    ab: wp.vec2d
+    bc: wp.vec2d
+    ca: wp.vec2d
+
+
+@wp.func
+def _inward(start: wp.vec2d, end: wp.vec2d, turn: wp.float64) -> wp.vec2d:
+    d = end - start
+    return wp.vec2d(-turn * d[1], turn * d[0])
+
+
+@wp.func
+def triangle_at(corners: wp.uint64, face: wp.int32) -> Triangle:
+    """A face of corners (F, 3, 2) float64, of either winding."""
+    view = wp.array(ptr=corners + wp.uint64(face) * wp.uint64(48), shape=(3,), dtype=wp.vec2d)
+    t = Triangle()
+    t.a = view[0]
+    t.b = view[1]
+    t.c = view[2]
+    u = t.b - t.a
+    v = t.c - t.a
+    turn = wp.where(u[0] * v[1] - u[1] * v[0] < _ZERO, -_ONE, _ONE)
+    t.ab = _inward(t.a, t.b, turn)
+    t.bc = _inward(t.b, t.c, turn)
+    t.ca = _inward(t.c, t.a, turn)
+    return t
+
+
+@wp.func
+def edges_at(t: Triangle, p: wp.vec2d) -> wp.vec3d:
+    """How far a point is inside of each edge, times the edge's length; of the edges opposite to a, b and c."""
+    return wp.vec3d(wp.dot(t.bc, p - t.b), wp.dot(t.ca, p - t.c), wp.dot(t.ab, p - t.a))
+
+
+@wp.func
+def _least(e: wp.vec3d) -> wp.float64:
+    return wp.min(e[0], wp.min(e[1], e[2]))
+
+
+@wp.func
+def _spans(e: wp.vec3d, t: Triangle, half: wp.float64) -> wp.bool:
+    """Whether no edge has the square of that half width about a point outside; the caller has compared the boxes."""
+    return (
+        e[0] + half * (wp.abs(t.bc[0]) + wp.abs(t.bc[1])) > _ZERO
+        and e[1] + half * (wp.abs(t.ca[0]) + wp.abs(t.ca[1])) > _ZERO
+        and e[2] + half * (wp.abs(t.ab[0]) + wp.abs(t.ab[1])) > _ZERO
+    )
+
+
+@wp.func
+def _strictly_within(e: wp.vec3d, t: Triangle) -> wp.bool:
+    return e[0] > _STRICTLY * wp.length(t.bc) and e[1] > _STRICTLY * wp.length(t.ca) and e[2] > _STRICTLY * wp.length(t.ab)
+
+
+@wp.func
+def _along(start: wp.vec2d, end: wp.vec2d, p: wp.vec2d) -> wp.float64:
+    """Where between two corners a point is nearest, from 0 to 1."""
+    d = end - start
+    length = wp.dot(d, d)
+    if length == _ZERO:
+        return _ZERO
+    return wp.clamp(wp.dot(p - start, d) / length, _ZERO, _ONE)
+
+
+@wp.func
+def _squared(start: wp.vec2d, end: wp.vec2d, s: wp.float64, p: wp.vec2d) -> wp.float64:
+    d = start + s * (end - start) - p
+    return wp.dot(d, d)
+
+
+@wp.func
+def nearest_on(t: Triangle, e: wp.vec3d, p: wp.vec2d) -> wp.vec4d:
+    """The weights of a, b and c at the point of a face nearest to p, and the square of its distance."""
+    if _least(e) >= _ZERO:
+        sum = e[0] + e[1] + e[2]
+        return wp.vec4d(e[0] / sum, e[1] / sum, e[2] / sum, _ZERO)
+    s = _along(t.a, t.b, p)
+    found = wp.vec4d(_ONE - s, s, _ZERO, _squared(t.a, t.b, s, p))
+    s = _along(t.b, t.c, p)
+    squared = _squared(t.b, t.c, s, p)
+    if squared < found[3]:
+        found = wp.vec4d(_ZERO, _ONE - s, s, squared)
+    s = _along(t.c, t.a, p)
+    squared = _squared(t.c, t.a, s, p)
+    if squared < found[3]:
+        found = wp.vec4d(s, _ZERO, _ONE - s, squared)
+    return found
+
+
+@wp.func
+def _key(squared: wp.float64, face: wp.int32) -> wp.uint64:
+    """Larger for what is nearer, and of what is equally near for the lower face; never 0."""
+    near = _FARTHEST - wp.uint64(wp.cast(wp.float32(squared), wp.uint32))
+    return (near << _WORD) | (_LAST_FACE - wp.uint64(face))
+
+
+@wp.func
+def sample_at(seed: wp.uint64, texel: wp.int32, width: wp.int32, sample: wp.int32, samples: wp.int32) -> wp.vec2d:
+    """Where a sample of a texel is: at its centre, or one of several that are stratified over it."""
+    corner = wp.vec2d(wp.float64(texel % width), wp.float64(texel / width))
+    if samples == 1:
+        return corner + wp.vec2d(_HALF, _HALF)
+    u = sobol(seed, wp.uint64(texel), wp.uint32(sample), wp.uint32(samples))
+    return corner + wp.vec2d(wp.float64(u[0]), wp.float64(u[1]))
+
+
+@once
+def claim_texels() -> wp.Kernel:
+    """A kernel with a task for some rows of the box of a face, in which it claims what it reaches.
+
+    The addresses are of `corners` (F, 3, 2) float64, `boxes` (F, 4) int32, first and last column, then rows, each last one
+    not within, `tasks` (T, 2) int32, face and first row, and of what is 0 before: `nearest` (texels,) uint64, keys of the
+    faces that a bilinear lookup reads each texel for; `owners` (texels, samples) uint32, one more than the number of faces
+    less the lowest that has a sample, or no address; `within` (texels,) int32, how many faces have the centre inside.
+    """
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def claim_texels(
+        corners: wp.uint64,
+        boxes: wp.uint64,
+        tasks: wp.uint64,
+        rows: wp.int32,
+        width: wp.int32,
+        height: wp.int32,
+        samples: wp.int32,
+        faces: wp.int32,
+        seed: wp.uint64,
+        nearest: wp.uint64,
+        owners: wp.uint64,
+        within: wp.uint64,
+        first_task: wp.int64,
+    ):
+        task = first_task + wp.int64(wp.tid())
+        face = int_at(tasks, task * wp.int64(2))
+        first = int_at(tasks, task * wp.int64(2) + wp.int64(1))
+        texels = width * height
+        keys = wp.array(ptr=nearest, shape=(texels,), dtype=wp.uint64)
+        counts = wp.array(ptr=within, shape=(texels,), dtype=wp.int32)
+        held = wp.array(ptr=owners, shape=(texels * samples,), dtype=wp.uint32)
+        t = triangle_at(corners, face)
+        left = int_at(boxes, wp.int64(4) * wp.int64(face))
+        right = int_at(boxes, wp.int64(4) * wp.int64(face) + wp.int64(1))
+        last = int_at(boxes, wp.int64(4) * wp.int64(face) + wp.int64(3))
+        for y in range(first, wp.min(first + rows, last)):
+            for x in range(left, right):
+                texel = y * width + x
+                p = wp.vec2d(wp.float64(x) + _HALF, wp.float64(y) + _HALF)
+                e = edges_at(t, p)
+                if _spans(e, t, _ONE):
+                    found = nearest_on(t, e, p)
+                    wp.atomic_max(keys, texel, _key(found[3], face))
+                    if _strictly_within(e, t):
+                        wp.atomic_add(counts, texel, 1)
+                    if samples > 1 and _spans(e, t, _HALF):
+                        for k in range(samples):
+                            if _least(edges_at(t, sample_at(seed, texel, width, k, samples))) >= _ZERO:
+                                wp.atomic_max(held, texel * samples + k, wp.uint32(faces - face))
+
+    return claim_texels
+
+
+@once
+def mark_overlaps() -> wp.Kernel:
+    """A kernel with the tasks of `claim_texels`, which marks the faces that share a texel's centre with another one."""
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def mark_overlaps(
+        corners: wp.uint64,
+        boxes: wp.uint64,
+        tasks: wp.uint64,
+        rows: wp.int32,
+        width: wp.int32,
+        within: wp.uint64,
+        marks: wp.uint64,
+        first_task: wp.int64,
+    ):
+        task = first_task + wp.int64(wp.tid())
+        face = int_at(tasks, task * wp.int64(2))
+        first = int_at(tasks, task * wp.int64(2) + wp.int64(1))
+        t = triangle_at(corners, face)
+        left = int_at(boxes, wp.int64(4) * wp.int64(face))
+        right = int_at(boxes, wp.int64(4) * wp.int64(face) + wp.int64(1))
+        last = int_at(boxes, wp.int64(4) * wp.int64(face) + wp.int64(3))
+        found = wp.int32(0)
+        for y in range(first, wp.min(first + rows, last)):
+            for x in range(left, right):
+                if int_at(within, y * width + x) > 1:
+                    e = edges_at(t, wp.vec2d(wp.float64(x) + _HALF, wp.float64(y) + _HALF))
+                    if _strictly_within(e, t):
+                        found = wp.int32(1)
+        if found == 1:
+            view = wp.array(ptr=marks + wp.uint64(face) * wp.uint64(4), shape=(1,), dtype=wp.int32)
+            view[0] = 1
+
+    return mark_overlaps
+
+
+@once
+def weigh_corners() -> wp.Kernel:
+    """A kernel with a task for each point: the weights of its face's corners, (P, 3) float64.
+
+    A point's id is its texel times the number of samples, plus its sample's number.
+    """
+
+    @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
+    def weigh_corners(
+        corners: wp.uint64,
+        ids: wp.uint64,
+        faces: wp.uint64,
+        width: wp.int32,
+        samples: wp.int32,
+        seed: wp.uint64,
+        weights: wp.uint64,
+        first_task: wp.int64,
+    ):
+        i = first_task + wp.int64(wp.tid())
+        id = wp.array(ptr=ids + wp.uint64(i) * wp.uint64(8), shape=(1,), dtype=wp.uint64)[0]
+        texel = wp.int32(id / wp.uint64(samples))
+        p = sample_at(seed, texel, width, wp.int32(id % wp.uint64(samples)), samples)
+        t = triangle_at(corners, int_at(faces, i))
+        found = nearest_on(t, edges_at(t, p), p)
+        view = wp.array(ptr=weights + wp.uint64(i) * wp.uint64(24), shape=(1,), dtype=wp.vec3d)
+        view[0] = wp.vec3d(found[0], found[1], found[2])
+
+    return weigh_corners

@@ -1,0 +1,52 @@
+"""The normals by which texels are shaded, and where their points are lifted to."""
+
+import numpy as np
+
+from warpsample.host.arrays import as_real
+from warpsample.mesh.mesh import Mesh, unit_or_zero
+
+NORMALS = ("face", "smooth", "lifted")
+"""Of the face; of its corners, interpolated; the same, from points lifted to where the surface would be that has them."""
+
+_LIFTED = 1e-9  # of the mesh's diagonal: below, it is rounding
+
+
+def corner_normals_of(mesh: Mesh, given: object) -> np.ndarray:
+    """(F, 3, 3) float64 unit normals of the corners: those given, or of the vertices; of the face where there is none."""
+    if given is None:
+        normals = mesh.vertex_normals[mesh.faces].astype(np.float64)
+    else:
+        wants = f"({len(mesh.faces)}, 3, 3) real numbers, a normal for each corner of a face"
+        normals = as_real(given, "corner_normals", wants)
+        if normals.shape != (len(mesh.faces), 3, 3):
+            raise ValueError(f"corner_normals: got shape {normals.shape}, want {wants}")
+    flat = normals.reshape(-1, 3)
+    flat = unit_or_zero(np.where(np.isfinite(flat).all(axis=1, keepdims=True), flat, 0.0).astype(np.float64))
+    none = ~flat.any(axis=1)
+    flat[none] = np.repeat(mesh.face_normals, 3, axis=0)[none]
+    return flat.reshape(-1, 3, 3).astype(np.float64)
+
+
+def shaded(
+    mesh: Mesh, corner_normals: np.ndarray | None, face: np.ndarray, weights: np.ndarray, normals: str
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Positions (P, 3) float64, normals (P, 3) float32 and faces (P,) of points with these weights of the corners of faces.
+
+    The lift is of Hanika2021: above the tangent planes of the corners, weighted as these are. A point that it moves is on no
+    face any more.
+    """
+    corners = [mesh.vertices[mesh.faces[face, k]] for k in range(3)]
+    position = corners[0] + weights[:, 1:2] * (corners[1] - corners[0]) + weights[:, 2:] * (corners[2] - corners[0])
+    if corner_normals is None:
+        return position, mesh.face_normals[face], face
+    turned = [corner_normals[face, k] for k in range(3)]
+    normal = unit_or_zero(sum(weights[:, k : k + 1] * turned[k] for k in range(3)))
+    none = ~normal.any(axis=1)
+    normal[none] = mesh.face_normals[face[none]]
+    if normals == "lifted":
+        below = [np.minimum(((position - corners[k]) * turned[k]).sum(axis=1, keepdims=True), 0.0) for k in range(3)]
+        lift = -sum(weights[:, k : k + 1] * below[k] * turned[k] for k in range(3))
+        moved = np.abs(lift).max(axis=1) > _LIFTED * mesh.diagonal
+        position = np.where(moved[:, None], position + lift, position)
+        face = np.where(moved, -1, face).astype(np.int32)
+    return position, normal, face
