@@ -65,7 +65,21 @@ UNRELATED = [
 ]
 
 
-HEAVY = {"pyvista", "matplotlib", "scipy", "trimesh", "pxr", "psutil", "rich", "pvlib", "pandas", "pyradiance"}
+HEAVY = {
+    "pyvista",
+    "matplotlib",
+    "scipy",
+    "trimesh",
+    "pxr",
+    "psutil",
+    "rich",
+    "pvlib",
+    "pandas",
+    "pyradiance",
+    "xatlas",
+    "PIL",
+    "OpenEXR",
+}
 """Libraries that are imported where they are used."""
 NOT_EVERYWHERE = {"vtkmodules", "trame", "distributed", "fcntl", "resource"}
 """Others that are imported where they are used: extras of extras, and what some systems do not have."""

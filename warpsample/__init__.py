@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from warpsample.radiation.weather.irradiation import Irradiation, irradiation
     from warpsample.texture.report import TextureReport
     from warpsample.texture.texture_points import TexturePoints, texture_points
+    from warpsample.texture.unwrapping import unwrap
     from warpsample.tracing.scene import refit
     from warpsample.tracing.trace import Hits, trace
     from warpsample.tracing.trace_all import AllHits, trace_all
@@ -118,6 +119,7 @@ __all__ = [
     "trace",
     "trace_all",
     "tree",
+    "unwrap",
     "vertex_points",
     "view_factors",
     "visible_sky",
@@ -151,6 +153,7 @@ _HOMES = {
     "radiation.exchange.view_factors": ("ViewFactors", "view_factors"),
     "texture.report": ("TextureReport",),
     "texture.texture_points": ("TexturePoints", "texture_points"),
+    "texture.unwrapping": ("unwrap",),
     "tracing.scene": ("refit",),
     "tracing.trace": ("Hits", "trace"),
     "tracing.trace_all": ("AllHits", "trace_all"),

@@ -92,6 +92,8 @@ KINDS = {
     "load_uv.path": kind(QUAD, wrong=("a\0b", "long" * 1000, Path(__file__))),
     "uv": kind(UV, wrong=(UV[:1], UV[..., :1])),
     "size": kind(8, WHOLE, wrong=(0, (8, 0), (8, 8, 8), 2**20)),
+    "unwrap.size": kind(64, WHOLE, said=("size",), wrong=(0, (8, 8), 2**20)),
+    "padding": kind(2, WHOLE, "int32(2)", wrong=(65,)),
     "samples": kind(2, WHOLE, wrong=(0, 2000)),
     "texture_points.normals": kind("smooth", wrong=("flat",)),
     "corner_normals": kind(np.ones((2, 3, 3)), wrong=(UV,)),

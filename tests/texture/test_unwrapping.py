@@ -1,0 +1,64 @@
+"""New texture coordinates: the same faces, without overlap, as far apart as was asked for, in the size that was meant."""
+
+import sys
+
+import numpy as np
+import pytest
+import trimesh
+
+import warpsample as ws
+from warpsample.texture.charts import charts_of
+
+SPHERE = trimesh.creation.icosphere(3)
+
+
+@pytest.mark.parametrize("mesh", [ws.load_mesh("courtyard"), ws.as_mesh(SPHERE)], ids=["courtyard", "sphere"])
+@pytest.mark.parametrize("size", [128, 1000])
+def test_charts_fit_and_keep_their_distance(mesh, size):
+    """Lengths in the image are those on the surface within a factor of 2 by xatlas' stretch; texels of charts are apart."""
+    padding = 4
+    split, uv = ws.unwrap(mesh, size, padding=padding)
+    assert np.array_equal(split.vertices[split.faces], mesh.vertices[mesh.faces])
+    assert (uv >= 0.0).all()
+    assert (uv <= 1.0).all()
+    t = ws.texture_points(split, uv, size)
+    assert (t.report.overlapped, t.report.outside, t.report.zero_area) == (0, 0, 0)
+    chart = np.full(size * size, -1)
+    chart[t.texel] = charts_of(uv)[t.face]
+    chart = chart.reshape(size, size)
+    assert len(np.unique(chart)) > 4
+    for step in range(1, padding - 1):  # texels that are covered reach up to 1 beyond each chart
+        beside = np.stack([chart[:, step:].ravel(), chart[:, :-step].ravel()])
+        assert not ((beside >= 0).all(axis=0) & (beside[0] != beside[1])).any()
+    first, second = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
+    areas = 0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
+    density = np.sqrt(areas / mesh.face_areas)
+    assert density.max() / density.min() < 2.0
+    assert areas.sum() > 0.2  # of the image, most of which xatlas fills
+
+
+def test_parts_stay_and_size_and_place_do_not_matter():
+    """A mesh of a millionth of the size, far away, has the same charts; the same call gives the same bits."""
+    mesh = ws.Mesh(SPHERE.vertices, SPHERE.faces, part=np.arange(1280) % 2, parts=("a", "b"))
+    split, uv = ws.unwrap(mesh, 256)
+    assert np.array_equal(split.part, mesh.part)
+    assert np.array_equal(ws.unwrap(mesh, 256)[1], uv)
+    tiny = ws.Mesh(mesh.vertices * 2.0**-20, mesh.faces)
+    assert np.array_equal(ws.unwrap(tiny, 256)[1], uv)
+    assert np.array_equal(ws.unwrap(ws.Mesh(mesh.vertices * 2.0**20, mesh.faces), 256)[1], uv)
+
+
+def test_what_cannot_be_unwrapped_is_named(monkeypatch):
+    with pytest.raises(ValueError, match=r"^size: got 8, where 6 charts, 4 texels apart, take \d+ texels, want more$"):
+        ws.unwrap(trimesh.creation.box(), 8)
+    with pytest.raises(ValueError, match="^mesh: got faces without an area"):
+        ws.unwrap(([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]]), 8)
+    monkeypatch.setitem(sys.modules, "xatlas", None)
+    from warpsample.host.making import imported
+
+    imported.cache_clear()
+    with pytest.raises(
+        ModuleNotFoundError, match=r"^new texture coordinates need xatlas: pip install 'warpsample\[texture\]'$"
+    ):
+        ws.unwrap(SPHERE, 64)
+    imported.cache_clear()
