@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     from warpsample.estimate.result import Estimate, PointStatus, Skipped
     from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
     from warpsample.mesh.files import load_mesh
-    from warpsample.mesh.grid_points import grid_points
     from warpsample.mesh.files.uv import load_uv
+    from warpsample.mesh.grid_points import grid_points
     from warpsample.mesh.mesh import Mesh, as_mesh
     from warpsample.mesh.report import MeshReport
     from warpsample.mesh.sampling import sample_surface
