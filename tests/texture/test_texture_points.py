@@ -21,7 +21,7 @@ def test_positions_come_back_from_a_lookup():
     within = np.zeros(96 * 64, bool)
     within[t.texel] = np.abs(place - centre).max(axis=1) < 1e-9
     face = np.where(within, t.image(t.face).ravel(), np.nan)
-    mean, square = (lookup((face**power).reshape(64, 96, 1), at)[:, 0] for power in (1, 2))
+    mean, square = (lookup(np.float_power(face, power).reshape(64, 96, 1), at)[:, 0] for power in (1, 2))
     inner = np.abs(square - mean**2) < 1e-6
     assert 0.5 < inner.mean() < 1.0
     assert error[inner].max() <= 1e-6 * mesh.diagonal
@@ -134,11 +134,11 @@ def test_errors_of_samples_hold_what_values_vary():
     value = np.square(t.points.position[:, 0])
     found = ws.Estimate(value, *(0.0 * value for _ in range(3)), value.astype(int), value.astype(np.uint8), ws.Skipped())
     edges = np.arange(33) / 32
-    truth = np.diff(edges**3 / 3) * 32
+    truth = np.diff(np.float_power(edges, 3) / 3) * 32
     error = t.image(value) - truth
     told = t.image_error(found)
     assert np.sqrt(np.mean(error**2)) <= np.sqrt(np.mean(told**2))
-    exact = np.sqrt((np.diff(edges**5 / 5) * 32 - truth**2) / 16)  # of 16 independent samples
+    exact = np.sqrt((np.diff(np.float_power(edges, 5) / 5) * 32 - truth**2) / 16)  # of 16 independent samples
     assert np.sqrt((told**2).mean(axis=0)) == pytest.approx(exact, rel=0.1)
 
 

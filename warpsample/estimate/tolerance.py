@@ -22,6 +22,7 @@ _FIRST, _LEAST = 8, 4  # rays of the first round; and the fewest of the result, 
 _FAR, _FAR_OF_ONE_CELL, _FARTHEST = 1.3, 2.0, 32.0  # needed of those tried: foretold; tried of those of the round before
 _WORTH_TRYING = 1.5  # rays where finer strata begin, of those needed
 _SLOWEST, _FASTEST, _APART = 0.5, 2.0, 4.0  # powers of the rays with which an error falls; told by so many times the rays
+_APART_IF_SMOOTH = 1.5  # where nothing blocks: the powers differ by integrands, and the error's own error is less
 _ROUNDS = 8
 _PRIOR = 16.0  # points' worth of what edges let expect, for few points and for where no ray has met anything
 
@@ -42,7 +43,8 @@ def count_within(runner: Runner, tolerance: float) -> tuple[int, np.ndarray]:
         if fewest / 2 <= needed < fewest:
             needed = fewest  # coarser strata may have a larger error
         far = (_FAR if fewest > _FIRST else _FAR_OF_ONE_CELL) * trial.count
-        if fewest <= needed <= min(far, top) or (trial.count == most and needed >= fewest):
+        near = traced or trial.count <= _FAR_OF_ONE_CELL * needed
+        if near and (fewest <= needed <= min(far, top) or (trial.count == most and needed >= fewest)):
             break
         trial.run(min(needed, _FARTHEST * trial.count))
     return trial.whole(_finer_if_less(trial, needed, _AIM * tolerance) if traced else needed), trial.rays
@@ -100,10 +102,16 @@ class _Trial:
         good = chosen & (found.status == 0)
         error = _error_of(found, good)
         alike = counts_with_the_strata_of(self.count, traced) == counts_with_the_strata_of(count, traced)
-        if self.count and count >= _APART * self.count and alike and error > 0.0:
+        if self.count and alike and error > 0.0 and self._apart(count):
             self.rate = min(max(log(self.error / error) / log(count / self.count), _SLOWEST), _FASTEST)
         self.count, self.error, self.rays = count, error, self.rays + found.rays
         self.cast = float(found.rays[good].mean()) / count if good.any() else 0.0
+
+    def _apart(self, count: int) -> bool:
+        """Whether a round differs enough from the one before to tell a power."""
+        if self.runner.traced:
+            return count >= _APART * self.count
+        return max(count / self.count, self.count / count) >= _APART_IF_SMOOTH
 
     def needed(self, error: float) -> float:
         """How many rays a standard error takes, by what the last round had."""
