@@ -1,5 +1,8 @@
 """Tiles: the numbers of the whole raster where the margin reaches over it, and else between two bounds."""
 
+import tracemalloc
+import weakref
+
 import numpy as np
 import pytest
 from affine import Affine
@@ -9,7 +12,7 @@ pytest.importorskip("rasterio")
 pytest.importorskip("rioxarray")
 
 import warpsample as ws
-from warpsample.city.rasters import far
+from warpsample.city.rasters import far, tiles
 from warpsample.city.rasters.far import FarField
 from warpsample.city.rasters.horizons import sky_by_horizons
 from warpsample.city.rasters.reading import reader_of
@@ -210,6 +213,54 @@ def test_calls_take_trees_and_tiles():
     assert (right.value < bare.value).mean() > 0.5
     with pytest.raises(TypeError, match="^crowns: got it for sky view factor of a raster, want one of .*canopy, trunk"):
         ws.rasters.sky_view_factor((heights, NORTH_UP, None), 32, crowns=canopy)
+
+
+@pytest.fixture
+def looked_at(monkeypatch):
+    """(meshes that are looked at, all that live then besides), at each look at a tile."""
+    made, looks, look, make = [], [], tiles.seen_of, ws.Mesh.__post_init__
+
+    def counted(mesh):
+        make(mesh)
+        made.append(weakref.ref(mesh))
+
+    def looking(quantity, scene, *others):
+        found = look(quantity, scene, *others)
+        own = [mesh for mesh in (scene.mesh, scene.canopy_mesh) if mesh is not None]
+        looks.append((len(own), sum(mesh() is not None for mesh in made) - len(own)))
+        assert not any({"cross_products", "face_normals"} & set(vars(mesh)) for mesh in own)
+        sizes.append(max(len(mesh.faces) for mesh in own))
+        return found
+
+    sizes = []
+    monkeypatch.setattr(ws.Mesh, "__post_init__", counted)
+    monkeypatch.setattr(tiles, "seen_of", looking)
+    return looks, sizes
+
+
+@pytest.mark.parametrize("trees", [False, True])
+def test_a_tile_has_no_mesh_but_what_is_looked_at(looked_at, trees):
+    """Neither the one without columns nor the one before; and no normals of faces, which its points are not on."""
+    heights = town(90, 90)
+    canopy = (np.eye(90) * 5.0, NORTH_UP, None) if trees else None
+    made = run(heights, canopy=canopy, tile=10, margin=8, receiver="surface")
+    made.numbers((slice(40, 50), slice(40, 50)))
+    assert looked_at[0] == [(1 + trees, 0)] * 2
+
+
+@pytest.mark.slow
+def test_a_tile_takes_200_bytes_a_triangle(looked_at):
+    """Vertices and faces take 24, and as float32 18, the tree 90 and 32 to be built: 170; with two meshes it was 224."""
+    heights = np.random.default_rng(11).uniform(0.0, 3.0, (400, 400))
+    made = run(heights, count=2, tile=200, margin=60)
+    assert made.field is not None  # which is read before
+    tracemalloc.start()
+    try:
+        made.numbers((slice(100, 300), slice(100, 300)))
+        most = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert most < 200 * max(looked_at[1])
 
 
 @pytest.mark.slow

@@ -23,6 +23,7 @@ SMALLEST = 1e-30
 
 _LEAST_EXTENT = 2.0**-16  # points of a plane across an axis are moved off it all the same
 _FAR = 16.0  # times as far as four fifths of the vertices: a part of its own, that the coordinates are not centred about
+_BLOCK = 1 << 18  # vertices that are placed together
 _LOOKED_AT = 4096  # vertices or faces that tell how a mesh is spread out
 _COARSE = 2.0**-16  # of the scene: edges no longer than that are lost in the offset of a point off its face
 
@@ -48,7 +49,7 @@ class Scene:
     def __init__(self, mesh: Mesh) -> None:
         """Moves and scales the vertices; builds no tree yet."""
         lower, upper = mesh.bounds
-        middle = _main_part(mesh.vertices[mesh.used])
+        middle = _main_part(mesh.vertices if mesh.used.all() else mesh.vertices[mesh.used])
         half = 0.5 * upper - 0.5 * lower
         apart = half.max() > _FAR * (0.5 * middle[1] - 0.5 * middle[0]).max() > 0.0
         near = middle if apart else mesh.bounds
@@ -60,13 +61,21 @@ class Scene:
         self.extent = np.maximum(reach * self.scale, _LEAST_EXTENT)
         spread = (near[1] - self.centre) * self.scale
         self.spread = np.maximum(spread, _LEAST_EXTENT) if apart else self.extent
-        placed = np.where(mesh.used[:, None], mesh.vertices, self.centre)
-        self.vertices = read_only(((placed - self.centre) * self.scale).astype(np.float32))
+        self.vertices = read_only(self._placed(mesh))
         self.faces = mesh.faces
         self._topology: Topology | None = None
         self._tree: WideTree | None = None
         self._builtin: dict[str, wp.Mesh] = {}
         self._warn_if_coarse(float(self.spread.max()))
+
+    def _placed(self, mesh: Mesh) -> np.ndarray:
+        """The vertices in float32, by blocks: what is between is float64."""
+        placed = np.empty(mesh.vertices.shape, np.float32)
+        for start in range(0, len(placed), _BLOCK):
+            rows = slice(start, start + _BLOCK)
+            own = np.where(mesh.used[rows, None], mesh.vertices[rows], self.centre)
+            placed[rows] = (own - self.centre) * self.scale
+        return placed
 
     def _warn_if_coarse(self, spread: float) -> None:
         some = self.vertices[self.faces[:: -(-len(self.faces) // _LOOKED_AT)]].astype(np.float64)

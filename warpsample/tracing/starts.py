@@ -35,7 +35,8 @@ def faces_and_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origin
         raise ValueError(
             f"{argument}: got points on faces {face.min()} to {face.max()}, want -1 (none) to {len(mesh.faces) - 1}"
         )
-    normals = mesh.face_normals[face]
+    on_faces = bool((face >= 0).any())  # else the mesh makes no normals, which it would keep: 36 bytes a face
+    normals = mesh.face_normals[face] if on_faces else np.zeros((len(face), 3), np.float32)
     alone = np.flatnonzero(face < 0)
     if len(alone):
         own = np.asarray(points.normal, np.float64)[alone]

@@ -86,7 +86,7 @@ class FarField:
         made = []
         for which in (0, 1):
             parts = [self._prisms(level[which], level[2], floor) for level in levels]
-            first = np.cumsum([0, *(len(vertices) for vertices, _ in parts)])
+            first = np.cumsum([0, *(len(vertices) for vertices, _ in parts)], dtype=np.int32)
             faces = [first[k] + found for k, (_, found) in enumerate(parts)]
             made.append((np.concatenate([vertices for vertices, _ in parts]), np.concatenate(faces)))
         return made

@@ -6,7 +6,7 @@ seen without them, B + share * (A - B). Both are found by the same rays, so that
 """
 
 from collections.abc import Callable
-from dataclasses import fields, replace
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
@@ -29,6 +29,19 @@ from warpsample.tracing.placed_points import PlacedPoints
 
 _MONTHS, _DAYS = 12, 365
 _WANTS = "a share from 0 to 1, or 12 of them, for each month, or 365, for each day"
+
+
+@dataclass(frozen=True, eq=False)
+class Scenery:
+    """What stands about points.
+
+    Attributes:
+        mesh: without crowns.
+        canopy_mesh: with opaque ones; None where there are none.
+    """
+
+    mesh: Mesh
+    canopy_mesh: Mesh | None = None
 
 
 def check_transmittance(value: Any) -> np.ndarray:
@@ -59,7 +72,7 @@ def _day_of(day: np.datetime64) -> int:
     return int((first.astype("datetime64[D]") - np.datetime64("2021-01-01")).astype(int) + (day - month).astype(int))
 
 
-def seen_through(surface: RasterSurface, transmittance: np.ndarray, call: Callable[[Mesh], Any]) -> Seen:
+def seen_through(surface: RasterSurface | Scenery, transmittance: np.ndarray, call: Callable[[Mesh], Any]) -> Seen:
     """What points see of a sky that is the same at any time.
 
     Args:
@@ -71,7 +84,11 @@ def seen_through(surface: RasterSurface, transmittance: np.ndarray, call: Callab
 
 
 def seen_of(
-    quantity: Quantity, surface: RasterSurface, points: SurfacePoints, options: dict[str, Any], transmittance: np.ndarray
+    quantity: Quantity,
+    surface: RasterSurface | Scenery,
+    points: SurfacePoints,
+    options: dict[str, Any],
+    transmittance: np.ndarray,
 ) -> Seen:
     """A quantity at points of a surface, by its call, or by the hours of its light where what passes crowns has a date."""
     if len(transmittance) == 1 or surface.canopy_mesh is None:
@@ -105,7 +122,7 @@ def check_dates(quantity: Quantity, transmittance: np.ndarray) -> None:
 
 
 def irradiation_through(
-    surface: RasterSurface,
+    surface: RasterSurface | Scenery,
     points: SurfacePoints,
     light: Light,
     transmittance: np.ndarray,
@@ -132,14 +149,14 @@ def light_through(light: Light, shares: np.ndarray) -> Light:
 
 
 def sun_through(
-    surface: RasterSurface, points: SurfacePoints, suns: np.ndarray, shares: np.ndarray, **options: Any
+    surface: RasterSurface | Scenery, points: SurfacePoints, suns: np.ndarray, shares: np.ndarray, **options: Any
 ) -> np.ndarray:
     """(P,) float64, the number of suns (T, 3) that points see, those behind crowns counted by the shares (T,) that pass."""
     views = _views(surface, shares)
     return np.sum([direct_sun(mesh, points, suns, weights=np.array(share), **options) for mesh, share in views], axis=0)
 
 
-def _views(surface: RasterSurface, shares: np.ndarray) -> tuple[tuple[Mesh, np.ndarray], ...]:
+def _views(surface: RasterSurface | Scenery, shares: np.ndarray) -> tuple[tuple[Mesh, np.ndarray], ...]:
     """The meshes to look at, and how much what is seen there counts."""
     if surface.canopy_mesh is None:
         return ((surface.mesh, np.ones_like(shares)),)

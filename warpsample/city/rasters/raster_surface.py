@@ -164,10 +164,10 @@ def surface_of(grid: Grid, model: str, crowns: Crowns | None) -> RasterSurface:
     made = between_centres(grid) if model == "tin" else joined_cells(grid, STEP if model == "joined" else 0.0)
     mesh, with_crowns = Mesh(made.vertices, made.faces), None
     if crowns is not None and crowns.any:
-        with_crowns = beside(mesh, *prisms(grid, crowns))
+        with_crowns = beside(mesh.vertices, mesh.faces, *prisms(grid, crowns))
     return RasterSurface(grid, model, mesh, made.kind, made.cell, with_crowns)
 
 
-def beside(mesh: Mesh, vertices: np.ndarray, faces: np.ndarray) -> Mesh:
-    """A mesh and, after it, more triangles."""
-    return Mesh(np.concatenate([mesh.vertices, vertices]), np.concatenate([mesh.faces, len(mesh.vertices) + faces]))
+def beside(vertices: np.ndarray, faces: np.ndarray, more_vertices: np.ndarray, more_faces: np.ndarray) -> Mesh:
+    """The mesh of triangles and, after them, more triangles."""
+    return Mesh(np.concatenate([vertices, more_vertices]), np.concatenate([faces, len(vertices) + more_faces]))

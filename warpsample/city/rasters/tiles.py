@@ -14,7 +14,7 @@ import numpy as np
 from warpsample.city.rasters.canopy import Canopy, calling, check_same_map
 from warpsample.city.rasters.far import FarField
 from warpsample.city.rasters.horizons import finds_horizons, sky_by_horizons
-from warpsample.city.rasters.leaves import check_dates, check_transmittance, seen_of
+from warpsample.city.rasters.leaves import Scenery, check_dates, check_transmittance, seen_of
 from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, RasterSurface, beside, surface_of
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reading import reader_of, with_heights
@@ -178,42 +178,45 @@ class RasterRun:
         i, j = np.divmod(cells[chosen], grid.height.shape[1])
         id = (i + window[0].start) * self.reader.shape[1] + j + window[1].start
         points = replace(points.take(chosen), id=id)
-        found = list(map(partial(self._seen, points), self._between(surface, span, near)))
+        scenes = self._between(surface, span, near)
+        del surface  # whose arrays go when there are columns beside them
+        found = list(map(partial(self._seen, points), scenes))
         for name, values in _bounded(found).items():
             if name in laid:
                 laid[name][i - row, j - column] = values
         return laid
 
-    def _between(self, surface: RasterSurface, span: Span, near: Span) -> Iterator[RasterSurface]:
+    def _between(self, surface: RasterSurface, span: Span, near: Span) -> Iterator[Scenery]:
         """The surface with upper, and then with lower columns beyond it; or itself, if there is nothing.
 
-        Each is gone, with its tree, when the next one is made, unless the caller keeps it.
+        Each is gone, with its tree, when the next one is made, unless the caller keeps it; its arrays begin the next one's.
         """
         columns = [] if self.field is None else self.field.columns(span, near)
         alike = self.wooded is self.field or surface.canopy_mesh is None
         trees = list(columns) if alike else self.wooded.columns(span, near)
+        meshes = [mesh for mesh in (surface.mesh, surface.canopy_mesh) if mesh is not None]
+        surface, parts = None, [(mesh.vertices, mesh.faces) for mesh in meshes]
         if not columns:
-            yield surface
+            yield Scenery(*meshes)
         while columns:
-            yield _with_columns(surface, columns.pop(0), trees.pop(0))
+            meshes = [beside(*part, *more) for part, more in zip(parts, (columns.pop(0), trees.pop(0)), strict=False)]
+            parts = [
+                (mesh.vertices[: len(vertices)], mesh.faces[: len(faces)])
+                for mesh, (vertices, faces) in zip(meshes, parts, strict=True)
+            ]
+            scenes = [Scenery(*meshes)]
+            meshes.clear()
+            yield scenes.pop()
 
     @property
     def by_horizons(self) -> bool:
         """Whether rays look for horizons: crowns have none, as rays pass below them."""
         return self.canopy is None and finds_horizons(self.quantity, self.options)
 
-    def _seen(self, points: SurfacePoints, surface: RasterSurface) -> Seen:
+    def _seen(self, points: SurfacePoints, scene: Scenery) -> Seen:
         if self.by_horizons:
-            return sky_by_horizons(self.quantity, surface.mesh, points, self.options)
-        return seen_of(self.quantity, surface, points, self.options, self.transmittance)
-
-
-def _with_columns(
-    surface: RasterSurface, columns: tuple[np.ndarray, np.ndarray], trees: tuple[np.ndarray, np.ndarray]
-) -> RasterSurface:
-    """A surface with further triangles, which are no cells, and others beside the crowns."""
-    canopy = surface.canopy_mesh and beside(surface.canopy_mesh, *trees)
-    return replace(surface, mesh=beside(surface.mesh, *columns), canopy_mesh=canopy)
+            return sky_by_horizons(self.quantity, scene.mesh, points, self.options)
+        return seen_of(self.quantity, scene, points, self.options, self.transmittance)
 
 
 def _bounded(found: list[Seen]) -> dict[str, np.ndarray]:

@@ -20,6 +20,9 @@ SAH_LEVELS = 14
 """Deeper nodes halve their ranges by count, so that no arrangement of triangles makes the tree deeper than 22 nodes."""
 
 
+_BLOCK = 1 << 14  # leaves whose faces are looked up together
+
+
 @dataclass(frozen=True, eq=False)
 class Topology:
     """A tree without boxes.
@@ -67,8 +70,12 @@ def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
 
 def _leaf_faces(order: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
     """(leaves, 16) int32 from ranges of the ordered faces; -1 beyond their ends."""
-    position = begin[:, None] + np.arange(WIDTH)
-    return np.where(position < end[:, None], order[np.minimum(position, len(order) - 1)], -1).astype(np.int32)
+    faces = np.empty((len(begin), WIDTH), np.int32)
+    for start in range(0, len(faces), _BLOCK):
+        rows = slice(start, start + _BLOCK)
+        position = begin[rows, None] + np.arange(WIDTH)
+        faces[rows] = np.where(position < end[rows, None], order[np.minimum(position, len(order) - 1)], -1)
+    return faces
 
 
 @once
