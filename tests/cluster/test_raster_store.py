@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from contextlib import contextmanager
 from importlib import import_module
 
 import numpy as np
@@ -139,6 +140,25 @@ def test_an_interrupted_run_goes_on_to_the_same_bytes(dsm, folder, name, compute
     else:
         assert contents(folder / name) == contents(folder / f"right_{name}")
     assert sorted(path.name for path in folder.iterdir()) == sorted([name, f"right_{name}"])
+
+
+@pytest.mark.parametrize("late", [False, True])
+def test_an_interrupt_while_processes_start_or_end_tells_what_is_there(dsm, folder, computed, monkeypatch, late):
+    _, counted = computed
+    counted.most = 5
+    with pytest.raises(KeyboardInterrupt):
+        bake(dsm, folder / "sky.zarr")
+    counted.most = -1
+
+    @contextmanager
+    def interrupted(*_):
+        if late:
+            yield
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(baking, "computing", interrupted)
+    with pytest.raises(KeyboardInterrupt, match=f"interrupted after {TILES if late else 5} of {TILES} tiles"):
+        bake(dsm, folder / "sky.zarr", resume=True, processes=2)
 
 
 def test_a_killed_run_goes_on_to_the_same_bytes(dsm, folder, child_environment):

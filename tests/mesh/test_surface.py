@@ -140,3 +140,15 @@ def test_bad_arguments_are_named(arguments, error, message):
     mesh, count, *options = arguments
     with pytest.raises(error, match="^" + message):
         ws.sample_surface(mesh, count, **dict(*options))
+
+
+def test_no_rows_are_no_points_and_ids_that_round_are_refused_with_what_to_give():
+    owned = ws.SurfacePoints(np.eye(3), np.eye(3), id=[7, 8, 9])
+    for none in ([], (), np.zeros(0), np.zeros(3, bool)):
+        assert owned.take(none).position.shape == (0, 3)
+        assert owned.take(none).id.shape == (0,)
+    for ids in ([1, 2, 2**64], np.array([1, 2, 3], object), np.array([1.0, 2.0, 3.0])):
+        with pytest.raises(TypeError, match=r"^id: got dtype \w+, want .* as numpy.array\(id, numpy.uint64\) holds them"):
+            ws.SurfacePoints(np.eye(3), np.eye(3), id=ids)
+    with pytest.raises(TypeError, match="^id: got a masked array, want an array without a mask"):
+        ws.SurfacePoints(np.eye(3), np.eye(3), id=np.ma.array([1, 2, 3], mask=[0, 1, 0]))

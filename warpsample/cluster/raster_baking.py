@@ -2,9 +2,9 @@
 
 import shutil
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import closing, nullcontext
+from contextlib import closing, contextmanager, nullcontext
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from importlib.metadata import version
 from pathlib import Path
 from time import perf_counter
@@ -32,6 +32,7 @@ from warpsample.cluster.store import SUFFIX, check_new, check_store
 from warpsample.cluster.writing import at_work, store_of, writing
 from warpsample.host.arguments import check_integer, told
 from warpsample.host.files import check_output, complete_or_absent, read_arrays, write_arrays
+from warpsample.host.interrupts import uninterrupted
 from warpsample.mesh.known import digest_of
 from warpsample.output.quantities import quantity_of
 from warpsample.output.terminal_bar import terminal_bar
@@ -105,21 +106,14 @@ def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: boo
         check_new(store, resume, "--output")
         digests = {name: digests_of(raster) for name, raster in run.rasters.items()}
         about |= _heights(digests)
-        marked = about if is_store else about | {_MAKING: output.name}
-        whole = begin_raster(store, run, marked, "--output")
-        with terminal_bar() as bar, computing(None, processes, None) if processes else nullcontext():
-            task = bar.add_task(run.quantity.title, total=len(whole), told="")
-            _compute(
-                job,
-                store,
-                whole,
-                digests,
-                lambda done: bar.update(task, completed=done, told=f"{done} of {len(whole)} tiles"),
-            )
-        _check_unchanged(store, job)
-        if not is_store:
-            write_cog(output, run, about, tiles_in(store, run))
-            shutil.rmtree(store)
+        whole = begin_raster(store, run, about if is_store else about | {_MAKING: output.name}, "--output")
+        with _counting(run.quantity.title, store, whole) as heard:
+            with computing(None, processes, None) if processes else nullcontext():
+                _compute(job, store, np.flatnonzero(~whole).tolist(), digests, heard)
+            _check_unchanged(store, job)
+            if not is_store:
+                write_cog(output, run, about, tiles_in(store, run))
+                uninterrupted(partial(shutil.rmtree, store))
     rows, columns = run.reader.shape
     total, there = len(whole), int(whole.sum())
     lines = [
@@ -129,23 +123,36 @@ def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: boo
     return "\n  ".join([*lines, f"took {perf_counter() - start:.2f} s"])
 
 
+@contextmanager
+def _counting(title: str, store: Path, whole: np.ndarray) -> Iterator[Callable[[int], None]]:
+    """A bar of the tiles that are there, which is told how many there are more; an interrupt within says how many."""
+    done, total = int(whole.sum()), len(whole)
+    with terminal_bar() as bar:
+        task = bar.add_task(title, total=total, told="")
+
+        def heard(more: int) -> None:
+            nonlocal done
+            done += more
+            bar.update(task, completed=done, told=f"{done} of {total} tiles")
+
+        heard(0)
+        try:
+            yield heard
+        except KeyboardInterrupt as interrupt:  # raised again itself: it may stand for another signal
+            interrupt.args = (f"interrupted after {done:,} of {total:,} tiles; {store} can be resumed",)
+            raise
+
+
 def _compute(
-    job: RasterJob, store: Path, whole: np.ndarray, digests: Mapping[str, np.ndarray], heard: Callable[[int], None]
+    job: RasterJob, store: Path, tiles: list[int], digests: Mapping[str, np.ndarray], heard: Callable[[int], None]
 ) -> None:
-    """Computes the tiles of a store that are not whole."""
-    done = int(whole.sum())
-    heard(done)
-    try:
-        with writing(store) as folder:
-            with complete_or_absent(folder / _DIGESTS) as stream:
-                write_arrays(stream, digests)
-            with closing(_told(job, folder, np.flatnonzero(~whole).tolist())) as all_told:
-                for _ in all_told:
-                    done += 1
-                    heard(done)
-    except KeyboardInterrupt as interrupt:  # raised again itself: it may stand for another signal
-        interrupt.args = (f"interrupted after {done:,} of {len(whole):,} tiles; {store} can be resumed",)
-        raise
+    """Computes these tiles of a store."""
+    with writing(store) as folder:
+        with complete_or_absent(folder / _DIGESTS) as stream:
+            write_arrays(stream, digests)
+        with closing(_told(job, folder, tiles)) as all_told:
+            for _ in all_told:
+                heard(1)
 
 
 def _heights(digests: Mapping[str, np.ndarray]) -> dict[str, str]:

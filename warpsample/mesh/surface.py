@@ -161,6 +161,8 @@ def _check_face(value: Any) -> np.ndarray:
 
 def _check_rows(value: Any, points: int) -> np.ndarray:
     rows = as_ndarray(value, "rows")
+    if rows.shape == (0,):
+        return np.zeros(0, np.int64)  # an empty list is of float64 to NumPy
     if rows.dtype.kind not in "biu":
         raise TypeError(f"rows: got {f'dtype {rows.dtype}' if rows.ndim else told(value)}, want whole numbers or bool")
     if rows.ndim != 1 or (rows.dtype == bool and len(rows) != points):
@@ -173,7 +175,10 @@ def _check_rows(value: Any, points: int) -> np.ndarray:
 def _check_id(value: Any) -> np.ndarray:
     id = as_ndarray(value, "id")
     if id.dtype.kind not in "iu" and id.size:
-        raise TypeError(f"id: got {f'dtype {id.dtype}' if id.ndim else told(value)}, want whole numbers of 64 bits")
+        raise TypeError(
+            f"id: got {f'dtype {id.dtype}' if id.ndim else told(value)}, want whole numbers of 64 bits, as "
+            "numpy.array(id, numpy.uint64) holds them"
+        )
     if id.size and id.min() < 0:
         raise ValueError(f"id: got {id.min()}, want whole numbers from 0 on")
     return np.ascontiguousarray(id, np.uint64)
