@@ -81,15 +81,17 @@ HEAVY = {
     "OpenEXR",
 }
 """Libraries that are imported where they are used."""
-NOT_EVERYWHERE = {"vtkmodules", "trame", "distributed", "fcntl", "resource"}
+NOT_EVERYWHERE = {"vtkmodules", "trame", "distributed", "xarray", "fcntl", "resource"}
 """Others that are imported where they are used: extras of extras, and what some systems do not have."""
-IN_ONE_PLACE = {name: {"cluster"} for name in ("dask", "distributed", "zarr")} | {"xarray": {"cluster", "rasters"}}
+IN_ONE_PLACE = {name: {"cluster"} for name in ("dask", "distributed", "zarr")} | {
+    "xarray": {"cluster", "rasters", "estimate"}
+}
 IN_ONE_PLACE |= {name: {"rasters"} for name in ("rasterio", "rioxarray", "affine", "pyproj")}
 """Libraries that whole folders are made of, which are imported when something of theirs is first used."""
 MOST_FILES = 20
 """Files in a folder, besides `__init__.py`: what has more has stories of its own, a folder each."""
 IN_A_CIRCLE = {"mesh.mesh", "mesh.report"}
-IN_A_CIRCLE |= {f"radiation.exchange.{name}" for name in ("view_factors", "radiosity", "files")}
+IN_A_CIRCLE |= {f"radiation.exchange.{name}" for name in ("view_factors", "net_radiation", "radiosity", "files")}
 """Files that import each other: one has a type, and others do what its methods say."""
 MOST_CLASSES_TWICE = 5
 """Class names that stand for different things in different files."""

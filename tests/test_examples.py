@@ -13,6 +13,7 @@ import warp as wp
 
 import warpsample as ws
 from warpsample.distributions.record import Distribution
+from warpsample.estimate.result import PointResult
 
 ACCESSOR = type(pv.PolyData().warpsample)
 EXAMPLE = "Example of one to five lines, with what it prints"
@@ -30,6 +31,7 @@ def public():
         else:
             yield name, item
     yield from methods("Distribution", Distribution)
+    yield from methods("PointResult", PointResult)
     yield from methods("accessor", ACCESSOR)
     yield from (
         (f"rasters.{name}", call) for name in ws.rasters.__all__ if inspect.isfunction(call := getattr(ws.rasters, name))

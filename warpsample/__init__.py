@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from warpsample.mesh.sampling import sample_surface
     from warpsample.mesh.surface import SurfacePoints, face_centers, vertex_points
     from warpsample.output.frame import to_frame
+    from warpsample.radiation.exchange.net_radiation import NetRadiation
     from warpsample.radiation.exchange.view_factors import ViewFactors, view_factors
     from warpsample.radiation.sky.patches import SkyPatches, sky_patches
     from warpsample.radiation.sky.result import SkyMatrix, SkySkipped
@@ -68,6 +69,7 @@ __all__ = [
     "MeanDistance",
     "Mesh",
     "MeshReport",
+    "NetRadiation",
     "OffsetBall",
     "OffsetCircle",
     "OffsetDisk",
@@ -150,6 +152,7 @@ _HOMES = {
     "radiation.sky.patches": ("SkyPatches", "sky_patches"),
     "radiation.sky.sky_matrix": ("sky_matrix",),
     "radiation.sky.result": ("SkyMatrix", "SkySkipped"),
+    "radiation.exchange.net_radiation": ("NetRadiation",),
     "radiation.exchange.view_factors": ("ViewFactors", "view_factors"),
     "texture.report": ("TextureReport",),
     "texture.texture_points": ("TexturePoints", "texture_points"),

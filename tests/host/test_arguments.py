@@ -16,6 +16,7 @@ from scipy.sparse import csr_array
 
 import warpsample as ws
 from warpsample.distributions.record import Distribution
+from warpsample.estimate.result import PointResult
 from warpsample.output.quantities import quantities
 
 PACKAGE = Path(ws.__file__).parent
@@ -28,6 +29,7 @@ RESULTS = (
     ws.Hits,
     ws.Interval,
     ws.MeshReport,
+    ws.NetRadiation,
     ws.Skipped,
     ws.SkyPatches,
     ws.SkySkipped,
@@ -80,6 +82,7 @@ def targets():
                 yield name, item
             yield from methods(name, item, EXAMPLES.get(item))
     yield from methods("Distribution", Distribution, EXAMPLES[ws.GGX])
+    yield from methods("PointResult", PointResult, EXAMPLES[ws.Estimate])
     yield from methods("accessor", type(PLANE.warpsample), PLANE.warpsample)
 
 
@@ -153,7 +156,7 @@ def test_the_sweep_is_over_everything():
     swept = {name for name, _ in CASES}
     assert {f"distributions.{key}" for key in ("get", "as_distribution", "as_spatial")} <= swept
     assert {"Distribution.sample", "Distribution.pdf", "Distribution.invert", "Distribution.cdf"} <= swept
-    assert {"Directions.to_polydata", "Estimate.to_polydata", "accessor.sky_view_factor", "UniformCone", "Mesh"} <= swept
+    assert {"Directions.to_polydata", "PointResult.to_polydata", "accessor.sky_view_factor", "UniformCone", "Mesh"} <= swept
     without = {name for name in CALLS if name not in swept}
     assert {name for name in without if inspect.signature(CALLS[name]).parameters} == set()
     assert ("bent_normals", "tolerance") in CASES

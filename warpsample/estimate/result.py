@@ -11,12 +11,14 @@ from warpsample.directions.sample import Status
 from warpsample.estimate.intervals import Interval, interval_of
 from warpsample.estimate.lobes import NONFINITE_VALUE
 from warpsample.host.arguments import check_choice, check_number
+from warpsample.host.neighbours import kind_told
 from warpsample.mesh.mesh import mesh_of
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.sight.point import NONFINITE_POSITION
 
 if TYPE_CHECKING:
     from pyvista import PolyData
+    from xarray import Dataset
 
 
 class PointStatus(IntEnum):
@@ -57,10 +59,13 @@ class Skipped:
     unneeded_rays: int = 0
 
 
-class PointCounts:
-    """Counts points by their `status`."""
+class PointResult:
+    """What results of P points have in common: a `status` of each, and ways to PyVista and xarray."""
 
     status: np.ndarray
+
+    _axes: ClassVar[tuple[str, ...]] = ("component",)
+    """What the columns of an array with a row for each point are called."""
 
     def counts(self) -> dict[PointStatus, int]:
         """How many points have each status; those that occur.
@@ -76,9 +81,92 @@ class PointCounts:
         """
         return {PointStatus(code): int(n) for code, n in enumerate(np.bincount(self.status)) if n}
 
+    def _arrays(self) -> dict[str, np.ndarray]:
+        """The fields that have a row for each point, by name."""
+        kept = {item.name: getattr(self, item.name) for item in fields(self)}  # type: ignore[arg-type]
+        arrays = {name: a for name, a in kept.items() if isinstance(a, np.ndarray) and a.dtype.kind != "M"}  # no hours
+        return {name: a for name, a in arrays.items() if a.shape[:1] == self.status.shape and a.ndim < 3}
+
+    def _coordinates(self) -> dict[str, np.ndarray]:
+        """What is known of the columns of arrays, for `to_xarray`; nothing by default."""
+        return {}
+
+    def to_polydata(self, on: Any, at: Literal["vertices", "faces"] | None = None) -> "PolyData":
+        """The numbers on what they are of, as PyVista's PolyData.
+
+        Args:
+            on: the SurfacePoints of the result; or the mesh (a Mesh or whatever `as_mesh` takes), if they were its
+                vertices or the centres of its faces.
+            at: which of the two; by default the one of which there are as many as numbers.
+
+        Returns:
+            a copy with an array for each field that has a row for each point: "value", "standard_error", "rays", "status"
+            and what else there is.
+
+        Raises:
+            ModuleNotFoundError: PyVista is missing.
+            TypeError: neither points nor a mesh.
+            ValueError: another number of points, or as many vertices as faces and no `at`.
+
+        Example:
+            >>> mesh = ws.load_mesh("courtyard")
+            >>> found = ws.ambient_occlusion(mesh, ws.face_centers(mesh), 64)
+            >>> print(found.to_polydata(mesh).cell_data["value"].shape)
+            (2080,)
+        """
+        if at is not None:
+            check_choice(at, "at", ("vertices", "faces"))
+        if isinstance(on, SurfacePoints):
+            made, sizes = on.to_polydata(), {"points": len(on)}
+        else:
+            mesh = mesh_of(on, "on", "SurfacePoints, a warpsample.Mesh")
+            made, sizes = mesh.to_polydata(), {"vertices": len(mesh.vertices), "faces": len(mesh.faces)}
+        fit = [name for name, size in sizes.items() if size == len(self.status) and at in (None, name)]
+        if len(fit) != 1:
+            raise ValueError(f"on: got {sizes} for {len(self.status)} numbers, want as many of one kind; at={at!r}")
+        data = made.cell_data if fit == ["faces"] else made.point_data
+        for name, array in self._arrays().items():
+            data[name] = array
+        return made
+
+    def to_xarray(self, points: SurfacePoints) -> "Dataset":
+        """The numbers as a dataset of xarray, with where the points are as coordinates.
+
+        Args:
+            points: the P points that they are of.
+
+        Returns:
+            a variable for each field that has a row for each point, of the dimension "point", and of "component", "patch" or
+            "hour" where a point has several numbers; coordinates x, y, z, face, and id and hour where there are any.
+
+        Raises:
+            ModuleNotFoundError: xarray is missing.
+            TypeError: no points.
+            ValueError: another number of points.
+
+        Example:
+            >>> mesh = ws.load_mesh("courtyard")
+            >>> points = ws.sample_surface(mesh, 9)
+            >>> print(dict(ws.bent_normals(mesh, points, 64).to_xarray(points)["value"].sizes))
+            {'point': 9, 'component': 3}
+        """
+        if not isinstance(points, SurfacePoints):
+            raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints")
+        if len(points) != len(self.status):
+            raise ValueError(f"points: got {len(points)}, want the {len(self.status)} of the numbers")
+        try:
+            from xarray import Dataset
+        except ModuleNotFoundError:
+            raise ModuleNotFoundError("datasets need xarray: pip install xarray") from None
+        where = {axis: points.position[:, k] for k, axis in enumerate("xyz")} | {"face": points.face, "id": points.id}
+        coordinates: dict[str, Any] = {name: ("point", a) for name, a in where.items() if a is not None}
+        coordinates |= self._coordinates()
+        arrays = self._arrays().items()
+        return Dataset({name: (("point", *self._axes)[: a.ndim], a) for name, a in arrays}, coordinates)
+
 
 @dataclass(frozen=True, eq=False)
-class Estimate(PointCounts):
+class Estimate(PointResult):
     """A number for each of P points.
 
     Attributes:
@@ -146,44 +234,6 @@ class Estimate(PointCounts):
         level = check_number(level, "level", 0.01, 0.9999)
         lower, upper = interval_of(self.value, self.spread, self.degrees_of_freedom, level)
         return Interval(*(np.clip(end, *np.float32(self.possible)) for end in (lower, upper)))
-
-    def to_polydata(self, on: Any, at: Literal["vertices", "faces"] | None = None) -> "PolyData":
-        """The numbers on what they are of, as PyVista's PolyData.
-
-        Args:
-            on: the SurfacePoints of the estimate; or the mesh (a Mesh or whatever `as_mesh` takes), if they were its
-                vertices or the centres of its faces.
-            at: which of the two; by default the one of which there are as many as numbers.
-
-        Returns:
-            a copy with an array for each field: "value", "standard_error", "rays", "status" and what else there is.
-
-        Raises:
-            ModuleNotFoundError: PyVista is missing.
-            TypeError: neither points nor a mesh.
-            ValueError: another number of points, or as many vertices as faces and no `at`.
-
-        Example:
-            >>> mesh = ws.load_mesh("courtyard")
-            >>> found = ws.ambient_occlusion(mesh, ws.face_centers(mesh), 64)
-            >>> print(found.to_polydata(mesh).cell_data["value"].shape)
-            (2080,)
-        """
-        if at is not None:
-            check_choice(at, "at", ("vertices", "faces"))
-        if isinstance(on, SurfacePoints):
-            made, sizes = on.to_polydata(), {"points": len(on)}
-        else:
-            mesh = mesh_of(on, "on", "SurfacePoints, a warpsample.Mesh")
-            made, sizes = mesh.to_polydata(), {"vertices": len(mesh.vertices), "faces": len(mesh.faces)}
-        fit = [name for name, size in sizes.items() if size == len(self.status) and at in (None, name)]
-        if len(fit) != 1:
-            raise ValueError(f"on: got {sizes} for {len(self.status)} numbers, want as many of one kind; at={at!r}")
-        data = made.cell_data if fit == ["faces"] else made.point_data
-        for item in fields(self):
-            if item.name != "skipped":
-                data[item.name] = getattr(self, item.name)
-        return made
 
 
 @dataclass(frozen=True, eq=False)

@@ -83,6 +83,7 @@ def load(path: Any, argument: str) -> dict[str, Any]:
             "standard_error": standard_error,
             "skipped": Skipped(*held["skipped"].tolist()),
             **{name: held[name] for name in (*_VECTORS, *_OPTIONAL) if name in held},
+            "names": tuple(held["names"].tolist()) if "names" in held else None,
         }
 
 
@@ -109,6 +110,8 @@ def _check_held(held: dict[str, np.ndarray]) -> None:
             raise ValueError(f"{name} is of {array.dtype} and shape {array.shape}, want {kind} and {shape}")
         if kind == "float64" and not (np.isfinite(array).all() and array.min(initial=0.0) >= 0.0):
             raise ValueError(f"{name} has numbers that are negative or not finite")
+    if "names" in held and (held["names"].dtype.kind != "U" or held["names"].shape != rows):
+        raise ValueError(f"names is of {held['names'].dtype} and shape {held['names'].shape}, want texts and {rows}")
     if held["shape"].tolist() != 2 * [*rows]:
         raise ValueError("it is no square matrix")
 
@@ -133,6 +136,7 @@ def _write_npz(factors: "ViewFactors", stream: BinaryIO) -> None:
         "skipped": np.array([getattr(factors.skipped, item.name) for item in fields(Skipped)]),
         **{name: getattr(factors, name) for name in (*_VECTORS, *_OPTIONAL) if getattr(factors, name) is not None},
     }
+    arrays |= {} if factors.names is None else {"names": np.array(factors.names, str)}
     write_arrays(stream, arrays, zipfile.ZIP_DEFLATED)
 
 

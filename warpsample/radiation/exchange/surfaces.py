@@ -1,12 +1,15 @@
 """What a row of the matrix stands for: a face, or a group of faces."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from warpsample.host.arguments import told
 from warpsample.host.engine import check_memory
 from warpsample.host.neighbours import as_ndarray
+from warpsample.mesh.mesh import Mesh
 
 _LARGEST = 2**31 - 2  # number of a group: a column is an int32, and so is how many there are
 _BYTES = 200  # of a row
@@ -50,17 +53,25 @@ def quotients(above: np.ndarray, below: np.ndarray) -> np.ndarray:
     return np.divide(above, below, out=np.zeros_like(above), where=below > 0.0)
 
 
-def check_groups(groups: Any, faces: int) -> np.ndarray | None:
-    """(F,) int32, a copy; None if there are none.
+def check_groups(groups: Any, mesh: Mesh) -> tuple[np.ndarray | None, tuple[str, ...] | None]:
+    """The group of each face, (F,) int32, a copy, and the names of the groups; None if there are none.
 
     Raises:
-        TypeError, ValueError: not a whole number from 0 on for each face.
+        TypeError, ValueError: not a whole number from 0 on, or a name, for each face.
         MemoryError: a number so large that the rows up to it take more than is free.
     """
     if groups is None:
-        return None
-    wants = f"({faces},) whole numbers from 0 to {_LARGEST}, one for each face"
+        return None, None
+    faces = len(mesh.faces)
+    if isinstance(groups, str):
+        return _parts(mesh, groups)
+    wants = f"({faces},) whole numbers from 0 to {_LARGEST} or names, one for each face, or 'part'"
+    if isinstance(groups, Sequence) and groups and all(isinstance(name, str) for name in groups):
+        groups = np.array(groups)
     array = as_ndarray(groups, "groups", wants)
+    if array.dtype.kind == "U" and array.shape == (faces,):
+        names, rows = np.unique(array, return_inverse=True)
+        return rows.astype(np.int32), tuple(names.tolist())
     if array.dtype.kind not in "iu":
         raise TypeError(f"groups: got dtype {array.dtype}, want {wants}")
     if array.shape != (faces,):
@@ -69,4 +80,15 @@ def check_groups(groups: Any, faces: int) -> np.ndarray | None:
         raise ValueError(f"groups: got numbers from {array.min()} to {array.max()}, want {wants}")
     rows = int(array.max()) + 1
     check_memory(_BYTES * rows, f"groups: the rows of {rows:,} groups", "number them from 0 on without gaps")
-    return array.astype(np.int32)
+    return array.astype(np.int32), None
+
+
+def _parts(mesh: Mesh, groups: str) -> tuple[np.ndarray, tuple[str, ...]]:
+    """The named parts of a mesh as groups; "" is that of the faces that are in none."""
+    if groups != "part":
+        raise ValueError(f"groups: got {told(groups)}, want 'part', or an array with a number or a name for each face")
+    if mesh.part is None:
+        raise ValueError("groups: got 'part' for a mesh without named parts, want an array")
+    apart = mesh.part < 0
+    names = (*mesh.parts, "") if apart.any() else tuple(mesh.parts)
+    return np.where(apart, len(mesh.parts), mesh.part).astype(np.int32), names

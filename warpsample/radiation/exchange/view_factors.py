@@ -1,6 +1,6 @@
 """View factors between the faces of a mesh, what is in the way included: a sparse matrix that closes, with error bars."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,7 @@ from warpsample.host.progress import bar
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.radiation.exchange.casting import Casting
 from warpsample.radiation.exchange.files import check_factors_file, load, save
+from warpsample.radiation.exchange.net_radiation import NetRadiation, net_radiation_of
 from warpsample.radiation.exchange.radiosity import radiosity_of
 from warpsample.radiation.exchange.reciprocity import reciprocal_factors
 from warpsample.radiation.exchange.row_factors import RowFactors, factors_of, matrices_of
@@ -50,6 +51,7 @@ class ViewFactors:
         sky_error: (N,) float64 or None.
         ground: (N,) float64, the other part, or None.
         ground_error: (N,) float64 or None.
+        names: of the N groups, where they were given by name; else None.
     """
 
     matrix: "csr_array"
@@ -66,6 +68,7 @@ class ViewFactors:
     sky_error: np.ndarray | None = None
     ground: np.ndarray | None = None
     ground_error: np.ndarray | None = None
+    names: tuple[str, ...] | None = None
 
     def radiosity(self, emission: Any, reflectance: Any) -> np.ndarray:
         """What leaves each surface, emitted or reflected: J = E + rho F J.
@@ -92,6 +95,33 @@ class ViewFactors:
             (2080,) True
         """
         return radiosity_of(self, emission, reflectance)
+
+    def net_radiation(self, temperature: Any, emissivity: Any, *, outside: Any = 0.0) -> NetRadiation:
+        """The heat that each surface loses by thermal radiation: what it emits, less what it absorbs of the others'.
+
+        Surfaces are grey and diffuse, and opaque: they reflect 1 - emissivity, again and again. What meets a back is lost.
+
+        Args:
+            temperature: (N,) or (N, k), for k times; or one number. In kelvin.
+            emissivity: (N,) or one number, above 0 to 1.
+            outside: what is seen beyond the mesh is black at this temperature in kelvin: one number, or (k,).
+
+        Returns:
+            the net flux in W/m² and power in W of each surface; above 0 where it cools.
+
+        Raises:
+            TypeError, ValueError: no finite numbers, another shape, temperatures below 0, no such emissivity, or rows that
+                `active` left out.
+
+        Source: Hottel1967, chapter 3.
+
+        Example:
+            >>> v = ws.view_factors(ws.load_mesh("courtyard"), 256)
+            >>> night = v.net_radiation(temperature=285.0, emissivity=0.9, outside=265.0)
+            >>> print(night.flux.shape, night.flux.max().round())  # W/m2, of what sees the whole sky
+            (2080,) 85.0
+        """
+        return net_radiation_of(self, temperature, emissivity, outside)
 
     def save(self, path: str | Path) -> None:
         """Writes a file, complete or not at all; what it replaces stays until then.
@@ -168,7 +198,8 @@ def view_factors(
             its edges four times that inside: a gap between faces at less than 14 degrees may leak as much.
         count: rays of each face, from `replicates` to 2^24; rounded down to a multiple of it.
         groups: (F,) whole numbers from 0 on, the surface that each face is part of: rows and columns are then surfaces, up
-            to the largest number, a row the mean of those of its faces, by area. Errors are those of the sums.
+            to the largest number, a row the mean of those of its faces, by area. Errors are those of the sums. Or (F,)
+            names, or "part" for the named parts of the mesh ("" for faces without one): `names` then says what rows are.
         reciprocal: whether to pool both directions of each pair and adjust them, so that areas[i] matrix[i, j] equals
             areas[j] matrix[j, i] and all rows close to 1e-7. More precise, too; but not where faces lie on one another.
         replicates: independent parts of each face's rays, by whose differences errors are told, 1 to 64; with more of them
@@ -203,7 +234,7 @@ def view_factors(
     replicates = check_integer(replicates, "replicates", 1, _MOST_REPLICATES)
     wants = f"a whole number from {replicates}, the number of replicates, to {_MOST_RAYS}"
     rays = check_integer(count, "count", replicates, _MOST_RAYS, wants) // replicates
-    groups = check_groups(groups, faces)
+    groups, names = check_groups(groups, mesh)
     reciprocal = check_flag(reciprocal, "reciprocal")
     options = RayOptions.of(faces, seed=seed, active=active).by(skip=skip, workers=workers, progress=progress)
     casting = Casting(
@@ -226,7 +257,8 @@ def view_factors(
     factors = factors_of(counts, casting.rays, casting.upward(), surfaces)
     if reciprocal:
         factors = reciprocal_factors(factors, surfaces)
-    return _result(factors, surfaces, status, casting.rays * cast.astype(np.int64), casting.rays)
+    found = _result(factors, surfaces, status, casting.rays * cast.astype(np.int64), casting.rays)
+    return replace(found, names=names)
 
 
 def _status(mesh: Mesh, active: np.ndarray | None) -> np.ndarray:

@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 from math import pi
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
-from warpsample.estimate.result import PointCounts
+from warpsample.estimate.result import PointResult
 from warpsample.host.arguments import told
 from warpsample.host.files import check_output, complete_or_absent, write_arrays
 from warpsample.radiation.exchange.matrix_files import write_matrix
@@ -36,7 +36,7 @@ class SkySkipped:
 
 
 @dataclass(frozen=True, eq=False)
-class SkyMatrix(PointCounts):
+class SkyMatrix(PointResult):
     """The share of its lobe that each of K patches lights at each of P points; or sums over the patches.
 
     Attributes:
@@ -59,6 +59,8 @@ class SkyMatrix(PointCounts):
     skipped: SkySkipped
     patches: SkyPatches
     folded: bool = False
+
+    _axes: ClassVar[tuple[str, ...]] = ("patch",)
 
     def save(self, path: Any) -> None:
         r"""Writes a file, complete or not at all.

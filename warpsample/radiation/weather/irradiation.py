@@ -2,11 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
 from warpsample.estimate.plan import Plan
+from warpsample.estimate.result import PointResult
 from warpsample.host.arguments import check_flag
 from warpsample.host.engine import check_memory
 from warpsample.host.options import explained_by
@@ -23,7 +24,7 @@ _BYTES = 5 * 4 + 5 * 8  # of each point and hour: five results, and what they ar
 
 
 @dataclass(frozen=True, eq=False)
-class Irradiation:
+class Irradiation(PointResult):
     """What each of P points receives on its surface: in a period (P,), in kWh/m²; or in each of T hours (P, T), in W/m².
 
     Attributes:
@@ -48,6 +49,11 @@ class Irradiation:
     rays: np.ndarray
     status: np.ndarray
     skipped: SkySkipped
+
+    _axes: ClassVar[tuple[str, ...]] = ("hour",)
+
+    def _coordinates(self) -> dict[str, np.ndarray]:
+        return {"hour": self.hours} if self.value.ndim == 2 else {}
 
 
 @explained_by(RayOptions)

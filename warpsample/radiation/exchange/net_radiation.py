@@ -1,0 +1,69 @@
+"""Thermal radiation between grey surfaces: what each of them loses, from temperatures and emissivities."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from warpsample.host.arguments import told
+from warpsample.host.arrays import as_real
+from warpsample.radiation.exchange.radiosity import radiosity_of
+
+if TYPE_CHECKING:
+    from warpsample.radiation.exchange.view_factors import ViewFactors
+
+STEFAN_BOLTZMANN = 5.670374419e-8
+"""W/(m² K⁴), exact to these digits since 2019."""
+
+_HOTTEST = 1e6  # kelvin
+
+
+@dataclass(frozen=True, eq=False)
+class NetRadiation:
+    """What each of N surfaces loses by thermal radiation, at one time or at k of them.
+
+    Attributes:
+        flux: (N,) or (N, k) float64, W/m², emitted less absorbed: above 0 where the surface cools.
+        power: of the same shape, in W: the flux times the surface's area, which is in m² if the mesh is in metres.
+        leaving: of the same shape, W/m², emitted and reflected: the radiosity.
+    """
+
+    flux: np.ndarray
+    power: np.ndarray
+    leaving: np.ndarray
+
+
+def net_radiation_of(factors: "ViewFactors", temperature: Any, emissivity: Any, outside: Any) -> NetRadiation:
+    """The net radiation of all surfaces; see `ViewFactors.net_radiation`."""
+    rows = len(factors.areas)
+    kelvin = _checked(temperature, "temperature", 0.0, _HOTTEST)
+    share = _checked(emissivity, "emissivity", np.finfo(np.float64).tiny, 1.0)
+    beyond = _checked(outside, "outside", 0.0, _HOTTEST)
+    if kelvin.ndim > 2 or (kelvin.ndim and len(kelvin) != rows):
+        raise ValueError(
+            f"temperature: got shape {kelvin.shape}, want ({rows},) or ({rows}, k), a row for each of the matrix"
+        )
+    if share.ndim and share.shape != (rows,):
+        raise ValueError(f"emissivity: got shape {share.shape}, want one number or ({rows},)")
+    times = kelvin.shape[1:]
+    if beyond.ndim and beyond.shape != times:
+        raise ValueError(f"outside: got shape {beyond.shape}, want one number{f' or {times}' if times else ''}")
+    emitted = np.broadcast_to(STEFAN_BOLTZMANN * kelvin**4, (rows, *times)).reshape(rows, -1)
+    sky = np.outer(factors.outside, np.broadcast_to(STEFAN_BOLTZMANN * beyond**4, times).ravel())
+    part = np.broadcast_to(share, (rows,))[:, None]
+    leaving = radiosity_of(factors, part * emitted + (1.0 - part) * sky, 1.0 - part[:, 0])
+    flux = part * (emitted - factors.matrix @ leaving - sky)
+    return NetRadiation(*(a.reshape(rows, *times) for a in (flux, flux * factors.areas[:, None], leaving)))
+
+
+def _checked(value: Any, argument: str, low: float, high: float) -> np.ndarray:
+    """`value` as float64 within limits.
+
+    Raises:
+        TypeError, ValueError: something else.
+    """
+    array = as_real(value, argument).astype(np.float64)
+    if array.size and not (array.min() >= low and array.max() <= high):
+        at_least = "above 0" if low > 0.0 else f"from {low:g}"
+        raise ValueError(f"{argument}: got {told(value)}, want finite numbers {at_least} to {high:g}")
+    return array
