@@ -36,7 +36,8 @@ OPTIONS: dict[str, tuple[Any, str]] = {
 def bake_command(
     mesh: MeshFile,
     output: Annotated[
-        Path, output_file(".ply .vtp .glb .npz .csv .zarr; of CityJSON .city.json .city.jsonl .csv; of a raster .tif .zarr")
+        Path,
+        output_file(".ply .vtp .glb .npz .csv .png .zarr; of CityJSON .city.json .city.jsonl .csv; of a raster .tif .zarr"),
     ],
     *,
     quantity: str = "ao",
@@ -46,6 +47,9 @@ def bake_command(
     lod: Annotated[str | None, option("Level of detail of CityJSON, as 2.2; by default the highest of each object.")] = None,
     split: Annotated[bool, typer.Option("--split", help="A result for each polygon of CityJSON.")] = False,
     context: Annotated[str | None, option("Around CityJSON: ground, a level plane, or terrain, a mesh or a raster.")] = None,
+    report: Annotated[
+        Path | None, option("An .html about the run, too: picture, histogram, parts, arguments; offline.")
+    ] = None,
     seed: Annotated[int, typer.Option(help="Seed of points and rays.")] = 0,
     workers: Workers = None,
     chunk: stores.Chunk = None,
@@ -75,7 +79,15 @@ def bake_command(
     alone |= {"tile": tile, "margin": margin, "far": far}
     options = {"seed": seed, "workers": workers, **given}
     if rasters.is_raster(mesh, output):
-        of_meshes = {"points": points, "at": at, "by": by, "lod": lod, "split": split or None, "context": context}
+        of_meshes = {
+            "points": points,
+            "at": at,
+            "by": by,
+            "lod": lod,
+            "split": split or None,
+            "context": context,
+            "report": report,
+        }
         drawn = {**of_meshes, "chunk": chunk, "cluster": cluster, **options}
         with working(working_on):
             summary = rasters.bake_raster_file(
@@ -84,11 +96,13 @@ def bake_command(
         print(summary)
         return
     rasters.refuse_for_meshes(mesh, **alone)
-    run = BakeRun(mesh, output, quantity, at, points, options, by, lod, split, context)
+    run = BakeRun(mesh, output, quantity, at, points, options, by, lod, split, context, report)
     if points is None and at is None and not is_by_parts(run):
         run = replace(run, at="vertices")
     with working(working_on):
         if output.suffix == stores.SUFFIX:
+            if report is not None:
+                raise ValueError(f"--report: got {report.name!r} for {output.name!r}, want another file than a store")
             summary = stores.bake_into_store(run, chunk, cluster, processes, resume)
         else:
             stores.refuse_for_files(output, chunk=chunk, cluster=cluster, processes=processes, resume=resume)

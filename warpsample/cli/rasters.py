@@ -23,7 +23,7 @@ Tile = Annotated[int | None, option("Cells along the sides of a raster's tiles; 
 Margin = Annotated[int | None, option("Cells around a tile; by default 256.")]
 Far = Annotated[Path | None, option("Another raster, of the terrain beyond the edges.")]
 
-_OF_MESHES = ("points", "at", "by", "lod", "split", "context", "chunk", "cluster", "up", "north")
+_OF_MESHES = ("points", "at", "by", "lod", "split", "context", "report", "chunk", "cluster", "up", "north")
 _OF_THE_SUN = ("irradiation", "sun-hours")
 
 

@@ -17,7 +17,9 @@ from warpsample.output.baked import WRITERS, Baked, BakeRun, check_glb, writers_
 from warpsample.output.by_parts import check_parts, city_of, is_by_parts, points_of_parts, write_parts
 from warpsample.output.places import check_places, points_on
 from warpsample.output.quantities import check_options, quantity_of
+from warpsample.output.report import check_report, write_report
 from warpsample.output.terminal_bar import terminal_bar
+from warpsample.plotting.rendering import check_rendering
 from warpsample.radiation.sky.sky_matrix import SkySkipped
 
 SUFFIXES = tuple(WRITERS)
@@ -55,7 +57,11 @@ def bake(run: BakeRun) -> str:
     else:
         with complete_or_absent(run.output) as file:
             writers_of(quantity)[run.output.suffix](file, baked)
-    return _summary(run, quantity, found, seconds)
+    summary = _summary(run, quantity, found, seconds)
+    if run.report is not None:
+        write_report(run.report, baked, city)
+        summary += f"\n  {run.report}: a report, with a picture, a histogram and all arguments"
+    return summary
 
 
 def _check(run: BakeRun, quantity: Quantity) -> None:
@@ -63,6 +69,11 @@ def _check(run: BakeRun, quantity: Quantity) -> None:
     suffixes = tuple(writers_of(quantity))
     if not is_by_parts(run) and run.output.suffix not in suffixes:
         raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(suffixes)}")
+    if run.output.suffix == ".png":
+        check_rendering()
+    if quantity.is_matrix and run.report is not None:
+        raise ValueError(f"--report: got {run.report.name!r} for {quantity.name}, want one of a few numbers at each point")
+    check_report(run.report, run.mesh, run.output)
     Memory.of(run.options.get("device"))
     files = [run.options.get(option) for option in quantity.files]
     check_output(run.output, "--output", run.mesh, *files, *([Path(run.context)] if run.context else []))

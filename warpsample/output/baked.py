@@ -1,4 +1,4 @@
-"""Baked numbers as files: .ply, .vtp, .glb, .npz and .csv."""
+"""Baked numbers as files: .ply, .vtp, .glb, .npz, .csv and .png."""
 
 import json
 from collections.abc import Callable
@@ -14,6 +14,7 @@ from warpsample.host.files import write_arrays
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_glb, write_ply, write_vtp
+from warpsample.output.pictured import write_png
 from warpsample.output.quantities import quantity_of
 from warpsample.radiation.exchange.matrix_files import write_matrix
 
@@ -31,7 +32,8 @@ class BakeRun:
 
     The output's suffix is of WRITERS, and `at` of places.PLACES, or None: on the surface, uniform by area, so many `points`.
     The options are those that were given of what the quantity takes, by their names on the command line, and the seed. `by`
-    is "part" for means over the named parts of the mesh; `lod`, `split` and `context`, "ground" or a path, are for CityJSON.
+    is "part" for means over the named parts of the mesh; `lod`, `split` and `context`, "ground" or a path, are for CityJSON;
+    `report` is a further file, an .html about the run.
     """
 
     mesh: Path
@@ -44,11 +46,16 @@ class BakeRun:
     lod: str | None = None
     split: bool = False
     context: str | None = None
+    report: Path | None = None
 
     @property
     def told(self) -> dict[str, str]:
         """What a file tells of these, but for the options, and for what is as it mostly is."""
-        kept = (item for item in fields(self) if item.name != "options" and getattr(self, item.name) != item.default)
+        kept = (
+            item
+            for item in fields(self)
+            if item.name not in ("options", "report") and getattr(self, item.name) != item.default
+        )
         return {item.name: str(getattr(self, item.name)) for item in kept}
 
 
@@ -166,10 +173,13 @@ def _write_matrix_npz(file: BinaryIO, baked: Baked) -> None:
 
 WRITERS = {".ply": _write_ply, ".vtp": _write_vtp, ".glb": _write_glb, ".npz": _write_npz, ".csv": _write_csv}
 
+PICTURES = {".png": write_png}
+"""What shows the numbers, and holds none."""
+
 MATRIX_WRITERS = {".npz": _write_matrix_npz, ".mtx": lambda file, baked: write_matrix(file, baked.found.value, pi)}
 """For values that are too many for columns; the .mtx in Radiance's form, as `SkyMatrix.save` has it."""
 
 
 def writers_of(quantity: Quantity) -> dict[str, Callable[[BinaryIO, Baked], None]]:
     """What writes the numbers of a quantity, by the suffix of the file."""
-    return MATRIX_WRITERS if quantity.is_matrix else WRITERS
+    return MATRIX_WRITERS if quantity.is_matrix else WRITERS | PICTURES

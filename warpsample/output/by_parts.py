@@ -81,14 +81,19 @@ def points_of_parts(run: BakeRun, mesh: Mesh, city: City | None) -> SurfacePoint
 
 def write_parts(baked: Baked, city: City | None) -> None:
     """Writes the means as attributes of a city, or as a .csv with a row for each part: its name, area, means and errors."""
-    means, output = dict(_means(baked)), baked.run.output
+    output = baked.run.output
     if city is not None and output.suffix in CITY_SUFFIXES:
-        city.write(output, {f"ws_{name}": column for name, column in means.items()})
+        city.write(output, {f"ws_{name}": column for name, column in _means(baked)})
         return
+    with complete_or_absent(output) as file:
+        write_csv(file, part_table(baked, city))
+
+
+def part_table(baked: Baked, city: City | None) -> dict[str, np.ndarray]:
+    """A row for each part: its name, area, means and errors, and sums where the unit is per area."""
     rows = _rows(baked.mesh) if city is None else city.surfaces.columns
     area = rows.pop("area")
-    with complete_or_absent(output) as file:
-        write_csv(file, rows | {"area_m2": area} | dict(with_totals(means, area)))
+    return rows | {"area_m2": area} | dict(with_totals(dict(_means(baked)), area))
 
 
 def _rows(mesh: Mesh) -> dict[str, np.ndarray]:

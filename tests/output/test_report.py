@@ -1,0 +1,67 @@
+"""`bake -o picture.png` and `--report`: what is drawn and told, offline, and what is refused before any work."""
+
+import base64
+import re
+from io import BytesIO
+
+import numpy as np
+import pytest
+import trimesh
+from matplotlib.image import imread
+
+import warpsample as ws
+
+BAKE = ("bake", "courtyard", "--quantity", "sky", "--samples", "16", "--at", "faces")
+
+
+def colours_of(data):
+    """How many of a picture's pixels are coloured, not grey or of the background."""
+    pixels = imread(BytesIO(data))[..., :3]
+    return np.count_nonzero(np.ptp(pixels, axis=-1) > 0.2)
+
+
+@pytest.mark.slow
+def test_a_picture_shows_the_numbers(call, tmp_path, can_render):
+    for at in (["--at", "faces"], ["--at", "vertices"], ["--points", "3000"]):
+        status, _, err = call(*BAKE[:6], *at, "-o", tmp_path / "sky.png")
+        assert (status, err) == (0, "")
+        assert colours_of((tmp_path / "sky.png").read_bytes()) > 20_000
+
+
+@pytest.mark.slow
+def test_a_report_tells_all_and_needs_no_network(call, tmp_path, can_render, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    box = trimesh.creation.box((2.0, 2.0, 2.0))
+    lines = [f"v {' '.join(map(str, v))}" for v in box.vertices]
+    for name, faces in (("walls <a>", box.faces[:8]), ("rest", box.faces[8:])):
+        lines += [f"o {name}", *(f"f {' '.join(map(str, face + 1))}" for face in faces)]
+    (tmp_path / "box.obj").write_text("\n".join(lines))
+    run = ("bake", "box.obj", "-o", "sky.csv", "--quantity", "sky", "--samples", "16", "--at", "faces", "--report", "r.html")
+    status, out, err = call(*run)
+    assert (status, err) == (0, "")
+    assert "r.html: a report" in out
+    page = (tmp_path / "r.html").read_text()
+    assert re.findall(r"https?://", page) == []
+    assert colours_of(base64.b64decode(re.search(r"data:image/png;base64,([^\"]+)", page)[1])) > 20_000
+    assert page.count("<rect ") == 40
+    for said in ("walls &lt;a&gt;", "sky_view_factor_error", "<td>samples</td><td>16</td>", "<td>seed</td><td>0</td>"):
+        assert said in page
+    assert "<a>" not in page
+    assert f"<td>warpsample</td><td>{ws.__version__}</td>" in page
+    assert call(*run)[0] == 0
+    assert (tmp_path / "r.html").read_text() == page
+
+
+def test_what_cannot_be_reported_is_told_before_any_work(call, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for more, said in (
+        (("-o", "sky.csv", "--report", "r.txt"), "error: --report: got 'r.txt', want a file that ends in .html"),
+        (("-o", "sky.zarr", "--report", "r.html"), "error: --report: got 'r.html' for 'sky.zarr', want another file"),
+        (("-o", "sky.csv", "--report", "none/r.html"), "error: --report: got 'none/r.html'"),
+    ):
+        status, out, err = call(*BAKE, *more)
+        assert (status, out) == (2, "")
+        assert err.startswith(said)
+    status, _, err = call("bake", "courtyard", "-o", "m.npz", "--quantity", "sky-matrix", "--report", "r.html")
+    assert (status, err[:40]) == (2, "error: --report: got 'r.html' for sky-ma")
+    assert list(tmp_path.iterdir()) == []

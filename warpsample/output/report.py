@@ -1,0 +1,121 @@
+"""A report on baked numbers: one .html file that needs no network, and says all that the run was told."""
+
+import base64
+from collections.abc import Iterable, Iterator, Mapping
+from html import escape
+from importlib.metadata import version
+from pathlib import Path
+from platform import python_version
+from typing import Any
+
+import numpy as np
+
+from warpsample.estimate.result import PointStatus
+from warpsample.host.files import check_output, write_bytes
+from warpsample.output.baked import Baked
+from warpsample.output.by_parts import part_table
+from warpsample.output.pictured import picture_of, shown, title_of
+from warpsample.plotting.rendering import check_rendering
+
+_BINS, _MOST_ROWS = 40, 200
+_STYLE = """body { font: 16px/1.5 sans-serif; margin: 2em auto; max-width: 60em; padding: 0 1em; color: #222 }
+img, svg { max-width: 100%; height: auto } table { border-collapse: collapse } div { overflow-x: auto }
+td, th { padding: .2em .8em; text-align: right; border-bottom: 1px solid #ddd }
+td:first-child, th:first-child { text-align: left }
+"""
+
+
+def check_report(path: Path | None, *others: Path) -> None:
+    """Refuses a report that cannot be written, before anything is computed."""
+    if path is not None:
+        if path.suffix != ".html":
+            raise ValueError(f"--report: got {str(path)!r}, want a file that ends in .html")
+        check_output(path, "--report", *others)
+
+
+def write_report(path: Path, baked: Baked, city: Any) -> None:
+    """Writes the report of a run, complete or not at all; the same run gives the same bytes."""
+    title = f"{baked.quantity.title} of {baked.run.mesh.name}"
+    parts = [
+        "<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport content='width=device-width'>",
+        f"<title>{escape(title)}</title><style>{_STYLE}</style><h1>{escape(title)}</h1>",
+        *_picture(baked),
+        f"<h2>How often</h2>{_histogram(shown(baked), title_of(baked))}",
+        f"<h2>Numbers</h2>{_table(_numbers(baked))}",
+        *_by_part(baked, city),
+        f"<h2>Arguments</h2>{_table(_told(baked).items())}",
+        f"<h2>Versions</h2>{_table((name, version(name)) for name in ('warpsample', 'warp-lang', 'numpy'))}",
+        f"<p>Python {python_version()}</p></html>\n",
+    ]
+    write_bytes(path, "\n".join(parts).encode())
+
+
+def _picture(baked: Baked) -> Iterator[str]:
+    try:
+        check_rendering()
+    except (RuntimeError, ModuleNotFoundError) as error:
+        yield f"<p>No picture: {escape(str(error))}</p>"
+        return
+    data = base64.b64encode(picture_of(baked)).decode()
+    yield f'<img alt="{escape(title_of(baked))}" src="data:image/png;base64,{data}">'
+
+
+def _histogram(value: np.ndarray, title: str) -> str:
+    """How often values occur, as a drawing."""
+    value = value[np.isfinite(value)]
+    counts, edges = np.histogram(value, bins=_BINS)
+    tall = max(int(counts.max(initial=0)), 1)
+    bars = "".join(
+        f'<rect x="{20 * k}" y="{200 - 190 * n / tall:.1f}" width="19" height="{190 * n / tall:.1f}" fill="#38678f"/>'
+        for k, n in enumerate(counts.tolist())
+    )
+    ends = f'<text y="220">{edges[0]:.4g}</text><text x="800" y="220" text-anchor="end">{edges[-1]:.4g}</text>'
+    middle = f'<text x="400" y="220" text-anchor="middle">{escape(title)}; the highest bar: {tall:,}</text>'
+    return f'<svg viewBox="0 0 800 230" role="img" aria-label="histogram" font-size="14">{bars}{ends}{middle}</svg>'
+
+
+def _numbers(baked: Baked) -> Iterator[tuple[str, str]]:
+    found, value = baked.found, shown(baked)
+    good = value[np.isfinite(value)]
+    yield "points", f"{len(value):,}"
+    for status, count in zip(*np.unique(found.status, return_counts=True), strict=True):
+        if status:
+            yield f"without a number: {PointStatus(int(status)).name.lower()}", f"{count:,}"
+    if len(good):
+        error = np.sqrt(np.mean(np.square(found.standard_error[found.status == 0].astype(np.float64))))
+        yield "mean", f"{good.mean():.6g}"
+        yield "standard error, root mean square", f"{error:.3g}"
+        for name, share in (
+            ("least", 0),
+            ("a quarter is below", 25),
+            ("half", 50),
+            ("three quarters", 75),
+            ("greatest", 100),
+        ):
+            yield name, f"{np.percentile(good, share):.6g}"
+    yield "rays", f"{int(found.rays.sum(dtype=np.int64)):,}"
+
+
+def _by_part(baked: Baked, city: Any) -> Iterator[str]:
+    """The means over the parts, where there are any; points at vertices are on none."""
+    if baked.mesh.part is None or baked.run.at == "vertices" or baked.quantity.is_matrix:
+        return
+    columns = part_table(baked, city)
+    rows = list(zip(*(column.tolist() for column in columns.values()), strict=True))
+    yield f"<h2>By part</h2>{_table(rows[:_MOST_ROWS], list(columns))}"
+    if len(rows) > _MOST_ROWS:
+        yield f"<p>{len(rows) - _MOST_ROWS:,} further parts are left out here; a .csv by --by part has all.</p>"
+
+
+def _told(baked: Baked) -> Mapping[str, Any]:
+    return baked.run.told | baked.quantity.told(baked.run.options)
+
+
+def _table(rows: Iterable[Iterable[Any]], header: Iterable[str] = ()) -> str:
+    head = "".join(f"<th>{escape(name)}</th>" for name in header)
+    body = "".join(f"<tr>{''.join(f'<td>{escape(_cell(cell))}</td>' for cell in row)}</tr>" for row in rows)
+    return f"<div><table>{f'<tr>{head}</tr>' if head else ''}{body}</table></div>"
+
+
+def _cell(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else "" if value is None else str(value)
