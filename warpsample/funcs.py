@@ -4,9 +4,9 @@
   steradian, or as the catalogue says), `X_to_square(w, ...)` the way back; parameters follow as float32.
 - `sobol`, `fibonacci`, `r2`, `stratified`, `independent`, `philox` (seed: uint64, point: uint64, sample, count: uint32)
   are points of the unit square, a pure function of their arguments.
-- `any_hit(tree, origin, direction, max_distance)` and `nearest_hit`, which gives (distance, face), ask a mesh for a ray;
-  `Tree` is what `warpsample.tree(mesh)` makes, a kernel's argument; `offset_origin(tree, position, normal)` moves a point
-  off its face.
+- `any_hit(tree, origin, direction, max_distance)`, `nearest_hit`, which gives (distance, face), and `transmitted`, the share
+  of light that comes through, ask a mesh for a ray; `Tree` is what `warpsample.tree(mesh)` makes, a kernel's argument;
+  `offset_origin(tree, position, normal)` moves a point off its face.
 - `Lobe` is the second argument of a function that `warpsample.integrate` takes.
 - `frame_about(n)` is an orthonormal frame whose z is the unit normal n, `to_world` and `to_local` go there and back.
 """
@@ -72,7 +72,7 @@ from warpsample.sequences.philox import philox
 from warpsample.sequences.r2 import r2
 from warpsample.sequences.sobol import sobol
 from warpsample.sequences.stratified import stratified
-from warpsample.tracing.tree import Tree, any_hit, nearest_hit, offset_origin
+from warpsample.tracing.tree import Tree, any_hit, nearest_hit, offset_origin, transmitted
 
 __all__ = [
     "Lobe",
@@ -131,6 +131,7 @@ __all__ = [
     "stratified",
     "to_local",
     "to_world",
+    "transmitted",
     "uniform_cone_to_square",
     "uniform_disk_to_square",
     "uniform_disk_to_square_concentric",

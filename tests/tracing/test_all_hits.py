@@ -5,45 +5,15 @@ import pytest
 import trimesh
 import warp as wp
 from crossings import crossings
-from meshes import BOX, SPHERE, TORUS, random_rays, soup
+from meshes import BOX, TORUS, aimed, centred, icosphere, loose, planes, random_rays, soup
 
 import warpsample as ws
-
-
-def planes(count, size=1.0):
-    """Squares of two triangles across z, so many from -1 to 1, each with vertices of its own."""
-    corners = size * np.array([[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]])
-    heights = np.linspace(-1.0, 1.0, count)
-    vertices = (corners + heights[:, None, None] * [0.0, 0.0, 1.0]).reshape(-1, 3)
-    faces = (4 * np.arange(count)[:, None, None] + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3)
-    return ws.as_mesh((vertices, faces))
-
-
-def centred(mesh):
-    return ws.Mesh(mesh.vertices - mesh.bounds.mean(axis=0), mesh.faces)
-
-
-def loose(mesh):
-    """The same triangles, none of which shares a vertex with another."""
-    return ws.Mesh(mesh.vertices[mesh.faces].reshape(-1, 3), np.arange(3 * len(mesh.faces)).reshape(-1, 3))
 
 
 def lattice():
     """A closed body whose coordinates are small multiples of 1/2: every edge function that can be 0 is exactly 0."""
     made = trimesh.creation.box((2, 2, 2)).subdivide().subdivide()
     return ws.Mesh(made.vertices, made.faces)
-
-
-def aimed(mesh, count, seed=3):
-    """Rays of which a tenth go at vertices and a tenth at points of edges, as exactly as float32 allows."""
-    rng = np.random.default_rng(seed)
-    origins, directions = random_rays(count, seed)
-    rounded = 0.25 * np.round(4.0 * origins) + 0.125  # so that none is at a vertex, at distance 0 but for rounding
-    origins = np.where(rng.random((count, 1)) < 0.5, 2.0 * origins, rounded).astype(np.float32)
-    edges = mesh.vertices[mesh.faces[rng.integers(len(mesh.faces), size=count)]]
-    share = np.where(rng.random((count, 1)) < 0.5, 0.5, rng.random((count, 1)))
-    at = np.where(np.arange(count)[:, None] % 10 == 0, edges[:, 0], edges[:, 0] + share * (edges[:, 1] - edges[:, 0]))
-    return origins, np.where(np.arange(count)[:, None] % 10 < 2, at - origins, directions).astype(np.float32)
 
 
 def compare(mesh, origins, directions):
@@ -60,8 +30,8 @@ def compare(mesh, origins, directions):
 
 
 MESHES = {
-    "icosphere": lambda: centred(SPHERE),
-    "loose icosphere": lambda: loose(centred(SPHERE)),
+    "icosphere": icosphere,
+    "loose icosphere": lambda: loose(icosphere()),
     "torus": lambda: centred(TORUS),
     "lattice": lattice,
     "box": lambda: loose(centred(BOX)),
@@ -96,7 +66,7 @@ def test_a_soup_of_slivers_and_degenerate_triangles_is_as_by_brute_force():
 @pytest.mark.slow
 def test_crossings_have_the_numbers_that_geometry_says():
     """Icosphere: from inside 1, through it 2; planes: as many as there are; each aimed at corners and edges as well."""
-    sphere = centred(SPHERE)
+    sphere = icosphere()
     at = np.concatenate([sphere.vertices, sphere.vertices[sphere.faces].mean(axis=1), 0.5 * _edges(sphere).sum(axis=1)])
     inward = ws.trace_all(sphere, 3.0 * at, -at)
     assert (np.diff(inward.first) == 2).all()

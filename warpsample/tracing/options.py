@@ -24,6 +24,11 @@ class RayOptions(CallOptions):
     skip: bool = True
     tracer: Tracer = WIDE
 
+    def check_through_glass(self) -> None:
+        """Refuses, by a ValueError, a tracer that does not know of light through faces."""
+        if self.tracer is not WIDE:
+            raise ValueError(f"tracer: got {self.tracer.name!r} for a mesh that light goes through, want 'wide', on the CPU")
+
     @classmethod
     def of(cls, points: int, *, sequence: str = "fibonacci", **drawn: Any) -> "RayOptions":
         """The options of rays from so many points, cast on the CPU by all cores.

@@ -33,6 +33,17 @@ class Accelerator:
 AcceleratorArgs = type(Accelerator().__ctype__())
 
 
+@wp.struct
+class Glass:
+    """The tree of the faces that let some light through, and the address of the transmittances of all faces, float32."""
+
+    tree: Accelerator
+    transmittance: wp.uint64
+
+
+GlassArgs = type(Glass().__ctype__())
+
+
 @wp.func
 def column_of(chunk: wp.uint64, k: wp.int32) -> wp.uint64:
     """The address of the k-th ray's column."""

@@ -26,12 +26,16 @@ from warpsample.tracing.queries import (
     REACH,
     Accelerator,
     AcceleratorArgs,
+    Glass,
     set_direction,
     set_origin,
 )
-from warpsample.tracing.scene import Scene
+from warpsample.tracing.scene import OPAQUE, Scene
 from warpsample.tracing.tracers import Tracer
 from warpsample.tracing.wide.layout import SCRATCH
+from warpsample.tracing.wide.prepare import prepare_wide, ray_in
+from warpsample.tracing.wide.query import wide_query
+from warpsample.tracing.wide.through import share_through
 
 RAY_WORK = 64
 """Directions that take as long to sample as a ray to trace."""
@@ -42,7 +46,8 @@ class Rays:
     """Scalars and addresses of `count` directions (P, count, 3) from each placed point: float32, or float64 as it says.
 
     A task is `per_task` consecutive rays, at most CHUNK. distance, face (P, count): float32, int32. Optional, else 0: visits
-    (P, count, 2) int32, nodes and leaves; first (P, count) int64, where in distance and face the hits of a ray start.
+    (P, count, 2) int32, nodes and leaves; first (P, count) int64, where in distance and face the hits of a ray start;
+    transmitted (P, count) float32, by the faces of `glass`.
     """
 
     placement: Placement
@@ -54,6 +59,8 @@ class Rays:
     face: wp.uint64
     visits: wp.uint64
     first: wp.uint64
+    transmitted: wp.uint64
+    glass: Glass
 
 
 RaysArgs = type(Rays().__ctype__())
@@ -137,6 +144,37 @@ def hit_of(query: wp.Function) -> wp.Function:
 
 
 @once
+def hit_through_glass(any_hit: bool) -> wp.Function:
+    """What `hit_of` makes for the tree of the opaque faces, which also writes what the others let through up to the hit.
+
+    With any_hit it is 0 where there is a hit: what comes from anywhere behind.
+    """
+    query = wide_query(any_hit)
+
+    @wp.func
+    def write_hit(rays: Rays, accelerator: Accelerator, column: wp.uint64, ray: wp.int64, scratch: wp.uint64):
+        distance = wp.float32(wp.INF)
+        face = wp.int32(-1)
+        share = wp.float32(1.0)
+        reach = float_at(column, REACH)
+        if reach > 0.0:
+            near, face, _nodes, _leaves = query(accelerator, column, reach, scratch)
+            distance = in_units(rays, column, near)
+            if wp.static(any_hit) and face >= 0:
+                share = 0.0
+            else:
+                share = share_through(rays.glass, ray_in(column), wp.min(reach, near), scratch)
+        elif not (reach <= 0.0):
+            distance = wp.float32(wp.NAN)
+            share = wp.float32(wp.NAN)
+        set_float(rays.distance, ray, distance)
+        set_int(rays.face, ray, face)
+        set_float(rays.transmitted, ray, share)
+
+    return write_hit
+
+
+@once
 def ray_kernel(prepare: wp.Function, answer: wp.Function, size: int = CHUNK_FLOATS) -> wp.Kernel:
     """A kernel over tasks of consecutive rays, in the placement's order; size: floats of a chunk.
 
@@ -180,11 +218,19 @@ def ray_kernel(prepare: wp.Function, answer: wp.Function, size: int = CHUNK_FLOA
 
 
 def trace_rays(scene: Scene, rays: RaysArgs, *, tracer: Tracer, any_hit: bool, device: wp.Device, workers: int) -> None:
-    """Traces rays, placed in a scene and without order, in the order that suits it; counts visits if they say where."""
-    kernel = ray_kernel(tracer.prepare, hit_of(tracer.face_query(any_hit)), tracer.floats)
+    """Traces rays, placed in a scene and without order, in the order that suits it; counts visits if they say where.
+
+    With a place for what is transmitted, which only the wide tree tells, the hits are those of opaque faces.
+    """
     order = order_of(scene, rays.placement, rays.count, workers) if at_home(device) else None
     rays.placement.order = 0 if order is None else order.ctypes.data
-    launch_rays(kernel, tracer.accelerator(scene, device, workers), rays, device, workers)
+    if rays.transmitted:
+        kernel = ray_kernel(prepare_wide, hit_through_glass(any_hit))
+        rays.glass, accelerator = scene.glass(workers), scene.tree(workers, OPAQUE).accelerator()
+    else:
+        kernel = ray_kernel(tracer.prepare, hit_of(tracer.face_query(any_hit)), tracer.floats)
+        accelerator = tracer.accelerator(scene, device, workers)
+    launch_rays(kernel, accelerator, rays, device, workers)
 
 
 def launch_rays(kernel: wp.Kernel, accelerator: AcceleratorArgs, rays: RaysArgs, device: wp.Device, workers: int) -> None:

@@ -14,9 +14,12 @@ from warpsample.host.engine import check_workers
 from warpsample.host.locks import read_only
 from warpsample.host.making import make, making
 from warpsample.mesh.mesh import Mesh, as_mesh
-from warpsample.tracing.queries import AcceleratorArgs
+from warpsample.tracing.queries import AcceleratorArgs, GlassArgs
 from warpsample.tracing.wide.boxes import WideTree, fill
-from warpsample.tracing.wide.build import Topology, build
+from warpsample.tracing.wide.build import Topology, build, build_some
+
+ALL, OPAQUE, GLASS = "all", "opaque", "glass"
+"""Which faces are in a tree: all; those that stop all light; those that let some, but not all, through."""
 
 SMALLEST = 1e-30
 """Half size of a mesh that is traced: distances, which are float32, keep their digits."""
@@ -38,6 +41,7 @@ class Scene:
         spread: (3,), the same without such far parts.
         vertices: (V, 3) float32, (vertices - centre) * scale; 0 where no face uses one.
         faces: (F, 3) int32.
+        transmittance: (F,) float32 of the faces; None where all are opaque.
 
     Raises:
         ValueError: the mesh is so small that float32 distances lose their digits.
@@ -63,8 +67,9 @@ class Scene:
         self.spread = np.maximum(spread, _LEAST_EXTENT) if apart else self.extent
         self.vertices = read_only(self._placed(mesh))
         self.faces = mesh.faces
-        self._topology: Topology | None = None
-        self._tree: WideTree | None = None
+        self.transmittance = mesh.transmittance if mesh.transmits else None
+        self._topologies: dict[str, Topology] = {}
+        self._trees: dict[str, WideTree] = {}
         self._builtin: dict[str, wp.Mesh] = {}
         self._warn_if_coarse(float(self.spread.max()))
 
@@ -88,20 +93,32 @@ class Scene:
                 stacklevel=2,
             )
 
-    def tree(self, workers: int) -> WideTree:
-        """The 16-wide tree, built at the first call, by whichever thread makes it."""
-        if self._tree is None:
+    def tree(self, workers: int, which: str = ALL) -> WideTree:
+        """The 16-wide tree of all faces or of some, built at the first call, by whichever thread makes it."""
+        if which not in self._trees:
             with making:
-                if self._tree is None:
-                    topology = self._topology or build(self.vertices, self.faces, workers)
+                if which not in self._trees:
+                    topology = self._topologies.get(which) or self._topology(workers, which)
                     tree = fill(topology, self.vertices, self.faces, workers)
-                    self._topology, self._tree = topology, tree
-        return self._tree
+                    self._topologies[which], self._trees[which] = topology, tree
+        return self._trees[which]
+
+    def _topology(self, workers: int, which: str) -> Topology:
+        if which == ALL or self.transmittance is None:
+            return build(self.vertices, self.faces, workers)
+        stops, passes = self.transmittance == 0.0, self.transmittance == 1.0
+        chosen = np.flatnonzero(stops if which == OPAQUE else ~(stops | passes))
+        return build_some(self.vertices, self.faces, chosen, workers)
+
+    def glass(self, workers: int) -> GlassArgs:
+        """The faces of a mesh that transmits which let some light through, as rays ask them; valid while this lives."""
+        tree = self.tree(workers, GLASS).accelerator()
+        return GlassArgs(tree=tree, transmittance=self.transmittance.ctypes.data)
 
     def moved(self, mesh: Mesh) -> "Scene":
-        """The scene of a mesh with the same faces; takes over the tree's topology, if there is one."""
+        """The scene of a mesh with the same faces; takes over the trees' topologies, if there are any."""
         scene = Scene(mesh)
-        scene._topology = self._topology
+        scene._topologies = dict(self._topologies)
         return scene
 
     def builtin(self, device: wp.Device) -> AcceleratorArgs:

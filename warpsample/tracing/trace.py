@@ -13,6 +13,7 @@ from warpsample.host.arguments import check_flag, check_number
 from warpsample.host.arrays import Array
 from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_memory
+from warpsample.host.neighbours import address_of
 from warpsample.host.options import explained_by
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import as_mesh
@@ -33,11 +34,15 @@ class Hits:
             face; inf where there is none; NaN for an invalid ray (see `invalid`).
         face: int32, the number of that face, -1 where there is none.
         tracer: "wide" or "warp".
+        transmitted: float32, the share of light that gets to that face, the first that is opaque: the product of the
+            transmittances of those before it, each crossed once, also at an edge that they share. With any_hit 0 where
+            there is a hit. NaN for an invalid ray. None if all faces of the mesh are opaque.
     """
 
     distance: Array
     face: Array
     tracer: str
+    transmitted: Array | None = None
 
     @cached_property
     def invalid(self) -> int:
@@ -59,7 +64,7 @@ def trace(
     workers: int | None = None,
     progress: bool = False,
 ) -> Hits:
-    """The faces that rays meet, seen from either side.
+    """The faces that rays meet, seen from either side; those that light goes through are not met, but dim the ray.
 
     A ray on an edge meets at least one of the faces there. Which rays are together and how many threads there are changes no
     bit of the answers. The tree is built at the first call and kept while the Mesh lives: to trace again, pass a Mesh (see
@@ -82,7 +87,8 @@ def trace(
 
     Returns:
         distance, at least 0, inf where nothing is met and NaN for an invalid ray, and face, -1 for both; of the directions'
-        shape without the last axis.
+        shape without the last axis. Of a mesh that light goes through they are those of opaque faces, and there is
+        `transmitted`.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
@@ -103,12 +109,16 @@ def trace(
     )
     if way.device.is_cpu:
         check_memory(8 * rays, f"the hits of {rays:,} rays", "trace them in parts")
-    hits = Hits(way.empty(np.float32), way.empty(np.int32), options.tracer.name)
+    if mesh.transmits:
+        options.check_through_glass()
+    transmitted = way.empty(np.float32) if mesh.transmits else None
+    hits = Hits(way.empty(np.float32), way.empty(np.int32), options.tracer.name, transmitted)
     if rays == 0:
         return hits
     with bar(options.progress, "tracing rays"):
-        scene = scene_of(mesh)
+        scene = scene_of(mesh, through=True)
         asked, memory = given.placed(options, reach, hits), options.memory
+        asked.transmitted = address_of(hits.transmitted) if mesh.transmits else 0
         for part in [asked] if memory.in_place else _parts(memory, asked, given, hits):
             trace_rays(scene, part, tracer=options.tracer, any_hit=any_hit, device=memory.device, workers=options.workers)
     return hits

@@ -10,11 +10,12 @@ from warpsample.host.engine import check_workers
 from warpsample.maths.numerics import ONE, ZERO, direction_to_unit
 from warpsample.mesh.mesh import as_mesh
 from warpsample.tracing.placement import MOST_DISTANCE, far_off, in_double, offset_within, way_to_scene
-from warpsample.tracing.queries import Accelerator
-from warpsample.tracing.scene import coarseness_of, scene_of
+from warpsample.tracing.queries import Accelerator, Glass
+from warpsample.tracing.scene import ALL, GLASS, OPAQUE, coarseness_of, scene_of
 from warpsample.tracing.wide.layout import SCRATCH
 from warpsample.tracing.wide.prepare import RAY_WORKSPACE, ray_of
 from warpsample.tracing.wide.query import wide_walk
+from warpsample.tracing.wide.through import share_through
 
 _MOST_DISTANCE = wp.constant(wp.float32(MOST_DISTANCE))
 _walk_to_any = wide_walk(True)
@@ -25,8 +26,10 @@ _walk_to_nearest = wide_walk(False)
 class Tree:
     """A mesh, ready for rays: what `warpsample.tree` makes, and a kernel takes as an argument.
 
-    nodes and leaves are the 16-wide tree, on the CPU; mesh is the id of a wp.Mesh, elsewhere. A point x of the user's is
-    (x - centre) * scale inside, where the mesh is within 1 of 0 on each axis, and its extent.
+    nodes and leaves are the 16-wide tree of the opaque faces, on the CPU; mesh is the id of a wp.Mesh, elsewhere. A point
+    x of the user's is (x - centre) * scale inside, where the mesh is within 1 of 0 on each axis, and its extent. Of a mesh
+    that light goes through there are nodes and leaves of such faces, too, and the transmittances of all; else these are
+    empty.
     """
 
     nodes: wp.array[wp.float32]
@@ -36,6 +39,9 @@ class Tree:
     scale: wp.float64
     extent: wp.vec3
     coarseness: wp.float32
+    glass_nodes: wp.array[wp.float32]
+    glass_leaves: wp.array[wp.float32]
+    transmittance: wp.array[wp.float32]
 
 
 @wp.struct
@@ -81,6 +87,17 @@ def _accelerator(tree: Tree) -> Accelerator:
 
 
 @wp.func
+def _glass(tree: Tree) -> Glass:
+    glass = Glass()
+    glass.tree.nodes = tree.glass_nodes.ptr
+    glass.tree.leaves = tree.glass_leaves.ptr
+    glass.tree.start = tree.glass_nodes.ptr
+    glass.tree.starts = 1
+    glass.transmittance = tree.transmittance.ptr
+    return glass
+
+
+@wp.func
 def _any_hit(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32) -> bool:
     hit = wp.bool(False)
     ray = _local(tree, origin, direction, max_distance)
@@ -94,6 +111,28 @@ def _any_hit(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.
             _near, face, _nodes, _leaves = _walk_to_any(_accelerator(tree), to, ray.reach, words.ptr)
             hit = face >= 0  # so that nobody computes how far away it is
     return hit
+
+
+@wp.func
+def _transmitted(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32) -> wp.float32:
+    share = wp.float32(1.0)
+    ray = _local(tree, origin, direction, max_distance)
+    if ray.reach > 0.0:
+        if tree.mesh != wp.uint64(0):
+            if wp.mesh_query_ray_anyhit(tree.mesh, ray.o, ray.d, ray.reach):
+                share = 0.0
+        else:
+            workspace = wp.zeros(shape=(RAY_WORKSPACE,), dtype=wp.float32)
+            words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
+            to = ray_of(ray.o, ray.d, workspace)
+            _near, face, _nodes, _leaves = _walk_to_any(_accelerator(tree), to, ray.reach, words.ptr)
+            if face >= 0:
+                share = 0.0
+            elif tree.transmittance.shape[0] > 0:
+                share = share_through(_glass(tree), to, ray.reach, words.ptr)
+    elif not (ray.reach <= 0.0):
+        share = wp.float32(wp.NAN)
+    return share
 
 
 @wp.func
@@ -125,6 +164,11 @@ def _no_gradient(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance:
     pass
 
 
+@wp.func_grad(_transmitted)
+def _no_gradient_of_share(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32, adj_share: wp.float32):
+    pass
+
+
 @wp.func_grad(_nearest_hit)
 def _no_gradients(
     tree: Tree,
@@ -139,7 +183,7 @@ def _no_gradients(
 
 @wp.func
 def any_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32) -> bool:
-    """Whether a ray meets the mesh before max_distance. Under wp.Tape it is a constant.
+    """Whether a ray meets an opaque face of the mesh before max_distance. Under wp.Tape it is a constant.
 
     Args:
         tree: of `warpsample.tree`.
@@ -152,7 +196,7 @@ def any_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float3
 
 @wp.func
 def nearest_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32):
-    """(distance, face) of the nearest face before max_distance; (inf, -1) if there is none, (NaN, -1) for an invalid ray.
+    """(distance, face) of the nearest opaque face before max_distance; (inf, -1) if none, (NaN, -1) for an invalid ray.
 
     Under wp.Tape both are constants: no gradient goes through them.
 
@@ -167,6 +211,21 @@ def nearest_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.fl
 
 
 @wp.func
+def transmitted(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32) -> wp.float32:
+    """The share of light that comes along a ray from max_distance: 0 behind an opaque face, NaN for an invalid ray.
+
+    It is the product of the transmittances of all faces that the ray crosses. Under wp.Tape it is a constant.
+
+    Args:
+        tree: of `warpsample.tree`.
+        origin: vec3 or vec3d, in the mesh's coordinates; on the surface, see `offset_origin`.
+        direction: of any length.
+        max_distance: in units of the coordinates; wp.INF for no limit.
+    """
+    return _transmitted(tree, in_double(origin), direction, max_distance)
+
+
+@wp.func
 def offset_origin(tree: Tree, position: Any, normal: wp.vec3) -> wp.vec3d:
     """A point of the surface, moved off it along its unit normal by as much as keeps its rays from their own face.
 
@@ -177,7 +236,7 @@ def offset_origin(tree: Tree, position: Any, normal: wp.vec3) -> wp.vec3d:
 
 
 def tree(mesh: Any, *, device: Any = None, workers: int | None = None) -> Any:
-    """A mesh as an argument of a kernel of your own, for `funcs.any_hit` and `funcs.nearest_hit`.
+    """A mesh as an argument of a kernel of your own, for `funcs.any_hit`, `funcs.nearest_hit` and `funcs.transmitted`.
 
     It keeps alive what it needs: the mesh may go. On the CPU rays walk the 16-wide tree of `trace`, and get its answers bit
     for bit; elsewhere they are traced by wp.Mesh.
@@ -191,24 +250,30 @@ def tree(mesh: Any, *, device: Any = None, workers: int | None = None) -> Any:
         a `funcs.Tree`.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; names it.
+        TypeError, ValueError: an argument that cannot be used; names it. A mesh that light goes through, for another device.
 
     Example:
         >>> tree = ws.tree(ws.load_mesh("courtyard"))
         >>> print(tree.nodes.device, tree.extent[2] > 0.0)
         cpu True
     """
-    scene, where, workers = scene_of(as_mesh(mesh)), check_device(device, cpu()), check_workers(workers)
+    where, workers = check_device(device, cpu()), check_workers(workers)
+    scene = scene_of(as_mesh(mesh), through=where.is_cpu)
     made = Tree()
     made.centre, made.scale = wp.vec3d(*scene.centre), scene.scale
     made.extent, made.coarseness = wp.vec3(*scene.extent), coarseness_of(scene, True)
     if where.is_cpu:
-        built = scene.tree(workers)
-        made.nodes, made.leaves = (_on_cpu(array) for array in (built.nodes, built.leaves))
+        built = scene.tree(workers, ALL if scene.transmittance is None else OPAQUE)
+        made.nodes, made.leaves = _on_cpu(built.nodes), _on_cpu(built.leaves)
     else:
         made.mesh = scene.builtin(where).mesh
         made.extent = wp.vec3(1.0, 1.0, 1.0)
         made.nodes = made.leaves = wp.empty(0, dtype=wp.float32, device=where)
+    made.glass_nodes = made.glass_leaves = made.transmittance = wp.empty(0, dtype=wp.float32, device=where)
+    if scene.transmittance is not None:
+        glass = scene.tree(workers, GLASS)
+        made.glass_nodes, made.glass_leaves = _on_cpu(glass.nodes), _on_cpu(glass.leaves)
+        made.transmittance = wp.array(scene.transmittance, dtype=wp.float32, device="cpu")
     made.nodes.scene = scene  # which owns the memory: copies of a struct share its arrays, and nothing else
     return made
 

@@ -4,7 +4,7 @@ Level by level, a task for each node: it starts as one range of triangles, and t
 until there are sixteen.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import warp as wp
@@ -66,6 +66,14 @@ def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
         begins, ends = begin[inner], end[inner]
     ranges = np.concatenate(leaf_begins), np.concatenate(leaf_ends)
     return Topology(np.concatenate(links), levels, _leaf_faces(lower[:, 3].view(np.int32), *ranges))
+
+
+def build_some(vertices: np.ndarray, faces: np.ndarray, chosen: np.ndarray, workers: int) -> Topology:
+    """The tree of some triangles: what `build` takes, and the numbers of the faces; without any, one that no ray meets."""
+    if len(chosen) == 0:
+        return Topology(np.array([[~0, *[0] * (WIDTH - 1)]], np.int32), [0, 1], np.full((1, WIDTH), -1, np.int32))
+    made = build(vertices, np.ascontiguousarray(faces[chosen]), workers)
+    return replace(made, faces=np.where(made.faces >= 0, chosen[made.faces], -1).astype(np.int32))
 
 
 def _leaf_faces(order: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:

@@ -5,11 +5,11 @@ from typing import Any
 import warp as wp
 
 from warpsample.host.locks import once
-from warpsample.maths.memory import address_at, int_at
-from warpsample.maths.numerics import lowest_bit
-from warpsample.tracing.queries import Accelerator
+from warpsample.maths.memory import address_at, float_at, int_at
+from warpsample.maths.numerics import ONE, lowest_bit
+from warpsample.tracing.queries import Accelerator, Glass
 from warpsample.tracing.wide.candidates import boxes_met, triangles_near
-from warpsample.tracing.wide.layout import NODE_BYTES, WIDTH, edge_in, leaf_at, link_in, node_at
+from warpsample.tracing.wide.layout import NODE_BYTES, WIDTH, edge_in, face_in, leaf_at, link_in, node_at
 from warpsample.tracing.wide.prepare import Ray
 from warpsample.tracing.wide.triangle import crosses, plane_distance
 from warpsample.tracing.wide.walk import WAITING, put_aside
@@ -71,3 +71,37 @@ def through_walk(look: wp.Function, answer: Any) -> wp.Function:
         return found
 
     return walk
+
+
+@wp.struct
+class Passed:
+    """The share of light that is left of a ray so far, and the address of the faces' transmittances."""
+
+    share: wp.float64
+    transmittance: wp.uint64
+
+
+@wp.func
+def _multiply(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Passed):
+    mask = crossed(leaf, ray, reach, edge)
+    while mask != 0:
+        k = lowest_bit(mask)
+        mask = mask & (mask - 1)
+        found.share *= wp.float64(float_at(found.transmittance, face_in(leaf, k)))
+    return found
+
+
+_walk_through_glass = through_walk(_multiply, Passed)
+
+
+@wp.func
+def share_through(glass: Glass, ray: Ray, reach: wp.float32, scratch: wp.uint64) -> wp.float32:
+    """The product of the transmittances of what a ray crosses within reach, of the faces that let some light through.
+
+    It is multiplied in float64, so that only its last bit may know in which order.
+    """
+    passed = Passed()
+    passed.share = ONE
+    passed.transmittance = glass.transmittance
+    passed = _walk_through_glass(glass.tree, ray, reach, passed, scratch)
+    return wp.float32(passed.share)
