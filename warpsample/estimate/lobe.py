@@ -3,7 +3,7 @@
 import warp as wp
 
 from warpsample.estimate.intervals import Prior, edge_variance, posterior, prior_numbers
-from warpsample.estimate.lobes import Lobes, found_in
+from warpsample.estimate.lobes import BLOCKERS, GLASS, Lobes, finder_of
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.stratum import jump_of, stratum_sum
 from warpsample.host.locks import once
@@ -50,6 +50,7 @@ def widths_of(slots: Slots) -> wp.Function:
 @once
 def traced_lobe(slots: Slots) -> wp.Function:
     """A function that sums a lobe that a mesh may block."""
+    find, of_glass = finder_of(slots.glass), GLASS if slots.glass else 0
     constant, struct, wide, open_jump = slots.constant, slots.struct, slots.wide, ONE if slots.any_hit else HALF
     sum_stratum, widths, jump_at = stratum_sum(slots), widths_of(slots), jump_of(slots)
 
@@ -72,7 +73,7 @@ def traced_lobe(slots: Slots) -> wp.Function:
         if wp.static(wide):
             if lobes.skip != 0:
                 seen, local, opened = open_around(accelerator, point)
-        anything = wp.where(seen.starts == 0 and local == 0, 0, 1)
+        anything = wp.where(seen.starts == 0 and local == 0, 0, BLOCKERS) | of_glass
         for sector in range(lobes.sectors):
             sector_found = anything
             for step in range(wp.where(lobes.bands > 2, 0, 1), lobes.bands + 1):  # a sector of many bands, then its bands
@@ -81,7 +82,7 @@ def traced_lobe(slots: Slots) -> wp.Function:
                 if wp.static(wide):
                     if opened and lobes.shafts != wp.uint64(0) and found != 0:
                         shaft = sector * (lobes.bands + 1) + step
-                        found, stratum_local = found_in(lobes, seen, point, shaft, local)
+                        found, stratum_local = find(lobes, seen, point, shaft, local)
                 if step == 0:
                     sector_found = found
                 elif wp.static(constant) and found == 0:

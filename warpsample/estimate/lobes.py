@@ -4,14 +4,19 @@ import warp as wp
 
 from warpsample.distributions.parameters import Parameters
 from warpsample.estimate.integrand import Lobe
+from warpsample.host.locks import once
 from warpsample.tracing.placement import Placement, id_of
-from warpsample.tracing.queries import Accelerator
+from warpsample.tracing.queries import Accelerator, Glass
 from warpsample.tracing.sight.point import ShadingPoint
 from warpsample.tracing.sight.search import EMPTY, in_local_leaf, search_shaft
 from warpsample.tracing.sight.shafts import VECTORS_BYTES, aim_about
 
 NONFINITE_VALUE = 5
 """The status of a point whose integrand is not finite; `sight.point` and `directions.samples` have the others."""
+
+
+BLOCKERS, GLASS = 1, 2
+"""What may be in a part of the lobe, as bits: faces that stop all light, and such that let some through."""
 
 
 @wp.struct
@@ -26,6 +31,7 @@ class Lobes:
     skip: whether the tree is searched for what cannot be met.
     edge: what is expected at most of an edge through a stratum, see `edge_variance`. parameters: of the distribution.
     value, error, spread, degrees: (P, channels) float32.
+    glass: the faces that let some light through, if there are any.
     cast, empty, status: (P,) int32, int32, uint8: rays cast, rays in parts of the lobe that meet nothing, why not.
     """
 
@@ -52,6 +58,7 @@ class Lobes:
     cast: wp.uint64
     empty: wp.uint64
     status: wp.uint64
+    glass: Glass
 
 
 LobesArgs = type(Lobes().__ctype__())
@@ -67,9 +74,18 @@ def lobe_of(lobes: Lobes, point: ShadingPoint) -> Lobe:
     return lobe
 
 
-@wp.func
-def found_in(lobes: Lobes, tree: Accelerator, point: ShadingPoint, i: wp.int32, local: wp.int32):
-    """(whether a ray of the i-th shaft may meet something, which of the triangles of the local leaf)."""
-    aim_about(lobes.shafts + wp.uint64(i) * VECTORS_BYTES, point)
-    found = search_shaft(tree, point, local)
-    return wp.where(found.state == EMPTY, 0, 1), in_local_leaf(found, point)
+@once
+def finder_of(glass: bool) -> wp.Function:
+    """A function that looks for what is in a shaft about a part of the lobe."""
+
+    @wp.func
+    def find(lobes: Lobes, tree: Accelerator, point: ShadingPoint, i: wp.int32, local: wp.int32):
+        """(what a ray of the i-th shaft may meet, which of the triangles of the local leaf)."""
+        aim_about(lobes.shafts + wp.uint64(i) * VECTORS_BYTES, point)
+        found = search_shaft(tree, point, local)
+        may_meet = wp.where(found.state == EMPTY, 0, BLOCKERS)
+        if wp.static(glass):
+            may_meet = may_meet | wp.where(search_shaft(lobes.glass.tree, point, 0).state == EMPTY, 0, GLASS)
+        return may_meet, in_local_leaf(found, point)
+
+    return find

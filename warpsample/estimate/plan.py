@@ -65,6 +65,8 @@ class Plan:
             TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
             MemoryError: more than is free.
         """
+        if at.mesh is not None and at.mesh.transmits:
+            options.check_through_glass()
         check_memory(_BYTES_PER_POINT * len(at), f"the numbers of {len(at):,} points", "take them in parts")
         return cls(
             at,

@@ -88,6 +88,8 @@ class Runner:
             falloff=self.summed.falloff or 0.0,
             parameters=self.plan.distribution.kernel_parameters().__ctype__(),
         )
+        if self.traced and self.at.scene.has_glass:
+            part.glass = self.at.scene.glass(options.workers)
         part.placement.points = rows.stop - rows.start
         part.placement.ids = loan.put(options.ids, rows)
         if self.traced:
@@ -118,6 +120,7 @@ class Runner:
     def _slots(self) -> Slots:
         plan, integrand, any_hit = self.plan, self.summed.integrand, self.summed.falloff is None
         maps, tracer = plan.distribution.maps, self.options.tracer
+        has_glass = self.traced and self.at.scene.has_glass
         return Slots(
             sequence=self.options.sequence,
             about=plan.distribution.about(),
@@ -127,10 +130,11 @@ class Runner:
             weigh=integrand.function,
             struct=integrand.struct,
             constant=integrand.constant,
-            counts=integrand.binary and any_hit,
+            counts=integrand.binary and any_hit and not has_glass,
             channels=integrand.channels,
             prepare=tracer.prepare if self.traced else None,
             query=tracer.distance_query(any_hit) if self.traced else None,
             any_hit=any_hit,
             wide=tracer.skips,
+            glass=has_glass,
         )

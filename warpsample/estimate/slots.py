@@ -28,6 +28,7 @@ class Slots:
         query: (Accelerator, ray, reach, scratch) -> (distance, face, nodes, leaves).
         any_hit: whether some face is enough; else what is met at t of reach leaves 1 - (1 - t)^falloff of the weight.
         wide: whether the query is that of the wide tree, which can be searched for what to skip.
+        glass: whether there are faces besides, that let some light through; then any hit will do.
     """
 
     sequence: Sequence
@@ -44,3 +45,4 @@ class Slots:
     query: wp.Function
     any_hit: bool
     wide: bool
+    glass: bool = False

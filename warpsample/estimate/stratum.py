@@ -3,7 +3,7 @@
 import warp as wp
 
 from warpsample.estimate.integrand import Lobe
-from warpsample.estimate.lobes import Lobes, lobe_of
+from warpsample.estimate.lobes import BLOCKERS, GLASS, Lobes, lobe_of
 from warpsample.estimate.rays import spread_of
 from warpsample.estimate.slots import Slots
 from warpsample.host.locks import once
@@ -12,19 +12,19 @@ from warpsample.maths.numerics import HALF, ONE, ZERO
 from warpsample.tracing.queries import CHUNK, REACH, Accelerator, column_of, direction_of
 from warpsample.tracing.sight.packets import NO_RAYS, first_rays, ray_set, set_size
 from warpsample.tracing.sight.point import ShadingPoint
-from warpsample.tracing.sight.rays import first_hit, prepare_rays, rays_blocked, rays_from_afar, whole_vectors
+from warpsample.tracing.sight.rays import first_hit, prepare_rays, rays_blocked, rays_from_afar, through_glass, whole_vectors
 
 
 @once
 def jump_of(slots: Slots) -> wp.Function:
     """A function that estimates the squared jump of the weight at an edge that passes through a stratum."""
-    any_hit, counts = slots.any_hit, slots.counts
+    any_hit, counts, glass = slots.any_hit, slots.counts, slots.glass
 
     @wp.func
     def jump_at(w: wp.vec3, total: wp.vec3d, free: wp.int32, rays: wp.int32) -> wp.vec3d:
         """The squared change of a ray's weight across an edge, from a stratum's total and the number of its unoccluded rays.
 
-        w is the weight of one ray, for where none is free.
+        w is the weight of one ray, for where none is free; with glass, what rays that are not free have lost in the mean.
         """
         jump = wp.vec3d(ONE, ZERO, ZERO)
         if wp.static(not any_hit):
@@ -34,7 +34,7 @@ def jump_of(slots: Slots) -> wp.Function:
             return wp.vec3d(HALF * jump[0] * jump[0], ZERO, ZERO)
         if wp.static(not counts):
             jump = wp.vec3d(wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2]))
-            if free > 0:
+            if free > 0 and (wp.static(not glass) or free == rays):
                 jump = total / wp.float64(free)
         return wp.cw_mul(jump, jump)
 
@@ -43,19 +43,25 @@ def jump_of(slots: Slots) -> wp.Function:
 
 @once
 def share_of(slots: Slots) -> wp.Function:
-    """A function that traces a ray and gives the share of its weight that it adds, by how far it gets."""
-    hit = first_hit(False, slots.query, slots.wide)
+    """A function that traces a ray and gives the share of its weight that it adds, by how far it gets, or through glass."""
+    glass, hit = slots.glass, first_hit(False, slots.query, slots.wide)
 
     @wp.func
     def share_of(lobes: Lobes, tree: Accelerator, point: ShadingPoint, local: wp.int32, k: wp.int32):
         """(the share of its weight that a ray adds, whether it meets something)."""
-        distance, _face = hit(tree, point, local, k)
         share = wp.float32(1.0)
-        if distance < wp.INF:
-            reach = float_at(column_of(point.chunk, k), REACH)
-            t = (distance + (point.reach - reach)) / point.reach
-            share = 1.0 - wp.pow(1.0 - t, lobes.falloff)
-        return share, distance < wp.INF
+        met = wp.bool(False)
+        if wp.static(glass):
+            share = through_glass(lobes.glass, point, k)
+            met = share < 1.0
+        else:
+            distance, _face = hit(tree, point, local, k)
+            met = distance < wp.INF
+            if met:
+                reach = float_at(column_of(point.chunk, k), REACH)
+                t = (distance + (point.reach - reach)) / point.reach
+                share = 1.0 - wp.pow(1.0 - t, lobes.falloff)
+        return share, met
 
     return share_of
 
@@ -87,6 +93,7 @@ def stratum_sum(slots: Slots) -> wp.Function:
     spread, weigh, struct = spread_of(slots), weighing(slots), slots.struct
     any_hit, constant, counts, channels = slots.any_hit, slots.constant, slots.counts, slots.channels
     prepare, block, share_left = prepare_rays(slots.prepare), rays_blocked(slots.query, slots.wide), share_of(slots)
+    glass, stops, dims = slots.glass, BLOCKERS if slots.glass else -1, GLASS if slots.glass else 0 if slots.any_hit else -1
 
     @wp.func
     def sum_stratum(
@@ -112,6 +119,7 @@ def stratum_sum(slots: Slots) -> wp.Function:
         each = lobes.samples_per_stratum
         free = 2 * each
         w = wp.vec3(1.0, 0.0, 0.0)
+        lost = wp.vec3(0.0, 0.0, 0.0)
         lobe = lobe_of(lobes, point)
         for first in range(0, 2 * each, CHUNK):
             length = wp.min(CHUNK, 2 * each - first)
@@ -122,7 +130,7 @@ def stratum_sum(slots: Slots) -> wp.Function:
                 rays_from_afar(point, length)
                 prepare(tree, point, local, length)
                 cast += set_size(rays)
-                if wp.static(any_hit):
+                if wp.static(any_hit) and (found & stops) != 0:
                     left = rays & (~block(tree, point, local, rays, length))
                     free -= set_size(rays & (~left))
             if wp.static(counts):
@@ -133,9 +141,11 @@ def stratum_sum(slots: Slots) -> wp.Function:
                     if wp.static(not constant):
                         w = vec3_at(point.own, k)
                     share = wp.where((rays & (~left) & ray_set(k)) != NO_RAYS, 0.0, 1.0)
-                    if wp.static(not any_hit) and found != 0 and (rays & ray_set(k)) != NO_RAYS:
+                    if wp.static(dims != 0) and (found & dims) != 0 and (left & ray_set(k)) != NO_RAYS:
                         share, met = share_left(lobes, tree, point, local, k)
                         free -= wp.where(met, 1, 0)
+                    if wp.static(glass):
+                        lost += (1.0 - share) * w
                     sign = wp.where(first + k < each, 1, -1)
                     x += wp.float64(share * w[0])
                     more_x += wp.float64(sign) * wp.float64(share * w[0])
@@ -148,6 +158,8 @@ def stratum_sum(slots: Slots) -> wp.Function:
             x = wp.float64(hits)
             more_x = wp.float64(more_hits)
             free = hits  # and weighs 1
+        if wp.static(glass):
+            w = lost / wp.float32(wp.max(2 * each - free, 1))
         return wp.vec3d(x, y, z), wp.vec3d(more_x, more_y, more_z), cast, free, w
 
     return sum_stratum

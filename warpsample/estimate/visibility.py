@@ -16,6 +16,7 @@ from warpsample.host.options import explained_by
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
+from warpsample.tracing.scene import check_opaque
 
 
 @explained_by(RayOptions)
@@ -39,6 +40,7 @@ def ambient_occlusion(
 ) -> Estimate:
     """The share of cosine-weighted rays that get away: 1 where a point is open, 0 where it is closed in.
 
+    Behind a face with a transmittance (see `Mesh`) a ray goes on with that share of its weight.
     The bits depend on (mesh, point, first_point + row, seed, count, sequence) alone: not on threads, on which points are
     together or active, nor on `skip`; a CUDA device has other roundings. Memory is that of the points. The first call ever
     compiles for about 8 s. Without `skip` it takes two to three times as long.
@@ -84,6 +86,7 @@ def ambient_occlusion(
     plan = Plan.of(at, count, options, tolerance=tolerance)
     reach = reach_of(max_distance)
     if falloff is not None:
+        check_opaque(at.mesh, "falloff")
         falloff = check_number(falloff, "falloff", 0.0, 1000.0)
         if not 0.0 < reach < inf:
             raise ValueError(f"max_distance: got {max_distance}, want a finite one above 0, to which falloff is relative")

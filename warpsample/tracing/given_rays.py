@@ -40,7 +40,7 @@ class GivenRays:
         Raises:
             TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
         """
-        at = PlacedPoints(origins, mesh, "origins", through=True) if isinstance(origins, SurfacePoints) else None
+        at = PlacedPoints(origins, mesh, "origins") if isinstance(origins, SurfacePoints) else None
         start = Triples.of(origins, "origins", "(P, 3) or (3,)") if at is None else at.position
         way = Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
         _check_pair(start, way)

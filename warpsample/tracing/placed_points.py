@@ -31,14 +31,14 @@ class PlacedPoints:
         side: (P, 3) float32, unit or zero, the normals of the faces that points lie on, else their own; None without a mesh.
     """
 
-    def __init__(self, points: SurfacePoints, mesh: Mesh | None, argument: str = "points", *, through: bool = False) -> None:
-        """Finds faces and normals; where rays start is found when a placement is asked for. `through`: see `scene_of`.
+    def __init__(self, points: SurfacePoints, mesh: Mesh | None, argument: str = "points") -> None:
+        """Finds faces and normals; where rays start is found when a placement is asked for.
 
         Raises:
             ValueError: a face that the mesh has not; names the argument.
         """
         self.points, self.id, self.mesh = points, points.id, mesh
-        self.scene: Scene | None = scene_of(mesh, through=through) if mesh else None
+        self.scene: Scene | None = scene_of(mesh, through=True) if mesh else None
         self.position = Triples.of(points.position, f"{argument}.position")
         self.normal = as_directions(Triples.of(points.normal, f"{argument}.normal").owner)
         self.face, self.side = faces_and_normals(mesh, points, argument) if mesh else (None, None)

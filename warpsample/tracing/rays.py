@@ -30,7 +30,7 @@ from warpsample.tracing.queries import (
     set_direction,
     set_origin,
 )
-from warpsample.tracing.scene import OPAQUE, Scene
+from warpsample.tracing.scene import Scene
 from warpsample.tracing.tracers import Tracer
 from warpsample.tracing.wide.layout import SCRATCH
 from warpsample.tracing.wide.prepare import prepare_wide, ray_in
@@ -226,11 +226,10 @@ def trace_rays(scene: Scene, rays: RaysArgs, *, tracer: Tracer, any_hit: bool, d
     rays.placement.order = 0 if order is None else order.ctypes.data
     if rays.transmitted:
         kernel = ray_kernel(prepare_wide, hit_through_glass(any_hit))
-        rays.glass, accelerator = scene.glass(workers), scene.tree(workers, OPAQUE).accelerator()
+        rays.glass = scene.glass(workers)
     else:
         kernel = ray_kernel(tracer.prepare, hit_of(tracer.face_query(any_hit)), tracer.floats)
-        accelerator = tracer.accelerator(scene, device, workers)
-    launch_rays(kernel, accelerator, rays, device, workers)
+    launch_rays(kernel, tracer.accelerator(scene, device, workers), rays, device, workers)
 
 
 def launch_rays(kernel: wp.Kernel, accelerator: AcceleratorArgs, rays: RaysArgs, device: wp.Device, workers: int) -> None:

@@ -42,6 +42,7 @@ class Scene:
         vertices: (V, 3) float32, (vertices - centre) * scale; 0 where no face uses one.
         faces: (F, 3) int32.
         transmittance: (F,) float32 of the faces; None where all are opaque.
+        has_glass: whether some face lets a part of the light through, and not all.
 
     Raises:
         ValueError: the mesh is so small that float32 distances lose their digits.
@@ -68,6 +69,7 @@ class Scene:
         self.vertices = read_only(self._placed(mesh))
         self.faces = mesh.faces
         self.transmittance = mesh.transmittance if mesh.transmits else None
+        self.has_glass = mesh.transmits and bool(((mesh.transmittance > 0.0) & (mesh.transmittance < 1.0)).any())
         self._topologies: dict[str, Topology] = {}
         self._trees: dict[str, WideTree] = {}
         self._builtin: dict[str, wp.Mesh] = {}
@@ -102,6 +104,10 @@ class Scene:
                     tree = fill(topology, self.vertices, self.faces, workers)
                     self._topologies[which], self._trees[which] = topology, tree
         return self._trees[which]
+
+    def blockers(self, workers: int) -> WideTree:
+        """The tree of the faces that stop all light."""
+        return self.tree(workers, ALL if self.transmittance is None else OPAQUE)
 
     def _topology(self, workers: int, which: str) -> Topology:
         if which == ALL or self.transmittance is None:
@@ -142,6 +148,12 @@ def _main_part(vertices: np.ndarray) -> np.ndarray:
     return np.quantile(vertices[:: -(-len(vertices) // _LOOKED_AT)], [0.1, 0.9], axis=0)
 
 
+def check_opaque(mesh: Mesh, what: str) -> None:
+    """Refuses a mesh that light goes through, by a ValueError, for what does not take one."""
+    if mesh.transmits:
+        raise ValueError(f"mesh: got one with a transmittance above 0, which {what} does not take; want opaque faces")
+
+
 def scene_of(mesh: Mesh, *, through: bool = False) -> Scene:
     """The scene of a mesh; the same one while the mesh lives, whichever threads ask.
 
@@ -149,8 +161,8 @@ def scene_of(mesh: Mesh, *, through: bool = False) -> Scene:
         mesh: any.
         through: whether the caller takes care of faces that light goes through; else they are refused by a ValueError.
     """
-    if mesh.transmits and not through:
-        raise ValueError("mesh: got one with a transmittance above 0, which this call does not take; want opaque faces")
+    if not through:
+        check_opaque(mesh, "this call")
     scene = _scenes.get(mesh)
     if scene is None:
         with making:

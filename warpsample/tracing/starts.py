@@ -70,7 +70,7 @@ def set_starts(
     )
     contacts.vertices, contacts.triangles = scene.vertices.ctypes.data, scene.faces.ctypes.data
     contacts.spread, contacts.starts, contacts.sides = tuple(scene.spread), starts.ctypes.data, sides
-    tree = tracer.accelerator(scene, cpu(), workers)
+    tree = scene.tree(workers).accelerator()  # of all faces: on which a point stands is no matter of light
     run(_start_kernel(), placement.points, [contacts, tree], cpu(), workers=workers, work=16 * placement.points)
     placement.starts = starts.ctypes.data
     return starts

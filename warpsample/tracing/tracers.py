@@ -26,7 +26,7 @@ class Tracer:
         face_query: any_hit -> (Accelerator, ray, reach, scratch) -> (distance, face, nodes, leaves) of one ray.
         distance_query: the same, from several nodes; with any_hit it tells only whether something is met.
         floats: of a chunk of rays with what is added to them.
-        accelerator: (scene, device, workers) -> what the queries search, built at the first call.
+        accelerator: (scene, device, workers) -> what the queries search, of the opaque faces, built at the first call.
         skips: whether its tree can be searched for what the rays of a point need not look at, and starts can be found in it.
     """
 
@@ -45,7 +45,7 @@ WIDE = Tracer(
     CHUNK_FLOATS,
     wide_query,
     partial(wide_query, several=True),
-    lambda scene, _device, workers: scene.tree(workers).accelerator(),
+    lambda scene, _device, workers: scene.blockers(workers).accelerator(),
     skips=True,
 )
 """The 16-wide tree, on the CPU."""

@@ -11,7 +11,7 @@ from warpsample.maths.numerics import ONE, ZERO, direction_to_unit
 from warpsample.mesh.mesh import as_mesh
 from warpsample.tracing.placement import MOST_DISTANCE, far_off, in_double, offset_within, way_to_scene
 from warpsample.tracing.queries import Accelerator, Glass
-from warpsample.tracing.scene import ALL, GLASS, OPAQUE, coarseness_of, scene_of
+from warpsample.tracing.scene import GLASS, coarseness_of, scene_of
 from warpsample.tracing.wide.layout import SCRATCH
 from warpsample.tracing.wide.prepare import RAY_WORKSPACE, ray_of
 from warpsample.tracing.wide.query import wide_walk
@@ -263,7 +263,7 @@ def tree(mesh: Any, *, device: Any = None, workers: int | None = None) -> Any:
     made.centre, made.scale = wp.vec3d(*scene.centre), scene.scale
     made.extent, made.coarseness = wp.vec3(*scene.extent), coarseness_of(scene, True)
     if where.is_cpu:
-        built = scene.tree(workers, ALL if scene.transmittance is None else OPAQUE)
+        built = scene.blockers(workers)
         made.nodes, made.leaves = _on_cpu(built.nodes), _on_cpu(built.leaves)
     else:
         made.mesh = scene.builtin(where).mesh

@@ -14,6 +14,7 @@ from warpsample.host.options import explained_by
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
+from warpsample.tracing.scene import check_opaque
 
 _LEAST, _MOST = 1e-30, 1e30  # of a limit: its float32 and those of the errors are neither 0 nor infinite
 
@@ -86,6 +87,7 @@ def mean_distance(
         16 of 20
     """
     at = PlacedPoints.of(mesh, points)
+    check_opaque(at.mesh, "mean_distance")
     options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, ids=at.id, active=active).by(
         skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
     )

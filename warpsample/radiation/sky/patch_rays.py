@@ -2,6 +2,7 @@
 
 import warp as wp
 
+from warpsample.host.locks import once
 from warpsample.maths.memory import float_at
 from warpsample.maths.numerics import ONE, TWO, ZERO, greater, lesser
 from warpsample.radiation.sky.form_factors import FAINT, Patch, highest
@@ -9,10 +10,10 @@ from warpsample.radiation.sky.spreading import LEAST, Slope, column_at, cube_roo
 from warpsample.sequences.fibonacci import fibonacci_sample
 from warpsample.sequences.hashing import ONE_WORD, one_of, stream_key
 from warpsample.tracing.placement import Placement
-from warpsample.tracing.queries import CHUNK, Accelerator, set_direction
+from warpsample.tracing.queries import CHUNK, Accelerator, Glass, set_direction
 from warpsample.tracing.sight.packets import NO_RAYS, ray_set, set_size
 from warpsample.tracing.sight.point import ShadingPoint
-from warpsample.tracing.sight.rays import prepare_rays, rays_blocked, rays_from_afar, whole_vectors
+from warpsample.tracing.sight.rays import prepare_rays, rays_blocked, rays_from_afar, through_glass, whole_vectors
 
 WEIGHTS = 2 * CHUNK
 """Floats for the weights of a chunk's rays; a chunk more than there are, as all loops run over whole vectors."""
@@ -31,6 +32,7 @@ class SkyRows:
     shafts, and of the (3, 3) float64 of their frame. groups: their number, with where they begin, (groups + 1,) int32, and
     their shafts. skip: whether what is known of a patch replaces its rays.
     by_task: whether the i-th task writes the i-th row, else that of its point. value, error: (rows, patches) float32.
+    glass: the faces that let some light through, if any.
     tally, status: (P, 4) int32, rays cast and patches open, closed and below the horizon; (P,) uint8, why not.
     """
 
@@ -53,6 +55,7 @@ class SkyRows:
     error: wp.uint64
     tally: wp.uint64
     status: wp.uint64
+    glass: Glass
 
 
 SkyRowsArgs = type(SkyRows().__ctype__())
@@ -130,52 +133,62 @@ def _to_highest(sky: SkyRows, tree: Accelerator, point: ShadingPoint, local: wp.
     _prepare(tree, point, local, 1)
 
 
-@wp.func
-def sum_rays(
-    sky: SkyRows,
-    tree: Accelerator,
-    point: ShadingPoint,
-    local: wp.int32,
-    n: wp.vec3d,
-    k: wp.int32,
-    patch: Patch,
-    per_replicate: wp.int32,
-):
-    """(share of the k-th patch that is seen, its standard error as a share, rays cast), by two replicates of so many rays.
+@once
+def patch_sum(glass: bool) -> wp.Function:
+    """A function that casts the rays of a patch, of a mesh with faces that let some light through, or without."""
 
-    A share of the rays' weights: where none is blocked, it is 1 in every bit.
-    """
-    free = ZERO
-    free_first = ZERO
-    all = ZERO
-    all_first = ZERO
-    cast = wp.int32(0)
-    slope = slope_of(n, patch)
-    for at in range(0, 2 * per_replicate, CHUNK):
-        length = wp.min(CHUNK, 2 * per_replicate - at)
-        _spread(sky, point, slope, k, per_replicate, at, whole_vectors(length))
-        rays_from_afar(point, length)
-        _prepare(tree, point, local, length)
-        rays = _weighing_anything(point, length)
-        blocked = _blocked(tree, point, local, rays, length)
-        cast += set_size(rays)
-        for i in range(length):
-            if (rays & ray_set(i)) != NO_RAYS:
-                weight = wp.float64(float_at(point.own, i))
-                seen = wp.where((blocked & ray_set(i)) != NO_RAYS, ZERO, weight)
-                in_first = at + i < per_replicate
-                free += seen
-                all += weight
-                free_first += wp.where(in_first, seen, ZERO)
-                all_first += wp.where(in_first, weight, ZERO)
-    error = ZERO
-    if all == ZERO:
-        # Few rays that are all but parallel to the horizon: one where the patch is highest above it.
-        cast = 1
-        _to_highest(sky, tree, point, local, n, patch)
-        share = wp.where(_blocked(tree, point, local, ray_set(0), 1) != NO_RAYS, ZERO, ONE)
-    else:
-        share = free / all
-        # The replicates' deviations from the share add up to 0: one is half of their difference.
-        error = wp.abs(free_first - share * all_first) * TWO / all
-    return share, error, cast
+    @wp.func
+    def sum_rays(
+        sky: SkyRows,
+        tree: Accelerator,
+        point: ShadingPoint,
+        local: wp.int32,
+        n: wp.vec3d,
+        k: wp.int32,
+        patch: Patch,
+        per_replicate: wp.int32,
+    ):
+        """(share of the k-th patch that is seen, its standard error as a share, rays cast), by two replicates of rays.
+
+        A share of the rays' weights: where none is blocked, it is 1 in every bit.
+        """
+        free = ZERO
+        free_first = ZERO
+        all = ZERO
+        all_first = ZERO
+        cast = wp.int32(0)
+        slope = slope_of(n, patch)
+        for at in range(0, 2 * per_replicate, CHUNK):
+            length = wp.min(CHUNK, 2 * per_replicate - at)
+            _spread(sky, point, slope, k, per_replicate, at, whole_vectors(length))
+            rays_from_afar(point, length)
+            _prepare(tree, point, local, length)
+            rays = _weighing_anything(point, length)
+            blocked = _blocked(tree, point, local, rays, length)
+            cast += set_size(rays)
+            for i in range(length):
+                if (rays & ray_set(i)) != NO_RAYS:
+                    weight = wp.float64(float_at(point.own, i))
+                    seen = wp.where((blocked & ray_set(i)) != NO_RAYS, ZERO, weight)
+                    if wp.static(glass) and seen > ZERO:
+                        seen *= wp.float64(through_glass(sky.glass, point, i))
+                    in_first = at + i < per_replicate
+                    free += seen
+                    all += weight
+                    free_first += wp.where(in_first, seen, ZERO)
+                    all_first += wp.where(in_first, weight, ZERO)
+        error = ZERO
+        if all == ZERO:
+            # Few rays that are all but parallel to the horizon: one where the patch is highest above it.
+            cast = 1
+            _to_highest(sky, tree, point, local, n, patch)
+            share = wp.where(_blocked(tree, point, local, ray_set(0), 1) != NO_RAYS, ZERO, ONE)
+            if wp.static(glass) and share > ZERO:
+                share = wp.float64(through_glass(sky.glass, point, 0))
+        else:
+            share = free / all
+            # The replicates' deviations from the share add up to 0: one is half of their difference.
+            error = wp.abs(free_first - share * all_first) * TWO / all
+        return share, error, cast
+
+    return sum_rays

@@ -3,8 +3,9 @@
 import numpy as np
 import warp as wp
 
+from warpsample.host.locks import once
 from warpsample.radiation.sky.patches import SkyPatches
-from warpsample.tracing.queries import Accelerator
+from warpsample.tracing.queries import Accelerator, Glass
 from warpsample.tracing.sight.cover import covering
 from warpsample.tracing.sight.point import ShadingPoint
 from warpsample.tracing.sight.search import EMPTY, OCCUPIED, search_shaft
@@ -56,19 +57,27 @@ def _towards(azimuth: np.ndarray, along: np.ndarray, up: np.ndarray) -> np.ndarr
     return vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
 
 
-@wp.func
-def look(tree: Accelerator, point: ShadingPoint, local: wp.int32, vectors: wp.uint64, filled: wp.uint64):
-    """(what is known of a shaft from a point, the leaf with the triangle that fills it or else `filled`).
+@once
+def looker(glass: bool) -> wp.Function:
+    """A function that looks into a shaft, of a mesh with faces that let some light through, or without."""
 
-    `filled`, if not 0, is the address of a leaf that filled another shaft, and is looked at too.
-    """
-    aim_at(vectors, point)
-    found = search_shaft(tree, point, local)
-    known = wp.where(found.state == EMPTY, OPEN, UNKNOWN)
-    if found.state == OCCUPIED:
-        if (covering(found.leaf, point.shaft, point.o, _INSIDE) & found.triangles) != 0:
-            known = CLOSED
-            filled = found.leaf
-        elif filled != wp.uint64(0) and covering(filled, point.shaft, point.o, _INSIDE) != 0:
-            known = CLOSED
-    return known, filled
+    @wp.func
+    def look(tree: Accelerator, among: Glass, point: ShadingPoint, local: wp.int32, vectors: wp.uint64, filled: wp.uint64):
+        """(what is known of a shaft from a point, the leaf with the triangle that fills it or else `filled`).
+
+        `filled`, if not 0, is the address of a leaf that filled another shaft, and is looked at too.
+        """
+        aim_at(vectors, point)
+        found = search_shaft(tree, point, local)
+        known = wp.where(found.state == EMPTY, OPEN, UNKNOWN)
+        if found.state == OCCUPIED:
+            if (covering(found.leaf, point.shaft, point.o, _INSIDE) & found.triangles) != 0:
+                known = CLOSED
+                filled = found.leaf
+            elif filled != wp.uint64(0) and covering(filled, point.shaft, point.o, _INSIDE) != 0:
+                known = CLOSED
+        if wp.static(glass) and known == OPEN:
+            known = wp.where(search_shaft(among.tree, point, 0).state == EMPTY, OPEN, UNKNOWN)
+        return known, filled
+
+    return look

@@ -181,6 +181,9 @@ class _Rows:
             by_task=by_task,
             **{name: array.ctypes.data for name, array in (own | vars(sky)).items()},
         )
-        accelerator = options.tracer.accelerator(plan.at.scene, cpu(), options.workers)
+        scene = plan.at.scene
+        accelerator = options.tracer.accelerator(scene, cpu(), options.workers)
+        if scene.has_glass:
+            rows.glass = scene.glass(options.workers)
         work = prod((RAY_WORK, points, plan.count + len(self.sky)))
-        run(sky_kernel(), points, [rows, accelerator], cpu(), workers=options.workers, work=work)
+        run(sky_kernel(scene.has_glass), points, [rows, accelerator], cpu(), workers=options.workers, work=work)

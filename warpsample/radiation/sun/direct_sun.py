@@ -47,7 +47,8 @@ class SunCall:
         """What `direct_sun` gives; and in (P, 3) int32 how many suns were found how, see `Suns`."""
         points, suns = len(self.at), len(self.directions)
         columns = suns if self.weights is None else self.weights[0].size
-        kind: Any = np.float64 if self.weights is not None else np.float32 if self.disc else np.uint8
+        shares = self.disc > 0.0 or self._transmits
+        kind: Any = np.float64 if self.weights is not None else np.float32 if shares else np.uint8
         needed = points * (columns * np.dtype(kind).itemsize + _BYTES_PER_POINT)
         what = "suns" if self.weights is None else "sums"
         check_memory(needed, f"{columns:,} {what} of {points:,} points", "take the points in parts")
@@ -57,7 +58,11 @@ class SunCall:
                 self._run(answer, tally)
         if self.weights is not None:
             return answer.reshape(points, *self.weights.shape[1:])
-        return answer if self.disc else answer.view(np.bool_)
+        return answer if shares else answer.view(np.bool_)
+
+    @property
+    def _transmits(self) -> bool:
+        return self.at.mesh.transmits
 
     def _run(self, answer: np.ndarray, tally: np.ndarray | None) -> None:
         """Fills the answer."""
@@ -70,10 +75,11 @@ class SunCall:
         args.vertices, args.faces = at.scene.vertices.ctypes.data, at.scene.faces.ctypes.data
         args.normals, args.answer = at.normal.ctypes.data, answer.ctypes.data
         args.tally = 0 if tally is None else tally.ctypes.data
+        if self._transmits:
+            args.glass = at.scene.glass(workers)
         inputs = [args, self.options.tracer.accelerator(at.scene, cpu(), workers)]
-        run(
-            sun_kernel(self.disc > 0.0), len(answer), inputs, cpu(), workers=workers, work=RAY_WORK * len(answer) * suns // 4
-        )
+        work = RAY_WORK * len(answer) * suns // 4
+        run(sun_kernel(self.disc > 0.0, self._transmits), len(answer), inputs, cpu(), workers=workers, work=work)
 
     def _args(self, tree: SunTree, placement: PlacementArgs) -> SunsArgs:
         """What the kernel needs of the suns and the call."""
@@ -134,8 +140,8 @@ def direct_sun(
         cosine: whether the weights are also multiplied by n.s: the irradiance on the surface, not across the ray.
 
     Returns:
-        (P, T), bool, or with a disc float32, the share of it that is seen; with weights (P,) or (P, M) float64. Points
-        without a normal or a finite position have 0.
+        (P, T), bool, or with a disc float32, the share of it that is seen; float32 also for a mesh that light goes through,
+        the share that arrives; with weights (P,) or (P, M) float64. Points without a normal or a finite position have 0.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.

@@ -5,7 +5,7 @@ import warp as wp
 from warpsample.host.locks import once
 from warpsample.maths.memory import set_byte, set_float, set_int
 from warpsample.maths.numerics import ONE, ZERO
-from warpsample.radiation.sun.proofs import DARK, LIT, MET, darkened, opened, proven
+from warpsample.radiation.sun.proofs import DARK, LIT, MET, darkened, opened, prover
 from warpsample.radiation.sun.rays import (
     DISC_RAYS,
     GROUP_BYTES,
@@ -22,6 +22,7 @@ from warpsample.sequences.hashing import point_key
 from warpsample.tracing.placement import id_of
 from warpsample.tracing.queries import CHUNK_FLOATS, Accelerator, direction_of
 from warpsample.tracing.sight.point import point_in, standing, turned, workspace_floats
+from warpsample.tracing.sight.rays import through_glass
 
 _FLOATS = workspace_floats(OWN_FLOATS)
 _TALLIES = 3
@@ -41,7 +42,7 @@ def _add_weights(suns: Suns, view: View, column: wp.int32, factor: wp.float64):
 
 
 @once
-def _keeper(disc: bool) -> wp.Function:
+def _keeper(shares: bool) -> wp.Function:
     """A function that stores or adds a sun that is lit, or a share of it."""
 
     @wp.func
@@ -49,7 +50,7 @@ def _keeper(disc: bool) -> wp.Function:
         at = wp.uint64(view.point.index) * wp.uint64(suns.count) + wp.uint64(column)
         if suns.weights != wp.uint64(0):
             _add_weights(suns, view, column, wp.float64(share) * wp.where(suns.cosine != 0, cosine, ONE))
-        elif wp.static(disc):
+        elif wp.static(shares):
             set_float(suns.answer + at * wp.uint64(4), 0, share)
         else:
             set_byte(suns.answer + at, 0, 1)
@@ -57,79 +58,116 @@ def _keeper(disc: bool) -> wp.Function:
     return keep
 
 
-_keep_whole, _keep_share = _keeper(False), _keeper(True)
+@once
+def _left_of(glass: bool) -> wp.Function:
+    """A function that tells what is left of the light of a ray that nothing blocks."""
 
+    @wp.func
+    def left(suns: Suns, view: View, k: wp.int32) -> wp.float32:
+        """The share that the k-th prepared ray gets through the faces that let some through, if there are any."""
+        share = wp.float32(1.0)
+        if wp.static(glass):
+            share = through_glass(suns.glass, view.point, k)
+        return share
 
-@wp.func
-def _look_at_points(
-    suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, shaft: wp.uint64, state: wp.int32
-):
-    """Looks at the suns of a group, each a point."""
-    aimed = wp.int32(0)
-    k = wp.int32(0)
-    while k < GROUP:
-        cosine = cosine_to(view.point.n, sun_of(suns, group, k))
-        if cosine > ZERO and state != DARK:
-            column = sun_number(suns, group, k)
-            if state == LIT and cosine >= LEAST_COSINE:
-                add(view, PROVEN, 1)
-                _keep_whole(suns, view, column, 1.0, cosine)
-            else:
-                if aimed == 0:
-                    aim_at_group(suns, seen, view, group)
-                    aimed = 1
-                cast = word(view, CAST)
-                if not blocked(suns, whole, seen, view, k, cosine):
-                    _keep_whole(suns, view, column, 1.0, cosine)
-                elif shaft != wp.uint64(0) and cast != word(view, CAST):  # by a triangle that was not known
-                    state = wp.where(darkened(view, shaft), DARK, state)
-        k += 1
-
-
-@wp.func
-def _share_of(
-    suns: Suns, whole: Accelerator, seen: Accelerator, view: View, column: wp.int32, sun: wp.vec3, state: wp.int32
-) -> wp.float32:
-    """The share of a disc that is above the horizon and not blocked; none is if it is LIT."""
-    dark = wp.int32(0)
-    aim_at_disc(suns, seen, view, column, sun)
-    k = wp.int32(0)
-    while k < DISC_RAYS:
-        cosine = cosine_to(view.point.n, direction_of(view.point.chunk, k))
-        if cosine <= ZERO:
-            dark += 1
-        elif state != LIT or cosine < LEAST_COSINE:
-            dark += wp.where(blocked(suns, whole, seen, view, k, cosine), 1, 0)
-        k += 1
-    return wp.float32(DISC_RAYS - dark) / wp.float32(DISC_RAYS)
-
-
-@wp.func
-def _look_at_discs(
-    suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, shaft: wp.uint64, state: wp.int32
-):
-    """Looks at the suns of a group, each a disc."""
-    k = wp.int32(0)
-    while k < GROUP:
-        sun = sun_of(suns, group, k)
-        cosine = cosine_to(view.point.n, sun)
-        if cosine > ZERO:
-            column = sun_number(suns, group, k)
-            own = state
-            if state == MET and view.skips and shaft != wp.uint64(0):
-                own = proven(seen, view, suns.disc_shafts + wp.uint64(group * GROUP + k) * GROUP_BYTES)
-            if own == LIT and cosine > suns.sine + _WHOLE:
-                add(view, PROVEN, 1)
-                _keep_share(suns, view, column, 1.0, cosine)
-            elif own != DARK:
-                _keep_share(suns, view, column, _share_of(suns, whole, seen, view, column, sun, own), cosine)
-        k += 1
+    return left
 
 
 @once
-def _looker(disc: bool) -> wp.Function:
+def _points_looker(glass: bool) -> wp.Function:
+    """A function that looks at the suns of a group, each a point."""
+    keep, left = _keeper(glass), _left_of(glass)
+
+    @wp.func
+    def look_at_points(
+        suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, shaft: wp.uint64, state: wp.int32
+    ):
+        """Looks at the suns of a group, each a point."""
+        aimed = wp.int32(0)
+        k = wp.int32(0)
+        while k < GROUP:
+            cosine = cosine_to(view.point.n, sun_of(suns, group, k))
+            if cosine > ZERO and state != DARK:
+                column = sun_number(suns, group, k)
+                if state == LIT and cosine >= LEAST_COSINE:
+                    add(view, PROVEN, 1)
+                    keep(suns, view, column, 1.0, cosine)
+                else:
+                    if aimed == 0:
+                        aim_at_group(suns, seen, view, group)
+                        aimed = 1
+                    cast = word(view, CAST)
+                    if not blocked(suns, whole, seen, view, k, cosine):
+                        keep(suns, view, column, left(suns, view, k), cosine)
+                    elif shaft != wp.uint64(0) and cast != word(view, CAST):  # by a triangle that was not known
+                        state = wp.where(darkened(view, shaft), DARK, state)
+            k += 1
+
+    return look_at_points
+
+
+@once
+def _disc_share(glass: bool) -> wp.Function:
+    """A function that casts the rays to a disc."""
+    left = _left_of(glass)
+
+    @wp.func
+    def share_of(
+        suns: Suns, whole: Accelerator, seen: Accelerator, view: View, column: wp.int32, sun: wp.vec3, state: wp.int32
+    ) -> wp.float32:
+        """The share of a disc that is above the horizon and not blocked; none is if it is LIT."""
+        dark = wp.int32(0)
+        lost = wp.float32(0.0)
+        aim_at_disc(suns, seen, view, column, sun)
+        k = wp.int32(0)
+        while k < DISC_RAYS:
+            cosine = cosine_to(view.point.n, direction_of(view.point.chunk, k))
+            if cosine <= ZERO:
+                dark += 1
+            elif state != LIT or cosine < LEAST_COSINE:
+                if blocked(suns, whole, seen, view, k, cosine):
+                    dark += 1
+                elif wp.static(glass):
+                    lost += 1.0 - left(suns, view, k)
+            k += 1
+        return (wp.float32(DISC_RAYS - dark) - lost) / wp.float32(DISC_RAYS)
+
+    return share_of
+
+
+@once
+def _discs_looker(glass: bool) -> wp.Function:
+    """A function that looks at the suns of a group, each a disc."""
+    keep, proven, share_of = _keeper(True), prover(glass), _disc_share(glass)
+
+    @wp.func
+    def look_at_discs(
+        suns: Suns, whole: Accelerator, seen: Accelerator, view: View, group: wp.int32, shaft: wp.uint64, state: wp.int32
+    ):
+        """Looks at the suns of a group, each a disc."""
+        k = wp.int32(0)
+        while k < GROUP:
+            sun = sun_of(suns, group, k)
+            cosine = cosine_to(view.point.n, sun)
+            if cosine > ZERO:
+                column = sun_number(suns, group, k)
+                own = state
+                if state == MET and view.skips and shaft != wp.uint64(0):
+                    own = proven(suns, seen, view, suns.disc_shafts + wp.uint64(group * GROUP + k) * GROUP_BYTES)
+                if own == LIT and cosine > suns.sine + _WHOLE:
+                    add(view, PROVEN, 1)
+                    keep(suns, view, column, 1.0, cosine)
+                elif own != DARK:
+                    keep(suns, view, column, share_of(suns, whole, seen, view, column, sun, own), cosine)
+            k += 1
+
+    return look_at_discs
+
+
+@once
+def _looker(disc: bool, glass: bool) -> wp.Function:
     """A function that looks at all suns."""
-    look = _look_at_discs if disc else _look_at_points
+    look, proven = (_discs_looker if disc else _points_looker)(glass), prover(glass)
 
     @wp.func
     def look_all(suns: Suns, accelerator: Accelerator, view: View):
@@ -142,7 +180,7 @@ def _looker(disc: bool) -> wp.Function:
             shaft = wp.uint64(0)
             if view.skips and span[3] != 0:
                 shaft = suns.shafts + wp.uint64(node) * GROUP_BYTES
-                state = proven(seen, view, shaft)
+                state = proven(suns, seen, view, shaft)
             if state == LIT or (state == MET and span[1] == span[0] + 1):
                 for group in range(span[0], span[1]):
                     look(suns, accelerator, seen, view, group, shaft, state)
@@ -152,9 +190,12 @@ def _looker(disc: bool) -> wp.Function:
 
 
 @once
-def sun_kernel(disc: bool) -> wp.Kernel:
-    """A kernel with a task for each point, in the order of the placement, for suns that are points or discs."""
-    look_all = _looker(disc)
+def sun_kernel(disc: bool, glass: bool = False) -> wp.Kernel:
+    """A kernel with a task for each point, in the order of the placement, for suns that are points or discs.
+
+    With `glass` there may be faces that let some light through, and the answers are shares.
+    """
+    look_all = _looker(disc, glass)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def each_point(suns: Suns, accelerator: Accelerator, first_task: wp.int64):

@@ -2,6 +2,7 @@
 
 import warp as wp
 
+from warpsample.host.locks import once
 from warpsample.maths.numerics import greater
 from warpsample.radiation.sun.view import Suns, View, known_triangles
 from warpsample.tracing.placement import far_off
@@ -63,11 +64,21 @@ def _met(seen: Accelerator, view: View, vectors: wp.uint64) -> wp.bool:
     return search_shaft(seen, view.point, view.local).state != EMPTY
 
 
-@wp.func
-def proven(seen: Accelerator, view: View, vectors: wp.uint64) -> wp.int32:
-    """MET, LIT or DARK. Of what is LIT, rays below `LEAST_COSINE` are to be traced all the same."""
-    if highest(vectors, view.point.n) < _AVERTED:
-        return DARK
-    if darkened(view, vectors):
-        return DARK
-    return wp.where(_met(seen, view, vectors), MET, LIT)
+@once
+def prover(glass: bool) -> wp.Function:
+    """A function that tells what is known of a shaft, of a mesh with faces that let some light through, or without."""
+
+    @wp.func
+    def proven(suns: Suns, seen: Accelerator, view: View, vectors: wp.uint64) -> wp.int32:
+        """MET, LIT or DARK. Of what is LIT, rays below `LEAST_COSINE` are to be traced all the same."""
+        if highest(vectors, view.point.n) < _AVERTED:
+            return DARK
+        if darkened(view, vectors):
+            return DARK
+        state = wp.where(_met(seen, view, vectors), MET, LIT)
+        if wp.static(glass) and state == LIT:
+            aim_at(vectors, view.point)
+            state = wp.where(search_shaft(suns.glass.tree, view.point, 0).state == EMPTY, LIT, MET)
+        return state
+
+    return proven

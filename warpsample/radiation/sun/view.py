@@ -4,6 +4,7 @@ import warp as wp
 
 from warpsample.maths.memory import int_at, set_int
 from warpsample.tracing.placement import Placement
+from warpsample.tracing.queries import Glass
 from warpsample.tracing.sight.leaves import OWN_LEAF_FLOATS
 from warpsample.tracing.sight.point import ShadingPoint
 
@@ -30,7 +31,7 @@ class Suns:
     sine, one_minus_cos: of the disc's radius.
     weights: (count, channels) float64 or 0. cosine: whether they are multiplied by it.
     answer: (P, count) uint8 or float32, or (P, channels) float64; all 0.
-    tally: (P, 3) int32 or 0: the last three words of the points.
+    tally: (P, 3) int32 or 0: the last three words of the points. glass: the faces that let some light through, if any.
     """
 
     placement: Placement
@@ -57,6 +58,7 @@ class Suns:
     cosine: wp.int32
     answer: wp.uint64
     tally: wp.uint64
+    glass: Glass
 
 
 SunsArgs = type(Suns().__ctype__())

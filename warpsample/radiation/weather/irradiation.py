@@ -180,4 +180,4 @@ def _direct(plan: Plan, light: Light, series: bool) -> np.ndarray:
     normal = plan.at.normal.astype(np.float64)
     length = np.linalg.norm(normal, axis=1, keepdims=True)
     normal = np.divide(normal, length, out=np.zeros_like(normal), where=np.isfinite(length) & (length > 0.0))
-    return np.where(lit, np.maximum(normal @ light.sun.T, 0.0) * light.direct, 0.0)
+    return lit * (np.maximum(normal @ light.sun.T, 0.0) * light.direct)

@@ -9,13 +9,14 @@ from warpsample.directions.variates import LANES
 from warpsample.host.locks import once
 from warpsample.maths.memory import float_at
 from warpsample.tracing.placement import far_off, in_double
-from warpsample.tracing.queries import REACH, Accelerator, column_of, direction_of
+from warpsample.tracing.queries import REACH, Accelerator, Glass, column_of, direction_of
 from warpsample.tracing.sight.leaves import any_in_leaf, nearest_in_leaf
 from warpsample.tracing.sight.packets import NO_RAYS, blocked_together, ray_set
 from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint, bring_near
 from warpsample.tracing.wide.layout import face_in
-from warpsample.tracing.wide.prepare import prepare_wide
+from warpsample.tracing.wide.prepare import prepare_wide, ray_in
 from warpsample.tracing.wide.query import wide_query
+from warpsample.tracing.wide.through import share_through
 
 
 @wp.func
@@ -82,6 +83,17 @@ def first_hit(any_hit: bool, query: wp.Function | None = None, wide: bool = True
         return distance, face
 
     return hit
+
+
+@wp.func
+def through_glass(glass: Glass, point: ShadingPoint, k: wp.int32) -> wp.float32:
+    """The share of light that the k-th prepared ray gets through the faces that let some through."""
+    column = column_of(point.chunk, k)
+    reach = float_at(column, REACH)
+    share = wp.float32(1.0)
+    if reach > 0.0:
+        share = share_through(glass, ray_in(column), reach, point.scratch)
+    return share
 
 
 @once
