@@ -26,6 +26,7 @@ ROOMS = (
     "radiation",
     "city",
     "city/cityjson",
+    "texture",
 )
 
 
@@ -82,14 +83,15 @@ def test_the_first_page_is_short(repository):
                 (11, r"^True 1\.0\n3\.9 W/m2, 1\.7 without other faces\n$"),
                 (12, r"^0\.26 ± 0\.00\d, EPSG:3794\n4 of 15 hours\n$"),
                 (13, r"^\['' 'RoofSurface' 'WallSurface'\] \[0\.74 0\.91 0\.42\] True\n$"),
-                (14, r"^0\.7[45]\d* 6400\n$"),
+                (14, r"^\(256, 256\) 0 True\n$"),
+                (15, r"^0\.7[45]\d* 6400\n$"),
             )
         ),
     ],
 )
 def test_python_blocks_run_and_print_what_they_say(index, expected, repository, tmp_path, child_environment):
     found = blocks(repository, "python")
-    assert len(found) == 15
+    assert len(found) == 16
     script = tmp_path / "example.py"
     script.write_text(found[index])
     given = {"env": child_environment, "cwd": tmp_path, "capture_output": True, "text": True}
@@ -131,6 +133,10 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample bake dsm.tif -o svf.tif --quantity sky --tile 1024 --margin 256 --far alps_25m.tif --resume",
         "warpsample bake tile.city.jsonl -o out.city.jsonl --quantity sky --samples 256",  # these: test_by_parts.py
         "warpsample bake tile.city.jsonl -o year.csv --quantity irradiation --weather athens --split",
+        # these: tests/texture
+        "warpsample bake in.glb -o out.glb --texture 1024 --samples 256          # occlusion into every material",
+        "warpsample bake in.obj -o ao.png --texture 1024 --supersample 4         # means over texels, not at their centres",
+        "warpsample bake in.glb -o light.exr --texture 512 --quantity irradiance --environment sky.hdr --uv 1",
         "python viz/gallery.py",  # test_gallery.py, without the benchmarks
         "python viz/shirley_overlay.py --screenshot shirley_overlay.png",  # these: test_plotting.py
         "python viz/offset_family.py --screenshot offset_family.png",

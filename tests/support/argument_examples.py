@@ -97,7 +97,7 @@ KINDS = {
     "samples": kind(2, WHOLE, wrong=(0, 2000)),
     "texture_points.normals": kind("smooth", wrong=("flat",)),
     "corner_normals": kind(np.ones((2, 3, 3)), wrong=(UV,)),
-    "TexturePoints.part.rows": kind(slice(0, 2), wrong=(range(2),)),
+    "TexturePoints.take.rows": kind(slice(0, 2), wrong=(range(2),)),
     "TexturePoints.image.values": kind(TEXELS.points.position[:, 0]),
     "errors": kind(TEXELS.points.position[:, 0]),
     "gutter": kind("all", WHOLE, wrong=("none", 2**40)),

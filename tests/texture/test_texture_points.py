@@ -114,7 +114,7 @@ def test_parts_strips_and_other_meshes_change_no_bit():
     t = ws.texture_points(mesh, uv, 40, samples=4)
     whole = ws.ambient_occlusion(mesh, t.points, 16)
     rows = [slice(start, start + 7) for start in range(0, 70, 7)]
-    parts = [ws.ambient_occlusion(mesh, t.part(part), 16, workers=1).value for part in rows]
+    parts = [ws.ambient_occlusion(mesh, t.take(part), 16, workers=1).value for part in rows]
     assert np.array_equal(np.concatenate(parts), whole.value[:70])
     alone = uv.copy()
     alone[2:] = np.nan

@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 import typer
 
 from warpsample import sequences
-from warpsample.cli import rasters, stores
+from warpsample.cli import rasters, stores, textures
 from warpsample.cli.terminal import At, MeshFile, Workers, fail_plainly, option, output_file, working
 from warpsample.estimate.quantities.record import OPTIONS as NAMES
 from warpsample.output.baked import BakeRun
@@ -37,7 +37,10 @@ def bake_command(
     mesh: MeshFile,
     output: Annotated[
         Path,
-        output_file(".ply .vtp .glb .npz .csv .png .zarr; of CityJSON .city.json .city.jsonl .csv; of a raster .tif .zarr"),
+        output_file(
+            ".ply .vtp .glb .npz .csv .png .zarr; of CityJSON .city.json .city.jsonl .csv; of a raster .tif .zarr; "
+            "with --texture .glb .png .exr .npz"
+        ),
     ],
     *,
     quantity: str = "ao",
@@ -64,6 +67,14 @@ def bake_command(
     tile: rasters.Tile = None,
     margin: rasters.Margin = None,
     far: rasters.Far = None,
+    texture: textures.Size = None,
+    uv: textures.Uv = None,
+    supersample: textures.Supersample = None,
+    normals: textures.Normals = None,
+    gutter: textures.Gutter = None,
+    strength: textures.Strength = None,
+    depth: textures.Depth = None,
+    strict: textures.Strict = False,
     **options: Any,
 ) -> None:
     """Estimate a number at each vertex, face or point of a mesh, with its standard error, into a file.
@@ -72,22 +83,18 @@ def bake_command(
     """
     from warpsample.output.bake import bake
     from warpsample.output.by_parts import is_by_parts
+    from warpsample.output.texture_bake import bake_texture
 
     given = {name: value for name, value in options.items() if value is not None}
     working_on = f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"
     alone = {"model": model, "receiver": receiver, "canopy": canopy, "trunk": trunk, "transmittance": transmittance}
     alone |= {"tile": tile, "margin": margin, "far": far}
+    of_textures = {"uv": uv, "supersample": supersample, "normals": normals, "gutter": gutter, "strength": strength}
+    of_textures |= {"depth": depth, "strict": strict or None}
     options = {"seed": seed, "workers": workers, **given}
     if rasters.is_raster(mesh, output):
-        of_meshes = {
-            "points": points,
-            "at": at,
-            "by": by,
-            "lod": lod,
-            "split": split or None,
-            "context": context,
-            "report": report,
-        }
+        of_meshes = {"points": points, "at": at, "by": by, "lod": lod, "split": split or None, "context": context}
+        of_meshes |= {"report": report, "texture": texture, **of_textures}
         drawn = {**of_meshes, "chunk": chunk, "cluster": cluster, **options}
         with working(working_on):
             summary = rasters.bake_raster_file(
@@ -97,6 +104,13 @@ def bake_command(
         return
     rasters.refuse_for_meshes(mesh, **alone)
     run = BakeRun(mesh, output, quantity, at, points, options, by, lod, split, context, report)
+    how = textures.options_of(run, texture, of_textures)
+    if how is not None:
+        stores.refuse_for_files(output, chunk=chunk, cluster=cluster, processes=processes, resume=resume)
+        with working(working_on):
+            summary = bake_texture(run, how)
+        print(summary)
+        return
     if points is None and at is None and not is_by_parts(run):
         run = replace(run, at="vertices")
     with working(working_on):

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from pathlib import Path
 from time import perf_counter
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -49,7 +49,7 @@ def bake(run: BakeRun) -> str:
     numbers = quantity.numbers(mesh, len(points), run.options)
     numbers(points.take(slice(0, 1)), 0)  # builds the tree and the kernel
     start = perf_counter()
-    found = quantity.joined(list(_parts(points, run, quantity, numbers)))
+    found = quantity.joined(list(numbers_by_parts(points, run, quantity, numbers)))
     seconds = perf_counter() - start
     baked = Baked(run, mesh, points, found)
     if by_parts:
@@ -86,7 +86,17 @@ def _check(run: BakeRun, quantity: Quantity) -> None:
     check_options(quantity, run.options)
 
 
-def _parts(points: SurfacePoints, run: BakeRun, quantity: Quantity, numbers: Numbers) -> Iterator[Any]:
+class Takeable(Protocol):
+    """Points that are taken part by part."""
+
+    def __len__(self) -> int:
+        """How many there are."""
+
+    def take(self, rows: slice) -> SurfacePoints:
+        """Some of them."""
+
+
+def numbers_by_parts(points: Takeable, run: BakeRun, quantity: Quantity, numbers: Numbers) -> Iterator[Any]:
     """The numbers part by part, with a progress bar if stderr is a terminal."""
     rays = run.options.get("samples") or quantity.default("samples") or _RAYS
     least = _TRIED if run.options.get("tolerance") else 1

@@ -11,11 +11,11 @@ from warpsample.host.making import imported
 _MOST_GUTTER = 1 << 20
 
 
-def check_gutter(gutter: Any) -> float:
+def check_gutter(gutter: Any, argument: str = "gutter") -> float:
     """How far an image is filled, in texels; infinite for "all"."""
     if isinstance(gutter, str) and gutter == "all":
         return np.inf
-    return float(check_integer(gutter, "gutter", 0, _MOST_GUTTER, "'all' or a whole number of at least 0"))
+    return float(check_integer(gutter, argument, 0, _MOST_GUTTER, "'all' or a whole number of at least 0"))
 
 
 def means_of(values: np.ndarray, texel: np.ndarray, texels: int) -> tuple[np.ndarray, np.ndarray]:

@@ -62,9 +62,9 @@ class TexturePoints:
     @once_property
     def points(self) -> SurfacePoints:
         """All points, with `id`, by which random numbers are drawn: those of a texel depend on nothing but its number."""
-        return self.part(slice(None))
+        return self.take(slice(None))
 
-    def part(self, rows: slice) -> SurfacePoints:
+    def take(self, rows: slice) -> SurfacePoints:
         """The points of some rows, made when they are asked for: a large image is computed part by part.
 
         Args:
@@ -79,7 +79,7 @@ class TexturePoints:
         Example:
             >>> triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
             >>> t = ws.texture_points(triangle, [[[0, 1], [1, 1], [0, 0]]], 8)
-            >>> print(len(t), t.part(slice(0, 2)).position.tolist())
+            >>> print(len(t), t.take(slice(0, 2)).position.tolist())
             43 [[0.0625, 0.9375, 0.0], [0.125, 0.875, 0.0]]
         """
         if not isinstance(rows, slice):
@@ -224,7 +224,7 @@ def texture_points(
     uv = as_real(uv, "uv", wants)
     if uv.shape != (len(mesh.faces), 3, 2):
         raise ValueError(f"uv: got shape {uv.shape}, want {wants}")
-    samples = check_integer(samples, "samples", 1, _MOST_SAMPLES)
+    samples = check_samples(samples)
     size = check_size(size, samples)
     check_choice(normals, "normals", NORMALS)
     turned = corner_normals_of(mesh, corner_normals) if normals != "face" or corner_normals is not None else None
@@ -237,6 +237,11 @@ def texture_points(
     report = report_on(mesh, covered, claims.overlapped, flaws | {"overlapped": claims.overlapping})
     turned = None if normals == "face" else turned
     return TexturePoints(mesh, corners, size, samples, normals, turned, claims.id, claims.face, report, options)
+
+
+def check_samples(samples: Any, argument: str = "samples") -> int:
+    """Points of a texel."""
+    return check_integer(samples, argument, 1, _MOST_SAMPLES)
 
 
 def check_size(size: Any, samples: int, argument: str = "size") -> tuple[int, int]:

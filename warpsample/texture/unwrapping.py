@@ -11,13 +11,16 @@ from warpsample.mesh.mesh import Mesh, as_mesh
 Charted = tuple[np.ndarray, np.ndarray, np.ndarray]
 """Of a mesh: (V2,) the vertex that each new one is, (F, 3) new vertices of its faces, and (V2, 2) their coordinates."""
 
+PADDING = 4
+"""Texels between charts, if nothing else is said."""
+
 _MOST_SIDE = 1 << 14
 _DIAGONAL = 1000.0  # that xatlas gets of a mesh: it drops faces whose area is below 1e-7
 _TRIES = 12
 _SLACK = 0.995  # by which a try is smaller than what would just fit: packing is uneven
 
 
-def unwrap(mesh: Any, size: int, *, padding: int = 4) -> tuple[Mesh, np.ndarray]:
+def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.ndarray]:
     """New texture coordinates for a mesh: charts that do not overlap, by xatlas, in one square image.
 
     Args:

@@ -32,7 +32,7 @@ def read(path: Path) -> Named:
     A ValueError is for a file that is shorter or longer than it declares, no glTF as its specification has it, or
     compressed, sparse or instanced by an extension.
     """
-    with _opened(path) as (tree, data):
+    with opened(path) as (tree, data):
         return joined_parts(_surfaces(tree, data))
 
 
@@ -41,22 +41,27 @@ def read_corners(path: Path, name: str) -> np.ndarray:
 
     Those of "NORMAL" are unit vectors, turned as the nodes turn them; those of others, as "TEXCOORD_0", are as they are.
     """
-    with _opened(path) as (tree, data):
+    with opened(path) as (tree, data):
         return joined_corners(_attributes(placed, data, name) for placed in placed_primitives(tree))
 
 
 @contextmanager
-def _opened(path: Path) -> Iterator[tuple[Part, Data]]:
+def opened(path: Path) -> Iterator[tuple[Part, Data]]:
     """The JSON of a file and its data; what is wrong with a member is a ValueError."""
     tree, chunk = binary(path) if path.suffix.lower() == ".glb" else (parsed(path.read_bytes()), memoryview(b""))
     try:
-        needed = _EXTENSIONS & set(tree.texts("extensionsUsed"))
-        if needed:
-            raise ValueError(f"it uses {', '.join(sorted(needed))}, want a file that does not")
+        check_extensions(tree)
         with np.errstate(all="ignore"):  # `Mesh` refuses coordinates that are not finite
             yield tree, Data.of(tree, path, chunk)
     except (TypeError, FileNotFoundError) as error:  # of the check of one member
         raise ValueError(str(error)) from None
+
+
+def check_extensions(tree: Part) -> None:
+    """Refuses, by a ValueError, a file whose faces are not where its accessors say."""
+    needed = _EXTENSIONS & set(tree.texts("extensionsUsed"))
+    if needed:
+        raise ValueError(f"it uses {', '.join(sorted(needed))}, want a file that does not")
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from warpsample.host.json_tree import Part, parsed
 
 _WHOLE = {5121: "<u1", 5123: "<u2", 5125: "<u4"}
 _KINDS = {**_WHOLE, 5120: "<i1", 5122: "<i2", 5126: "<f4"}
+_WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 _SCHEME = re.compile("[A-Za-z][A-Za-z0-9+.-]+:")  # of a URI; one letter is a drive
 
 
@@ -42,6 +43,13 @@ class Data:
     def indices(self, by: Part, key: str) -> np.ndarray:
         """(N,) whole numbers of the accessor that a member refers to, without a copy."""
         return self._numbers(by, key, shape="SCALAR", width=1, kinds=_WHOLE)[1].ravel()
+
+    def rows(self, by: Part, key: str) -> tuple[Part, np.ndarray]:
+        """The accessor that a member refers to, and its (V, k) numbers, whatever they are, without a copy."""
+        shape = self.accessors[by.index(key, self.accessors)].text("type")
+        if shape not in _WIDTHS:
+            raise ValueError(f"{by.at(key)}: got numbers that are {told(shape)}, want one of {', '.join(_WIDTHS)}")
+        return self._numbers(by, key, shape=shape, width=_WIDTHS[shape], kinds=_KINDS | _WHOLE)
 
     def _numbers(self, by: Part, key: str, *, shape: str, width: int, kinds: Mapping[int, str]) -> tuple[Part, np.ndarray]:
         accessor = self.accessors[by.index(key, self.accessors)]

@@ -38,6 +38,9 @@ _READERS: dict[str, Callable[[Path, int], np.ndarray]] = {
     **dict.fromkeys((".usd", ".usda", ".usdc", ".usdz"), _usd),
 }
 
+SUFFIXES = tuple(_READERS)
+"""Suffixes of the files that hold texture coordinates."""
+
 
 def load_uv(path: str | PathLike, *, set: int = 0) -> np.ndarray:
     r"""The texture coordinates of the faces that `load_mesh` reads from the same file.

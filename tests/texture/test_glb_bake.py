@@ -1,0 +1,223 @@
+"""`warpsample bake in.glb -o out.glb --texture`: right where a viewer looks, and nothing else is touched."""
+
+import copy
+import json
+import re
+import struct
+
+import numpy as np
+import pytest
+import trimesh
+from glb_files import glb
+from lookups import lookup, on_surface
+from textured_scenes import SQUARE, TWO, array_of, corner, opened, picture, rich
+
+import warpsample as ws
+
+RAYS = ("--samples", 256)
+
+
+@pytest.fixture
+def scene(tmp_path):
+    path = tmp_path / "in.glb"
+    path.write_bytes(rich())
+    return path
+
+
+def baked(call, path, *options, texture=64):
+    output = path.with_name("out.glb")
+    status, out, err = call("bake", path, "-o", output, "--texture", texture, *RAYS, *options)
+    assert (status, err) == (0, "")
+    return output, out
+
+
+def occlusion(tree, mesh):
+    """What the material of a mesh says of its occlusion."""
+    return tree["materials"][tree["meshes"][mesh]["primitives"][0]["material"]]["occlusionTexture"]
+
+
+@pytest.mark.parametrize(("uv", "texture"), [("auto", 64), ("new", 1024)])  # the floor is 2 x 80
+def test_a_viewer_sees_the_occlusion_of_the_floor(call, scene, uv, texture):
+    """The floor beside a wall of height 1: V = (1 + d / sqrt(d^2 + 1)) / 2 at every place, by what the material says."""
+    output, _ = baked(call, scene, "--uv", uv, "--depth", "16", texture=texture)
+    tree, data, _ = opened(output)
+    info = occlusion(tree, 0)
+    number = info.get("texCoord", 0)
+    assert number == (1 if uv == "auto" else 2)
+    mesh = ws.load_mesh(output)
+    points, at = on_surface(mesh, ws.load_uv(output, set=number), 4000)
+    floor = (points.face < 2) & (np.abs(points.position[:, 2]) < 30)  # the wall is long, but ends
+    read = lookup(picture(tree, data, info["index"]), at[floor])[:, 0]
+    d = points.position[floor, 0]
+    error = read - (1 + d / np.hypot(d, 1)) / 2
+    assert np.sqrt(np.mean(error**2)) < 0.01  # 256 rays, texels below 0.1; a flip or another set gives 0.1 and more
+
+
+def test_everything_else_stays_byte_for_byte(call, scene):
+    output, out = baked(call, scene)
+    before, after = opened(scene), opened(output)
+    assert after[1].startswith(before[1])
+    assert after[2] == before[2] != b""
+    tree = copy.deepcopy(after[0])
+    for key in ("images", "textures", "bufferViews", "accessors", "materials"):
+        added = tree[key][len(before[0][key]) :]
+        assert (len(added) > 0) == (key != "accessors")
+        del tree[key][len(before[0][key]) :]
+    assert tree.pop("samplers") == [{"magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 33071}]
+    tree["buffers"][0]["byteLength"] = before[0]["buffers"][0]["byteLength"]
+    for material in (1, 2):
+        assert tree["materials"][material].pop("occlusionTexture")["index"] == 2
+    copied = after[0]["materials"][3]  # as another mesh has the floor's, which the scene does not place
+    assert tree["meshes"][0]["primitives"][0].pop("material") == 3
+    assert before[0]["meshes"][0]["primitives"][0].pop("material") == 0
+    assert copied.pop("occlusionTexture") == {"index": 1, "texCoord": 1}
+    before[0]["materials"][0] = {**before[0]["materials"][0]}
+    assert {**copied, "occlusionTexture": None} == {**before[0]["materials"][0], "occlusionTexture": None}
+    assert tree == before[0]
+    assert "the occlusion of material 'ground' is replaced" in out
+
+
+def test_new_coordinates_take_all_attributes_along(call, tmp_path):
+    """Of the wall, which has none: every corner of every face has what it had, and the new set is the first."""
+    path = tmp_path / "in.glb"
+    path.write_bytes(rich(with_uv=False))
+    output, out = baked(call, path, "--strength", 0.5)
+    before, after = opened(path), opened(output)
+    old, new = (read[0]["meshes"][1]["primitives"][0] for read in (before, after))
+    assert set(new["attributes"]) == {*old["attributes"], "TEXCOORD_0"}
+    corners = [array_of(*read[:2], part["indices"]).ravel() for read, part in ((before, old), (after, new))]
+    for name, number in old["attributes"].items():
+        was, is_ = array_of(*before[:2], number), array_of(*after[:2], new["attributes"][name])
+        assert np.array_equal(was[corners[0]], is_[corners[1]]), name
+        assert before[0]["accessors"][number].get("normalized") == after[0]["accessors"][new["attributes"][name]].get(
+            "normalized"
+        )
+    was, is_ = (array_of(*read[:2], part["targets"][0]["POSITION"]) for read, part in ((before, old), (after, new)))
+    assert np.array_equal(was[corners[0]], is_[corners[1]])
+    assert {k: v for k, v in new.items() if k not in ("attributes", "indices", "targets")} == {
+        k: v for k, v in old.items() if k not in ("attributes", "indices", "targets")
+    }
+    assert occlusion(after[0], 1) == {"index": 1 + 1, "strength": 0.5}
+    assert "'brick', new coordinates, set 0" in out
+    meshes = ws.load_mesh(path), ws.load_mesh(output)
+    assert np.array_equal(*(mesh.vertices[mesh.faces] for mesh in meshes))
+    assert after[1].startswith(before[1])
+
+
+def test_the_same_command_gives_the_same_bytes(call, scene):
+    first = baked(call, scene, "--supersample", 4, "--uv", "new", "--workers", 1)[0].read_bytes()
+    assert baked(call, scene, "--supersample", 4, "--uv", "new", "--workers", 2)[0].read_bytes() == first
+
+
+def test_overlaps_are_named_and_refused_or_unwrapped(call, tmp_path):
+    """Two quads of a material on one place of the image."""
+    floor, wall = corner()
+    arrays = [floor, wall, SQUARE, TWO]
+    meshes = [{"primitives": [{"attributes": {"POSITION": i, "TEXCOORD_0": 2}, "indices": 3}]} for i in (0, 1)]
+    path = tmp_path / "in.glb"
+    path.write_bytes(glb({"meshes": meshes, "nodes": [{"mesh": 0, "name": "a"}, {"mesh": 1, "name": "b"}]}, arrays))
+    said = "4,032 texels on which several faces lie: they show one of them (a, b)"  # not the diagonals
+    output, out = baked(call, path, "--uv", "0")
+    assert said in out
+    assert "occlusionTexture" in opened(output)[0]["materials"][0]
+    status, _, err = call("bake", path, "-o", tmp_path / "no.glb", "--texture", 64, "--uv", "0", "--strict")
+    assert (status, err) == (2, f"error: --strict: got 'in.glb' with {said}\n")
+    assert not (tmp_path / "no.glb").exists()
+    tree = opened(baked(call, path, "--strict")[0])[0]
+    assert occlusion(tree, 0) == occlusion(tree, 1) == {"index": 0, "texCoord": 1}
+
+
+def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
+    """Beside a closed box on a sheet: under it the floor is filled from beside it, so that no 0 is read at its foot."""
+    floor = np.array([(-4, 0, 4), (4, 0, 4), (4, 0, -4), (-4, 0, -4)], np.float32)
+    box = trimesh.creation.box((2, 2, 2))
+    arrays = [floor, (SQUARE * (1, -1) + (0, 1)).astype(np.float32), TWO]
+    arrays += [np.float32(box.vertices + np.array((0, 0.5, 0))), np.uint16(box.faces).ravel()]
+    meshes = [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}]
+    meshes += [{"primitives": [{"attributes": {"POSITION": 3}, "indices": 4, "material": 1}]}]
+    tree = {"meshes": meshes, "nodes": [{"mesh": 0}, {"mesh": 1}], "materials": [{"name": "floor"}, {"name": "box"}]}
+    path = tmp_path / "in.glb"
+    path.write_bytes(glb(tree, arrays))
+    output, out = baked(call, path, texture=32)
+    tree, data, _ = opened(output)
+    image = picture(tree, data, occlusion(tree, 0)["index"])[..., 0]
+    assert image.min() > 0.4  # half of the sky at the foot of a wall
+    assert "64 points inside of something closed, filled from their charts" in out  # of 2 x 2 at 4 texels a unit
+
+
+@pytest.mark.parametrize(
+    ("options", "why"),
+    [
+        (["--texture", "big"], "--texture: got 'big', want texels as 1024 or 1024x512"),
+        (["--texture", 0], "--texture: got 0, want a whole number from 1"),
+        (["--texture", 64, "--points", 5], "--points: got 5 for --texture, want none: its points are texels"),
+        (["--texture", 64, "--supersample", 0], "--supersample: got 0, want"),
+        (["--texture", 64, "--gutter", "some"], "--gutter: got 'some', want 'all' or a whole number"),
+        (["--texture", 64, "--strength", 2], "--strength: got 2.0, want a number from 0 to 1"),
+        (["--texture", 64, "--uv", "1"], "--uv: got 1, and not all faces of 'brick' have the set 1 of coordinates"),
+        (["--texture", "64x32", "--uv", "new"], "--texture: got 64x32 for new texture coordinates, want a square"),
+        (["--texture", 64, "--quantity", "bent-normals"], "--quantity: got bent-normals for 'out.glb', want .exr or .npz"),
+        (["--texture", 64, "--processes", 2], "--processes: got 2 for"),
+        (["--uv", "new"], "--uv: got new without --texture; it applies only to textures"),
+        (["--strict"], "--strict: got True without --texture; it applies only to textures"),
+    ],
+)
+def test_wrong_options_are_named(call, scene, options, why):
+    status, _, err = call("bake", scene, "-o", scene.with_name("out.glb"), *options)
+    assert (status, err.splitlines()[-1][: len(why) + 7]) == (2, f"error: {why}")
+    assert [path.name for path in scene.parent.iterdir()] == ["in.glb"]
+
+
+def changed(content, change):
+    """A .glb whose JSON is changed."""
+    size = struct.unpack("<I", content[12:16])[0]
+    tree = json.loads(content[20 : 20 + size])
+    change(tree)
+    text = json.dumps(tree).encode()
+    text += b" " * (-len(text) % 4)
+    length = len(content) - size + len(text)
+    return content[:8] + struct.pack("<II", length, len(text)) + content[16:20] + text + content[20 + size :]
+
+
+def sparse(number):
+    return lambda tree: tree["accessors"][number].update(sparse={"count": 1})
+
+
+@pytest.mark.parametrize(
+    ("change", "options", "why"),
+    [
+        (lambda tree: tree["extensionsUsed"].append("KHR_draco_mesh_compression"), [], "it uses KHR_draco_mesh_compression"),
+        (lambda tree: tree["extensionsUsed"].append("EXT_mesh_gpu_instancing"), [], "it uses EXT_mesh_gpu_instancing"),
+        (sparse(0), [], "it has sparse data"),
+        (sparse(9), ["--uv", "new"], "it has sparse data"),
+        (
+            lambda tree: tree["meshes"][1]["primitives"][0].update(material=9),
+            [],
+            r"meshes\[1\].primitives\[0\].material: got 9",
+        ),
+        (lambda tree: tree["materials"].clear(), [], r"meshes\[0\].primitives\[0\].material: got 0"),
+        (lambda tree: tree["accessors"][12].update(type="MAT3"), ["--uv", "new"], ".*NORMAL: got numbers that are 'MAT3'"),
+    ],
+)
+def test_files_that_cannot_be_edited_are_refused(call, tmp_path, change, options, why):
+    path = tmp_path / "in.glb"
+    path.write_bytes(changed(rich(), change))
+    status, _, err = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 32, *RAYS, *options)
+    assert status == 2
+    assert re.search(rf"^error: \w+: got '.*in.glb', which cannot be read as .*: {why}", err), err
+    assert not (tmp_path / "out.glb").exists()
+
+
+def test_a_sparse_target_that_stays_is_no_matter(call, tmp_path):
+    path = tmp_path / "in.glb"
+    path.write_bytes(changed(rich(), sparse(9)))
+    baked(call, path)
+
+
+def test_a_buffer_in_another_file_is_refused(call, tmp_path):
+    path = tmp_path / "in.glb"
+    path.write_bytes(rich())
+    (tmp_path / "data.bin").write_bytes(opened(path)[1])
+    path.write_bytes(changed(rich(), lambda tree: tree["buffers"][0].update(uri="data.bin")))
+    status, _, err = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 32)
+    assert (status, "buffers[0] is not in the file itself" in err) == (2, True)

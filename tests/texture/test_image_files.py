@@ -1,0 +1,134 @@
+"""Images of textures: .png, .exr and .npz hold the same numbers; a file is whole or absent."""
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from lookups import lookup, on_surface
+from PIL import Image
+from textured_scenes import rich
+
+import warpsample as ws
+
+SQUARE = "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nv 4 0 1\nv 4 2 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+
+
+def run(call, path, output, *options):
+    status, out, err = call("bake", path, "-o", output, "--texture", "64x32", "--samples", 64, *options)
+    assert (status, err) == (0, "")
+    return out
+
+
+@pytest.fixture
+def floor(tmp_path):
+    path = tmp_path / "floor.obj"
+    path.write_text(f"{SQUARE}f 1/1 2/2 3/3 4/4\no wall\nf 2/1 3/1 6/1 5/1\n")
+    return path
+
+
+def exr(path):
+    import OpenEXR
+
+    with OpenEXR.File(str(path)) as file:
+        return {name: channel.pixels.copy() for name, channel in file.channels().items()}
+
+
+def test_all_files_hold_the_same_numbers(call, floor, tmp_path):
+    """The floor is lit from the left: the columns rise from the wall on, at the right, and rows are as in the file."""
+    for suffix in (".png", ".exr", ".npz"):
+        run(call, floor, tmp_path / f"a{suffix}", "--supersample", 4)
+    run(call, floor, tmp_path / "deep.png", "--supersample", 4, "--depth", "16")
+    with np.load(tmp_path / "a.npz") as file:
+        value, error, uv, told = (file[name] for name in ("value", "standard_error", "uv", "run"))
+    assert value.shape == error.shape == (32, 64)
+    assert value[:, 0].min() > 0.95 > value[:, -1].max()
+    assert 0.0 < np.sqrt(np.mean(error**2)) < 0.1
+    layers = exr(tmp_path / "a.exr")
+    assert np.array_equal(layers["Y"], value)
+    assert np.array_equal(layers["standard_error.Y"], error)
+    for name, white in (("a.png", 255), ("deep.png", 65535)):
+        assert np.abs(np.array(Image.open(tmp_path / name)) / white - value).max() <= 0.5001 / white  # and float32
+    assert np.array_equal(uv, ws.load_uv(floor))
+    told = json.loads(str(told))
+    assert (told["texture_size"], told["texture_samples"], told["samples"]) == ("(64, 32)", "4", "64")
+
+
+def test_three_channels(call, floor, tmp_path):
+    """The bent normals of the floor: away from the wall, and of length 2/3 far from it."""
+    for suffix in (".exr", ".npz"):
+        run(call, floor, tmp_path / f"b{suffix}", "--quantity", "bent-normals")
+    with np.load(tmp_path / "b.npz") as file:
+        value = file["value"]
+    assert value.shape == (32, 64, 3)
+    assert value[16, 2] == pytest.approx((0.0, 0.0, 2 / 3), abs=0.05)
+    assert value[16, -2, 0] < -0.1
+    assert np.array_equal(exr(tmp_path / "b.exr")["RGB"], value)
+
+
+def test_new_coordinates_are_in_an_npz(call, tmp_path):
+    """By them its image gives back what is at each place of the mesh: AO of a body on which nothing falls is 1."""
+    import trimesh
+
+    path = tmp_path / "ball.stl"
+    trimesh.creation.icosphere(2).export(path)
+    status, _, err = call("bake", path, "-o", tmp_path / "a.png", "--texture", 64)
+    said = "without texture coordinates that can be used, want .npz, which holds new ones, or .glb for a .glb"
+    assert (status, err) == (2, f"error: --output: got a .png for 'ball.stl' {said}\n")
+    status, _, err = call("bake", path, "-o", tmp_path / "a.npz", "--texture", 64, "--samples", 16)
+    assert (status, err) == (0, "")
+    with np.load(tmp_path / "a.npz") as file:
+        value, uv = file["value"], file["uv"]
+    _, at = on_surface(ws.load_mesh(path), uv, 1000)
+    assert np.array_equal(lookup(value[..., None], at), np.ones((1000, 1)))
+
+
+@pytest.mark.parametrize("library", ["PIL.Image", "OpenEXR", "xatlas"])
+def test_what_is_missing_is_named_before_the_work(call, floor, tmp_path, library, monkeypatch):
+    from warpsample.host.making import imported
+
+    monkeypatch.setitem(sys.modules, library, None)
+    imported.cache_clear()
+    suffix, new = {"PIL.Image": (".png", []), "OpenEXR": (".exr", []), "xatlas": (".npz", ["--uv", "new"])}[library]
+    status, _, err = call("bake", floor, "-o", tmp_path / f"a{suffix}", "--texture", 64, *new)
+    imported.cache_clear()
+    assert status == 2
+    assert err.endswith("pip install 'warpsample[texture]'\n")
+    assert [path.name for path in tmp_path.iterdir()] == ["floor.obj"]
+
+
+# Each output whole, then on a disk that has room for half of it. Python ignores SIGXFSZ.
+LIMITED = """
+import os, resource, sys
+from pathlib import Path
+from warpsample import cli
+
+for suffix in (".glb", ".png", ".exr", ".npz"):
+    def call():
+        sys.argv = ["warpsample", "bake", "in.glb", "-o", f"out{suffix}", "--texture", "64", "--samples", "16"]
+        sys.argv += [] if suffix == ".glb" else ["--uv", "0"]
+        try:
+            cli.main()
+        except SystemExit as stop:
+            return stop.code
+    assert call() == 0
+    whole = Path(f"out{suffix}").read_bytes()
+    resource.setrlimit(resource.RLIMIT_FSIZE, (len(whole) // 2, resource.RLIM_INFINITY))
+    assert call() == 1, suffix
+    resource.setrlimit(resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+    assert Path(f"out{suffix}").read_bytes() == whole
+assert sorted(os.listdir()) == ["in.glb", "out.exr", "out.glb", "out.npz", "out.png"], os.listdir()
+"""
+
+
+@pytest.mark.slow
+def test_a_full_disk_leaves_the_old_file(tmp_path, child_environment):
+    (tmp_path / "in.glb").write_bytes(rich())
+    done = subprocess.run(
+        [sys.executable, "-c", LIMITED], env=child_environment, cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    said = [line for line in done.stderr.splitlines() if line]
+    assert [line.split(":")[0] for line in said] == ["error"] * 4
+    assert all("cannot be written" in line for line in said)

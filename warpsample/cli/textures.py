@@ -1,0 +1,59 @@
+"""What the command line says of textures: the options of `bake --texture`."""
+
+import re
+from typing import Annotated, Any, Literal
+
+import typer
+
+from warpsample.cli.terminal import option
+from warpsample.host.arguments import check_integer, check_number
+from warpsample.output.baked import BakeRun
+from warpsample.texture.image import check_gutter
+from warpsample.texture.sets import TextureOptions
+from warpsample.texture.texture_points import check_samples, check_size
+
+Size = Annotated[str | None, option("Into a texture of so many texels, as 1024 or 1024x512.")]
+Uv = Annotated[
+    Literal["auto", "0", "1", "new"] | None,
+    option(
+        "Texture coordinates: a set of the file, or new ones; by default a set in which nothing overlaps, else new ones."
+    ),
+]
+Supersample = Annotated[
+    int | None, option("Points of a texel, which share its rays: the mean over the texel; by default 1.")
+]
+Normals = Annotated[Literal["face", "smooth", "lifted"] | None, option("Of texels; by default those of the faces.")]
+Gutter = Annotated[str | None, option("Texels around charts that are filled, or all, the default.")]
+Strength = Annotated[float | None, option("Of the occlusion in a .glb, 0 to 1; by default 1.")]
+Depth = Annotated[Literal["8", "16"] | None, option("Bits of a number in a .png, also within a .glb; by default 8.")]
+Strict = Annotated[bool, typer.Option("--strict", help="Refuse texture coordinates that overlap, reach out or are flat.")]
+
+
+def options_of(run: BakeRun, size: str | None, given: dict[str, Any]) -> TextureOptions | None:
+    """The options of a run, checked; None where it bakes no texture."""
+    given = {name: value for name, value in given.items() if value is not None}
+    if size is None:
+        for name, value in given.items():
+            raise ValueError(f"--{name}: got {value} without --texture; it applies only to textures")
+        return None
+    for name in ("points", "at", "by", "lod", "split", "context"):
+        if getattr(run, name):
+            raise ValueError(f"--{name}: got {getattr(run, name)} for --texture, want none: its points are texels")
+    samples = check_samples(given.pop("supersample", 1), "--supersample")
+    parts = re.fullmatch(r"(\d{1,9})(?:x(\d{1,9}))?", size)
+    if not parts:
+        raise ValueError(f"--texture: got {size!r}, want texels as 1024 or 1024x512")
+    both = check_size((int(parts[1]), int(parts[2] or parts[1])), samples, "--texture")
+    if "gutter" in given:
+        given["gutter"] = _gutter(given["gutter"])
+    if "strength" in given:
+        check_number(given["strength"], "--strength", 0.0, 1.0)
+    if "depth" in given:
+        given["depth"] = check_integer(int(given["depth"]), "--depth", 8, 16)
+    return TextureOptions(both, samples=samples, **given)
+
+
+def _gutter(value: str) -> str | int:
+    made = int(value) if value.isascii() and value.isdecimal() and len(value) < 10 else value
+    check_gutter(made, "--gutter")
+    return made

@@ -1,0 +1,163 @@
+"""Writes numbers at the texels of a mesh into a .glb or an image: `warpsample bake --texture`."""
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass, fields, replace
+from time import perf_counter
+from typing import Any, BinaryIO
+
+import numpy as np
+
+from warpsample.estimate.quantities.record import Quantity
+from warpsample.host.device_memory import Memory
+from warpsample.host.engine import check_workers
+from warpsample.host.files import check_output, complete_or_absent, write_arrays
+from warpsample.mesh.files import load_mesh
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.output.bake import numbers_by_parts
+from warpsample.output.baked import BakeRun
+from warpsample.output.quantities import check_options, quantity_of
+from warpsample.texture.inside import Closed
+from warpsample.texture.jobs import TextureJob, flaws_told, jobs_of
+from warpsample.texture.occlusion import add_occlusion
+from warpsample.texture.pictures import DEPTHS, check_library, exr_of, png_of
+from warpsample.texture.sets import TextureOptions
+
+SUFFIXES = (".glb", ".png", ".exr", ".npz")
+"""Suffixes of the files that hold textures."""
+
+_INTO_PNG = (0.0, 1.0)
+"""What the numbers are that a .png holds."""
+
+
+@dataclass(frozen=True, eq=False)
+class Filled:
+    """The images of a job, and what was done for it.
+
+    Attributes:
+        job: whose they are.
+        value: (H, W) or (H, W, C) float32.
+        error: its standard errors.
+        mean: of the numbers at the points.
+        inside: how many points were inside of something closed.
+        lost: how many had no number for another reason.
+        rays: how many were cast.
+    """
+
+    job: TextureJob
+    value: np.ndarray
+    error: np.ndarray
+    mean: float
+    inside: int
+    lost: int
+    rays: int
+
+
+def bake_texture(run: BakeRun, how: TextureOptions) -> str:
+    """Runs and writes `run.output`, which appears when it is complete; an interrupted run leaves the old file.
+
+    Gives a report in sentences. An argument that cannot be used is refused before anything is computed.
+    """
+    quantity = quantity_of(run.quantity)
+    _check(run, quantity, how)
+    mesh = load_mesh(run.mesh)
+    jobs, file = jobs_of(run.mesh, mesh, how, run.output.suffix)
+    closed, start = Closed(mesh), perf_counter()
+    found = [_filled(job, run, quantity, how, closed) for job in jobs]
+    seconds = perf_counter() - start
+    told: list[str] = []
+    with complete_or_absent(run.output) as stream:
+        if file is None:
+            _write_image(stream, run, how, found[0])
+        else:
+            for one in found:
+                png = png_of(one.value, how.depth)
+                told += add_occlusion(file, one.job.group, png, texcoord=one.job.set, strength=how.strength)
+            file.write(stream)
+    lines = [f"{run.output}: {quantity.title} in {_pictures(len(found))} of {how.size[0]} x {how.size[1]} texels"]
+    lines += [line for one in found for line in _told(one)]
+    rays = sum(one.rays for one in found)
+    lines += [f"{rays:,} rays cast in {seconds:.2f} s, {rays / max(seconds, 1e-9) / 1e6:.1f} million a second", *told]
+    return "\n  ".join(lines)
+
+
+def _check(run: BakeRun, quantity: Quantity, how: TextureOptions) -> None:
+    suffix, name = run.output.suffix, str(run.output)
+    if suffix not in SUFFIXES:
+        raise ValueError(f"--output: got {name!r} for --texture, want a file that ends in one of {' '.join(SUFFIXES)}")
+    if suffix == ".glb" and run.mesh.suffix.lower() != ".glb":
+        raise ValueError(
+            f"--output: got {name!r} for {run.mesh.name!r}, want .png, .exr or .npz: only a .glb becomes a .glb"
+        )
+    if quantity.is_matrix:
+        raise ValueError(f"--quantity: got {quantity.name} for --texture, want one of a few numbers at each point")
+    if suffix in (".glb", ".png") and getattr(quantity.result, "possible", None) != _INTO_PNG:
+        raise ValueError(
+            f"--quantity: got {quantity.name} for {run.output.name!r}, want .exr or .npz: a {suffix} holds 0 to 1"
+        )
+    if suffix != ".glb" and how.strength != 1.0:
+        raise ValueError(f"--strength: got {how.strength:g} for {run.output.name!r}; it applies only to .glb")
+    if suffix not in (".glb", ".png") and how.depth != DEPTHS[0]:
+        raise ValueError(f"--depth: got {how.depth} for {run.output.name!r}; it applies only to .glb and .png")
+    check_library(suffix)
+    Memory.of(run.options.get("device"))
+    files = [run.options.get(option) for option in quantity.files]
+    check_output(run.output, "--output", run.mesh, *files)
+    check_options(quantity, run.options)
+
+
+def _filled(job: TextureJob, run: BakeRun, quantity: Quantity, how: TextureOptions, closed: Closed) -> Filled:
+    """The images of one job, computed by parts of its points, of which nothing but their numbers is kept."""
+    points, options = job.points, dict(run.options)
+    if how.samples > 1 and quantity.takes("samples"):
+        options["samples"] = max(2, (options.get("samples") or quantity.default("samples")) // how.samples)
+    numbers = quantity.numbers(points.mesh, len(points), options)
+    workers = check_workers(options.get("workers"))
+    inside = np.zeros(len(points), np.bool_)
+
+    def of_part(part: SurfacePoints, first: int) -> Any:
+        inside[first : first + len(part)] = closed.around(part, workers)
+        return numbers(part, 0)  # the points have ids
+
+    found = quantity.joined(list(numbers_by_parts(points, replace(run, options=options), quantity, of_part)))
+    good = (found.status == 0) & ~inside
+    value, error = (np.where(_like(good, array), array, np.nan) for array in (found.value, found.standard_error))
+    errors = replace(found, value=value, standard_error=error)
+    mean = float(found.value[good].mean()) if good.any() else float("nan")
+    lost = int(np.count_nonzero(found.status))
+    images = points.image(value, gutter=how.gutter), points.image_error(errors, gutter=how.gutter)
+    return Filled(job, *images, mean, int(np.count_nonzero(inside)), lost, int(found.rays.sum(dtype=np.int64)))
+
+
+def _like(good: np.ndarray, array: np.ndarray) -> np.ndarray:
+    return good.reshape(-1, *[1] * (array.ndim - 1))
+
+
+def _write_image(stream: BinaryIO, run: BakeRun, how: TextureOptions, found: Filled) -> None:
+    """Writes the images of a file of its own: an .npz also tells the texture coordinates that they are for, and the run."""
+    if run.output.suffix == ".png":
+        stream.write(png_of(found.value, how.depth))
+    elif run.output.suffix == ".exr":
+        stream.write(exr_of({"": found.value, "standard_error": found.error}))
+    else:
+        texture = {f"texture_{item.name}": str(getattr(how, item.name)) for item in fields(how)}
+        options = {name: str(value) for name, value in quantity_of(run.quantity).told(run.options).items()}
+        uv = found.job.points.corners / np.array(how.size)
+        arrays = {"value": found.value, "standard_error": found.error, "uv": uv}
+        write_arrays(stream, {**arrays, "run": np.array(json.dumps(run.told | options | texture))})
+
+
+def _pictures(count: int) -> str:
+    return "one picture" if count == 1 else f"{count} pictures"
+
+
+def _told(found: Filled) -> Iterator[str]:
+    """A job in sentences."""
+    job, report = found.job, found.job.points.report
+    known = np.sqrt(np.mean(np.square(found.error, dtype=np.float64)))
+    yield f"{job.name!r}, {job.told}: {report.covered:,} texels, mean {found.mean:.4f}; standard error {known:.2g}"
+    yield from flaws_told(job)
+    if found.inside:
+        yield f"{found.inside:,} points inside of something closed, filled from their charts"
+    if found.lost:
+        yield f"{found.lost:,} points without a number, filled from their charts"

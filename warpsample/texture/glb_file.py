@@ -1,0 +1,127 @@
+"""A .glb that gets more: its JSON is edited and bytes are appended; all else stays byte for byte.
+
+Not by trimesh or pygltflib, which write anew what they know of a file, and lose the rest.
+"""
+
+import copy
+import json
+import struct
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+
+from warpsample.host.json_tree import Part
+from warpsample.mesh.files.gltf_data import Data, binary
+
+MOST_BYTES = 2**32 - 2**20
+"""Of the data of a file: it tells its length in 32 bits."""
+
+_CODES = {"f4": 5126, "u4": 5125, "u2": 5123, "u1": 5121}
+_TYPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
+_OF_ARRAY = ("bufferView", "byteOffset", "componentType", "type", "count", "min", "max")
+_VERTICES, _INDICES = 34962, 34963  # what a view of the buffer is for
+_JSON, _BIN = 0x4E4F534A, 0x004E4942
+_CLAMP, _LINEAR, _LINEAR_MIPMAP = 33071, 9729, 9987
+
+
+class GlbFile:
+    """A .glb in memory, to which arrays and pictures are added.
+
+    Attributes:
+        part: its JSON as it was, for readers that check what they read.
+        data: the numbers in it.
+        tree: its JSON, to be edited.
+    """
+
+    def __init__(self, path: Path) -> None:
+        """Reads a file.
+
+        Raises:
+            ValueError: no .glb, or one whose first buffer is not in it, so that nothing can be appended.
+        """
+        self.part, chunk = binary(path)
+        self.data = Data.of(self.part, path, chunk)
+        self.tree: dict[str, Any] = copy.deepcopy(self.part.content)
+        buffers = self.tree.setdefault("buffers", [{"byteLength": 0}])
+        if "uri" in buffers[0]:
+            raise ValueError("buffers[0] is not in the file itself, want one whose data are")
+        self._chunks = [bytes(chunk)]
+        self._rest = _after(path, len(chunk))
+        self._size = len(chunk)
+
+    def add_vertices(self, array: np.ndarray, **more: Any) -> int:
+        """The number of a new accessor of (V,) or (V, k) numbers of vertices, of rows of whole 4 bytes."""
+        return self._add_array(array, _VERTICES, more)
+
+    def add_indices(self, array: np.ndarray) -> int:
+        """The number of a new accessor of (N,) indices of vertices."""
+        kind = np.uint16 if array.max(initial=0) < 65535 else np.uint32
+        return self._add_array(array.astype(kind), _INDICES, {})
+
+    def add_like(self, accessor: Part, array: np.ndarray) -> int:
+        """The number of a new accessor of (V, k) numbers of vertices, of which all else is said as of another one."""
+        more = {key: value for key, value in accessor.content.items() if key not in _OF_ARRAY}
+        bounds = {"min": array.min(axis=0).tolist(), "max": array.max(axis=0).tolist()}
+        more |= {key: value for key, value in bounds.items() if key in accessor}
+        size = array.shape[1] * array.dtype.itemsize
+        rows = np.ascontiguousarray(array).view(np.uint8).reshape(len(array), size)
+        padded = np.pad(rows, ((0, 0), (0, -size % 4)))
+        view = {"target": _VERTICES} | ({"byteStride": padded.shape[1]} if size % 4 else {})
+        kind = {"componentType": accessor.whole("componentType"), "type": accessor.text("type"), "count": len(array)}
+        return self._append("accessors", {"bufferView": self._add_view(padded.tobytes(), view), **kind, **more})
+
+    def add_picture(self, png: bytes, name: str) -> int:
+        """The number of a new texture of a picture, whose edges do not meet each other."""
+        image = self._append("images", {"name": name, "mimeType": "image/png", "bufferView": self._add_view(png, {})})
+        how = {"magFilter": _LINEAR, "minFilter": _LINEAR_MIPMAP, "wrapS": _CLAMP, "wrapT": _CLAMP}
+        samplers = self.tree.setdefault("samplers", [])
+        sampler = samplers.index(how) if how in samplers else self._append("samplers", how)
+        return self._append("textures", {"name": name, "sampler": sampler, "source": image})
+
+    def add_material(self, material: dict[str, Any]) -> int:
+        """The number of a new material."""
+        return self._append("materials", material)
+
+    def write(self, file: BinaryIO) -> None:
+        """Writes the whole: a length of more than 32 bits is a ValueError."""
+        self.tree["buffers"][0]["byteLength"] = self._size
+        text = json.dumps(self.tree, separators=(",", ":"), allow_nan=False).encode()
+        text += b" " * (-len(text) % 4)
+        length = 28 + len(text) + self._size + len(self._rest)
+        if length > MOST_BYTES:
+            raise ValueError(f"it would have {length:,} bytes, and a .glb holds 4 GiB")
+        file.write(struct.pack("<4sIIII", b"glTF", 2, length, len(text), _JSON))
+        file.write(text + struct.pack("<II", self._size, _BIN))
+        file.writelines(self._chunks)
+        file.write(self._rest)
+
+    def _add_array(self, array: np.ndarray, target: int, more: dict[str, Any]) -> int:
+        array = np.ascontiguousarray(array)
+        width = array.shape[1] if array.ndim == 2 else 1
+        view = self._add_view(array.tobytes(), {"target": target})
+        kind = {"componentType": _CODES[array.dtype.str[1:]], "type": _TYPES[width]}
+        return self._append("accessors", {"bufferView": view, **kind, "count": len(array), **more})
+
+    def _add_view(self, content: bytes, more: dict[str, Any]) -> int:
+        padding = b"\0" * (-self._size % 4)
+        view = {"buffer": 0, "byteOffset": self._size + len(padding), "byteLength": len(content), **more}
+        end = b"\0" * (-len(content) % 4)
+        self._chunks += [padding, content, end]
+        self._size += len(padding) + len(content) + len(end)
+        return self._append("bufferViews", view)
+
+    def _append(self, key: str, item: dict[str, Any]) -> int:
+        items = self.tree.setdefault(key, [])
+        items.append(item)
+        return len(items) - 1
+
+
+def _after(path: Path, chunk: int) -> bytes:
+    """What follows the first two parts of a file, of which the second has so many bytes."""
+    with path.open("rb") as file:
+        size = int.from_bytes(file.read(20)[12:16], "little")
+        file.seek(20 + size)
+        is_data = file.read(8)[4:] == b"BIN\0"
+        file.seek(20 + size + (8 + chunk if is_data else 0))
+        return file.read()

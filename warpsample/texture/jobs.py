@@ -1,0 +1,124 @@
+"""What a run bakes: an image for each group of primitives that share materials, by which texture coordinates."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from warpsample.host.arguments import naming_file
+from warpsample.mesh.files.gltf import check_extensions, read_corners
+from warpsample.mesh.mesh import Mesh
+from warpsample.texture.glb_file import GlbFile
+from warpsample.texture.new_uv import add_uv
+from warpsample.texture.occlusion import name_of
+from warpsample.texture.primitives import Primitive, primitives_of, sharing
+from warpsample.texture.sets import MOST_SETS, Texels, TextureOptions
+from warpsample.texture.texture_points import TexturePoints
+from warpsample.texture.unwrapping import PADDING, unwrap
+
+_FLAWS = {
+    "overlapped": "texels on which several faces lie: they show one of them",
+    "outside": "faces beyond the image: there they have no texels",
+    "zero_area": "faces without an area in the image",
+    "mirrored": "mirrored faces",
+}
+_REFUSED = ("overlapped", "outside", "zero_area")
+_NAMES = 5  # of meshes that are told for a flaw
+
+
+@dataclass(frozen=True, eq=False)
+class TextureJob:
+    """An image that a run bakes.
+
+    Attributes:
+        name: of the material that it is for, or of the file.
+        points: its texels.
+        set: the number of the texture coordinates that it is by; of new ones the number that they get.
+        told: which coordinates these are.
+        group: the primitives that it is for; none where it is for a whole file.
+    """
+
+    name: str
+    points: TexturePoints
+    set: int
+    told: str
+    group: list[Primitive]
+
+
+def jobs_of(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> tuple[list[TextureJob], GlbFile | None]:
+    """All images of a run into a file with such a suffix; and the .glb that they go into, which has new coordinates by now.
+
+    Raises:
+        ValueError: coordinates that cannot be used, or with `strict` such that are flawed.
+    """
+    jobs, file = _glb_jobs(path, mesh, how) if output == ".glb" else ([_whole_job(path, mesh, how, output)], None)
+    flaws = [line for job in jobs for line in flaws_told(job, _REFUSED)]
+    if how.strict and flaws:
+        raise ValueError(f"--strict: got {path.name!r} with {'; '.join(flaws)}")
+    return jobs, file
+
+
+def flaws_told(job: TextureJob, names: Sequence[str] = tuple(_FLAWS)) -> Iterator[str]:
+    """What is wrong with the coordinates of a job, in phrases with the names of the meshes."""
+    report = job.points.report
+    for name in names:
+        count, parts = getattr(report, name), report.named[name]
+        if count:
+            more = f" and {len(parts) - _NAMES:,} more" if len(parts) > _NAMES else ""
+            yield f"{count:,} {_FLAWS[name]}" + (f" ({', '.join(parts[:_NAMES])}{more})" if any(parts) else "")
+
+
+def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions) -> tuple[list[TextureJob], GlbFile]:
+    """An image for each group of primitives that share materials."""
+    with naming_file("mesh", path, "a .glb to be edited"):
+        file = GlbFile(path)
+        check_extensions(file.part)
+        groups = list(sharing(primitives_of(file.part, file.data)))
+        normals = read_corners(path, "NORMAL") if how.normals != "face" else None
+    texels = Texels(path, mesh, how, normals)
+    jobs = []
+    for group in groups:
+        rows, name = [one.faces for one in group], name_of(file, group)
+        found = texels.chosen(rows, name, first=_occlusion_set(file, group))
+        if found is None:
+            side = square(how.size)
+            with naming_file("mesh", path, "a .glb to be edited"):
+                number, uv = add_uv(file, group, mesh, side)
+            jobs.append(TextureJob(name, texels.points(uv, rows), number, f"new coordinates, set {number}", group))
+        else:
+            jobs.append(TextureJob(name, found[1], found[0], f"set {found[0]}", group))
+    return jobs, file
+
+
+def _whole_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> TextureJob:
+    """One image for all faces of a file."""
+    normals = None
+    if how.normals != "face" and path.suffix.lower() in (".glb", ".gltf"):
+        normals = read_corners(path, "NORMAL")
+    texels, rows = Texels(path, mesh, how, normals), [slice(None)]
+    found = texels.chosen(rows, path.name, lenient=output != ".npz")
+    if found is not None:
+        return TextureJob(path.name, found[1], found[0], f"set {found[0]}", [])
+    if output != ".npz":
+        raise ValueError(
+            f"--output: got a {output} for {path.name!r} without texture coordinates that can be used, want .npz, which "
+            "holds new ones, or .glb for a .glb"
+        )
+    uv = unwrap(mesh, square(how.size), padding=PADDING)[1]
+    return TextureJob(path.name, texels.points(uv, rows), 0, "new coordinates", [])
+
+
+def _occlusion_set(file: GlbFile, group: list[Primitive]) -> int | None:
+    """The set by which the materials of a group have an occlusion already."""
+    for one in group:
+        for number in one.materials:
+            material = file.part.parts("materials")[number]
+            if "occlusionTexture" in material:
+                return material.part("occlusionTexture").whole("texCoord", 0, MOST_SETS)
+    return None
+
+
+def square(size: tuple[int, int]) -> int:
+    """The side of a square image, which new coordinates are made for."""
+    if size[0] != size[1]:
+        raise ValueError(f"--texture: got {size[0]}x{size[1]} for new texture coordinates, want a square")
+    return size[0]

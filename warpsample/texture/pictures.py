@@ -1,0 +1,59 @@
+"""Images of numbers as files: .png by Pillow, .exr by OpenEXR."""
+
+from collections.abc import Mapping
+from io import BytesIO
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from types import ModuleType
+
+import numpy as np
+
+from warpsample.host.files import WriteError
+from warpsample.host.making import imported
+
+_WHITE = {8: (255.0, np.uint8), 16: (65535.0, np.uint16)}
+DEPTHS = tuple(_WHITE)
+"""Bits of a number in a .png."""
+
+
+def png_of(image: np.ndarray, depth: int) -> bytes:
+    """The bytes of a grey .png of (H, W) numbers from 0 to 1, linear and rounded; beyond these, cut."""
+    white, kind = _WHITE[depth]
+    levels = np.floor(np.clip(image.astype(np.float64), 0.0, 1.0) * white + 0.5).astype(kind)
+    stream = BytesIO()
+    _library("PIL.Image", "a .png needs Pillow").fromarray(levels).save(stream, "PNG", compress_level=9)
+    return stream.getvalue()
+
+
+def exr_of(layers: Mapping[str, np.ndarray]) -> bytes:
+    """The bytes of an .exr of float32 images by the names of their layers: (H, W) is Y, (H, W, 3) R, G and B."""
+    library = _library("OpenEXR", "an .exr needs OpenEXR")
+    channels = {}
+    for layer, image in layers.items():
+        prefix = f"{layer}." if layer else ""
+        split = np.moveaxis(image, -1, 0) if image.ndim == 3 else [image]
+        names = "RGB" if image.ndim == 3 else "Y"
+        channels |= {prefix + name: np.ascontiguousarray(one, np.float32) for name, one in zip(names, split, strict=True)}
+    header = {"compression": library.ZIP_COMPRESSION, "type": library.scanlineimage}
+    with TemporaryDirectory() as folder:  # the library writes into files only
+        path = Path(folder, "image.exr")
+        try:
+            library.File(header, channels).write(str(path))
+        except RuntimeError as error:
+            raise WriteError(f"a copy of the picture cannot be written into {folder}: {error}") from None
+        return path.read_bytes()
+
+
+def check_library(suffix: str) -> None:
+    """Refuses a suffix of a file for which a library is missing, before anything is computed."""
+    if suffix in (".png", ".glb"):
+        _library("PIL.Image", f"a texture in a {suffix} needs Pillow")
+    elif suffix == ".exr":
+        _library("OpenEXR", "an .exr needs OpenEXR")
+
+
+def _library(name: str, what: str) -> ModuleType:
+    try:
+        return imported(name)
+    except ModuleNotFoundError:
+        raise ModuleNotFoundError(f"{what}: pip install 'warpsample[texture]'") from None

@@ -1,0 +1,83 @@
+"""What a .glb places, as its textures need it: primitives, where their faces are in the mesh, and who shares a material."""
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from warpsample.host.json_tree import Part
+from warpsample.mesh.files.gltf import placed_primitives, surface
+from warpsample.mesh.files.gltf_data import Data
+
+_VARIANTS = "KHR_materials_variants"
+
+
+@dataclass(frozen=True, eq=False)
+class Primitive:
+    """A primitive of triangles, and where the first of its places is in what `load_mesh` gives.
+
+    Attributes:
+        mesh: the number of its mesh.
+        number: of the primitive in that.
+        part: what the file says of it.
+        name: of its mesh, or its number.
+        faces: rows of the mesh's faces, at the first place.
+        vertices: rows of its vertices.
+        triangles: (F, 3) its own vertices of these faces, in the order of their corners.
+        mirrored: whether that order is the reverse of the file's.
+        materials: the numbers of its materials, those of its variants among them.
+        places: how many there are.
+    """
+
+    mesh: int
+    number: int
+    part: Part
+    name: str
+    faces: slice
+    vertices: slice
+    triangles: np.ndarray
+    mirrored: bool
+    materials: list[int]
+    places: int
+
+
+def primitives_of(tree: Part, data: Data) -> list[Primitive]:
+    """The primitives that the scene places, each once, in the order of their first places."""
+    known = tree.parts("materials")
+    placed, faces, vertices = list(placed_primitives(tree)), 0, 0
+    places = Counter((one.mesh, one.number) for one in placed)
+    found: dict[tuple[int, int], Primitive] = {}
+    for one in placed:
+        points, triangles = surface(one.primitive, data)
+        rows = slice(faces, faces + len(triangles)), slice(vertices, vertices + len(points))
+        faces, vertices = rows[0].stop, rows[1].stop
+        key = one.mesh, one.number
+        if key not in found:
+            mirrored = bool(np.linalg.det(one.matrix[:3, :3]) < 0.0)
+            mesh = tree.parts("meshes")[one.mesh]
+            name = mesh.text("name") if "name" in mesh else mesh.path
+            own = triangles[:, ::-1] if mirrored else triangles
+            materials = [part.index("material", known) for part in naming(one.primitive)]
+            found[key] = Primitive(*key, one.primitive, name, *rows, own, mirrored, materials, places[key])
+    return list(found.values())
+
+
+def sharing(primitives: list[Primitive]) -> Iterator[list[Primitive]]:
+    """The primitives by groups, of which no two share a material; those without one are a group."""
+    group_of: dict[Any, list[Primitive]] = {}
+    for one in primitives:
+        known = [group_of[key] for key in one.materials or [None] if key in group_of]
+        merged = [*dict.fromkeys(item for group in known for item in group), one]
+        for key in {key for item in merged for key in (item.materials or [None])}:
+            group_of[key] = merged
+    yield from {id(group): group for group in group_of.values()}.values()
+
+
+def naming(primitive: Part) -> list[Part]:
+    """What names a material of a primitive as its member "material": itself, and each of its variants."""
+    found = [primitive] if "material" in primitive else []
+    if "extensions" in primitive and _VARIANTS in primitive.part("extensions"):
+        found += primitive.part("extensions").part(_VARIANTS).parts("mappings")
+    return found

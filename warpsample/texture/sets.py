@@ -1,0 +1,109 @@
+"""Which set of texture coordinates a run bakes to, and the points of its texels."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from warpsample.mesh.files.uv import SUFFIXES, load_uv
+from warpsample.mesh.mesh import Mesh
+from warpsample.texture.texture_points import TexturePoints, texture_points
+
+UV_CHOICES = ("auto", "0", "1", "new")
+MOST_SETS = 8
+"""That a file is asked for."""
+
+
+@dataclass(frozen=True)
+class TextureOptions:
+    """What `warpsample bake --texture` is told besides what points are.
+
+    `size` is width and height in texels; `uv` of UV_CHOICES; `samples` the points of each texel; `gutter` "all" or texels;
+    `depth` the bits of a number in a .png; `strict` whether flaws of the coordinates are refused.
+    """
+
+    size: tuple[int, int]
+    uv: str = "auto"
+    samples: int = 1
+    normals: str = "face"
+    gutter: str | int = "all"
+    strength: float = 1.0
+    depth: int = 8
+    strict: bool = False
+
+
+class Texels:
+    """The texels of a mesh file by its own sets of coordinates, each of which is read once."""
+
+    def __init__(self, path: Path, mesh: Mesh, how: TextureOptions, normals: np.ndarray | None) -> None:
+        """Reads nothing yet; `normals` are those of the corners that the file has, if it has any."""
+        self.path, self.mesh, self.how, self.normals = path, mesh, how, normals
+        self._sets: list[np.ndarray | None] = []
+
+    def points(self, uv: np.ndarray, rows: list[slice]) -> TexturePoints:
+        """The texels of some faces by the coordinates of all."""
+        own = np.full(uv.shape, np.nan)
+        for some in rows:
+            own[some] = uv[some]
+        how = self.how
+        return texture_points(
+            self.mesh, own, how.size, samples=how.samples, normals=how.normals, corner_normals=self.normals
+        )
+
+    def chosen(
+        self, rows: list[slice], name: str, *, first: int | None = None, lenient: bool = False
+    ) -> tuple[int, TexturePoints] | None:
+        """The set for some faces, as the run asks for, and their texels by it; None where they are to get new ones.
+
+        Of "auto" it is `first`, the one that these faces have a picture of that kind by, if that lies within the image; else
+        the lowest that does and in which nothing overlaps; and if there is none and it may be `lenient`, the lowest within.
+
+        Raises:
+            ValueError: a set that is asked for and that some of the faces have not.
+        """
+        if self.how.uv == "new":
+            return None
+        if self.how.uv != "auto":
+            number = int(self.how.uv)
+            if not self._has(number, rows):
+                raise ValueError(f"--uv: got {number}, and not all faces of {name!r} have the set {number} of coordinates")
+            found = self._by(number, rows)
+            if not len(found):
+                raise ValueError(
+                    f"--uv: got {number}, by which {name!r} has no texels: its faces are flat or beyond the image"
+                )
+            return number, found
+        within = None
+        for number in dict.fromkeys([*([] if first is None else [first]), *range(MOST_SETS)]):
+            if self._has(number, rows):
+                found = self._by(number, rows)
+                if not len(found) or found.report.outside:
+                    continue
+                if number == first or not found.report.overlapped:
+                    return number, found
+                within = within or (number, found)
+        return within if lenient else None
+
+    def _has(self, number: int, rows: Iterable[slice]) -> bool:
+        uv = self._set(number)
+        return uv is not None and all(np.isfinite(uv[some]).all() for some in rows)
+
+    def _by(self, number: int, rows: list[slice]) -> TexturePoints:
+        uv = self._set(number)
+        assert uv is not None
+        return self.points(uv, rows)
+
+    def _set(self, number: int) -> np.ndarray | None:
+        """All coordinates of a set; None from the first on that no face has."""
+        while len(self._sets) <= number and (not self._sets or self._sets[-1] is not None):
+            self._sets.append(self._read(len(self._sets)))
+        return self._sets[number] if number < len(self._sets) else None
+
+    def _read(self, number: int) -> np.ndarray | None:
+        if self.path.suffix.lower() not in SUFFIXES:
+            return None
+        try:
+            return load_uv(self.path, set=number)
+        except ValueError:  # the mesh itself has been read: there is no such set
+            return None
