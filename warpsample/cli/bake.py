@@ -24,7 +24,7 @@ OPTIONS: dict[str, tuple[Any, str]] = {
     "period": (tuple[str, str], "Of the year, as 06-01 08-31 or 03-21T09 03-21T15"),
     "ground_albedo": (float, "Of the ground beyond the mesh"),
     "patches": (str, "Of the sky: tregenza, reinhart2, reinhart4"),
-    "up": (tuple[float, float, float], "The sky's axis"),
+    "up": (tuple[float, float, float], "The sky's axis; +y for .glb, .gltf and USD that says so"),
     "north": (tuple[float, float, float], "Where north is"),
     "sequence": (str, f"One of: {', '.join(sequences.names())}"),
     "tolerance": (float, "Standard error to reach, root mean square over the points"),
@@ -84,6 +84,7 @@ def bake_command(
     from warpsample.output.bake import bake
     from warpsample.output.by_parts import is_by_parts
     from warpsample.output.texture_bake import bake_texture
+    from warpsample.output.upward import with_up
 
     given = {name: value for name, value in options.items() if value is not None}
     working_on = f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"
@@ -103,13 +104,14 @@ def bake_command(
         print(summary)
         return
     rasters.refuse_for_meshes(mesh, **alone)
+    options, said = with_up(mesh, quantity_of(quantity), options)
     run = BakeRun(mesh, output, quantity, at, points, options, by, lod, split, context, report)
     how = textures.options_of(run, texture, of_textures)
     if how is not None:
         stores.refuse_for_files(output, chunk=chunk, cluster=cluster, processes=processes, resume=resume)
         with working(working_on):
             summary = bake_texture(run, how)
-        print(summary)
+        print("\n  ".join(filter(None, (summary, said))))
         return
     if points is None and at is None and not is_by_parts(run):
         run = replace(run, at="vertices")
@@ -121,7 +123,7 @@ def bake_command(
         else:
             stores.refuse_for_files(output, chunk=chunk, cluster=cluster, processes=processes, resume=resume)
             summary = bake(run)
-    print(summary)
+    print("\n  ".join(filter(None, (summary, said))))
 
 
 def _help_of(name: str) -> str:

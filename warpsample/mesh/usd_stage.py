@@ -17,6 +17,7 @@ try:
 except ModuleNotFoundError:  # Windows
     resource = None  # type: ignore[assignment]
 
+UP = "up"
 REFUSED = 3
 """What the process ends with where it gives a reason instead of meshes."""
 _TWO_COUNTS = ("TOKENS", "PATHS")
@@ -26,20 +27,24 @@ _MOST_OF_BYTE = 1020
 """Entries that a byte of a section stands for, at most: LZ4 makes 255 bytes of it, each of them four numbers."""
 
 
-def main(path: str, uv: str = "") -> None:
+def main(path: str, what: str = "") -> None:
     """Writes the meshes in a file to stdout, each as three lengths, its points, triangles, matrix and name.
 
-    With `uv`, "0" for the first of the sets of texture coordinates, "1" ..., these stand in place of the points.
+    Of "0" for the first of the sets of texture coordinates, "1" ..., these stand in place of the points; of "up" it writes
+    the axis that points up.
     """
     found = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # whatever usd-core prints
     _limit_memory()
     try:
-        parts = _read(Path(path), int(uv) if uv else None)
+        parts = _read(Path(path), what)
     except Exception as error:
         found.write((str(error) if isinstance(error, ValueError) else f"{error} ({type(error).__name__})").encode())
         found.close()
         sys.exit(REFUSED)
+    if isinstance(parts, str):
+        found.write(parts.encode())
+        parts = []
     for points, faces, matrix, name in parts:
         found.write(struct.pack("<qqq", len(points), len(faces), len(name)))
         for array, kind in ((points, np.float64), (faces, np.int32), (matrix, np.float64)):
@@ -58,11 +63,12 @@ def _limit_memory() -> None:
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
-def _read(path: Path, uv: int | None) -> list[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]]:
-    from pxr import Tf
+def _read(path: Path, what: str) -> list[tuple[np.ndarray, np.ndarray, np.ndarray, bytes]] | str:
+    from pxr import Tf, UsdGeom
 
     try:
-        return list(_parts(_open(path), uv))
+        stage = _open(path)
+        return str(UsdGeom.GetStageUpAxis(stage)) if what == UP else list(_parts(stage, int(what) if what else None))
     except Tf.ErrorException as error:
         raise ValueError(_said(error, path)) from None
 

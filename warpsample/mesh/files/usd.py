@@ -13,9 +13,9 @@ import numpy as np
 
 from warpsample.mesh.files.joining import joined_corners, joined_parts
 from warpsample.mesh.parts import Named
-from warpsample.mesh.usd_stage import REFUSED
+from warpsample.mesh.usd_stage import REFUSED, UP
 
-_PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.mesh.usd_stage import main; main({file!r}, {uv!r})"
+_PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.mesh import usd_stage; usd_stage.main({file!r}, {what!r})"
 _LONGEST = 200  # characters of a reason, which may quote an array of the file
 
 
@@ -42,11 +42,16 @@ def read_corners(path: Path, number: int) -> np.ndarray:
     return joined_corners(part[:3] for part in _parts(_found(path, str(number))))[..., :2]
 
 
-def _found(path: Path, uv: str = "") -> bytes:
+def read_up_axis(path: Path) -> str:
+    """What a file says is up, as Y or Z, with the errors of `read`."""
+    return _found(path, UP).decode()
+
+
+def _found(path: Path, what: str = "") -> bytes:
     """What a process of `usd_stage` writes of a file."""
     if find_spec("pxr") is None:
         raise ModuleNotFoundError(f"path: got {path.name!r}, which needs usd-core: pip install usd-core")
-    program = _PROGRAM.format(path=sys.path, file=str(path), uv=uv)
+    program = _PROGRAM.format(path=sys.path, file=str(path), what=what)
     pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
     with subprocess.Popen([sys.executable, "-c", program], **pipes) as child:
         try:

@@ -1,0 +1,62 @@
+"""Which way is up: +y in glTF, what a USD file says, z in all others; told where it is not z, and never changed if given."""
+
+import numpy as np
+import pytest
+import trimesh
+
+import warpsample as ws
+from warpsample.output.quantities import quantity_of
+from warpsample.output.upward import with_up
+
+SIDE = trimesh.creation.box((2.0, 2.0, 2.0))
+SAID = "  up is +y, as {} has it; --up 0 0 1 is for +z"
+
+
+def upper(path, axis):
+    """The mean sky view of the faces whose normals point along an axis."""
+    with np.load(path) as file:
+        return file["value"][file["normal"][:, axis] > 0.9].mean()
+
+
+@pytest.mark.parametrize("texture", [[], ["--texture", 64]])
+def test_the_sky_of_a_glb_is_along_y(call, tmp_path, texture):
+    path, output = tmp_path / "in.glb", tmp_path / "out.npz"
+    SIDE.export(path)
+    at = texture or ["--at", "faces"]
+    for options, axis in (([], 1), (["--up", 0, 0, 1], 2)):
+        status, out, _ = call("bake", path, "-o", output, "--quantity", "sky", "--samples", 64, *at, *options)
+        assert status == 0
+        assert (SAID.format("glTF") in out.splitlines()) == (not options)
+        if not texture:
+            assert upper(output, axis) == 1.0
+            assert upper(output, 3 - axis) == pytest.approx(0.5, abs=0.05)
+    assert call("bake", path, "-o", output, "--samples", 64)[1].count("\n  up") == 0  # occlusion has none
+
+
+def test_a_usd_file_says_its_own(tmp_path):
+    from pxr import Usd, UsdGeom
+
+    sky = quantity_of("sky")
+    for axis in ("Y", "Z"):
+        path = tmp_path / f"{axis}.usda"
+        stage = Usd.Stage.CreateNew(str(path))
+        UsdGeom.SetStageUpAxis(stage, axis)
+        stage.GetRootLayer().Save()
+        options, said = with_up(path, sky, {"samples": 8})
+        assert options == ({"samples": 8, "up": (0.0, 1.0, 0.0)} if axis == "Y" else {"samples": 8})
+        assert said == (SAID.format("this USD file").strip() if axis == "Y" else "")
+
+
+def test_north_follows_and_what_is_given_stays(tmp_path):
+    """Turned upright, what was north of a map is -z; other files and quantities are left alone."""
+    path = tmp_path / "in.glb"
+    SIDE.export(path)
+    matrix = quantity_of("sky-matrix")
+    assert with_up(path, matrix, {})[0] == {"up": (0.0, 1.0, 0.0), "north": (0.0, 0.0, -1.0)}
+    assert with_up(path, matrix, {"north": (1, 0, 0)})[0] == {"up": (0.0, 1.0, 0.0), "north": (1, 0, 0)}
+    assert with_up(path, matrix, {"up": (0, 0, 1)}) == ({"up": (0, 0, 1)}, "")
+    assert with_up(path, quantity_of("ao"), {}) == ({}, "")
+    assert with_up(tmp_path / "in.ply", matrix, {}) == ({}, "")
+    assert with_up(tmp_path / "missing.glb", matrix, {}) == ({}, "")
+    mesh = ws.as_mesh(SIDE)
+    ws.sky_matrix(mesh, ws.face_centers(mesh), 145, **with_up(path, matrix, {})[0])  # the two are at a right angle
