@@ -89,6 +89,17 @@ def opened(path):
     return json.loads(content[20 : 20 + size]), content[begin : begin + data], content[begin + data :]
 
 
+def changed(content, change):
+    """A .glb whose JSON is changed."""
+    size = struct.unpack("<I", content[12:16])[0]
+    tree = json.loads(content[20 : 20 + size])
+    change(tree)
+    text = json.dumps(tree).encode()
+    text += b" " * (-len(text) % 4)
+    length = len(content) - size + len(text)
+    return content[:8] + struct.pack("<II", length, len(text)) + content[16:20] + text + content[20 + size :]
+
+
 def array_of(tree, data, number):
     """The numbers of an accessor."""
     kinds = {5126: "f4", 5125: "u4", 5123: "u2", 5121: "u1"}

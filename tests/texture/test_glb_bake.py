@@ -1,16 +1,14 @@
 """`warpsample bake in.glb -o out.glb --texture`: right where a viewer looks, and nothing else is touched."""
 
 import copy
-import json
 import re
-import struct
 
 import numpy as np
 import pytest
 import trimesh
 from glb_files import glb
 from lookups import lookup, on_surface
-from textured_scenes import SQUARE, TWO, array_of, corner, opened, picture, rich
+from textured_scenes import SQUARE, TWO, array_of, changed, corner, opened, picture, rich
 
 import warpsample as ws
 
@@ -166,17 +164,6 @@ def test_wrong_options_are_named(call, scene, options, why):
     status, _, err = call("bake", scene, "-o", scene.with_name("out.glb"), *options)
     assert (status, err.splitlines()[-1][: len(why) + 7]) == (2, f"error: {why}")
     assert [path.name for path in scene.parent.iterdir()] == ["in.glb"]
-
-
-def changed(content, change):
-    """A .glb whose JSON is changed."""
-    size = struct.unpack("<I", content[12:16])[0]
-    tree = json.loads(content[20 : 20 + size])
-    change(tree)
-    text = json.dumps(tree).encode()
-    text += b" " * (-len(text) % 4)
-    length = len(content) - size + len(text)
-    return content[:8] + struct.pack("<II", length, len(text)) + content[16:20] + text + content[20 + size :]
 
 
 def sparse(number):

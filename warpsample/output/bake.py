@@ -15,6 +15,7 @@ from warpsample.mesh.files import load_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.baked import WRITERS, Baked, BakeRun, check_glb, writers_of
 from warpsample.output.by_parts import check_parts, city_of, is_by_parts, points_of_parts, write_parts
+from warpsample.output.kept_glb import keeps, told_of_kept
 from warpsample.output.places import check_places, points_on
 from warpsample.output.quantities import check_options, quantity_of
 from warpsample.output.report import check_report, write_report
@@ -42,7 +43,9 @@ def bake(run: BakeRun) -> str:
     _check(run, quantity)
     city = city_of(run)
     mesh = load_mesh(run.mesh) if city is None else city.mesh
-    if run.output.suffix == ".glb":
+    into_itself = city is None and keeps(run.mesh, run.output, run.at)
+    said = told_of_kept(run.mesh) if into_itself else []
+    if run.output.suffix == ".glb" and not into_itself:
         check_glb(run, mesh)
     by_parts = is_by_parts(run)
     points = points_of_parts(run, mesh, city) if by_parts else points_on(mesh, run.points, run.at, run.options["seed"])
@@ -57,11 +60,10 @@ def bake(run: BakeRun) -> str:
     else:
         with complete_or_absent(run.output) as file:
             writers_of(quantity)[run.output.suffix](file, baked)
-    summary = _summary(run, quantity, found, seconds)
     if run.report is not None:
         write_report(run.report, baked, city)
-        summary += f"\n  {run.report}: a report, with a picture, a histogram and all arguments"
-    return summary
+        said = [*said, f"{run.report}: a report, with a picture, a histogram and all arguments"]
+    return "\n  ".join([_summary(run, quantity, found, seconds), *said])
 
 
 def _check(run: BakeRun, quantity: Quantity) -> None:

@@ -13,6 +13,7 @@ from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.files import write_arrays
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.output.kept_glb import keeps, write_kept
 from warpsample.output.mesh_writers import Lazy, write_glb, write_ply, write_vtp
 from warpsample.output.pictured import write_png
 from warpsample.output.quantities import quantity_of
@@ -141,7 +142,14 @@ def _write_ply(file: BinaryIO, baked: Baked) -> None:
 
 
 def _write_glb(file: BinaryIO, baked: Baked) -> None:
-    """Writes the numbers as attributes of vertices, as a .glb has no others: for faces, each gets its own corners."""
+    """Writes the numbers as attributes of vertices, as a .glb has no others: for faces, each gets its own corners.
+
+    Those of the vertices of a .glb are written into that.
+    """
+    if keeps(baked.run.mesh, baked.run.output, baked.run.at):
+        columns = {f"_{name}": array.astype(np.float32) for name, array in baked.columns.items()}
+        write_kept(file, baked.run.mesh, {"COLOR_0": baked.quantity.colours(baked.found), **columns})
+        return
     local, middle = _local(baked.mesh)
     faces, times = baked.mesh.faces, 3 if baked.run.at == "faces" else 1
     corners = Lazy(faces.shape, np.dtype(np.uint32), lambda i: faces[i] if times == 1 else 3 * i[:, None] + np.arange(3))

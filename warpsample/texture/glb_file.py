@@ -90,7 +90,7 @@ class GlbFile:
         text += b" " * (-len(text) % 4)
         length = 28 + len(text) + self._size + len(self._rest)
         if length > MOST_BYTES:
-            raise ValueError(f"it would have {length:,} bytes, and a .glb holds 4 GiB")
+            raise ValueError(f"--output: got {length:,} bytes to write, and a .glb holds 4 GiB")
         file.write(struct.pack("<4sIIII", b"glTF", 2, length, len(text), _JSON))
         file.write(text + struct.pack("<II", self._size, _BIN))
         file.writelines(self._chunks)
