@@ -111,6 +111,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "pytest",  # this
         "warpsample verify",  # test_verify.py, on fewer cases
         "warpsample verify --power",
+        "warpsample bench city --raster dsm.tif",
         "warpsample bench cluster",  # these: tests/bench/test_command.py, on what was measured before
         "warpsample bench directions",
         "warpsample bench error",

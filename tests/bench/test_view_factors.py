@@ -8,7 +8,7 @@ from bench_output import drawn, lines_of
 
 import warpsample as ws
 from warpsample.bench import view_factors
-from warpsample.bench.blocks import blocks, boxes, mesh_of
+from warpsample.bench.tools.blocks import blocks, boxes, mesh_of
 from warpsample.bench.tools.view_factors import (
     EMBREE,
     FACTOR_TOOLS,

@@ -12,7 +12,7 @@ pytest.importorskip("rasterio")
 pytest.importorskip("rioxarray")
 
 import warpsample as ws
-from warpsample.city.rasters import far, tiles
+from warpsample.city.rasters import far
 from warpsample.city.rasters.far import FarField
 from warpsample.city.rasters.horizons import sky_by_horizons
 from warpsample.city.rasters.reading import reader_of
@@ -218,14 +218,14 @@ def test_calls_take_trees_and_tiles():
 @pytest.fixture
 def looked_at(monkeypatch):
     """(meshes that are looked at, all that live then besides), at each look at a tile."""
-    made, looks, look, make = [], [], tiles.seen_of, ws.Mesh.__post_init__
+    made, looks, look, make = [], [], RasterRun._seen, ws.Mesh.__post_init__
 
     def counted(mesh):
         make(mesh)
         made.append(weakref.ref(mesh))
 
-    def looking(quantity, scene, *others):
-        found = look(quantity, scene, *others)
+    def looking(run, points, scene):
+        found = look(run, points, scene)
         own = [mesh for mesh in (scene.mesh, scene.canopy_mesh) if mesh is not None]
         looks.append((len(own), sum(mesh() is not None for mesh in made) - len(own)))
         assert not any({"cross_products", "face_normals"} & set(vars(mesh)) for mesh in own)
@@ -234,7 +234,7 @@ def looked_at(monkeypatch):
 
     sizes = []
     monkeypatch.setattr(ws.Mesh, "__post_init__", counted)
-    monkeypatch.setattr(tiles, "seen_of", looking)
+    monkeypatch.setattr(RasterRun, "_seen", looking)
     return looks, sizes
 
 

@@ -179,7 +179,7 @@ KINDS = {
     ),
     "found": kind(ws.trace(MESH, POINTS, UNIT), wrong=(ws.Hits,)),
     "SurfacePoints.id": kind(np.array([7, 0, 2**40, 3], np.uint64), "of Warp", wrong=([0.0, 1.0, 2.0, 3.0], [-1, 0, 0, 0])),
-    "rows": kind(np.array([3, 0]), "one less", "of Warp", wrong=([0.5], [4], [-1])),
+    "rows": kind(np.array([3, 0]), "one less", "of Warp", "[]", wrong=([0.5], [4], [-1])),
     "SurfacePoints.barycentric": kind(np.full((4, 3), 1 / 3)),
     "u": kind(
         np.full((4, 2), 0.5), "one axis more", wrong=(np.full((4, 2), nan), np.full((4, 2), 1.0), np.full((4, 2), -0.1))

@@ -8,13 +8,13 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from warpsample.bench.blocks import mesh_of
 from warpsample.bench.record import Benchmark, Found, Picture, Repeats, Track
 from warpsample.bench.rows import Spread, ToolRow, column, digits, maybe
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.machine import peak_megabytes
 from warpsample.bench.running.turns import take_turns
 from warpsample.bench.tables import TableView, all_workers
+from warpsample.bench.tools.blocks import mesh_of
 from warpsample.bench.tools.view_factors import EMBREE, FACTOR_TOOLS, OURS, PAIRS, TRACE, trace_alone
 from warpsample.host.engine import check_workers
 from warpsample.mesh.mesh import Mesh

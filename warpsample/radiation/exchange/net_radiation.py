@@ -48,8 +48,8 @@ def net_radiation_of(factors: "ViewFactors", temperature: Any, emissivity: Any, 
     times = kelvin.shape[1:]
     if beyond.ndim and beyond.shape != times:
         raise ValueError(f"outside: got shape {beyond.shape}, want one number{f' or {times}' if times else ''}")
-    emitted = np.broadcast_to(STEFAN_BOLTZMANN * kelvin**4, (rows, *times)).reshape(rows, -1)
-    sky = np.outer(factors.outside, np.broadcast_to(STEFAN_BOLTZMANN * beyond**4, times).ravel())
+    emitted = np.broadcast_to(STEFAN_BOLTZMANN * np.square(np.square(kelvin)), (rows, *times)).reshape(rows, -1)
+    sky = np.outer(factors.outside, np.broadcast_to(STEFAN_BOLTZMANN * np.square(np.square(beyond)), times).ravel())
     part = np.broadcast_to(share, (rows,))[:, None]
     leaving = radiosity_of(factors, part * emitted + (1.0 - part) * sky, 1.0 - part[:, 0])
     flux = part * (emitted - factors.matrix @ leaving - sky)
