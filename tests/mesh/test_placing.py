@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from warpsample.mesh.files.joining import joined
+from warpsample.mesh.joining import joined
 
 CORNERS, FACE = np.eye(3), np.array([[0, 1, 2]])
 

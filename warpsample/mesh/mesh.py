@@ -11,11 +11,11 @@ from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property, read_only
 from warpsample.host.neighbours import as_ndarray, kind_told
+from warpsample.mesh.foreign import KINDS, arrays_of
 from warpsample.mesh.known import arrived, digest_of, remember
 from warpsample.mesh.optics import check_share, check_sum, optics_digest
 from warpsample.mesh.parts import check_names, check_part
 from warpsample.mesh.polydata import surface
-from warpsample.mesh.polygons import faces_of_cells
 from warpsample.mesh.report import MeshReport, report_of
 
 if TYPE_CHECKING:
@@ -201,8 +201,9 @@ def as_mesh(mesh: Any, *, transmittance: Any = None, reflectance: Any = None) ->
     """What other libraries hold, as a Mesh.
 
     Args:
-        mesh: a Mesh, which is given back as it is; a tuple (vertices, faces); a pyvista.PolyData, a trimesh.Trimesh or a
-            meshio.Mesh. Polygons are cut into triangles.
+        mesh: a Mesh, which is given back as it is; a tuple (vertices, faces); a pyvista.PolyData or MultiBlock, a
+            trimesh.Trimesh or Scene, a meshio.Mesh, or a TriangleMesh of Open3D, of either kind. Polygons are cut into
+            triangles. What scenes and blocks hold is placed, joined, and told apart as `parts`.
         transmittance: a number from 0 to 1, or (F,) of them: see `Mesh`. By default as the mesh has it.
         reflectance: likewise; with the transmittance at most 1.
 
@@ -230,19 +231,12 @@ def mesh_of(value: Any, argument: str, wants: str) -> Mesh:
         return value
     if isinstance(value, tuple) and len(value) == 2:
         return Mesh(*value)
-    if hasattr(value, "vertices") and hasattr(value, "faces"):
-        return Mesh(value.vertices, value.faces)
-    if hasattr(value, "is_all_triangles") and hasattr(value, "triangulate"):
-        made = value if value.is_all_triangles and not value.n_strips else value.triangulate()
-        return Mesh(made.points, made.regular_faces)
-    if hasattr(value, "points") and hasattr(value, "cells"):
-        return Mesh(value.points, faces_of_cells(value, argument))
+    found = arrays_of(value, argument)
+    if found is not None:
+        return Mesh(*found)
     if isinstance(value, str | PurePath):
         raise TypeError(f"{argument}: got {told(value)}, want a mesh; warpsample.load_mesh reads files")
-    raise TypeError(
-        f"{argument}: got {kind_told(value)}, want {wants}, a tuple (vertices, faces), "
-        "a pyvista.PolyData, a trimesh.Trimesh or a meshio.Mesh"
-    )
+    raise TypeError(f"{argument}: got {kind_told(value)}, want {wants}, {KINDS}")
 
 
 def unit_or_zero(vectors: np.ndarray) -> np.ndarray:

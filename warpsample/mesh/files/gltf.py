@@ -14,7 +14,7 @@ import numpy as np
 from warpsample.host.json_tree import Part, parsed
 from warpsample.host.making import imported
 from warpsample.mesh.files.gltf_data import Data, binary
-from warpsample.mesh.files.joining import joined, joined_corners, joined_parts
+from warpsample.mesh.joining import joined, joined_corners, joined_parts
 from warpsample.mesh.parts import Named
 from warpsample.mesh.polygons import triangles
 

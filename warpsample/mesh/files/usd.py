@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from warpsample.mesh.files.joining import joined_corners, joined_parts
+from warpsample.mesh.joining import joined_corners, joined_parts
 from warpsample.mesh.parts import Named
 from warpsample.mesh.usd_stage import REFUSED, UP
 

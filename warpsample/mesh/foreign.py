@@ -1,0 +1,82 @@
+"""What other libraries hold of meshes, as arrays: found by what an object has, so that none of them is imported."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from warpsample.host.arguments import told
+from warpsample.host.neighbours import as_ndarray, kind_told
+from warpsample.mesh.joining import joined_parts
+from warpsample.mesh.parts import Named
+from warpsample.mesh.polygons import faces_of_cells
+
+Placed = tuple[np.ndarray, np.ndarray, np.ndarray | None, str]
+"""Vertices, faces, the matrix that multiplies from the right, and the part's name."""
+
+KINDS = (
+    "a tuple (vertices, faces), a pyvista.PolyData or MultiBlock, a trimesh.Trimesh or Scene, a meshio.Mesh, or a "
+    "TriangleMesh of Open3D"
+)
+"""What is taken, in words."""
+
+
+def arrays_of(value: Any, argument: str) -> Named | None:
+    """Vertices, faces, parts and their names of an object of another library; None for one of no known kind.
+
+    Raises:
+        ValueError: a scene without a face.
+    """
+    if hasattr(value, "geometry") and hasattr(value, "graph"):
+        return _scene(_nodes(value), value, argument)
+    if hasattr(value, "keys") and hasattr(value, "n_blocks"):
+        return _scene(_blocks(value), value, argument)
+    found = _surface(value, argument)
+    return found and (*found, None, ())
+
+
+def _surface(value: Any, argument: str) -> tuple[Any, Any] | None:
+    """Vertices and faces of one surface."""
+    if hasattr(value, "vertices") and hasattr(value, "faces"):
+        return value.vertices, value.faces
+    if hasattr(value, "is_all_triangles") and hasattr(value, "triangulate"):
+        made = value if value.is_all_triangles and not value.n_strips else value.triangulate()
+        return made.points, made.regular_faces
+    if hasattr(value, "vertices") and hasattr(value, "triangles"):  # Open3D's
+        return np.asarray(value.vertices), np.asarray(value.triangles)
+    if hasattr(value, "vertex") and hasattr(value, "triangle"):  # Open3D's of tensors, which may lie on a device
+        return value.vertex.positions.cpu().numpy(), value.triangle.indices.cpu().numpy()
+    if hasattr(value, "points") and hasattr(value, "cells"):
+        return value.points, faces_of_cells(value, argument)
+    return None
+
+
+def _scene(parts: Iterator[Placed], value: Any, argument: str) -> Named:
+    """All parts of a scene as one."""
+    held = [part for part in parts if len(part[1])]
+    if not held:
+        raise ValueError(f"{argument}: got {kind_told(value)} without a face: {told(value)}, want one with surfaces")
+    return joined_parts(held)
+
+
+def _nodes(scene: Any) -> Iterator[Placed]:
+    """Where each mesh of a trimesh.Scene is placed; clouds of points and paths have no faces."""
+    for node in scene.graph.nodes_geometry:
+        matrix, name = scene.graph[node]
+        mesh = scene.geometry[name]
+        if hasattr(mesh, "faces"):
+            yield np.asarray(mesh.vertices, np.float64), as_ndarray(mesh.faces, "faces"), np.asarray(matrix).T, str(node)
+
+
+def _blocks(blocks: Any, path: str = "") -> Iterator[Placed]:
+    """The surfaces of a pyvista.MultiBlock, also of volumes, and those of the blocks in it."""
+    for key in blocks.keys():  # noqa: SIM118  (a MultiBlock yields its blocks)
+        block, name = blocks[key], f"{path}{key}"
+        if block is None:
+            continue
+        if hasattr(block, "n_blocks"):
+            yield from _blocks(block, f"{name}/")
+            continue
+        surface = block if hasattr(block, "is_all_triangles") else block.extract_surface(algorithm="dataset_surface")
+        points, faces = _surface(surface, name) or (np.empty((0, 3)), np.empty((0, 3), int))
+        yield np.asarray(points, np.float64), np.asarray(faces), None, name
