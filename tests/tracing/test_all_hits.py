@@ -51,10 +51,10 @@ def test_all_hits_are_those_of_brute_force_and_even_outside(name):
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("name", ["icosphere", "torus", "lattice"])
-def test_all_hits_of_a_million_rays_are_those_of_brute_force(name):
+@pytest.mark.parametrize(("name", "calls"), [("box", 5), ("lattice", 3), ("icosphere", 1), ("torus", 1)])
+def test_all_hits_of_a_million_rays_are_those_of_brute_force(name, calls):
     mesh = MESHES[name]()
-    for seed in range(10):
+    for seed in range(calls):
         compare(mesh, *aimed(mesh, 100_000, seed))
 
 

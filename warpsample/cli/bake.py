@@ -88,7 +88,7 @@ def bake_command(
 
     given = {name: value for name, value in options.items() if value is not None}
     working_on = f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"
-    alone = {"model": model, "receiver": receiver, "canopy": canopy, "trunk": trunk, "transmittance": transmittance}
+    alone = {"model": model, "receiver": receiver, "canopy": canopy, "trunk": trunk}
     alone |= {"tile": tile, "margin": margin, "far": far}
     of_textures = {"uv": uv, "supersample": supersample, "normals": normals, "gutter": gutter, "strength": strength}
     of_textures |= {"depth": depth, "strict": strict or None}
@@ -99,13 +99,19 @@ def bake_command(
         drawn = {**of_meshes, "chunk": chunk, "cluster": cluster, **options}
         with working(working_on):
             summary = rasters.bake_raster_file(
-                mesh, output, quantity, trees_and_tiles=alone, options=drawn, processes=processes, resume=resume
+                mesh,
+                output,
+                quantity,
+                trees_and_tiles=alone | {"transmittance": transmittance},
+                options=drawn,
+                processes=processes,
+                resume=resume,
             )
         print(summary)
         return
     rasters.refuse_for_meshes(mesh, **alone)
     options, said = with_up(mesh, quantity_of(quantity), options)
-    run = BakeRun(mesh, output, quantity, at, points, options, by, lod, split, context, report)
+    run = BakeRun(mesh, output, quantity, at, points, options, by, lod, split, context, report, transmittance)
     how = textures.options_of(run, texture, of_textures)
     if how is not None:
         stores.refuse_for_files(output, chunk=chunk, cluster=cluster, processes=processes, resume=resume)
@@ -119,6 +125,8 @@ def bake_command(
         if output.suffix == stores.SUFFIX:
             if report is not None:
                 raise ValueError(f"--report: got {report.name!r} for {output.name!r}, want another file than a store")
+            if transmittance is not None:
+                raise ValueError(f"--transmittance: got {transmittance} for {output.name}, want another file than a store")
             summary = stores.bake_into_store(run, chunk, cluster, processes, resume)
         else:
             stores.refuse_for_files(output, chunk=chunk, cluster=cluster, processes=processes, resume=resume)

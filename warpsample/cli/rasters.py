@@ -18,7 +18,13 @@ Receiver = Annotated[
 ]
 Canopy = Annotated[Path | None, option("Heights of crowns above the ground, in a raster's cells.")]
 Trunk = Annotated[str | None, option("Their undersides: a share of that, by default 0.25, or another raster.")]
-Transmittance = Annotated[float | None, option("Share of light that passes crowns; by default 0.03.")]
+Transmittance = Annotated[
+    str | None,
+    option(
+        "Share of light that passes faces: a number, NAME.npy, or by part, as leaf=0.2,glass=0.8; by default none. "
+        "Of a raster, a number, what passes crowns; by default 0.03."
+    ),
+]
 Tile = Annotated[int | None, option("Cells along the sides of a raster's tiles; by default one for all.")]
 Margin = Annotated[int | None, option("Cells around a tile; by default 256.")]
 Far = Annotated[Path | None, option("Another raster, of the terrain beyond the edges.")]
@@ -75,8 +81,8 @@ def refuse_for_meshes(mesh: Path, **options: object) -> None:
 
 
 def _plain(name: str, value: Any) -> Any:
-    """Paths as texts, and a trunk as the number that it may be."""
-    if name == "trunk":
+    """Paths as texts, and a trunk or a transmittance as the number that it may be."""
+    if name in ("trunk", "transmittance"):
         try:
             return float(value)
         except ValueError:

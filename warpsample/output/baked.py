@@ -34,7 +34,8 @@ class BakeRun:
     The output's suffix is of WRITERS, and `at` of places.PLACES, or None: on the surface, uniform by area, so many `points`.
     The options are those that were given of what the quantity takes, by their names on the command line, and the seed. `by`
     is "part" for means over the named parts of the mesh; `lod`, `split` and `context`, "ground" or a path, are for CityJSON;
-    `report` is a further file, an .html about the run.
+    `report` is a further file, an .html about the run; `transmittance` is of the faces, as
+    `faces_option.transmitting` takes it.
     """
 
     mesh: Path
@@ -48,6 +49,7 @@ class BakeRun:
     split: bool = False
     context: str | None = None
     report: Path | None = None
+    transmittance: str | None = None
 
     @property
     def told(self) -> dict[str, str]:

@@ -16,6 +16,7 @@ from warpsample.mesh.files import load_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.bake import numbers_by_parts
 from warpsample.output.baked import BakeRun
+from warpsample.output.faces_option import transmitting
 from warpsample.output.quantities import check_options, quantity_of
 from warpsample.texture.inside import Closed
 from warpsample.texture.jobs import TextureJob, flaws_told, jobs_of
@@ -60,7 +61,7 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     """
     quantity = quantity_of(run.quantity)
     _check(run, quantity, how)
-    mesh = load_mesh(run.mesh)
+    mesh = transmitting(load_mesh(run.mesh), run.transmittance)
     jobs, file = jobs_of(run.mesh, mesh, how, run.output.suffix)
     closed, start = Closed(mesh), perf_counter()
     found = [_filled(job, run, quantity, how, closed) for job in jobs]

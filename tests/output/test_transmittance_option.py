@@ -1,0 +1,73 @@
+"""`warpsample bake --transmittance`: a number, a file, or by the names of parts."""
+
+import re
+
+import numpy as np
+import pytest
+
+import warpsample as ws
+from warpsample.output.faces_option import transmitting
+
+SHEETS = [("crown/leaf", 1.0, 0.25), ("crown/stem", 2.0, 0.0), ("pane", 3.0, 0.5)]
+
+
+def sheets(where, size=1e4):
+    """An .obj of two triangles for each name, all above the origin."""
+    text, path = "", where / "sheets.obj"
+    for name, height, _ in SHEETS:
+        corners = [(-size, -size, height), (size, -size, height), (size, size, height), (-size, size, height)]
+        text += f"o {name.partition('/')[0]}\ng {name.partition('/')[2]}\n"
+        text += "".join(f"v {x} {y} {z}\n" for x, y, z in corners) + "f -4 -3 -2\nf -4 -2 -1\n"
+    path.write_text(text)
+    return path
+
+
+def test_all_ways_to_tell_a_transmittance(tmp_path):
+    mesh = ws.load_mesh(sheets(tmp_path))
+    np.save(tmp_path / "tau.npy", np.repeat([0.25, 0.0, 0.5], 2))
+    by_file = transmitting(mesh, str(tmp_path / "tau.npy")).transmittance
+    assert by_file.tolist() == [0.25, 0.25, 0.0, 0.0, 0.5, 0.5]
+    assert np.array_equal(transmitting(mesh, "leaf=0.25,pane=0.5").transmittance, by_file)
+    assert np.array_equal(transmitting(mesh, "crown/leaf=.25,pane=5e-1").transmittance, by_file)
+    assert transmitting(mesh, "crown=0.125").transmittance.tolist() == [0.125] * 4 + [0.0] * 2
+    assert transmitting(mesh, "0.1").transmittance.tolist() == [np.float32(0.1)] * 6
+    assert transmitting(mesh, None) is mesh
+
+
+@pytest.mark.parametrize(
+    ("told", "message"),
+    [
+        (
+            "much",
+            "--transmittance: got 'much', want a number, NAME.npy of one for each face, or by part, as leaf=0.2,glass=0.8",
+        ),
+        ("1.5", "--transmittance: got 1.5, want a number from 0 to 1, or (6,) of them, one for each face"),
+        ("leaf=0.2,tree=0.5", "--transmittance: got 'tree=0.5', want the name of a part, of crown/leaf, crown/stem, pane"),
+        ("leaf=thin", "--transmittance: got 'leaf=thin', want a number"),
+        ("none.npy", "--transmittance: got 'none.npy', which is missing"),
+    ],
+)
+def test_what_is_no_transmittance_is_refused_in_a_sentence(told, message, tmp_path):
+    with pytest.raises((ValueError, FileNotFoundError), match=re.escape(message)):
+        transmitting(ws.load_mesh(sheets(tmp_path)), told)
+    nameless = ws.as_mesh(([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[0, 1, 2]]))
+    with pytest.raises(
+        ValueError, match="^--transmittance: got 'leaf=0.2' for a mesh without named parts, want a number or"
+    ):
+        transmitting(nameless, "leaf=0.2")
+
+
+@pytest.mark.slow
+def test_bake_writes_what_gets_through(call, tmp_path):
+    path, output = sheets(tmp_path), tmp_path / "out.npz"
+    options = ["--quantity", "ao", "--samples", "32", "--at", "faces", "--transmittance", "leaf=0.25,pane=0.5"]
+    status, _, err = call("bake", path, "-o", output, *options)
+    assert (status, err) == (0, "")
+    with np.load(output) as file:
+        mesh = ws.as_mesh(ws.load_mesh(path), transmittance=np.repeat([0.25, 0.0, 0.5], 2))
+        assert np.array_equal(file["value"], ws.ambient_occlusion(mesh, ws.face_centers(mesh), 32).value)
+        assert sorted(set(file["value"])) == [0.0, 0.5, 1.0]
+        assert '"transmittance": "leaf=0.25,pane=0.5"' in str(file["run"])
+    status, _, err = call("bake", path, "-o", tmp_path / "o.zarr", "--transmittance", "0.5")
+    assert status != 0
+    assert "--transmittance: got 0.5 for o.zarr, want another file than a store" in " ".join(err.split())

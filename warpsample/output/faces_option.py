@@ -1,0 +1,59 @@
+"""A number for each face of a mesh, as the command line tells it: one for all, a file of them, or by named parts."""
+
+from pathlib import Path
+
+import numpy as np
+
+from warpsample.host.arguments import check_file, naming_file
+from warpsample.host.files import read_array
+from warpsample.mesh.mesh import Mesh, as_mesh
+
+_WANTS = "a number, NAME.npy of one for each face, or by part, as leaf=0.2,glass=0.8"
+
+
+def transmitting(mesh: Mesh, told: str | None) -> Mesh:
+    """The mesh with the transmittance that `--transmittance` tells, as it is without.
+
+    By parts, each pair names all parts that are called so, or that have that name between slashes, as objects with
+    materials do; faces of other parts are opaque.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: no such shares, a file without them, or a name that no part has.
+    """
+    if told is None:
+        return mesh
+    option = "--transmittance"
+    if told.endswith(".npy"):
+        file = check_file(Path(told), option, _WANTS)
+        with naming_file(option, file, _WANTS):
+            shares = read_array(file)
+    elif "=" in told:
+        shares = _by_parts(mesh, told, option)
+    else:
+        shares = np.array(_number(told, told, option))
+    try:
+        return as_mesh(mesh, transmittance=shares)
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"--{error}") from None
+
+
+def _by_parts(mesh: Mesh, told: str, option: str) -> np.ndarray:
+    """(F,) float64, 0 for faces of parts that are not named."""
+    if mesh.part is None:
+        raise ValueError(f"{option}: got {told!r} for a mesh without named parts, want a number or NAME.npy")
+    shares = np.zeros(len(mesh.parts) + 1)  # the last is of faces of no part
+    for pair in told.split(","):
+        name, _, share = pair.rpartition("=")
+        named = [i for i, part in enumerate(mesh.parts) if name in (part, *part.split("/"))]
+        if not name or not named:
+            known = ", ".join(sorted(set(mesh.parts)))
+            raise ValueError(f"{option}: got {pair!r}, want the name of a part, of {known[:200]}")
+        shares[named] = _number(share, pair, option)
+    return shares[mesh.part]
+
+
+def _number(text: str, told: str, option: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise ValueError(f"{option}: got {told!r}, want {_WANTS}") from None
