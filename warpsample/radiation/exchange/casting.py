@@ -53,24 +53,17 @@ class Casting:
 
     def counts(self, rows: np.ndarray, surfaces: np.ndarray | None) -> tuple[Counts, np.ndarray]:
         """What the rays of some faces meet, and which of all faces cast any."""
-        scene = scene_of(self.mesh)
+        scene = scene_of(self.mesh, through=True)
         tree = WIDE.accelerator(scene, cpu(), self.workers)
         rays, normals = self._rays(scene), self.mesh.face_normals
         rays.normals = normals.ctypes.data
-        collector = Collector(len(self.mesh.faces), self.replicates)
+        collector = Collector(len(self.mesh.faces), self.replicates, scene.has_glass)
         if self.skip and len(rows):
-            opens = np.zeros(len(rows), np.uint8)
-            rays.rows = rows.ctypes.data
-            run(
-                open_kernel(),
-                len(rows),
-                [rays, tree, opens.ctypes.data],
-                cpu(),
-                workers=self.workers,
-                work=RAY_WORK * len(rows),
-            )
-            collector.all_open(rows[opens == 1], self.per_replicate)
-            rows = rows[opens == 0]
+            opens = self._opens(rays, tree, rows)
+            if scene.has_glass:
+                opens &= self._opens(rays, rays.glass.tree, rows)
+            collector.all_open(rows[opens], self.per_replicate)
+            rows = rows[~opens]
         done = begin(len(rows), RAY_WORK * self.rays * len(rows))
 
         def take(block: Block) -> None:
@@ -82,6 +75,14 @@ class Casting:
         cast = np.zeros(len(self.mesh.faces), np.bool_)
         cast[rows] = True
         return collector.counts(), cast
+
+    def _opens(self, rays: FaceRaysArgs, tree: AcceleratorArgs, rows: np.ndarray) -> np.ndarray:
+        """(B,) bool, the faces that nothing in a tree stands above."""
+        opens = np.zeros(len(rows), np.uint8)
+        rays.rows = rows.ctypes.data
+        inputs = [rays, tree, opens.ctypes.data]
+        run(open_kernel(), len(rows), inputs, cpu(), workers=self.workers, work=RAY_WORK * len(rows))
+        return opens == 1
 
     def _cast(
         self,
@@ -118,6 +119,7 @@ class Casting:
             extent=tuple(scene.extent),
             coarseness=coarseness_of(scene, True),
             up=self.up or (0.0, 0.0, 0.0),
+            **({"glass": scene.glass(self.workers)} if scene.has_glass else {}),
         )
 
     def _block(self, of_all: FaceRaysArgs, tree: AcceleratorArgs, rows: np.ndarray, surfaces: np.ndarray | None) -> Block:
@@ -125,7 +127,9 @@ class Casting:
         codes = np.empty((len(rows), self.replicates, self.per_replicate), np.int32)
         rays = FaceRaysArgs.from_buffer_copy(of_all)
         rays.rows, rays.codes = rows.ctypes.data, codes.ctypes.data
-        run(face_kernel(), len(rows), [rays, tree], cpu(), workers=1, work=RAY_WORK * codes.size)
+        weights = np.empty(codes.shape, np.float32) if of_all.glass.transmittance else None
+        rays.weights = 0 if weights is None else weights.ctypes.data
+        run(face_kernel(weights is not None), len(rows), [rays, tree], cpu(), workers=1, work=RAY_WORK * codes.size)
         if codes.min() <= BACK:
             backs = np.flatnonzero(codes <= BACK)
             run(
@@ -136,4 +140,4 @@ class Casting:
                 workers=1,
                 work=RAY_WORK * len(backs),
             )
-        return block_of(rows, codes, surfaces)
+        return block_of(rows, codes, surfaces, weights)

@@ -20,9 +20,14 @@ def factors_and_variances(hits: np.ndarray, rays: int) -> tuple[np.ndarray, np.n
     """Factors F and their variances, (4 v F (1 - F) / n + (R - 1) s^2) / (4 + R - 1): v is a design effect.
 
     Args:
-        hits: (E, R) integers, of each replicate; of one kind: what meets the sky varies less than what meets a face.
+        hits: (E, R) integers, of each replicate; of one kind: what meets the sky varies less than what meets a face. Or
+            float64, sums of weights from 0 to 1: those of a part vary less than whole ones, and are a kind of their own.
         rays: n of each row, of all replicates together.
     """
+    if hits.dtype.kind == "f" and len(hits):
+        whole = (hits == np.rint(hits)).all(axis=1)
+        if 0 < np.count_nonzero(whole) < len(hits):
+            return _apart(hits, rays, whole)
     value, variance = np.empty(len(hits)), np.empty(len(hits))
     own, effects = hits.shape[1] - 1, _effects(hits, rays)
     for part, total, spread in _slices(hits):
@@ -31,6 +36,14 @@ def factors_and_variances(hits: np.ndarray, rays: int) -> tuple[np.ndarray, np.n
         expected = _PRIOR * effects[kind] * independent
         variance[part] = (expected + own * spread) / ((_PRIOR + own) * float(rays) ** 2)
     return value, variance
+
+
+def _apart(hits: np.ndarray, rays: int, whole: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Factors and variances of two kinds of numbers, each by themselves."""
+    found = np.empty((2, len(hits)))
+    for kind in (whole, ~whole):
+        found[:, kind] = factors_and_variances(hits[kind], rays)
+    return found[0], found[1]
 
 
 def _effects(hits: np.ndarray, rays: int) -> np.ndarray:
@@ -66,13 +79,13 @@ def _slices(hits: np.ndarray) -> Iterator[tuple[slice, np.ndarray, np.ndarray]]:
     replicates = hits.shape[1]
     step = _SLICE // replicates
     for first in range(0, len(hits), step):
-        some = hits[first : first + step].astype(np.int64)
+        some = hits[first : first + step].astype(np.float64 if hits.dtype.kind == "f" else np.int64)
         total = some.sum(axis=1)
-        squares = replicates * np.square(some).sum(axis=1) - np.square(total)
+        squares = np.maximum(replicates * np.square(some).sum(axis=1) - np.square(total), 0)
         yield slice(first, first + step), total, squares / max(1, replicates - 1)
 
 
 def _independent(total: np.ndarray, rays: int) -> tuple[np.ndarray, np.ndarray]:
     """n F (1 - F), the variance of so many hits of independent rays, and their class: its binary exponent."""
-    variance = total * (rays - total) / rays
+    variance = total * np.maximum(rays - total, 0) / rays
     return variance, np.clip(np.frexp(variance)[1], 0, _CLASSES - 1)

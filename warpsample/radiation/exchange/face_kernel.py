@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsample.host.locks import once
 from warpsample.maths.frames import frame_about
-from warpsample.maths.memory import int_at, set_int, vec3_at
+from warpsample.maths.memory import int_at, set_float, set_int, vec3_at
 from warpsample.radiation.exchange.face_rays import (
     BACK,
     GROUND,
@@ -23,7 +23,7 @@ from warpsample.tracing.placement import in_double
 from warpsample.tracing.queries import CHUNK, CHUNK_FLOATS, Accelerator, set_direction, set_origin, start_all
 from warpsample.tracing.sight.frontier import open_around
 from warpsample.tracing.sight.point import ShadingPoint, point_in, workspace_floats
-from warpsample.tracing.sight.rays import first_hit, prepare_rays, whole_vectors
+from warpsample.tracing.sight.rays import first_hit, prepare_rays, through_glass_to, whole_vectors
 
 _THREE = wp.constant(wp.float64(3.0))
 _REACH = wp.constant(wp.float32(2.0**60))  # of the scene's size
@@ -70,21 +70,31 @@ def _middle_of(rays: FaceRays, f: Face, point: ShadingPoint) -> ShadingPoint:
     return point
 
 
-@wp.func
-def _cast(rays: FaceRays, tree: Accelerator, local: wp.int32, point: ShadingPoint, f: Face, codes: wp.uint64):
-    """Casts a replicate's rays, a chunk at a time, and writes their codes."""
-    for first in range(0, rays.per_replicate, CHUNK):
-        length = wp.min(CHUNK, rays.per_replicate - first)
-        _fill(f, point.key, rays.step, first, whole_vectors(length), point.chunk)
-        _prepare(tree, point, local, length)
-        for k in range(length):
-            _distance, face = _hit(tree, point, local, k)
-            set_int(codes, first + k, _code(rays, face, queries.direction_of(point.chunk, k)))
+@once
+def _caster(glass: bool) -> wp.Function:
+    """A function that casts rays, of a mesh with faces that let some light through, or without."""
+
+    @wp.func
+    def cast(rays: FaceRays, tree: Accelerator, local: wp.int32, point: ShadingPoint, f: Face, place: wp.int64):
+        """Casts a replicate's rays, a chunk at a time, and writes their codes from a place on."""
+        for first in range(0, rays.per_replicate, CHUNK):
+            length = wp.min(CHUNK, rays.per_replicate - first)
+            _fill(f, point.key, rays.step, first, whole_vectors(length), point.chunk)
+            _prepare(tree, point, local, length)
+            for k in range(length):
+                distance, face = _hit(tree, point, local, k)
+                at = place + wp.int64(first + k)
+                set_int(rays.codes, at, _code(rays, face, queries.direction_of(point.chunk, k)))
+                if wp.static(glass):
+                    set_float(rays.weights, at, through_glass_to(rays.glass, point, k, distance))
+
+    return cast
 
 
 @once
-def face_kernel() -> wp.Kernel:
-    """A kernel with a task for each face."""
+def face_kernel(glass: bool = False) -> wp.Kernel:
+    """A kernel with a task for each face; with `glass` it writes weights as well."""
+    cast_replicate = _caster(glass)
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def cast(rays: FaceRays, accelerator: Accelerator, first_task: wp.int64):
@@ -98,6 +108,6 @@ def face_kernel() -> wp.Kernel:
             part = row * wp.int64(rays.replicates) + wp.int64(replicate)
             id = (rays.first_face + wp.uint64(face)) * wp.uint64(rays.replicates) + wp.uint64(replicate)
             point.key = point_key(rays.seed, id)
-            _cast(rays, tree, local, point, f, rays.codes + wp.uint64(part) * wp.uint64(rays.per_replicate) * wp.uint64(4))
+            cast_replicate(rays, tree, local, point, f, part * wp.int64(rays.per_replicate))
 
     return cast

@@ -9,6 +9,7 @@ from warpsample.maths.frames import to_world
 from warpsample.maths.memory import vec3_at, vec3i_at
 from warpsample.maths.numerics import HALF, ONE, ZERO, uniform_from_bits, weyl
 from warpsample.tracing.placement import extent_along, in_double, offset_within
+from warpsample.tracing.queries import Glass
 from warpsample.tracing.sight.point import HORIZON_MARGIN
 
 SKY, GROUND, BACK = -1, -2, -3
@@ -33,6 +34,8 @@ class FaceRays:
     vertices, triangles: (V, 3) float32 and (F, 3) int32 of the scene; normals: (F, 3) float32, unit.
     step: 2^64 / per_replicate, along which sin^2 theta goes. first_face: the global number of face 0.
     extent, coarseness: of the scene, by which points are moved off their face. up: the sky's axis.
+    glass: the faces that let some light through, if any; then weights: (B, replicates, per_replicate) float32, what gets
+    through them to where the rays end.
     """
 
     rows: wp.uint64
@@ -48,6 +51,8 @@ class FaceRays:
     extent: wp.vec3
     coarseness: wp.float32
     up: wp.vec3
+    weights: wp.uint64
+    glass: Glass
 
 
 FaceRaysArgs = type(FaceRays().__ctype__())

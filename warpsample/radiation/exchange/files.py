@@ -4,6 +4,7 @@ import zipfile
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from dataclasses import fields
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
 
@@ -24,7 +25,8 @@ _SPARSE, _SKY = "vfsparse.inp", "svf.inp"
 _LEAST = 5e-7
 _LINES = 1 << 16  # of a text at a time
 _VECTORS = ("outside", "outside_error", "behind", "behind_error", "areas", "rays", "status")
-_OPTIONAL = ("sky", "sky_error", "ground", "ground_error")
+_OPTIONAL = ("sky", "sky_error", "ground", "ground_error"), ("absorbed", "absorbed_error")
+"""Of which a file has all or none of each."""
 
 
 def check_factors_file(path: Any, argument: str, *inputs: Path | None) -> Path:
@@ -82,14 +84,14 @@ def load(path: Any, argument: str) -> dict[str, Any]:
             "matrix": matrix,
             "standard_error": standard_error,
             "skipped": Skipped(*held["skipped"].tolist()),
-            **{name: held[name] for name in (*_VECTORS, *_OPTIONAL) if name in held},
+            **{name: held[name] for name in (*_VECTORS, *chain(*_OPTIONAL)) if name in held},
             "names": tuple(held["names"].tolist()) if "names" in held else None,
         }
 
 
 def _check_held(held: dict[str, np.ndarray]) -> None:
     """Refuses what `save` does not write, and says which array is wrong."""
-    optional = _OPTIONAL if any(name in held for name in _OPTIONAL) else ()
+    optional = [name for names in _OPTIONAL if any(name in held for name in names) for name in names]
     lacking = {"data", "standard_error", "indices", "indptr", "shape", "skipped", *_VECTORS, *optional} - set(held)
     if lacking:
         raise ValueError(f"it has no {', '.join(sorted(lacking))}")
@@ -134,7 +136,7 @@ def _write_npz(factors: "ViewFactors", stream: BinaryIO) -> None:
         "indptr": matrix.indptr,
         "standard_error": factors.standard_error.data,
         "skipped": np.array([getattr(factors.skipped, item.name) for item in fields(Skipped)]),
-        **{name: getattr(factors, name) for name in (*_VECTORS, *_OPTIONAL) if getattr(factors, name) is not None},
+        **{name: getattr(factors, name) for name in (*_VECTORS, *chain(*_OPTIONAL)) if getattr(factors, name) is not None},
     }
     arrays |= {} if factors.names is None else {"names": np.array(factors.names, str)}
     write_arrays(stream, arrays, zipfile.ZIP_DEFLATED)
@@ -153,7 +155,8 @@ def _write_sparse(factors: "ViewFactors", stream: BinaryIO) -> None:
 
 def _write_sky(factors: "ViewFactors", stream: BinaryIO) -> None:
     """All that does not come from a face comes from the sky, to uDALES."""
-    rest = np.maximum(1.0 - factors.matrix.sum(axis=1), 0.0)
+    absorbed = 0.0 if factors.absorbed is None else factors.absorbed
+    rest = np.maximum(1.0 - factors.matrix.sum(axis=1) - absorbed, 0.0)
     stream.write(b"# sky view factors\n")
     stream.write("".join(f"{share:.8f}\n" for share in rest.tolist()).encode())
 

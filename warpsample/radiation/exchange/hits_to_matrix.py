@@ -8,7 +8,8 @@ from warpsample.host.engine import check_memory
 from warpsample.radiation.exchange.face_rays import BACK, GROUND, SKY
 
 SPECIAL = 3
-"""Kinds of rays that meet no front: to the sky, to the ground, and those that meet a back."""
+"""Kinds of rays that meet no front: to the sky, to the ground, and those that meet a back. Where faces let a part of the
+light through there is one more, what they swallow of all rays."""
 
 _BYTES, _HIT_BYTES = 40, 8  # of an entry, and of each of its replicates, while all are put together
 
@@ -20,8 +21,8 @@ class Counts:
     Attributes:
         indptr: (rows + 1,) int64, as in a CSR matrix.
         indices: (E,) int32, columns, ascending in each row.
-        hits: (E, replicates) int32.
-        special: (rows, SPECIAL, replicates) int32.
+        hits: (E, replicates) int32; where faces let a part of the light through float64, the sums of what arrives.
+        special: (rows, SPECIAL, replicates) of the same type, or a kind more.
     """
 
     indptr: np.ndarray
@@ -49,20 +50,23 @@ class Block:
     special: np.ndarray
 
 
-def block_of(rows: np.ndarray, codes: np.ndarray, groups: np.ndarray | None) -> Block:
+def block_of(rows: np.ndarray, codes: np.ndarray, groups: np.ndarray | None, weights: np.ndarray | None = None) -> Block:
     """Counts what the rays of some rows met.
 
     Args:
         rows: (B,) int32.
         codes: (B, replicates, per_replicate) int32, see `face_rays.SKY`; changed.
         groups: (F,) int32, the column that each face counts for; None: its own.
+        weights: (B, replicates, per_replicate) float32, what arrives of each ray; None: all.
     """
     if groups is not None:
         met = codes >= 0
         codes[met] = groups[codes[met]]
     np.maximum(codes, BACK, out=codes)
-    row, column, hits = _counted(codes)
-    special = np.zeros((len(rows), SPECIAL, codes.shape[1]), np.int32)
+    row, column, hits = _counted(codes, weights)
+    special = np.zeros((len(rows), SPECIAL if weights is None else SPECIAL + 1, codes.shape[1]), hits.dtype)
+    if weights is not None:
+        special[:, SPECIAL] = (1.0 - weights.astype(np.float64)).sum(axis=2)
     for kind, code in enumerate((SKY, GROUND, BACK)):
         of_kind = np.flatnonzero(column == code)
         special[row[of_kind], kind] = hits[of_kind]
@@ -73,16 +77,17 @@ def block_of(rows: np.ndarray, codes: np.ndarray, groups: np.ndarray | None) -> 
 class Collector:
     """Takes blocks, in the order of their rows, and puts them together."""
 
-    def __init__(self, rows: int, replicates: int) -> None:
-        """Begins with no ray.
+    def __init__(self, rows: int, replicates: int, weighs: bool = False) -> None:
+        """Begins with no ray; `weighs` tells whether rays have weights.
 
         Raises:
             MemoryError: the rows take more than is free.
         """
         self._sizes = np.zeros(rows + 1, np.int64)
-        check_memory(_HIT_BYTES * SPECIAL * rows * replicates, f"{rows:,} rows", "take fewer replicates")
-        self._special = np.zeros((rows, SPECIAL, replicates), np.int32)
-        self._blocks = [(np.empty(0, np.int32), np.empty((0, replicates), np.int32))]
+        kinds, kind = (SPECIAL + 1, np.float64) if weighs else (SPECIAL, np.int32)
+        check_memory(_HIT_BYTES * kinds * rows * replicates, f"{rows:,} rows", "take fewer replicates")
+        self._special = np.zeros((rows, kinds, replicates), kind)
+        self._blocks = [(np.empty(0, np.int32), np.empty((0, replicates), kind))]
         self._entries = 0
         self._bytes = _BYTES + _HIT_BYTES * replicates
 
@@ -110,22 +115,32 @@ class Collector:
         return Counts(np.cumsum(self._sizes), columns, hits, self._special)
 
 
-def _counted(codes: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(row, code, hits of each replicate) of each code that occurs in a row of (B, replicates, per_replicate), in order."""
+def _counted(codes: np.ndarray, weights: np.ndarray | None) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(row, code, hits of each replicate) of each code that occurs in a row of (B, replicates, per_replicate), in order.
+
+    With weights of the same shape the hits are their sums, float64.
+    """
     rows, replicates, per_replicate = codes.shape
     wide = np.int32 if (int(codes.max()) + 1) * replicates < 2**31 else np.int64
     keys = codes * wide(replicates)  # one sort tells codes apart and replicates within them
     keys += np.arange(replicates, dtype=wide)[:, None]
     keys = keys.reshape(rows, replicates * per_replicate)
-    keys.sort(axis=1)
+    if weights is None:
+        keys.sort(axis=1)
+    else:
+        order = np.argsort(keys, axis=1, kind="stable")
+        keys = np.take_along_axis(keys, order, axis=1)
+        weights = np.take_along_axis(weights.reshape(keys.shape), order, axis=1).astype(np.float64)
     new = np.ones(keys.shape, np.bool_)
     np.not_equal(keys[:, 1:], keys[:, :-1], out=new[:, 1:])
     at = np.flatnonzero(new)
     key, length = keys.ravel()[at], np.diff(at, append=keys.size)
+    if weights is not None:
+        length = np.add.reduceat(weights.ravel(), at)
     code, row = key // wide(replicates), at // (replicates * per_replicate)
     first = np.ones(len(at), np.bool_)
     first[1:] = (code[1:] != code[:-1]) | (row[1:] != row[:-1])
-    hits = np.zeros((np.count_nonzero(first), replicates), np.int32)
+    hits = np.zeros((np.count_nonzero(first), replicates), np.int32 if weights is None else np.float64)
     hits[np.cumsum(first) - 1, key - code * wide(replicates)] = length
     entry = np.flatnonzero(first)
     return row[entry], code[entry].astype(np.int32, copy=False), hits

@@ -48,7 +48,8 @@ def check_rows(factors: "ViewFactors") -> None:
     Raises:
         ValueError: rows without a ray of surfaces with area.
     """
-    left_out = (factors.areas > 0.0) & (factors.matrix.sum(axis=1) + factors.outside + factors.behind == 0.0)
+    absorbed = 0.0 if factors.absorbed is None else factors.absorbed
+    left_out = (factors.areas > 0.0) & (factors.matrix.sum(axis=1) + factors.outside + factors.behind + absorbed == 0.0)
     if left_out.any():
         raise ValueError(f"active: got {np.count_nonzero(left_out)} rows that were left out, want those of all faces")
 

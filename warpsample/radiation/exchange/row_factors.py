@@ -24,7 +24,8 @@ class RowFactors:
         indices: (E,) int32.
         value: (E,) float64.
         variance: (E,) float64, of the value.
-        others: name -> ((N,) value, (N,) variance): outside, behind, and sky and ground where there is an up.
+        others: name -> ((N,) value, (N,) variance): outside, behind, absorbed where faces let a part of the light through,
+            and sky and ground where there is an up.
     """
 
     indptr: np.ndarray
@@ -80,10 +81,12 @@ def _kinds(counts: Counts, rays: int, upward: np.ndarray | None) -> Iterator[tup
 
     Where all rays meet nothing, the horizon alone parts the sky from the ground.
     """
-    sky, ground, back = np.moveaxis(counts.special, 1, 0)
+    sky, ground, back, *absorbed = np.moveaxis(counts.special, 1, 0)
     nowhere = np.full(len(sky), np.nan)
     yield "outside", sky + ground, nowhere
     yield "behind", back, nowhere
+    for hits in absorbed:
+        yield "absorbed", hits, nowhere
     if upward is not None:
         open_ = (sky + ground).sum(axis=1) == rays
         yield "sky", sky, np.where(open_, upward, np.nan)

@@ -43,7 +43,8 @@ def _numbers(path: Path) -> np.ndarray:
 def summary(found: ViewFactors) -> str:
     """How many factors there are, by how many rays, and how well rows close and pairs agree."""
     there = found.areas > 0.0
-    closure = np.abs(found.matrix.sum(axis=1) + found.outside + found.behind - 1.0)[there]
+    absorbed = 0.0 if found.absorbed is None else found.absorbed
+    closure = np.abs(found.matrix.sum(axis=1) + found.outside + found.behind + absorbed - 1.0)[there]
     exchange = found.matrix * found.areas[:, None]
     apart = np.abs(exchange - exchange.T).sum() / max(exchange.sum(), np.finfo(float).tiny)
     skipped = found.skipped

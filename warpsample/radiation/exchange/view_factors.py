@@ -20,6 +20,7 @@ from warpsample.radiation.exchange.reciprocity import reciprocal_factors
 from warpsample.radiation.exchange.row_factors import RowFactors, factors_of, matrices_of
 from warpsample.radiation.exchange.surfaces import Surfaces, check_groups, surfaces_of
 from warpsample.tracing.options import RayOptions
+from warpsample.tracing.scene import check_opaque
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
@@ -51,6 +52,9 @@ class ViewFactors:
         sky_error: (N,) float64 or None.
         ground: (N,) float64, the other part, or None.
         ground_error: (N,) float64 or None.
+        absorbed: (N,) float64, what faces swallow that let a part of the light through, on the way to where it ends; None
+            without such faces.
+        absorbed_error: (N,) float64 or None.
         names: of the N groups, where they were given by name; else None.
     """
 
@@ -68,6 +72,8 @@ class ViewFactors:
     sky_error: np.ndarray | None = None
     ground: np.ndarray | None = None
     ground_error: np.ndarray | None = None
+    absorbed: np.ndarray | None = None
+    absorbed_error: np.ndarray | None = None
     names: tuple[str, ...] | None = None
 
     def radiosity(self, emission: Any, reflectance: Any) -> np.ndarray:
@@ -191,6 +197,10 @@ def view_factors(
     of independent rays the hits of a number vary is told by the replicates of all numbers of as many hits. Memory: 40 bytes
     of each entry and 8 of each of its replicates.
 
+    Where faces have a transmittance (see `Mesh`), what leaves a front ends at the first opaque face: the factor is the share
+    of it that gets there, and `absorbed` what is lost on the way, so that rows add up to 1. A face that light goes through
+    has a row, and is no column.
+
     Args:
         mesh: a Mesh or whatever `as_mesh` takes. The front of a face is the side from which its corners run
             counter-clockwise. Where two faces coincide back to back, rays meet the one that is turned to them; of
@@ -201,7 +211,8 @@ def view_factors(
             to the largest number, a row the mean of those of its faces, by area. Errors are those of the sums. Or (F,)
             names, or "part" for the named parts of the mesh ("" for faces without one): `names` then says what rows are.
         reciprocal: whether to pool both directions of each pair and adjust them, so that areas[i] matrix[i, j] equals
-            areas[j] matrix[j, i] and all rows close to 1e-7. More precise, too; but not where faces lie on one another.
+            areas[j] matrix[j, i] and all rows close to 1e-7. More precise, too; but not where faces lie on one another, nor
+            of a mesh that light goes through, where pairs have one direction.
         replicates: independent parts of each face's rays, by whose differences errors are told, 1 to 64; with more of them
             the errors are told better, and are larger. One has none to differ from: errors are then told too large, by how
             much at least such a lattice is better than independent rays.
@@ -251,6 +262,8 @@ def view_factors(
     is_good = has_status(status, PointStatus.OK)
     if active is not None and reciprocal:
         raise ValueError("active: got a mask with reciprocal=True, want None: that takes the rays of both faces of a pair")
+    if reciprocal:
+        check_opaque(mesh, "reciprocal")
     with bar(options.progress, "casting rays"):
         counts, cast = casting.counts(np.flatnonzero(is_good).astype(np.int32), groups)
     surfaces = surfaces_of(mesh.face_areas, is_good, groups)

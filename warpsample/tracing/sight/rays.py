@@ -86,14 +86,20 @@ def first_hit(any_hit: bool, query: wp.Function | None = None, wide: bool = True
 
 
 @wp.func
-def through_glass(glass: Glass, point: ShadingPoint, k: wp.int32) -> wp.float32:
-    """The share of light that the k-th prepared ray gets through the faces that let some through."""
+def through_glass_to(glass: Glass, point: ShadingPoint, k: wp.int32, distance: wp.float32) -> wp.float32:
+    """The share of light of the k-th prepared ray that gets, through faces that let some through, as far as a distance."""
     column = column_of(point.chunk, k)
-    reach = float_at(column, REACH)
+    reach = wp.min(float_at(column, REACH), distance)
     share = wp.float32(1.0)
     if reach > 0.0:
         share = share_through(glass, ray_in(column), reach, point.scratch)
     return share
+
+
+@wp.func
+def through_glass(glass: Glass, point: ShadingPoint, k: wp.int32) -> wp.float32:
+    """The share of light that the k-th prepared ray gets through the faces that let some through."""
+    return through_glass_to(glass, point, k, wp.float32(wp.INF))
 
 
 @once
