@@ -92,12 +92,29 @@ def test_bars_are_as_wide_as_errors_with_glass(name, count):
     assert np.mean((lower <= right) & (right <= upper)) > 0.9
 
 
-def test_what_has_no_meaning_with_glass_is_refused():
-    points = cases.at_origin(2)
-    mesh = cases.shells(0.5)
-    with pytest.raises(ValueError, match="^mesh: got one with a transmittance above 0, which falloff does not take; want"):
-        ws.ambient_occlusion(mesh, points, 64, max_distance=2.0, falloff=1.0)
-    with pytest.raises(ValueError, match="^mesh: got one with a transmittance above 0, which mean_distance does not take"):
-        ws.mean_distance(mesh, points, 64)
+@pytest.mark.slow
+@pytest.mark.parametrize("call", [ws.mean_distance, ws.ambient_occlusion])
+def test_parts_of_a_ray_end_where_faces_stop_them(call):
+    """Of sheets of 0.5 and 0.25 before a dark one, each ends its share: the mean of as many runs with one dark sheet."""
+    points, falloff = cases.at_origin(40), {} if call is ws.mean_distance else {"falloff": 2.0}
+
+    def run(*taus):
+        sheets = zip(taus, (3.0, 1.0, 2.0), strict=True)  # in no order
+        mesh = cases.made_of(*((cases.sheet(8.0, height), tau) for tau, height in sheets))
+        return call(mesh, points, 64, max_distance=5.0, **falloff)
+
+    near, middle, far = (run(*taus).value.astype(float) for taus in ((1.0, 0.0, 1.0), (1.0, 1.0, 0.0), (0.0, 1.0, 1.0)))
+    assert (near < middle).all()
+    assert (middle < far).all()
+    found = run(0.0, 0.5, 0.25)
+    np.testing.assert_allclose(found.value, 0.5 * near + 0.375 * middle + 0.125 * far, rtol=2e-6)
+    assert np.mean(found.standard_error > 0.0) > 0.3
+    garden = cases.garden()
+    points = ws.sample_surface(garden, 100, seed=3)
+    seen, plain = (call(garden, points, 64, max_distance=9.0, skip=skip, **falloff) for skip in (True, False))
+    assert cases.same_bits(seen, plain, *BITS)
+
+
+def test_tracers_that_know_no_glass_refuse_it():
     with pytest.raises(ValueError, match="^tracer: got 'warp' for a mesh that light goes through, want 'wide', on the CPU$"):
-        ws.sky_view_factor(mesh, points, 64, tracer="warp")
+        ws.sky_view_factor(cases.shells(0.5), cases.at_origin(2), 64, tracer="warp")

@@ -12,7 +12,15 @@ from warpsample.maths.numerics import HALF, ONE, ZERO
 from warpsample.tracing.queries import CHUNK, REACH, Accelerator, column_of, direction_of
 from warpsample.tracing.sight.packets import NO_RAYS, first_rays, ray_set, set_size
 from warpsample.tracing.sight.point import ShadingPoint
-from warpsample.tracing.sight.rays import first_hit, prepare_rays, rays_blocked, rays_from_afar, through_glass, whole_vectors
+from warpsample.tracing.sight.rays import (
+    first_hit,
+    next_through_glass,
+    prepare_rays,
+    rays_blocked,
+    rays_from_afar,
+    through_glass,
+    whole_vectors,
+)
 
 
 @once
@@ -41,26 +49,51 @@ def jump_of(slots: Slots) -> wp.Function:
     return jump_at
 
 
+@wp.func
+def _fallen_off(lobes: Lobes, point: ShadingPoint, k: wp.int32, distance: wp.float32) -> wp.float32:
+    """By how much what is met at a distance along the k-th ray occludes."""
+    reach = float_at(column_of(point.chunk, k), REACH)
+    t = (distance + (point.reach - reach)) / point.reach
+    return wp.pow(1.0 - t, lobes.falloff)
+
+
+@wp.func
+def _stopped_before(lobes: Lobes, point: ShadingPoint, k: wp.int32, distance: wp.float32):
+    """(what faces that stop a part of the k-th ray occlude up to a distance, what is left of it there)."""
+    occluded = wp.float32(0.0)
+    left = wp.float32(1.0)
+    near, face = next_through_glass(lobes.glass, point, k, distance, 0.0, -1)
+    while face >= 0:
+        passed = left * float_at(lobes.glass.transmittance, face)
+        occluded += (left - passed) * _fallen_off(lobes, point, k, near)
+        left = passed
+        near, face = next_through_glass(lobes.glass, point, k, distance, near, face)
+    return occluded, left
+
+
 @once
 def share_of(slots: Slots) -> wp.Function:
     """A function that traces a ray and gives the share of its weight that it adds, by how far it gets, or through glass."""
-    glass, hit = slots.glass, first_hit(False, slots.query, slots.wide)
+    glass, any_hit, hit = slots.glass, slots.any_hit, first_hit(False, slots.query, slots.wide)
 
     @wp.func
     def share_of(lobes: Lobes, tree: Accelerator, point: ShadingPoint, local: wp.int32, k: wp.int32):
         """(the share of its weight that a ray adds, whether it meets something)."""
         share = wp.float32(1.0)
         met = wp.bool(False)
-        if wp.static(glass):
+        if wp.static(any_hit):
             share = through_glass(lobes.glass, point, k)
             met = share < 1.0
         else:
+            left = wp.float32(1.0)
             distance, _face = hit(tree, point, local, k)
             met = distance < wp.INF
+            if wp.static(glass):
+                occluded, left = _stopped_before(lobes, point, k, distance)
+                share = 1.0 - occluded
             if met:
-                reach = float_at(column_of(point.chunk, k), REACH)
-                t = (distance + (point.reach - reach)) / point.reach
-                share = 1.0 - wp.pow(1.0 - t, lobes.falloff)
+                share -= left * _fallen_off(lobes, point, k, distance)
+            met = met or left < 1.0
         return share, met
 
     return share_of
@@ -93,7 +126,8 @@ def stratum_sum(slots: Slots) -> wp.Function:
     spread, weigh, struct = spread_of(slots), weighing(slots), slots.struct
     any_hit, constant, counts, channels = slots.any_hit, slots.constant, slots.counts, slots.channels
     prepare, block, share_left = prepare_rays(slots.prepare), rays_blocked(slots.query, slots.wide), share_of(slots)
-    glass, stops, dims = slots.glass, BLOCKERS if slots.glass else -1, GLASS if slots.glass else 0 if slots.any_hit else -1
+    glass = slots.glass and any_hit
+    stops, dims = BLOCKERS if glass else -1, GLASS if glass else 0 if any_hit else -1
 
     @wp.func
     def sum_stratum(

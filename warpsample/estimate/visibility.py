@@ -16,7 +16,6 @@ from warpsample.host.options import explained_by
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
-from warpsample.tracing.scene import check_opaque
 
 
 @explained_by(RayOptions)
@@ -56,7 +55,8 @@ def ambient_occlusion(
             of 8, from 256 of 16, from 448 of 64, from 4,096 of 128, from 16,384 of 256.
         max_distance: hits at or beyond this distance are ignored, in units of the coordinates; by default there is no limit.
         falloff: a hit at a distance t occludes by (1 - t / max_distance)^falloff, so that there is no edge at
-            max_distance: ambient obscurance (Zhukov1998). 1 is a straight line.
+            max_distance: ambient obscurance (Zhukov1998). 1 is a straight line. A face with a transmittance occludes so by
+            the share that it stops of the light that gets to it.
         tolerance: the standard error to reach, of each component in the result's unit and in the root mean square over the
             points: by how many of `count` rays from each, a trial of one in twelve points or fewer says. Its rays are
             forgotten, which keeps the result unbiased. The count depends on all points of the call, so another choice of
@@ -86,7 +86,6 @@ def ambient_occlusion(
     plan = Plan.of(at, count, options, tolerance=tolerance)
     reach = reach_of(max_distance)
     if falloff is not None:
-        check_opaque(at.mesh, "falloff")
         falloff = check_number(falloff, "falloff", 0.0, 1000.0)
         if not 0.0 < reach < inf:
             raise ValueError(f"max_distance: got {max_distance}, want a finite one above 0, to which falloff is relative")

@@ -14,7 +14,6 @@ from warpsample.host.options import explained_by
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
-from warpsample.tracing.scene import check_opaque
 
 _LEAST, _MOST = 1e-30, 1e30  # of a limit: its float32 and those of the errors are neither 0 nor infinite
 
@@ -57,7 +56,8 @@ def mean_distance(
 
     With normals outward it says how open a place is, with normals turned inward how thick a body is there. It is
     `max_distance` times the ambient occlusion with a `falloff` of 1, whose kernel it shares: a ray that meets something at
-    a distance t, or nothing, adds min(t, max_distance).
+    a distance t, or nothing, adds min(t, max_distance). At faces with a transmittance a part of the ray ends, and the rest
+    goes on: what is added is the mean over its parts.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
@@ -87,7 +87,6 @@ def mean_distance(
         16 of 20
     """
     at = PlacedPoints.of(mesh, points)
-    check_opaque(at.mesh, "mean_distance")
     options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, ids=at.id, active=active).by(
         skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
     )

@@ -16,7 +16,7 @@ from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint, bring_near
 from warpsample.tracing.wide.layout import face_in
 from warpsample.tracing.wide.prepare import prepare_wide, ray_in
 from warpsample.tracing.wide.query import wide_query
-from warpsample.tracing.wide.through import share_through
+from warpsample.tracing.wide.through import next_crossing, share_through
 
 
 @wp.func
@@ -94,6 +94,23 @@ def through_glass_to(glass: Glass, point: ShadingPoint, k: wp.int32, distance: w
     if reach > 0.0:
         share = share_through(glass, ray_in(column), reach, point.scratch)
     return share
+
+
+@wp.func
+def next_through_glass(
+    glass: Glass, point: ShadingPoint, k: wp.int32, before: wp.float32, after: wp.float32, after_face: wp.int32
+):
+    """(distance, face) of what the k-th prepared ray crosses first, before a distance and behind another crossing.
+
+    Of the faces that let some light through; (inf, -1) if there is none.
+    """
+    column = column_of(point.chunk, k)
+    reach = wp.min(float_at(column, REACH), before)
+    near = wp.float32(wp.INF)
+    face = wp.int32(-1)
+    if reach > 0.0:
+        near, face = next_crossing(glass.tree, ray_in(column), reach, after, after_face, point.scratch)
+    return near, face
 
 
 @wp.func

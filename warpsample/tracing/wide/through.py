@@ -105,3 +105,48 @@ def share_through(glass: Glass, ray: Ray, reach: wp.float32, scratch: wp.uint64)
     passed.transmittance = glass.transmittance
     passed = _walk_through_glass(glass.tree, ray, reach, passed, scratch)
     return wp.float32(passed.share)
+
+
+@wp.struct
+class Crossing:
+    """The first crossing of a ray behind another one: its distance and face, by which those at one distance are ordered.
+
+    after, after_face: the other one.
+    """
+
+    distance: wp.float32
+    face: wp.int32
+    after: wp.float32
+    after_face: wp.int32
+
+
+@wp.func
+def _first_of(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Crossing):
+    mask = crossed(leaf, ray, reach, edge)
+    while mask != 0:
+        k = lowest_bit(mask)
+        mask = mask & (mask - 1)
+        distance = plane_distance(leaf, k, ray)
+        face = face_in(leaf, k)
+        behind = distance > found.after or (distance == found.after and face > found.after_face)
+        if behind and (distance < found.distance or (distance == found.distance and face < found.face)):
+            found.distance = distance
+            found.face = face
+    return found
+
+
+_walk_to_next = through_walk(_first_of, Crossing)
+
+
+@wp.func
+def next_crossing(
+    tree: Accelerator, ray: Ray, reach: wp.float32, after: wp.float32, after_face: wp.int32, scratch: wp.uint64
+):
+    """(distance, face) of the first crossing within reach behind that of `after_face` at `after`; (inf, -1) without one."""
+    found = Crossing()
+    found.distance = wp.float32(wp.INF)
+    found.face = -1
+    found.after = after
+    found.after_face = after_face
+    found = _walk_to_next(tree, ray, reach, found, scratch)
+    return found.distance, found.face
