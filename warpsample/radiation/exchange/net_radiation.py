@@ -35,6 +35,10 @@ class NetRadiation:
 
 def net_radiation_of(factors: "ViewFactors", temperature: Any, emissivity: Any, outside: Any) -> NetRadiation:
     """The net radiation of all surfaces; see `ViewFactors.net_radiation`."""
+    if factors.absorbed is not None:
+        raise ValueError(
+            "mesh: got view factors of one that light goes through, whose panes would radiate too; want opaque faces"
+        )
     rows = len(factors.areas)
     kelvin = _checked(temperature, "temperature", 0.0, _HOTTEST)
     share = _checked(emissivity, "emissivity", np.finfo(np.float64).tiny, 1.0)

@@ -33,8 +33,8 @@ _MOST_REPLICATES = 64
 class ViewFactors:
     """View factors between N surfaces: the faces of a mesh, or groups of them.
 
-    Raw, each row of the matrix adds up to 1 with `outside` and `behind`: its rays are counted, none is lost. Where the
-    number of rays is a power of two the sums of these float64 are exact, too.
+    Raw, each row of the matrix adds up to 1 with `outside`, `behind` and `absorbed`: its rays are counted, none is lost.
+    Where the number of rays is a power of two the sums of these float64 are exact, too; with `absorbed` they are rounded.
 
     Attributes:
         matrix: (N, N) scipy.sparse.csr_array of float64: the share of what leaves the front of surface i that first meets
@@ -79,8 +79,8 @@ class ViewFactors:
     def radiosity(self, emission: Any, reflectance: Any) -> np.ndarray:
         """What leaves each surface, emitted or reflected: J = E + rho F J.
 
-        Solved by following the radiation from surface to surface, to 12 digits. What goes outside or meets a back is lost;
-        what comes from there is part of `emission`, as reflectance * outside * sky.
+        Solved by following the radiation from surface to surface, to 12 digits. What goes outside, meets a back or is
+        absorbed is lost; what comes from there is part of `emission`, as reflectance * outside * sky.
 
         Args:
             emission: (N,) or (N, k), for k wavelengths or times; or one number. In any unit of power per area.
