@@ -72,7 +72,7 @@ from warpsample.sequences.philox import philox
 from warpsample.sequences.r2 import r2
 from warpsample.sequences.sobol import sobol
 from warpsample.sequences.stratified import stratified
-from warpsample.tracing.tree import Tree, any_hit, nearest_hit, offset_origin, transmitted
+from warpsample.tracing.own_rays import Tree, any_hit, nearest_hit, offset_origin, transmitted
 
 __all__ = [
     "Lobe",

@@ -40,6 +40,8 @@ def test_the_sun_through_a_garden_is_what_rays_tell():
     plain = ws.as_mesh((mesh.vertices, mesh.faces))
     dark = ws.direct_sun(ws.as_mesh(plain, transmittance=0.0), points, suns)
     assert np.array_equal(dark, ws.direct_sun(plain, points, suns))
+    lit = ws.direct_sun(ws.as_mesh(plain, transmittance=1.0), points, suns)
+    assert np.array_equal(lit[clear], cosine[clear] > 0.0)
 
 
 def test_a_sky_matrix_behind_shells_is_the_open_one_times_their_product():

@@ -95,6 +95,18 @@ def test_opaque_and_clear_meshes_are_as_those_without_a_transmittance_and_as_no_
     assert set(share.numpy()) == {0.0, 1.0}
 
 
+def test_a_moved_mesh_keeps_what_it_lets_through():
+    mesh, shift = mixed(), np.array([0.5, 0.0, 2.0])
+    origins, directions = random_rays(2000)
+    ws.trace(mesh, origins, directions)  # so that there are trees to move
+    moved, anew = ws.refit(mesh, mesh.vertices + shift), ws.Mesh(mesh.vertices + shift, mesh.faces)
+    anew = ws.as_mesh(anew, transmittance=mesh.transmittance)
+    found, right = (ws.trace(each, origins + shift, directions) for each in (moved, anew))
+    assert np.array_equal(found.distance, right.distance)
+    np.testing.assert_allclose(found.transmitted, right.transmitted, rtol=1e-6)  # products in another order
+    assert np.count_nonzero(found.transmitted < 1.0) > 500
+
+
 @pytest.mark.parametrize("shared", [True, False])
 def test_each_face_of_a_closed_body_dims_a_ray_once_also_at_edges_and_corners(shared):
     body = ws.as_mesh(icosphere() if shared else loose(icosphere()), transmittance=0.5)

@@ -21,7 +21,8 @@ from warpsample.maths.frames import frame_about, to_world
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.sampling import sample_surface
 from warpsample.sequences.fibonacci import fibonacci
-from warpsample.tracing.tree import Tree, any_hit, offset_origin, tree
+from warpsample.tracing.own_rays import Tree, any_hit, offset_origin
+from warpsample.tracing.tree import tree
 
 COUNTS = (64, 256, 1024, 4096)
 """Directions of a point that are integrated."""

@@ -9,9 +9,10 @@ import numpy as np
 
 from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real
-from warpsample.host.locks import once_property, read_only
+from warpsample.host.locks import once_property
 from warpsample.host.neighbours import as_ndarray, kind_told
 from warpsample.mesh.foreign import KINDS, arrays_of
+from warpsample.mesh.indexed import check_faces, check_vertices
 from warpsample.mesh.known import arrived, digest_of, remember
 from warpsample.mesh.optics import check_share, check_sum, optics_digest
 from warpsample.mesh.parts import check_names, check_part
@@ -20,9 +21,6 @@ from warpsample.mesh.report import MeshReport, report_of
 
 if TYPE_CHECKING:
     from pyvista import PolyData
-
-LARGEST = 1e36
-"""Coordinate of a vertex: distances, which are float32, stay finite."""
 
 _SMALLEST = 1e-140  # size of a mesh whose areas have a float64
 _LEAST_SQUARE = 1e-280  # square of a length that keeps its precision
@@ -65,8 +63,8 @@ class Mesh:
 
     def __post_init__(self) -> None:
         """Validates, copies and freezes: what later calls read must stay what was checked here."""
-        vertices = _check_vertices(as_real(self.vertices, "vertices"))
-        faces = _check_faces(as_ndarray(self.faces, "faces", "whole numbers"), len(vertices))
+        vertices = check_vertices(as_real(self.vertices, "vertices"))
+        faces = check_faces(as_ndarray(self.faces, "faces", "whole numbers"), len(vertices))
         object.__setattr__(self, "vertices", vertices)
         object.__setattr__(self, "faces", faces)
         object.__setattr__(self, "parts", check_names(self.parts))
@@ -255,34 +253,3 @@ def lengths(vectors: np.ndarray) -> np.ndarray:
     scaled = np.divide(vectors[far], largest, out=np.zeros_like(vectors[far]), where=largest > 0.0)
     found[far] = largest[:, 0] * np.linalg.norm(scaled, axis=1)
     return found
-
-
-def _check_vertices(vertices: np.ndarray) -> np.ndarray:
-    if vertices.ndim != 2 or vertices.shape[1] != 3 or len(vertices) == 0:
-        raise ValueError(f"vertices: got shape {vertices.shape}, want (V, 3) with V of at least 3")
-    vertices = read_only(vertices.astype(np.float64, copy=False))  # first: what is checked is what is kept
-    if not (vertices.min() >= -LARGEST and vertices.max() <= LARGEST):
-        broken = ~(np.abs(vertices) <= LARGEST).all(axis=1)
-        first = int(np.argmax(broken))
-        flaw = "not finite" if not np.isfinite(vertices[broken]).all() else f"beyond {LARGEST:g}"
-        raise ValueError(
-            f"vertices: got coordinates that are {flaw}, the first in row {first}, {vertices[first]}, "
-            f"want coordinates from {-LARGEST:g} to {LARGEST:g}"
-        )
-    return vertices
-
-
-def _check_faces(faces: np.ndarray, vertices: int) -> np.ndarray:
-    if faces.ndim != 2 or faces.shape[1] != 3 or len(faces) == 0:
-        raise ValueError(f"faces: got shape {faces.shape}, want (F, 3) with F of at least 1")
-    if faces.dtype.kind not in "iu":
-        raise TypeError(f"faces: got dtype {faces.dtype}, want whole numbers")
-    faces = read_only(faces)
-    outside = (faces < 0) | (faces >= vertices)
-    if outside.any():
-        first = int(np.argmax(outside.any(axis=1)))
-        raise ValueError(
-            f"faces: got indices from {faces.min()} to {faces.max()}, the first wrong one in face {first}, {faces[first]}, "
-            f"want 0 to {vertices - 1}"
-        )
-    return faces if faces.dtype == np.int32 else read_only(faces.astype(np.int32))

@@ -12,7 +12,7 @@ from warpsample.host.arguments import told
 from warpsample.host.engine import check_memory
 from warpsample.host.json_tree import Part
 from warpsample.mesh.holes import Outlines
-from warpsample.mesh.mesh import LARGEST
+from warpsample.mesh.indexed import LARGEST
 
 _BYTES = 250  # of a corner: its triangles, and what is computed of them
 

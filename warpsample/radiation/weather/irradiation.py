@@ -84,6 +84,8 @@ def irradiation(
     the file's diffuse horizontal radiation. The ground: what of the lobe points below the horizon and meets nothing
     sees a plane that sends back `ground_albedo` of all that sun and sky bring to open ground, evenly.
 
+    Faces with a transmittance (see `Mesh`) let that share of all three through, at each crossing.
+
     What the mesh reflects is left out: its faces are black, those of a ground that is part of it too. So a wall that looks
     down on such a ground receives nothing from there, and one at the edge of the mesh receives what it sees beyond.
 
