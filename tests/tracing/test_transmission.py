@@ -107,6 +107,25 @@ def test_a_moved_mesh_keeps_what_it_lets_through():
     assert np.count_nonzero(found.transmitted < 1.0) > 500
 
 
+def test_other_shares_take_no_new_tree_while_the_faces_that_let_some_through_stay(monkeypatch):
+    mesh, built = mixed(), []
+    origins, directions = random_rays(500)
+    first = ws.trace(mesh, origins, directions)
+    monkeypatch.setattr("warpsample.tracing.scene.build", lambda *_: built.append("all"))
+    with monkeypatch.context() as patched:
+        patched.setattr("warpsample.tracing.scene.build_some", lambda *_: built.append("some"))
+        winter = ws.as_mesh(mesh, transmittance=np.where(mesh.transmittance % 1.0, 0.5, mesh.transmittance))
+        found = ws.trace(winter, origins, directions)
+    assert built == []
+    assert np.array_equal(found.distance, first.distance)
+    assert not np.array_equal(found.transmitted, first.transmitted)
+    assert (np.frexp(found.transmitted)[0] == 0.5).all()  # powers of two
+    clear = ws.trace(ws.as_mesh(winter, transmittance=0.25), origins, directions)  # all of them let some through
+    assert built == []
+    assert (clear.face == -1).all()
+    assert np.array_equal(ws.trace(mesh, origins, directions).transmitted, first.transmitted)
+
+
 @pytest.mark.parametrize("shared", [True, False])
 def test_each_face_of_a_closed_body_dims_a_ray_once_also_at_edges_and_corners(shared):
     body = ws.as_mesh(icosphere() if shared else loose(icosphere()), transmittance=0.5)

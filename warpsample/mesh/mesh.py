@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
+from weakref import ref
 
 import numpy as np
 
@@ -128,6 +129,12 @@ class Mesh:
         """Whether light goes through some face."""
         return self.transmittance is not None and bool(self.transmittance.any())
 
+    @property
+    def like(self) -> "Mesh | None":
+        """The mesh of this shape that `as_mesh` made this one of, by other shares of light, while that lives; or None."""
+        known = vars(self).get("_like")
+        return known and known()
+
     @once_property
     def used(self) -> np.ndarray:
         """(V,) bool: the vertices that faces use. The others mean nothing: they may be anywhere."""
@@ -202,7 +209,8 @@ def as_mesh(mesh: Any, *, transmittance: Any = None, reflectance: Any = None) ->
         mesh: a Mesh, which is given back as it is; a tuple (vertices, faces); a pyvista.PolyData or MultiBlock, a
             trimesh.Trimesh or Scene, a meshio.Mesh, or a TriangleMesh of Open3D, of either kind. Polygons are cut into
             triangles. What scenes and blocks hold is placed, joined, and told apart as `parts`.
-        transmittance: a number from 0 to 1, or (F,) of them: see `Mesh`. By default as the mesh has it.
+        transmittance: a number from 0 to 1, or (F,) of them: see `Mesh`. By default as the mesh has it. While a Mesh that
+            is given lives, one with other shares takes over its tree.
         reflectance: likewise; with the transmittance at most 1.
 
     Returns:
@@ -220,7 +228,11 @@ def as_mesh(mesh: Any, *, transmittance: Any = None, reflectance: Any = None) ->
     made = mesh_of(mesh, "mesh", "a warpsample.Mesh")
     given = {"transmittance": transmittance, "reflectance": reflectance}
     given = {name: share for name, share in given.items() if share is not None}
-    return replace(made, **given) if given else made
+    if not given:
+        return made
+    changed = replace(made, **given)
+    object.__setattr__(changed, "_like", ref(made.like or made))
+    return changed
 
 
 def mesh_of(value: Any, argument: str, wants: str) -> Mesh:

@@ -1,6 +1,7 @@
 """A mesh in the coordinates of its tracers, with their search structures, kept while the mesh lives."""
 
 import warnings
+from copy import copy
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -20,6 +21,9 @@ from warpsample.tracing.wide.build import Topology, build, build_some
 
 ALL, OPAQUE, GLASS = "all", "opaque", "glass"
 """Which faces are in a tree: all; those that stop all light; those that let some, but not all, through."""
+
+_NOTHING, _PART = 0, 1
+"""Of the light that falls on a face, what it lets through, among the numbers of `_kinds`."""
 
 SMALLEST = 1e-30
 """Half size of a mesh that is traced: distances, which are float32, keep their digits."""
@@ -68,8 +72,7 @@ class Scene:
         self.spread = np.maximum(spread, _LEAST_EXTENT) if apart else self.extent
         self.vertices = read_only(self._placed(mesh))
         self.faces = mesh.faces
-        self.transmittance = mesh.transmittance if mesh.transmits else None
-        self.has_glass = mesh.transmits and bool(((mesh.transmittance > 0.0) & (mesh.transmittance < 1.0)).any())
+        self._take_light(mesh)
         self._topologies: dict[str, Topology] = {}
         self._trees: dict[str, WideTree] = {}
         self._builtin: dict[str, wp.Mesh] = {}
@@ -112,14 +115,27 @@ class Scene:
     def _topology(self, workers: int, which: str) -> Topology:
         if which == ALL or self.transmittance is None:
             return build(self.vertices, self.faces, workers)
-        stops, passes = self.transmittance == 0.0, self.transmittance == 1.0
-        chosen = np.flatnonzero(stops if which == OPAQUE else ~(stops | passes))
+        chosen = np.flatnonzero(_kinds(self.transmittance) == (_NOTHING if which == OPAQUE else _PART))
         return build_some(self.vertices, self.faces, chosen, workers)
 
     def glass(self, workers: int) -> GlassArgs:
         """The faces of a mesh that transmits which let some light through, as rays ask them; valid while this lives."""
         tree = self.tree(workers, GLASS).accelerator()
         return GlassArgs(tree=tree, transmittance=self.transmittance.ctypes.data)
+
+    def _take_light(self, mesh: Mesh) -> None:
+        self.transmittance = mesh.transmittance if mesh.transmits else None
+        self.has_glass = mesh.transmits and bool((_kinds(mesh.transmittance) == _PART).any())
+
+    def dimmed(self, mesh: Mesh) -> "Scene":
+        """The scene of a mesh of the same shape that lets other shares of light through; takes over the trees that stay."""
+        scene = copy(self)
+        scene._take_light(mesh)
+        both = self.transmittance is not None and scene.transmittance is not None
+        stays = both and np.array_equal(_kinds(self.transmittance), _kinds(scene.transmittance))
+        scene._trees = {which: tree for which, tree in self._trees.items() if stays or which == ALL}
+        scene._topologies = {which: tree.topology for which, tree in scene._trees.items()}
+        return scene
 
     def moved(self, mesh: Mesh) -> "Scene":
         """The scene of a mesh with the same faces; takes over the trees' topologies, if there are any."""
@@ -148,6 +164,11 @@ def _main_part(vertices: np.ndarray) -> np.ndarray:
     return np.quantile(vertices[:: -(-len(vertices) // _LOOKED_AT)], [0.1, 0.9], axis=0)
 
 
+def _kinds(transmittance: np.ndarray) -> np.ndarray:
+    """(F,) int8, what each face lets through: nothing, a part, or all."""
+    return (transmittance > 0.0).astype(np.int8) + (transmittance == 1.0)
+
+
 def check_opaque(mesh: Mesh, what: str) -> None:
     """Refuses a mesh that light goes through, by a ValueError, for what does not take one."""
     if mesh.transmits:
@@ -168,7 +189,8 @@ def scene_of(mesh: Mesh, *, through: bool = False) -> Scene:
         with making:
             scene = _scenes.get(mesh)
             if scene is None:
-                scene = _scenes[mesh] = Scene(mesh)
+                known = None if mesh.like is None else _scenes.get(mesh.like)
+                scene = _scenes[mesh] = Scene(mesh) if known is None else known.dimmed(mesh)
     return scene
 
 
