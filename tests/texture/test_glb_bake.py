@@ -1,6 +1,7 @@
 """`warpsample bake in.glb -o out.glb --texture`: right where a viewer looks, and nothing else is touched."""
 
 import copy
+import json
 import re
 
 import numpy as np
@@ -114,7 +115,7 @@ def test_overlaps_are_named_and_refused_or_unwrapped(call, tmp_path):
     meshes = [{"primitives": [{"attributes": {"POSITION": i, "TEXCOORD_0": 2}, "indices": 3}]} for i in (0, 1)]
     path = tmp_path / "in.glb"
     path.write_bytes(glb({"meshes": meshes, "nodes": [{"mesh": 0, "name": "a"}, {"mesh": 1, "name": "b"}]}, arrays))
-    said = "4,032 texels on which several faces lie: they show one of them (a, b)"  # not the diagonals
+    said = "overlapping texels, which show one of several faces: 4,032 (a, b)"  # not the diagonals
     output, out = baked(call, path, "--uv", "0")
     assert said in out
     assert "occlusionTexture" in opened(output)[0]["materials"][0]
@@ -208,3 +209,32 @@ def test_a_buffer_in_another_file_is_refused(call, tmp_path):
     path.write_bytes(changed(rich(), lambda tree: tree["buffers"][0].update(uri="data.bin")))
     status, _, err = call("bake", path, "-o", tmp_path / "out.glb", "--texture", 32)
     assert (status, "buffers[0] is not in the file itself" in err) == (2, True)
+
+
+def test_a_gltf_and_its_files_become_one_file(call, tmp_path):
+    """Two buffers, one of them in the JSON, and a picture of each kind: all is in the .glb, and is read as before."""
+    (tmp_path / "in.glb").write_bytes(rich())
+    tree, data, _ = opened(tmp_path / "in.glb")
+    (tmp_path / "a b.bin").write_bytes(data)
+    shown = b"\xff\xd8 a picture"
+    (tmp_path / "shown.jpg").write_bytes(shown)
+    tree["images"].append({"uri": "shown.jpg", "name": "seen", "extras": 1})
+    tree["buffers"] = [{"uri": "data:;base64,AAECAwQ=", "byteLength": 5}, {"uri": "a%20b.bin", "byteLength": len(data)}]
+    for view in tree["bufferViews"]:
+        view["buffer"] = 1
+    path = tmp_path / "in.gltf"
+    path.write_text(json.dumps(tree))
+    output, _ = baked(call, path)
+    made, whole, _ = opened(output)
+    assert made["buffers"] == [{"byteLength": len(whole)}]
+    assert whole[:8] == bytes([0, 1, 2, 3, 4, 0, 0, 0])
+    image = made["images"][1]
+    view = made["bufferViews"][image.pop("bufferView")]
+    assert image == {"name": "seen", "extras": 1, "mimeType": "image/jpeg"}
+    assert whole[view["byteOffset"] : view["byteOffset"] + view["byteLength"]] == shown
+    assert made["bufferViews"][0] == {**tree["bufferViews"][0], "buffer": 0, "byteOffset": 8}
+    meshes = [ws.load_mesh(tmp_path / name) for name in ("in.glb", "in.gltf", "out.glb")]
+    assert all(mesh.digest == meshes[0].digest for mesh in meshes)
+    (tmp_path / "shown.jpg").write_bytes(b"RIFF")
+    status, _, err = call("bake", path, "-o", tmp_path / "no.glb", "--texture", 32)
+    assert (status, "images[1].uri: got a picture that is neither .png nor .jpg" in err) == (2, True)

@@ -74,7 +74,7 @@ def test_new_coordinates_are_in_an_npz(call, tmp_path):
     path = tmp_path / "ball.stl"
     trimesh.creation.icosphere(2).export(path)
     status, _, err = call("bake", path, "-o", tmp_path / "a.png", "--texture", 64)
-    said = "without texture coordinates that can be used, want .npz, which holds new ones, or .glb for a .glb"
+    said = "without texture coordinates that can be used, want .npz, which holds new ones, or .glb for a glTF file"
     assert (status, err) == (2, f"error: --output: got a .png for 'ball.stl' {said}\n")
     status, _, err = call("bake", path, "-o", tmp_path / "a.npz", "--texture", 64, "--samples", 16)
     assert (status, err) == (0, "")

@@ -10,12 +10,12 @@ from warpsample.host.arguments import naming_file
 from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.primitives import Primitive, primitives_of
 
-_WHAT = "a .glb to be edited"
+_WHAT = "a glTF file to be edited"
 
 
 def keeps(source: Path, output: Path, at: str | None) -> bool:
     """Whether a run of numbers at places writes them into the file that it has the mesh from."""
-    return source.suffix.lower() == output.suffix == ".glb" and at == "vertices"
+    return source.suffix.lower() in (".glb", ".gltf") and output.suffix == ".glb" and at == "vertices"
 
 
 def told_of_kept(source: Path) -> list[str]:

@@ -86,7 +86,7 @@ def _check(run: BakeRun, quantity: Quantity, how: TextureOptions) -> None:
     suffix, name = run.output.suffix, str(run.output)
     if suffix not in SUFFIXES:
         raise ValueError(f"--output: got {name!r} for --texture, want a file that ends in one of {' '.join(SUFFIXES)}")
-    if suffix == ".glb" and run.mesh.suffix.lower() != ".glb":
+    if suffix == ".glb" and run.mesh.suffix.lower() not in (".glb", ".gltf"):
         raise ValueError(
             f"--output: got {name!r} for {run.mesh.name!r}, want .png, .exr or .npz: only a .glb becomes a .glb"
         )

@@ -11,8 +11,8 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from warpsample.host.json_tree import Part
-from warpsample.mesh.files.gltf_data import Data, binary
+from warpsample.host.json_tree import Part, parsed
+from warpsample.mesh.files.gltf_data import Data, binary, content_of
 
 MOST_BYTES = 2**32 - 2**20
 """Of the data of a file: it tells its length in 32 bits."""
@@ -21,12 +21,14 @@ _CODES = {"f4": 5126, "u4": 5125, "u2": 5123, "u1": 5121}
 _TYPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
 _OF_ARRAY = ("bufferView", "byteOffset", "componentType", "type", "count", "min", "max")
 _VERTICES, _INDICES = 34962, 34963  # what a view of the buffer is for
+_PICTURES = {b"\x89PNG": "image/png", b"\xff\xd8": "image/jpeg"}
+"""What a picture begins with, and what a .glb calls it."""
 _JSON, _BIN = 0x4E4F534A, 0x004E4942
 _CLAMP, _LINEAR, _LINEAR_MIPMAP = 33071, 9729, 9987
 
 
 class GlbFile:
-    """A .glb in memory, to which arrays and pictures are added.
+    """A .glb in memory, or a .gltf with its files as one, to which arrays and pictures are added.
 
     Attributes:
         part: its JSON as it was, for readers that check what they read.
@@ -38,17 +40,19 @@ class GlbFile:
         """Reads a file.
 
         Raises:
-            ValueError: no .glb, or one whose first buffer is not in it, so that nothing can be appended.
+            ValueError: neither of the two, or a .glb whose first buffer is not in it, so that nothing can be appended.
         """
-        self.part, chunk = binary(path)
+        is_binary = path.suffix.lower() == ".glb"
+        self.part, chunk = binary(path) if is_binary else (parsed(path.read_bytes()), memoryview(b""))
         self.data = Data.of(self.part, path, chunk)
         self.tree: dict[str, Any] = copy.deepcopy(self.part.content)
-        buffers = self.tree.setdefault("buffers", [{"byteLength": 0}])
-        if "uri" in buffers[0]:
-            raise ValueError("buffers[0] is not in the file itself, want one whose data are")
-        self._chunks = [bytes(chunk)]
-        self._rest = _after(path, len(chunk))
-        self._size = len(chunk)
+        self._chunks, self._size, self._rest = [bytes(chunk)], len(chunk), b""
+        if is_binary:
+            self._rest = _after(path, len(chunk))
+            if "uri" in self.tree.setdefault("buffers", [{"byteLength": 0}])[0]:
+                raise ValueError("buffers[0] is not in the file itself, want one whose data are")
+        else:
+            self._take_in(path)
 
     def add_vertices(self, array: np.ndarray, **more: Any) -> int:
         """The number of a new accessor of (V,) or (V, k) numbers of vertices, of rows of whole 4 bytes."""
@@ -96,6 +100,29 @@ class GlbFile:
         file.writelines(self._chunks)
         file.write(self._rest)
 
+    def _take_in(self, path: Path) -> None:
+        """Makes one buffer of all, and takes in the pictures of other files that a .glb may hold."""
+        starts = [self._put(bytes(buffer)) for buffer in self.data.buffers]
+        self.tree["buffers"] = [{"byteLength": 0}]
+        for view in self.tree.get("bufferViews", []):
+            view["byteOffset"] = view.get("byteOffset", 0) + starts[view["buffer"]]
+            view["buffer"] = 0
+        for image, part in zip(self.tree.get("images", []), self.part.parts("images"), strict=True):
+            if "uri" in part:
+                content = bytes(content_of(path, part.text("uri"), 0, part))
+                kind = next((kind for start, kind in _PICTURES.items() if content.startswith(start)), None)
+                if kind is None:
+                    raise ValueError(f"{part.at('uri')}: got a picture that is neither .png nor .jpg, want one of them")
+                del image["uri"]
+                image |= {"mimeType": kind, "bufferView": self._add_view(content, {})}
+
+    def _put(self, content: bytes) -> int:
+        """Where in the buffer some bytes begin from now on: at a whole number of four."""
+        start = self._size
+        self._chunks += [content, b"\0" * (-len(content) % 4)]
+        self._size += len(content) + -len(content) % 4
+        return start
+
     def _add_array(self, array: np.ndarray, target: int, more: dict[str, Any]) -> int:
         array = np.ascontiguousarray(array)
         width = array.shape[1] if array.ndim == 2 else 1
@@ -104,11 +131,8 @@ class GlbFile:
         return self._append("accessors", {"bufferView": view, **kind, "count": len(array), **more})
 
     def _add_view(self, content: bytes, more: dict[str, Any]) -> int:
-        padding = b"\0" * (-self._size % 4)
-        view = {"buffer": 0, "byteOffset": self._size + len(padding), "byteLength": len(content), **more}
-        end = b"\0" * (-len(content) % 4)
-        self._chunks += [padding, content, end]
-        self._size += len(padding) + len(content) + len(end)
+        self._put(b"\0" * (-self._size % 4))  # what the file has may end anywhere
+        view = {"buffer": 0, "byteOffset": self._put(content), "byteLength": len(content), **more}
         return self._append("bufferViews", view)
 
     def _append(self, key: str, item: dict[str, Any]) -> int:

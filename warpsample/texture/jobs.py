@@ -16,8 +16,8 @@ from warpsample.texture.texture_points import TexturePoints
 from warpsample.texture.unwrapping import PADDING, unwrap
 
 _FLAWS = {
-    "overlapped": "texels on which several faces lie: they show one of them",
-    "outside": "faces beyond the image: there they have no texels",
+    "overlapped": "overlapping texels, which show one of several faces",
+    "outside": "faces beyond the image, of which it shows a part",
     "zero_area": "faces without an area in the image",
     "mirrored": "mirrored faces",
 }
@@ -64,12 +64,12 @@ def flaws_told(job: TextureJob, names: Sequence[str] = tuple(_FLAWS)) -> Iterato
         count, parts = getattr(report, name), report.named[name]
         if count:
             more = f" and {len(parts) - _NAMES:,} more" if len(parts) > _NAMES else ""
-            yield f"{count:,} {_FLAWS[name]}" + (f" ({', '.join(parts[:_NAMES])}{more})" if any(parts) else "")
+            yield f"{_FLAWS[name]}: {count:,}" + (f" ({', '.join(parts[:_NAMES])}{more})" if any(parts) else "")
 
 
 def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions) -> tuple[list[TextureJob], GlbFile]:
     """An image for each group of primitives that share materials."""
-    with naming_file("mesh", path, "a .glb to be edited"):
+    with naming_file("mesh", path, "a glTF file to be edited"):
         file = GlbFile(path)
         check_extensions(file.part)
         groups = list(sharing(primitives_of(file.part, file.data)))
@@ -81,7 +81,7 @@ def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions) -> tuple[list[Texture
         found = texels.chosen(rows, name, first=_occlusion_set(file, group))
         if found is None:
             side = square(how.size)
-            with naming_file("mesh", path, "a .glb to be edited"):
+            with naming_file("mesh", path, "a glTF file to be edited"):
                 number, uv = add_uv(file, group, mesh, side)
             jobs.append(TextureJob(name, texels.points(uv, rows), number, f"new coordinates, set {number}", group))
         else:
@@ -101,7 +101,7 @@ def _whole_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> Text
     if output != ".npz":
         raise ValueError(
             f"--output: got a {output} for {path.name!r} without texture coordinates that can be used, want .npz, which "
-            "holds new ones, or .glb for a .glb"
+            "holds new ones, or .glb for a glTF file"
         )
     uv = unwrap(mesh, square(how.size), padding=PADDING)[1]
     return TextureJob(path.name, texels.points(uv, rows), 0, "new coordinates", [])

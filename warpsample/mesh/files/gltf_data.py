@@ -102,7 +102,7 @@ def _buffers(path: Path, buffers: list[Part], chunk: memoryview) -> list[memoryv
     for name, length, buffer in zip(names, lengths, buffers, strict=True):
         if name is not None:
             longest[name] = max(longest.get(name, (0, buffer)), (length, buffer), key=lambda known: known[0])
-    found = {name: _content(path, name, *known) for name, known in longest.items()}
+    found = {name: content_of(path, name, *known) for name, known in longest.items()}
     inner = [chunk] + [memoryview(b"")] * len(buffers)
     held = [inner[i] if name is None else found[name] for i, name in enumerate(names)]
     for data, length in zip(held, lengths, strict=True):
@@ -110,20 +110,20 @@ def _buffers(path: Path, buffers: list[Part], chunk: memoryview) -> list[memoryv
     return [data[:length] for data, length in zip(held, lengths, strict=True)]
 
 
-def _content(path: Path, uri: str, length: int, buffer: Part) -> memoryview:
-    """At most the first `length` bytes of what a URI names: data that it holds itself, or a file near `path`."""
+def content_of(path: Path, uri: str, length: int, by: Part) -> memoryview:
+    """At most the first `length` bytes of what the URI of a member names: data that it holds, or a file near `path`."""
     if uri[:5].lower() == "data:":
         _, mark, data = uri.partition(";base64,")
         try:
             return memoryview(b64decode(unquote(data), validate=True) if mark else b"")
         except ValueError:
-            raise ValueError(f"{buffer.at('uri')}: got data that are no base64") from None
+            raise ValueError(f"{by.at('uri')}: got data that are no base64") from None
     if _SCHEME.match(uri):
-        raise ValueError(f"{buffer.at('uri')}: got {told(uri)}, want the name of a file, or data")
-    file = check_file(path.parent / unquote(uri), buffer.at("uri"), "a file")
+        raise ValueError(f"{by.at('uri')}: got {told(uri)}, want the name of a file, or data")
+    file = check_file(path.parent / unquote(uri), by.at("uri"), "a file")
     with file.open("rb") as stream:
         _check_length(length, file.stat().st_size)
-        return memoryview(stream.read(length))
+        return memoryview(stream.read(length or -1))
 
 
 def _check_length(declared: int, held: int) -> None:
