@@ -4,6 +4,7 @@ import json
 from collections.abc import Iterator
 from dataclasses import dataclass, fields, replace
 from time import perf_counter
+from types import SimpleNamespace
 from typing import Any, BinaryIO
 
 import numpy as np
@@ -120,18 +121,19 @@ def _filled(job: TextureJob, run: BakeRun, quantity: Quantity, how: TextureOptio
         inside[first : first + len(part)] = closed.around(part, workers)
         return numbers(part, 0)  # the points have ids
 
-    found = quantity.joined(list(numbers_by_parts(points, replace(run, options=options), quantity, of_part)))
-    good = (found.status == 0) & ~inside
-    value, error = (np.where(_like(good, array), array, np.nan) for array in (found.value, found.standard_error))
-    errors = replace(found, value=value, standard_error=error)
-    mean = float(found.value[good].mean()) if good.any() else float("nan")
-    lost = int(np.count_nonzero(found.status))
-    images = points.image(value, gutter=how.gutter), points.image_error(errors, gutter=how.gutter)
-    return Filled(job, *images, mean, int(np.count_nonzero(inside)), lost, int(found.rays.sum(dtype=np.int64)))
-
-
-def _like(good: np.ndarray, array: np.ndarray) -> np.ndarray:
-    return good.reshape(-1, *[1] * (array.ndim - 1))
+    kept, rays, lost = [], 0, 0
+    for part in numbers_by_parts(points, replace(run, options=options), quantity, of_part):
+        kept.append((np.where(part.status == 0, part.value.T, np.nan).T, part.standard_error))
+        rays, lost = rays + int(part.rays.sum(dtype=np.int64)), lost + int(np.count_nonzero(part.status))
+    value, error = (np.concatenate(arrays) for arrays in zip(*kept, strict=True))
+    del kept
+    value[inside] = np.nan
+    error[np.isnan(value)] = np.nan
+    known = np.isfinite(value)
+    mean = float(value.mean(where=known, dtype=np.float64)) if known.any() else float("nan")
+    shown = points.image(value, gutter=how.gutter)
+    errors = points.image_error(SimpleNamespace(value=value, standard_error=error), gutter=how.gutter)
+    return Filled(job, shown, errors, mean, int(np.count_nonzero(inside)), lost, rays)
 
 
 def _write_image(stream: BinaryIO, run: BakeRun, how: TextureOptions, found: Filled) -> None:

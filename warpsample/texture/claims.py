@@ -24,12 +24,14 @@ class Claims:
     Attributes:
         id: (P,) uint64, the texel, row * width + column, times the number of samples, plus the sample's number; ascending.
         face: (P,) int32, which they are on.
+        covered: how many texels have one.
         overlapped: how many texels have their centres strictly inside of two or more faces.
         overlapping: (F,) bool, the faces that have such centres.
     """
 
     id: np.ndarray
     face: np.ndarray
+    covered: int
     overlapped: int
     overlapping: np.ndarray
 
@@ -63,7 +65,7 @@ def claims_of(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int], sa
             inputs = [*own, size[0], loan.put(within), loan.output(marks, zero=True)]
             run(mark_overlaps(), len(tasks), inputs, memory.device, workers=1, work=texels)
     id, face = _points(nearest, owners, samples, len(corners))
-    return Claims(id, face, overlapped, marks > 0)
+    return Claims(id, face, int(np.count_nonzero(nearest)), overlapped, marks > 0)
 
 
 def weights_of(
@@ -100,8 +102,8 @@ def _points(nearest: np.ndarray, owners: np.ndarray, samples: int, faces: int) -
     texel = np.flatnonzero(nearest)
     face = (np.uint64(_LAST_FACE) - (nearest[texel] & np.uint64(_LAST_FACE))).astype(np.int32)
     if samples == 1:
-        return texel.astype(np.uint64), face
+        return texel.view(np.uint64), face
     alone = np.flatnonzero(~owners.reshape(-1, samples)[texel].any(axis=1))
     owners[texel[alone] * samples] = faces - face[alone]
     id = np.flatnonzero(owners)
-    return id.astype(np.uint64), (faces - owners[id].astype(np.int64)).astype(np.int32)
+    return id.view(np.uint64), (np.uint32(faces) - owners[id]).view(np.int32)

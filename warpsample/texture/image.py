@@ -1,6 +1,6 @@
 """Numbers at points of texels as images: means, their errors, and what fills texels that have none."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -9,6 +9,7 @@ from warpsample.host.arguments import check_integer
 from warpsample.host.making import imported
 
 _MOST_GUTTER = 1 << 20
+_BLOCK = 1 << 22  # points that are summed at a time
 
 
 def check_gutter(gutter: Any, argument: str = "gutter") -> float:
@@ -18,25 +19,53 @@ def check_gutter(gutter: Any, argument: str = "gutter") -> float:
     return float(check_integer(gutter, argument, 0, _MOST_GUTTER, "'all' or a whole number of at least 0"))
 
 
-def means_of(values: np.ndarray, texel: np.ndarray, texels: int) -> tuple[np.ndarray, np.ndarray]:
-    """The mean (texels, C) float64 of the finite ones of (P, C) numbers of points, NaN of none; and (texels,) how many."""
-    good = np.isfinite(values).all(axis=1)
-    texel, values = texel[good], values[good]
-    count = np.bincount(texel, minlength=texels)
-    found = np.empty((texels, values.shape[1]))
-    for channel, column in enumerate(values.T):
+class TexelRows:
+    """The texels of rows of points, in whose order they come: sums over texels are made block by block."""
+
+    def __init__(self, id: np.ndarray, samples: int, texels: int) -> None:
+        """`id` are those of `Claims`, ascending, of an image of so many texels."""
+        self.id, self.samples, self.texels = id, np.uint64(samples), texels
+
+    def blocks(self) -> Iterator[tuple[slice, np.ndarray]]:
+        """Rows of points and their texels, (n,) int64."""
+        for start in range(0, len(self.id), _BLOCK):
+            rows = slice(start, start + _BLOCK)
+            yield rows, (self.id[rows] // self.samples).view(np.int64)
+
+    @property
+    def covered(self) -> np.ndarray:
+        """(texels,) bool, those that have a point."""
+        found = np.zeros(self.texels, np.bool_)
+        for _, texel in self.blocks():
+            found[texel] = True
+        return found
+
+    def means(self, width: int, values: Callable[[slice, np.ndarray], np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+        """The mean (texels, width) float64 of what is finite of the values of points, NaN of none; (texels,) how many.
+
+        `values` gives (n, width) numbers of points, by their rows and their texels.
+        """
+        total, count = np.zeros((self.texels, width)), np.zeros(self.texels, np.int32)
+        for rows, texels in self.blocks():
+            found = values(rows, texels)
+            good = np.isfinite(found).all(axis=1)
+            texel, found = (texels, found) if good.all() else (texels[good], found[good])
+            if len(texel):
+                first, span = int(texel[0]), int(texel[-1] - texel[0]) + 1
+                count[first : first + span] += np.bincount(texel - first, minlength=span).astype(np.int32)
+                for channel, column in enumerate(found.T):
+                    total[first : first + span, channel] += np.bincount(texel - first, column, span)
         with np.errstate(invalid="ignore"):
-            found[:, channel] = np.bincount(texel, column, texels) / np.where(count > 0, count, np.nan)
-    return found, count
+            total /= np.where(count > 0, count, np.nan)[:, None]
+        return total, count
 
-
-def errors_of(values: np.ndarray, own: np.ndarray, texel: np.ndarray, texels: int) -> np.ndarray:
-    """(texels, C) float64: the standard errors of `means_of`, by the differences of a texel's points; of one, its own."""
-    mean, count = means_of(values, texel, texels)
-    squares, _ = means_of(np.square(values - mean[texel]), texel, texels)
-    alone, _ = means_of(own, texel, texels)
-    spread = np.sqrt(squares / np.maximum(count - 1, 1)[:, None])
-    return np.where((count == 1)[:, None], alone, spread)
+    def errors(self, values: np.ndarray, own: np.ndarray) -> np.ndarray:
+        """(texels, C) float64: the standard errors of the means of values, by their differences; of one alone, its own."""
+        width = values.shape[1]
+        mean, count = self.means(width, lambda rows, _: values[rows])
+        squares, _ = self.means(width, lambda rows, texel: np.square(values[rows] - mean[texel]))
+        alone, _ = self.means(width, lambda rows, _: own[rows])
+        return np.where((count == 1)[:, None], alone, np.sqrt(squares / np.maximum(count - 1, 1)[:, None]))
 
 
 def filled(

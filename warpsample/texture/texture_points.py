@@ -14,7 +14,7 @@ from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.texture.charts import charts_of
 from warpsample.texture.claims import MOST_TEXELS, claims_of, weights_of
-from warpsample.texture.image import check_gutter, errors_of, filled, means_of
+from warpsample.texture.image import TexelRows, check_gutter, filled
 from warpsample.texture.report import TextureReport, face_flaws, report_on
 from warpsample.texture.shading import NORMALS, corner_normals_of, shaded
 
@@ -113,7 +113,8 @@ class TexturePoints:
             [0.125 0.375 0.625 0.875]
         """
         values = self._rows(values, "values")
-        return self._image(means_of(values.reshape(len(self), -1), self.texel, self._texels)[0], values, gutter)
+        flat = values.reshape(len(self), -1)
+        return self._image(self._texel_rows.means(flat.shape[1], lambda rows, _: flat[rows])[0], values, gutter)
 
     def image_error(self, errors: Any, *, gutter: Any = "all") -> np.ndarray:
         """The image of the standard errors of what `image` shows.
@@ -139,17 +140,17 @@ class TexturePoints:
         own = self._rows(getattr(errors, "standard_error", errors), "errors")
         flat = own.reshape(len(self), -1)
         if self.samples == 1:
-            made = means_of(flat, self.texel, self._texels)[0]
+            made = self._texel_rows.means(flat.shape[1], lambda rows, _: flat[rows])[0]
         elif hasattr(errors, "value"):
             values = self._rows(errors.value, "errors").reshape(len(self), -1)
-            made = errors_of(values, flat, self.texel, self._texels)
+            made = self._texel_rows.errors(values, flat)
         else:
             raise TypeError(f"errors: got {told(errors)}, want the Estimate: of {self.samples} samples the values tell")
         return self._image(made, own, gutter)
 
     @property
-    def _texels(self) -> int:
-        return self.size[0] * self.size[1]
+    def _texel_rows(self) -> TexelRows:
+        return TexelRows(self.id, self.samples, self.size[0] * self.size[1])
 
     def _rows(self, values: Any, argument: str) -> np.ndarray:
         wants = f"({len(self)},) or ({len(self)}, C) real numbers, a row for each point"
@@ -159,14 +160,12 @@ class TexturePoints:
         return rows
 
     def _image(self, found: np.ndarray, rows: np.ndarray, gutter: Any) -> np.ndarray:
-        covered = np.zeros(self._texels, np.bool_)
-        covered[self.texel] = True
-        made = filled(found, covered, self._charts, self.size, check_gutter(gutter))
+        made = filled(found, self._texel_rows.covered, self._charts, self.size, check_gutter(gutter))
         return made if rows.ndim == 2 else made[..., 0]
 
     def _charts(self) -> np.ndarray:
         """(texels,) int32: the chart that each texel is of, -1 of none."""
-        charts = np.full(self._texels, -1, np.int32)
+        charts = np.full(self.size[0] * self.size[1], -1, np.int32)
         charts[self.texel[::-1]] = charts_of(self.corners)[self.face[::-1]]
         return charts
 
@@ -233,8 +232,7 @@ def texture_points(
     flaws = face_flaws(uv)
     corners = uv * np.array(size, np.float64)
     claims = claims_of(corners, ~(flaws["without_uv"] | flaws["zero_area"]), size, samples, options.memory)
-    covered = len(np.unique(claims.id // np.uint64(samples)))
-    report = report_on(mesh, covered, claims.overlapped, flaws | {"overlapped": claims.overlapping})
+    report = report_on(mesh, claims.covered, claims.overlapped, flaws | {"overlapped": claims.overlapping})
     turned = None if normals == "face" else turned
     return TexturePoints(mesh, corners, size, samples, normals, turned, claims.id, claims.face, report, options)
 
