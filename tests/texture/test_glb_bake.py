@@ -7,11 +7,12 @@ import re
 import numpy as np
 import pytest
 import trimesh
-from glb_files import glb
+from glb_files import glb, placed_twice
 from lookups import lookup, on_surface
 from textured_scenes import SQUARE, TWO, array_of, changed, corner, opened, picture, rich
 
 import warpsample as ws
+from warpsample.output import texture_bake
 
 RAYS = ("--samples", 256)
 
@@ -106,6 +107,25 @@ def test_new_coordinates_take_all_attributes_along(call, tmp_path):
 def test_the_same_command_gives_the_same_bytes(call, scene):
     first = baked(call, scene, "--supersample", 4, "--uv", "new", "--workers", 1)[0].read_bytes()
     assert baked(call, scene, "--supersample", 4, "--uv", "new", "--workers", 2)[0].read_bytes() == first
+
+
+def test_an_interrupt_leaves_the_old_file(call, scene, monkeypatch):
+    """As the last thing is made, when the new file is begun already."""
+    output = baked(call, scene)[0]
+    whole, png = output.read_bytes(), texture_bake.png_of
+    made = []
+
+    def once(image, depth):
+        made.append(1)
+        if len(made) == 2:
+            raise KeyboardInterrupt
+        return png(image, depth)
+
+    monkeypatch.setattr(texture_bake, "png_of", once)
+    status, _, _ = call("bake", scene, "-o", output, "--texture", 32, *RAYS)
+    assert (status, len(made)) == (130, 2)
+    assert output.read_bytes() == whole
+    assert sorted(path.name for path in scene.parent.iterdir()) == ["in.glb", "out.glb"]
 
 
 def test_overlaps_are_named_and_refused_or_unwrapped(call, tmp_path):
@@ -238,3 +258,57 @@ def test_a_gltf_and_its_files_become_one_file(call, tmp_path):
     (tmp_path / "shown.jpg").write_bytes(b"RIFF")
     status, _, err = call("bake", path, "-o", tmp_path / "no.glb", "--texture", 32)
     assert (status, "images[1].uri: got a picture that is neither .png nor .jpg" in err) == (2, True)
+
+
+def test_strips_without_indices_in_two_places_and_glass(call, tmp_path):
+    """New coordinates of a strip that a node mirrors and of one that none does; and what is said of the materials."""
+    quad = np.array([(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0)], np.float32)
+    path = tmp_path / "in.glb"
+    placed_twice(path, quad)
+    content = changed(path.read_bytes(), lambda tree: tree.update(materials=[{"alphaMode": "BLEND", "doubleSided": True}]))
+    path.write_bytes(
+        changed(content, lambda tree: [p.update(material=0) for mesh in tree["meshes"] for p in mesh["primitives"]])
+    )
+    output, out = baked(call, path, "--uv", "new")
+    assert "\n  of 'meshes[0]', in several places, the first one counts\n" in out
+    assert "\n  transparent materials block light as all others do: 'materials[0]'\n" in out
+    assert out.endswith("\n  of materials with two sides the numbers are those of the front: 'materials[0]'\n")
+    before, after = ws.load_mesh(path), ws.load_mesh(output)
+    assert np.array_equal(before.vertices[before.faces], after.vertices[after.faces])
+    uv = ws.load_uv(output, set=2)
+    assert np.isfinite(uv).all()
+    assert np.array_equal(ws.load_uv(output, set=1)[4:], uv[4:])  # the strip had one set, and is to have no gap
+    assert np.array_equal(ws.load_uv(output)[:4], ws.load_uv(path)[:4])
+    t = ws.texture_points(after, uv, 64)
+    mirrored_once = np.where(np.arange(6)[:, None, None] < 4, np.nan, uv)
+    assert ws.texture_points(after, mirrored_once, 64).report.overlapped == 0
+    assert t.report.outside == 0
+
+
+def test_quantised_positions_and_coordinates(call, tmp_path):
+    """KHR_mesh_quantization: 16-bit positions that a node scales, 8-bit normals, 16-bit coordinates; all go along."""
+    floor = np.array([(-1, 0, 1), (1, 0, 1), (1, 0, -1), (-1, 0, -1)])
+    arrays = [(floor * 32767).astype(np.int16), (SQUARE * 65535).astype(np.uint16), TWO]
+    arrays.append(np.tile(np.int8([[0, 127, 0]]), (4, 1)))
+    padded = [np.pad(arrays[0], ((0, 0), (0, 1))), arrays[1], TWO, np.pad(arrays[3], ((0, 0), (0, 1)))]
+    primitive = {"attributes": {"POSITION": 0, "TEXCOORD_0": 1, "NORMAL": 3}, "indices": 2}
+    tree = {"meshes": [{"primitives": [primitive]}], "nodes": [{"mesh": 0, "scale": [3, 3, 3]}]}
+    tree |= {"extensionsUsed": ["KHR_mesh_quantization"], "extensionsRequired": ["KHR_mesh_quantization"]}
+    path = tmp_path / "in.glb"
+
+    def as_quantised(tree):
+        for number, stride in ((0, 8), (3, 4)):
+            tree["accessors"][number].update(type="VEC3", normalized=True)
+            tree["bufferViews"][number]["byteStride"] = stride
+
+    path.write_bytes(changed(glb(tree, padded), as_quantised))
+    for uv in ("auto", "new"):
+        output, out = baked(call, path, "--uv", uv, "--normals", "smooth")
+        meshes = ws.load_mesh(path), ws.load_mesh(output)
+        assert np.array_equal(*(mesh.vertices[mesh.faces] for mesh in meshes))
+        assert "mean 1.0000" in out
+    made = opened(output)[0]
+    attributes = made["meshes"][0]["primitives"][0]["attributes"]
+    accessor = made["accessors"][attributes["NORMAL"]]
+    assert (accessor["normalized"], accessor["componentType"]) == (True, 5120)
+    assert made["bufferViews"][accessor["bufferView"]]["byteStride"] == 4

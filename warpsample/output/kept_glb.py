@@ -1,6 +1,6 @@
 """Numbers at the vertices of a .glb, written into the .glb: what it has besides stays as it is."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import BinaryIO
 
@@ -8,6 +8,7 @@ import numpy as np
 
 from warpsample.host.arguments import naming_file
 from warpsample.texture.glb_file import GlbFile
+from warpsample.texture.notes import named, notes_on
 from warpsample.texture.primitives import Primitive, primitives_of
 
 _WHAT = "a glTF file to be edited"
@@ -24,11 +25,9 @@ def told_of_kept(source: Path) -> list[str]:
     Raises:
         ValueError: a file that cannot be edited.
     """
-    _, primitives = _opened(source)
-    coloured = _names(one for one in primitives if "COLOR_0" in one.part.part("attributes"))
-    several = _names(one for one in primitives if one.places > 1)
-    lines = [f"the colours of {coloured} are replaced"] if coloured else []
-    return lines + ([f"the first place counts of {several}, in several places"] if several else [])
+    file, primitives = _opened(source)
+    coloured = named(one.name for one in primitives if "COLOR_0" in one.part.part("attributes"))
+    return [*([f"the colours of {coloured} are replaced"] if coloured else []), *notes_on(file.part, primitives)]
 
 
 def write_kept(stream: BinaryIO, source: Path, columns: Mapping[str, np.ndarray]) -> None:
@@ -46,7 +45,3 @@ def _opened(source: Path) -> tuple[GlbFile, list[Primitive]]:
     with naming_file("mesh", source, _WHAT):
         file = GlbFile(source)
         return file, primitives_of(file.part, file.data)
-
-
-def _names(primitives: Iterable[Primitive]) -> str:
-    return ", ".join(dict.fromkeys(repr(one.name) for one in primitives))

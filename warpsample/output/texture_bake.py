@@ -21,6 +21,7 @@ from warpsample.output.faces_option import transmitting
 from warpsample.output.quantities import check_options, quantity_of
 from warpsample.texture.inside import Closed
 from warpsample.texture.jobs import TextureJob, flaws_told, jobs_of
+from warpsample.texture.notes import notes_on
 from warpsample.texture.occlusion import add_occlusion
 from warpsample.texture.pictures import DEPTHS, check_library, exr_of, png_of
 from warpsample.texture.sets import TextureOptions
@@ -67,7 +68,7 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     closed, start = Closed(mesh), perf_counter()
     found = [_filled(job, run, quantity, how, closed) for job in jobs]
     seconds = perf_counter() - start
-    told: list[str] = []
+    told = [] if file is None else list(notes_on(file.part, [one for job in jobs for one in job.group]))
     with complete_or_absent(run.output) as stream:
         if file is None:
             _write_image(stream, run, how, found[0])
