@@ -39,9 +39,11 @@ def test_charts_fit_and_keep_their_distance(mesh, size):
 
 def test_parts_stay_and_size_and_place_do_not_matter():
     """A mesh of a millionth of the size, far away, has the same charts; the same call gives the same bits."""
-    mesh = ws.Mesh(SPHERE.vertices, SPHERE.faces, part=np.arange(1280) % 2, parts=("a", "b"))
+    named = {"part": np.arange(1280) % 2, "parts": ("a", "b")}
+    mesh = ws.Mesh(SPHERE.vertices, SPHERE.faces, **named, transmittance=np.linspace(0, 1, 1280))
     split, uv = ws.unwrap(mesh, 256)
     assert np.array_equal(split.part, mesh.part)
+    assert np.array_equal(split.transmittance, mesh.transmittance)
     assert np.array_equal(ws.unwrap(mesh, 256)[1], uv)
     tiny = ws.Mesh(mesh.vertices * 2.0**-20, mesh.faces)
     assert np.array_equal(ws.unwrap(tiny, 256)[1], uv)

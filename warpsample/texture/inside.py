@@ -10,12 +10,12 @@ from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.trace import trace
 
-_RAYS = 16
+_RAYS, _FIRST = 16, 4
 _SEED = seed_for("inside", 0)
 
 
 class Closed:
-    """The closed bodies of a mesh: their faces hang together at every edge by two, one in either direction."""
+    """The closed bodies of a mesh, turned outward: at every edge their faces meet by two, one in either direction."""
 
     def __init__(self, mesh: Mesh) -> None:
         self.mesh = mesh
@@ -37,15 +37,32 @@ class Closed:
         _, body = imported("scipy.sparse.csgraph").connected_components(links, directed=False)
         is_open = np.zeros(count, np.bool_)
         is_open[body[start[~whole]]] = True
-        return ~is_open[body[faces[:, 0]]] & ~flat
+        own = body[faces[:, 0]]
+        return ~is_open[own] & ~flat & (self._volumes(own, count)[own] > 0.0)
+
+    def _volumes(self, body: np.ndarray, count: int) -> np.ndarray:
+        """Six times the volume of each body, below 0 for those that are inside out."""
+        corner = self.mesh.vertices[self.mesh.faces[:, 0]] - self.mesh.bounds.mean(axis=0)
+        return np.bincount(body, (corner * self.mesh.cross_products).sum(axis=1), count)
 
     def around(self, points: SurfacePoints, workers: int | None = None) -> np.ndarray:
-        """(P,) bool: the points more than half of whose rays first meet the back of a closed body."""
-        if not self.faces.any():
-            return np.zeros(len(points), np.bool_)
-        directions = sample_directions(points, _RAYS, seed=_SEED, workers=workers).vectors
-        hits = trace(self.mesh, points, directions, workers=workers)
-        met = hits.face >= 0
-        normals = self.mesh.face_normals[np.where(met, hits.face, 0)]
-        behind = met & self.faces[hits.face] & (np.einsum("prk,prk->pr", normals, directions) > 0.0)
-        return np.count_nonzero(behind, axis=1) > _RAYS // 2
+        """(P,) bool: the points more than half of whose rays first meet the back of a closed body.
+
+        Where none of the first rays does, the others are not cast.
+        """
+        inside = np.zeros(len(points), np.bool_)
+        if self.faces.any():
+            directions = sample_directions(points, _RAYS, seed=_SEED, sequence="sobol", workers=workers).vectors
+            first = self._backs(points, directions[:, :_FIRST], workers)
+            rows = np.flatnonzero(first)
+            if len(rows):
+                found = first[rows] + self._backs(points.take(rows), directions[rows, _FIRST:], workers)
+                inside[rows] = found > _RAYS // 2
+        return inside
+
+    def _backs(self, points: SurfacePoints, directions: np.ndarray, workers: int | None) -> np.ndarray:
+        """(P,) how many of the rays first meet the back of a closed body."""
+        hits = trace(self.mesh, points, np.ascontiguousarray(directions), workers=workers)
+        normals = self.mesh.face_normals[np.maximum(hits.face, 0)]
+        behind = self.faces[hits.face] & (hits.face >= 0) & ((normals * directions).sum(axis=2) > 0.0)
+        return np.count_nonzero(behind, axis=1)

@@ -1,5 +1,6 @@
 """New texture coordinates: `unwrap`, by xatlas."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -46,7 +47,7 @@ def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.nd
     size = check_integer(size, "size", 1, _MOST_SIDE)
     padding = check_integer(padding, "padding", 0, 64)
     ((vertex, faces, uv),) = charted([(mesh.vertices, mesh.faces)], size, padding)
-    return Mesh(mesh.vertices[vertex], faces, mesh.part, mesh.parts), uv[faces]
+    return replace(mesh, vertices=mesh.vertices[vertex], faces=faces), uv[faces]
 
 
 def charted(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int) -> list[Charted]:
