@@ -204,6 +204,17 @@ def sparse(number):
             r"meshes\[1\].primitives\[0\].material: got 9",
         ),
         (lambda tree: tree["materials"].clear(), [], r"meshes\[0\].primitives\[0\].material: got 0"),
+        (lambda tree: tree.update(samplers=3), [], "samplers: got 3, want a list"),
+        (
+            lambda tree: tree["bufferViews"][7].update(byteOffset=1.5),
+            ["--uv", "new"],
+            r"bufferViews\[7\].byteOffset: got 1.5, want a whole .*0$",
+        ),
+        (
+            lambda tree: tree["accessors"][13].update(count=2),
+            ["--uv", "new"],
+            ".*_AGE: got 2 of them, want one for each vertex",
+        ),
         (lambda tree: tree["accessors"][12].update(type="MAT3"), ["--uv", "new"], ".*NORMAL: got numbers that are 'MAT3'"),
     ],
 )

@@ -6,12 +6,9 @@ from typing import BinaryIO
 
 import numpy as np
 
-from warpsample.host.arguments import naming_file
-from warpsample.texture.glb_file import GlbFile
+from warpsample.texture.glb_file import GlbFile, editing
 from warpsample.texture.notes import named, notes_on
 from warpsample.texture.primitives import Primitive, primitives_of
-
-_WHAT = "a glTF file to be edited"
 
 
 def keeps(source: Path, output: Path, at: str | None) -> bool:
@@ -42,6 +39,6 @@ def write_kept(stream: BinaryIO, source: Path, columns: Mapping[str, np.ndarray]
 
 
 def _opened(source: Path) -> tuple[GlbFile, list[Primitive]]:
-    with naming_file("mesh", source, _WHAT):
+    with editing(source):
         file = GlbFile(source)
         return file, primitives_of(file.part, file.data)

@@ -6,11 +6,14 @@ Not by trimesh or pygltflib, which write anew what they know of a file, and lose
 import copy
 import json
 import struct
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
 
+from warpsample.host.arguments import naming_file
 from warpsample.host.json_tree import Part, parsed
 from warpsample.mesh.files.gltf_data import Data, binary, content_of
 
@@ -24,7 +27,18 @@ _VERTICES, _INDICES = 34962, 34963  # what a view of the buffer is for
 _PICTURES = {b"\x89PNG": "image/png", b"\xff\xd8": "image/jpeg"}
 """What a picture begins with, and what a .glb calls it."""
 _JSON, _BIN = 0x4E4F534A, 0x004E4942
+_LISTS = ("accessors", "bufferViews", "images", "materials", "samplers", "textures")
 _CLAMP, _LINEAR, _LINEAR_MIPMAP = 33071, 9729, 9987
+
+
+@contextmanager
+def editing(path: Path) -> Iterator[None]:
+    """Wraps what reads a file to be edited: whatever is wrong with it is one ValueError that names it."""
+    with naming_file("mesh", path, "a glTF file to be edited"):
+        try:
+            yield
+        except (TypeError, FileNotFoundError) as error:  # of the check of one member
+            raise ValueError(str(error)) from None
 
 
 class GlbFile:
@@ -45,6 +59,8 @@ class GlbFile:
         is_binary = path.suffix.lower() == ".glb"
         self.part, chunk = binary(path) if is_binary else (parsed(path.read_bytes()), memoryview(b""))
         self.data = Data.of(self.part, path, chunk)
+        for key in _LISTS:
+            self.part.parts(key)  # checked: they get further members
         self.tree: dict[str, Any] = copy.deepcopy(self.part.content)
         self._chunks, self._size, self._rest = [bytes(chunk)], len(chunk), b""
         if is_binary:

@@ -4,10 +4,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from warpsample.host.arguments import naming_file
 from warpsample.mesh.files.gltf import check_extensions, read_corners
 from warpsample.mesh.mesh import Mesh
-from warpsample.texture.glb_file import GlbFile
+from warpsample.texture.glb_file import GlbFile, editing
 from warpsample.texture.new_uv import add_uv
 from warpsample.texture.occlusion import name_of
 from warpsample.texture.primitives import Primitive, primitives_of, sharing
@@ -69,7 +68,7 @@ def flaws_told(job: TextureJob, names: Sequence[str] = tuple(_FLAWS)) -> Iterato
 
 def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions) -> tuple[list[TextureJob], GlbFile]:
     """An image for each group of primitives that share materials."""
-    with naming_file("mesh", path, "a glTF file to be edited"):
+    with editing(path):
         file = GlbFile(path)
         check_extensions(file.part)
         groups = list(sharing(primitives_of(file.part, file.data)))
@@ -81,7 +80,7 @@ def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions) -> tuple[list[Texture
         found = texels.chosen(rows, name, first=_occlusion_set(file, group))
         if found is None:
             side = square(how.size)
-            with naming_file("mesh", path, "a glTF file to be edited"):
+            with editing(path):
                 number, uv = add_uv(file, group, mesh, side)
             jobs.append(TextureJob(name, texels.points(uv, rows), number, f"new coordinates, set {number}", group))
         else:

@@ -61,4 +61,6 @@ def _gathered(file: GlbFile, attributes: Part, vertex: np.ndarray) -> dict[str, 
 
 def _rows(file: GlbFile, attributes: Part, name: str, vertex: np.ndarray) -> tuple[Part, np.ndarray]:
     accessor, array = file.data.rows(attributes, name)
+    if vertex.max(initial=0) >= len(array):
+        raise ValueError(f"{attributes.at(name)}: got {len(array):,} of them, want one for each vertex")
     return accessor, array[vertex]
