@@ -219,22 +219,25 @@ def texture_points(
         2143 (64, 64) 1.0
     """
     mesh = as_mesh(mesh)
-    wants = f"({len(mesh.faces)}, 3, 2) real numbers, u and v of each corner of a face"
-    uv = as_real(uv, "uv", wants)
-    if uv.shape != (len(mesh.faces), 3, 2):
-        raise ValueError(f"uv: got shape {uv.shape}, want {wants}")
-    samples = check_samples(samples)
+    uv, samples = _check_uv(uv, len(mesh.faces)), check_samples(samples)
     size = check_size(size, samples)
     check_choice(normals, "normals", NORMALS)
-    turned = corner_normals_of(mesh, corner_normals) if normals != "face" or corner_normals is not None else None
+    unused = normals == "face"
+    turned = None if unused and corner_normals is None else corner_normals_of(mesh, corner_normals)
     options = CallOptions.of(1, device=device, workers=workers)
-    uv = uv.astype(np.float64)
-    flaws = face_flaws(uv)
-    corners = uv * np.array(size, np.float64)
+    flaws, corners = face_flaws(uv), uv * np.array(size, np.float64)
     claims = claims_of(corners, ~(flaws["without_uv"] | flaws["zero_area"]), size, samples, options.memory)
     report = report_on(mesh, claims.covered, claims.overlapped, flaws | {"overlapped": claims.overlapping})
-    turned = None if normals == "face" else turned
+    turned = None if unused else turned
     return TexturePoints(mesh, corners, size, samples, normals, turned, claims.id, claims.face, report, options)
+
+
+def _check_uv(uv: Any, faces: int) -> np.ndarray:
+    wants = f"({faces}, 3, 2) real numbers, u and v of each corner of a face"
+    found = as_real(uv, "uv", wants)
+    if found.shape != (faces, 3, 2):
+        raise ValueError(f"uv: got shape {found.shape}, want {wants}")
+    return found.astype(np.float64)
 
 
 def check_samples(samples: Any, argument: str = "samples") -> int:
