@@ -52,6 +52,7 @@ def test_covered_is_what_a_lookup_reads():
     assert np.array_equal(covered[sure], (areas.max(axis=1) > 0.0)[sure])
     assert 50 < covered.sum() < 350
     assert t.report.covered == covered.sum() == len(t)
+    assert np.array_equal(t.covered, covered.reshape(height, width))
     assert np.array_equal(t.points.id, t.texel)
 
 

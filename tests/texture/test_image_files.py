@@ -51,6 +51,8 @@ def test_all_files_hold_the_same_numbers(call, floor, tmp_path):
     for name, white in (("a.png", 255), ("deep.png", 65535)):
         assert np.abs(np.array(Image.open(tmp_path / name)) / white - value).max() <= 0.5001 / white  # and float32
     assert np.array_equal(uv, ws.load_uv(floor))
+    with np.load(tmp_path / "a.npz") as file:
+        assert file["covered"].all()
     told = json.loads(str(told))
     assert (told["texture_size"], told["texture_samples"], told["samples"]) == ("(64, 32)", "4", "64")
 

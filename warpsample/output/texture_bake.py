@@ -147,7 +147,7 @@ def _write_image(stream: BinaryIO, run: BakeRun, how: TextureOptions, found: Fil
         texture = {f"texture_{item.name}": str(getattr(how, item.name)) for item in fields(how)}
         options = {name: str(value) for name, value in quantity_of(run.quantity).told(run.options).items()}
         uv = found.job.points.corners / np.array(how.size)
-        arrays = {"value": found.value, "standard_error": found.error, "uv": uv}
+        arrays = {"value": found.value, "standard_error": found.error, "covered": found.job.points.covered, "uv": uv}
         write_arrays(stream, {**arrays, "run": np.array(json.dumps(run.told | options | texture))})
 
 
@@ -158,7 +158,7 @@ def _pictures(count: int) -> str:
 def _told(found: Filled) -> Iterator[str]:
     """A job in sentences."""
     job, report = found.job, found.job.points.report
-    known = np.sqrt(np.mean(np.square(found.error, dtype=np.float64)))
+    known = np.sqrt(np.mean(np.square(found.error[job.points.covered], dtype=np.float64)))
     yield f"{job.name!r}, {job.told}: {report.covered:,} texels, mean {found.mean:.4f}; standard error {known:.2g}"
     yield from flaws_told(job)
     if found.inside:

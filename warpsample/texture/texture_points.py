@@ -59,6 +59,11 @@ class TexturePoints:
         """(P,) int64, the texel of each point: row * width + column."""
         return (self.id // np.uint64(self.samples)).astype(np.int64)
 
+    @property
+    def covered(self) -> np.ndarray:
+        """(H, W) bool: the texels that have a point, without those that images fill around them."""
+        return self._texel_rows.covered.reshape(self.size[1], self.size[0])
+
     @once_property
     def points(self) -> SurfacePoints:
         """All points, with `id`, by which random numbers are drawn: those of a texel depend on nothing but its number."""
