@@ -33,10 +33,10 @@ if TYPE_CHECKING:
     from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
     from warpsample.mesh.files import load_mesh
     from warpsample.mesh.files.uv import load_uv
-    from warpsample.mesh.grid_points import grid_points
     from warpsample.mesh.mesh import Mesh, as_mesh
+    from warpsample.mesh.points.grid_points import grid_points
+    from warpsample.mesh.points.sampling import sample_surface
     from warpsample.mesh.report import MeshReport
-    from warpsample.mesh.sampling import sample_surface
     from warpsample.mesh.surface import SurfacePoints, face_centers, vertex_points
     from warpsample.output.frame import to_frame
     from warpsample.radiation.exchange.net_radiation import NetRadiation
@@ -141,10 +141,10 @@ _HOMES = {
     "estimate.visibility": ("SkyView", "ambient_occlusion", "bent_normals", "sky_view_factor"),
     "mesh.mesh": ("Mesh", "as_mesh"),
     "mesh.files": ("load_mesh",),
-    "mesh.grid_points": ("grid_points",),
+    "mesh.points.grid_points": ("grid_points",),
     "mesh.files.uv": ("load_uv",),
     "mesh.report": ("MeshReport",),
-    "mesh.sampling": ("sample_surface",),
+    "mesh.points.sampling": ("sample_surface",),
     "mesh.surface": ("SurfacePoints", "face_centers", "vertex_points"),
     "output.frame": ("to_frame",),
     "radiation.sun.direct_sun": ("direct_sun",),

@@ -341,6 +341,10 @@ def test_what_is_not_our_working_store_stays(dsm, folder, computed):
             "--receiver: got 'surface' for the visible sky, want 'horizontal': it counts no cosines",
         ),
         (["-o", "no/sky.tif"], "--output: got 'no/sky.tif'"),
+        (["-o", "sky.tif", "--seed", "-1"], "--seed: got -1, want"),
+        (["-o", "sky.tif", "--samples", "1"], "--samples: got 1, want"),
+        (["-o", "sky.tif", "--sequence", "nope"], "--sequence: got 'nope', want"),
+        (["-o", "sky.zarr", "--max-distance", "-1"], "--max-distance: got -1"),
     ],
 )
 def test_bad_input_is_one_sentence_and_leaves_nothing(dsm, arguments, said, child_environment):
@@ -352,6 +356,31 @@ def test_bad_input_is_one_sentence_and_leaves_nothing(dsm, arguments, said, chil
     assert len(done.stderr.splitlines()) == 1
     assert [path.name for path in dsm.parent.iterdir()] == ["dsm.tif"]
     assert dsm.read_bytes() == before
+
+
+@pytest.mark.parametrize("option", ["canopy", "far"])
+def test_no_input_is_overwritten(dsm, option, child_environment):
+    other = dsm.with_name("other.tif")
+    other.write_bytes(dsm.read_bytes())
+    command = [sys.executable, "-m", "warpsample", "bake", "dsm.tif", "-o", "other.tif", f"--{option}", "other.tif"]
+    done = subprocess.run(command, check=False, env=child_environment, cwd=dsm.parent, capture_output=True, text=True)
+    assert done.returncode == 2
+    assert done.stderr.startswith("error: --output: got 'other.tif', which is")
+    assert other.read_bytes() == dsm.read_bytes()
+
+
+def test_a_new_file_is_not_read_with_the_masks_of_an_older_one(dsm, child_environment):
+    """And what a user has at names like ours stays."""
+    folder = dsm.parent
+    older = [folder / f"sky.tif{suffix}" for suffix in ("", ".msk", ".ovr", ".aux.xml")]
+    own = folder / ".sky.tif.making" / "thesis.txt"
+    own.parent.mkdir()
+    for path in (*older, own):
+        path.write_text("old")
+    command = [sys.executable, "-m", "warpsample", "bake", "dsm.tif", "-o", "sky.tif", "--quantity", "sky", "--samples", "4"]
+    subprocess.run(command, check=True, env=child_environment, cwd=folder, capture_output=True)
+    assert sorted(path.name for path in folder.iterdir()) == [".sky.tif.making", "dsm.tif", "sky.tif"]
+    assert own.read_text() == "old"
 
 
 def test_options_of_rasters_are_refused_for_meshes(tmp_path, child_environment):

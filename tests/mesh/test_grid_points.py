@@ -5,7 +5,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample.mesh.lattice import lattice_points
+from warpsample.mesh.points.lattice import lattice_points
 
 
 def box(low, high):

@@ -19,7 +19,7 @@ from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.host.kernel_cache import load, wide_flags
 from warpsample.maths.frames import frame_about, to_world
 from warpsample.mesh.mesh import Mesh
-from warpsample.mesh.sampling import sample_surface
+from warpsample.mesh.points.sampling import sample_surface
 from warpsample.sequences.fibonacci import fibonacci
 from warpsample.tracing.own_rays import Tree, any_hit, offset_origin
 from warpsample.tracing.tree import tree

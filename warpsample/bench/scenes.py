@@ -13,7 +13,7 @@ from warpsample.distributions.uniform_sphere import UniformSphere
 from warpsample.host.registry import look_up
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.mesh import Mesh, as_mesh
-from warpsample.mesh.sampling import sample_surface
+from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.trace import trace
 

@@ -9,7 +9,7 @@ import numpy as np
 from warpsample.cluster.named import Named
 from warpsample.directions.sample import sample_directions
 from warpsample.estimate.integrate import integrate
-from warpsample.mesh.sampling import sample_surface
+from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.quantities import quantities
 from warpsample.tracing.trace import trace

@@ -42,6 +42,9 @@ from warpsample.sequences.record import STREAMS
 _DIGESTS = "digests.npz"
 """The file of a call, in its folder, that says what the rasters hold which its tiles are computed from."""
 
+_COG = "cog"
+"""The folder in a store in which a GeoTIFF is made: it goes with the store."""
+
 _MAKING = "making"
 """What says in a store that it goes when the file of this name is made of it."""
 
@@ -62,6 +65,12 @@ class RasterJob:
     model: str
     receiver: str
     options: tuple[tuple[str, Any], ...]
+
+    @property
+    def files(self) -> list[Path]:
+        """All that is read."""
+        given = [value for name, value in self.options if name in ("canopy", "trunk", "far", "weather")]
+        return [Path(self.source), *(Path(value) for value in given if isinstance(value, str))]
 
     def run(self) -> tuple[RasterRun, dict[str, Any]]:
         """The checked run, and what tells it from others but for heights, which are not read yet."""
@@ -98,9 +107,10 @@ def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: boo
         check_integer(processes, "--processes", 1, 1024)
     is_store = output.suffix == SUFFIX
     if not is_store:
-        check_output(output, "--output", Path(job.source))
+        check_output(output, "--output", *job.files)
     store = check_store(output if is_store else output.with_name(f".{output.name}.making{SUFFIX}"), "--output")
     run, about = job.run()
+    run.check()
     start = perf_counter()
     with locked(store):
         check_new(store, resume, "--output")
@@ -112,7 +122,7 @@ def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: boo
                 _compute(job, store, np.flatnonzero(~whole).tolist(), digests, heard)
             _check_unchanged(store, job)
             if not is_store:
-                write_cog(output, run, about, tiles_in(store, run))
+                write_cog(output, run, about, tiles_in(store, run), store / _COG)
                 uninterrupted(partial(shutil.rmtree, store))
     rows, columns = run.reader.shape
     total, there = len(whole), int(whole.sum())

@@ -3,7 +3,7 @@
 from warpsample.host.arguments import check_integer
 from warpsample.host.engine import check_memory
 from warpsample.mesh.mesh import Mesh
-from warpsample.mesh.sampling import BYTES_PER_POINT, sample_surface
+from warpsample.mesh.points.sampling import BYTES_PER_POINT, sample_surface
 from warpsample.mesh.surface import SurfacePoints, face_centers, vertex_points
 
 PLACES = {"vertices": vertex_points, "faces": face_centers}

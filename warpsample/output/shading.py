@@ -10,7 +10,7 @@ from warpsample.host.engine import check_workers
 from warpsample.host.files import check_output, complete_or_absent
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.mesh import Mesh
-from warpsample.mesh.sampling import sample_surface
+from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.sky.patches import sky_patches
 from warpsample.radiation.sun.direct_sun import direct_sun

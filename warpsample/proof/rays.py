@@ -6,7 +6,7 @@ import numpy as np
 
 from warpsample.directions.sample import sample_directions
 from warpsample.mesh.mesh import Mesh, as_mesh
-from warpsample.mesh.sampling import sample_surface
+from warpsample.mesh.points.sampling import sample_surface
 from warpsample.proof.verify import LEVEL, Verdict
 from warpsample.tracing.trace import trace
 

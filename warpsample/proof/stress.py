@@ -10,7 +10,7 @@ from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.distributions.uniform_sphere import UniformSphere
 from warpsample.mesh.mesh import Mesh, as_mesh
-from warpsample.mesh.sampling import sample_surface
+from warpsample.mesh.points.sampling import sample_surface
 from warpsample.proof import laws, twins
 from warpsample.proof.mixing import grid_cells
 from warpsample.proof.twins.sequences import expected

@@ -62,11 +62,11 @@ def placed(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:
         points=prod(origins.shape),
         double_origins=origins.double,
         origins=address_of(origins.owner),
-        centre=tuple(scene.centre),
+        centre=wp.vec3d(*scene.centre),  # not a tuple: Warp would tell an interrupt as a RuntimeError
         scale=scene.scale,
         unit=1.0 / scene.scale,
         reach=reach * scene.scale,
-        extent=tuple(scene.extent),
+        extent=wp.vec3(*scene.extent),
         coarseness=coarseness_of(scene, origins.double),
     )
 

@@ -61,7 +61,7 @@ def set_starts(
         workers: threads.
     """
     if not tracer.skips:
-        placement.extent = (1.0, 1.0, 1.0)
+        placement.extent = wp.vec3(1.0, 1.0, 1.0)
         return None
     sides = 2 if towards is None else 1
     starts = np.empty((placement.points, sides, 3), np.float32)
@@ -69,7 +69,7 @@ def set_starts(
         placement=placement, towards=0 if towards is None else towards.ctypes.data, face=face.ctypes.data
     )
     contacts.vertices, contacts.triangles = scene.vertices.ctypes.data, scene.faces.ctypes.data
-    contacts.spread, contacts.starts, contacts.sides = tuple(scene.spread), starts.ctypes.data, sides
+    contacts.spread, contacts.starts, contacts.sides = wp.vec3(*scene.spread), starts.ctypes.data, sides
     tree = scene.tree(workers).accelerator()  # of all faces: on which a point stands is no matter of light
     run(_start_kernel(), placement.points, [contacts, tree], cpu(), workers=workers, work=16 * placement.points)
     placement.starts = starts.ctypes.data

@@ -12,7 +12,7 @@ from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import Estimate
 from warpsample.host.arguments import check_choice, check_integer, check_scale
 from warpsample.mesh.mesh import Mesh, as_mesh
-from warpsample.mesh.sampling import sample_surface
+from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints, vertex_points
 from warpsample.output.export import CLOUD_SCALE
 from warpsample.output.places import PLACES

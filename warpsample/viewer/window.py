@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.mesh.mesh import Mesh
-from warpsample.mesh.sampling import sample_surface
+from warpsample.mesh.points.sampling import sample_surface
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.plotting.actors import CloudActor, LobeActor, MeshPicker, Pin, Sheet
 from warpsample.plotting.charts import LobeCharts

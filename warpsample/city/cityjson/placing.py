@@ -6,7 +6,7 @@ from warpsample.directions.sample import sample_square
 from warpsample.host.arguments import check_integer
 from warpsample.host.engine import check_memory
 from warpsample.mesh.mesh import Mesh
-from warpsample.mesh.sampling import BYTES_PER_POINT
+from warpsample.mesh.points.sampling import BYTES_PER_POINT
 from warpsample.mesh.surface import SurfacePoints
 
 _LEAST = 2  # points of a triangle: from two on their values tell how they vary

@@ -16,28 +16,38 @@ from warpsample.city.rasters.tiles import RasterRun, Span
 from warpsample.host.files import WriteError, complete_or_absent
 
 _BLOCK = 512  # cells along the sides of the file's own tiles
+_SIDECARS = (".msk", ".ovr", ".aux.xml")  # masks, overviews and statistics, which GDAL would read as those of the new file
 _HOW = {"compress": "DEFLATE", "overview_resampling": "AVERAGE", "blocksize": _BLOCK, "bigtiff": "IF_SAFER"}
 
 
 def write_cog(
-    path: Path, run: RasterRun, about: Mapping[str, Any], tiles: Iterable[tuple[Span, Mapping[str, np.ndarray]]]
+    path: Path,
+    run: RasterRun,
+    about: Mapping[str, Any],
+    tiles: Iterable[tuple[Span, Mapping[str, np.ndarray]]],
+    folder: Path,
 ) -> None:
     """Writes the numbers of all tiles, a band for each name: first into a plain file, since a COG is not filled in parts.
 
     Args:
-        path: of the file, which appears when it is complete.
+        path: of the file, which appears when it is complete. What GDAL keeps beside an older one of this name goes.
         run: what the numbers are of.
         about: what the file says of them.
         tiles: where they belong, and what they are, by name.
+        folder: for what is not the file yet; it may be there, and whoever gives it removes it.
 
     Raises:
         WriteError: it cannot be written.
     """
-    with _beside(path) as folder:
+    with _telling(path):
+        folder.mkdir(exist_ok=True)
         _write_plain(folder / "plain.tif", run, about, tiles)
         rasterio.shutil.copy(folder / "plain.tif", folder / "cog.tif", driver="COG", predictor="FLOATING_POINT", **_HOW)
+        older = [Path(f"{path}{suffix}") for suffix in _SIDECARS] if path.exists() else []
         with complete_or_absent(path) as stream, (folder / "cog.tif").open("rb") as made:
             shutil.copyfileobj(made, stream, 1 << 24)
+        for sidecar in older:
+            sidecar.unlink(missing_ok=True)
 
 
 def _write_plain(
@@ -56,22 +66,13 @@ def _write_plain(
 
 
 @contextmanager
-def _beside(path: Path) -> Iterator[Path]:
-    """A hidden folder beside a file, for what is not the file yet; what a killed process left there goes.
-
-    Raises:
-        WriteError: nothing can be written there.
-    """
-    folder = path.with_name(f".{path.name}.making")
-    shutil.rmtree(folder, ignore_errors=True)
+def _telling(path: Path) -> Iterator[None]:
+    """Tells what cannot be written as a WriteError that names the file."""
     try:
-        folder.mkdir()
-        yield folder
+        yield
     except RasterioError as error:
         raise WriteError(f"{path} cannot be written: {str(error).splitlines()[0]}") from error
     except OSError as error:
         if isinstance(error, WriteError):
             raise
         raise WriteError(f"{path} cannot be written: {error.strerror or error}") from error
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)

@@ -37,6 +37,13 @@ class Grid:
         return ~np.isnan(self.height)
 
     @property
+    def whole(self) -> bool:
+        """Whether there are no holes: all cells have a height, but in rows and columns along the edges where none has."""
+        valid = self.valid
+        rows, columns = (np.flatnonzero(valid.any(axis=axis)) for axis in (1, 0))
+        return len(rows) == 0 or bool(valid[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1].all())
+
+    @property
     def cells(self) -> np.ndarray:
         """(P,) int64, row * columns + column of the cells that have a height."""
         return np.flatnonzero(self.valid)

@@ -18,6 +18,7 @@ from warpsample.tracing.sight.rays import prepare_rays, rays_blocked, rays_from_
 _LOW, _HIGH, _SINE, _ANYWHERE, _EAST, _NORTH = (wp.constant(wp.int32(row * CHUNK)) for row in range(6))
 _OWN = 6 * CHUNK
 _FLOATS = workspace_floats(_OWN, packets=True)
+_LEAST = wp.constant(wp.float64(1e-30))
 _TURN = wp.constant(wp.float32(2.0 * np.pi))
 _prepare, _blocked = prepare_rays(), rays_blocked()
 
@@ -49,52 +50,89 @@ HorizonRowsArgs = type(HorizonRows().__ctype__())
 
 
 @wp.func
-def _seen_above(sine: wp.float64, along: wp.float64, up: wp.float64, cosine: wp.int32) -> wp.float64:
-    """What is seen of an azimuth's sky above a horizon, of which the mean over all azimuths is the value.
+def _plane_of(along: wp.float32, up: wp.float32) -> wp.float32:
+    """The sine of the height at which the receiver's own plane is, or 0 where that is below the horizon.
 
-    along, up: the normal's components, to the azimuth and upwards; what is below its own plane is not seen.
+    along, up: the normal's components, to the azimuth and upwards.
     """
-    if cosine == 0:
-        return ONE - sine
-    if along == ZERO:
-        return up * (ONE - sine * sine)
-    s = wp.max(sine, -along / wp.sqrt(along * along + up * up))
-    return up * (ONE - s * s) + along * (wp.acos(s) - s * wp.sqrt(ONE - s * s))
+    return wp.max(-along / wp.sqrt(along * along + up * up), 0.0)
 
 
 @wp.func
-def _seen_at(sine: wp.float64, along: wp.float64, up: wp.float64) -> wp.float64:
-    """How dense in the sine is what `_seen_above` a horizon is."""
-    return TWO * wp.max(up * sine + along * wp.sqrt(ONE - sine * sine), ZERO)
+def _seen_above(sine: wp.float64, along: wp.float64, up: wp.float64, cosine: wp.int32) -> wp.float64:
+    """What is seen of an azimuth's sky above a horizon, of which the mean over all azimuths is the value."""
+    if cosine == 0:
+        return ONE - sine
+    seen = up * (ONE - sine * sine)
+    if along != ZERO:
+        seen += along * (wp.acos(sine) - sine * wp.sqrt(ONE - sine * sine))
+    return seen
+
+
+@wp.func
+def _density(sine: wp.float64, along: wp.float64, up: wp.float64) -> wp.float64:
+    """How dense in the sine is what `_seen_above` a horizon is, by the cosine."""
+    return wp.max(TWO * (up * sine + along * wp.sqrt(wp.max(ONE - sine * sine, ZERO))), ZERO)
+
+
+@wp.func
+def _as_dense(low: wp.float64, high: wp.float64, u: wp.float64, along: wp.float64, up: wp.float64) -> wp.float64:
+    """A sine of an interval, as dense as what a tilted receiver sees: by a straight line, and two steps of Newton's."""
+    start = _density(low, along, up)
+    end = _density(high, along, up)
+    whole = u * (start + end)
+    share = whole / wp.max(start + wp.sqrt(start * start + (end - start) * whole), _LEAST)
+    sine = low + wp.min(share, ONE) * (high - low)
+    top = _seen_above(low, along, up, 1)
+    wanted = top - u * (top - _seen_above(high, along, up, 1))
+    for _ in range(2):
+        step = (_seen_above(sine, along, up, 1) - wanted) / wp.max(_density(sine, along, up), _LEAST)
+        sine = wp.min(wp.max(sine + step, low), high)
+    return sine
 
 
 @wp.func
 def _turn(rows: HorizonRows, point: ShadingPoint, at: wp.int32, length: wp.int32):
-    """Writes azimuths, both lattices one after the other, from the at-th on, with horizons that may be anywhere."""
+    """Writes azimuths, both lattices one after the other, from the at-th on; horizons are above the receiver's own plane."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     key = stream_key(point.key, wp.uint32(0))
     other = stream_key(point.key, ONE_WORD)
+    n = point.n
+    tilt = wp.where(rows.cosine == 0, 0.0, 1.0)
     k = wp.int32(0)
     while k < length:
         i = at + k
         second = wp.where(i >= rows.azimuths, 1, 0)
         u = fibonacci_sample(one_of(key, other, second), wp.uint32(i - second * rows.azimuths), wp.uint32(rows.azimuths))
-        own[_LOW + k] = 0.0
+        east = wp.cos(_TURN * u[0])
+        north = wp.sin(_TURN * u[0])
+        own[_LOW + k] = tilt * _plane_of(n[0] * east + n[1] * north, n[2])
         own[_HIGH + k] = 1.0
         own[_ANYWHERE + k] = u[1]
-        own[_EAST + k] = wp.cos(_TURN * u[0])
-        own[_NORTH + k] = wp.sin(_TURN * u[0])
+        own[_EAST + k] = east
+        own[_NORTH + k] = north
         k += 1
 
 
 @wp.func
-def _aim(point: ShadingPoint, length: wp.int32, last: wp.bool, even: wp.bool):
-    """Writes the directions of rays, to the middles of the intervals; the last ones anywhere in them.
+def _choose_tilted(point: ShadingPoint, length: wp.int32):
+    """Writes where in their intervals the last rays of a tilted receiver go."""
+    own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
+    up = wp.float64(point.n[2])
+    for k in range(length):
+        along = wp.float64(point.n[0] * own[_EAST + k] + point.n[1] * own[_NORTH + k])
+        u = wp.float64(own[_ANYWHERE + k])
+        own[_SINE + k] = wp.float32(_as_dense(wp.float64(own[_LOW + k]), wp.float64(own[_HIGH + k]), u, along, up))
 
-    even: whether as dense in the sine, else in its square, as what a level receiver sees is.
-    """
+
+@wp.func
+def _aim(rows: HorizonRows, point: ShadingPoint, length: wp.int32, last: wp.bool, tilted: wp.bool):
+    """Writes the directions of rays, to the middles of the intervals; the last ones as dense in them as what is seen."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     chunk = point.chunk
+    even = rows.cosine == 0
+    if last and tilted:
+        _choose_tilted(point, length)
     k = wp.int32(0)
     while k < length:
         low = own[_LOW + k]
@@ -102,7 +140,8 @@ def _aim(point: ShadingPoint, length: wp.int32, last: wp.bool, even: wp.bool):
         u = own[_ANYWHERE + k]
         by_sine = low + u * (high - low)
         by_square = wp.sqrt(low * low + u * (high * high - low * low))
-        sine = wp.where(last, wp.where(even, by_sine, by_square), 0.5 * (low + high))
+        anywhere = wp.where(tilted, own[_SINE + k], wp.where(even, by_sine, by_square))
+        sine = wp.where(last, anywhere, 0.5 * (low + high))
         own[_SINE + k] = sine
         level = wp.sqrt(1.0 - sine * sine)
         set_direction(chunk, k, wp.vec3(level * own[_EAST + k], level * own[_NORTH + k], sine))
@@ -121,23 +160,16 @@ def _narrow(point: ShadingPoint, length: wp.int32, blocked: wp.uint64):
 
 
 @wp.func
-def _sum(
-    rows: HorizonRows, point: ShadingPoint, at: wp.int32, length: wp.int32, blocked: wp.uint64, tilted: wp.bool
-) -> wp.vec2d:
+def _sum(rows: HorizonRows, point: ShadingPoint, at: wp.int32, length: wp.int32, blocked: wp.uint64) -> wp.vec2d:
     """What is seen of the azimuths of a chunk, by the last rays: of the first lattice, and of the second."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     total = wp.vec2d(ZERO, ZERO)
-    up = wp.float64(point.n[2])
     for k in range(length):
-        low = wp.float64(own[_LOW + k])
-        high = wp.float64(own[_HIGH + k])
         along = wp.float64(point.n[0] * own[_EAST + k] + point.n[1] * own[_NORTH + k])
-        seen = _seen_above(high, along, up, rows.cosine)
+        horizon = own[_HIGH + k]
         if (blocked & ray_set(k)) == NO_RAYS:
-            if tilted:
-                seen += (high - low) * _seen_at(wp.float64(own[_SINE + k]), along, up)
-            else:
-                seen = _seen_above(low, along, up, rows.cosine)
+            horizon = own[_LOW + k]
+        seen = _seen_above(wp.float64(horizon), along, wp.float64(point.n[2]), rows.cosine)
         total[wp.where(at + k < rows.azimuths, 0, 1)] += seen
     return total
 
@@ -151,14 +183,14 @@ def _look_around(rows: HorizonRows, tree: Accelerator, point: ShadingPoint, loca
     _turn(rows, point, at, whole_vectors(length))
     blocked = NO_RAYS
     for ray in range(rows.per_azimuth):
-        _aim(point, whole_vectors(length), ray == rows.per_azimuth - 1, tilted or rows.cosine == 0)
+        _aim(rows, point, whole_vectors(length), ray == rows.per_azimuth - 1, tilted)
         if anything:
             rays_from_afar(point, length)
             _prepare(tree, point, local, length)
             blocked = _blocked(tree, point, local, first_rays(length), length)
         if ray < rows.per_azimuth - 1:
             _narrow(point, length, blocked)
-    return _sum(rows, point, at, length, blocked, tilted)
+    return _sum(rows, point, at, length, blocked)
 
 
 @once

@@ -101,6 +101,16 @@ class RasterRun:
             options = {**options, "north": reader.outline.north}
         return cls(reader, quantity, options, model, receiver, trees, shares, tile, margin, other)
 
+    def check(self) -> None:
+        """Computes one cell of level ground, so that options of the quantity are refused before anything is made.
+
+        Raises:
+            TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
+        """
+        flat = replace(self.reader, shape=(1, 1), coordinates={}, heights=lambda *_: np.zeros((1, 1)))
+        cell = slice(0, 1), slice(0, 1)
+        replace(self, reader=flat, canopy=None, tile=None, other=None).numbers(cell)
+
     @property
     def rasters(self) -> dict[str, RasterReader]:
         """All that it reads, by the arguments that they are given as."""
@@ -180,7 +190,7 @@ class RasterRun:
         points = replace(points.take(chosen), id=id)
         scenes = self._between(surface, span, near)
         del surface  # whose arrays go when there are columns beside them
-        found = list(map(partial(self._seen, points), scenes))
+        found = list(map(partial(self._seen, points, grid.whole), scenes))
         for name, values in _bounded(found).items():
             if name in laid:
                 laid[name][i - row, j - column] = values
@@ -210,11 +220,11 @@ class RasterRun:
 
     @property
     def by_horizons(self) -> bool:
-        """Whether rays look for horizons: crowns have none, as rays pass below them."""
+        """Whether rays look for horizons where there are no holes: they pass there, as below crowns, to what is behind."""
         return self.canopy is None and finds_horizons(self.quantity, self.options)
 
-    def _seen(self, points: SurfacePoints, scene: Scenery) -> Seen:
-        if self.by_horizons:
+    def _seen(self, points: SurfacePoints, whole: bool, scene: Scenery) -> Seen:
+        if whole and self.by_horizons:
             return sky_by_horizons(self.quantity, scene.mesh, points, self.options)
         return seen_of(self.quantity, scene, points, self.options, self.transmittance)
 

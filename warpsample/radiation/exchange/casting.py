@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
+import warp as wp
 
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
@@ -116,7 +117,7 @@ class Casting:
             replicates=self.replicates,
             per_replicate=self.per_replicate,
             step=step_of(self.per_replicate),
-            extent=tuple(scene.extent),
+            extent=wp.vec3(*scene.extent),
             coarseness=coarseness_of(scene, True),
             up=self.up or (0.0, 0.0, 0.0),
             **({"glass": scene.glass(self.workers)} if scene.has_glass else {}),

@@ -8,8 +8,8 @@ from warpsample.host.arguments import check_choice, check_number, told
 from warpsample.host.arrays import as_unit
 from warpsample.host.neighbours import as_ndarray
 from warpsample.mesh.flat_parts import axes_in_plane, flat_parts
-from warpsample.mesh.lattice import lattice_points
 from warpsample.mesh.mesh import Mesh, as_mesh
+from warpsample.mesh.points.lattice import lattice_points
 from warpsample.mesh.surface import SurfacePoints
 
 _PLACES = ("ground", "faces")

@@ -9,8 +9,8 @@ from warpsample.host.engine import check_memory, run
 from warpsample.host.options import CallOptions, explained_by
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.placing import BLOCK, guide_to, place_points
+from warpsample.mesh.points.thinning import darts_for, thinned
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.mesh.thinning import darts_for, thinned
 
 BYTES_PER_POINT = 24 + 12 + 4
 """Of memory: position, normal and face."""
