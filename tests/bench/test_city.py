@@ -26,6 +26,7 @@ def test_exact_values_are_those_of_the_sheet():
     assert plane[0] == pytest.approx(1.0 - np.arctan(1.0) / np.pi, abs=1e-6)  # a wedge of 45 of 180 degrees is hidden
 
 
+@pytest.mark.slow
 def test_a_tool_is_told_what_it_is_off_by(monkeypatch):
     """By 64 rays four standard errors of the mean of 441 cells; one that adds 0.1 is told so."""
     heights, cells, right = city.yard()

@@ -130,6 +130,7 @@ def test_how_far_rays_go():
     assert float(near[30, 29]) == pytest.approx(float(far[30, 29]), abs=0.05)  # half a cell from the wall
 
 
+@pytest.mark.slow
 def test_what_is_found_otherwise(cliffs):
     """Crowns let rays pass below them; other sequences, devices and tolerances are of rays all over the sky."""
     assert finds_horizons(SKY, {"count": 64, "seed": 2, "max_distance": 9.0, "tolerance": None})

@@ -47,6 +47,7 @@ def test_a_usd_file_says_its_own(tmp_path):
         assert said == (SAID.format("this USD file").strip() if axis == "Y" else "")
 
 
+@pytest.mark.slow
 def test_north_follows_and_what_is_given_stays(tmp_path):
     """Turned upright, what was north of a map is -z; other files and quantities are left alone."""
     path = tmp_path / "in.glb"

@@ -35,6 +35,7 @@ def test_a_plate_under_the_sky_loses_what_it_does_not_get():
     assert np.allclose(found.leaving, 0.9 * SIGMA * 280.0**4 + 0.1 * SIGMA * 250.0**4)
 
 
+@pytest.mark.slow
 def test_equal_temperatures_exchange_nothing_and_each_hour_is_one_column():
     v = ws.view_factors(ws.load_mesh("courtyard"), 64)
     emissivity = np.linspace(0.5, 1.0, len(v.areas))

@@ -57,6 +57,7 @@ def test_all_files_hold_the_same_numbers(call, floor, tmp_path):
     assert (told["texture_size"], told["texture_samples"], told["samples"]) == ("(64, 32)", "4", "64")
 
 
+@pytest.mark.slow
 def test_three_channels(call, floor, tmp_path):
     """The bent normals of the floor: away from the wall, and of length 2/3 far from it."""
     for suffix in (".exr", ".npz"):

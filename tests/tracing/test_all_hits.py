@@ -124,6 +124,7 @@ def test_coincident_faces_are_all_met_and_rays_that_are_none_have_none():
         assert np.array_equal(getattr(warped, name).numpy(), getattr(found, name))
 
 
+@pytest.mark.slow
 def test_hits_that_memory_does_not_hold_are_refused_before_they_are_written(monkeypatch):
     asked = []
     monkeypatch.setattr("warpsample.tracing.trace_all.check_memory", lambda size, what, _: asked.append((size, what)))
