@@ -80,6 +80,7 @@ def test_under_a_canopy_without_end():
         assert float(sky(made, 40, share, 64).value[0]) == pytest.approx(share, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_in_a_street_under_trees():
     """As wide as high, closed at the roofs."""
     transform = Affine.scale(20.0, -1e4)

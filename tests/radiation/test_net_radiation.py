@@ -61,6 +61,7 @@ def test_arguments_without_sense_are_told():
             v.net_radiation(**{"temperature": 300.0, "emissivity": 0.5, **given})
 
 
+@pytest.mark.slow
 def test_groups_go_by_name(tmp_path):
     box = trimesh.creation.box((2.0, 2.0, 2.0))
     part = np.repeat([1, -1, 0], 4)

@@ -225,6 +225,8 @@ NEEDS = {  # to be of use
     "Mesh.parts": {"part": np.array([0, 0])},
     "City.surface_means.points": {"values": np.ones(4)},
     "integrate.max_distance": {"points": POINTS, "mesh": MESH},
+    "load_mesh.transmittance": {"path": "courtyard"},  # not the .usd of others, which a process of its own reads
+    "load_mesh.reflectance": {"path": "courtyard"},
 }
 NEEDS |= {  # one of the two
     f"sample_surface.{argument}": {"count": COUNT}

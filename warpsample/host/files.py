@@ -106,8 +106,11 @@ def write_arrays(stream: BinaryIO, arrays: Mapping[str, np.ndarray], compression
 
 def write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None:
     """Adds an array to an open .npz file."""
-    with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
+    member = to_its_end(archive.open)(f"{name}.npy", "w", force_zip64=True)
+    try:
         np.lib.format.write_array(member, array, allow_pickle=False)
+    finally:
+        to_its_end(member.close)()  # half closed, it would complain when it is forgotten
 
 
 def read_array(path: Path) -> np.ndarray:
