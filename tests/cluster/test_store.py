@@ -238,7 +238,6 @@ def test_a_second_writer_is_refused_until_the_first_is_gone(path, mesh, right, c
 
 
 def test_what_killed_writers_left_goes(path, mesh, right):
-    path.with_name(".out.zarr.part").mkdir()
     bake(path, mesh)
     assert_whole(path, right)
     for folder in ("writing-0123abcd", "ended-0123abcd"):
@@ -381,6 +380,18 @@ def test_so_is_one_of_another_shape(path, mesh):
     file.write_text(file.read_text().replace('"float32"', '"float64"'))
     with pytest.raises(ValueError, match=r"whose spread/zarr.json has another data_type than its run; bake it anew$"):
         bake(path, mesh, resume=True)
+
+
+def test_what_a_user_has_at_hidden_names_stays(path, tmp_path, mesh):
+    own = tmp_path / f".{path.name}.part" / "thesis.txt"
+    own.parent.mkdir()
+    lock = tmp_path / f".{path.name}.lock"
+    for file in (own, lock):
+        file.write_text("thesis")
+    bake(path, mesh)
+    assert sorted(file.name for file in tmp_path.iterdir()) == [lock.name, own.parent.name, path.name]
+    assert [file.read_text() for file in (own, lock)] == ["thesis", "thesis"]
+    assert path.stat().st_mode & 0o777 == own.parent.stat().st_mode & 0o777  # of a folder like others
 
 
 def test_a_store_that_cannot_be_made_leaves_nothing(path, tmp_path, mesh):

@@ -58,8 +58,10 @@ def _take(path: Path, file: Path, held: list[Any]) -> None:
 
 
 def _give_back(file: Path, held: list[Any]) -> None:
+    """Removes the lock, which is empty, unlike a file of somebody's that has its name."""
     for opened in held:
-        file.unlink(missing_ok=True)
+        if os.fstat(opened.fileno()).st_size == 0:
+            file.unlink(missing_ok=True)
         opened.close()
 
 

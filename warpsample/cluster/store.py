@@ -3,10 +3,10 @@
 import json
 import math
 import os
-import shutil
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -110,14 +110,12 @@ def make_store(path: Path, metadata: Callable[[], dict[str, bytes]]) -> None:
     Raises:
         WriteError: they cannot be written.
     """
-    part = path.with_name(f".{path.name}.part")
-    shutil.rmtree(part, ignore_errors=True)
     try:
-        for file, content in metadata().items():
-            part.joinpath(file).parent.mkdir(parents=True, exist_ok=True)
-            part.joinpath(file).write_bytes(content)
-        part.rename(path)
+        with TemporaryDirectory(prefix=f".{path.name}.", suffix=".part", dir=path.parent) as folder:
+            part = Path(folder) / path.name  # in it: such a folder is its user's alone, which the store need not be
+            for file, content in metadata().items():
+                part.joinpath(file).parent.mkdir(parents=True, exist_ok=True)
+                part.joinpath(file).write_bytes(content)
+            part.rename(path)
     except OSError as error:
         raise WriteError(f"{path} cannot be written: {error.strerror or error}") from error
-    finally:
-        shutil.rmtree(part, ignore_errors=True)
