@@ -46,13 +46,17 @@ class ErrorDraws:
 
     def draw(self, number: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
         """Errors of the (E,) factors, and name -> (N,) of what rows lose; the same whenever it is called."""
-        signs = [self._signs[number][codes] for codes in self._codes]
-        free = [size * sign for size, sign in zip(self._sizes, signs, strict=False)]
-        found = [one - part * sums for one, part, sums in zip(free, self._parts, self._of_rows(free), strict=True)]
-        others = dict(zip(_LOST, found[1:], strict=True))
-        for (name, (part, size)), sign in zip(self._of_outside.items(), signs[len(free) :], strict=True):
-            others[name] = part * others["outside"] + size * sign
-        return found[0], others
+        signs = self._signs[number]
+        free = [signs[codes] for codes in self._codes[: len(self._sizes)]]
+        for error, size in zip(free, self._sizes, strict=True):
+            np.multiply(error, size, out=error)
+        for error, part, sums in zip(free, self._parts, self._of_rows(free), strict=True):
+            np.multiply(sums, part, out=sums)
+            np.subtract(error, sums, out=error)
+        others = dict(zip(_LOST, free[1:], strict=True))
+        for (name, (part, size)), codes in zip(self._of_outside.items(), self._codes[len(free) :], strict=True):
+            others[name] = part * others["outside"] + size * signs[codes]
+        return free[0], others
 
     def _of_rows(self, parts: list[np.ndarray]) -> list[np.ndarray]:
         """The sum of its row for each."""

@@ -42,11 +42,12 @@ class _Pooling:
         """Finds where both sides of each share go."""
         size, row = len(areas), rows_of(factors.indptr)
         one, other = (a.astype(np.int64) * size + b for a, b in ((row, factors.indices), (factors.indices, row)))
-        keys = np.sort(np.concatenate([one, other]))
-        keys = keys[np.flatnonzero(np.diff(keys, prepend=-1))]
-        self._here, self._there = np.searchsorted(keys, one), np.searchsorted(keys, other)
-        self._hits = (areas * densities)[row]
+        keys = np.concatenate([one, other])
+        keys.sort()
+        keys = keys[np.append(True, keys[1:] != keys[:-1])]
         kind = np.int32 if len(keys) < 2**31 else np.int64
+        self._here, self._there = (np.searchsorted(keys, pair).astype(kind) for pair in (one, other))
+        self._hits = (areas * densities)[row]
         self.rows, self.columns = (keys // size).astype(kind), (keys % size).astype(kind)
         self._indptr = np.searchsorted(keys, np.arange(size + 1, dtype=np.int64) * size).astype(kind)
         self._both = densities[self.rows] + densities[self.columns]
@@ -57,7 +58,8 @@ class _Pooling:
         sums = np.zeros(len(self._both))
         sums[self._here] = hits
         sums[self._there] += hits
-        return sums / self._both
+        sums /= self._both
+        return sums
 
     def pairs(self, value: np.ndarray) -> "csr_array":
         """The pooled values as a matrix of all surfaces."""
@@ -77,20 +79,29 @@ def _variances(
 
     def changed(draw: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
         entries, others = draws.draw(draw)
-        return closure.scale * pooling.pooled(entries), others
+        pairs = pooling.pooled(entries)
+        pairs *= closure.scale
+        return pairs, others
 
     gaps = np.empty((len(areas), draws.number))
     for draw in range(draws.number):
         entries, others = changed(draw)
         lost = areas * closure.less * (others["outside"] + others["behind"])
         gaps[:, draw] = -np.bincount(rows, entries, len(areas)) - lost
+        del entries
     shifts = closure.step(gaps)
     variance, of_others = np.zeros(len(rows)), {name: np.zeros(len(areas)) for name in factors.others}
     slopes = exchange.data * closure.give
     for draw in range(draws.number):
         entries, others = changed(draw)
         shift = shifts[:, draw]
-        variance += np.square((entries + slopes * (shift[rows] + shift[columns])) / areas[rows]) / draws.number
+        give = shift[rows]  # in place from here on: pairs are what takes the memory
+        give += shift[columns]
+        give *= slopes
+        entries += give
+        entries /= areas[rows]
+        variance += np.square(entries, out=entries) / draws.number
+        del entries, give  # before the next draw needs as much
         for name, change in others.items():
             adjusted = closure.less * (change + closure.yields * factors.others[name][0] * shift)
             of_others[name] += np.square(adjusted) / draws.number
