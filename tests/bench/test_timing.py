@@ -1,11 +1,13 @@
 """Timings are interleaved and warmed up; children run jobs; the machine is known. No test asserts a time."""
 
+import platform
 import re
 import subprocess
 from time import sleep
 
 import child_jobs
 import pytest
+import warp as wp
 
 import warpsample
 from warpsample.bench.rows import Spread
@@ -94,3 +96,8 @@ def test_the_machine_is_known():
     assert machine.cores >= 1
     assert str(machine).startswith(machine.cpu)
     assert peak_megabytes() > 50.0
+
+
+def test_what_the_compiler_is_denied_is_none_of_the_instructions(monkeypatch):
+    monkeypatch.setattr(wp.config, "cpu_compiler_flags", "-march=native -target-feature -avx512f -target-feature -avx2")
+    assert this_machine().instructions == platform.machine().lower()

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
 
+import warp as wp
+
 from warpsample.host.engine import check_workers
 
 
@@ -15,7 +17,8 @@ class Machine:
 
     Attributes:
         cpu: the processor's own name, where the system tells it.
-        instructions: the widest that the kernels use there: "avx512", "avx2", or else the architecture.
+        instructions: the widest that the kernels use there: "avx512", "avx2", or else the architecture. They use none
+            that Warp's flags deny the compiler.
         cores: that the process may use.
         commit: of the checkout around the package, "unknown" without one.
     """
@@ -55,7 +58,8 @@ def _processor() -> tuple[str, str]:
     lines = information.read_text().splitlines() if information.is_file() else []
     entries = dict(line.split(":", 1) for line in lines if ":" in line)
     names = {key.strip(): value.strip() for key, value in entries.items()}
-    flags = names.get("flags", "").split()
+    denied = {flag[1:] for flag in (wp.config.cpu_compiler_flags or "").split() if flag.startswith("-avx")}
+    flags = set(names.get("flags", "").split()) - denied
     found = next((name for flag, name in (("avx512f", "avx512"), ("avx2", "avx2")) if flag in flags), platform.machine())
     return names.get("model name") or platform.processor() or platform.machine(), found.lower()
 
