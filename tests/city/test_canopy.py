@@ -182,6 +182,15 @@ def test_bad_crowns_are_named(canopy, options, message):
 
 
 @pytest.mark.parametrize(
+    ("options", "got"), [({"trunk": 0.5}, "0.5"), ({"trunk": "t.tif"}, "'t.tif'"), ({"relative": False}, "False")]
+)
+def test_what_is_said_of_crowns_without_any_is_refused(options, got):
+    argument = next(iter(options))
+    with pytest.raises(ValueError, match=f"^{argument}: got {got} without canopy, want canopy, the crowns that it is of$"):
+        rasters.surface((np.zeros((3, 3)), NORTH_UP, None), **options)
+
+
+@pytest.mark.parametrize(
     ("canopy", "message"),
     [
         (

@@ -183,6 +183,8 @@ def test_crowns_beyond_the_margin_are_bounded_too(monkeypatch):
         ({"margin": 8}, "margin: got 8 without tile, want tile, around which it is"),
         ({"far": "missing.tif"}, "far: got 'missing.tif', which is missing"),
         ({"transmittance": [0.5] * 12}, "transmittance: got 12 shares for the sky view factor, want one: it has no date"),
+        ({"trunk": 0.5}, "trunk: got 0.5 without canopy, want canopy"),
+        ({"transmittance": 0.5}, "transmittance: got 0.5 without canopy, want canopy"),
         ({"model": "mesh"}, "model: got 'mesh'"),
         ({"receiver": "wall"}, "receiver: got 'wall'"),
     ],

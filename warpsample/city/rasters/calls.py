@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from warpsample.city.rasters.canopy import TRUNK
+from warpsample.city.rasters.leaves import TRANSMITTANCE
 from warpsample.city.rasters.raster_surface import on_map, surface
 from warpsample.city.rasters.tiles import RasterRun
 from warpsample.estimate.quantities.record import Quantity
@@ -26,9 +28,9 @@ _UNTOLD = ("first_point", "active", "series", "workers", "progress")
 
 TREES_AND_TILES: dict[str, Any] = {
     "canopy": None,
-    "trunk": 0.25,
+    "trunk": TRUNK,
     "relative": True,
-    "transmittance": 0.03,
+    "transmittance": TRANSMITTANCE,
     "tile": None,
     "margin": None,
     "far": None,

@@ -12,7 +12,7 @@ import numpy as np
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reading import reader_of
-from warpsample.host.arguments import check_flag, check_number
+from warpsample.host.arguments import check_flag, check_number, told
 
 _SIDES = (((0, 1), (1, 1), (1, 0)), ((-1, 0), (1, 0), (0, 0)), ((0, -1), (0, 0), (0, 1)), ((1, 0), (0, 1), (1, 1)))
 """Of a cell: where the neighbour is, (rows, columns), and both ends of the edge, (columns, rows), the left one first as seen
@@ -20,6 +20,9 @@ from there, in a raster with its north at the top."""
 
 _RING = ((0, 0), (0, 1), (1, 1), (1, 0))
 """The corners of a cell, (columns, rows), counter-clockwise seen from above in such a raster."""
+
+TRUNK = 0.25
+"""How high undersides are, as a share of a crown's height: SOLWEIG's."""
 
 _ALL = slice(None)
 _OFF = 0.01
@@ -67,6 +70,8 @@ class Canopy:
         """
         relative = check_flag(relative, "relative")
         if canopy is None:
+            check_for_crowns("trunk", trunk, TRUNK)
+            check_for_crowns("relative", relative, True)
             return None
         share = check_number(trunk, "trunk", 0.0, 1.0) if isinstance(trunk, Real) else _on(ground, trunk, "trunk")
         return cls(_on(ground, canopy, "canopy"), share, relative)
@@ -151,6 +156,16 @@ def _on(ground: RasterReader, source: Any, argument: str) -> RasterReader:
         )
     check_same_map(ground, found, argument)
     return found
+
+
+def check_for_crowns(argument: str, value: Any, default: float) -> None:
+    """Refuses an argument of crowns where there are none, unless it is the default.
+
+    Raises:
+        ValueError: names it.
+    """
+    if not isinstance(value, Real) or value != default:
+        raise ValueError(f"{argument}: got {told(value)} without canopy, want canopy, the crowns that it is of")
 
 
 def check_same_map(ground: RasterReader, other: RasterReader, argument: str) -> None:

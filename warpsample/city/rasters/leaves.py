@@ -27,6 +27,9 @@ from warpsample.radiation.weather.weather import read_weather
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
 
+TRANSMITTANCE = 0.03
+"""The share of light that passes crowns with leaves: SOLWEIG's."""
+
 _MONTHS, _DAYS = 12, 365
 _WANTS = "a share from 0 to 1, or 12 of them, for each month, or 365, for each day"
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from warpsample.city.rasters.canopy import Canopy, Crowns, prisms
+from warpsample.city.rasters.canopy import TRUNK, Canopy, Crowns, prisms
 from warpsample.city.rasters.cells import STEP, joined_cells
 from warpsample.city.rasters.centres import between_centres
 from warpsample.city.rasters.grid import Grid
@@ -118,7 +118,7 @@ def on_map(grid: Grid, values: np.ndarray) -> xr.DataArray:
 
 
 def surface(
-    source: Any, *, model: str = "joined", canopy: Any = None, trunk: Any = 0.25, relative: bool = True
+    source: Any, *, model: str = "joined", canopy: Any = None, trunk: Any = TRUNK, relative: bool = True
 ) -> RasterSurface:
     """The surface that a raster of heights stands for.
 

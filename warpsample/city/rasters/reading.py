@@ -17,19 +17,15 @@ from rasterio.errors import NotGeoreferencedWarning, RasterioError, RasterioIOEr
 from rasterio.windows import Window
 from rioxarray.exceptions import MissingSpatialDimensionError
 
+from warpsample.city.rasters.coding import Coding
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reference import crs_of, height_metres_of, metres_of
-from warpsample.host.arguments import told
+from warpsample.city.rasters.transforms import affine_of, check_cells, check_place, coordinates_of, transform_of
 from warpsample.host.arrays import as_real
 from warpsample.host.neighbours import kind_told
 
 _WANTS = "the path of a raster, an xarray.DataArray, or a tuple (array, affine, crs or None)"
-_UNDECLARED = (-9999.0, -99999.0, -32767.0, -32768.0)
-"""Heights that stand for none also where no tag says so: no place on Earth is as low, and programs write them."""
-
-_LARGEST = 1e30
-"""What is larger stands for none, such as float32's largest number in a raster whose tag is float64's copy of it."""
 
 
 def with_heights(grid: Grid) -> Grid:
@@ -56,7 +52,7 @@ def reader_of(source: Any) -> RasterReader:
         TypeError, ValueError, FileNotFoundError: something else; several bands; a CRS in degrees; no place on a map.
 
     Warns:
-        UserWarning: the unit of its heights is not told, and that of its coordinates is no metre.
+        UserWarning: the unit of its heights is not told, and that of its coordinates is no metre; or it is not known here.
     """
     if isinstance(source, str | PathLike):
         return _of_file(fspath(source))
@@ -72,17 +68,17 @@ def _of_file(path: str) -> RasterReader:
         bands = [n for n, colour in enumerate(file.colorinterp, 1) if colour != ColorInterp.alpha]
         if len(bands) != 1:
             raise ValueError(f"source: got {path!r} with {len(bands)} bands, want one band of heights")
-        _check_place(file.transform, file.crs, repr(path))
-        unit = file.units[bands[0] - 1] or ""
-        return _reader(file.shape, file.transform, file.crs, unit, partial(_band, path, bands[0]))
+        check_place(file.transform, file.crs, repr(path))
+        band = bands[0]
+        read = partial(_band, path, band, Coding.of_file(path, file, band))
+        return _reader(file.shape, file.transform, file.crs, file.units[band - 1] or "", read)
 
 
-def _band(path: str, band: int, rows: slice, columns: slice) -> np.ndarray:
+def _band(path: str, band: int, coding: Coding, rows: slice, columns: slice) -> np.ndarray:
     """A part of a file's heights; opened for it alone, since GDAL's files are for one thread and one process."""
     with _opened(path) as file:
         window = Window.from_slices(rows, columns)
-        values = file.read(band, window=window)
-        heights = _heights(values, file.nodata, file.scales[band - 1], file.offsets[band - 1])
+        heights = coding.heights(file.read(band, window=window))
         heights[file.read_masks(band, window=window) == 0] = np.nan
         return heights
 
@@ -98,16 +94,15 @@ def _of_data_array(array: xr.DataArray) -> RasterReader:
     if any(size != 1 for size in others.values()):
         raise ValueError(f"source: got an xarray.DataArray of sizes {dict(array.sizes)}, want y and x alone: one band")
     array = array.isel(dict.fromkeys(others, 0)).transpose(*dims)
-    known, nodata = array.attrs, array.rio.nodata
+    coding, unit = Coding.of_array(array), str(array.attrs.get("units") or "")
     coordinates = {name: array.coords[name].variable for name in dims if name in array.coords}
     if not array.size:
         raise ValueError(f"source: got an xarray.DataArray of sizes {dict(array.sizes)}, want cells")
 
     def heights(rows: slice, columns: slice) -> np.ndarray:
-        part = array.isel(dict(zip(dims, (rows, columns), strict=True))).to_numpy()
-        return _heights(part, nodata, known.get("scale_factor", 1.0), known.get("add_offset", 0.0))
+        return coding.heights(array.isel(dict(zip(dims, (rows, columns), strict=True))).to_numpy())
 
-    where = _transform_of(array, dims), array.rio.crs, str(known.get("units", ""))
+    where = transform_of(array, dims), array.rio.crs, unit
     return _reader(array.shape, *where, heights, dims=dims, coordinates=coordinates)
 
 
@@ -117,57 +112,16 @@ def _of_array(array: Any, transform: Any, crs: Any) -> RasterReader:
     masked = np.broadcast_to(masked, values.shape)
     if values.ndim == 3 and len(values) == 1:
         values, masked = values[0], masked[0]
-    if values.ndim != 2:
-        raise ValueError(f"source: got an array of shape {values.shape}, want (rows, columns)")
-    try:
-        affine = Affine(*(float(number) for number in tuple(transform)[:6]))
-    except TypeError:
-        raise TypeError(
-            f"source: got {told(transform)} for its transform, want an affine.Affine or its numbers a, b, c, d, e, f"
-        ) from None
+    if values.ndim != 2 or not values.size:
+        raise ValueError(f"source: got an array of shape {values.shape}, want (rows, columns), one of each at least")
+    affine = affine_of(transform)
 
     def heights(rows: slice, columns: slice) -> np.ndarray:
-        part = _heights(values[rows, columns], None)
+        part = Coding().heights(values[rows, columns])
         part[masked[rows, columns]] = np.nan
         return part
 
     return _reader(values.shape, affine, crs, "", heights)
-
-
-def _transform_of(array: xr.DataArray, dims: tuple[str, str]) -> Affine:
-    """The transform by the coordinates of an array; where it has none, or one only, by what is stored beside them.
-
-    That may be of a larger array, of which this one is a part.
-    """
-    if not all(name in array.coords and array.coords[name].ndim == 1 and array.sizes[name] > 1 for name in dims):
-        transform = array.rio.transform()
-        _check_place(transform, array.rio.crs, "an xarray.DataArray")
-        return transform
-    steps, starts = [], []
-    for name in dims:
-        centres = array.coords[name].to_numpy()
-        if centres.dtype.kind not in "fiu":
-            raise TypeError(f"source: got coordinates {name!r} of dtype {centres.dtype}, want real numbers")
-        step = (float(centres[-1]) - float(centres[0])) / (len(centres) - 1)
-        off = np.abs(centres - (centres[0] + step * np.arange(len(centres)))).max()
-        if not off <= 0.1 * abs(step):  # coordinates may be float32
-            raise ValueError(f"source: got coordinates {name!r} that are not evenly spaced, want cells of one size")
-        steps.append(step)
-        starts.append(float(centres[0]) - 0.5 * step)
-    return Affine(steps[1], 0.0, starts[1], 0.0, steps[0], starts[0])
-
-
-def _heights(values: np.ndarray, nodata: float | None, scale: float = 1.0, offset: float = 0.0) -> np.ndarray:
-    """A float64 copy of heights, NaN where there is none."""
-    if values.dtype.kind not in "fiu":
-        raise TypeError(f"source: got heights of dtype {values.dtype}, want real numbers")
-    heights = values.astype(np.float64)
-    none = ~(np.abs(heights) < _LARGEST)
-    for code in (*_UNDECLARED, *(() if nodata is None else (nodata, np.float32(nodata)))):
-        none |= heights == float(code)
-    heights = heights * scale + offset
-    heights[none] = np.nan
-    return heights
 
 
 def _reader(
@@ -181,36 +135,17 @@ def _reader(
     coordinates: Mapping[str, Any] | None = None,
 ) -> RasterReader:
     """A checked reader, whose heights are made those of the unit of its coordinates."""
-    numbers = np.array(transform[:6])
-    size = max(np.abs(numbers[[0, 1, 3, 4]]).max(), 1e-300)
-    if not np.isfinite(numbers).all() or abs(transform.determinant) <= 1e-12 * size**2:
-        raise ValueError(f"source: got the transform {tuple(numbers.tolist())}, want one whose cells have an area")
+    check_cells(transform, shape)
     found = crs_of(crs)
     metres, height_metres = metres_of(found), height_metres_of(found, unit) if found else None
-    if height_metres is None and abs(metres - 1.0) > 1e-5:
+    unknown = found is not None and unit.strip()
+    if height_metres is None and (unknown or abs(metres - 1.0) > 1e-5):
+        said = f"heights in {unit!r}, a unit that is not known here" if unknown else "no unit of its heights"
         warnings.warn(
-            f"source: got no unit of its heights, and coordinates in units of {metres:g} m; they are taken to be the same",
-            stacklevel=2,
+            f"source: got {said}, and coordinates in units of {metres:g} m; they are taken to be the same", stacklevel=2
         )
-    coordinates = _coordinates(transform, shape) if coordinates is None else coordinates
+    coordinates = coordinates_of(transform, shape) if coordinates is None else coordinates
     return RasterReader(shape, transform, found, metres, dims, coordinates, (height_metres or metres) / metres, heights)
-
-
-def _coordinates(transform: Affine, shape: tuple[int, int]) -> dict[str, np.ndarray]:
-    """The centres of cells, to the bit as rioxarray has them when it opens a file; none for a raster that is turned."""
-    a, b, c, d, e, f = transform[:6]
-    if b or d:
-        return {}
-    return {"y": np.arange(shape[0]) * e + (0.5 * e + f), "x": np.arange(shape[1]) * a + (0.5 * a + c)}
-
-
-def _check_place(transform: Affine, crs: Any, what: str) -> None:
-    """Refuses rasters that neither say where they are nor how large their cells are."""
-    if transform == Affine.identity() and crs is None:
-        raise ValueError(
-            f"source: got {what}, which has no place on a map, want a raster with a transform; "
-            "(array, affine, None) says where it is"
-        )
 
 
 @contextmanager

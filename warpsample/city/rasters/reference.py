@@ -29,11 +29,15 @@ def crs_of(crs: Any) -> pyproj.CRS | None:
     except CRSError as error:
         raise ValueError(f"source: got {told(crs)} for its CRS, want one that pyproj knows, or None") from error
     unit = _flat(found).axis_info[0].unit_name if _flat(found).axis_info else ""
-    if found.is_geocentric or any(angle in unit.lower() for angle in ("degree", "radian", "grad", "arc")):
+    if any(angle in unit.lower() for angle in ("degree", "radian", "grad", "arc")):
         raise ValueError(
             f"source: got coordinates in {unit} of {found.name}, want lengths, as heights are; reproject it first, as by "
             "da.rio.reproject(da.rio.estimate_utm_crs()) or gdalwarp"
         )
+    if found.is_geocentric or found.type_name == "Vertical CRS":
+        raise ValueError(f"source: got coordinates of {found.name}, want those of a map, two of them level")
+    if any(axis.direction == "down" for axis in found.axis_info):
+        raise ValueError(f"source: got depths, by {found.name}, want heights: -1 times that, and a CRS that says so")
     return found
 
 

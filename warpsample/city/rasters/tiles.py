@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.city.rasters.canopy import Canopy, calling, check_same_map
+from warpsample.city.rasters.canopy import Canopy, calling, check_for_crowns, check_same_map
 from warpsample.city.rasters.far import FarField
 from warpsample.city.rasters.horizons import finds_horizons, sky_by_horizons
-from warpsample.city.rasters.leaves import Scenery, check_dates, check_transmittance, seen_of
+from warpsample.city.rasters.leaves import TRANSMITTANCE, Scenery, check_dates, check_transmittance, seen_of
 from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, RasterSurface, beside, surface_of
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reading import reader_of, with_heights
@@ -97,6 +97,8 @@ class RasterRun:
                 other = reader_of(far)
             check_same_map(reader, other, "far")
         trees = Canopy.of(reader, canopy, trunk, relative)
+        if trees is None:
+            check_for_crowns("transmittance", transmittance, TRANSMITTANCE)
         if "north" in quantity.parameters:
             options = {**options, "north": reader.outline.north}
         return cls(reader, quantity, options, model, receiver, trees, shares, tile, margin, other)

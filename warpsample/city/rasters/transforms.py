@@ -1,0 +1,73 @@
+"""Where the cells of a raster are on its map: transforms, checked, and the coordinates that go with them."""
+
+import numpy as np
+import xarray as xr
+from affine import Affine
+
+from warpsample.host.arguments import told
+
+_APART = 1e-3  # of a cell: to so much float64 must hold its coordinates
+
+
+def affine_of(transform: object) -> Affine:
+    """Six numbers as a transform; a TypeError for anything else."""
+    try:
+        return Affine(*(float(number) for number in tuple(transform)[:6]))
+    except (TypeError, ValueError):
+        raise TypeError(
+            f"source: got {told(transform)} for its transform, want an affine.Affine or its numbers a, b, c, d, e, f"
+        ) from None
+
+
+def check_place(transform: Affine, crs: object, what: str) -> None:
+    """Refuses rasters that neither say where they are nor how large their cells are."""
+    if transform == Affine.identity() and crs is None:
+        raise ValueError(
+            f"source: got {what}, which has no place on a map, want a raster with a transform; "
+            "(array, affine, None) says where it is"
+        )
+
+
+def check_cells(transform: Affine, shape: tuple[int, int]) -> None:
+    """Refuses cells without an area, and those that are so small, or so far off, that they lie upon each other."""
+    numbers = np.array(transform[:6])
+    size = max(np.abs(numbers[[0, 1, 3, 4]]).max(), 1e-300)
+    if not np.isfinite(numbers).all() or abs(transform.determinant) <= 1e-12 * size**2:
+        raise ValueError(f"source: got the transform {tuple(numbers.tolist())}, want one whose cells have an area")
+    corners = [transform @ corner for corner in ((0, 0), (shape[1], 0), (0, shape[0]), shape[::-1])]
+    farthest, side = np.abs(corners).max(), np.hypot(numbers[[0, 1]], numbers[[3, 4]]).min()
+    if not np.spacing(farthest) <= _APART * side:
+        raise ValueError(
+            f"source: got coordinates up to {farthest:g} of cells that are {side:g} long, want some that float64 tells apart"
+        )
+
+
+def transform_of(array: xr.DataArray, dims: tuple[str, str]) -> Affine:
+    """The transform by the coordinates of an array; where it has none, or one only, by what is stored beside them.
+
+    That may be of a larger array, of which this one is a part.
+    """
+    if not all(name in array.coords and array.coords[name].ndim == 1 and array.sizes[name] > 1 for name in dims):
+        transform = array.rio.transform()
+        check_place(transform, array.rio.crs, "an xarray.DataArray")
+        return transform
+    steps, starts = [], []
+    for name in dims:
+        centres = array.coords[name].to_numpy()
+        if centres.dtype.kind not in "fiu":
+            raise TypeError(f"source: got coordinates {name!r} of dtype {centres.dtype}, want real numbers")
+        step = (float(centres[-1]) - float(centres[0])) / (len(centres) - 1)
+        off = np.abs(centres - (centres[0] + step * np.arange(len(centres)))).max()
+        if not off <= 0.1 * abs(step):  # coordinates may be float32
+            raise ValueError(f"source: got coordinates {name!r} that are not evenly spaced, want cells of one size")
+        steps.append(step)
+        starts.append(float(centres[0]) - 0.5 * step)
+    return Affine(steps[1], 0.0, starts[1], 0.0, steps[0], starts[0])
+
+
+def coordinates_of(transform: Affine, shape: tuple[int, int]) -> dict[str, np.ndarray]:
+    """The centres of cells, to the bit as rioxarray has them when it opens a file; none for a raster that is turned."""
+    a, b, c, d, e, f = transform[:6]
+    if b or d:
+        return {}
+    return {"y": np.arange(shape[0]) * e + (0.5 * e + f), "x": np.arange(shape[1]) * a + (0.5 * a + c)}
