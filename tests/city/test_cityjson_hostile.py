@@ -170,6 +170,25 @@ def test_what_is_no_cityjson_is_refused_in_a_sentence(tmp_path, text, why):
         ws.load_city(path)
 
 
+def test_polygons_that_cross_themselves_are_told_and_read(tmp_path):
+    """A square whose sides cross has no area by Newell's formula, and a square's in triangles; all else is as it was."""
+    faces = [[[0, 2, 1, 3]], *cases.FACES[1:]]
+    path = cases.written(tmp_path / "a.json", cases.house(cases.surfaces(boundaries=faces)))
+    with pytest.warns(
+        UserWarning, match=r"a\.json' with 1 of 10 polygons that cross themselves .* of object 'house'; their"
+    ) as told:
+        city = ws.load_city(path, split=True)
+    assert told[0].filename == __file__
+    assert city.surfaces.area.tolist() == [0.0, 96.0, *[50.0] * 4, *[10.0] * 4]
+    covered = np.bincount(city.surface, city.mesh.face_areas)
+    assert covered.tolist() == [100.0, 96.0, *[50.0] * 4, *[10.0] * 4]
+    city.write(tmp_path / "b.json", {"ws_x": city.surface_means(np.ones(len(city.surface)))[0]})
+    house = json.loads((tmp_path / "b.json").read_text())["CityObjects"]["house"]
+    assert {name: house["attributes"][name] for name in ("ws_x_wall", "ws_area_m2_wall")} == {
+        "ws_x_wall": 1.0, "ws_area_m2_wall": 240.0,
+    }  # fmt: skip
+
+
 def test_wherever_a_file_ends_early_it_is_refused(tmp_path):
     content = json.dumps(cases.house()).encode()
     path = tmp_path / "a.json"
@@ -189,6 +208,7 @@ def nodes(value, path=()):
         yield from nodes(item, (*path, key))
 
 
+@pytest.mark.filterwarnings("ignore:path. got .* polygons that cross themselves:UserWarning")
 def test_whatever_stands_in_its_place_is_refused_or_read_and_written(tmp_path):
     """Each node of a file with templates, parents and semantics becomes one of the odd values."""
     document = cases.house(cases.SOLID, TREE | {"transformationMatrix": np.eye(4).ravel().tolist()})

@@ -16,7 +16,7 @@ from warpsample.city.cityjson.example import example_content
 from warpsample.city.cityjson.gathering import Gathered, Geometry, gather
 from warpsample.city.cityjson.kinds import GROUND
 from warpsample.city.cityjson.placing import spread_points
-from warpsample.city.cityjson.surfaces import CitySurfaces, Rows, surfaces_of
+from warpsample.city.cityjson.surfaces import CitySurfaces, Rows, surfaces_of, warn_of_overlaps
 from warpsample.city.cityjson.writing import ERROR, Editor
 from warpsample.host.arguments import check_file, check_flag, check_seed, naming_file, told
 from warpsample.host.arrays import as_real
@@ -182,6 +182,10 @@ def load_city(path: str | PathLike, *, lod: Any = None, split: bool = False, con
         ValueError: a file that is damaged or has no such surfaces; names the path.
         MemoryError: templates are placed so often that the free memory does not hold them.
 
+    Warns:
+        UserWarning: some polygons cross themselves; says how many. Their triangles overlap and may face either way, so that
+            what they hide, and the numbers of their surfaces, are not those of a polygon; areas are Newell's, and less.
+
     Example:
         >>> city = ws.load_city("courtyard")
         >>> print(city.surfaces.type, city.surfaces.area)
@@ -234,4 +238,6 @@ def _city(found: Gathered, path: Path, content: bytes, *, split: bool, context: 
     surface = np.full(len(faces), -1, np.int32)
     surface[: len(owner)] = rows.row[owner]
     mesh = Mesh(vertices, faces, surface, surfaces.names)
+    covered = np.bincount(owner, mesh.face_areas[: len(owner)], len(rows.row))
+    warn_of_overlaps(path, surfaces.object[rows.row], covered, outlines.areas(points))
     return City(mesh, read_only(surface), surfaces, split, found.geometries, rows, path, content)

@@ -1,14 +1,20 @@
 """The table of a city's surfaces: what each is of, and its area."""
 
 from dataclasses import dataclass, fields
+from pathlib import Path
 from typing import Any
+from warnings import warn
 
 import numpy as np
 
 from warpsample.city.cityjson.gathering import Gathered
 from warpsample.city.cityjson.kinds import BY_NORMAL, by_normal, is_built
+from warpsample.host.arguments import told
 from warpsample.host.tables import frame_of
 from warpsample.mesh.holes import Outlines
+
+_FOLDED = 0.1  # of a polygon's triangles: more beyond its area than this is no lack of flatness
+_TINY = 1e-6  # m2, and what coordinates are rounded by
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,6 +97,26 @@ def surfaces_of(found: Gathered, points: np.ndarray, outlines: Outlines, split: 
         area=areas,
     )
     return table, Rows(geometry[first], semantic[first], row)
+
+
+def warn_of_overlaps(path: Path, objects: np.ndarray, covered: np.ndarray, areas: np.ndarray) -> None:
+    """Warns of polygons whose triangles cover more than their area: those that cross themselves, and bowls.
+
+    What is not quite flat in files of cities, as by 18 mm, is a thousandth.
+
+    Args:
+        path: of the file.
+        objects: (P,) whose polygons they are.
+        covered: (P,) the areas of the triangles of each.
+        areas: (P,) by Newell's formula.
+    """
+    bad = np.flatnonzero(covered - areas > _FOLDED * covered + _TINY)
+    if len(bad):
+        warn(
+            f"path: got {str(path)!r} with {len(bad):,} of {len(areas):,} polygons that cross themselves or are far from "
+            f"flat, the first of object {told(objects[bad[0]])}; their triangles overlap",
+            stacklevel=4,
+        )
 
 
 def _types(found: Gathered, geometry: np.ndarray, semantic: np.ndarray, facing: np.ndarray) -> tuple[list[str], np.ndarray]:
