@@ -108,6 +108,20 @@ def test_open_ground_sees_all_of_the_sky():
     assert rasters.sky_view_factor((0.05 * column, NORTH_UP, None), 64, receiver="surface").value.max() < 1.0
 
 
+def test_a_tilted_plane_has_more_than_one_by_two_rays_alone():
+    """Of one azimuth downhill; the mean over cells, whose azimuths are independent, is right, so that it is not cut off."""
+    plane = np.arange(41) * np.ones((41, 1))
+    made = rasters.surface((plane, NORTH_UP, None))
+    points, _ = made.points("surface")
+    middle = points.take(np.arange(15 * 41, 26 * 41))
+    two, four = (sky_by_horizons(SKY, made.mesh, middle, {"count": count}).value.astype(np.float64) for count in (2, 4))
+    assert 1.2 < two.max() < 1.87
+    error = two.std() / np.sqrt(len(two))
+    assert two.mean() == pytest.approx(0.5 + np.sqrt(0.125), abs=4.0 * error)
+    assert np.minimum(two, 1.0).mean() < two.mean() - 4.0 * error
+    assert four.max() <= 1.0
+
+
 def test_on_terrain_it_is_worth_many_times_as_many_rays():
     """Half of the error at least; a fourth is usual."""
     row, column = np.mgrid[:60, :60]

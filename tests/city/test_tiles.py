@@ -24,6 +24,10 @@ OPTIONS = {"model": "joined", "receiver": "horizontal", "canopy": None, "trunk":
 OPTIONS |= {"transmittance": 0.03, "tile": None, "margin": None, "far": None}
 
 
+FIRST = [(slice(row, row + 16), slice(0, 16)) for row in (0, 16, 32)]
+"""Tiles in the first columns."""
+
+
 def town(rows=60, columns=44, seed=2):
     """Blocks of houses on a slope, and a hole."""
     rng = np.random.default_rng(seed)
@@ -84,6 +88,19 @@ def test_what_is_beyond_the_margin_is_bounded(quantity, margin, monkeypatch):
     assert (off <= 1e-6).mean() >= 0.99
     assert off.max() <= 3.0 / 64.0
     assert 0.0 < found["far_error"].mean() < 0.05
+
+
+def test_holes_beyond_the_margin_are_bounded_as_shafts_in_solid_ground(monkeypatch):
+    """No column is where a cell has no height, so that the lower ones hide no more than the walls of a shaft would."""
+    monkeypatch.setattr(far, "_FINENESS", 4)
+    heights = town()
+    gone = (np.random.default_rng(4).random(heights.shape) < 0.2) & (np.arange(44) > 24)
+    shafts, holes = (np.where(gone, depth, heights) for depth in (-1e3, np.nan))
+    right = whole(run(shafts, model="block"))
+    found = run(holes, model="block", tile=16, margin=3)
+    off = [np.abs(found.numbers(span)["value"] - right["value"][span]) - found.numbers(span)["far_error"] for span in FIRST]
+    assert (np.array(off) <= 1e-6).mean() >= 0.99
+    assert np.max(off) <= 3.0 / 64.0
 
 
 def test_without_the_far_field_the_bound_would_not_hold():

@@ -81,13 +81,15 @@ def sky_view_factor(
     Args:
         source, model: see `surface`.
         count: rays of each cell.
-        receiver: "horizontal", or "surface": tilted as the cell is.
+        receiver: "horizontal", or "surface": tilted as the cell is. By 2 or 3 rays, which look to two sides alone, a tilted
+            cell may have up to 1.9: noise about the right mean, which would be too low if it were cut off at 1.
         **options: by name, `canopy`, `trunk` and `relative` as `surface` takes them; `transmittance`, the share of light
             that passes crowns, 0.03, however many; or where there is a date 12 shares, for each month, or 365, for days.
             `tile`: cells along the sides of tiles that are computed one by one, for rasters past memory, each with a
             `margin` of 256 cells around it as they are. What is beyond that is pooled, and `far_error` is how much farther
-            off than by the standard error a value may be for it. `far`: another raster of the same map, as `source`, of the
-            terrain beyond the edges; with it or with tiles the Earth is round beyond the margin.
+            off than by the standard error a value may be for it; but for rays that get below the surface through a hole.
+            `far`: another raster of the same map, as `source`, of the terrain beyond the edges; with it or with tiles the
+            Earth is round beyond the margin.
             And those of `warpsample.sky_view_factor`, as max_distance, seed, workers, progress; of rays all over the sky
             tolerance, sequence, tracer, device.
 

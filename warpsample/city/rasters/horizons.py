@@ -39,6 +39,9 @@ def finds_horizons(quantity: Quantity, options: dict[str, Any]) -> bool:
 def sky_by_horizons(quantity: Quantity, mesh: Mesh, points: SurfacePoints, options: dict[str, Any]) -> Seen:
     """The share of the sky above +z that points see on a mesh that is the graph of heights above the plane.
 
+    By 2 or 3 rays a lattice has one azimuth, and what a tilted point sees there may be above 1, up to 1.86 at 57 degrees: it
+    is not cut off, since the mean is right. By two azimuths or more it is at most 1 of any slope.
+
     Args:
         quantity: `sky_view_factor` or `visible_sky`.
         mesh: what they see.
