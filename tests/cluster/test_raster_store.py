@@ -335,6 +335,8 @@ def test_what_is_not_our_working_store_stays(dsm, folder, computed):
         ),
         (["-o", "sky.tif", "--quantity", "irradiation"], "--weather: got None for irradiation, want an EPW weather file"),
         (["-o", "sky.tif", "--quantity", "sky-matrix"], "--quantity: got 'sky-matrix', want one of ao, sky, visible-sky"),
+        (["-o", "sky.tif", "--texture", "64"], "--texture: got 64 for dsm.tif; it applies only to meshes"),
+        (["-o", "sky.tif", "--strict"], "--strict: got True for dsm.tif; it applies only to meshes"),
         (["-o", "sky.tif", "--up", "0", "0", "1"], "--up: got (0.0, 0.0, 1.0) for dsm.tif; it applies only to meshes"),
         (
             ["-o", "sky.tif", "--quantity", "visible-sky", "--receiver", "surface"],

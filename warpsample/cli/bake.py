@@ -3,8 +3,9 @@
 import inspect
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import chain
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 import typer
 
@@ -32,6 +33,9 @@ OPTIONS: dict[str, tuple[Any, str]] = {
 }
 """(type, help) of the options that apply to some quantities, by the records of these."""
 
+_ROOMS = (stores.OPTIONS, rasters.OPTIONS, textures.OPTIONS)
+"""The types of the options that apply to some files, by their names."""
+
 
 def bake_command(
     mesh: MeshFile,
@@ -55,83 +59,42 @@ def bake_command(
     ] = None,
     seed: Annotated[int, typer.Option(help="Seed of points and rays.")] = 0,
     workers: Workers = None,
-    chunk: stores.Chunk = None,
-    cluster: stores.Cluster = None,
-    processes: stores.Processes = None,
-    resume: stores.Resume = False,
-    model: rasters.Model = None,
-    receiver: rasters.Receiver = None,
-    canopy: rasters.Canopy = None,
-    trunk: rasters.Trunk = None,
-    transmittance: rasters.Transmittance = None,
-    tile: rasters.Tile = None,
-    margin: rasters.Margin = None,
-    far: rasters.Far = None,
-    texture: textures.Size = None,
-    uv: textures.Uv = None,
-    supersample: textures.Supersample = None,
-    normals: textures.Normals = None,
-    gutter: textures.Gutter = None,
-    strength: textures.Strength = None,
-    depth: textures.Depth = None,
-    strict: textures.Strict = False,
     **options: Any,
 ) -> None:
     """Estimate a number at each vertex, face or point of a mesh, with its standard error, into a file.
 
     Of CityJSON, the means over its surfaces, as attributes of these or into a .csv; of a raster of heights, in each cell.
     """
+    given = {name: value for name, value in options.items() if value is not None and value is not False}
+    of_stores, of_rasters, of_textures = ({name: given.pop(name) for name in room if name in given} for room in _ROOMS)
+    own = {"seed": seed, "workers": workers, **given}
+    run = BakeRun(mesh, output, quantity, at, points, own, by, lod, split, context, report, of_rasters.get("transmittance"))
+    with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
+        if rasters.is_raster(mesh, output):
+            summary = rasters.bake_raster_file(run, of_rasters, of_stores, of_textures)
+        else:
+            rasters.refuse_for_meshes(mesh, of_rasters)
+            summary = _bake_mesh(run, of_stores, of_textures)
+    print(summary)
+
+
+def _bake_mesh(run: BakeRun, of_stores: dict[str, Any], of_textures: dict[str, Any]) -> str:
+    """Computes numbers on a mesh into whichever file is asked for; the report in sentences."""
     from warpsample.output.bake import bake
     from warpsample.output.by_parts import is_by_parts
     from warpsample.output.texture_bake import bake_texture
     from warpsample.output.upward import with_up
 
-    given = {name: value for name, value in options.items() if value is not None}
-    working_on = f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"
-    alone = {"model": model, "receiver": receiver, "canopy": canopy, "trunk": trunk}
-    alone |= {"tile": tile, "margin": margin, "far": far}
-    of_textures = {"uv": uv, "supersample": supersample, "normals": normals, "gutter": gutter, "strength": strength}
-    of_textures |= {"depth": depth, "strict": strict or None}
-    options = {"seed": seed, "workers": workers, **given}
-    if rasters.is_raster(mesh, output):
-        of_meshes = {"points": points, "at": at, "by": by, "lod": lod, "split": split or None, "context": context}
-        of_meshes |= {"report": report, "texture": texture, **of_textures}
-        drawn = {**of_meshes, "chunk": chunk, "cluster": cluster, **options}
-        with working(working_on):
-            summary = rasters.bake_raster_file(
-                mesh,
-                output,
-                quantity,
-                trees_and_tiles=alone | {"transmittance": transmittance},
-                options=drawn,
-                processes=processes,
-                resume=resume,
-            )
-        print(summary)
-        return
-    rasters.refuse_for_meshes(mesh, **alone)
-    options, said = with_up(mesh, quantity_of(quantity), options)
-    run = BakeRun(mesh, output, quantity, at, points, options, by, lod, split, context, report, transmittance)
-    how = textures.options_of(run, texture, of_textures)
-    if how is not None:
-        stores.refuse_for_files(output, chunk=chunk, cluster=cluster, processes=processes, resume=resume)
-        with working(working_on):
-            summary = bake_texture(run, how)
-        print("\n  ".join(filter(None, (summary, said))))
-        return
-    if points is None and at is None and not is_by_parts(run):
+    options, said = with_up(run.mesh, quantity_of(run.quantity), run.options)
+    run = replace(run, options=options)
+    how = textures.options_of(run, of_textures)
+    into_store = how is None and run.output.suffix == stores.SUFFIX
+    if not into_store:
+        stores.refuse_for_files(run.output, of_stores)
+    if how is None and run.points is None and run.at is None and not is_by_parts(run):
         run = replace(run, at="vertices")
-    with working(working_on):
-        if output.suffix == stores.SUFFIX:
-            if report is not None:
-                raise ValueError(f"--report: got {report.name!r} for {output.name!r}, want another file than a store")
-            if transmittance is not None:
-                raise ValueError(f"--transmittance: got {transmittance} for {output.name}, want another file than a store")
-            summary = stores.bake_into_store(run, chunk, cluster, processes, resume)
-        else:
-            stores.refuse_for_files(output, chunk=chunk, cluster=cluster, processes=processes, resume=resume)
-            summary = bake(run)
-    print("\n  ".join(filter(None, (summary, said))))
+    summary = bake_texture(run, how) if how else stores.bake_into_store(run, **of_stores) if into_store else bake(run)
+    return "\n  ".join(filter(None, (summary, said)))
 
 
 def _help_of(name: str) -> str:
@@ -150,11 +113,14 @@ def _help_of(name: str) -> str:
 
 
 def _parameters() -> Iterator[inspect.Parameter]:
-    """The parameters of the command: its own, and in place of **options those of the quantities."""
+    """The parameters of the command: its own, and in place of **options those of some files and of the quantities."""
     *own, _ = inspect.signature(bake_command).parameters.values()
     titles = ", ".join(f"{name}: {quantity.title}" for name, quantity in quantities().items())
     kinds = {"quantity": Annotated[Literal[tuple(quantities())], typer.Option(help=f"{titles}.")]}
     yield from (parameter.replace(annotation=kinds.get(parameter.name, parameter.annotation)) for parameter in own)
+    for name, kind in chain.from_iterable(room.items() for room in _ROOMS):
+        default = False if get_args(kind)[0] is bool else None
+        yield inspect.Parameter(name, own[-1].kind, default=default, annotation=kind)
     for name, (kind, _) in OPTIONS.items():
         yield inspect.Parameter(name, own[-1].kind, default=None, annotation=Annotated[kind | None, option(_help_of(name))])
 

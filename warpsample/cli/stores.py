@@ -1,7 +1,8 @@
 """What the command line says of Zarr stores: options of `bake`, and `export`."""
 
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -10,14 +11,28 @@ from warpsample.output.baked import BakeRun
 
 SUFFIX = ".zarr"
 
-Chunk = Annotated[int | None, option("Points of a task and a file of the store; .zarr only.")]
-Cluster = Annotated[str | None, option("Address of a Dask scheduler, tcp://...; .zarr only.")]
-Processes = Annotated[int | None, option("So many processes of a thread each; .zarr only.")]
-Resume = Annotated[bool, typer.Option("--resume", help="Go on with the store, if there is one; .zarr only.")]
+OPTIONS: dict[str, Any] = {
+    "chunk": Annotated[int | None, option("Points of a task and a file of the store; .zarr only.")],
+    "cluster": Annotated[str | None, option("Address of a Dask scheduler, tcp://...; .zarr only.")],
+    "processes": Annotated[int | None, option("So many processes of a thread each; .zarr only.")],
+    "resume": Annotated[bool, typer.Option("--resume", help="Go on with the store, if there is one; .zarr only.")],
+}
+"""The types of the options that apply to stores."""
 
 
-def bake_into_store(run: BakeRun, chunk: int | None, cluster: str | None, processes: int | None, resume: bool) -> str:
+def bake_into_store(
+    run: BakeRun,
+    chunk: int | None = None,
+    cluster: str | None = None,
+    *,
+    processes: int | None = None,
+    resume: bool = False,
+) -> str:
     """Computes a run into a Zarr store by `cluster.runs.bake_run`; what is missing is a ModuleNotFoundError."""
+    if run.report is not None:
+        raise ValueError(f"--report: got {run.report.name!r} for {run.output.name!r}, want another file than a store")
+    if run.transmittance is not None:
+        raise ValueError(f"--transmittance: got {run.transmittance} for {run.output.name}, want another file than a store")
     try:
         from warpsample.cluster.runs import bake_run
     except ModuleNotFoundError as error:
@@ -25,11 +40,10 @@ def bake_into_store(run: BakeRun, chunk: int | None, cluster: str | None, proces
     return bake_run(run, chunk, cluster, processes, resume)
 
 
-def refuse_for_files(output: Path, **options: object) -> None:
-    """Refuses the options of stores for other files; the ValueError names the first that is given."""
+def refuse_for_files(output: Path, options: Mapping[str, Any]) -> None:
+    """Refuses the options of stores that are given for other files; the ValueError names the first."""
     for name, value in options.items():
-        if value:
-            raise ValueError(f"--{name}: got {value} for {output.name}; it applies only to {SUFFIX}")
+        raise ValueError(f"--{name}: got {value} for {output.name}; it applies only to {SUFFIX}")
 
 
 def export_command(

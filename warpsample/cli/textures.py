@@ -12,26 +12,32 @@ from warpsample.texture.image import check_gutter
 from warpsample.texture.sets import TextureOptions
 from warpsample.texture.texture_points import check_samples, check_size
 
-Size = Annotated[str | None, option("Into a texture of so many texels, as 1024 or 1024x512.")]
-Uv = Annotated[
-    Literal["auto", "0", "1", "new"] | None,
-    option(
-        "Texture coordinates: a set of the file, or new ones; by default a set in which nothing overlaps, else new ones."
-    ),
-]
-Supersample = Annotated[
-    int | None, option("Points of a texel, which share its rays: the mean over the texel; by default 1.")
-]
-Normals = Annotated[Literal["face", "smooth", "lifted"] | None, option("Of texels; by default those of the faces.")]
-Gutter = Annotated[str | None, option("Texels around charts that are filled, or all, the default.")]
-Strength = Annotated[float | None, option("Of the occlusion in a .glb, 0 to 1; by default 1.")]
-Depth = Annotated[Literal["8", "16"] | None, option("Bits of a number in a .png, also within a .glb; by default 8.")]
-Strict = Annotated[bool, typer.Option("--strict", help="Refuse texture coordinates that overlap, reach out or are flat.")]
+OPTIONS: dict[str, Any] = {
+    "texture": Annotated[str | None, option("Into a texture of so many texels, as 1024 or 1024x512.")],
+    "uv": Annotated[
+        Literal["auto", "0", "1", "new"] | None,
+        option(
+            "Texture coordinates: a set of the file, or new ones; by default a set in which nothing overlaps, else new ones."
+        ),
+    ],
+    "supersample": Annotated[
+        int | None, option("Points of a texel, which share its rays: the mean over the texel; by default 1.")
+    ],
+    "normals": Annotated[Literal["face", "smooth", "lifted"] | None, option("Of texels; by default those of the faces.")],
+    "gutter": Annotated[str | None, option("Texels around charts that are filled, or all, the default.")],
+    "strength": Annotated[float | None, option("Of the occlusion in a .glb, 0 to 1; by default 1.")],
+    "depth": Annotated[Literal["8", "16"] | None, option("Bits of a number in a .png, also within a .glb; by default 8.")],
+    "strict": Annotated[
+        bool, typer.Option("--strict", help="Refuse texture coordinates that overlap, reach out or are flat.")
+    ],
+}
+"""The types of the options that apply to textures."""
 
 
-def options_of(run: BakeRun, size: str | None, given: dict[str, Any]) -> TextureOptions | None:
+def options_of(run: BakeRun, given: dict[str, Any]) -> TextureOptions | None:
     """The options of a run, checked; None where it bakes no texture."""
-    given = {name: value for name, value in given.items() if value is not None}
+    given = dict(given)
+    size = given.pop("texture", None)
     if size is None:
         for name, value in given.items():
             raise ValueError(f"--{name}: got {value} without --texture; it applies only to textures")
