@@ -162,6 +162,8 @@ def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
     image = picture(tree, data, occlusion(tree, 0)["index"])[..., 0]
     assert image.min() > 0.4  # half of the sky at the foot of a wall
     assert "64 points inside of something closed, filled from their charts" in out  # of 2 x 2 at 4 texels a unit
+    status, _, err = call("bake", path, "-o", tmp_path / "small.glb", "--texture", 8)
+    assert (status, err[:62]) == (2, "error: --texture: got 8, where 6 charts, 4 texels apart, take ")
 
 
 @pytest.mark.parametrize(
@@ -177,6 +179,7 @@ def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
         (["--texture", "64x32", "--uv", "new"], "--texture: got 64x32 for new texture coordinates, want a square"),
         (["--texture", 64, "--quantity", "bent-normals"], "--quantity: got bent-normals for 'out.glb', want .exr or .npz"),
         (["--texture", 64, "--processes", 2], "--processes: got 2 for"),
+        (["--texture", 64, "--report", "r.html"], "--report: got r.html for --texture, want none: it is about points"),
         (["--uv", "new"], "--uv: got new without --texture; it applies only to textures"),
         (["--strict"], "--strict: got True without --texture; it applies only to textures"),
     ],
@@ -196,6 +199,9 @@ def sparse(number):
     [
         (lambda tree: tree["extensionsUsed"].append("KHR_draco_mesh_compression"), [], "it uses KHR_draco_mesh_compression"),
         (lambda tree: tree["extensionsUsed"].append("EXT_mesh_gpu_instancing"), [], "it uses EXT_mesh_gpu_instancing"),
+        (lambda tree: tree["extensionsUsed"].append("KHR_meshopt_compression"), [], "it uses KHR_meshopt_compression"),
+        (lambda tree: tree["materials"][0].update(occlusionTexture=3), [], r"materials\[0\].occlusionTexture: got 3, want"),
+        (lambda tree: tree["materials"][1].update(alphaMode=3), [], r"materials\[1\].alphaMode: got 3, want a text"),
         (sparse(0), [], "it has sparse data"),
         (sparse(9), ["--uv", "new"], "it has sparse data"),
         (
@@ -249,7 +255,8 @@ def test_a_gltf_and_its_files_become_one_file(call, tmp_path):
     (tmp_path / "a b.bin").write_bytes(data)
     shown = b"\xff\xd8 a picture"
     (tmp_path / "shown.jpg").write_bytes(shown)
-    tree["images"].append({"uri": "shown.jpg", "name": "seen", "extras": 1})
+    (tmp_path / "new").write_bytes(b"RIFF\x10\0\0\nWEBPVP8 ")
+    tree["images"] += [{"uri": "shown.jpg", "name": "seen", "extras": 1}, {"uri": "new"}]
     tree["buffers"] = [{"uri": "data:;base64,AAECAwQ=", "byteLength": 5}, {"uri": "a%20b.bin", "byteLength": len(data)}]
     for view in tree["bufferViews"]:
         view["buffer"] = 1
@@ -259,6 +266,8 @@ def test_a_gltf_and_its_files_become_one_file(call, tmp_path):
     made, whole, _ = opened(output)
     assert made["buffers"] == [{"byteLength": len(whole)}]
     assert whole[:8] == bytes([0, 1, 2, 3, 4, 0, 0, 0])
+    assert made["images"][-1]["name"] == "brick occlusion"
+    assert made["images"][2]["mimeType"] == "image/webp"
     image = made["images"][1]
     view = made["bufferViews"][image.pop("bufferView")]
     assert image == {"name": "seen", "extras": 1, "mimeType": "image/jpeg"}
@@ -268,7 +277,7 @@ def test_a_gltf_and_its_files_become_one_file(call, tmp_path):
     assert all(mesh.digest == meshes[0].digest for mesh in meshes)
     (tmp_path / "shown.jpg").write_bytes(b"RIFF")
     status, _, err = call("bake", path, "-o", tmp_path / "no.glb", "--texture", 32)
-    assert (status, "images[1].uri: got a picture that is neither .png nor .jpg" in err) == (2, True)
+    assert (status, "images[1].uri: got a picture that is none of .png .jpg .webp .ktx2" in err) == (2, True)
 
 
 def test_strips_without_indices_in_two_places_and_glass(call, tmp_path):
@@ -294,6 +303,22 @@ def test_strips_without_indices_in_two_places_and_glass(call, tmp_path):
     mirrored_once = np.where(np.arange(6)[:, None, None] < 4, np.nan, uv)
     assert ws.texture_points(after, mirrored_once, 64).report.overlapped == 0
     assert t.report.outside == 0
+
+
+def test_what_a_file_needs_beside_it_and_what_shows_no_occlusion_is_told(call, tmp_path):
+    def change(tree):
+        tree["images"].append({"uri": "a%20b.png"})
+        tree["materials"][1]["extensions"] = {"KHR_materials_unlit": {}}
+
+    path, folder = tmp_path / "in.glb", tmp_path / "other folder"
+    path.write_bytes(changed(rich(), change))
+    folder.mkdir()
+    for output, is_told in ((tmp_path / "out.glb", False), (folder / "out.glb", True)):
+        status, out, _ = call("bake", path, "-o", output, "--texture", 8, "--samples", 2)
+        assert status == 0
+        assert "viewers show no occlusion on materials that are unlit: 'brick'" in out
+        assert ("out.glb wants these files beside it: 'a%20b.png'" in out) == is_told
+        assert opened(output)[0]["images"][1] == {"uri": "a%20b.png"}
 
 
 def test_quantised_positions_and_coordinates(call, tmp_path):

@@ -128,4 +128,4 @@ def _parameters() -> Iterator[inspect.Parameter]:
 _TAKEN = list(_parameters())
 bake_command.__signature__ = inspect.Signature(_TAKEN)  # type: ignore[attr-defined]
 bake_command.__annotations__ = {parameter.name: parameter.annotation for parameter in _TAKEN}
-bake_command = fail_plainly(**{argument: f"--{name}" for argument, name in NAMES.items()})(bake_command)
+bake_command = fail_plainly(**{argument: f"--{name}" for argument, name in NAMES.items()}, size="--texture")(bake_command)

@@ -42,9 +42,10 @@ def options_of(run: BakeRun, given: dict[str, Any]) -> TextureOptions | None:
         for name, value in given.items():
             raise ValueError(f"--{name}: got {value} without --texture; it applies only to textures")
         return None
-    for name in ("points", "at", "by", "lod", "split", "context"):
+    for name in ("points", "at", "by", "lod", "split", "context", "report"):
         if getattr(run, name):
-            raise ValueError(f"--{name}: got {getattr(run, name)} for --texture, want none: its points are texels")
+            why = "it is about points" if name == "report" else "its points are texels"
+            raise ValueError(f"--{name}: got {getattr(run, name)} for --texture, want none: {why}")
     samples = check_samples(given.pop("supersample", 1), "--supersample")
     parts = re.fullmatch(r"(\d{1,9})(?:x(\d{1,9}))?", size)
     if not parts:

@@ -19,9 +19,10 @@ from warpsample.output.bake import numbers_by_parts
 from warpsample.output.baked import BakeRun
 from warpsample.output.faces_option import transmitting
 from warpsample.output.quantities import check_options, quantity_of
+from warpsample.texture.glb_file import editing
 from warpsample.texture.inside import Closed
 from warpsample.texture.jobs import TextureJob, flaws_told, jobs_of
-from warpsample.texture.notes import notes_on
+from warpsample.texture.notes import left_behind, notes_on
 from warpsample.texture.occlusion import add_occlusion
 from warpsample.texture.pictures import DEPTHS, check_library, exr_of, png_of
 from warpsample.texture.sets import TextureOptions
@@ -65,10 +66,12 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     _check(run, quantity, how)
     mesh = transmitting(load_mesh(run.mesh), run.transmittance)
     jobs, file = jobs_of(run.mesh, mesh, how, run.output.suffix)
+    with editing(run.mesh):
+        told = [] if file is None else list(notes_on(file.part, [one for job in jobs for one in job.group]))
+    told += [] if file is None else left_behind(run.mesh, file.tree, run.output)
     closed, start = Closed(mesh), perf_counter()
     found = [_filled(job, run, quantity, how, closed) for job in jobs]
     seconds = perf_counter() - start
-    told = [] if file is None else list(notes_on(file.part, [one for job in jobs for one in job.group]))
     with complete_or_absent(run.output) as stream:
         if file is None:
             _write_image(stream, run, how, found[0])

@@ -5,6 +5,7 @@ Not by trimesh or pygltflib, which write anew what they know of a file, and lose
 
 import copy
 import json
+import re
 import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -24,8 +25,13 @@ _CODES = {"f4": 5126, "u4": 5125, "u2": 5123, "u1": 5121}
 _TYPES = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
 _OF_ARRAY = ("bufferView", "byteOffset", "componentType", "type", "count", "min", "max")
 _VERTICES, _INDICES = 34962, 34963  # what a view of the buffer is for
-_PICTURES = {b"\x89PNG": "image/png", b"\xff\xd8": "image/jpeg"}
-"""What a picture begins with, and what a .glb calls it."""
+_PICTURES = {
+    rb"\x89PNG": "image/png",
+    rb"\xff\xd8": "image/jpeg",
+    rb"RIFF....WEBP": "image/webp",
+    rb"\xabKTX 20\xbb": "image/ktx2",
+}
+"""What a picture begins with, and what a .glb calls it; of the last two by an extension."""
 _JSON, _BIN = 0x4E4F534A, 0x004E4942
 _LISTS = ("accessors", "bufferViews", "images", "materials", "samplers", "textures")
 _CLAMP, _LINEAR, _LINEAR_MIPMAP = 33071, 9729, 9987
@@ -126,9 +132,11 @@ class GlbFile:
         for image, part in zip(self.tree.get("images", []), self.part.parts("images"), strict=True):
             if "uri" in part:
                 content = bytes(content_of(path, part.text("uri"), 0, part))
-                kind = next((kind for start, kind in _PICTURES.items() if content.startswith(start)), None)
+                kind = next((kind for start, kind in _PICTURES.items() if re.match(start, content, re.DOTALL)), None)
                 if kind is None:
-                    raise ValueError(f"{part.at('uri')}: got a picture that is neither .png nor .jpg, want one of them")
+                    raise ValueError(
+                        f"{part.at('uri')}: got a picture that is none of .png .jpg .webp .ktx2, want one of these"
+                    )
                 del image["uri"]
                 image |= {"mimeType": kind, "bufferView": self._add_view(content, {})}
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from warpsample.mesh.files.gltf import check_extensions, read_corners
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile, editing
-from warpsample.texture.new_uv import add_uv
+from warpsample.texture.new_uv import add_uv, charts_for
 from warpsample.texture.occlusion import name_of
 from warpsample.texture.primitives import Primitive, primitives_of, sharing
 from warpsample.texture.sets import MOST_SETS, Texels, TextureOptions
@@ -77,11 +77,13 @@ def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions) -> tuple[list[Texture
     jobs = []
     for group in groups:
         rows, name = [one.faces for one in group], name_of(file, group)
-        found = texels.chosen(rows, name, first=_occlusion_set(file, group))
+        with editing(path):
+            first = _occlusion_set(file, group)
+        found = texels.chosen(rows, name, first=first)
         if found is None:
-            side = square(how.size)
+            charts = charts_for(group, mesh, square(how.size))
             with editing(path):
-                number, uv = add_uv(file, group, mesh, side)
+                number, uv = add_uv(file, group, charts, len(mesh.faces))
             jobs.append(TextureJob(name, texels.points(uv, rows), number, f"new coordinates, set {number}", group))
         else:
             jobs.append(TextureJob(name, found[1], found[0], f"set {found[0]}", group))

@@ -11,22 +11,26 @@ from warpsample.texture.primitives import Primitive
 from warpsample.texture.unwrapping import PADDING, Charted, charted
 
 
-def add_uv(file: GlbFile, group: list[Primitive], mesh: Mesh, size: int) -> tuple[int, np.ndarray]:
-    """Gives a group of primitives coordinates of one image, in a set that none of them has.
+def charts_for(group: list[Primitive], mesh: Mesh, size: int) -> list[Charted]:
+    """Charts of a group of primitives, as `load_mesh` places them, in one image of so many texels."""
+    return charted([(mesh.vertices[one.vertices], one.triangles) for one in group], size, PADDING)
+
+
+def add_uv(file: GlbFile, group: list[Primitive], charts: list[Charted], count: int) -> tuple[int, np.ndarray]:
+    """Gives a group of primitives the coordinates of their charts, in a set that none of them has.
 
     Args:
         file: to be edited.
         group: of primitives that share materials.
-        mesh: as `load_mesh` gives it, in which they are placed.
-        size: of the image, in texels.
+        charts: theirs.
+        count: of the faces of the mesh in which they are placed.
 
     Returns:
         the number of the set, and (F, 3, 2) float64, NaN of the faces of others.
     """
-    parts = [(mesh.vertices[one.vertices], one.triangles) for one in group]
     number = max(map(_sets, group))
-    uv = np.full((len(mesh.faces), 3, 2), np.nan)
-    for one, (vertex, faces, places) in zip(group, charted(parts, size, PADDING), strict=True):
+    uv = np.full((count, 3, 2), np.nan)
+    for one, (vertex, faces, places) in zip(group, charts, strict=True):
         uv[one.faces] = places[faces]
         _split(file, one, (vertex, faces, places), number)
     return number, uv.astype(np.float32).astype(np.float64)

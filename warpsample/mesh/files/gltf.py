@@ -20,7 +20,12 @@ from warpsample.mesh.polygons import triangles
 
 _TRIANGLES, _STRIP, _FAN = 4, 5, 6
 # They change the faces, and are not supported.
-_EXTENSIONS = {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "EXT_mesh_gpu_instancing"}
+_EXTENSIONS = {
+    "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",
+    "KHR_meshopt_compression",
+    "EXT_mesh_gpu_instancing",
+}
 _AFFINE = 1e-6  # of a matrix' last row (0, 0, 0, 1): some float32 roundings, nothing that a perspective would need
 
 
