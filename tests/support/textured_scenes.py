@@ -114,7 +114,7 @@ def array_of(tree, data, number):
 
 
 def picture(tree, data, texture):
-    """(H, W, 1) float64 from 0 to 1: the picture of a texture."""
+    """(H, W, 1) or (H, W, 3) float64 from 0 to 1: the picture of a texture."""
     view = tree["bufferViews"][tree["images"][tree["textures"][texture]["source"]]["bufferView"]]
     made = np.array(Image.open(io.BytesIO(data[view["byteOffset"] : view["byteOffset"] + view["byteLength"]])))
-    return made[..., None] / np.iinfo(made.dtype).max
+    return made.reshape(*made.shape[:2], -1) / np.iinfo(made.dtype).max

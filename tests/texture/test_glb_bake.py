@@ -177,7 +177,7 @@ def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
         (["--texture", 64, "--strength", 2], "--strength: got 2.0, want a number from 0 to 1"),
         (["--texture", 64, "--uv", "1"], "--uv: got 1, and not all faces of 'brick' have the set 1 of coordinates"),
         (["--texture", "64x32", "--uv", "new"], "--texture: got 64x32 for new texture coordinates, want a square"),
-        (["--texture", 64, "--quantity", "bent-normals"], "--quantity: got bent-normals for 'out.glb', want .exr or .npz"),
+        (["--texture", 64, "--quantity", "mean-distance"], "--quantity: got mean-distance for 'out.glb', want .exr or .npz"),
         (["--texture", 64, "--processes", 2], "--processes: got 2 for"),
         (["--texture", 64, "--report", "r.html"], "--report: got r.html for --texture, want none: it is about points"),
         (["--uv", "new"], "--uv: got new without --texture; it applies only to textures"),

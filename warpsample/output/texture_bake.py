@@ -22,10 +22,11 @@ from warpsample.output.quantities import check_options, quantity_of
 from warpsample.texture.glb_file import editing
 from warpsample.texture.inside import Closed
 from warpsample.texture.jobs import TextureJob, flaws_told, jobs_of
+from warpsample.texture.materials import BENT_NORMALS, OCCLUSION, add_texture
 from warpsample.texture.notes import left_behind, notes_on
-from warpsample.texture.occlusion import add_occlusion
 from warpsample.texture.pictures import DEPTHS, check_library, exr_of, png_of
 from warpsample.texture.sets import TextureOptions
+from warpsample.texture.tangents import Frames
 
 SUFFIXES = (".glb", ".png", ".exr", ".npz")
 """Suffixes of the files that hold textures."""
@@ -65,7 +66,8 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     quantity = quantity_of(run.quantity)
     _check(run, quantity, how)
     mesh = transmitting(load_mesh(run.mesh), run.transmittance)
-    jobs, file = jobs_of(run.mesh, mesh, how, run.output.suffix)
+    slot = BENT_NORMALS if _are_directions(quantity) else OCCLUSION
+    jobs, file = jobs_of(run.mesh, mesh, how, run.output.suffix, slot)
     with editing(run.mesh):
         told = [] if file is None else list(notes_on(file.part, [one for job in jobs for one in job.group]))
     told += [] if file is None else left_behind(run.mesh, file.tree, run.output)
@@ -78,7 +80,9 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
         else:
             for one in found:
                 png = png_of(one.value, how.depth)
-                told += add_occlusion(file, one.job.group, png, texcoord=one.job.set, strength=how.strength)
+                info = {"texCoord": one.job.set} if one.job.set else {}
+                info |= {"strength": how.strength} if how.strength != 1.0 else {}
+                told += add_texture(file, one.job.group, png, slot, info)
             file.write(stream)
     lines = [f"{run.output}: {quantity.title} in {_pictures(len(found))} of {how.size[0]} x {how.size[1]} texels"]
     lines += [line for one in found for line in _told(one)]
@@ -97,19 +101,34 @@ def _check(run: BakeRun, quantity: Quantity, how: TextureOptions) -> None:
         )
     if quantity.is_matrix:
         raise ValueError(f"--quantity: got {quantity.name} for --texture, want one of a few numbers at each point")
-    if suffix in (".glb", ".png") and getattr(quantity.result, "possible", None) != _INTO_PNG:
-        raise ValueError(
-            f"--quantity: got {quantity.name} for {run.output.name!r}, want .exr or .npz: a {suffix} holds 0 to 1"
-        )
-    if suffix != ".glb" and how.strength != 1.0:
-        raise ValueError(f"--strength: got {how.strength:g} for {run.output.name!r}; it applies only to .glb")
-    if suffix not in (".glb", ".png") and how.depth != DEPTHS[0]:
-        raise ValueError(f"--depth: got {how.depth} for {run.output.name!r}; it applies only to .glb and .png")
+    _check_picture(run, quantity, how)
     check_library(suffix)
     Memory.of(run.options.get("device"))
     files = [run.options.get(option) for option in quantity.files]
     check_output(run.output, "--output", run.mesh, *files)
     check_options(quantity, run.options)
+
+
+def _check_picture(run: BakeRun, quantity: Quantity, how: TextureOptions) -> None:
+    """Refuses numbers, and options of pictures, that do not go together with the file to write."""
+    suffix = run.output.suffix
+    directed = _are_directions(quantity)
+    if suffix in (".glb", ".png") and not directed and getattr(quantity.result, "possible", None) != _INTO_PNG:
+        raise ValueError(
+            f"--quantity: got {quantity.name} for {run.output.name!r}, want .exr or .npz: a {suffix} holds 0 to 1"
+        )
+    if (suffix != ".glb" or directed) and how.strength != 1.0:
+        what = quantity.name if directed else repr(run.output.name)
+        raise ValueError(f"--strength: got {how.strength:g} for {what}; it applies only to occlusion in a .glb")
+    if directed and how.depth != DEPTHS[0]:
+        raise ValueError(f"--depth: got {how.depth} for {quantity.name}, want 8, or an .exr")
+    if suffix not in (".glb", ".png") and how.depth != DEPTHS[0]:
+        raise ValueError(f"--depth: got {how.depth} for {run.output.name!r}; it applies only to .glb and .png")
+
+
+def _are_directions(quantity: Quantity) -> bool:
+    """Whether the numbers are vectors, of which a picture shows the direction in the frame of the surface."""
+    return quantity.channels == "xyz"
 
 
 def _filled(job: TextureJob, run: BakeRun, quantity: Quantity, how: TextureOptions, closed: Closed) -> Filled:
@@ -120,10 +139,17 @@ def _filled(job: TextureJob, run: BakeRun, quantity: Quantity, how: TextureOptio
     numbers = quantity.numbers(points.mesh, len(points), options)
     workers = check_workers(options.get("workers"))
     inside = np.zeros(len(points), np.bool_)
+    frames = None
+    if _are_directions(quantity) and run.output.suffix in (".glb", ".png"):
+        frames = Frames.of(run.mesh, points.mesh, points.corners, job.rows)
 
     def of_part(part: SurfacePoints, first: int) -> Any:
-        inside[first : first + len(part)] = closed.around(part, workers)
-        return numbers(part, 0)  # the points have ids
+        rows = slice(first, first + len(part))
+        inside[rows] = closed.around(part, workers)
+        found = numbers(part, 0)  # the points have ids
+        if frames is not None:
+            found = replace(found, value=frames.into(found.value, points.face[rows], part.barycentric))
+        return found
 
     kept, rays, lost = [], 0, 0
     for part in numbers_by_parts(points, replace(run, options=options), quantity, of_part):

@@ -7,8 +7,8 @@ from pathlib import Path
 from warpsample.mesh.files.gltf import check_extensions, read_corners
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile, editing
+from warpsample.texture.materials import Slot, name_of
 from warpsample.texture.new_uv import add_uv, charts_for
-from warpsample.texture.occlusion import name_of
 from warpsample.texture.primitives import Primitive, primitives_of, sharing
 from warpsample.texture.sets import MOST_SETS, Texels, TextureOptions
 from warpsample.texture.texture_points import TexturePoints
@@ -42,14 +42,21 @@ class TextureJob:
     told: str
     group: list[Primitive]
 
+    @property
+    def rows(self) -> list[slice]:
+        """The faces that it is of, by primitives."""
+        return [one.faces for one in self.group] or [slice(len(self.points.mesh.faces))]
 
-def jobs_of(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> tuple[list[TextureJob], GlbFile | None]:
+
+def jobs_of(path: Path, mesh: Mesh, how: TextureOptions, output: str, slot: Slot) -> tuple[list[TextureJob], GlbFile | None]:
     """All images of a run into a file with such a suffix; and the .glb that they go into, which has new coordinates by now.
+
+    `slot` is what they are to its materials.
 
     Raises:
         ValueError: coordinates that cannot be used, or with `strict` such that are flawed.
     """
-    jobs, file = _glb_jobs(path, mesh, how) if output == ".glb" else ([_whole_job(path, mesh, how, output)], None)
+    jobs, file = _glb_jobs(path, mesh, how, slot) if output == ".glb" else ([_whole_job(path, mesh, how, output)], None)
     flaws = [line for job in jobs for line in flaws_told(job, _REFUSED)]
     if how.strict and flaws:
         raise ValueError(f"--strict: got {path.name!r} with {'; '.join(flaws)}")
@@ -66,7 +73,7 @@ def flaws_told(job: TextureJob, names: Sequence[str] = tuple(_FLAWS)) -> Iterato
             yield f"{_FLAWS[name]}: {count:,}" + (f" ({', '.join(parts[:_NAMES])}{more})" if any(parts) else "")
 
 
-def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions) -> tuple[list[TextureJob], GlbFile]:
+def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) -> tuple[list[TextureJob], GlbFile]:
     """An image for each group of primitives that share materials."""
     with editing(path):
         file = GlbFile(path)
@@ -78,7 +85,7 @@ def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions) -> tuple[list[Texture
     for group in groups:
         rows, name = [one.faces for one in group], name_of(file, group)
         with editing(path):
-            first = _occlusion_set(file, group)
+            first = _set_of(file, group, slot)
         found = texels.chosen(rows, name, first=first)
         if found is None:
             charts = charts_for(group, mesh, square(how.size))
@@ -108,14 +115,12 @@ def _whole_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> Text
     return TextureJob(path.name, texels.points(uv, rows), 0, "new coordinates", [])
 
 
-def _occlusion_set(file: GlbFile, group: list[Primitive]) -> int | None:
-    """The set by which the materials of a group have an occlusion already."""
-    for one in group:
-        for number in one.materials:
-            material = file.part.parts("materials")[number]
-            if "occlusionTexture" in material:
-                return material.part("occlusionTexture").whole("texCoord", 0, MOST_SETS)
-    return None
+def _set_of(file: GlbFile, group: list[Primitive], slot: Slot) -> int | None:
+    """The set by which the materials of a group have such a picture already."""
+    materials = file.part.parts("materials")
+    known = [slot.known(materials[number]) for one in group for number in one.materials]
+    sets = [info.whole("texCoord", 0, MOST_SETS) for info in known if info is not None]
+    return sets[0] if sets else None
 
 
 def square(size: tuple[int, int]) -> int:

@@ -17,7 +17,13 @@ DEPTHS = tuple(_WHITE)
 
 
 def png_of(image: np.ndarray, depth: int) -> bytes:
-    """The bytes of a grey .png of (H, W) numbers from 0 to 1, linear and rounded; beyond these, cut."""
+    """The bytes of a .png of (H, W) numbers from 0 to 1, linear and rounded; beyond these, cut.
+
+    Vectors, (H, W, 3), are colours of 8 bits: each stands for its direction, from -1 to 1; one of length 0 for +z.
+    """
+    if image.ndim == 3:
+        length = np.linalg.norm(image.astype(np.float64), axis=2, keepdims=True)
+        image = 0.5 + 0.5 * np.where(length > 0.0, image / np.where(length > 0.0, length, 1.0), (0.0, 0.0, 1.0))
     white, kind = _WHITE[depth]
     levels = np.floor(np.clip(image.astype(np.float64), 0.0, 1.0) * white + 0.5).astype(kind)
     stream = BytesIO()

@@ -26,6 +26,7 @@ _EXTENSIONS = {
     "KHR_meshopt_compression",
     "EXT_mesh_gpu_instancing",
 }
+_WIDTHS = {"NORMAL": 3, "TANGENT": 4}  # of attributes; of others, 2
 _AFFINE = 1e-6  # of a matrix' last row (0, 0, 0, 1): some float32 roundings, nothing that a perspective would need
 
 
@@ -44,7 +45,8 @@ def read(path: Path) -> Named:
 def read_corners(path: Path, name: str) -> np.ndarray:
     """(F, 3, k) float64: an attribute of the corners of `read`'s faces, NaN of primitives that have none.
 
-    Those of "NORMAL" are unit vectors, turned as the nodes turn them; those of others, as "TEXCOORD_0", are as they are.
+    Those of "NORMAL" and "TANGENT" are unit vectors, turned as the nodes turn them, and the fourth number of a tangent
+    changes its sign where they mirror; those of others, as "TEXCOORD_0", are as they are.
     """
     with opened(path) as (tree, data):
         return joined_corners(_attributes(placed, data, name) for placed in placed_primitives(tree))
@@ -106,7 +108,7 @@ def _faced(mesh: Part) -> list[tuple[int, Part]]:
 def _attributes(placed: PlacedPrimitive, data: Data, name: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Values, triangles and matrix of an attribute of a primitive."""
     points, triangles = surface(placed.primitive, data)
-    attributes, width = placed.primitive.part("attributes"), 3 if name == "NORMAL" else 2
+    attributes, width = placed.primitive.part("attributes"), _WIDTHS.get(name, 2)
     if name not in attributes:
         return np.full((len(points), width), np.nan), triangles, placed.matrix
     values = data.vectors(attributes, name, width).astype(np.float64)
@@ -114,7 +116,16 @@ def _attributes(placed: PlacedPrimitive, data: Data, name: str) -> tuple[np.ndar
         raise ValueError(
             f"{attributes.at(name)}: got {len(values):,} of them, want one for each of {len(points):,} positions"
         )
-    return _turned(values, placed.matrix) if width == 3 else values, triangles, placed.matrix
+    turned = {"NORMAL": _turned, "TANGENT": _turned_tangents}.get(name)
+    return values if turned is None else turned(values, placed.matrix), triangles, placed.matrix
+
+
+def _turned_tangents(tangents: np.ndarray, matrix: np.ndarray) -> np.ndarray:
+    """Tangents, whose first three numbers are unit vectors, where a matrix has moved the surface."""
+    rows = matrix[:3, :3]
+    along = tangents[:, :3] @ rows
+    sign = tangents[:, 3:] * np.sign(np.linalg.det(rows))
+    return np.concatenate([along / np.linalg.norm(along, axis=1, keepdims=True), sign], axis=1)
 
 
 def _turned(normals: np.ndarray, matrix: np.ndarray) -> np.ndarray:

@@ -1,7 +1,8 @@
-"""Occlusion as a texture of the materials of a .glb."""
+"""Pictures as textures of the materials of a .glb."""
 
 import copy
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import Any
 
 from warpsample.host.json_tree import Part
@@ -9,17 +10,43 @@ from warpsample.texture.glb_file import GlbFile
 from warpsample.texture.primitives import Primitive, naming
 
 
-def add_occlusion(file: GlbFile, group: list[Primitive], png: bytes, *, texcoord: int, strength: float) -> Iterator[str]:
-    """Gives all materials of a group of primitives a picture as their occlusion, and tells what it replaces.
+@dataclass(frozen=True)
+class Slot:
+    """What a picture is to a material.
+
+    Attributes:
+        name: in words.
+        key: of the member that names it.
+        within: the member that this is in; "" for the material itself.
+    """
+
+    name: str
+    key: str
+    within: str = ""
+
+    def known(self, material: Part) -> Part | None:
+        """What a material says of such a picture; None if it has none."""
+        if self.within:
+            if self.within not in material:
+                return None
+            material = material.part(self.within)
+        return material.part(self.key) if self.key in material else None
+
+
+OCCLUSION = Slot("occlusion", "occlusionTexture")
+BENT_NORMALS = Slot("map of bent normals", "bentNormalTexture", "extras")
+"""The standard has no place for it, but for what is of a file's own."""
+
+
+def add_texture(file: GlbFile, group: list[Primitive], png: bytes, slot: Slot, info: dict[str, Any]) -> Iterator[str]:
+    """Gives all materials of a group of primitives a picture, of which `info` is said, and tells what it replaces.
 
     A material that others use as well, which the scene does not place, is copied first; a group without one gets a new one.
     The picture is read as it is, without a transform of another texture.
     """
     numbers = sorted({number for one in group for number in one.materials})
     name = name_of(file, group)
-    texture: dict[str, Any] = {"index": file.add_picture(png, f"{name} occlusion")}
-    texture |= {"texCoord": texcoord} if texcoord else {}
-    texture |= {"strength": strength} if strength != 1.0 else {}
+    texture = {"index": file.add_picture(png, f"{name} {slot.name}"), **info}
     if not numbers:
         made = file.add_material({"name": name})
         for one in group:
@@ -32,9 +59,9 @@ def add_occlusion(file: GlbFile, group: list[Primitive], png: bytes, *, texcoord
         numbers = sorted({part.content["material"] for one in group for part in naming(Part(_primitive(file, one)))})
     for number in numbers:
         material = file.tree["materials"][number]
-        if "occlusionTexture" in material:
-            yield f"the occlusion of material {material.get('name', number)!r} is replaced"
-        material["occlusionTexture"] = dict(texture)
+        if slot.known(Part(material)) is not None:
+            yield f"the {slot.name} of material {material.get('name', number)!r} is replaced"
+        (material.setdefault(slot.within, {}) if slot.within else material)[slot.key] = dict(texture)
 
 
 def name_of(file: GlbFile, group: list[Primitive]) -> str:
