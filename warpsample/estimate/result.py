@@ -12,6 +12,7 @@ from warpsample.estimate.intervals import Interval, interval_of
 from warpsample.estimate.lobes import NONFINITE_VALUE
 from warpsample.host.arguments import check_choice, check_number
 from warpsample.host.neighbours import kind_told
+from warpsample.host.vectors import as_directions
 from warpsample.mesh.mesh import mesh_of
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.sight.point import NONFINITE_POSITION
@@ -30,6 +31,17 @@ class PointStatus(IntEnum):
     NONFINITE_NORMAL = Status.NONFINITE_NORMAL
     NONFINITE_POSITION = NONFINITE_POSITION
     NONFINITE_VALUE = NONFINITE_VALUE
+
+
+def status_of(points: SurfacePoints) -> np.ndarray:
+    """(P,) uint8, a `PointStatus`: of points whose numbers no kernel makes, as the estimates have it."""
+    normal = as_directions(points.normal)
+    cases = {
+        PointStatus.NONFINITE_NORMAL: ~np.isfinite(normal).all(axis=1),
+        PointStatus.ZERO_NORMAL: ~normal.any(axis=1),
+        PointStatus.NONFINITE_POSITION: ~np.isfinite(points.position).all(axis=1),
+    }
+    return np.select(list(cases.values()), [np.uint8(status) for status in cases], np.uint8(PointStatus.OK))
 
 
 def has_status(status: np.ndarray, wanted: PointStatus) -> np.ndarray:

@@ -46,7 +46,7 @@ def check_options(quantity: Quantity, options: Mapping[str, Any]) -> None:
 
 def call_table() -> str:
     """The table of the calls of `estimate` for its README, in Markdown."""
-    of = list(records_of(of_rays).values())
+    of = [quantity for quantity in records_of(of_rays).values() if quantity.in_stores]
     everywhere = set.intersection(*(set(quantity.parameters) for quantity in of))
     rows = [("call", "value at each point"), ("---", "---")]
     for quantity in of:

@@ -10,6 +10,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from warpsample.estimate.quantities.record import Quantity
+from warpsample.estimate.quantities.thickness import Thickness
 from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_workers
 from warpsample.host.files import check_output, complete_or_absent, write_arrays
@@ -19,10 +20,10 @@ from warpsample.output.bake import numbers_by_parts
 from warpsample.output.baked import BakeRun
 from warpsample.output.faces_option import transmitting
 from warpsample.output.quantities import check_options, quantity_of
-from warpsample.texture.glb_file import editing
+from warpsample.texture.glb_file import GlbFile, editing
 from warpsample.texture.inside import Closed
 from warpsample.texture.jobs import TextureJob, flaws_told, jobs_of
-from warpsample.texture.materials import BENT_NORMALS, OCCLUSION, add_texture
+from warpsample.texture.materials import BENT_NORMALS, OCCLUSION, THICKNESS, Slot, add_texture
 from warpsample.texture.notes import left_behind, notes_on
 from warpsample.texture.pictures import DEPTHS, check_library, exr_of, png_of
 from warpsample.texture.sets import TextureOptions
@@ -66,7 +67,7 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     quantity = quantity_of(run.quantity)
     _check(run, quantity, how)
     mesh = transmitting(load_mesh(run.mesh), run.transmittance)
-    slot = BENT_NORMALS if _are_directions(quantity) else OCCLUSION
+    slot = _slot(quantity)
     jobs, file = jobs_of(run.mesh, mesh, how, run.output.suffix, slot)
     with editing(run.mesh):
         told = [] if file is None else list(notes_on(file.part, [one for job in jobs for one in job.group]))
@@ -79,10 +80,7 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
             _write_image(stream, run, how, found[0])
         else:
             for one in found:
-                png = png_of(one.value, how.depth)
-                info = {"texCoord": one.job.set} if one.job.set else {}
-                info |= {"strength": how.strength} if how.strength != 1.0 else {}
-                told += add_texture(file, one.job.group, png, slot, info)
+                told += _put(file, one, slot, how)
             file.write(stream)
     lines = [f"{run.output}: {quantity.title} in {_pictures(len(found))} of {how.size[0]} x {how.size[1]} texels"]
     lines += [line for one in found for line in _told(one)]
@@ -112,15 +110,16 @@ def _check(run: BakeRun, quantity: Quantity, how: TextureOptions) -> None:
 def _check_picture(run: BakeRun, quantity: Quantity, how: TextureOptions) -> None:
     """Refuses numbers, and options of pictures, that do not go together with the file to write."""
     suffix = run.output.suffix
-    directed = _are_directions(quantity)
-    if suffix in (".glb", ".png") and not directed and getattr(quantity.result, "possible", None) != _INTO_PNG:
+    slot = _slot(quantity)
+    fits = slot is BENT_NORMALS or (slot, suffix) == (THICKNESS, ".glb")
+    if suffix in (".glb", ".png") and not fits and getattr(quantity.result, "possible", None) != _INTO_PNG:
         raise ValueError(
             f"--quantity: got {quantity.name} for {run.output.name!r}, want .exr or .npz: a {suffix} holds 0 to 1"
         )
-    if (suffix != ".glb" or directed) and how.strength != 1.0:
-        what = quantity.name if directed else repr(run.output.name)
+    if (suffix != ".glb" or slot is not OCCLUSION) and how.strength != 1.0:
+        what = quantity.name if suffix == ".glb" else repr(run.output.name)
         raise ValueError(f"--strength: got {how.strength:g} for {what}; it applies only to occlusion in a .glb")
-    if directed and how.depth != DEPTHS[0]:
+    if slot is BENT_NORMALS and how.depth != DEPTHS[0]:
         raise ValueError(f"--depth: got {how.depth} for {quantity.name}, want 8, or an .exr")
     if suffix not in (".glb", ".png") and how.depth != DEPTHS[0]:
         raise ValueError(f"--depth: got {how.depth} for {run.output.name!r}; it applies only to .glb and .png")
@@ -129,6 +128,23 @@ def _check_picture(run: BakeRun, quantity: Quantity, how: TextureOptions) -> Non
 def _are_directions(quantity: Quantity) -> bool:
     """Whether the numbers are vectors, of which a picture shows the direction in the frame of the surface."""
     return quantity.channels == "xyz"
+
+
+def _slot(quantity: Quantity) -> Slot:
+    """What a picture of the numbers is to a material."""
+    if quantity.result is Thickness:
+        return THICKNESS
+    return BENT_NORMALS if _are_directions(quantity) else OCCLUSION
+
+
+def _put(file: GlbFile, one: "Filled", slot: Slot, how: TextureOptions) -> Iterator[str]:
+    """Puts the picture of a job into a .glb: lengths as shares of the longest, in units of the primitives."""
+    info: dict[str, Any] = {"texCoord": one.job.set} if one.job.set else {}
+    info |= {"strength": how.strength} if how.strength != 1.0 else {}
+    longest = float(one.value.max()) if slot is THICKNESS else 1.0
+    more = {"thicknessFactor": longest} if slot is THICKNESS else {}
+    png = png_of(one.value / (longest or 1.0), how.depth)
+    return add_texture(file, one.job.group, png, slot, info=info, more=more)
 
 
 def _filled(job: TextureJob, run: BakeRun, quantity: Quantity, how: TextureOptions, closed: Closed) -> Filled:
@@ -149,6 +165,8 @@ def _filled(job: TextureJob, run: BakeRun, quantity: Quantity, how: TextureOptio
         found = numbers(part, 0)  # the points have ids
         if frames is not None:
             found = replace(found, value=frames.into(found.value, points.face[rows], part.barycentric))
+        if job.group and isinstance(found, Thickness):
+            found = replace(found, value=found.value / job.scales[points.face[rows]])
         return found
 
     kept, rays, lost = [], 0, 0

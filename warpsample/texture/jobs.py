@@ -4,6 +4,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from warpsample.mesh.files.gltf import check_extensions, read_corners
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile, editing
@@ -47,6 +49,14 @@ class TextureJob:
         """The faces that it is of, by primitives."""
         return [one.faces for one in self.group] or [slice(len(self.points.mesh.faces))]
 
+    @property
+    def scales(self) -> np.ndarray:
+        """(F,) float64, how long the units of the primitives are that faces are of; 1 for others."""
+        found = np.ones(len(self.points.mesh.faces))
+        for one in self.group:
+            found[one.faces] = one.scale
+        return found
+
 
 def jobs_of(path: Path, mesh: Mesh, how: TextureOptions, output: str, slot: Slot) -> tuple[list[TextureJob], GlbFile | None]:
     """All images of a run into a file with such a suffix; and the .glb that they go into, which has new coordinates by now.
@@ -78,7 +88,7 @@ def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) -> tuple[
     with editing(path):
         file = GlbFile(path)
         check_extensions(file.part)
-        groups = list(sharing(primitives_of(file.part, file.data)))
+        groups = list(_with_slot(file, slot))
         normals = read_corners(path, "NORMAL") if how.normals != "face" else None
     texels = Texels(path, mesh, how, normals)
     jobs = []
@@ -95,6 +105,17 @@ def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) -> tuple[
         else:
             jobs.append(TextureJob(name, found[1], found[0], f"set {found[0]}", group))
     return jobs, file
+
+
+def _with_slot(file: GlbFile, slot: Slot) -> Iterator[list[Primitive]]:
+    """The groups of primitives whose materials have a place for such a picture, or get one."""
+    materials, found = file.part.parts("materials"), False
+    for group in sharing(primitives_of(file.part, file.data)):
+        if slot.optional or any(slot.holder(materials[number]) is not None for one in group for number in one.materials):
+            found = True
+            yield group
+    if not found:
+        raise ValueError(f"no material has {slot.within[-1]}, want one: nothing else holds a {slot.key}")
 
 
 def _whole_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> TextureJob:

@@ -17,29 +17,47 @@ class Slot:
     Attributes:
         name: in words.
         key: of the member that names it.
-        within: the member that this is in; "" for the material itself.
+        within: the members that this is in, from the outer one; none for the material itself.
+        optional: whether a material gets these where it has none; others are left alone.
     """
 
     name: str
     key: str
-    within: str = ""
+    within: tuple[str, ...] = ()
+    optional: bool = True
+
+    def holder(self, material: Part) -> Part | None:
+        """What of a material holds such a picture; None if it is not there."""
+        for key in self.within:
+            if key not in material:
+                return None
+            material = material.part(key)
+        return material
 
     def known(self, material: Part) -> Part | None:
         """What a material says of such a picture; None if it has none."""
-        if self.within:
-            if self.within not in material:
-                return None
-            material = material.part(self.within)
-        return material.part(self.key) if self.key in material else None
+        holder = self.holder(material)
+        return holder.part(self.key) if holder is not None and self.key in holder else None
+
+    def put(self, material: dict[str, Any], info: dict[str, Any], more: dict[str, Any]) -> None:
+        """Says of a material that it has such a picture, and more beside it."""
+        for key in self.within:
+            material = material.setdefault(key, {})
+        material |= {self.key: info, **more}
 
 
 OCCLUSION = Slot("occlusion", "occlusionTexture")
-BENT_NORMALS = Slot("map of bent normals", "bentNormalTexture", "extras")
+BENT_NORMALS = Slot("map of bent normals", "bentNormalTexture", ("extras",))
 """The standard has no place for it, but for what is of a file's own."""
+THICKNESS = Slot("thickness", "thicknessTexture", ("extensions", "KHR_materials_volume"), optional=False)
 
 
-def add_texture(file: GlbFile, group: list[Primitive], png: bytes, slot: Slot, info: dict[str, Any]) -> Iterator[str]:
-    """Gives all materials of a group of primitives a picture, of which `info` is said, and tells what it replaces.
+def add_texture(
+    file: GlbFile, group: list[Primitive], png: bytes, slot: Slot, *, info: dict[str, Any], more: dict[str, Any]
+) -> Iterator[str]:
+    """Gives all materials of a group of primitives a picture, and tells what it replaces.
+
+    `info` is said of the picture, and `more` of the material beside it.
 
     A material that others use as well, which the scene does not place, is copied first; a group without one gets a new one.
     The picture is read as it is, without a transform of another texture.
@@ -59,9 +77,11 @@ def add_texture(file: GlbFile, group: list[Primitive], png: bytes, slot: Slot, i
         numbers = sorted({part.content["material"] for one in group for part in naming(Part(_primitive(file, one)))})
     for number in numbers:
         material = file.tree["materials"][number]
+        if not slot.optional and slot.holder(Part(material)) is None:
+            continue
         if slot.known(Part(material)) is not None:
             yield f"the {slot.name} of material {material.get('name', number)!r} is replaced"
-        (material.setdefault(slot.within, {}) if slot.within else material)[slot.key] = dict(texture)
+        slot.put(material, dict(texture), more)
 
 
 def name_of(file: GlbFile, group: list[Primitive]) -> str:

@@ -27,6 +27,7 @@ class Primitive:
         vertices: rows of its vertices.
         triangles: (F, 3) its own vertices of these faces, in the order of their corners.
         mirrored: whether that order is the reverse of the file's.
+        scale: of lengths at the first place, the cube root of that of volumes.
         materials: the numbers of its materials, those of its variants among them.
         places: how many there are.
     """
@@ -39,6 +40,7 @@ class Primitive:
     vertices: slice
     triangles: np.ndarray
     mirrored: bool
+    scale: float
     materials: list[int]
     places: int
 
@@ -55,12 +57,13 @@ def primitives_of(tree: Part, data: Data) -> list[Primitive]:
         faces, vertices = rows[0].stop, rows[1].stop
         key = one.mesh, one.number
         if key not in found:
-            mirrored = bool(np.linalg.det(one.matrix[:3, :3]) < 0.0)
+            volume = float(np.linalg.det(one.matrix[:3, :3]))
             mesh = tree.parts("meshes")[one.mesh]
             name = mesh.text("name") if "name" in mesh else mesh.path
-            own = triangles[:, ::-1] if mirrored else triangles
+            own = triangles[:, ::-1] if volume < 0.0 else triangles
             materials = [part.index("material", known) for part in naming(one.primitive)]
-            found[key] = Primitive(*key, one.primitive, name, *rows, own, mirrored, materials, places[key])
+            size = {"mirrored": volume < 0.0, "scale": abs(volume) ** (1 / 3), "places": places[key]}
+            found[key] = Primitive(*key, one.primitive, name, *rows, own, materials=materials, **size)
     return list(found.values())
 
 

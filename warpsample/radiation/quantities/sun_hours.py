@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.estimate.quantities.record import Numbers, Quantity
-from warpsample.estimate.result import PointStatus
-from warpsample.host.vectors import as_directions
+from warpsample.estimate.result import status_of
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.quantities.irradiation import WEATHER
@@ -65,20 +64,9 @@ def _prepare(
         if len(suns):
             given = {"weights": np.ones(len(suns)), "seed": seed, "first_point": first, "workers": workers}
             hours = direct_sun(mesh, points, suns, **given)
-        return SunHours(hours.astype(np.float32), none, none.astype(np.int32), _status(points))
+        return SunHours(hours.astype(np.float32), none, none.astype(np.int32), status_of(points))
 
     return numbers
-
-
-def _status(points: SurfacePoints) -> np.ndarray:
-    """(P,) uint8, a `PointStatus`, as the estimates have it."""
-    normal = as_directions(points.normal)
-    cases = {
-        PointStatus.NONFINITE_NORMAL: ~np.isfinite(normal).all(axis=1),
-        PointStatus.ZERO_NORMAL: ~normal.any(axis=1),
-        PointStatus.NONFINITE_POSITION: ~np.isfinite(points.position).all(axis=1),
-    }
-    return np.select(list(cases.values()), [np.uint8(status) for status in cases], np.uint8(PointStatus.OK))
 
 
 RECORD = Quantity(

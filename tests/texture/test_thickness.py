@@ -1,0 +1,75 @@
+"""Thickness against the normal, and as a texture of materials that have a volume."""
+
+import re
+
+import numpy as np
+import pytest
+import trimesh
+from glb_files import glb
+from textured_scenes import SQUARE, TWO, opened, picture
+
+import warpsample as ws
+from warpsample.estimate.quantities.thickness import thickness
+from warpsample.estimate.result import PointStatus
+
+
+def test_balls_and_sheets_and_points_without_a_normal():
+    """A ball of radius 2: 4 at its middle, up to what its facets are off; above a sheet there is nothing to go through."""
+    ball = ws.as_mesh(trimesh.creation.icosphere(4, radius=2.0))
+    points = ws.face_centers(ball)
+    found = thickness(ball, points)
+    assert np.abs(found.value - 4.0).max() < 0.02  # the sagitta of facets of 0.15 on either side, and their tilt
+    assert thickness(ball, points, max_distance=1.0).value.max() == 1.0
+    normal = points.normal.copy()
+    normal[:2] = [0.0, 0.0, 0.0], [np.nan, 0.0, 0.0]
+    bad = thickness(ball, ws.SurfacePoints(points.position, normal, points.face))
+    assert bad.status[:3].tolist() == [PointStatus.ZERO_NORMAL, PointStatus.NONFINITE_NORMAL, PointStatus.OK]
+    assert (bad.value[:2].tolist(), bad.rays[:3].tolist()) == ([0.0, 0.0], [0, 0, 1])
+    assert np.array_equal(bad.value[2:], found.value[2:])
+    sheet = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    assert thickness(sheet, ws.face_centers(sheet)).value.tolist() == [0.0]
+
+
+def boxes(path, extensions):
+    """A box of 1 x 2 x 3, four times as large by its node, and a quad far from it, whose material is another."""
+    box = trimesh.creation.box((1, 2, 3))
+    arrays = [np.float32(box.vertices), np.uint16(box.faces).ravel()]
+    arrays += [np.float32([(90, 0, 0), (91, 0, 0), (91, 1, 0), (90, 1, 0)]), np.float32(SQUARE), TWO]
+    meshes = [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}]
+    meshes += [{"primitives": [{"attributes": {"POSITION": 2, "TEXCOORD_0": 3}, "indices": 4, "material": 1}]}]
+    tree = {"meshes": meshes, "nodes": [{"mesh": 0, "scale": [4, 4, 4]}, {"mesh": 1}]}
+    tree |= {"materials": [{"name": "glass", **extensions}, {"name": "paper"}]}
+    path.write_bytes(glb(tree, arrays))
+    return path
+
+
+def test_a_box_in_units_of_its_mesh(call, tmp_path):
+    """1, 2 and 3 through its sides, as shares of the factor; what has no volume stays as it is."""
+    volume = {"extensions": {"KHR_materials_volume": {"thicknessFactor": 7.0, "attenuationDistance": 2.0}}}
+    path, output = boxes(tmp_path / "in.glb", volume), tmp_path / "out.glb"
+    status, out, err = call("bake", path, "-o", output, "--texture", 64, "--quantity", "thickness")
+    assert (status, err) == (0, "")
+    assert "thickness in one picture of 64 x 64 texels" in out
+    tree, data, _ = opened(output)
+    made = tree["materials"][0]["extensions"]["KHR_materials_volume"]
+    info = made.pop("thicknessTexture")
+    assert made == {"thicknessFactor": pytest.approx(3.0, rel=1e-5), "attenuationDistance": 2.0}  # rays start off a face
+    assert info == {"index": 0}
+    levels, counts = np.unique(np.round(255 * picture(tree, data, 0)), return_counts=True)
+    assert levels.tolist() == [85, 170, 255]
+    assert counts.min() > 300  # each has two of six sides
+    assert tree["materials"][1] == {"name": "paper"}
+
+
+@pytest.mark.parametrize(
+    ("suffix", "why"),
+    [
+        (".glb", "mesh: got '.*', which cannot be read as .*: no material has KHR_materials_volume, want one"),
+        (".png", "--quantity: got thickness for 'out.png', want .exr or .npz: a .png holds 0 to 1"),
+    ],
+)
+def test_what_has_no_place_for_it_is_refused(call, tmp_path, suffix, why):
+    path = boxes(tmp_path / "in.glb", {})
+    status, _, err = call("bake", path, "-o", tmp_path / f"out{suffix}", "--texture", 64, "--quantity", "thickness")
+    assert status == 2
+    assert re.search(f"^error: {why}", err), err
