@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from glb_files import glb
 from PIL import Image
-from textured_scenes import SQUARE, TWO, changed, opened, picture
+from textured_scenes import SQUARE, TWO, changed, opened, picture, rich
 
 from warpsample.texture.pictures import png_of
 from warpsample.texture.tangents import Frames, tangents_of
@@ -76,6 +76,21 @@ def test_an_open_surface_is_the_normal_in_any_file(call, tmp_path):
     assert np.abs(np.array(Image.open(tmp_path / "out.png"), int) - (128, 128, 255)).max() <= 1  # by the noise of rays
     nothing = np.array(Image.open(io.BytesIO(png_of(np.zeros((1, 1, 3)), 8))))
     assert nothing.tolist() == [[[128, 128, 255]]]
+
+
+def test_the_set_of_the_occlusion_serves(call, tmp_path):
+    """A material that has one already is baked by the same set, if there is no other reason."""
+
+    def of_equal_sets(tree):
+        attributes = tree["meshes"][0]["primitives"][0]["attributes"]
+        attributes["TEXCOORD_0"] = attributes["TEXCOORD_1"]
+
+    (tmp_path / "in.glb").write_bytes(changed(rich(), of_equal_sets))
+    status, out, _ = call("bake", tmp_path / "in.glb", "-o", tmp_path / "out.glb", *BENT[:4], "--samples", 2)
+    assert (status, "'ground', set 1" in out) == (0, True)
+    materials = opened(tmp_path / "out.glb")[0]["materials"]
+    assert materials[3]["extras"] == {"bentNormalTexture": {"index": 1, "texCoord": 1}}
+    assert materials[3]["occlusionTexture"]["index"] == 0
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import numpy as np
 from warpsample.mesh.files.gltf import check_extensions, read_corners
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile, editing
-from warpsample.texture.materials import Slot, name_of
+from warpsample.texture.materials import OCCLUSION, Slot, name_of
 from warpsample.texture.new_uv import add_uv, charts_for
 from warpsample.texture.primitives import Primitive, primitives_of, sharing
 from warpsample.texture.sets import MOST_SETS, Texels, TextureOptions
@@ -137,9 +137,10 @@ def _whole_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> Text
 
 
 def _set_of(file: GlbFile, group: list[Primitive], slot: Slot) -> int | None:
-    """The set by which the materials of a group have such a picture already."""
+    """The set by which the materials of a group have such a picture already, or else an occlusion."""
     materials = file.part.parts("materials")
-    known = [slot.known(materials[number]) for one in group for number in one.materials]
+    numbers = [number for one in group for number in one.materials]
+    known = [kind.known(materials[number]) for kind in (slot, OCCLUSION) for number in numbers]
     sets = [info.whole("texCoord", 0, MOST_SETS) for info in known if info is not None]
     return sets[0] if sets else None
 
