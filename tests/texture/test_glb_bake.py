@@ -280,6 +280,26 @@ def test_a_gltf_and_its_files_become_one_file(call, tmp_path):
     assert (status, "images[1].uri: got a picture that is none of .png .jpg .webp .ktx2" in err) == (2, True)
 
 
+def test_a_gltf_is_written_with_its_data_beside_it(call, tmp_path):
+    """The same as the .glb, whose data are in a file of their own; which is not to be one that the input names."""
+    path, output = tmp_path / "in.glb", tmp_path / "out put.gltf"
+    whole = rich()
+    path.write_bytes(whole[:8] + (len(whole) - 12).to_bytes(4, "little") + whole[12:-12])  # without a last chunk
+    glb_tree, glb_data, _ = opened(baked(call, path)[0])
+    assert call("bake", path, "-o", output, "--texture", 64, *RAYS)[0] == 0
+    tree = json.loads(output.read_text())
+    assert tree["buffers"][0].pop("uri") == "out%20put.bin"
+    assert tree == glb_tree
+    assert (tmp_path / "out put.bin").read_bytes() == glb_data
+    assert ws.load_mesh(output).digest == ws.load_mesh(path).digest
+    output.replace(tmp_path / "first.gltf")
+    status, _, err = call("bake", tmp_path / "first.gltf", "-o", output, "--texture", 16, "--samples", 2)
+    assert (status, "out put.bin', which is the input" in err) == (2, True)
+    path.write_bytes(whole)
+    status, _, err = call("bake", path, "-o", output, "--texture", 16)
+    assert (status, "it has 12 bytes after its data, which a .gltf has no place for" in err) == (2, True)
+
+
 def test_strips_without_indices_in_two_places_and_glass(call, tmp_path):
     """New coordinates of a strip that a node mirrors and of one that none does; and what is said of the materials."""
     quad = np.array([(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0)], np.float32)

@@ -43,7 +43,7 @@ def bake_command(
         Path,
         output_file(
             ".ply .vtp .glb .npz .csv .png .zarr; of CityJSON .city.json .city.jsonl .csv; of a raster .tif .zarr; "
-            "with --texture .glb .png .exr .npz"
+            "with --texture .glb .gltf .png .exr .npz"
         ),
     ],
     *,

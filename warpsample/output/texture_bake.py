@@ -2,7 +2,9 @@
 
 import json
 from collections.abc import Iterator
+from contextlib import ExitStack
 from dataclasses import dataclass, fields, replace
+from pathlib import Path
 from time import perf_counter
 from types import SimpleNamespace
 from typing import Any, BinaryIO
@@ -22,14 +24,14 @@ from warpsample.output.faces_option import transmitting
 from warpsample.output.quantities import check_options, quantity_of
 from warpsample.texture.glb_file import GlbFile, editing
 from warpsample.texture.inside import Closed
-from warpsample.texture.jobs import TextureJob, flaws_told, jobs_of
+from warpsample.texture.jobs import SCENES, TextureJob, flaws_told, jobs_of
 from warpsample.texture.materials import BENT_NORMALS, OCCLUSION, THICKNESS, Slot, add_texture
 from warpsample.texture.notes import left_behind, notes_on
 from warpsample.texture.pictures import DEPTHS, check_library, exr_of, png_of
 from warpsample.texture.sets import TextureOptions
 from warpsample.texture.tangents import Frames
 
-SUFFIXES = (".glb", ".png", ".exr", ".npz")
+SUFFIXES = (*SCENES, ".png", ".exr", ".npz")
 """Suffixes of the files that hold textures."""
 
 _INTO_PNG = (0.0, 1.0)
@@ -69,19 +71,15 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     mesh = transmitting(load_mesh(run.mesh), run.transmittance)
     slot = _slot(quantity)
     jobs, file = jobs_of(run.mesh, mesh, how, run.output.suffix, slot)
-    with editing(run.mesh):
-        told = [] if file is None else list(notes_on(file.part, [one for job in jobs for one in job.group]))
-    told += [] if file is None else left_behind(run.mesh, file.tree, run.output)
+    told = [] if file is None else _before(file, run, jobs)
     closed, start = Closed(mesh), perf_counter()
     found = [_filled(job, run, quantity, how, closed) for job in jobs]
     seconds = perf_counter() - start
-    with complete_or_absent(run.output) as stream:
-        if file is None:
+    if file is None:
+        with complete_or_absent(run.output) as stream:
             _write_image(stream, run, how, found[0])
-        else:
-            for one in found:
-                told += _put(file, one, slot, how)
-            file.write(stream)
+    else:
+        told += _write_scene(file, run, how, found, slot)
     lines = [f"{run.output}: {quantity.title} in {_pictures(len(found))} of {how.size[0]} x {how.size[1]} texels"]
     lines += [line for one in found for line in _told(one)]
     rays = sum(one.rays for one in found)
@@ -89,13 +87,44 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     return "\n  ".join(lines)
 
 
+def _before(file: GlbFile, run: BakeRun, jobs: list[TextureJob]) -> list[str]:
+    """Checks a .glb or .gltf before anything is computed; what is to be said of it."""
+    if run.output.suffix == ".gltf":
+        check_output(_data_of(run.output), "--output", run.mesh, *file.files)
+    with editing(run.mesh):
+        if run.output.suffix == ".gltf":
+            file.check_apart()
+        told = list(notes_on(file.part, [one for job in jobs for one in job.group]))
+    return [*told, *left_behind(run.mesh, file.tree, run.output)]
+
+
+def _write_scene(file: GlbFile, run: BakeRun, how: TextureOptions, found: list[Filled], slot: Slot) -> list[str]:
+    """Writes a .glb, or a .gltf and a .bin beside it, with the pictures of all jobs; what was replaced, in sentences."""
+    told: list[str] = []
+    with ExitStack() as files:
+        stream = files.enter_context(complete_or_absent(run.output))
+        for one in found:
+            told += _put(file, one, slot, how)
+        if run.output.suffix == ".glb":
+            file.write(stream)
+        else:
+            data = _data_of(run.output)
+            file.write_apart(stream, files.enter_context(complete_or_absent(data)), data.name)  # complete first
+    return told
+
+
+def _data_of(output: Path) -> Path:
+    """The file of a .gltf's data."""
+    return output.with_suffix(".bin")
+
+
 def _check(run: BakeRun, quantity: Quantity, how: TextureOptions) -> None:
     suffix, name = run.output.suffix, str(run.output)
     if suffix not in SUFFIXES:
         raise ValueError(f"--output: got {name!r} for --texture, want a file that ends in one of {' '.join(SUFFIXES)}")
-    if suffix == ".glb" and run.mesh.suffix.lower() not in (".glb", ".gltf"):
+    if suffix in SCENES and run.mesh.suffix.lower() not in SCENES:
         raise ValueError(
-            f"--output: got {name!r} for {run.mesh.name!r}, want .png, .exr or .npz: only a .glb becomes a .glb"
+            f"--output: got {name!r} for {run.mesh.name!r}, want .png, .exr or .npz: only glTF becomes a {suffix}"
         )
     if quantity.is_matrix:
         raise ValueError(f"--quantity: got {quantity.name} for --texture, want one of a few numbers at each point")
@@ -111,17 +140,17 @@ def _check_picture(run: BakeRun, quantity: Quantity, how: TextureOptions) -> Non
     """Refuses numbers, and options of pictures, that do not go together with the file to write."""
     suffix = run.output.suffix
     slot = _slot(quantity)
-    fits = slot is BENT_NORMALS or (slot, suffix) == (THICKNESS, ".glb")
-    if suffix in (".glb", ".png") and not fits and getattr(quantity.result, "possible", None) != _INTO_PNG:
+    fits = slot is BENT_NORMALS or (slot is THICKNESS and suffix in SCENES)
+    if suffix in (*SCENES, ".png") and not fits and getattr(quantity.result, "possible", None) != _INTO_PNG:
         raise ValueError(
             f"--quantity: got {quantity.name} for {run.output.name!r}, want .exr or .npz: a {suffix} holds 0 to 1"
         )
-    if (suffix != ".glb" or slot is not OCCLUSION) and how.strength != 1.0:
-        what = quantity.name if suffix == ".glb" else repr(run.output.name)
+    if (suffix not in SCENES or slot is not OCCLUSION) and how.strength != 1.0:
+        what = quantity.name if suffix in SCENES else repr(run.output.name)
         raise ValueError(f"--strength: got {how.strength:g} for {what}; it applies only to occlusion in a .glb")
     if slot is BENT_NORMALS and how.depth != DEPTHS[0]:
         raise ValueError(f"--depth: got {how.depth} for {quantity.name}, want 8, or an .exr")
-    if suffix not in (".glb", ".png") and how.depth != DEPTHS[0]:
+    if suffix not in (*SCENES, ".png") and how.depth != DEPTHS[0]:
         raise ValueError(f"--depth: got {how.depth} for {run.output.name!r}; it applies only to .glb and .png")
 
 

@@ -1,4 +1,4 @@
-"""A .glb that gets more: its JSON is edited and bytes are appended; all else stays byte for byte.
+"""A .glb or .gltf that gets more: its JSON is edited and bytes are appended; all else stays byte for byte.
 
 Not by trimesh or pygltflib, which write anew what they know of a file, and lose the rest.
 """
@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, BinaryIO
+from urllib.parse import quote, unquote
 
 import numpy as np
 
@@ -54,6 +55,7 @@ class GlbFile:
         part: its JSON as it was, for readers that check what they read.
         data: the numbers in it.
         tree: its JSON, to be edited.
+        files: that it names.
     """
 
     def __init__(self, path: Path) -> None:
@@ -69,6 +71,7 @@ class GlbFile:
             self.part.parts(key)  # checked: they get further members
         self.tree: dict[str, Any] = copy.deepcopy(self.part.content)
         self._chunks, self._size, self._rest = [bytes(chunk)], len(chunk), b""
+        self.files = [path.parent / unquote(uri) for uri in uris_of(self.tree)]
         if is_binary:
             self._rest = _after(path, len(chunk))
             if "uri" in self.tree.setdefault("buffers", [{"byteLength": 0}])[0]:
@@ -122,6 +125,17 @@ class GlbFile:
         file.writelines(self._chunks)
         file.write(self._rest)
 
+    def write_apart(self, file: BinaryIO, data: BinaryIO, name: str) -> None:
+        """Writes a .gltf, and all its data into another file of that name, which is to be beside it."""
+        self.tree["buffers"][0] |= {"byteLength": self._size, "uri": quote(name)}
+        data.writelines(self._chunks)
+        file.write(json.dumps(self.tree, separators=(",", ":"), allow_nan=False).encode())
+
+    def check_apart(self) -> None:
+        """Refuses, by a ValueError, a .glb with parts that a .gltf has no place for."""
+        if self._rest:
+            raise ValueError(f"it has {len(self._rest):,} bytes after its data, which a .gltf has no place for, want a .glb")
+
     def _take_in(self, path: Path) -> None:
         """Makes one buffer of all, and takes in the pictures of other files that a .glb may hold."""
         starts = [self._put(bytes(buffer)) for buffer in self.data.buffers]
@@ -163,6 +177,13 @@ class GlbFile:
         items = self.tree.setdefault(key, [])
         items.append(item)
         return len(items) - 1
+
+
+def uris_of(tree: dict[str, Any]) -> Iterator[str]:
+    """What a tree says of the files that it needs."""
+    for item in (*tree.get("images", []), *tree.get("buffers", [])):
+        if isinstance(uri := item.get("uri"), str) and not uri.startswith("data:"):
+            yield uri
 
 
 def _after(path: Path, chunk: int) -> bytes:

@@ -23,6 +23,9 @@ _FLAWS = {
     "mirrored": "mirrored faces",
 }
 _REFUSED = ("overlapped", "outside", "zero_area")
+SCENES = (".glb", ".gltf")
+"""Suffixes of the files whose materials get pictures."""
+
 _NAMES = 5  # of meshes that are told for a flaw
 
 
@@ -66,7 +69,7 @@ def jobs_of(path: Path, mesh: Mesh, how: TextureOptions, output: str, slot: Slot
     Raises:
         ValueError: coordinates that cannot be used, or with `strict` such that are flawed.
     """
-    jobs, file = _glb_jobs(path, mesh, how, slot) if output == ".glb" else ([_whole_job(path, mesh, how, output)], None)
+    jobs, file = _glb_jobs(path, mesh, how, slot) if output in SCENES else ([_whole_job(path, mesh, how, output)], None)
     flaws = [line for job in jobs for line in flaws_told(job, _REFUSED)]
     if how.strict and flaws:
         raise ValueError(f"--strict: got {path.name!r} with {'; '.join(flaws)}")
@@ -121,7 +124,7 @@ def _with_slot(file: GlbFile, slot: Slot) -> Iterator[list[Primitive]]:
 def _whole_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> TextureJob:
     """One image for all faces of a file."""
     normals = None
-    if how.normals != "face" and path.suffix.lower() in (".glb", ".gltf"):
+    if how.normals != "face" and path.suffix.lower() in SCENES:
         normals = read_corners(path, "NORMAL")
     texels, rows = Texels(path, mesh, how, normals), [slice(None)]
     found = texels.chosen(rows, path.name, lenient=output != ".npz")

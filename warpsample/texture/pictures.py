@@ -52,7 +52,7 @@ def exr_of(layers: Mapping[str, np.ndarray]) -> bytes:
 
 def check_library(suffix: str) -> None:
     """Refuses a suffix of a file for which a library is missing, before anything is computed."""
-    if suffix in (".png", ".glb"):
+    if suffix in (".png", ".glb", ".gltf"):
         _library("PIL.Image", f"a texture in a {suffix} needs Pillow")
     elif suffix == ".exr":
         _library("OpenEXR", "an .exr needs OpenEXR")
