@@ -1,23 +1,18 @@
 """Every public function says what it takes and gives, and shows it by an example, which is run."""
 
-import doctest
 import inspect
-import re
 from enum import Enum
 from types import ModuleType
 
-import numpy as np
 import pytest
 import pyvista as pv
-import warp as wp
+from docstrings import failures, flaws, sections
 
 import warpsample as ws
 from warpsample.distributions.record import Distribution
 from warpsample.estimate.result import PointResult
 
 ACCESSOR = type(pv.PolyData().warpsample)
-EXAMPLE = "Example of one to five lines, with what it prints"
-SECTIONS = re.compile(r"^(Args|Returns|Raises|Warns|Attributes|Example|Source):", re.MULTILINE)
 
 
 def public():
@@ -50,12 +45,6 @@ def methods(name, owner):
         yield from ((f"{name}.{key}", function) for key, function in own(owner) if key not in inherited)
 
 
-def sections(function):
-    """{heading: text} of a docstring."""
-    _, *parts = SECTIONS.split(inspect.getdoc(function))
-    return dict(zip(parts[::2], parts[1::2], strict=True))
-
-
 def documented():
     """Every docstring that has an example, of functions and of classes."""
     classes = {name: item for name in ws.__all__ if inspect.isclass(item := getattr(ws, name))}
@@ -64,27 +53,6 @@ def documented():
 
 FUNCTIONS = dict(public())
 EXAMPLES = documented()
-
-
-def failures(name, text):
-    """What a doctest says of an example; "" if each line prints what it says."""
-    test = doctest.DocTestParser().get_doctest(text, {"ws": ws, "np": np, "wp": wp}, name, None, None)
-    said = []
-    doctest.DocTestRunner(verbose=False).run(test, out=said.append)
-    return "".join(said)
-
-
-def flaws(function):
-    """What a docstring lacks."""
-    found, signature = sections(function), inspect.signature(function)
-    taken = [str(p).split(":")[0].split("=")[0].strip() for key, p in signature.parameters.items() if key != "self"]
-    lacking = [f"Args: {key}" for key in taken if f"\n    {key}: " not in found.get("Args", "")]
-    if signature.return_annotation not in (None, inspect.Signature.empty) and "Returns" not in found:
-        lacking.append("Returns")
-    example = doctest.DocTestParser().get_examples(found.get("Example", ""))
-    if not 1 <= len(example) <= 5 or not any(line.want for line in example):
-        lacking.append(EXAMPLE)
-    return lacking
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import warp as wp
 import weights_of_tests as functions
+from docstrings import failures, flaws, sections
 
 import warpsample as ws
 from warpsample import cluster
@@ -244,3 +245,12 @@ def test_ids_go_with_the_points(mesh, points):
     assert_same(cluster.sample_directions(owned, 8, mesh=mesh, seed=SEED, chunk=33), directions)
     with pytest.raises(ValueError, match=r"^first_point: got 7, want 0 for points that have ids of their own, `id`$"):
         cluster.ambient_occlusion(mesh, owned, RAYS, first_point=7)
+
+
+@pytest.mark.parametrize("name", ["ambient_occlusion", *cluster.__all__])
+def test_a_call_says_what_it_takes_and_shows_it(name):
+    if name == "bake":
+        pytest.importorskip("zarr")
+    call = getattr(cluster, name)
+    assert flaws(call) == []
+    assert failures(name, sections(call)["Example"]) == ""

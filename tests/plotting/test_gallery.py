@@ -2,7 +2,6 @@
 
 import json
 import re
-import shutil
 import subprocess
 import sys
 from importlib.util import find_spec
@@ -10,14 +9,11 @@ from importlib.util import find_spec
 import matplotlib.image
 import nbformat
 import pytest
+from browser import CHROMIUM, FLAGS
 from hangs import HANGS
 from nbclient import NotebookClient
 
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-HEADLESS = (
-    "--headless --no-sandbox --disable-quic --no-first-run --disable-background-networking --disable-component-update "
-    "--disable-sync --use-angle=swiftshader --enable-unsafe-swiftshader --virtual-time-budget=20000 --window-size=1000,900"
-)
+DRAWING = "--use-angle=swiftshader --enable-unsafe-swiftshader --virtual-time-budget=20000 --window-size=1000,900"
 ASK = """<script>addEventListener("load", () => {
   const said = document.createElement("pre"); said.id = "said";
   said.textContent = JSON.stringify([...document.images].map(i => [i.alt, i.naturalWidth, i.naturalHeight]));
@@ -85,7 +81,7 @@ def test_the_page_in_a_browser(can_render, repository, tmp_path, child_environme
 
     asked, shot = tmp_path / "asked.html", tmp_path / "page.png"
     asked.write_text(html.replace("</body>", ASK + "</body>"), encoding="utf-8")
-    browser = [CHROMIUM, *HEADLESS.split(), f"--user-data-dir={tmp_path / 'profile'}"]
+    browser = [CHROMIUM, *FLAGS.split(), *DRAWING.split(), f"--user-data-dir={tmp_path / 'profile'}"]
     dom = subprocess.run([*browser, "--dump-dom", asked.as_uri()], capture_output=True, text=True, check=True).stdout
     images = json.loads(re.search(r'<pre id="said">(.*?)</pre>', dom)[1])
     assert [name for name, _, _ in images] == re.findall(r'<img alt="([^"]*)"', html)

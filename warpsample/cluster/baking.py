@@ -35,10 +35,10 @@ def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool
     Args:
         path: of a folder that ends in .zarr.
         call: "ambient_occlusion" or another of this room.
-        arguments: as the call takes them.
+        *arguments: as the call takes them.
         chunk: points of a task, and of the store's files.
         resume: whether to go on with a store of the same arguments, if there is one.
-        options: as the call takes them, by name.
+        **options: as the call takes them, by name.
 
     Returns:
         what is in the store, lazily, as `xarray.open_zarr` has it.
@@ -47,6 +47,14 @@ def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool
         TypeError, ValueError: an argument that cannot be used; or a store of another run, and what differs.
         OSError: it cannot be written, there is no space for it, or another process is writing it; or the scheduler is gone.
         MemoryError: all workers of the Client are too small; says what they want.
+
+    Example:
+        >>> from tempfile import TemporaryDirectory
+        >>> from warpsample import cluster
+        >>> with TemporaryDirectory() as folder:
+        ...     sky = cluster.bake(f"{folder}/sky.zarr", "sky_view_factor", ws.load_mesh("courtyard"), 500, 32)
+        ...     print(sky.value.shape)
+        (500,)
     """
     mesh = options.pop("mesh", None) if call == "sample_directions" else None
     job = job_of(check_choice(call, "call", tuple(FUNCTIONS)), arguments, options, chunk, mesh)

@@ -37,9 +37,9 @@ _DOCUMENTATION = """`warpsample.{name}` over Dask: the same arguments, and the s
         mesh: a Mesh or whatever `as_mesh` takes.
         points: SurfacePoints; or so many, uniform by area, by the call's `seed`; or "faces" or "vertices" of the mesh. All
             but the first are made by the workers, and never stand in this process.
-        arguments: as there.
+        *arguments: as there.
         chunk: points of a task, by which no bit changes.
-        options: as there, by name; `workers` are the threads of one task.
+        **options: as there, by name; `workers` are the threads of one task.
 
     Returns:
         lazy arrays by the names of an Estimate's; `position`, `normal` and `face` of the points as coordinates; and what
@@ -48,6 +48,12 @@ _DOCUMENTATION = """`warpsample.{name}` over Dask: the same arguments, and the s
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
         MemoryError: all workers of the Client are too small; says what they want.
+
+    Example:
+        >>> from warpsample import cluster
+        >>> lazy = cluster.ambient_occlusion(ws.load_mesh("courtyard"), 10**6, 64)
+        >>> print(lazy.value.shape, lazy.value.chunks[0][0])  # nothing is computed yet
+        (1000000,) 65536
     """
 
 
@@ -56,6 +62,22 @@ def integrate(points: Any, integrand: Any, *arguments: Any, chunk: int = CHUNK, 
 
     A wp.func goes to other processes by its name: it must stand at the top of a module that they can import, and take no
     `data`. Dask's threads run any. `lobe.row` is the row in a chunk, `lobe.point` the id among all points.
+
+    Args:
+        points: as for `ambient_occlusion`.
+        integrand: a `wp.func`, as `warpsample.integrate` takes it.
+        *arguments: as there.
+        chunk: points of a task.
+        **options: as there, by name, `mesh` among them.
+
+    Returns:
+        lazy arrays, as of `ambient_occlusion`.
+
+    Example:
+        >>> from warpsample import cluster, funcs
+        >>> mesh, upward = ws.load_mesh("courtyard"), funcs.square_to_cosine_hemisphere_pdf
+        >>> print(cluster.integrate(ws.face_centers(mesh), upward, 64, mesh=mesh, chunk=1000).value.chunks)
+        ((1000, 1000, 80),)
     """
     return dataset_of(job_of("integrate", (points, integrand, *arguments), options, chunk))
 
@@ -64,6 +86,23 @@ def trace(mesh: Any, origins: Any, directions: Any, *arguments: Any, chunk: int 
     """`warpsample.trace` over Dask; origins as the points of `ambient_occlusion`, or an array as there.
 
     Arrays may be Dask's or xarray's, such as the vectors of `sample_directions`.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes.
+        origins: as the points of `ambient_occlusion`, or (P, 3).
+        directions: (P, 3) or (P, n, 3).
+        *arguments: as there.
+        chunk: points of a task.
+        **options: as there, by name.
+
+    Returns:
+        lazy arrays `distance`, `face` and, of a mesh that light goes through, `transmitted`.
+
+    Example:
+        >>> from warpsample import cluster
+        >>> rays = np.zeros((1000, 3)), np.tile([0.0, 0.0, 1.0], (1000, 1))
+        >>> print(sorted(cluster.trace(ws.load_mesh("courtyard"), *rays, chunk=300).data_vars))
+        ['distance', 'face']
     """
     return dataset_of(job_of("trace", (mesh, origins, directions, *arguments), options, chunk))
 
@@ -76,12 +115,17 @@ def sample_directions(
     Args:
         normals: (P, 3), NumPy's or Dask's, or what `points` may be.
         count: directions per point.
-        arguments: as there.
+        *arguments: as there.
         mesh: what points are on that the workers make.
         chunk: points of a task.
-        options: as there, by name, but `out`.
+        **options: as there, by name, but `out`.
 
     Returns:
         lazy arrays `vectors`, `status` and, if asked for, `pdf`.
+
+    Example:
+        >>> from warpsample import cluster
+        >>> print(cluster.sample_directions(np.ones((1000, 3)), 16, chunk=300).vectors.shape)
+        (1000, 16, 3)
     """
     return dataset_of(job_of("sample_directions", (normals, count, *arguments), options, chunk, mesh))

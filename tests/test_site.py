@@ -1,0 +1,204 @@
+"""The site: what its pages show is run, nothing public is missing, and a browser finds it whole."""
+
+import importlib
+import re
+import subprocess
+import sys
+from html.parser import HTMLParser
+from types import ModuleType
+from urllib.parse import unquote, urldefrag
+
+import browser
+import pytest
+
+BLOCK = re.compile(r"^```(python|sh|text)\n(.*?)^```", re.DOTALL | re.MULTILINE)
+NUMBER = re.compile(r"-?\d[\d,]*(?:\.\d*)?(?:e[-+]\d+)?")
+SET_UP = ["python3 -m venv .venv && . .venv/bin/activate", "pip install '.[viz]'"]  # .ci/run
+TELLING = ("Warp ", "   ", "Module ")  # how lines of Warp's own begin
+NEEDS = {"journeys/city": "rasterio", "journeys/asset": "xatlas", "journeys/cluster": "zarr"}
+JOURNEYS = tuple(f"journeys/{name}" for name in ("sampler", "city", "enclosure", "kernel", "asset", "cluster"))
+
+
+def steps(text):
+    """(language, code, what it prints or "") of a page, in order."""
+    found = BLOCK.findall(text)
+    after = [*found[1:], ("", "")]
+    return [
+        (language, code, following[1] if following[0] == "text" else "")
+        for (language, code), following in zip(found, after, strict=True)
+        if language != "text"
+    ]
+
+
+def differences(printed, shown):
+    """Lines that a page shows and that are not printed, in this order; "..." stands for any.
+
+    Numbers may differ by one unit in the last place that is shown: roundings of other processors are theirs.
+    """
+    lines, missing = iter(printed.splitlines()), []
+    for line in shown.splitlines():
+        if line == "...":
+            continue
+        if not any(same(line, other) for other in lines):
+            missing.append(line)
+    return missing
+
+
+def same(shown, printed):
+    if NUMBER.sub("#", shown).split() != NUMBER.sub("#", printed).split():
+        return False
+    pairs = zip(NUMBER.findall(shown), NUMBER.findall(printed), strict=True)
+    return all(abs(value(ours) - value(theirs)) <= unit(ours) * 1.001 for ours, theirs in pairs)
+
+
+def value(number):
+    return float(number.replace(",", ""))
+
+
+def unit(number):
+    """Of the last place: whole numbers with no point are counts, and exact."""
+    digits, _, exponent = number.partition("e")
+    return 10.0 ** (int(exponent or 0) - len(digits.partition(".")[2])) if "." in digits else 0.0
+
+
+class Reader:
+    """Someone who types what a page shows: Python into one file, and commands, in one folder."""
+
+    def __init__(self, name, folder, call):
+        self.module = ModuleType(f"page_{name.replace('/', '_')}")
+        self.file, self.call = folder / f"{self.module.__name__}.py", call
+
+    def python(self, code, capsys):
+        written = self.file.read_text() if self.file.exists() else ""
+        self.file.write_text(f"{written}{code}")
+        exec(compile("\n" * written.count("\n") + code, str(self.file), "exec"), vars(self.module))
+        return capsys.readouterr().out
+
+    def sh(self, code, capsys):
+        said = []
+        for line in code.splitlines():
+            if line not in SET_UP:
+                program, *words = line.split()
+                assert program == "warpsample", line
+                status, out, err = self.call(*words)
+                assert status == 0, err
+                said.append(out)
+        return "".join(said)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["start", *JOURNEYS, "right/index"])
+def test_a_page_runs_and_prints_what_it_shows(name, repository, tmp_path, monkeypatch, call, capsys):
+    pytest.importorskip(NEEDS.get(name, "warpsample"))
+    monkeypatch.chdir(tmp_path)
+    reader = Reader(name, tmp_path, call)
+    monkeypatch.setitem(sys.modules, reader.module.__name__, reader.module)
+    for language, code, shown in steps((repository / f"viz/site/{name}.md").read_text()):
+        printed = getattr(reader, language)(code, capsys)
+        assert differences(printed, shown) == [], printed
+        assert shown or language == "sh" or not printed.strip(), f"prints what the page does not show: {printed}"
+
+
+@pytest.mark.parametrize(
+    ("shown", "printed", "alike"),
+    [
+        ("0.63 of 1,000", "0.64 of 1,000", True),
+        ("0.63 of 1,000", "0.65 of 1,000", False),
+        ("0.63 of 1,000", "0.63 of 1,001", False),
+        ("2.0e-07 holds", "2.1e-07  holds", True),
+        ("True", "False", False),
+    ],
+)
+def test_a_line_may_differ_by_a_unit_of_its_last_place(shown, printed, alike):
+    assert (differences(printed, shown) == []) == alike
+
+
+@pytest.fixture
+def names(repository, monkeypatch):
+    """What the site knows of public names."""
+    pytest.importorskip("dask")
+    pytest.importorskip("rasterio")
+    monkeypatch.syspath_prepend(repository / "viz/site")
+    return importlib.import_module("extension.names")
+
+
+@pytest.mark.slow
+def test_every_public_name_is_in_the_reference_with_an_example(names, repository):
+    pages = "\n".join(page.read_text() for page in sorted((repository / "viz/site/reference").glob("*.md")))
+    shown = re.findall(r"^\.\. (?:auto\w+|py:class):: (\S+)$", pages, flags=re.MULTILINE)
+    records = {f"warpsample.distributions.{name}" for name in ("Distribution", "Maps")}
+    assert sorted(shown) == sorted({*names.public(), *records})
+    assert [name for name in names.public() if not names.example(name)] == []
+
+
+@pytest.mark.thorough
+def test_examples_that_the_site_makes_run(names, tmp_path, monkeypatch):
+    """The body of a kernel for each function of `funcs`, and lines for each distribution."""
+    from extension.kernels import KERNEL
+
+    lines = ["import numpy as np\nimport warp as wp\nimport warpsample as ws\nfrom warpsample import funcs\n"]
+    for name in names.public():
+        text = names.example(name)
+        if name.startswith("warpsample.funcs.") and text.startswith("i = "):
+            body = text.replace("\n", "\n    ")
+            lines.append(f"@wp.kernel(enable_backward=False)\ndef of_{name.split('.')[-1]}({KERNEL}):\n    {body}\n")
+        elif "lobe = " in text:
+            lines.append(text.replace(">>> ", "") + "\nassert (p >= 0.0).all() and np.isfinite(w).all()\n")
+    assert len(lines) > 70
+    lines.append("wp.load_module(__name__, device='cpu')")
+    script = tmp_path / "examples.py"
+    script.write_text("\n\n".join(lines))
+    subprocess.run([sys.executable, script], check=True, cwd=tmp_path)
+
+
+class Links(HTMLParser):
+    """What a page leads to, what it loads, and its anchors."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.leads, self.loads, self.anchors = [], [], set()
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        given = dict(attributes)
+        self.anchors |= {given[key] for key in ("id", "name") if given.get(key)}
+        address = given.get("href") or given.get("src")
+        if address:
+            (self.leads if tag == "a" else self.loads).append(address)
+
+
+@pytest.fixture(scope="module")
+def site(repository, tmp_path_factory):
+    """The folder of the built site."""
+    pytest.importorskip("sphinx")
+    folder = tmp_path_factory.mktemp("site")
+    command = [sys.executable, repository / "viz/site.py", "-o", folder]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return folder
+
+
+@pytest.mark.thorough
+def test_all_links_lead_somewhere_and_nothing_is_loaded_from_elsewhere(site):
+    pages = {page: Links(page.read_text()) for page in sorted(site.rglob("*.html"))}
+    assert len(pages) > 80
+    for page, links in pages.items():
+        assert [address for address in links.loads if "://" in address or address.startswith("//")] == [], page
+        for address in links.leads + links.loads:
+            if "://" in address or address.startswith("mailto:"):
+                continue
+            path, anchor = urldefrag(address)
+            target = (page.parent / unquote(path.partition("?")[0])).resolve() if path else page
+            assert target.exists(), f"{page}: {address}"
+            assert not anchor or unquote(anchor) in pages[target].anchors, f"{page}: {address}"
+
+
+@pytest.mark.thorough
+def test_a_browser_shows_every_page_whole_and_finds_words(site, tmp_path):
+    if browser.CHROMIUM is None:
+        pytest.skip("no Chromium: apt-get install chromium")
+    pages = [page.relative_to(site).as_posix() for page in sorted(site.rglob("*.html"))]
+    said = browser.opened(site, [*pages, "search.html?q=irradiation"], (390, 1400), tmp_path)
+    assert len(said) == 2 * len(pages) + 2
+    assert [page for page in said if page["over"] > 0 or page["missing"] or page["errors"]] == []
+    assert all(page["found"] > 0 for page in said if "?q=" in page["page"])

@@ -1,0 +1,90 @@
+"""The functions for kernels: their signatures in Warp's types, and a kernel that calls each."""
+
+import inspect
+from typing import Any
+
+import warp as wp
+
+from warpsample import funcs
+
+_SHOWN = {wp.vec2: "wp.vec2", wp.vec3: "wp.vec3", wp.vec3d: "wp.vec3d", wp.mat33: "wp.mat33", Any: "Any"}
+_SHOWN |= {kind: f"wp.{kind.__name__}" for kind in (wp.float32, wp.uint32, wp.uint64, wp.int32)}
+_ARGUMENTS = {
+    "u": "u",
+    "w": "w",
+    "p": "w",
+    "alpha": "0.3",
+    "exponent": "10.0",
+    "kappa": "10.0",
+    "rho": "1.0",
+    "one_minus_cos": "0.1",
+    "view": "wp.vec3(0.6, 0.0, 0.8)",
+    "seed": "wp.uint64(0)",
+    "point": "wp.uint64(0)",
+    "sample": "wp.uint32(i)",
+    "count": "wp.uint32(256)",
+    "tree": "tree",
+    "position": "position[i]",
+    "origin": "position[i]",
+    "n": "normal[i]",
+    "normal": "normal[i]",
+    "frame": "funcs.frame_about(normal[i])",
+    "direction": "normal[i]",
+    "max_distance": "10.0",
+}
+KERNEL = "tree: funcs.Tree, position: wp.array[wp.vec3d], normal: wp.array[wp.vec3]"
+"""The arguments of the kernel whose lines examples are."""
+
+
+def home(item: Any) -> str | None:
+    """The module of a wp.func or of a wp.struct; None of anything else."""
+    if isinstance(item, wp.Function):
+        return item.func.__module__
+    return item.cls.__module__ if hasattr(item, "cls") else None
+
+
+def shown(kind: Any) -> str:
+    """A type as a kernel's author writes it."""
+    return getattr(kind, "key", None) or _SHOWN.get(kind) or str(getattr(kind, "__name__", kind))
+
+
+def signature(app: Any, what: str, name: str, item: Any, options: Any, text: str, returned: str) -> tuple[str, str] | None:  # noqa: ARG001
+    """The signature of a wp.func in Warp's types."""
+    if not isinstance(item, wp.Function):
+        return None
+    found = inspect.signature(item.func)
+    taken = ", ".join(f"{key}: {shown(parameter.annotation)}" for key, parameter in found.parameters.items())
+    given = found.return_annotation
+    return f"({taken})", "" if given is inspect.Signature.empty else shown(given)
+
+
+def example(item: Any) -> str:
+    """Lines of a kernel that calls a function."""
+    if not isinstance(item, wp.Function):
+        return _STRUCTS[item.key]
+    taken = set(inspect.signature(item.func).parameters)
+    lines = ["i = wp.tid()"]
+    if {"u", "w", "p"} & taken:
+        lines.append("u = funcs.sobol(wp.uint64(0), wp.uint64(0), wp.uint32(i), wp.uint32(256))")
+    if {"w", "p"} & taken:
+        lines.append(f"w = {_call(_map_of(item.key))}")
+    result = "distance, face" if item.key == "nearest_hit" else "x"
+    return "\n".join([*lines, f"{result} = {_call(item)}"])
+
+
+_STRUCTS = {
+    "Tree": ">>> tree = ws.tree(ws.load_mesh('courtyard'))  # then wp.launch(kernel, dim, inputs=[tree, ...])",
+    "Lobe": "@wp.func\ndef by_point(w: wp.vec3, lobe: funcs.Lobe) -> float:\n    return w[2] * float(lobe.point)",
+}
+
+
+def _map_of(key: str) -> Any:
+    """The map to directions that a density or an inverse goes with; the cosine lobe's for all else."""
+    if key.endswith("_pdf"):
+        return getattr(funcs, key.removesuffix("_pdf"))
+    shape, inverse, variant = key.partition("_to_square")
+    return getattr(funcs, f"square_to_{shape}{variant}") if inverse else funcs.square_to_cosine_hemisphere
+
+
+def _call(item: Any) -> str:
+    return f"funcs.{item.key}({', '.join(_ARGUMENTS[key] for key in inspect.signature(item.func).parameters)})"

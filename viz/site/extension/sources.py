@@ -1,0 +1,33 @@
+"""Keys of sources, as Walter2007: each leads to its row on the page of sources."""
+
+import re
+from typing import Any
+
+from docutils import nodes
+
+PAGE = "reference/sources"
+_KEY = re.compile(r"\b([A-Z][A-Za-z]+(?:1[89]|20)\d\d|ShirleyTrick)\b")
+
+
+def link(app: Any, doctree: nodes.document, page: str) -> None:
+    """Gives rows of the page of sources their anchors, and links keys to them on all others."""
+    if page == PAGE:
+        for row in doctree.findall(nodes.row):
+            row["ids"].append(row[0].astext().lower())
+        return
+    for text in list(doctree.findall(nodes.Text)):
+        inside = text.parent
+        while inside is not None and not isinstance(
+            inside, nodes.literal | nodes.literal_block | nodes.reference | nodes.title
+        ):
+            inside = inside.parent
+        if inside is None and _KEY.search(text):
+            text.parent.replace(text, _linked(app.builder.get_relative_uri(page, PAGE), text))
+
+
+def _linked(address: str, text: str) -> list[nodes.Node]:
+    parts = _KEY.split(text)
+    made: list[nodes.Node] = []
+    for i, part in enumerate(parts):
+        made.append(nodes.reference("", part, refuri=f"{address}#{part.lower()}") if i % 2 else nodes.Text(part))
+    return made
