@@ -12,6 +12,6 @@ def setup(app: Any) -> dict[str, bool]:
     app.connect("autodoc-process-docstring", names.complete)
     app.connect("autodoc-process-signature", kernels.signature)
     app.connect("viewcode-follow-imported", names.module_of)
-    app.connect("doctree-read", names.anchor_functions)
+    app.connect("doctree-read", names.polish)
     app.connect("doctree-resolved", sources.link)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

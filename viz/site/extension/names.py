@@ -9,6 +9,7 @@ from functools import cache
 from types import ModuleType
 from typing import Any
 
+from docutils import nodes
 from sphinx import addnodes
 
 import warpsample as ws
@@ -52,18 +53,29 @@ def module_of(app: Any, module: str, name: str) -> str | None:  # noqa: ARG001
     return kernels.home(item) or getattr(item, "__module__", None)
 
 
-def anchor_functions(app: Any, doctree: Any) -> None:  # noqa: ARG001
-    """Lets "warpsample.sobol" lead to "warpsample.funcs.sobol": the pages of code call all of a module's names so."""
+def polish(app: Any, doctree: Any) -> None:  # noqa: ARG001
+    """Calls attributes so; and lets "warpsample.sobol" lead to "warpsample.funcs.sobol", as the pages of code call it."""
     for signature in doctree.findall(addnodes.desc_signature):
         signature["ids"] += [name.replace(".funcs.", ".") for name in signature["ids"] if ".funcs." in name]
+    for name in doctree.findall(nodes.field_name):
+        if name.astext() == "Variables":
+            name.replace(name[0], nodes.Text("Attributes"))
 
 
 def complete(app: Any, what: str, name: str, item: Any, options: Any, lines: list[str]) -> None:  # noqa: ARG001
-    """Gives a docstring an example, and a gap that docutils wants after the code in "`wp.func`s"."""
-    lines[:] = [_CODE_IN_WORD.sub(r"\1\\ ", line) for line in lines]
-    if name in public() and "Example" not in "\n".join(lines):
-        text = textwrap.indent(example(name), "   ")
-        lines += ["", ".. rubric:: Example", "", ".. code-block:: python", "", *text.splitlines(), ""]
+    """Gives a docstring that napoleon has read an example, and mends what it takes for types: ours have none.
+
+    docutils wants a gap after the code in "`wp.func`s".
+    """
+    text = "\n".join(_CODE_IN_WORD.sub(r"\1\\ ", line) for line in lines)
+    for kind, field in ((":rtype:", ":returns: "), (":type:", "")):
+        if taken := re.search(rf"\n{kind} (.*(?:\n +.*)*)", text):
+            text = text.replace(taken[0], "", 1)
+            text = text.replace(field, f"{field}{taken[1]}: ", 1) if field else f"{taken[1]}: {text}"
+    lines[:] = text.splitlines()
+    if name in public() and "Example" not in text:
+        made = textwrap.indent(example(name), "   ")
+        lines += ["", ".. rubric:: Example", "", ".. code-block:: python", "", *made.splitlines(), ""]
 
 
 @cache
