@@ -9,8 +9,8 @@ import pytest
 import warp as wp
 
 import warpsample as ws
-from warpsample.proof.laws import uniform_p_value
-from warpsample.proof.mixing import judge_mixing
+from warpsample.proof.laws import joint_p_value, uniform_p_value
+from warpsample.proof.mixing import POINTS, dependence_p_value, grid_cells, judge_mixing
 from warpsample.proof.streams import emitted_bytes, judge_sequence
 from warpsample.proof.stress import judge_indices
 from warpsample.sequences.hashing import philox4x32_10, run_key, run_words
@@ -80,6 +80,29 @@ def test_emitted_bytes_are_the_variates():
         u = (u if seed == 0 else u.swapaxes(0, 1)).reshape(-1)
         words = np.frombuffer(block, np.uint8).reshape(-1, 3).astype(np.int64)
         assert np.array_equal(words @ [1, 256, 65536], u)
+
+
+def ids_of(words, seed):
+    """The ids of points below 2^32 whose keys begin with these words: the inverse of the finaliser."""
+    inverse = {constant: pow(constant, -1, 2**32) for constant in (0x85EBCA6B, 0xC2B2AE35)}
+    words = words ^ words >> 16
+    words = words * inverse[0xC2B2AE35] & 0xFFFFFFFF
+    words = words ^ words >> 13 ^ words >> 26
+    words = words * inverse[0x85EBCA6B] & 0xFFFFFFFF
+    return words ^ words >> 16 ^ run_words(seed, 0)[0]
+
+
+@pytest.mark.parametrize("name", ["independent", "philox"])
+def test_a_sample_undoes_no_bit_of_a_point(name):
+    # Where a key's second word met the sample's half number by an exclusive or: a bit of one undid a bit of the other.
+    random, seed = np.random.default_rng(3), 123
+    words, samples = random.integers(2**32, size=POINTS), random.integers(2**30, size=POINTS)
+    counts, p_values = np.full(POINTS, 2**31 - 1), []
+    own = grid_cells(name, seed, None, ids_of(words, seed), samples, counts).T
+    for bit in range(31):
+        others = ids_of(words ^ 1 << (bit + 16) % 32, seed), samples ^ 2 << bit & 0x7FFFFFFF
+        p_values.append(dependence_p_value(own, grid_cells(name, seed, None, *others, counts).T))
+    assert joint_p_value(*p_values) > 1e-6  # a right sampler fails by chance once in a million seeds; it was 0
 
 
 @pytest.mark.slow

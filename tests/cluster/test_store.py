@@ -1,9 +1,11 @@
 """Stores: each chunk whole or absent, what is missing computed and nothing else, and nothing of another run."""
 
 import json
+import os
 import shutil
 import subprocess
 import sys
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 
@@ -392,6 +394,44 @@ def test_what_a_user_has_at_hidden_names_stays(path, tmp_path, mesh):
     assert sorted(file.name for file in tmp_path.iterdir()) == [lock.name, own.parent.name, path.name]
     assert [file.read_text() for file in (own, lock)] == ["thesis", "thesis"]
     assert path.stat().st_mode & 0o777 == own.parent.stat().st_mode & 0o777  # of a folder like others
+
+
+@pytest.mark.parametrize("kind", ["pipe", "folder", "link"])
+def test_a_lock_that_is_no_ordinary_file_is_refused_at_once(kind, path, mesh, tmp_path):
+    """A pipe would wait for who reads it, deaf to every signal; a link's target is somebody's."""
+    file = tmp_path / lock.lock_name(path)
+    {"pipe": os.mkfifo, "folder": os.mkdir, "link": partial(os.symlink, "thesis.txt")}[kind](file)
+    with pytest.raises(OSError, match=r"out.zarr cannot be written: its lock \.out\.zarr\.lock: "):
+        bake(path, mesh)
+    assert list(tmp_path.iterdir()) == [file]
+
+
+@pytest.mark.parametrize("name", [".run/chunks/0", "value/c/0", "spread/zarr.json"])
+def test_a_pipe_in_a_store_is_no_chunk(name, path, mesh, right):
+    bake(path, mesh)
+    (path / name).unlink()
+    os.mkfifo(path / name)
+    if name.endswith("zarr.json"):
+        with pytest.raises(ValueError, match=r"whose spread/zarr.json is not an ordinary file$"):
+            bake(path, mesh, resume=True)
+    else:
+        bake(path, mesh, resume=True)
+        assert_whole(path, right)
+
+
+def test_a_record_of_nothing_but_brackets_is_none(path, mesh, right):
+    bake(path, mesh)
+    (path / ".run/chunks/0").write_text("[" * 100_000)
+    bake(path, mesh, resume=True)
+    assert_whole(path, right)
+
+
+def test_a_folder_in_the_place_of_a_chunk_is_named(path, mesh):
+    bake(path, mesh)
+    (path / "value/c/1").unlink()
+    (path / "value/c/1").mkdir()
+    with pytest.raises(OSError, match=r"out.zarr/value/c/1 cannot be written: Is a directory$"):
+        bake(path, mesh, resume=True)
 
 
 def test_a_store_that_cannot_be_made_leaves_nothing(path, tmp_path, mesh):

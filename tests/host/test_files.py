@@ -227,6 +227,15 @@ def test_a_part_that_is_taken_for_an_orphan_is_made_again(tmp_path, monkeypatch)
     assert (tmp_path / "out").read_bytes() == b"new"
 
 
+def test_what_a_user_calls_a_part_is_none(tmp_path):
+    prefix = files._prefix(tmp_path / "out")
+    own, orphan = tmp_path / f"{prefix}notes.part", tmp_path / f"{prefix}4194304.0123abcd.part"
+    for file in (own, orphan):
+        file.write_text("mine")
+    files.write_bytes(tmp_path / "out", b"new")
+    assert sorted(tmp_path.iterdir()) == sorted([own, tmp_path / "out"])
+
+
 def test_an_error_of_the_work_stays_what_it_is(tmp_path):
     """Only errors of the output's own file are about the output."""
     with pytest.raises(FileNotFoundError, match="elsewhere"), files.complete_or_absent(tmp_path / "out"):

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import threading
 import time
+from collections import defaultdict
 from pathlib import Path
 
 import numpy as np
@@ -14,11 +15,13 @@ import warp as wp
 from hangs import HANGS
 from warp._src.context import pack_arg
 
+import warpsample as ws
 from warpsample.host import engine
 from warpsample.host.arguments import naming_file
 from warpsample.host.interrupts import uninterrupted
 from warpsample.host.locks import once
 from warpsample.host.making import making
+from warpsample.host.neighbours import address_of
 
 CPU = wp.get_device("cpu")
 MUCH = 10**9  # work, so that threads share it
@@ -180,6 +183,41 @@ def test_what_a_handler_raises_while_a_launch_is_made_comes_out_as_it_is():
         reached = Interrupter(packing.__contains__, "line", send_one, at).run(call)
         at += 1
     assert at > 10
+
+
+@pytest.mark.parametrize(
+    ("error", "function"), [(ValueError, address_of), (BufferError, address_of), (IndexError, engine._take)]
+)
+def test_what_a_handler_raises_is_no_answer_to_a_question(error, function):
+    """Such as whether an array has a buffer, or whether there is a launch to take."""
+
+    def late(*_):
+        raise error("mine")
+
+    def call():
+        try:
+            address_of(out)
+            engine.run(_add, TASKS, [wp.array(out, device=CPU, copy=False), 3], CPU, workers=1, work=TASKS)
+        except error:
+            raise KeyboardInterrupt from None  # as `Interrupter` expects it
+
+    signal.signal(signal.SIGINT, late)
+    out, reached, at = np.zeros(TASKS, np.int32), True, 0
+    while reached:
+        reached = Interrupter(function.__code__.__eq__, "line", send_one, at).run(call)
+        at += 1
+    assert at > 3
+
+
+def test_a_call_while_an_interrupt_is_being_handled_is_as_any_other(monkeypatch):
+    """Where it was asked whether an error is a handler's, the interrupt that was there before was taken for it."""
+    monkeypatch.setattr(engine, "_idle", defaultdict(list))
+    strided = np.zeros((2, 6))[:, ::2]
+    try:
+        raise KeyboardInterrupt
+    except KeyboardInterrupt:
+        assert ws.sample_directions([[0.0, 0.0, 1.0]], 4).vectors.shape == (1, 4, 3)
+        assert address_of(strided) == strided.ctypes.data
 
 
 # What is not interrupted

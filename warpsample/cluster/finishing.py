@@ -10,7 +10,7 @@ from dask.array import Array
 from dask.sizeof import sizeof
 
 from warpsample.cluster.job import Job
-from warpsample.host.interrupts import raised_by_a_handler
+from warpsample.host.interrupts import handled, raised_by_a_handler
 
 AT_A_TIME = 1 << 12
 """Tasks of a graph: a scheduler takes 2 KB for each, and a thread finds the next one in 0.1 ms."""
@@ -39,7 +39,7 @@ def finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks:
     from distributed.comm import CommClosedError
     from distributed.scheduler import KilledWorker
 
-    left, tries = dict.fromkeys(chunks), _TRIES
+    left, tries, before = dict.fromkeys(chunks), _TRIES, handled()
     while left:
         try:
             for chunk, told in _finished(client, job, tasks, list(left)):
@@ -50,7 +50,7 @@ def finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks:
             _check_size([error.last_worker], job)
             raise ConnectionError(str(error).splitlines()[0]) from error
         except (CancelledError, CommClosedError, TimeoutError) as error:
-            if own := raised_by_a_handler(error):  # as of a deadline, which says nothing of the scheduler
+            if own := raised_by_a_handler(error, before):  # as of a deadline, which says nothing of the scheduler
                 raise own from None
             tries -= 1
             if client.status != "running":

@@ -43,6 +43,11 @@ def record_of(chunk: int) -> str:
 
 def _opened(path: Path, argument: str) -> Any:
     def read() -> Any:
+        for metadata in (path / "zarr.json", *path.glob("*/zarr.json")):
+            if metadata.exists() and not metadata.is_file():  # a pipe would wait for who writes to it
+                raise ValueError(
+                    f"{argument}: got {str(path)!r}, whose {metadata.relative_to(path)} is not an ordinary file"
+                )
         try:
             return zarr.open_group(path, mode="r", use_consolidated=False)
         except Exception as error:  # a file that holds anything fails in any way
@@ -91,9 +96,16 @@ def _grid_of(array: Any) -> tuple[int, ...]:
 def _is_whole(path: Path, arrays: dict[str, Any], chunk: int) -> bool:
     """Whether a chunk's files hold what was written to them, by the record that was written last."""
     try:
-        record = json.loads(path.joinpath(record_of(chunk)).read_bytes())
+        record = json.loads(_content(path.joinpath(record_of(chunk))))
         places = {name: np.unravel_index(chunk, _grid_of(array)) for name, array in arrays.items()}
         files = {name: path.joinpath(name, "c", *map(str, place)) for name, place in places.items()}
-        return record[INDEX] == chunk and all(record[name] == crc32(file.read_bytes()) for name, file in files.items())
-    except (OSError, ValueError, LookupError, TypeError):
+        return record[INDEX] == chunk and all(record[name] == crc32(_content(file)) for name, file in files.items())
+    except (OSError, ValueError, LookupError, TypeError, RecursionError):
         return False
+
+
+def _content(file: Path) -> bytes:
+    """The bytes of an ordinary file; a pipe would wait for who writes to it."""
+    if not file.is_file():
+        raise FileNotFoundError(file)
+    return file.read_bytes()

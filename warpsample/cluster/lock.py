@@ -1,6 +1,8 @@
 """The lock of a store: a file beside it, which one process has at a time."""
 
+import errno
 import os
+import stat
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from functools import partial
@@ -44,9 +46,9 @@ def _take(path: Path, file: Path, held: list[Any]) -> None:
     """
     while True:  # again, if who had it removed it in between
         try:
-            opened = file.open("a")
+            opened = os.fdopen(_ordinary(file), "a")
         except OSError as error:
-            raise WriteError(f"{path} cannot be written: {error.strerror}") from error
+            raise WriteError(f"{path} cannot be written: its lock {file.name}: {error.strerror}") from error
         if not _lock(opened):
             opened.close()
             raise WriteError(f"{path} cannot be written: another process is writing it")
@@ -55,6 +57,20 @@ def _take(path: Path, file: Path, held: list[Any]) -> None:
                 held.append(opened)
                 return
         opened.close()
+
+
+def _ordinary(file: Path) -> int:
+    """Opens a file to be locked, but follows no link and waits for no one at a pipe's other end.
+
+    Raises:
+        OSError: it is no ordinary file, or cannot be opened.
+    """
+    flags = os.O_CREAT | os.O_APPEND | os.O_WRONLY
+    opened = os.open(file, flags | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0), 0o666)
+    if not stat.S_ISREG(os.fstat(opened).st_mode):
+        os.close(opened)
+        raise OSError(errno.EINVAL, "not an ordinary file")
+    return opened
 
 
 def _give_back(file: Path, held: list[Any]) -> None:

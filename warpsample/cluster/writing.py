@@ -144,7 +144,7 @@ def _put_encoded(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) 
         _place(folder, record_of(index), json.dumps(record).encode())
     except OSError as error:
         _check(folder)
-        raise WriteError(f"{store_of(folder)} cannot be written: {error.strerror or error}") from None
+        raise WriteError(f"{error.filename2 or store_of(folder)} cannot be written: {error.strerror or error}") from None
 
 
 @lru_cache(maxsize=64)

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.interrupts import handlers_first, raised_by_a_handler, to_its_end
+from warpsample.host.interrupts import handled, handlers_first, raised_by_a_handler, to_its_end
 
 _LONGEST = 80  # characters of a value in a message
 _FLAGS = (bool, np.bool_)
@@ -19,10 +19,11 @@ _FLAGS = (bool, np.bool_)
 
 def told(value: Any) -> str:
     """`value` as a message shows it: short, on one line, and without an error of its own."""
+    before = handled()
     try:
         text = repr(value)
     except Exception as error:  # whatever the value's own code raises; Python itself refuses to print ints of 5,000 digits
-        if raised_by_a_handler(error):
+        if raised_by_a_handler(error, before):
             raise
         return f"a value of type {type(value).__name__}"
     text = " ".join(text.splitlines())

@@ -10,7 +10,7 @@ from typing import Any
 import warp as wp
 
 from warpsample.host.arguments import check_integer
-from warpsample.host.interrupts import handlers_first
+from warpsample.host.interrupts import handled, handlers_first, raised_by_a_handler
 from warpsample.host.kernel_cache import load
 from warpsample.host.making import imported, make
 from warpsample.host.progress import begin
@@ -91,9 +91,12 @@ def _share(commands: list[wp.Launch], batch: int, tasks: int, done: Callable[[in
 
 def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
     """A recorded launch that no other thread uses, with these inputs: 4 us where a new launch takes 60."""
+    before = handled()
     try:
         command = _idle[kernel, device.alias].pop()
-    except IndexError:
+    except IndexError as error:
+        if raised_by_a_handler(error, before):
+            raise
         load(kernel, device.alias)
         command = make(partial(_record, kernel, inputs, device))
     for index, value in enumerate(inputs):

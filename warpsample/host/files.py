@@ -32,6 +32,7 @@ except ModuleNotFoundError:  # Windows, where an open file cannot be removed
 _BUFFER = 1 << 20
 _DEFLATED = 1032  # bytes that one byte of a .zip stands for, at most
 _HEADERS = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
+_OUR_PARTS = re.compile(r"\d+\.[0-9a-f]{8}\.part")  # a process and eight random digits; others are a user's own
 _LONGEST = 40  # characters of a name within the name of its part: file systems take 255 bytes
 
 
@@ -191,9 +192,11 @@ def _remove_orphans(target: Path) -> None:
     be visible here, so their parts are left alone; without locks nothing is removed.
     """
     with suppress(OSError):
-        for orphan in target.parent.glob(f"{escape(_prefix(target))}*.part"):
+        prefix = _prefix(target)
+        for orphan in target.parent.glob(f"{escape(prefix)}*.part"):
             with suppress(OSError):
-                if orphan.is_file() and not orphan.is_symlink():
+                ours = _OUR_PARTS.fullmatch(orphan.name.removeprefix(prefix))
+                if ours and orphan.is_file() and not orphan.is_symlink():
                     _remove_if_dead(orphan)
 
 

@@ -28,7 +28,7 @@ class handlers_first(ContextDecorator):  # noqa: N801  (a class, as each small c
 
     def __enter__(self) -> None:
         """Keeps what is being handled already."""
-        self._before = sys.exc_info()[1]
+        self._before = handled()
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, _: object) -> None:
         """Raises the handler's own error, if it led to this one."""
@@ -41,7 +41,12 @@ class handlers_first(ContextDecorator):  # noqa: N801  (a class, as each small c
         return handlers_first()
 
 
-def raised_by_a_handler(error: BaseException, before: BaseException | None = None) -> BaseException | None:
+def handled() -> BaseException | None:
+    """What is being handled here: a call may be made while an interrupt is, which is then none of its own."""
+    return sys.exc_info()[1]
+
+
+def raised_by_a_handler(error: BaseException, before: BaseException | None) -> BaseException | None:
     """What a signal's handler has raised, of an error and those that led to it; None if it is something else's.
 
     Args:

@@ -11,7 +11,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.host.arguments import told
-from warpsample.host.interrupts import handlers_first, raised_by_a_handler
+from warpsample.host.interrupts import handled, handlers_first, raised_by_a_handler
 from warpsample.host.kernel_cache import start
 
 _NUMPY_KNOWS = ("__array__", "__array_interface__", "__array_struct__")
@@ -23,11 +23,13 @@ def address_of(array: np.ndarray | wp.array) -> int:
     """Address of the first element, on the array's device."""
     if isinstance(array, wp.array):
         return array.ptr or 0
+    before = handled()
     try:
         if array.flags.writeable:
             return addressof(c_char.from_buffer(array))  # in a third of the time
-    except (TypeError, ValueError, BufferError):  # it is not contiguous, empty, or of a type that no buffer has
-        pass
+    except (TypeError, ValueError, BufferError) as error:  # it is not contiguous, empty, or of a type that no buffer has
+        if raised_by_a_handler(error, before):
+            raise
     return array.__array_interface__["data"][0]
 
 
@@ -64,10 +66,11 @@ def _from_cuda(value: Any, argument: str) -> Any:
 
 
 def _on_cuda(value: Any) -> bool:
+    before = handled()
     try:
         return value.__dlpack_device__()[0] == _DLPACK_CUDA
     except Exception as error:  # it has no such method, or is where DLPack has no number for
-        if raised_by_a_handler(error):
+        if raised_by_a_handler(error, before):
             raise
         return getattr(value, "__cuda_array_interface__", None) is not None
 

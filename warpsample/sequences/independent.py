@@ -7,12 +7,17 @@ from warpsample.sequences.hashing import ONE_WORD, halves_swapped, pcg4d, point_
 from warpsample.sequences.record import Sequence
 
 _HALF_A_WORD = wp.constant(wp.uint32(16))
+_MURMUR = wp.constant(wp.uint32(0x85EBCA6B))
+_MURMUR_SHIFT = wp.constant(wp.uint32(13))
 
 
 @wp.func
 def _words(key: wp.vec4ui, half: wp.uint32) -> wp.vec4ui:
-    # pcg4d carries a bit only to higher ones, but for one shift by 16: the upper half of the number needs another.
-    return pcg4d(key[1] ^ half ^ (half >> _HALF_A_WORD), key[0], key[2], key[3] + halves_swapped(half))
+    # Half of the finaliser of Appleby2016: pcg4d carries bits to higher ones only, but for one shift, so that a bit of the
+    # number could undo one of the point's word.
+    half = (half ^ (half >> _HALF_A_WORD)) * _MURMUR
+    half = half ^ (half >> _MURMUR_SHIFT)
+    return pcg4d(key[1] ^ half, key[0], key[2], key[3] + halves_swapped(half))
 
 
 @wp.func

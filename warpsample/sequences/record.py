@@ -8,7 +8,7 @@ import warp as wp
 
 from warpsample.sequences.hashing import mixed_key, run_key, run_words
 
-STREAMS = 3
+STREAMS = 4
 """The number of the definition of all random streams: it grows when the same seed gives other numbers."""
 
 

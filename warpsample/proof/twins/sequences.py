@@ -91,7 +91,9 @@ def _half(words: Sequence[int], sample: int) -> tuple[int, int]:
 
 def _independent(key: Key, sample: int, count: int) -> tuple[int, int]:
     half = sample >> 1
-    return _half(pcg4d(key[1] ^ half ^ (half >> 16), key[0], key[2], (key[3] + _swapped(half)) & _MASK), sample)
+    half = (half ^ half >> 16) * 0x85EBCA6B & _MASK
+    half ^= half >> 13
+    return _half(pcg4d(key[1] ^ half, key[0], key[2], (key[3] + _swapped(half)) & _MASK), sample)
 
 
 def _philox(key: Key, sample: int, count: int) -> tuple[int, int]:
@@ -147,7 +149,7 @@ def _stratified(key: Key, sample: int, count: int) -> tuple[int, int]:
 # A change of a stream changes every result that users have stored: it must be intended.
 _TWINS = {
     "fibonacci": (_fibonacci, _key, "9b6a304645396704"),
-    "independent": (_independent, _premixed, "f4252e2aec4b82be"),
+    "independent": (_independent, _premixed, "3f50d8566dcc3184"),
     "philox": (_philox, _as_it_is, "d0a7cbe4f6926d5d"),
     "r2": (_r2, _key, "1ef78d50553aa7c2"),
     "sobol": (_sobol, _key, "2c778d1aeb322b6f"),
