@@ -36,7 +36,7 @@ def wooded(ground, canopy, transform=NORTH_UP, **options):
 def sky(made, cell, transmittance, count=RAYS):
     points, cells = made.points()
     some = points.take(cells == cell)
-    return seen_through(made, check_transmittance(transmittance), lambda mesh: ws.sky_view_factor(mesh, some, count))
+    return seen_through(made.scenery, check_transmittance(transmittance), lambda mesh: ws.sky_view_factor(mesh, some, count))
 
 
 def assert_sky(made, cell, transmittance, exact):
@@ -125,8 +125,8 @@ def test_the_trunk_zone_lets_the_sun_pass():
     suns = np.stack([np.cos(altitude), 0.0 * altitude, np.sin(altitude)], axis=1)
     some = points.take(cells == 0)
     for k, lit in enumerate((1.0, 0.25, 1.0)):
-        assert sun_through(made, some, suns[k : k + 1], 0.25 * ONE)[0] == pytest.approx(lit, abs=1e-12)
-    assert sun_through(made, some, suns, np.array([0.5, 0.25, 0.1]))[0] == pytest.approx(2.25, abs=1e-12)
+        assert sun_through(made.scenery, some, suns[k : k + 1], 0.25 * ONE)[0] == pytest.approx(lit, abs=1e-12)
+    assert sun_through(made.scenery, some, suns, np.array([0.5, 0.25, 0.1]))[0] == pytest.approx(2.25, abs=1e-12)
 
 
 def test_trunks_and_crowns_come_in_rasters_and_as_elevations(tmp_path):
@@ -148,13 +148,13 @@ def test_errors_are_those_of_both_runs():
     made = wooded(np.zeros((3, 3)), np.eye(3) * 6.0)
     points, _ = made.points()
     below, above = (ws.sky_view_factor(mesh, points, 256) for mesh in (made.canopy_mesh, made.mesh))
-    found = seen_through(made, check_transmittance(0.3), lambda mesh: ws.sky_view_factor(mesh, points, 256))
+    found = seen_through(made.scenery, check_transmittance(0.3), lambda mesh: ws.sky_view_factor(mesh, points, 256))
     assert np.allclose(found.value, 0.7 * below.value + 0.3 * above.value, rtol=1e-6)
     assert np.allclose(found.standard_error, 0.7 * below.standard_error + 0.3 * above.standard_error, rtol=1e-6)
     assert np.array_equal(found.rays, below.rays + above.rays)
     assert found.rays.dtype == np.int32
     bare = rasters.surface((np.zeros((3, 3)), NORTH_UP, None))
-    alone = seen_through(bare, check_transmittance(0.3), lambda mesh: ws.sky_view_factor(mesh, points, 256))
+    alone = seen_through(bare.scenery, check_transmittance(0.3), lambda mesh: ws.sky_view_factor(mesh, points, 256))
     assert np.array_equal(alone.value, above.value)
 
 
@@ -236,7 +236,9 @@ def test_a_year_of_leaves_is_the_sum_of_its_months():
         options = RayOptions.of(len(points), seed=3).by()
         given = {"ground_albedo": 0.2, "patches": "tregenza", "up": (0, 0, 1), "north": made.north}
         light = light_of("athens", period=period, **given)
-        return irradiation_through(made, points, light, check_transmittance(transmittance), count=64, options=options)
+        return irradiation_through(
+            made.scenery, points, light, check_transmittance(transmittance), count=64, options=options
+        )
 
     whole = received(shares, "05-20", "07-10")
     parts = [

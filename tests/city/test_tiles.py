@@ -2,6 +2,7 @@
 
 import tracemalloc
 import weakref
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -126,7 +127,7 @@ def test_columns_are_above_and_below_the_terrain(model, transform):
     near = tuple(slice(part.start - 4, part.stop + 4) for part in tile)
     inside = np.zeros(heights.shape, bool)
     inside[near] = True
-    upper, lower = (_height_of(ws.as_mesh(columns), reader, 100.0) for columns in field.columns(tile, near))
+    upper, lower = (_height_of(ws.as_mesh(made()), reader, 100.0) for made in field.columns(tile, near))
     assert np.isnan(upper[inside & ~np.isnan(heights)]).all()
     known = ~inside & ~np.isnan(heights)
     assert (upper[known] >= heights[known] - 5e-4).all()  # float32, and the Earth's curvature over 80 m
@@ -172,7 +173,7 @@ def test_far_terrain_sinks_with_the_distance():
     other = reader_of((coarse, Affine.translation(-50e3, 50e3) @ Affine.scale(1e3, -1e3), None))
     field = FarField.of(reader, other, margin=50, model="block")
     tile = slice(0, 3), slice(0, 3)
-    (upper, _), (lower, _) = field.columns(tile, tile)
+    (upper, _), (lower, _) = (made() for made in field.columns(tile, tile))
     for vertices in (upper, lower):
         top = vertices[(vertices[:, 0] > 99e3) & (abs(vertices[:, 1]) < 2e3), 2].max()
         assert abs(top - (1000.0 - 0.87 * 100_000.0**2 / (2.0 * 6_371_000.0))) < 0.0137 * 3_200.0  # cells there are so long
@@ -239,42 +240,40 @@ def test_calls_take_trees_and_tiles():
 
 @pytest.fixture
 def looked_at(monkeypatch):
-    """(meshes that are looked at, all that live then besides), at each look at a tile."""
-    made, looks, look, make = [], [], RasterRun._seen, ws.Mesh.__post_init__
+    """(faces of the mesh that is looked at, how many other meshes live then) at each look at a tile; and the quantity."""
+    made, looks, make = [], [], ws.Mesh.__post_init__
 
     def counted(mesh):
         make(mesh)
         made.append(weakref.ref(mesh))
 
-    def looking(run, points, whole, scene):
-        found = look(run, points, whole, scene)
-        own = [mesh for mesh in (scene.mesh, scene.canopy_mesh) if mesh is not None]
-        looks.append((len(own), sum(mesh() is not None for mesh in made) - len(own)))
-        assert not any({"cross_products", "face_normals"} & set(vars(mesh)) for mesh in own)
-        sizes.append(max(len(mesh.faces) for mesh in own))
+    def looking(mesh, points, count, **options):
+        found = SKY.call(mesh, points, count, **options)
+        looks.append((len(mesh.faces), sum(other() not in (None, mesh) for other in made)))
+        assert not {"cross_products", "face_normals"} & set(vars(mesh))
         return found
 
-    sizes = []
     monkeypatch.setattr(ws.Mesh, "__post_init__", counted)
-    monkeypatch.setattr(RasterRun, "_seen", looking)
-    return looks, sizes
+    return looks, replace(SKY, call=looking)
 
 
 @pytest.mark.parametrize("trees", [False, True])
 def test_a_tile_has_no_mesh_but_what_is_looked_at(looked_at, trees):
     """Neither the one without columns nor the one before; and no normals of faces, which its points are not on."""
+    looks, quantity = looked_at
     heights = town(90, 90)
     canopy = (np.eye(90) * 5.0, NORTH_UP, None) if trees else None
-    made = run(heights, canopy=canopy, tile=10, margin=8, receiver="surface")
+    made = run(heights, quantity, canopy=canopy, tile=10, margin=8, receiver="surface")
     made.numbers((slice(40, 50), slice(40, 50)))
-    assert looked_at[0] == [(1 + trees, 0)] * 2
+    assert [others for _, others in looks] == [0] * (2 + 2 * trees)
 
 
 @pytest.mark.slow
 def test_a_tile_takes_200_bytes_a_triangle(looked_at):
     """Vertices and faces take 24, and as float32 18, the tree 90 and 32 to be built: 170; with two meshes it was 224."""
     heights = np.random.default_rng(11).uniform(0.0, 3.0, (400, 400))
-    made = run(heights, count=2, tile=200, margin=60)
+    looks, quantity = looked_at
+    made = run(heights, quantity, count=2, tile=200, margin=60)
     assert made.field is not None  # which is read before
     tracemalloc.start()
     try:
@@ -282,7 +281,7 @@ def test_a_tile_takes_200_bytes_a_triangle(looked_at):
         most = tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()
-    assert most < 200 * max(looked_at[1])
+    assert most < 200 * max(faces for faces, _ in looks)
 
 
 @pytest.mark.slow

@@ -6,6 +6,7 @@ and one that meets the lower ones meets the terrain: what is seen lies between w
 """
 
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from affine import Affine
 from warpsample.city.rasters.canopy import Canopy, Crowns, prisms
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
+from warpsample.city.rasters.scenery import Columns, Part, joined
 
 _FINENESS = 50  # cells of a ring that its distance has at least: a horizon turns by a fiftieth of its slope's sine
 _EARTH, _REFRACTION = 6_371_000.0, 0.13  # m; and how much less light bends than the ground
@@ -72,24 +74,20 @@ class FarField:
             beyond = Bounds(heights, heights, ~reader.transform @ other.transform)
         return cls(_pooled(reader, canopy, size, int(model != "block")), beyond, size, reader.outline)
 
-    def columns(self, tile: tuple[slice, slice], near: tuple[slice, slice]) -> list[tuple[np.ndarray, np.ndarray]]:
-        """The triangles, (vertices, faces), of the upper and of the lower columns; none if there is nothing beyond.
+    def columns(self, tile: tuple[slice, slice], near: tuple[slice, slice]) -> list[Columns]:
+        """What makes the upper, and what makes the lower columns; nothing if there is nothing beyond.
 
         Args:
             tile: rows and columns of the points; far columns are lowered by the distance from them, as the Earth is round.
             near: rows and columns that are there as they are, `window_of` the tile.
         """
         levels = [level for level in self._levels(tile, near) if not np.isnan(level[0]).all()]
-        if not levels:
-            return []
-        floor = min(np.nanmin(lowest) for level in levels for lowest in level[:2] if not np.isnan(lowest).all()) - 1.0
-        made = []
-        for which in (0, 1):
-            parts = [self._prisms(level[which], level[2], floor) for level in levels]
-            first = np.cumsum([0, *(len(vertices) for vertices, _ in parts)], dtype=np.int32)
-            faces = [first[k] + found for k, (_, found) in enumerate(parts)]
-            made.append((np.concatenate([vertices for vertices, _ in parts]), np.concatenate(faces)))
-        return made
+        known = [lowest for level in levels for lowest in level[:2] if not np.isnan(lowest).all()]
+        floor = min(map(np.nanmin, known), default=0.0) - 1.0
+        return [partial(self._columns, levels, which, floor) for which in (0, 1)] if levels else []
+
+    def _columns(self, levels: list[tuple[np.ndarray, np.ndarray, Affine]], which: int, floor: float) -> Part:
+        return joined([self._prisms(level[which], level[2], floor) for level in levels])
 
     def window_of(self, tile: tuple[slice, slice], margin: int) -> tuple[slice, slice]:
         """The rows and columns of a tile with its margin, out to where cells of the nearest ring begin."""
@@ -175,7 +173,7 @@ class FarField:
         nearest, farthest = (np.square(x[:, None]) + np.square(y) for x, y in (gaps, spans))
         return upper - scale * shortest**2 * nearest, lower - scale * longest**2 * farthest
 
-    def _prisms(self, heights: np.ndarray, where: Affine, floor: float) -> tuple[np.ndarray, np.ndarray]:
+    def _prisms(self, heights: np.ndarray, where: Affine, floor: float) -> Part:
         """Columns from the floor to these heights."""
         outline = self.outline
         grid = Grid(heights, outline.transform @ where, outline.crs, outline.metres, outline.dims, {})

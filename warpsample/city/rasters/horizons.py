@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.city.rasters.horizon_kernel import HorizonRowsArgs, horizon_kernel
-from warpsample.city.rasters.seen import Seen
+from warpsample.city.rasters.scenery import Seen
 from warpsample.estimate.plan import Plan, reach_of
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.visible_sky import visible_sky

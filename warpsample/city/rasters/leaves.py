@@ -6,13 +6,12 @@ seen without them, B + share * (A - B). Both are found by the same rays, so that
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
 
-from warpsample.city.rasters.raster_surface import RasterSurface
-from warpsample.city.rasters.seen import Seen
+from warpsample.city.rasters.scenery import Scenery, Seen
 from warpsample.estimate.plan import Plan
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.arguments import told
@@ -32,19 +31,6 @@ TRANSMITTANCE = 0.03
 
 _MONTHS, _DAYS = 12, 365
 _WANTS = "a share from 0 to 1, or 12 of them, for each month, or 365, for each day"
-
-
-@dataclass(frozen=True, eq=False)
-class Scenery:
-    """What stands about points.
-
-    Attributes:
-        mesh: without crowns.
-        canopy_mesh: with opaque ones; None where there are none.
-    """
-
-    mesh: Mesh
-    canopy_mesh: Mesh | None = None
 
 
 def check_transmittance(value: Any) -> np.ndarray:
@@ -75,40 +61,40 @@ def _day_of(day: np.datetime64) -> int:
     return int((first.astype("datetime64[D]") - np.datetime64("2021-01-01")).astype(int) + (day - month).astype(int))
 
 
-def seen_through(surface: RasterSurface | Scenery, transmittance: np.ndarray, call: Callable[[Mesh], Any]) -> Seen:
+def seen_through(scenery: Scenery, transmittance: np.ndarray, call: Callable[[Mesh], Any]) -> Seen:
     """What points see of a sky that is the same at any time.
 
     Args:
-        surface: with crowns or without.
+        scenery: with crowns or without.
         transmittance: (1,).
         call: what they see with a mesh in the way, as an Estimate has it.
     """
-    return _joined(Seen, [_dimmed(call(mesh), share) for mesh, share in _views(surface, transmittance)])
+    return _joined(Seen, [_dimmed(call(made()), share) for made, share in _views(scenery, transmittance)])
 
 
 def seen_of(
     quantity: Quantity,
-    surface: RasterSurface | Scenery,
+    scenery: Scenery,
     points: SurfacePoints,
     options: dict[str, Any],
     transmittance: np.ndarray,
 ) -> Seen:
     """A quantity at points of a surface, by its call, or by the hours of its light where what passes crowns has a date."""
-    if len(transmittance) == 1 or surface.canopy_mesh is None:
-        return seen_through(surface, transmittance[:1], lambda mesh: quantity.call(mesh, points, **options))
+    if len(transmittance) == 1 or scenery.wooded is None:
+        return seen_through(scenery, transmittance[:1], lambda mesh: quantity.call(mesh, points, **options))
     given = {name: value for name, value in quantity.parameters.items() if name != "first_point"} | options
     if quantity.call is irradiation:
         names = ("weather", "period", "ground_albedo", "patches", "up", "north")
         light = light_of(**{name: given[name] for name in names})
         cast = RayOptions.of(len(points), seed=given["seed"], ids=points.id).by(workers=given["workers"])
-        found = irradiation_through(surface, points, light, transmittance, count=given["count"], options=cast)
+        found = irradiation_through(scenery, points, light, transmittance, count=given["count"], options=cast)
         return Seen(found.value, found.standard_error, found.rays, found.status)
     weather = read_weather(given["weather"], given["period"])
     weather = weather.chosen(weather.sun_altitude > 0.0)
     frame = sky_patches(up=given["up"], north=given["north"]).frame
-    bare = quantity.call(surface.mesh, points, **options)
+    bare = quantity.call(scenery.bare(), points, **options)
     shares = shares_of_hours(transmittance, weather.hours)
-    hours = sun_through(surface, points, sun_directions(weather, frame), shares, workers=given["workers"])
+    hours = sun_through(scenery, points, sun_directions(weather, frame), shares, workers=given["workers"])
     return replace(_dimmed(bare, np.ones(())), value=hours.astype(np.float32))
 
 
@@ -125,7 +111,7 @@ def check_dates(quantity: Quantity, transmittance: np.ndarray) -> None:
 
 
 def irradiation_through(
-    surface: RasterSurface | Scenery,
+    scenery: Scenery,
     points: SurfacePoints,
     light: Light,
     transmittance: np.ndarray,
@@ -134,10 +120,12 @@ def irradiation_through(
     options: RayOptions,
 ) -> Irradiation:
     """What a period's light brings to points of a surface; arguments as of `irradiation` and `received`."""
-    parts = []
-    for mesh, shares in _views(surface, shares_of_hours(transmittance, light.hours)):
+
+    def through(mesh: Mesh, shares: np.ndarray) -> Irradiation:
         plan = Plan.of(PlacedPoints.of(mesh, points), count, options)
-        parts.append(received(plan, light_through(light, shares), series=False))
+        return received(plan, light_through(light, shares), series=False)
+
+    parts = [through(made(), shares) for made, shares in _views(scenery, shares_of_hours(transmittance, light.hours))]
     return _joined(Irradiation, parts)
 
 
@@ -151,19 +139,17 @@ def light_through(light: Light, shares: np.ndarray) -> Light:
     )
 
 
-def sun_through(
-    surface: RasterSurface | Scenery, points: SurfacePoints, suns: np.ndarray, shares: np.ndarray, **options: Any
-) -> np.ndarray:
+def sun_through(scenery: Scenery, points: SurfacePoints, suns: np.ndarray, shares: np.ndarray, **options: Any) -> np.ndarray:
     """(P,) float64, the number of suns (T, 3) that points see, those behind crowns counted by the shares (T,) that pass."""
-    views = _views(surface, shares)
-    return np.sum([direct_sun(mesh, points, suns, weights=np.array(share), **options) for mesh, share in views], axis=0)
+    views = _views(scenery, shares)
+    return np.sum([direct_sun(made(), points, suns, weights=np.array(share), **options) for made, share in views], axis=0)
 
 
-def _views(surface: RasterSurface | Scenery, shares: np.ndarray) -> tuple[tuple[Mesh, np.ndarray], ...]:
-    """The meshes to look at, and how much what is seen there counts."""
-    if surface.canopy_mesh is None:
-        return ((surface.mesh, np.ones_like(shares)),)
-    return (surface.canopy_mesh, 1.0 - shares), (surface.mesh, shares)
+def _views(scenery: Scenery, shares: np.ndarray) -> tuple[tuple[Callable[[], Mesh], np.ndarray], ...]:
+    """What makes the meshes to look at, one after the other, and how much what is seen there counts."""
+    if scenery.wooded is None:
+        return ((scenery.bare, np.ones_like(shares)),)
+    return (scenery.wooded, 1.0 - shares), (scenery.bare, shares)
 
 
 def _dimmed(found: Any, share: np.ndarray) -> Seen:

@@ -12,6 +12,7 @@ from warpsample.city.rasters.cells import STEP, joined_cells
 from warpsample.city.rasters.centres import between_centres
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reading import reader_of, with_heights
+from warpsample.city.rasters.scenery import Scenery, joined
 from warpsample.city.rasters.triangles import TOP
 from warpsample.host.arguments import check_choice
 from warpsample.host.arrays import as_real
@@ -46,6 +47,11 @@ class RasterSurface:
     def north(self) -> tuple[float, float, float]:
         """True north at the raster's middle, in the map's coordinates, as `north=` of `irradiation` takes it."""
         return self.grid.north
+
+    @property
+    def scenery(self) -> Scenery:
+        """Both meshes, which stay."""
+        return Scenery(lambda: self.mesh, None if self.canopy_mesh is None else lambda: self.canopy_mesh)
 
     def points(self, receiver: str = "horizontal") -> tuple[SurfacePoints, np.ndarray]:
         """The middles of the cells that have a height.
@@ -159,15 +165,10 @@ def surface(
     return surface_of(grid, model, canopy and canopy.crowns(grid))
 
 
-def surface_of(grid: Grid, model: str, crowns: Crowns | None) -> RasterSurface:
+def surface_of(grid: Grid, model: str, crowns: Crowns | None = None) -> RasterSurface:
     """The surface of a grid, and of the crowns over it."""
     made = between_centres(grid) if model == "tin" else joined_cells(grid, STEP if model == "joined" else 0.0)
     mesh, with_crowns = Mesh(made.vertices, made.faces), None
     if crowns is not None and crowns.any:
-        with_crowns = beside(mesh.vertices, mesh.faces, *prisms(grid, crowns))
+        with_crowns = Mesh(*joined([(mesh.vertices, mesh.faces), prisms(grid, crowns)]))
     return RasterSurface(grid, model, mesh, made.kind, made.cell, with_crowns)
-
-
-def beside(vertices: np.ndarray, faces: np.ndarray, more_vertices: np.ndarray, more_faces: np.ndarray) -> Mesh:
-    """The mesh of triangles and, after them, more triangles."""
-    return Mesh(np.concatenate([vertices, more_vertices]), np.concatenate([faces, len(vertices) + more_faces]))

@@ -6,23 +6,25 @@ but for what is beyond their margin, and for how float32 rounds in another mesh.
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from warpsample.city.rasters.canopy import Canopy, calling, check_for_crowns, check_same_map
+from warpsample.city.rasters.canopy import Canopy, calling, check_for_crowns, check_same_map, prisms
 from warpsample.city.rasters.far import FarField
+from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.horizons import finds_horizons, sky_by_horizons
-from warpsample.city.rasters.leaves import TRANSMITTANCE, Scenery, check_dates, check_transmittance, seen_of
-from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, RasterSurface, beside, surface_of
+from warpsample.city.rasters.leaves import TRANSMITTANCE, check_dates, check_transmittance, seen_of
+from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, surface_of
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reading import reader_of, with_heights
-from warpsample.city.rasters.seen import Seen
+from warpsample.city.rasters.scenery import Foreground, Scenery, Seen, joined
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.visible_sky import visible_sky
 from warpsample.host.arguments import check_choice, check_integer, told
 from warpsample.host.log import log
+from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 
 MARGIN = 256
@@ -184,41 +186,35 @@ class RasterRun:
             with_heights(grid)
         if not (inside & grid.valid).any():
             return laid
-        surface = surface_of(grid, self.model, self.canopy and self.canopy.crowns(grid, *window))
+        surface = surface_of(grid, self.model)
         points, cells = surface.points(self.receiver)
         chosen = inside.ravel()[cells]
         i, j = np.divmod(cells[chosen], grid.height.shape[1])
         id = (i + window[0].start) * self.reader.shape[1] + j + window[1].start
         points = replace(points.take(chosen), id=id)
-        scenes = self._between(surface, span, near)
-        del surface  # whose arrays go when there are columns beside them
-        found = list(map(partial(self._seen, points, grid.whole), scenes))
+        mesh = surface.mesh
+        del surface
+        foreground = self._foreground(mesh, grid, window)
+        del mesh  # whose arrays are in it
+        scenes = self._between(foreground, span, near)
+        found = [self._seen(points, grid.whole, scenery) for scenery in scenes]
         for name, values in _bounded(found).items():
             if name in laid:
                 laid[name][i - row, j - column] = values
         return laid
 
-    def _between(self, surface: RasterSurface, span: Span, near: Span) -> Iterator[Scenery]:
-        """The surface with upper, and then with lower columns beyond it; or itself, if there is nothing.
+    def _foreground(self, mesh: Mesh, grid: Grid, window: Span) -> Foreground:
+        """The surface of a tile and its margin, and its crowns."""
+        ground = mesh.vertices, mesh.faces
+        crowns = self.canopy and self.canopy.crowns(grid, *window)
+        triangles = joined([ground, prisms(grid, crowns)]) if crowns and crowns.any else ground
+        return Foreground(triangles, tuple(map(len, ground)))
 
-        Each is gone, with its tree, when the next one is made, unless the caller keeps it; its arrays begin the next one's.
-        """
-        columns = [] if self.field is None else self.field.columns(span, near)
-        alike = self.wooded is self.field or surface.canopy_mesh is None
-        trees = list(columns) if alike else self.wooded.columns(span, near)
-        meshes = [mesh for mesh in (surface.mesh, surface.canopy_mesh) if mesh is not None]
-        surface, parts = None, [(mesh.vertices, mesh.faces) for mesh in meshes]
-        if not columns:
-            yield Scenery(*meshes)
-        while columns:
-            meshes = [beside(*part, *more) for part, more in zip(parts, (columns.pop(0), trees.pop(0)), strict=False)]
-            parts = [
-                (mesh.vertices[: len(vertices)], mesh.faces[: len(faces)])
-                for mesh, (vertices, faces) in zip(meshes, parts, strict=True)
-            ]
-            scenes = [Scenery(*meshes)]
-            meshes.clear()
-            yield scenes.pop()
+    def _between(self, foreground: Foreground, span: Span, near: Span) -> list[Scenery]:
+        """What is near before the upper, and before the lower columns; or alone, where there are none."""
+        fields = [] if self.field is None else [self.field] if self.wooded is self.field else [self.field, self.wooded]
+        columns = zip(*(field.columns(span, near) for field in fields), strict=True)
+        return [foreground.before(*each) for each in columns] or [foreground.before()]
 
     @property
     def by_horizons(self) -> bool:
@@ -227,7 +223,7 @@ class RasterRun:
 
     def _seen(self, points: SurfacePoints, whole: bool, scene: Scenery) -> Seen:
         if whole and self.by_horizons:
-            return sky_by_horizons(self.quantity, scene.mesh, points, self.options)
+            return sky_by_horizons(self.quantity, scene.bare(), points, self.options)
         return seen_of(self.quantity, scene, points, self.options, self.transmittance)
 
 
