@@ -59,6 +59,8 @@ def test_a_child_without_a_job_says_why():
         assert one.wait_until_built() == "not installed: pip install no_such_library"
         with pytest.raises(RuntimeError, match="no_such_library"):
             one.run()
+    with Child(child_jobs.elsewhere) as one:
+        assert one.wait_until_built() == "not installed: pip install xarray-spatial"
     with Child(child_jobs.dying) as one:
         assert one.wait_until_built() == "its process ended with status 3"
     with Child(child_jobs.mortal) as one:

@@ -7,6 +7,11 @@ from pathlib import Path
 from warpsample.bench.running.child import ChildJob
 
 
+def elsewhere():
+    """Needs a module whose package has another name."""
+    raise ModuleNotFoundError(name="xrspatial")
+
+
 def hopeless():
     """A job whose library is missing."""
     import no_such_library  # noqa: F401

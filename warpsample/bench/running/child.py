@@ -15,6 +15,9 @@ from typing import Any, NamedTuple
 
 from warpsample.bench.running.timing import stopwatch
 
+_PACKAGES = {"rvt": "rvt-py", "xrspatial": "xarray-spatial"}
+"""What pip installs for modules of another name."""
+
 
 class ChildJob(NamedTuple):
     """What a child runs.
@@ -113,7 +116,7 @@ def _serve() -> None:
         job.work()
         seconds = perf_counter() - start
     except ModuleNotFoundError as error:
-        answer({"failure": f"not installed: pip install {error.name}"})
+        answer({"failure": f"not installed: pip install {_PACKAGES.get(error.name, error.name)}"})
         return
     except Exception as error:  # whatever a library does when it cannot work here is the answer
         answer({"failure": f"{type(error).__name__}: {error}".splitlines()[0]})
