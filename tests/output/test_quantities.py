@@ -43,7 +43,10 @@ def test_every_option_of_the_command_line_is_for_some_quantity(call):
     [
         (
             "samples",
-            "Rays of each point; by default 256, or 1024 for irradiation and sky-matrix; not for thickness, sun-hours.",
+            (
+                "Rays of each point; by default 256, or 1024 for irradiation and sky-matrix; "
+                "not for position, normals, thickness, sun-hours."
+            ),
         ),
         ("ground_albedo", "Of the ground beyond the mesh; by default 0.2; only for irradiation."),
         ("north", "Where north is; by default 0 1 0; only for irradiation, sky-matrix, sun-hours."),

@@ -1,12 +1,13 @@
 """What the command line says of textures: the options of `bake --texture`."""
 
 import re
+from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import typer
 
 from warpsample.cli.terminal import option
-from warpsample.host.arguments import check_integer, check_number
+from warpsample.host.arguments import check_file, check_integer, check_number
 from warpsample.output.baked import BakeRun
 from warpsample.texture.image import check_gutter
 from warpsample.texture.sets import TextureOptions
@@ -30,6 +31,8 @@ OPTIONS: dict[str, Any] = {
     "strict": Annotated[
         bool, typer.Option("--strict", help="Refuse texture coordinates that overlap, reach out or are flat.")
     ],
+    "high": Annotated[Path | None, option("A finer mesh, whose numbers are wanted at the texels of this one.")],
+    "cage": Annotated[float | None, option("How far outside and inside of this mesh the finer one is looked for.")],
 }
 """The types of the options that apply to textures."""
 
@@ -57,6 +60,11 @@ def options_of(run: BakeRun, given: dict[str, Any]) -> TextureOptions | None:
         check_number(given["strength"], "--strength", 0.0, 1.0)
     if "depth" in given:
         given["depth"] = check_integer(int(given["depth"]), "--depth", 8, 16)
+    if ("high" in given) != ("cage" in given):
+        raise ValueError("--high: got one of --high and --cage, want both: a mesh, and how far around this one it is")
+    if "high" in given:
+        check_file(given["high"], "--high", "a mesh file")
+        check_number(given["cage"], "--cage", 1e-30, 1e30)
     return TextureOptions(both, samples=samples, **given)
 
 

@@ -3,62 +3,35 @@
 import json
 from collections.abc import Iterator
 from contextlib import ExitStack
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from pathlib import Path
 from time import perf_counter
-from types import SimpleNamespace
 from typing import Any, BinaryIO
 
 import numpy as np
 
 from warpsample.estimate.quantities.record import Quantity
-from warpsample.estimate.quantities.thickness import Thickness
 from warpsample.host.device_memory import Memory
-from warpsample.host.engine import check_workers
 from warpsample.host.files import check_output, complete_or_absent, write_arrays
 from warpsample.mesh.files import load_mesh
-from warpsample.mesh.surface import SurfacePoints
-from warpsample.output.bake import numbers_by_parts
 from warpsample.output.baked import BakeRun
 from warpsample.output.faces_option import transmitting
 from warpsample.output.quantities import check_options, quantity_of
+from warpsample.output.texture_images import Filled, filled
 from warpsample.texture.glb_file import GlbFile, editing
+from warpsample.texture.high import HighMesh
 from warpsample.texture.inside import Closed
 from warpsample.texture.jobs import SCENES, TextureJob, flaws_told, jobs_of
-from warpsample.texture.materials import BENT_NORMALS, OCCLUSION, THICKNESS, Slot, add_texture
+from warpsample.texture.materials import OCCLUSION, THICKNESS, Slot, add_texture, slot_of
 from warpsample.texture.notes import left_behind, notes_on
 from warpsample.texture.pictures import DEPTHS, check_library, exr_of, png_of
 from warpsample.texture.sets import TextureOptions
-from warpsample.texture.tangents import Frames
 
 SUFFIXES = (*SCENES, ".png", ".exr", ".npz")
 """Suffixes of the files that hold textures."""
 
 _INTO_PNG = (0.0, 1.0)
 """What the numbers are that a .png holds."""
-
-
-@dataclass(frozen=True, eq=False)
-class Filled:
-    """The images of a job, and what was done for it.
-
-    Attributes:
-        job: whose they are.
-        value: (H, W) or (H, W, C) float32.
-        error: its standard errors.
-        mean: of the numbers at the points.
-        inside: how many points were inside of something closed.
-        lost: how many had no number for another reason.
-        rays: how many were cast.
-    """
-
-    job: TextureJob
-    value: np.ndarray
-    error: np.ndarray
-    mean: float
-    inside: int
-    lost: int
-    rays: int
 
 
 def bake_texture(run: BakeRun, how: TextureOptions) -> str:
@@ -68,12 +41,15 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     """
     quantity = quantity_of(run.quantity)
     _check(run, quantity, how)
+    if quantity.name == "normals" and how.normals == "face":
+        how = replace(how, normals="smooth")  # what a normal map shows
     mesh = transmitting(load_mesh(run.mesh), run.transmittance)
-    slot = _slot(quantity)
+    slot = slot_of(quantity.name)
     jobs, file = jobs_of(run.mesh, mesh, how, run.output.suffix, slot)
-    told = [] if file is None else _before(file, run, jobs)
-    closed, start = Closed(mesh), perf_counter()
-    found = [_filled(job, run, quantity, how, closed) for job in jobs]
+    told = [] if file is None else _before(file, run, how, jobs)
+    high = None if how.high is None else HighMesh.load(how.high, how.cage, how.normals)
+    closed, start = Closed(mesh if high is None else high.mesh), perf_counter()
+    found = [filled(job, run, how, closed, high) for job in jobs]
     seconds = perf_counter() - start
     if file is None:
         with complete_or_absent(run.output) as stream:
@@ -87,10 +63,10 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     return "\n  ".join(lines)
 
 
-def _before(file: GlbFile, run: BakeRun, jobs: list[TextureJob]) -> list[str]:
+def _before(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[TextureJob]) -> list[str]:
     """Checks a .glb or .gltf before anything is computed; what is to be said of it."""
     if run.output.suffix == ".gltf":
-        check_output(_data_of(run.output), "--output", run.mesh, *file.files)
+        check_output(_data_of(run.output), "--output", run.mesh, how.high, *file.files)
     with editing(run.mesh):
         if run.output.suffix == ".gltf":
             file.check_apart()
@@ -132,15 +108,15 @@ def _check(run: BakeRun, quantity: Quantity, how: TextureOptions) -> None:
     check_library(suffix)
     Memory.of(run.options.get("device"))
     files = [run.options.get(option) for option in quantity.files]
-    check_output(run.output, "--output", run.mesh, *files)
+    check_output(run.output, "--output", run.mesh, how.high, *files)
     check_options(quantity, run.options)
 
 
 def _check_picture(run: BakeRun, quantity: Quantity, how: TextureOptions) -> None:
     """Refuses numbers, and options of pictures, that do not go together with the file to write."""
     suffix = run.output.suffix
-    slot = _slot(quantity)
-    fits = slot is BENT_NORMALS or (slot is THICKNESS and suffix in SCENES)
+    slot = slot_of(quantity.name)
+    fits = slot.directed or (slot is THICKNESS and suffix in SCENES)
     if suffix in (*SCENES, ".png") and not fits and getattr(quantity.result, "possible", None) != _INTO_PNG:
         raise ValueError(
             f"--quantity: got {quantity.name} for {run.output.name!r}, want .exr or .npz: a {suffix} holds 0 to 1"
@@ -148,25 +124,13 @@ def _check_picture(run: BakeRun, quantity: Quantity, how: TextureOptions) -> Non
     if (suffix not in SCENES or slot is not OCCLUSION) and how.strength != 1.0:
         what = quantity.name if suffix in SCENES else repr(run.output.name)
         raise ValueError(f"--strength: got {how.strength:g} for {what}; it applies only to occlusion in a .glb")
-    if slot is BENT_NORMALS and how.depth != DEPTHS[0]:
+    if slot.directed and how.depth != DEPTHS[0]:
         raise ValueError(f"--depth: got {how.depth} for {quantity.name}, want 8, or an .exr")
     if suffix not in (*SCENES, ".png") and how.depth != DEPTHS[0]:
         raise ValueError(f"--depth: got {how.depth} for {run.output.name!r}; it applies only to .glb and .png")
 
 
-def _are_directions(quantity: Quantity) -> bool:
-    """Whether the numbers are vectors, of which a picture shows the direction in the frame of the surface."""
-    return quantity.channels == "xyz"
-
-
-def _slot(quantity: Quantity) -> Slot:
-    """What a picture of the numbers is to a material."""
-    if quantity.result is Thickness:
-        return THICKNESS
-    return BENT_NORMALS if _are_directions(quantity) else OCCLUSION
-
-
-def _put(file: GlbFile, one: "Filled", slot: Slot, how: TextureOptions) -> Iterator[str]:
+def _put(file: GlbFile, one: Filled, slot: Slot, how: TextureOptions) -> Iterator[str]:
     """Puts the picture of a job into a .glb: lengths as shares of the longest, in units of the primitives."""
     info: dict[str, Any] = {"texCoord": one.job.set} if one.job.set else {}
     info |= {"strength": how.strength} if how.strength != 1.0 else {}
@@ -174,43 +138,6 @@ def _put(file: GlbFile, one: "Filled", slot: Slot, how: TextureOptions) -> Itera
     more = {"thicknessFactor": longest} if slot is THICKNESS else {}
     png = png_of(one.value / (longest or 1.0), how.depth)
     return add_texture(file, one.job.group, png, slot, info=info, more=more)
-
-
-def _filled(job: TextureJob, run: BakeRun, quantity: Quantity, how: TextureOptions, closed: Closed) -> Filled:
-    """The images of one job, computed by parts of its points, of which nothing but their numbers is kept."""
-    points, options = job.points, dict(run.options)
-    if how.samples > 1 and quantity.takes("samples"):
-        options["samples"] = max(2, (options.get("samples") or quantity.default("samples")) // how.samples)
-    numbers = quantity.numbers(points.mesh, len(points), options)
-    workers = check_workers(options.get("workers"))
-    inside = np.zeros(len(points), np.bool_)
-    frames = None
-    if _are_directions(quantity) and run.output.suffix in (".glb", ".png"):
-        frames = Frames.of(run.mesh, points.mesh, points.corners, job.rows)
-
-    def of_part(part: SurfacePoints, first: int) -> Any:
-        rows = slice(first, first + len(part))
-        inside[rows] = closed.around(part, workers)
-        found = numbers(part, 0)  # the points have ids
-        if frames is not None:
-            found = replace(found, value=frames.into(found.value, points.face[rows], part.barycentric))
-        if job.group and isinstance(found, Thickness):
-            found = replace(found, value=found.value / job.scales[points.face[rows]])
-        return found
-
-    kept, rays, lost = [], 0, 0
-    for part in numbers_by_parts(points, replace(run, options=options), quantity, of_part):
-        kept.append((np.where(part.status == 0, part.value.T, np.nan).T, part.standard_error))
-        rays, lost = rays + int(part.rays.sum(dtype=np.int64)), lost + int(np.count_nonzero(part.status))
-    value, error = (np.concatenate(arrays) for arrays in zip(*kept, strict=True))
-    del kept
-    value[inside] = np.nan
-    error[np.isnan(value)] = np.nan
-    known = np.isfinite(value)
-    mean = float(value.mean(where=known, dtype=np.float64)) if known.any() else float("nan")
-    shown = points.image(value, gutter=how.gutter)
-    errors = points.image_error(SimpleNamespace(value=value, standard_error=error), gutter=how.gutter)
-    return Filled(job, shown, errors, mean, int(np.count_nonzero(inside)), lost, rays)
 
 
 def _write_image(stream: BinaryIO, run: BakeRun, how: TextureOptions, found: Filled) -> None:
@@ -239,5 +166,7 @@ def _told(found: Filled) -> Iterator[str]:
     yield from flaws_told(job)
     if found.inside:
         yield f"{found.inside:,} points inside of something closed, filled from their charts"
+    if found.missed:
+        yield f"{found.missed:,} points that met nothing of the finer mesh within the cage, filled from their charts"
     if found.lost:
         yield f"{found.lost:,} points without a number, filled from their charts"

@@ -9,6 +9,7 @@ import numpy as np
 from warpsample.mesh.files.gltf import check_extensions, read_corners
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile, editing
+from warpsample.texture.high import averaged_normals
 from warpsample.texture.materials import OCCLUSION, Slot, name_of
 from warpsample.texture.new_uv import add_uv, charts_for
 from warpsample.texture.primitives import Primitive, primitives_of, sharing
@@ -92,8 +93,7 @@ def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) -> tuple[
         file = GlbFile(path)
         check_extensions(file.part)
         groups = list(_with_slot(file, slot))
-        normals = read_corners(path, "NORMAL") if how.normals != "face" else None
-    texels = Texels(path, mesh, how, normals)
+        texels = Texels(path, mesh, how, _corner_normals(path, mesh, how))
     jobs = []
     for group in groups:
         rows, name = [one.faces for one in group], name_of(file, group)
@@ -123,10 +123,7 @@ def _with_slot(file: GlbFile, slot: Slot) -> Iterator[list[Primitive]]:
 
 def _whole_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> TextureJob:
     """One image for all faces of a file."""
-    normals = None
-    if how.normals != "face" and path.suffix.lower() in SCENES:
-        normals = read_corners(path, "NORMAL")
-    texels, rows = Texels(path, mesh, how, normals), [slice(None)]
+    texels, rows = Texels(path, mesh, how, _corner_normals(path, mesh, how)), [slice(None)]
     found = texels.chosen(rows, path.name, lenient=output != ".npz")
     if found is not None:
         return TextureJob(path.name, found[1], found[0], f"set {found[0]}", [])
@@ -137,6 +134,13 @@ def _whole_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> Text
         )
     uv = unwrap(mesh, square(how.size), padding=PADDING)[1]
     return TextureJob(path.name, texels.points(uv, rows), 0, "new coordinates", [])
+
+
+def _corner_normals(path: Path, mesh: Mesh, how: TextureOptions) -> np.ndarray | None:
+    """The normals of corners that points are turned by; None where faces or vertices tell."""
+    if how.high is not None:
+        return averaged_normals(mesh)
+    return read_corners(path, "NORMAL") if how.normals != "face" and path.suffix.lower() in SCENES else None
 
 
 def _set_of(file: GlbFile, group: list[Primitive], slot: Slot) -> int | None:

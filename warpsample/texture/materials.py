@@ -19,12 +19,14 @@ class Slot:
         key: of the member that names it.
         within: the members that this is in, from the outer one; none for the material itself.
         optional: whether a material gets these where it has none; others are left alone.
+        directed: whether it shows directions, in the frame of tangent, bitangent and normal.
     """
 
     name: str
     key: str
     within: tuple[str, ...] = ()
     optional: bool = True
+    directed: bool = False
 
     def holder(self, material: Part) -> Part | None:
         """What of a material holds such a picture; None if it is not there."""
@@ -47,9 +49,16 @@ class Slot:
 
 
 OCCLUSION = Slot("occlusion", "occlusionTexture")
-BENT_NORMALS = Slot("map of bent normals", "bentNormalTexture", ("extras",))
+_BENT_NORMALS = Slot("map of bent normals", "bentNormalTexture", ("extras",), directed=True)
 """The standard has no place for it, but for what is of a file's own."""
 THICKNESS = Slot("thickness", "thicknessTexture", ("extensions", "KHR_materials_volume"), optional=False)
+_NORMALS = Slot("normal map", "normalTexture", directed=True)
+_OF_QUANTITIES = {"bent-normals": _BENT_NORMALS, "thickness": THICKNESS, "normals": _NORMALS}
+
+
+def slot_of(quantity: str) -> Slot:
+    """What a picture of a quantity is to a material: of all others it is its occlusion."""
+    return _OF_QUANTITIES.get(quantity, OCCLUSION)
 
 
 def add_texture(

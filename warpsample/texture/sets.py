@@ -20,7 +20,8 @@ class TextureOptions:
     """What `warpsample bake --texture` is told besides what points are.
 
     `size` is width and height in texels; `uv` of UV_CHOICES; `samples` the points of each texel; `gutter` "all" or texels;
-    `depth` the bits of a number in a .png; `strict` whether flaws of the coordinates are refused.
+    `depth` the bits of a number in a .png; `strict` whether flaws of the coordinates are refused; `high` a finer mesh whose
+    numbers are wanted, and `cage` how far around the coarse one it is looked for.
     """
 
     size: tuple[int, int]
@@ -31,6 +32,8 @@ class TextureOptions:
     strength: float = 1.0
     depth: int = 8
     strict: bool = False
+    high: Path | None = None
+    cage: float = 0.0
 
 
 class Texels:
@@ -47,9 +50,8 @@ class Texels:
         for some in rows:
             own[some] = uv[some]
         how = self.how
-        return texture_points(
-            self.mesh, own, how.size, samples=how.samples, normals=how.normals, corner_normals=self.normals
-        )
+        normals = how.normals if how.high is None else "smooth"  # of the rays to it
+        return texture_points(self.mesh, own, how.size, samples=how.samples, normals=normals, corner_normals=self.normals)
 
     def chosen(
         self, rows: list[slice], name: str, *, first: int | None = None, lenient: bool = False

@@ -1,0 +1,125 @@
+"""From a finer mesh to the texels of a coarse one: its normals, positions and occlusion."""
+
+import numpy as np
+import pytest
+import trimesh
+from glb_files import glb
+from lookups import floor_by_a_wall
+from textured_scenes import SQUARE, TWO, opened, picture
+
+import warpsample as ws
+from warpsample.texture.high import HighMesh
+
+RADIUS, HALF, SIZE = 2.0, 1.2, 32
+
+
+def quad(path, half=HALF, height=RADIUS):
+    """A level square, u along x and v along z, at the height of a ball's top."""
+    square = (np.float32([(-1, 0, 1), (1, 0, 1), (1, 0, -1), (-1, 0, -1)]) * half + np.float32((0, height, 0))).astype("f4")
+    attributes = {"POSITION": 0, "TEXCOORD_0": 1}
+    tree = {"meshes": [{"primitives": [{"attributes": attributes, "indices": 2}]}], "nodes": [{"mesh": 0}]}
+    path.write_bytes(glb(tree, [square, np.float32(SQUARE * (1, -1) + (0, 1)), TWO]))
+    return path
+
+
+@pytest.fixture
+def ball(tmp_path):
+    path = tmp_path / "ball.ply"
+    trimesh.creation.icosphere(5, radius=RADIUS).export(path)
+    return path
+
+
+def places(half=HALF):
+    """(SIZE, SIZE) x and z of the texels' centres."""
+    at = half * (2 * (np.arange(SIZE) + 0.5) / SIZE - 1)
+    return np.meshgrid(at, at)
+
+
+def test_a_ball_above_a_square(call, tmp_path, ball):
+    """n = (x, y, z) / R, as colours: 191, 128, 238 at x = 1; the image's up is -z."""
+    low, output = quad(tmp_path / "low.glb"), tmp_path / "out.glb"
+    options = ("--texture", SIZE, "--high", ball, "--cage", 1)
+    status, out, err = call("bake", low, "-o", output, *options, "--quantity", "normals")
+    assert (status, err, "finer mesh" in out) == (0, "", False)
+    tree, data, _ = opened(output)
+    read = 255 * picture(tree, data, tree["materials"][0]["normalTexture"]["index"])
+    x, z = places()
+    y = np.sqrt(RADIUS**2 - x**2 - z**2)
+    want = 127.5 + 127.5 * np.stack([x, -z, y], axis=2) / RADIUS
+    assert np.abs(read - want).max() < 0.5 + 0.3  # rounding; facets of 0.04 turn smooth normals by 0.001
+    assert call("bake", low, "-o", tmp_path / "out.npz", *options, "--quantity", "position")[0] == 0
+    with np.load(tmp_path / "out.npz") as found:
+        assert np.abs(found["value"] - np.stack([x, y, z], axis=2)).max() < 1e-3  # the sagitta of the facets is 3e-4
+
+
+def test_what_the_cage_does_not_reach_is_counted_and_filled(call, tmp_path, ball):
+    """Rays start at 3 and end at 1: they miss the ball beyond sqrt(3) of its axis."""
+    low = quad(tmp_path / "low.glb", half=3.0)
+    options = ("--texture", SIZE, "--high", ball, "--cage", 1, "--quantity", "position")
+    status, out, _ = call("bake", low, "-o", tmp_path / "out.npz", *options)
+    x, z = places(3.0)
+    missed = int(np.count_nonzero(x**2 + z**2 > 3.0))  # no texel's centre is nearer than 0.01 to the circle
+    assert (status, f"  {missed:,} points that met nothing of the finer mesh within the cage, filled" in out) == (0, True)
+    assert "points without a number" not in out
+    with np.load(tmp_path / "out.npz") as found:
+        assert found["value"][..., 1].min() > 0.99
+
+
+def test_the_occlusion_is_of_the_finer_mesh(call, tmp_path):
+    """A floor beside a wall that the coarse mesh has not: V = (1 + d / sqrt(d^2 + h^2)) / 2."""
+    high, _ = floor_by_a_wall(1.0, 100.0, 2.0)
+    turned = high.vertices[:, [0, 2, 1]] * (1, 1, -1) + (-1.0, 0.0, 0.0)  # y up, the floor from -1 to 1
+    path = tmp_path / "high.obj"
+    trimesh.Trimesh(turned, high.faces, process=False).export(path)
+    low = quad(tmp_path / "low.glb", half=1.0, height=0.01)
+    options = ("--texture", SIZE, "--high", path, "--cage", 0.1, "--samples", 1024)
+    assert call("bake", low, "-o", tmp_path / "out.npz", *options)[0] == 0
+    d = places(1.0)[0] + 1.0
+    with np.load(tmp_path / "out.npz") as found:
+        error = found["value"] - (1 + d / np.hypot(d, 1)) / 2
+    assert np.sqrt(np.mean(error**2)) < 0.006  # 1,024 rays give 0.004; without the wall it is 0.2
+
+
+def test_a_mesh_upon_itself_is_as_it_is(call, tmp_path):
+    """A box with hard edges, whose averaged normals are slanted: its normal map is flat to its borders."""
+    box = trimesh.creation.box((2, 2, 2))
+    tree = {"meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}], "nodes": [{"mesh": 0}]}
+    path = tmp_path / "box.glb"
+    path.write_bytes(glb(tree, [np.float32(box.vertices), np.uint16(box.faces).ravel()]))
+    uv = ("--texture", 64, "--uv", "new")
+    status, out, _ = call(
+        "bake", path, "-o", tmp_path / "out.glb", *uv, "--high", path, "--cage", 0.1, "--quantity", "normals"
+    )
+    assert (status, "finer mesh" in out) == (0, False)
+    made, data, _ = opened(tmp_path / "out.glb")
+    read = np.round(255 * picture(made, data, made["materials"][0]["normalTexture"]["index"]))
+    assert np.abs(read - (128, 128, 255)).max() <= 1
+
+
+def test_back_faces_are_passed():
+    """A ball within a ball whose faces are turned inward: rays from outside go through the near side of that."""
+    inner, outer = trimesh.creation.icosphere(3, radius=1.0), trimesh.creation.icosphere(3, radius=1.5)
+    vertices = np.concatenate([inner.vertices, outer.vertices])
+    faces = np.concatenate([inner.faces, outer.faces[:, ::-1] + len(inner.vertices)])
+    mesh = ws.Mesh(vertices, faces)
+    high = HighMesh(mesh, mesh.vertex_normals[mesh.faces].astype(float), 1.0, "face")
+    low = ws.as_mesh(inner)
+    found, missed = high.under(ws.face_centers(low), low)
+    assert not missed.any()
+    assert np.array_equal(found.face, np.arange(len(inner.faces)))
+
+
+@pytest.mark.parametrize(
+    ("options", "why"),
+    [
+        (["--high", "ball.ply"], "--high: got one of --high and --cage, want both"),
+        (["--cage", 1], "--high: got one of --high and --cage, want both"),
+        (["--high", "ball.ply", "--cage", 0], "--cage: got 0.0, want a number"),
+        (["--high", "none.ply", "--cage", 1], "--high: got 'none.ply', which is missing"),
+    ],
+)
+def test_wrong_options_are_named(call, tmp_path, ball, monkeypatch, options, why):
+    monkeypatch.chdir(tmp_path)
+    quad(tmp_path / "low.glb")
+    status, _, err = call("bake", "low.glb", "-o", "out.glb", "--texture", 8, *options)
+    assert (status, err[: 7 + len(why)]) == (2, f"error: {why}")

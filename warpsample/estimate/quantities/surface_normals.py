@@ -1,0 +1,29 @@
+"""Which way points face, as a quantity: what maps of normals are made of."""
+
+import numpy as np
+
+from warpsample.estimate.quantities.position import OwnVectors
+from warpsample.estimate.quantities.record import Quantity
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints
+
+
+def surface_normals(
+    mesh: Mesh, points: SurfacePoints, *, seed: int = 0, first_point: int = 0, workers: int | None = None
+) -> OwnVectors:
+    """The unit normal of each point, in the coordinates of the mesh."""
+    del mesh, seed, first_point, workers  # nothing is computed
+    return OwnVectors.of(points, np.asarray(points.normal))
+
+
+RECORD = Quantity(
+    name="normals",
+    call=surface_normals,
+    title="normals",
+    value="which way it faces; in a .glb, the normal map of a finer mesh",
+    result=OwnVectors,
+    shared=(),
+    channels="xyz",
+    black=-1.0,
+    in_stores=False,
+)

@@ -1,0 +1,90 @@
+"""The images of numbers at the texels of a mesh, or of what is beneath them of a finer one."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+from warpsample.estimate.quantities.record import Quantity
+from warpsample.estimate.quantities.thickness import Thickness
+from warpsample.host.engine import check_workers
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.output.bake import numbers_by_parts
+from warpsample.output.baked import BakeRun
+from warpsample.output.quantities import quantity_of
+from warpsample.texture.high import HighMesh
+from warpsample.texture.inside import Closed
+from warpsample.texture.jobs import SCENES, TextureJob
+from warpsample.texture.materials import slot_of
+from warpsample.texture.sets import TextureOptions
+from warpsample.texture.tangents import Frames
+
+
+@dataclass(frozen=True, eq=False)
+class Filled:
+    """The images of a job, and what was done for it.
+
+    Attributes:
+        job: whose they are.
+        value: (H, W) or (H, W, C) float32.
+        error: its standard errors.
+        mean: of the numbers at the points.
+        inside: how many points were inside of something closed.
+        missed: how many met nothing of a finer mesh.
+        lost: how many had no number for another reason.
+        rays: how many were cast.
+    """
+
+    job: TextureJob
+    value: np.ndarray
+    error: np.ndarray
+    mean: float
+    inside: int
+    missed: int
+    lost: int
+    rays: int
+
+
+def filled(job: TextureJob, run: BakeRun, how: TextureOptions, closed: Closed, high: HighMesh | None) -> Filled:
+    """The images of one job, computed by parts of its points, of which nothing but their numbers is kept."""
+    quantity, points, options = quantity_of(run.quantity), job.points, dict(run.options)
+    if how.samples > 1 and quantity.takes("samples"):
+        options["samples"] = max(2, (options.get("samples") or quantity.default("samples")) // how.samples)
+    numbers = quantity.numbers(points.mesh if high is None else high.mesh, len(points), options)
+    workers = check_workers(options.get("workers"))
+    inside, missed = np.zeros((2, len(points)), np.bool_)
+    told = _teller(job, run, quantity)
+
+    def of_part(part: SurfacePoints, first: int) -> Any:
+        rows, places = slice(first, first + len(part)), part
+        if high is not None:
+            places, missed[rows] = high.under(part, points.mesh, workers)
+        inside[rows] = closed.around(places, workers) & ~missed[rows]
+        found = numbers(places, 0)  # the points have ids
+        return replace(found, value=told(found.value, points.face[rows], part.barycentric))
+
+    kept, rays, bad = [], 0, 0
+    for part in numbers_by_parts(points, replace(run, options=options), quantity, of_part):
+        kept.append((np.where(part.status == 0, part.value.T, np.nan).T, part.standard_error))
+        rays, bad = rays + int(part.rays.sum(dtype=np.int64)), bad + int(np.count_nonzero(part.status))
+    value, error = (np.concatenate(arrays) for arrays in zip(*kept, strict=True))
+    del kept
+    value[inside] = np.nan
+    error[np.isnan(value)] = np.nan
+    known = np.isfinite(value)
+    mean = float(value.mean(where=known, dtype=np.float64)) if known.any() else float("nan")
+    shown = points.image(value, gutter=how.gutter)
+    errors = points.image_error(SimpleNamespace(value=value, standard_error=error), gutter=how.gutter)
+    within, none = int(np.count_nonzero(inside)), int(np.count_nonzero(missed))
+    return Filled(job, shown, errors, mean=mean, inside=within, missed=none, lost=bad - none, rays=rays)
+
+
+def _teller(job: TextureJob, run: BakeRun, quantity: Quantity) -> Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]:
+    """What turns values (P,) or (P, 3), on faces by weights of their corners, into what a picture of them tells."""
+    if slot_of(quantity.name).directed and run.output.suffix in (*SCENES, ".png"):
+        return Frames.of(run.mesh, job.points.mesh, job.points.corners, job.rows).into
+    if quantity.result is Thickness and job.group:
+        return lambda value, face, _: value / job.scales[face]
+    return lambda value, *_: value

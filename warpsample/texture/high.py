@@ -1,0 +1,106 @@
+"""From texels of a coarse mesh to places on a fine one: rays from a cage around the first inward to the second."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from warpsample.mesh.files import load_mesh
+from warpsample.mesh.files.gltf import read_corners
+from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.texture.shading import corner_normals_of, shaded
+from warpsample.tracing.trace import trace
+
+_ROUNDS = 32  # back faces that a ray goes through
+_NUDGE = 4e-6  # of the mesh's extent: float32 rays are that exact
+_STEP = 2e-6  # of the mesh's extent: how far behind a back face a ray goes on, as rays start off their own faces
+
+
+@dataclass(frozen=True, eq=False)
+class HighMesh:
+    """A fine mesh, whose numbers the texels of a coarse one get.
+
+    Attributes:
+        mesh: the fine one.
+        corner_normals: (F, 3, 3) float64, of its file, or of its vertices.
+        cage: how far outside of the coarse mesh rays start; they end as far inside.
+        normals: of the points on it: "face", "smooth" or "lifted".
+    """
+
+    mesh: Mesh
+    corner_normals: np.ndarray
+    cage: float
+    normals: str
+
+    @classmethod
+    def load(cls, path: Path, cage: float, normals: str) -> "HighMesh":
+        """Reads the mesh and its normals."""
+        mesh = load_mesh(path)
+        given = read_corners(path, "NORMAL") if path.suffix.lower() in (".glb", ".gltf") else None
+        return cls(mesh, corner_normals_of(mesh, given), cage, normals)
+
+    def under(self, points: SurfacePoints, low: Mesh, workers: int | None = None) -> tuple[SurfacePoints, np.ndarray]:
+        """The places that rays from the cage over some points, against their normals, meet first from the front.
+
+        Rays of points on an edge are moved into their face by some roundings: where both meshes have the same hard edge,
+        they meet the side of it that the texel is of.
+
+        Args:
+            points: on faces of the coarse mesh, with its averaged normals.
+            low: that mesh.
+            workers: threads.
+
+        Returns:
+            them, with the ids of the points, and (P,) bool: where there is none, and a normal of 0 says so.
+        """
+        inward = -np.asarray(points.normal, np.float64)
+        middle = low.vertices[low.faces[points.face]].mean(axis=1) - points.position
+        share = _NUDGE * self.mesh.diagonal / np.maximum(np.linalg.norm(middle, axis=1, keepdims=True), 1e-300)
+        start = points.position + np.minimum(share, 0.5) * middle - self.cage * inward
+        face = self._front(start, inward, workers)
+        missed = face < 0
+        weights = _weights(self.mesh.vertices[self.mesh.faces[np.maximum(face, 0)]], start, inward)
+        position, normal, on = shaded(self.mesh, self.corner_normals, np.maximum(face, 0), weights, self.normals)
+        if self.normals == "face":
+            normal = self.mesh.face_normals[np.maximum(face, 0)]
+        normal = np.where(missed[:, None], np.float32(0.0), normal)
+        position = np.where(missed[:, None], points.position, position)
+        return SurfacePoints(position, normal, np.where(missed, -1, on).astype(np.int32), weights, points.id), missed
+
+    def _front(self, start: np.ndarray, inward: np.ndarray, workers: int | None) -> np.ndarray:
+        """(P,) the faces that rays meet first from their front, within twice the cage; -1 of none."""
+        found = np.full(len(start), -1, np.int64)
+        gone, left = np.zeros(len(start)), np.arange(len(start))
+        step = _STEP * self.mesh.diagonal
+        for _ in range(_ROUNDS):
+            origin = start[left] + gone[left, None] * inward[left]
+            hits = trace(self.mesh, origin, inward[left].astype(np.float32), workers=workers)
+            reached = gone[left] + hits.distance
+            meets = (hits.face >= 0) & (reached <= 2.0 * self.cage)
+            front = meets & ((self.mesh.face_normals[hits.face] * inward[left]).sum(axis=1) < 0.0)
+            found[left[front]] = hits.face[front]
+            gone[left] = reached + step
+            left = left[meets & ~front]
+            if not len(left):
+                break
+        return found
+
+
+def averaged_normals(mesh: Mesh) -> np.ndarray:
+    """(F, 3, 3) float64 normals of corners, one for each place: no gap opens between rays at hard edges and seams."""
+    places, vertex = np.unique(mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0: -0 is 0
+    faces = vertex.reshape(-1)[mesh.faces]
+    return Mesh(places, faces).vertex_normals[faces].astype(np.float64)
+
+
+def _weights(corners: np.ndarray, start: np.ndarray, way: np.ndarray) -> np.ndarray:
+    """(P, 3) float64 weights of the corners (P, 3, 3) of faces where rays meet their planes, from 0 to 1."""
+    first, second, offset = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0], start - corners[:, 0]
+    across = np.cross(way, second)
+    volume = (first * across).sum(axis=1)
+    volume = np.where(volume == 0.0, 1.0, volume)
+    b = (offset * across).sum(axis=1) / volume
+    c = (way * np.cross(offset, first)).sum(axis=1) / volume
+    weights = np.clip(np.stack([1.0 - b - c, b, c], axis=1), 0.0, 1.0)
+    return weights / np.maximum(weights.sum(axis=1, keepdims=True), 1e-300)
