@@ -22,6 +22,7 @@ from warpsample.cli.terminal import (
 )
 from warpsample.cli.verify import verify_command
 from warpsample.mesh.files import load_mesh
+from warpsample.texture.shown import shown_occlusion
 
 app = typer.Typer(no_args_is_help=True, add_completion=False, context_settings={"help_option_names": ["-h", "--help"]})
 app.add_typer(bench.app, name="bench")
@@ -141,13 +142,13 @@ def view(
         rendering.check_rendering()
     path = mesh or start.bunny()
     with working(f"reading {path}"):
-        surface = load_mesh(path)
+        surface, occlusion = load_mesh(path), shown_occlusion(path)
     if screenshot is None:
         with signals.at_once():
-            start.window(surface, points, choice, up, size)
+            start.window(surface, points, choice, up=up, size=size, occlusion=occlusion)
         return
     with working(f"drawing {screenshot}; kernels are compiled when first used, for about 10 s"):
-        seen = start.save(surface, points, choice, up=up, size=size, path=screenshot)
+        seen = start.save(surface, points, choice, up=up, size=size, path=screenshot, occlusion=occlusion)
     print(f"{screenshot}: {seen}")
 
 

@@ -24,10 +24,29 @@ _TEXT = {"font_size": 11, "color": "black"}
 _ROWS = (0.91, 0.09)  # the panels' share of the height, and the caption's
 
 
-def draw_mesh(plotter: "pyvista.Plotter", vertices: np.ndarray, faces: np.ndarray) -> Any:
-    """Adds a mesh, (V, 3) and (F, 3), to the current renderer, shaded smoothly if it is not too large; its actor."""
+def draw_mesh(
+    plotter: "pyvista.Plotter", vertices: np.ndarray, faces: np.ndarray, texture: tuple[np.ndarray, np.ndarray] | None = None
+) -> Any:
+    """Adds a mesh, (V, 3) and (F, 3), to the current renderer, shaded smoothly if it is not too large; its actor.
+
+    A texture, a picture (H, W) or (H, W, 3) of uint8 and (F, 3, 2) coordinates of corners, v down, is shown without shading.
+    """
+    if texture is not None:
+        return _draw_textured(plotter, vertices[faces], *texture)
     smooth = len(faces) <= MOST_SMOOTH_FACES
     return plotter.add_mesh(surface(vertices, faces), color=SURFACE, smooth_shading=smooth, split_sharp_edges=smooth)
+
+
+def _draw_textured(plotter: "pyvista.Plotter", corners: np.ndarray, picture: np.ndarray, uv: np.ndarray) -> Any:
+    """Adds faces by their corners, (F, 3, 3), with a texture; its actor."""
+    import pyvista as pv
+
+    mesh = surface(corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3))
+    mesh.active_texture_coordinates = (uv.reshape(-1, 2) * (1.0, -1.0) + (0.0, 1.0)).astype(np.float32)
+    colours = np.repeat(picture[..., None], 3, axis=2) if picture.ndim == 2 else picture
+    shown = pv.Texture(np.ascontiguousarray(colours))
+    shown.interpolate = True
+    return plotter.add_mesh(mesh, texture=shown, lighting=False)
 
 
 def draw_normals(plotter: "pyvista.Plotter", position: np.ndarray, normal: np.ndarray, scale: float) -> None:

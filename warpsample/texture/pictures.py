@@ -27,24 +27,24 @@ def png_of(image: np.ndarray, depth: int) -> bytes:
     white, kind = _WHITE[depth]
     levels = np.floor(np.clip(image.astype(np.float64), 0.0, 1.0) * white + 0.5).astype(kind)
     stream = BytesIO()
-    _library("PIL.Image", "a .png needs Pillow").fromarray(levels).save(stream, "PNG", compress_level=9)
+    library("PIL.Image", "a .png needs Pillow").fromarray(levels).save(stream, "PNG", compress_level=9)
     return stream.getvalue()
 
 
 def exr_of(layers: Mapping[str, np.ndarray]) -> bytes:
     """The bytes of an .exr of float32 images by the names of their layers: (H, W) is Y, (H, W, 3) R, G and B."""
-    library = _library("OpenEXR", "an .exr needs OpenEXR")
+    openexr = library("OpenEXR", "an .exr needs OpenEXR")
     channels = {}
     for layer, image in layers.items():
         prefix = f"{layer}." if layer else ""
         split = np.moveaxis(image, -1, 0) if image.ndim == 3 else [image]
         names = "RGB" if image.ndim == 3 else "Y"
         channels |= {prefix + name: np.ascontiguousarray(one, np.float32) for name, one in zip(names, split, strict=True)}
-    header = {"compression": library.ZIP_COMPRESSION, "type": library.scanlineimage}
+    header = {"compression": openexr.ZIP_COMPRESSION, "type": openexr.scanlineimage}
     with TemporaryDirectory() as folder:  # the library writes into files only
         path = Path(folder, "image.exr")
         try:
-            library.File(header, channels).write(str(path))
+            openexr.File(header, channels).write(str(path))
         except RuntimeError as error:
             raise WriteError(f"a copy of the picture cannot be written into {folder}: {error}") from None
         return path.read_bytes()
@@ -53,12 +53,13 @@ def exr_of(layers: Mapping[str, np.ndarray]) -> bytes:
 def check_library(suffix: str) -> None:
     """Refuses a suffix of a file for which a library is missing, before anything is computed."""
     if suffix in (".png", ".glb", ".gltf"):
-        _library("PIL.Image", f"a texture in a {suffix} needs Pillow")
+        library("PIL.Image", f"a texture in a {suffix} needs Pillow")
     elif suffix == ".exr":
-        _library("OpenEXR", "an .exr needs OpenEXR")
+        library("OpenEXR", "an .exr needs OpenEXR")
 
 
-def _library(name: str, what: str) -> ModuleType:
+def library(name: str, what: str) -> ModuleType:
+    """A library of pictures; where it is missing, `what` needs it and how to install it."""
     try:
         return imported(name)
     except ModuleNotFoundError:

@@ -13,6 +13,7 @@ from warpsample.host.arguments import check_integer, check_seed
 from warpsample.mesh.mesh import Mesh
 from warpsample.plotting.rendering import save_scene
 from warpsample.plotting.scenes import clouds_on_mesh
+from warpsample.texture.shown import ShownOcclusion
 from warpsample.viewer.choice import Choice
 from warpsample.viewer.lobes import lobe_of
 from warpsample.viewer.window import Viewer
@@ -48,14 +49,25 @@ def _density(name: str) -> Distribution:
         raise type(error)(str(error).replace("distribution:", "density:", 1)) from None
 
 
-def window(mesh: Mesh, points: int, chosen: Choice, up: str, size: tuple[int, int]) -> None:
+def window(
+    mesh: Mesh, points: int, chosen: Choice, *, up: str, size: tuple[int, int], occlusion: ShownOcclusion | None
+) -> None:
     """Opens the viewer, and returns when it is closed."""
-    Viewer(mesh, points, chosen, up=up, size=size).plotter.show(title="warpsample")
+    Viewer(mesh, points, chosen, up=up, size=size, occlusion=occlusion).plotter.show(title="warpsample")
 
 
-def save(mesh: Mesh, points: int, chosen: Choice, *, up: str, size: tuple[int, int], path: Path) -> str:
+def save(
+    mesh: Mesh,
+    points: int,
+    chosen: Choice,
+    *,
+    up: str,
+    size: tuple[int, int],
+    path: Path,
+    occlusion: ShownOcclusion | None = None,
+) -> str:
     """Writes a .png of the viewer, or an .html of its clouds on the mesh; gives a line about what the picture shows."""
-    viewer = Viewer(mesh, points, chosen, up=up, size=size, off_screen=True)
+    viewer = Viewer(mesh, points, chosen, up=up, size=size, off_screen=True, occlusion=occlusion)
     if path.suffix == ".png":
         viewer.plotter.enable_anti_aliasing("msaa", multi_samples=8, all_renderers=True)
         save_scene(viewer.plotter, path, viewer.summary())

@@ -13,6 +13,7 @@ from warpsample.plotting.actors import CloudActor, LobeActor, MeshPicker, Pin, S
 from warpsample.plotting.charts import LobeCharts
 from warpsample.plotting.rendering import INK, LOBE, MOST_NORMALS, VIEW, budgeted, extent_of
 from warpsample.plotting.scenes import draw_frame, draw_mesh, draw_normals, look_from
+from warpsample.texture.shown import ShownOcclusion
 from warpsample.viewer import widgets
 from warpsample.viewer.choice import Choice, spelt
 from warpsample.viewer.clouds import all_clouds, one_cloud
@@ -45,11 +46,12 @@ class Viewer:
         up: str = "y",
         size: tuple[int, int] = (1600, 900),
         off_screen: bool = False,
+        occlusion: ShownOcclusion | None = None,
     ):
         """Draws everything once, with clouds at so many points, uniform by area; at most MOST_POINTS are drawn.
 
         `up` is the mesh's axis that points up, "x", "y" or "z", and `size` in pixels. Off screen no window is opened; the
-        widgets work all the same. A lobe that is too narrow to be seen is a ValueError.
+        widgets work all the same. An `occlusion` is shown on the mesh. A lobe that is too narrow to be seen is a ValueError.
         """
         import pyvista as pv
 
@@ -72,7 +74,7 @@ class Viewer:
         self.plotter.disable_anti_aliasing(all_renderers=True)  # takes as long as everything else in software
         self._draw_charts()
         self._draw_cloud()
-        self._draw_mesh(mesh, up)
+        self._draw_mesh(mesh, up, occlusion)
         self._choose(int(np.argmax(self.points.normal @ np.array(VIEW[up]))))
         self.plotter.subplot(*_KNOBS)
         self.controls = Controls(self.plotter, choice, self.show)
@@ -155,9 +157,10 @@ class Viewer:
         self._add_text("The pinned point's cloud and its density as a surface", 0.98, "top")
         self._add_text("Double-click on the mesh to pin another point.", 0.02, "bottom")
 
-    def _draw_mesh(self, mesh: Mesh, up: str) -> None:
+    def _draw_mesh(self, mesh: Mesh, up: str, occlusion: ShownOcclusion | None) -> None:
         self.plotter.subplot(*_MESH)
-        self.picker = MeshPicker(self.plotter, draw_mesh(self.plotter, self.vertices, mesh.faces), self.pick)
+        texture = None if occlusion is None else (occlusion.picture, occlusion.uv)
+        self.picker = MeshPicker(self.plotter, draw_mesh(self.plotter, self.vertices, mesh.faces, texture), self.pick)
         draw_normals(self.plotter, self.points.position, self.points.normal, self.scale)
         self.cloud_actor = CloudActor(self.plotter, point_size=2, bar=True)
         self._pin = Pin(self.plotter, LOBE)

@@ -51,6 +51,12 @@ class Data:
             raise ValueError(f"{by.at(key)}: got numbers that are {told(shape)}, want one of {', '.join(_WIDTHS)}")
         return self._numbers(by, key, shape=shape, width=_WIDTHS[shape], kinds=_KINDS | _WHOLE)
 
+    def picture(self, image: Part, path: Path) -> bytes:
+        """The bytes of a picture, in the file `path` itself or near to it."""
+        if "uri" in image:
+            return bytes(content_of(path, image.text("uri"), 0, image))
+        return bytes(self._view(self.views[image.index("bufferView", self.views)]))
+
     def _numbers(self, by: Part, key: str, *, shape: str, width: int, kinds: Mapping[int, str]) -> tuple[Part, np.ndarray]:
         accessor = self.accessors[by.index(key, self.accessors)]
         if "sparse" in accessor or "bufferView" not in accessor:

@@ -1,0 +1,74 @@
+"""What the viewer shows of a file: the occlusion of all its materials on one picture."""
+
+import numpy as np
+import pytest
+from lookups import lookup, on_surface
+from textured_scenes import changed, opened, picture, rich
+
+import warpsample as ws
+from warpsample.texture.shown import shown_occlusion
+
+
+@pytest.fixture
+def baked(call, tmp_path):
+    (tmp_path / "in.glb").write_bytes(rich())
+    output = tmp_path / "out.glb"
+    assert call("bake", tmp_path / "in.glb", "-o", output, "--texture", 64, "--samples", 64, "--strength", 0.5)[0] == 0
+    return output
+
+
+def test_each_face_shows_its_own_picture(baked):
+    """At random places on floor and wall it is what the material says, by its own set and strength."""
+    shown = shown_occlusion(baked)
+    mesh, (tree, data, _) = ws.load_mesh(baked), opened(baked)
+    points, at = on_surface(mesh, shown.uv, 2000)
+    read = lookup(shown.picture[..., None] / 255, at)[:, 0]
+    for faces, number, texture in ((points.face < 2, 1, 1), (points.face >= 2, 0, 2)):
+        own = np.einsum("pk,pkc->pc", points.barycentric, ws.load_uv(baked, set=number)[points.face])
+        right = 0.5 + 0.5 * lookup(picture(tree, data, texture), own[faces])[:, 0]
+        assert faces.sum() > 100
+        assert np.abs(read[faces] - right).max() < 0.003  # half a step of eight bits, and the edge of a tile
+        assert np.ptp(right) > 0.02
+
+
+def test_what_cannot_be_shown_is_white(baked, tmp_path):
+    """A wall without a material, and a floor whose picture the file transforms: nothing to show is None."""
+
+    def change(tree):
+        del tree["meshes"][1]["primitives"][0]["material"]
+
+    path = tmp_path / "changed.glb"
+    path.write_bytes(changed(baked.read_bytes(), change))
+    shown = shown_occlusion(path)
+    points, at = on_surface(ws.load_mesh(path), shown.uv, 500)
+    read = lookup(shown.picture[..., None] / 255, at)[:, 0]
+    assert (read[points.face >= 2] == 1.0).all()
+    assert (read[points.face < 2] < 1.0).all()
+
+    def transform(tree):
+        change(tree)
+        tree["materials"][3]["occlusionTexture"]["extensions"] = {"KHR_texture_transform": {}}
+
+    path.write_bytes(changed(baked.read_bytes(), transform))
+    assert shown_occlusion(path) is None
+    assert shown_occlusion(path.with_suffix(".ply")) is None
+    path.write_bytes(changed(baked.read_bytes(), lambda tree: tree["materials"][1]["occlusionTexture"].update(strength=[2])))
+    with pytest.raises(ValueError, match=r"changed.glb.*materials\[1\].occlusionTexture.strength: got \[2\]"):
+        shown_occlusion(path)
+
+
+def test_the_viewer_is_given_it(can_render, baked):
+    """The picture as it is, upside down for VTK, and faces in the mesh's order for the mouse."""
+    import pyvista as pv
+
+    from warpsample.plotting.scenes import draw_mesh
+
+    shown, mesh = shown_occlusion(baked), ws.load_mesh(baked)
+    plotter = pv.Plotter(off_screen=True)
+    actor = draw_mesh(plotter, mesh.vertices, mesh.faces, (shown.picture, shown.uv))
+    drawn = actor.mapper.dataset
+    corners = drawn.points[drawn.regular_faces]
+    assert np.allclose(corners, mesh.vertices[mesh.faces], atol=1e-5)
+    assert np.allclose(drawn.active_texture_coordinates[drawn.regular_faces] * (1, -1) + (0, 1), shown.uv, atol=1e-6)
+    assert np.array_equal(actor.texture.to_array()[..., 0], shown.picture)
+    plotter.close()

@@ -1,0 +1,98 @@
+"""The occlusion that the materials of a glTF file have, as one picture for all faces: what the viewer shows."""
+
+from dataclasses import dataclass
+from io import BytesIO
+from math import ceil, sqrt
+from pathlib import Path
+
+import numpy as np
+
+from warpsample.host.arguments import check_number, naming_file
+from warpsample.host.json_tree import Part
+from warpsample.mesh.files.gltf import opened, placed_primitives, read_corners, surface
+from warpsample.mesh.files.gltf_data import Data
+from warpsample.texture.pictures import library
+from warpsample.texture.sets import MOST_SETS
+
+_SIDE = 8192  # of the whole picture, which graphics cards take
+_TRANSFORM = "KHR_texture_transform"
+
+
+@dataclass(frozen=True, eq=False)
+class ShownOcclusion:
+    """A picture of grey levels, (H, W) uint8, and by which coordinates (F, 3, 2), v down, the faces of a mesh show it."""
+
+    picture: np.ndarray
+    uv: np.ndarray
+
+
+def shown_occlusion(path: Path) -> ShownOcclusion | None:
+    """The occlusion of the faces that `load_mesh` reads, white for those that have none within their picture.
+
+    Tiles that repeat and those that the file transforms are white, too.
+
+    Returns:
+        the picture; None of a file that has no such thing.
+
+    Raises:
+        ValueError: a file that cannot be read, or a picture in it.
+    """
+    if path.suffix.lower() not in (".glb", ".gltf"):
+        return None
+    with naming_file("mesh", path, "a glTF file with pictures"), opened(path) as (tree, data):
+        faces, infos = [], []
+        for placed in placed_primitives(tree):
+            faces.append(len(surface(placed.primitive, data)[1]))
+            infos.append(_info(tree, placed.primitive))
+        kinds = list(dict.fromkeys(info for info in infos if info is not None))
+        if not kinds:
+            return None
+        pictures = [_picture(tree, data, path, image, strength) for image, _, strength in kinds]
+    kind = np.repeat([-1 if info is None else kinds.index(info) for info in infos], faces)
+    return _joined(pictures, kind, [read_corners(path, f"TEXCOORD_{number}") for _, number, _ in kinds])
+
+
+def _info(tree: Part, primitive: Part) -> tuple[int, int, float] | None:
+    """The image, the set of coordinates and the strength of a primitive's occlusion."""
+    if "material" not in primitive:
+        return None
+    materials, textures = tree.parts("materials"), tree.parts("textures")
+    material = materials[primitive.index("material", materials)]
+    if "occlusionTexture" not in material:
+        return None
+    info = material.part("occlusionTexture")
+    texture = textures[info.index("index", textures)]
+    if "source" not in texture or ("extensions" in info and _TRANSFORM in info.part("extensions")):
+        return None
+    strength = check_number(info.content.get("strength", 1.0), info.at("strength"), 0.0, 1.0)
+    return texture.index("source", tree.parts("images")), info.whole("texCoord", 0, MOST_SETS), strength
+
+
+def _picture(tree: Part, data: Data, path: Path, image: int, strength: float) -> np.ndarray:
+    """(H, W) float64, what of a picture is seen: 1 + strength * (red - 1)."""
+    content = data.picture(tree.parts("images")[image], path)
+    with library("PIL.Image", "pictures need Pillow").open(BytesIO(content)) as opened_picture:
+        pixels = np.array(opened_picture if opened_picture.mode.startswith("I;16") else opened_picture.convert("RGB"))
+    red = (pixels if pixels.ndim == 2 else pixels[..., 0]) / np.iinfo(pixels.dtype).max
+    return 1.0 + strength * (red - 1.0)
+
+
+def _joined(pictures: list[np.ndarray], kind: np.ndarray, sets: list[np.ndarray]) -> ShownOcclusion:
+    """All pictures on one, row by row, framed by their edges; after the last a white one, for faces of the kind -1."""
+    columns = ceil(sqrt(len(pictures) + 1))
+    side = min(max(max(picture.shape) for picture in pictures), _SIDE // columns - 2)
+    pitch = side + 2
+    whole = np.full((columns * pitch, columns * pitch), 255, np.uint8)
+    uv = np.empty((len(kind), 3, 2))
+    for number, coordinates in enumerate(sets):
+        uv[kind == number] = coordinates[kind == number]
+    beyond = ~((uv >= 0.0) & (uv <= 1.0)).all(axis=(1, 2))
+    place = np.where((kind < 0) | beyond, len(pictures), kind)
+    uv[place == len(pictures)] = 0.5
+    for number, picture in enumerate(pictures):
+        row, column = (pitch * at for at in divmod(number, columns))
+        take = [(np.arange(side) * length) // side for length in picture.shape]
+        shown = np.round(255.0 * np.clip(picture, 0.0, 1.0)).astype(np.uint8)
+        whole[row : row + pitch, column : column + pitch] = np.pad(shown[np.ix_(*take)], 1, mode="edge")
+    corner = np.stack([place % columns, place // columns], axis=1)[:, None]
+    return ShownOcclusion(whole, (pitch * corner + 1.0 + side * uv) / (columns * pitch))
