@@ -85,7 +85,7 @@ def build_sky(tool: str, scene: str, raster: Path | None, workers: int) -> Child
     return ChildJob(work, report)
 
 
-SCENES = {"yard": yard, "slope": slope}
+SCENES: dict[str, Any] = {"yard": yard, "slope": slope}
 """By name: heights in cells of a metre, the numbers of some cells, and what these see."""
 
 

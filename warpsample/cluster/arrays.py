@@ -14,14 +14,14 @@ from warpsample.cluster.finishing import check_workers_of
 from warpsample.cluster.job import Job
 from warpsample.cluster.sending import Tasks, current_client, shared_by_key
 
-POINT_ARRAYS = {
+POINT_ARRAYS: dict[str, Any] = {
     "position": (np.dtype(np.float64), (3,)),
     "normal": (np.dtype(np.float32), (3,)),
     "face": (np.dtype(np.int32), ()),
 }
 """(type, shape of a row) of points that workers make."""
 
-GIVEN_ARRAYS = {**POINT_ARRAYS, "id": (np.dtype(np.uint64), ())}
+GIVEN_ARRAYS: dict[str, Any] = {**POINT_ARRAYS, "id": (np.dtype(np.uint64), ())}
 """The same of all that points may have which the caller gives."""
 
 _SAMPLES = {"pdf", "distance", "face", "vectors"}

@@ -37,7 +37,7 @@ class Tasks(MaterializedLayer):
     def __init__(self, mapping: Mapping[Any, Any]) -> None:
         """Takes the tasks by their keys; they are of the Client that there is now, if there is one."""
         super().__init__(mapping)
-        self.client = current_client()
+        self.client: Any = current_client()
 
     def __iter__(self) -> Iterator[Any]:
         """The keys, which what computes without a Client asks for first."""

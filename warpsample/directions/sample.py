@@ -17,7 +17,7 @@ from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import check_flag, check_integer, check_scale, told
-from warpsample.host.arrays import Array, cpu
+from warpsample.host.arrays import Array, Floats, cpu
 from warpsample.host.engine import check_memory, run
 from warpsample.host.options import CallOptions, explained_by
 from warpsample.host.progress import bar
@@ -51,8 +51,8 @@ class Directions:
         status: (P,) uint8, a `Status`.
     """
 
-    vectors: Array
-    pdf: Array | None
+    vectors: Floats
+    pdf: Floats | None
     status: Array
 
     def counts(self) -> dict[Status, int]:

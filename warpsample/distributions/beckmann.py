@@ -1,11 +1,12 @@
 """Normals of a rough surface whose slopes are Gaussian."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 import warp as wp
 
-from warpsample.distributions.record import Distribution, Maps
+from warpsample.distributions.record import Cases, Distribution, Maps, Range
 from warpsample.maths.angles import tan_squared, turns_of
 from warpsample.maths.exponentials import exp_double, log1p
 from warpsample.maths.numerics import INV_PI_DOUBLE, ONE, clamp_uniform, root, sincos_turns
@@ -51,12 +52,12 @@ class Beckmann(Distribution):
     name = "beckmann"
     density = "exp(−tan²θ/α²)/(πα²cos³θ)"
     support = "hemisphere"
-    parameters = ("alpha",)
-    shown = (0.01, 1.0)
-    bounds = (1e-6, 1.0)
+    parameters: ClassVar[tuple[str, ...]] = ("alpha",)
+    shown: ClassVar[Range] = (0.01, 1.0)
+    bounds: ClassVar[Range] = (1e-6, 1.0)
     source = "Nori2025, Beckmann; Walter2007, equations 25, 28 and 29"
-    case_values = ((1e-6,), (1e-3,), (0.01,), (0.1,), (0.5,), (1.0,))  # from a mirror's polish to chalk
-    maps = Maps(square_to_beckmann, square_to_beckmann_pdf, beckmann_to_square)
+    case_values: ClassVar[Cases] = ((1e-6,), (1e-3,), (0.01,), (0.1,), (0.5,), (1.0,))  # from a mirror's polish to chalk
+    maps: ClassVar[Maps] = Maps(square_to_beckmann, square_to_beckmann_pdf, beckmann_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - exp(-tan^2 theta / alpha^2). See `Distribution.cdf`."""

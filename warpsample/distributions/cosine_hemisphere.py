@@ -1,13 +1,13 @@
 """The cosine lobe by four methods with one density: cos(theta) / pi per steradian above the surface."""
 
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import ClassVar, Literal, get_args
 
 import numpy as np
 import warp as wp
 
 from warpsample.distributions.parameters import Parameters
-from warpsample.distributions.record import Distribution, Maps
+from warpsample.distributions.record import Cases, Distribution, Maps
 from warpsample.distributions.uniform_disk import square_to_concentric_disk, uniform_disk_to_square_concentric
 from warpsample.distributions.uniform_sphere import square_to_uniform_sphere
 from warpsample.host.arguments import check_choice
@@ -153,7 +153,7 @@ class CosineHemisphere(Distribution):
     support = "hemisphere"
     source = "Nori2025, Malley; Cranberry2020, equations 5 and 7; ShirleyTrick, equation 6; Chizhov2019, section 4.3"
     limits = "offset adds float32 vectors about a normal: near the horizon its angle and pdf have errors up to 1.3e-5"
-    case_values = tuple((method,) for method in get_args(Method))
+    case_values: ClassVar[Cases] = tuple((method,) for method in get_args(Method))
 
     def __post_init__(self) -> None:
         """Checks the method's name."""

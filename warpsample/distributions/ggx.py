@@ -1,11 +1,12 @@
 """Normals of a rough surface with long tails, GGX: those of an ellipsoid, after Trowbridge and Reitz."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 import warp as wp
 
-from warpsample.distributions.record import Distribution, Maps
+from warpsample.distributions.record import Cases, Distribution, Maps, Range
 from warpsample.maths.angles import turns_of
 from warpsample.maths.numerics import INV_PI, clamp_uniform, fma, root, sincos_turns
 
@@ -49,12 +50,12 @@ class GGX(Distribution):
     name = "ggx"
     density = "α²cosθ/(π(sin²θ+α²cos²θ)²)"
     support = "hemisphere"
-    parameters = ("alpha",)
-    shown = (0.01, 1.0)
-    bounds = (1e-6, 1.0)
+    parameters: ClassVar[tuple[str, ...]] = ("alpha",)
+    shown: ClassVar[Range] = (0.01, 1.0)
+    bounds: ClassVar[Range] = (1e-6, 1.0)
     source = "Walter2007, equations 33, 35 and 36"
-    case_values = ((1e-6,), (0.01,), (0.3,), (1.0,))  # from almost a mirror to the cosine lobe
-    maps = Maps(square_to_ggx, square_to_ggx_pdf, ggx_to_square)
+    case_values: ClassVar[Cases] = ((1e-6,), (0.01,), (0.3,), (1.0,))  # from almost a mirror to the cosine lobe
+    maps: ClassVar[Maps] = Maps(square_to_ggx, square_to_ggx_pdf, ggx_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """sin^2 theta / (sin^2 theta + alpha^2 cos^2 theta). See `Distribution.cdf`."""

@@ -1,6 +1,7 @@
 """A uniform point of the ball that touches the surface point from above, seen from there: density cosine cubed."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 import warp as wp
@@ -43,7 +44,7 @@ class OffsetBall(Distribution):
     density = "2cos³θ/π"
     support = "hemisphere"
     source = "Chizhov2019, sections 4.1 and 4.2"
-    maps = Maps(square_to_offset_ball, square_to_offset_ball_pdf, offset_ball_to_square)
+    maps: ClassVar[Maps] = Maps(square_to_offset_ball, square_to_offset_ball_pdf, offset_ball_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - cos^4 theta. See `Distribution.cdf`."""

@@ -1,6 +1,7 @@
 """In the plane: a point of the circle that touches the surface point, seen from there: density uniform in angle."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 import warp as wp
@@ -40,7 +41,7 @@ class OffsetCircle(Distribution):
     width = 2
     variates = 1
     source = "Chizhov2019, sections 3.3 and 3.4"
-    maps = Maps(square_to_offset_circle, square_to_offset_circle_pdf, offset_circle_to_square)
+    maps: ClassVar[Maps] = Maps(square_to_offset_circle, square_to_offset_circle_pdf, offset_circle_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """Theta / pi + 1/2, where Chizhov2019 prints + 1. See `Distribution.cdf`."""

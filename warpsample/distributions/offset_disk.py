@@ -1,6 +1,7 @@
 """In the plane: a point of the disk that touches the surface point, seen from there: density cosine squared."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 import warp as wp
@@ -38,7 +39,7 @@ class OffsetDisk(Distribution):
     width = 2
     source = "Chizhov2019, sections 3.1 and 3.2"
     limits = "two variates give one angle, so there is no inverse"
-    maps = Maps(square_to_offset_disk, square_to_offset_disk_pdf)
+    maps: ClassVar[Maps] = Maps(square_to_offset_disk, square_to_offset_disk_pdf)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """(theta + sin theta cos theta) / pi + 1/2, where Chizhov2019 prints + 1. See `Distribution.cdf`."""

@@ -1,11 +1,12 @@
 """The normal plus a sphere's point of any radius, normalised: Shirley's trick with its radius as a parameter."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 import warp as wp
 
-from warpsample.distributions.record import Distribution, Maps
+from warpsample.distributions.record import Cases, Distribution, Maps, Range
 from warpsample.maths.angles import sin_squared, turns_of
 from warpsample.maths.numerics import HALF, ONE, ZERO, clamp_uniform, fma, polish, root, root_double, sincos_turns
 
@@ -82,16 +83,16 @@ class OffsetSphere(Distribution):
 
     name = "offset_sphere"
     density = "Σt²/(4πρ√(ρ²−sin²θ)), t=cosθ±√(ρ²−sin²θ)"
-    parameters = ("rho",)
-    shown = (0.2, 5.0)
-    bounds = (1e-15, 1e15)
+    parameters: ClassVar[tuple[str, ...]] = ("rho",)
+    shown: ClassVar[Range] = (0.2, 5.0)
+    bounds: ClassVar[Range] = (1e-15, 1e15)
     source = "Chizhov2019, sections 4.3 and 4.4, for ρ = 1; our change of variables for any other"
     limits = (
         "for ρ < 1 the density is infinite at the edge sinθ = ρ and clamped within 5e-7 of it; "
         "two u give a direction, so there is no inverse"
     )
     # A narrow cone, both sides of the cosine lobe, and almost uniform.
-    case_values = ((1e-15,), (0.5,), (1.0 - 2.0**-24,), (1.0,), (1.0 + 2.0**-23,), (1.5,), (1e15,))
+    case_values: ClassVar[Cases] = ((1e-15,), (0.5,), (1.0 - 2.0**-24,), (1.0,), (1.0 + 2.0**-23,), (1.5,), (1e15,))
 
     @property
     def polar(self) -> bool:

@@ -24,7 +24,7 @@ class Parameters:
 
 
 @lru_cache(maxsize=256)
-def packed(values: tuple[Any, ...]) -> Parameters:
+def packed(values: tuple[Any, ...]) -> Any:
     """A scalar, or a scalar and a vector, as kernels take them; zeros where there are none."""
     parameters = Parameters()
     for field, value in zip(("scalar", "x", "y", "z"), np.hstack(values or (0.0,)), strict=False):

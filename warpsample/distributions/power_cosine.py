@@ -1,11 +1,12 @@
 """Powers of the cosine: Phong's lobe about the normal."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 import warp as wp
 
-from warpsample.distributions.record import Distribution, Maps
+from warpsample.distributions.record import Cases, Distribution, Maps, Range
 from warpsample.maths.angles import tan_squared, turns_of
 from warpsample.maths.exponentials import exp_double, log1p_double
 from warpsample.maths.numerics import HALF, INV_TWO_PI_DOUBLE, ONE, clamp_uniform, root_double, sincos_turns
@@ -51,12 +52,18 @@ class PowerCosine(Distribution):
     name = "power_cosine"
     density = "(n+1)cosⁿθ/(2π)"
     support = "hemisphere"
-    parameters = ("exponent",)
-    shown = (0.1, 1000.0)
-    bounds = (0.0, 1e9)
+    parameters: ClassVar[tuple[str, ...]] = ("exponent",)
+    shown: ClassVar[Range] = (0.1, 1000.0)
+    bounds: ClassVar[Range] = (0.0, 1e9)
     source = "Lafortune1994, equation 8 (Phong's lobe); exponent 3: Chizhov2019, section 4.1"
-    case_values = ((0.0,), (1.0,), (2.5,), (100.0,), (1e9,))  # from the uniform hemisphere to a lobe of 3e-5 rad
-    maps = Maps(square_to_power_cosine, square_to_power_cosine_pdf, power_cosine_to_square)
+    case_values: ClassVar[Cases] = (
+        (0.0,),
+        (1.0,),
+        (2.5,),
+        (100.0,),
+        (1e9,),
+    )  # from the uniform hemisphere to a lobe of 3e-5 rad
+    maps: ClassVar[Maps] = Maps(square_to_power_cosine, square_to_power_cosine_pdf, power_cosine_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - cos^(n + 1) theta. See `Distribution.cdf`."""

@@ -2,18 +2,21 @@
 
 from dataclasses import dataclass
 from math import pi
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeAlias
 
 import numpy as np
 import warp as wp
 
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
-from warpsample.distributions.parameters import Parameters, about_frame, packed, with_parameters
+from warpsample.distributions.parameters import about_frame, packed, with_parameters
 from warpsample.host.arguments import check_number
-from warpsample.host.arrays import Array, as_real, as_square
+from warpsample.host.arrays import Array, Floats, as_real, as_square
 from warpsample.host.engine import check_workers, run
 from warpsample.host.neighbours import from_cuda
 from warpsample.host.vectors import as_vectors, new_vectors
+
+Range: TypeAlias = tuple[float, float] | None
+Cases: TypeAlias = tuple[tuple[Any, ...], ...]
 
 _VECTORS = {2: wp.vec2, 3: wp.vec3}
 
@@ -62,14 +65,14 @@ class Distribution:
     """
 
     maps: ClassVar[Maps]
-    case_values: ClassVar[tuple[tuple[Any, ...], ...]] = ((),)
+    case_values: ClassVar[Cases] = ((),)
     name: ClassVar[str]
     density: ClassVar[str]
     measure: ClassVar[str] = "per steradian"
     support: ClassVar[str]
     parameters: ClassVar[tuple[str, ...]] = ()
-    bounds: ClassVar[tuple[float, float] | None] = None
-    shown: ClassVar[tuple[float, float] | None] = None
+    bounds: ClassVar[Range] = None
+    shown: ClassVar[Range] = None
     width: ClassVar[int] = 3
     variates: ClassVar[int] = 2
     symmetric: ClassVar[bool] = True
@@ -148,7 +151,7 @@ class Distribution:
         """
         return u[..., 0] == 0.0
 
-    def sample(self, u: Any) -> Array:
+    def sample(self, u: Any) -> Floats:
         """Directions of points of the square.
 
         Args:
@@ -170,7 +173,7 @@ class Distribution:
         u = u if isinstance(u, wp.array) else as_square(u, "u")
         return self._map(self.maps.sample, u, width=2, out_width=self.width, argument="u")
 
-    def pdf(self, w: Any) -> Array:
+    def pdf(self, w: Any) -> Floats:
         """Density at unit directions, in the distribution's measure.
 
         Args:
@@ -188,7 +191,7 @@ class Distribution:
         """
         return self._map(self.maps.pdf, w, width=self.width, out_width=1, argument="w")
 
-    def invert(self, w: Any) -> Array:
+    def invert(self, w: Any) -> Floats:
         """The points of the square that `sample` sends to the directions w.
 
         Args:
@@ -210,7 +213,7 @@ class Distribution:
             raise NotImplementedError(f"{self!r}: sample sends several u to one w, so it has no inverse")
         return self._map(self.maps.invert, w, width=self.width, out_width=2, argument="w")
 
-    def kernel_parameters(self) -> Parameters:
+    def kernel_parameters(self) -> Any:
         """This instance's scalars as the kernels take them.
 
         Returns:

@@ -1,11 +1,12 @@
 """Directions within an angle of the normal, all equally likely."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 import warp as wp
 
-from warpsample.distributions.record import Distribution, Maps
+from warpsample.distributions.record import Cases, Distribution, Maps, Range
 from warpsample.host.arguments import check_number
 from warpsample.maths.angles import turns_of, versine
 from warpsample.maths.numerics import INV_TWO_PI, TWO, clamp_uniform, root, sincos_turns
@@ -56,12 +57,12 @@ class UniformCone(Distribution):
     name = "uniform_cone"
     density = "1/(2π(1−cosθₘ))"
     support = "cone"
-    parameters = ("one_minus_cos",)
-    shown = (1e-4, 2.0)
+    parameters: ClassVar[tuple[str, ...]] = ("one_minus_cos",)
+    shown: ClassVar[Range] = (1e-4, 2.0)
     source = "Pharr2023, section A.5.4"
     # By one_minus_cos, from the whole sphere to the sun's disk and beyond.
-    case_values = ((None, 2.0), (None, 1.999), (None, 1.0), (None, 0.25), (None, 1.08e-5), (None, 1e-24))
-    maps = Maps(square_to_uniform_cone, square_to_uniform_cone_pdf, uniform_cone_to_square)
+    case_values: ClassVar[Cases] = ((None, 2.0), (None, 1.999), (None, 1.0), (None, 0.25), (None, 1.08e-5), (None, 1e-24))
+    maps: ClassVar[Maps] = Maps(square_to_uniform_cone, square_to_uniform_cone_pdf, uniform_cone_to_square)
 
     def __post_init__(self) -> None:
         """Checks that one of the two is given, and derives the other."""

@@ -1,12 +1,12 @@
 """The unit disk, by two maps of the square that preserve area: the basis of the cosine lobe, and for lenses."""
 
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import ClassVar, Literal, get_args
 
 import numpy as np
 import warp as wp
 
-from warpsample.distributions.record import Distribution, Maps
+from warpsample.distributions.record import Cases, Distribution, Maps
 from warpsample.host.arguments import check_choice
 from warpsample.maths.angles import turns_of
 from warpsample.maths.numerics import GRID, INV_PI, clamp_uniform, root, sincos_eighth, sincos_turns
@@ -98,7 +98,7 @@ class UniformDisk(Distribution):
     support = "disk"
     width = 2
     source = "Cranberry2020; Nori2025, UniformDisk; Shirley1997"
-    case_values = tuple((method,) for method in get_args(Method))
+    case_values: ClassVar[Cases] = tuple((method,) for method in get_args(Method))
 
     def __post_init__(self) -> None:
         """Checks the method's name."""

@@ -1,6 +1,7 @@
 """All directions above the surface, equally likely."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 import warp as wp
@@ -38,7 +39,7 @@ class UniformHemisphere(Distribution):
     density = "1/(2π)"
     support = "hemisphere"
     source = "Nori2025, P(θ) = 1 − cosθ; Pharr2023, section A.5.2"
-    maps = Maps(square_to_uniform_hemisphere, square_to_uniform_hemisphere_pdf, uniform_hemisphere_to_square)
+    maps: ClassVar[Maps] = Maps(square_to_uniform_hemisphere, square_to_uniform_hemisphere_pdf, uniform_hemisphere_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """1 - cos theta. See `Distribution.cdf`."""

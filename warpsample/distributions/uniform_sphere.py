@@ -1,6 +1,7 @@
 """All directions, equally likely."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 import warp as wp
@@ -41,7 +42,7 @@ class UniformSphere(Distribution):
     density = "1/(4π)"
     support = "sphere"
     source = "Nori2025, UniformSphere; Pharr2023, section A.5.2"
-    maps = Maps(square_to_uniform_sphere, square_to_uniform_sphere_pdf, uniform_sphere_to_square)
+    maps: ClassVar[Maps] = Maps(square_to_uniform_sphere, square_to_uniform_sphere_pdf, uniform_sphere_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """(1 - cos theta) / 2. See `Distribution.cdf`."""

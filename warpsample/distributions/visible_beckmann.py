@@ -1,8 +1,10 @@
 """Beckmann normals as a viewer sees them: weighted by the area that each shows to the view."""
 
+from typing import ClassVar
+
 import warp as wp
 
-from warpsample.distributions.record import Maps
+from warpsample.distributions.record import Cases, Maps
 from warpsample.distributions.visible_ggx import VisibleNormals, blurred_facing
 from warpsample.maths.error_function import erfc_double, erfc_inverse_roughly
 from warpsample.maths.exponentials import exp_double, logarithm
@@ -157,8 +159,13 @@ class VisibleBeckmann(VisibleNormals):
     source = "HeitzDEon2014, section 5; Walter2007, equation 25"
     limits = "the horizon of the view is blurred by rounding"
     # From above, from the side, from the horizon.
-    case_values = ((0.5, (0.0, 0.0, 1.0)), (0.3, (0.6, -0.64, 0.48)), (1.0, (1.0, 0.0, 0.0)), (1e-6, (1.0, 0.0, 0.0)))
-    maps = Maps(square_to_visible_beckmann, square_to_visible_beckmann_pdf, visible_beckmann_to_square)
+    case_values: ClassVar[Cases] = (
+        (0.5, (0.0, 0.0, 1.0)),
+        (0.3, (0.6, -0.64, 0.48)),
+        (1.0, (1.0, 0.0, 0.0)),
+        (1e-6, (1.0, 0.0, 0.0)),
+    )
+    maps: ClassVar[Maps] = Maps(square_to_visible_beckmann, square_to_visible_beckmann_pdf, visible_beckmann_to_square)
 
 
 RECORD = VisibleBeckmann

@@ -1,10 +1,11 @@
 """GGX normals as a viewer sees them: weighted by the area that each shows to the view."""
 
 from dataclasses import dataclass
+from typing import Any, ClassVar
 
 import warp as wp
 
-from warpsample.distributions.record import Distribution, Maps
+from warpsample.distributions.record import Cases, Distribution, Maps, Range
 from warpsample.host.arrays import as_view
 from warpsample.maths.angles import turns_of
 from warpsample.maths.numerics import INV_PI, ZERO, clamp_uniform, fma, polish, root, sincos_turns
@@ -103,9 +104,9 @@ class VisibleNormals(Distribution):
     view: tuple[float, float, float] = (0.0, 0.0, 1.0)
 
     support = "hemisphere"
-    parameters = ("alpha", "view")
-    shown = (0.05, 1.0)
-    bounds = (1e-6, 1.0)
+    parameters: ClassVar[tuple[str, ...]] = ("alpha", "view")
+    shown: ClassVar[Range] = (0.05, 1.0)
+    bounds: ClassVar[Range] = (1e-6, 1.0)
     symmetric = False
 
     def __post_init__(self) -> None:
@@ -130,16 +131,16 @@ class VisibleGGX(VisibleNormals):
         "the error of the inverse holds off the cap's poles, for u[0] from 0.06 to 0.94"
     )
     # From above, from the side, from the horizon.
-    case_values = (
+    case_values: ClassVar[Cases] = (
         (1.0, (0.0, 0.0, 1.0)),
         (0.3, (0.6, -0.64, 0.48)),
         (0.5, (1.0, 0.0, 0.0)),
         (1e-6, (-0.8, 0.0, 0.6)),
         (1e-6, (1.0, 0.0, 0.0)),
     )
-    maps = Maps(square_to_visible_ggx, square_to_visible_ggx_pdf, visible_ggx_to_square)
+    maps: ClassVar[Maps] = Maps(square_to_visible_ggx, square_to_visible_ggx_pdf, visible_ggx_to_square)
 
-    def seam(self, u):
+    def seam(self, u: Any) -> Any:
         """The cap's poles. See `Distribution.seam`."""
         return abs(u[..., 0] - 0.5) > 0.44
 

@@ -1,11 +1,12 @@
 """The von Mises-Fisher lobe, the counterpart of a Gaussian on the sphere."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 import warp as wp
 
-from warpsample.distributions.record import Distribution, Maps
+from warpsample.distributions.record import Cases, Distribution, Maps, Range
 from warpsample.maths.angles import turns_of, versine
 from warpsample.maths.exponentials import exp_double, log1p_double
 from warpsample.maths.numerics import INV_TWO_PI_DOUBLE, ONE, TWO, clamp_uniform, root_double, sincos_turns
@@ -61,12 +62,19 @@ class VonMisesFisher(Distribution):
     name = "von_mises_fisher"
     density = "κexp(κ(cosθ−1))/(2π(1−e^(−2κ)))"
     support = "sphere"
-    parameters = ("kappa",)
-    shown = (0.1, 10000.0)
-    bounds = (1e-6, 1e12)
+    parameters: ClassVar[tuple[str, ...]] = ("kappa",)
+    shown: ClassVar[Range] = (0.1, 10000.0)
+    bounds: ClassVar[Range] = (1e-6, 1e12)
     source = "Fisher1953; sampled as in Jakob2012"
-    case_values = ((1e-6,), (0.5,), (8.0,), (20.0,), (1000.0,), (1e12,))  # from almost uniform to a millionth of a radian
-    maps = Maps(square_to_von_mises_fisher, square_to_von_mises_fisher_pdf, von_mises_fisher_to_square)
+    case_values: ClassVar[Cases] = (
+        (1e-6,),
+        (0.5,),
+        (8.0,),
+        (20.0,),
+        (1000.0,),
+        (1e12,),
+    )  # from almost uniform to a millionth of a radian
+    maps: ClassVar[Maps] = Maps(square_to_von_mises_fisher, square_to_von_mises_fisher_pdf, von_mises_fisher_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
         """The share of e^(kappa cos theta) within theta. See `Distribution.cdf`."""

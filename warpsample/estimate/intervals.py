@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 import warp as wp
+from numpy.typing import NDArray
 
 from warpsample.host.making import imported
 from warpsample.maths.numerics import ONE, TWO, ZERO
@@ -36,8 +37,8 @@ class Interval(NamedTuple):
         upper: of the same shape.
     """
 
-    lower: np.ndarray
-    upper: np.ndarray
+    lower: NDArray[np.float32]
+    upper: NDArray[np.float32]
 
 
 def interval_of(value: np.ndarray, spread: np.ndarray, degrees: np.ndarray, level: float) -> Interval:

@@ -12,7 +12,7 @@ from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.sight.frontier import open_around
 from warpsample.tracing.sight.point import ShadingPoint
 
-NOTHING = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
+NOTHING: wp.vec3d = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 
 
 @once

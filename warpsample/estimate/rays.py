@@ -12,7 +12,7 @@ from warpsample.tracing.sight.point import ShadingPoint
 OWN_FLOATS = 3 * CHUNK
 """float32 numbers of a chunk's variates, and then of its rays' weights."""
 
-LAST_UNIFORM = wp.constant(wp.float32(1.0 - 2.0**-24))
+LAST_UNIFORM: wp.float32 = wp.constant(wp.float32(1.0 - 2.0**-24))
 """For variates that are rounded up to the next stratum."""
 
 

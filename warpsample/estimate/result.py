@@ -6,6 +6,7 @@ from math import inf
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from warpsample.directions.sample import Status
 from warpsample.estimate.intervals import Interval, interval_of
@@ -74,7 +75,7 @@ class Skipped:
 class PointResult:
     """What results of P points have in common: a `status` of each, and ways to PyVista and xarray."""
 
-    status: np.ndarray
+    status: NDArray[np.uint8]
 
     _axes: ClassVar[tuple[str, ...]] = ("component",)
     """What the columns of an array with a row for each point are called."""
@@ -197,12 +198,12 @@ class Estimate(PointResult):
         skipped: what was not done.
     """
 
-    value: np.ndarray
-    standard_error: np.ndarray
-    spread: np.ndarray
-    degrees_of_freedom: np.ndarray
-    rays: np.ndarray
-    status: np.ndarray
+    value: NDArray[np.float32]
+    standard_error: NDArray[np.float32]
+    spread: NDArray[np.float32]
+    degrees_of_freedom: NDArray[np.float32]
+    rays: NDArray[np.int32]
+    status: NDArray[np.uint8]
     skipped: Skipped
 
     possible: ClassVar[tuple[float, float]] = (-inf, inf)

@@ -1,5 +1,7 @@
 """Runs a checked call: the arrays of its points, made once, and a launch for each number of rays."""
 
+from typing import Any
+
 import numpy as np
 
 from warpsample.estimate.kernel import estimate_kernel
@@ -10,6 +12,8 @@ from warpsample.estimate.slots import Slots
 from warpsample.estimate.strata import POLAR_COSINE, Strata, strata_of
 from warpsample.host.device_memory import Loan, at_home
 from warpsample.host.engine import run
+from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.placement import PlacementArgs
 from warpsample.tracing.queries import AcceleratorArgs
 from warpsample.tracing.rays import RAY_WORK
@@ -21,6 +25,14 @@ _MOST_REACH = 2.0**60  # of the scene's size: what is in it is at no distance at
 
 class Runner:
     """A plan and what it sums, ready to be run with any numbers of rays."""
+
+    plan: Plan
+    summed: RaySum
+    at: PlacedPoints
+    options: RayOptions
+    traced: bool
+    placement: Any
+    data: Any
 
     def __init__(self, plan: Plan, summed: RaySum, loan: Loan) -> None:
         """Finds where the rays of the points start; the loan lasts as long as the runner."""

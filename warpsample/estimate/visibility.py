@@ -5,6 +5,7 @@ from math import inf
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.plan import Plan, RaySum, reach_of
@@ -100,7 +101,7 @@ class SkyView(Share):
         below_horizon: (P,) float32, the share of the lobe that points below the sky's horizon, exactly: (1 - n.up) / 2.
     """
 
-    below_horizon: np.ndarray
+    below_horizon: NDArray[np.float32]
 
 
 @explained_by(RayOptions, ambient_occlusion)

@@ -24,7 +24,7 @@ class Weights:
     height: wp.int32
 
 
-WeightsArgs = type(Weights().__ctype__())
+WeightsArgs: Any = type(Weights().__ctype__())
 
 
 @wp.func

@@ -5,6 +5,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 import warp as wp
+from numpy.typing import NDArray
 
 from warpsample.host.arguments import told
 from warpsample.host.interrupts import handlers_first
@@ -12,7 +13,10 @@ from warpsample.host.kernel_cache import start
 from warpsample.host.locks import once
 from warpsample.host.neighbours import as_ndarray
 
-Array: TypeAlias = np.ndarray | wp.array
+Array: TypeAlias = NDArray[Any] | Any
+"""NumPy's, or a wp.array; type checkers take it for NumPy's, which users mostly have."""
+Floats: TypeAlias = NDArray[np.float32] | Any
+"""The same of float32, or a wp.array of vectors of it."""
 
 
 @once

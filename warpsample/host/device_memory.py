@@ -24,7 +24,7 @@ def at_home(device: wp.Device) -> bool:
     return device.alias in HOME
 
 
-def allocate(shape: tuple[int, ...], dtype: Any, device: wp.Device) -> wp.array:
+def allocate(shape: tuple[int, ...], dtype: Any, device: wp.Device) -> "wp.array[Any]":
     """Uninitialised memory of a device; a MemoryError if it has too little left."""
     try:
         return wp.empty(shape, dtype=dtype, device=device)
@@ -109,7 +109,7 @@ class Loan:
         self._results.append((array[rows], there))
         return self._keep(there)
 
-    def clone(self, array: wp.array) -> wp.array:
+    def clone(self, array: "wp.array[Any]") -> "wp.array[Any]":
         """A wp.array in the host's memory as kernels read it; one on a device as it is."""
         if self.memory.in_place or not array.ptr or not array.device.is_cpu:
             return array

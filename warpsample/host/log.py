@@ -5,5 +5,5 @@
 
 import logging
 
-log = logging.getLogger("warpsample")
+log: logging.Logger = logging.getLogger("warpsample")
 log.addHandler(logging.NullHandler())

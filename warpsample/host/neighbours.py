@@ -19,7 +19,7 @@ _ARRAYS = (np.ndarray, wp.array)
 _DLPACK_CUDA = 2  # what `__dlpack_device__` calls a CUDA device's memory
 
 
-def address_of(array: np.ndarray | wp.array) -> int:
+def address_of(array: Any) -> int:
     """Address of the first element, on the array's device."""
     if isinstance(array, wp.array):
         return array.ptr or 0

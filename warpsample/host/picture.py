@@ -20,7 +20,7 @@ _SHORTEST, _LONGEST = 8, 32767  # line of an .hdr that may be encoded channel by
 _LONGEST_RUN = 127
 
 
-def read_picture(path: str | PathLike) -> np.ndarray:
+def read_picture(path: str | PathLike[str]) -> np.ndarray:
     """The picture in a file, row 0 on top: (H, W, 3) float32 of an .hdr; what an .npy holds. No pickle is loaded.
 
     Errors are those of `check_file`, and a ValueError for another suffix and for a file that is truncated, damaged or of

@@ -31,10 +31,19 @@ def _writer(kind: Any) -> wp.Function:
     return write
 
 
-float_at, int_at, long_at, address_at, byte_at = map(_reader, (wp.float32, wp.int32, wp.int64, wp.uint64, wp.uint8))
-vec3_at, vec3i_at, vec3d_at = map(_reader, (wp.vec3, wp.vec3i, wp.vec3d))
-set_float, set_int, set_address = map(_writer, (wp.float32, wp.int32, wp.uint64))
-set_vec3, set_vec4i = map(_writer, (wp.vec3, wp.vec4i))
+float_at: wp.Function = _reader(wp.float32)
+int_at: wp.Function = _reader(wp.int32)
+long_at: wp.Function = _reader(wp.int64)
+address_at: wp.Function = _reader(wp.uint64)
+byte_at: wp.Function = _reader(wp.uint8)
+vec3_at: wp.Function = _reader(wp.vec3)
+vec3i_at: wp.Function = _reader(wp.vec3i)
+vec3d_at: wp.Function = _reader(wp.vec3d)
+set_float: wp.Function = _writer(wp.float32)
+set_int: wp.Function = _writer(wp.int32)
+set_address: wp.Function = _writer(wp.uint64)
+set_vec3: wp.Function = _writer(wp.vec3)
+set_vec4i: wp.Function = _writer(wp.vec4i)
 
 
 @wp.func

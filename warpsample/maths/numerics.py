@@ -32,19 +32,19 @@ _FMA_ADJOINT = """
     adj_c += adj_ret;
 """
 # A bare number in a kernel is float32.
-ZERO = wp.constant(wp.float64(0.0))
-HALF = wp.constant(wp.float64(0.5))
-ONE = wp.constant(wp.float64(1.0))
-TWO = wp.constant(wp.float64(2.0))
-INV_PI = wp.constant(wp.float32(0.3183098861837907))
-INV_TWO_PI = wp.constant(wp.float32(0.15915494309189535))
-TWO_OVER_PI = wp.constant(wp.float32(0.6366197723675814))
-INV_PI_DOUBLE = wp.constant(wp.float64(0.3183098861837907))
-INV_TWO_PI_DOUBLE = wp.constant(wp.float64(0.15915494309189535))
-EVEN_BITS = wp.constant(wp.uint32(0x55555555))
-EVEN_PAIRS = wp.constant(wp.uint32(0x33333333))
-EVEN_NIBBLES = wp.constant(wp.uint32(0x0F0F0F0F))
-EVEN_BYTES = wp.constant(wp.uint32(0x00FF00FF))
+ZERO: wp.float64 = wp.constant(wp.float64(0.0))
+HALF: wp.float64 = wp.constant(wp.float64(0.5))
+ONE: wp.float64 = wp.constant(wp.float64(1.0))
+TWO: wp.float64 = wp.constant(wp.float64(2.0))
+INV_PI: wp.float32 = wp.constant(wp.float32(0.3183098861837907))
+INV_TWO_PI: wp.float32 = wp.constant(wp.float32(0.15915494309189535))
+TWO_OVER_PI: wp.float32 = wp.constant(wp.float32(0.6366197723675814))
+INV_PI_DOUBLE: wp.float64 = wp.constant(wp.float64(0.3183098861837907))
+INV_TWO_PI_DOUBLE: wp.float64 = wp.constant(wp.float64(0.15915494309189535))
+EVEN_BITS: wp.uint32 = wp.constant(wp.uint32(0x55555555))
+EVEN_PAIRS: wp.uint32 = wp.constant(wp.uint32(0x33333333))
+EVEN_NIBBLES: wp.uint32 = wp.constant(wp.uint32(0x0F0F0F0F))
+EVEN_BYTES: wp.uint32 = wp.constant(wp.uint32(0x00FF00FF))
 
 
 @wp.func_native(snippet=_FMA.format("f"), adj_snippet=_FMA_ADJOINT)

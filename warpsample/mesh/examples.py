@@ -39,7 +39,7 @@ def courtyard() -> tuple[np.ndarray, np.ndarray]:
     return _STEP * vertices, corners[:, [0, 1, 2, 0, 2, 3]].reshape(-1, 3)
 
 
-def example(path: str | PathLike) -> tuple[np.ndarray, np.ndarray] | None:
+def example(path: str | PathLike[str]) -> tuple[np.ndarray, np.ndarray] | None:
     """(vertices, faces) of the example of that name; None if there is none, or if a file has that name."""
     named = isinstance(path, str | PathLike) and fspath(path) == "courtyard"
     return courtyard() if named and not Path(path).exists() else None

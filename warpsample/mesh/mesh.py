@@ -9,7 +9,7 @@ from weakref import ref
 import numpy as np
 
 from warpsample.host.arguments import told
-from warpsample.host.arrays import as_real
+from warpsample.host.arrays import Array, as_real
 from warpsample.host.locks import once_property
 from warpsample.host.neighbours import as_ndarray, kind_told
 from warpsample.mesh.foreign import KINDS, arrays_of
@@ -55,12 +55,12 @@ class Mesh:
         [2.] [[0. 0. 1.]] 3
     """
 
-    vertices: np.ndarray
-    faces: np.ndarray
-    part: np.ndarray | None = None
+    vertices: Array
+    faces: Array
+    part: Array | None = None
     parts: Sequence[str] = ()
-    transmittance: np.ndarray | None = None
-    reflectance: np.ndarray | None = None
+    transmittance: Array | None = None
+    reflectance: Array | None = None
 
     def __post_init__(self) -> None:
         """Validates, copies and freezes: what later calls read must stay what was checked here."""

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from warpsample.mesh.mesh import Mesh
@@ -36,8 +37,8 @@ class MeshReport:
     nonmanifold_edges: int
     inconsistent_edges: int
     area: float
-    lower: np.ndarray
-    upper: np.ndarray
+    lower: NDArray[np.float64]
+    upper: NDArray[np.float64]
 
 
 def report_of(mesh: "Mesh") -> MeshReport:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from warpsample.host.arguments import told
-from warpsample.host.arrays import as_real
+from warpsample.host.arrays import Array, as_real
 from warpsample.host.neighbours import as_ndarray
 from warpsample.mesh.mesh import as_mesh
 from warpsample.mesh.polydata import cloud
@@ -41,11 +41,11 @@ class SurfacePoints:
         [0.4 1. ]
     """
 
-    position: np.ndarray
-    normal: np.ndarray
-    face: np.ndarray | None = None
-    barycentric: np.ndarray | None = None
-    id: np.ndarray | None = None
+    position: Array
+    normal: Array
+    face: Array | None = None
+    barycentric: Array | None = None
+    id: Array | None = None
 
     def __post_init__(self) -> None:
         """Checks types and shapes and fills in the faces."""

@@ -181,12 +181,21 @@ def _write_matrix_npz(file: BinaryIO, baked: Baked) -> None:
     _write_npz(file, baked, directions=sky.directions, solid_angles=sky.solid_angles)
 
 
-WRITERS = {".ply": _write_ply, ".vtp": _write_vtp, ".glb": _write_glb, ".npz": _write_npz, ".csv": _write_csv}
+WRITERS: dict[str, Callable[..., None]] = {
+    ".ply": _write_ply,
+    ".vtp": _write_vtp,
+    ".glb": _write_glb,
+    ".npz": _write_npz,
+    ".csv": _write_csv,
+}
 
 PICTURES = {".png": write_png}
 """What shows the numbers, and holds none."""
 
-MATRIX_WRITERS = {".npz": _write_matrix_npz, ".mtx": lambda file, baked: write_matrix(file, baked.found.value, pi)}
+MATRIX_WRITERS: dict[str, Callable[..., None]] = {
+    ".npz": _write_matrix_npz,
+    ".mtx": lambda file, baked: write_matrix(file, baked.found.value, pi),
+}
 """For values that are too many for columns; the .mtx in Radiance's form, as `SkyMatrix.save` has it."""
 
 

@@ -34,17 +34,17 @@ class LobeCharts:
         from matplotlib.figure import Figure
 
         self.size = size
-        self.figure = Figure(figsize=(_WIDTH, _WIDTH * size[1] / size[0]), dpi=size[0] / _WIDTH)
+        self.figure: Figure = Figure(figsize=(_WIDTH, _WIDTH * size[1] / size[0]), dpi=size[0] / _WIDTH)
         self._canvas = FigureCanvasAgg(self.figure)
-        self.theta = HistogramChart(
+        self.theta: HistogramChart = HistogramChart(
             self.figure, above=(0.1, 0.685, 0.88, 0.25), below=(0.1, 0.575, 0.88, 0.085), name="θ", label="from the normal"
         )
-        self.azimuth = HistogramChart(
+        self.azimuth: HistogramChart = HistogramChart(
             self.figure, above=(0.1, 0.185, 0.37, 0.235), below=(0.1, 0.075, 0.37, 0.085), name="φ", label="about the normal"
         )
         style = {"frameon": False, "fontsize": _TEXT, "handlelength": 1.2}
         self.figure.legend(handles=self.theta.handles, loc="upper right", bbox_to_anchor=(0.99, 1.005), **style)
-        self.disk = DiskChart(self.figure, (0.56, 0.085, 0.42, 0.335))
+        self.disk: DiskChart = DiskChart(self.figure, (0.56, 0.085, 0.42, 0.335))
         self._parts = (self.theta, self.azimuth, self.disk)
         self._frames: tuple[Any, ...] = ()
         self._stills: dict[tuple[Any, ...], Any] = {}

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 ZOOM = 1.08
 """How much a mesh is enlarged in a panel: it leaves space for the panel's title and colour bar."""
 # A bar's title takes no space: only a browser draws it, which does not show the texts above the panels.
-BAR = {"title_font_size": 1, "label_font_size": 18, "height": 0.06, "width": 0.7, "color": "black", "fmt": "%.4g"}
-BAR |= {"position_x": 0.15, "position_y": 0.01}
+BAR: dict[str, Any] = {"title_font_size": 1, "label_font_size": 18, "color": "black", "fmt": "%.4g"}
+BAR |= {"height": 0.06, "width": 0.7, "position_x": 0.15, "position_y": 0.01}
 """The look of a panel's colour bar."""
 
 _TEXT = {"font_size": 11, "color": "black"}

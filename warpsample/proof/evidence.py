@@ -10,7 +10,7 @@ import numpy as np
 
 from warpsample.directions.sample import sample_square
 from warpsample.proof import laws, twins
-from warpsample.statistics.charts import DISK, SPHERE, chart_of, support_of
+from warpsample.statistics.charts import DISK, SPHERE, Chart, chart_of, support_of
 
 _SAMPLES = 16
 _CELL_DRAWS = 1 << 20
@@ -39,10 +39,15 @@ class Subject:
 class Evidence:
     """Draws of one subject, made when a law first needs them."""
 
+    subject: Subject
+    sampler: Any
+    every: int
+    draws: int
+
     def __init__(self, subject: Subject, every: int = 1, draws: int = 1 << 22):
         """`every`: the sweep takes every n-th variate. `draws`: number of independent directions, for statistics."""
         self.subject, self.sampler, self.every, self.draws = subject, subject.sampler, every, draws
-        self.chart = chart_of(subject.sampler)
+        self.chart: Chart = chart_of(subject.sampler)
 
     def draw(self, seed: int, draws: int) -> np.ndarray:
         """Directions of independent variates, `draws` of them."""

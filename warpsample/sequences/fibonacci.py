@@ -6,7 +6,7 @@ from warpsample.maths.numerics import high_word, uniform_from_bits, weyl
 from warpsample.sequences.hashing import point_key
 from warpsample.sequences.record import Sequence
 
-GOLDEN_STEP = wp.constant(wp.uint64(0x9E3779B97F4A7C15))
+GOLDEN_STEP: wp.uint64 = wp.constant(wp.uint64(0x9E3779B97F4A7C15))
 """2^64 / phi: the turn from one point to the next."""
 
 _BELOW_2_64 = wp.constant(wp.float64(2.0**64 * (1.0 - 2.0**-53)))

@@ -25,8 +25,8 @@ _WEYL_0 = wp.constant(wp.uint32(0x9E3779B9))
 _WEYL_1 = wp.constant(wp.uint32(0xBB67AE85))
 _KEYS = wp.constant(wp.uint32(2))  # the fourth word of Philox's counter; directions use 0, points of a surface 1
 _WORD = 2**32 - 1
-ZERO_WORD = wp.constant(wp.uint32(0))
-ONE_WORD = wp.constant(wp.uint32(1))
+ZERO_WORD: wp.uint32 = wp.constant(wp.uint32(0))
+ONE_WORD: wp.uint32 = wp.constant(wp.uint32(1))
 
 
 def seed_for(purpose: str, seed: int) -> int:

@@ -58,6 +58,8 @@ class GlbFile:
         files: that it names.
     """
 
+    part: Part
+
     def __init__(self, path: Path) -> None:
         """Reads a file.
 
@@ -66,7 +68,7 @@ class GlbFile:
         """
         is_binary = path.suffix.lower() == ".glb"
         self.part, chunk = binary(path) if is_binary else (parsed(path.read_bytes()), memoryview(b""))
-        self.data = Data.of(self.part, path, chunk)
+        self.data: Data = Data.of(self.part, path, chunk)
         for key in _LISTS:
             self.part.parts(key)  # checked: they get further members
         self.tree: dict[str, Any] = copy.deepcopy(self.part.content)

@@ -22,6 +22,10 @@ def check_gutter(gutter: Any, argument: str = "gutter") -> float:
 class TexelRows:
     """The texels of rows of points, in whose order they come: sums over texels are made block by block."""
 
+    id: np.ndarray
+    samples: np.uint64
+    texels: int
+
     def __init__(self, id: np.ndarray, samples: int, texels: int) -> None:
         """`id` are those of `Claims`, ascending, of an image of so many texels."""
         self.id, self.samples, self.texels = id, np.uint64(samples), texels

@@ -39,6 +39,11 @@ class TextureOptions:
 class Texels:
     """The texels of a mesh file by its own sets of coordinates, each of which is read once."""
 
+    path: Path
+    mesh: Mesh
+    how: TextureOptions
+    normals: np.ndarray | None
+
     def __init__(self, path: Path, mesh: Mesh, how: TextureOptions, normals: np.ndarray | None) -> None:
         """Reads nothing yet; `normals` are those of the corners that the file has, if it has any."""
         self.path, self.mesh, self.how, self.normals = path, mesh, how, normals

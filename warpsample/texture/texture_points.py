@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from warpsample.host.arguments import check_choice, check_integer, told
 from warpsample.host.arrays import as_real
@@ -40,13 +41,13 @@ class TexturePoints:
     """
 
     mesh: Mesh
-    corners: np.ndarray
+    corners: NDArray[np.float64]
     size: tuple[int, int]
     samples: int
     normals: str
-    corner_normals: np.ndarray | None
-    id: np.ndarray
-    face: np.ndarray
+    corner_normals: NDArray[np.float64] | None
+    id: NDArray[np.uint64]
+    face: NDArray[np.int32]
     report: TextureReport
     options: CallOptions
 

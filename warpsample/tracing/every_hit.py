@@ -12,7 +12,7 @@ from warpsample.tracing.wide.prepare import Ray, prepare_wide, ray_in
 from warpsample.tracing.wide.through import crossed, through_walk
 from warpsample.tracing.wide.triangle import plane_distance
 
-INVALID = wp.constant(wp.int32(-1))
+INVALID: wp.int32 = wp.constant(wp.int32(-1))
 """The number of hits of a ray that is none."""
 
 

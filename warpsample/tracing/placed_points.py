@@ -31,6 +31,12 @@ class PlacedPoints:
         side: (P, 3) float32, unit or zero, the normals of the faces that points lie on, else their own; None without a mesh.
     """
 
+    points: SurfacePoints
+    id: np.ndarray | None
+    mesh: Mesh | None
+    face: np.ndarray | None
+    side: np.ndarray | None
+
     def __init__(self, points: SurfacePoints, mesh: Mesh | None, argument: str = "points") -> None:
         """Finds faces and normals; where rays start is found when a placement is asked for.
 
@@ -39,8 +45,8 @@ class PlacedPoints:
         """
         self.points, self.id, self.mesh = points, points.id, mesh
         self.scene: Scene | None = scene_of(mesh, through=True) if mesh else None
-        self.position = Triples.of(points.position, f"{argument}.position")
-        self.normal = as_directions(Triples.of(points.normal, f"{argument}.normal").owner)
+        self.position: Triples = Triples.of(points.position, f"{argument}.position")
+        self.normal: np.ndarray = as_directions(Triples.of(points.normal, f"{argument}.normal").owner)
         self.face, self.side = faces_and_normals(mesh, points, argument) if mesh else (None, None)
         self._known: dict[tuple[Tracer, bool], tuple[PlacementArgs, np.ndarray | None]] = {}
 
@@ -59,15 +65,15 @@ class PlacedPoints:
         """How many points."""
         return len(self.points)
 
-    def facing(self, options: RayOptions, reach: float = inf) -> PlacementArgs:
+    def facing(self, options: RayOptions, reach: float = inf) -> Any:
         """The placement for rays as far as `reach`, in the user's units, on the side of each normal; at least one point."""
         return self._placement(options, reach, self.normal)
 
-    def two_sided(self, options: RayOptions, reach: float) -> PlacementArgs:
+    def two_sided(self, options: RayOptions, reach: float) -> Any:
         """The placement for rays that leave on either side of each point's face, as those of `trace`; at least one point."""
         return self._placement(options, reach, None)
 
-    def order(self, placement: PlacementArgs, count: int, workers: int) -> np.ndarray | None:
+    def order(self, placement: Any, count: int, workers: int) -> np.ndarray | None:
         """(P,) int64, the order in which points with so many rays each are best visited; None if that is their own."""
         return order_of(self.scene, placement, count, workers)
 

@@ -53,7 +53,7 @@ class Placement:
     coarseness: wp.float32
 
 
-PlacementArgs = type(Placement().__ctype__())
+PlacementArgs: Any = type(Placement().__ctype__())
 
 
 def placed(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:

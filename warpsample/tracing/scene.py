@@ -62,16 +62,16 @@ class Scene:
         half = 0.5 * upper - 0.5 * lower
         apart = half.max() > _FAR * (0.5 * middle[1] - 0.5 * middle[0]).max() > 0.0
         near = middle if apart else mesh.bounds
-        self.centre = 0.5 * near[0] + 0.5 * near[1]
+        self.centre: Any = 0.5 * near[0] + 0.5 * near[1]
         reach = np.maximum(upper - self.centre, self.centre - lower)
         if 0.0 < reach.max() < SMALLEST:
             raise ValueError(f"mesh: got one of half size {reach.max():.3g}, want at least {SMALLEST:g}; scale it up")
-        self.scale = 2.0 ** -int(np.frexp(reach.max())[1])
-        self.extent = np.maximum(reach * self.scale, _LEAST_EXTENT)
+        self.scale: float = 2.0 ** -int(np.frexp(reach.max())[1])
+        self.extent: Any = np.maximum(reach * self.scale, _LEAST_EXTENT)
         spread = (near[1] - self.centre) * self.scale
-        self.spread = np.maximum(spread, _LEAST_EXTENT) if apart else self.extent
-        self.vertices = read_only(self._placed(mesh))
-        self.faces = mesh.faces
+        self.spread: Any = np.maximum(spread, _LEAST_EXTENT) if apart else self.extent
+        self.vertices: np.ndarray = read_only(self._placed(mesh))
+        self.faces: np.ndarray = mesh.faces
         self._take_light(mesh)
         self._topologies: dict[str, Topology] = {}
         self._trees: dict[str, WideTree] = {}
@@ -118,14 +118,14 @@ class Scene:
         chosen = np.flatnonzero(_kinds(self.transmittance) == (_NOTHING if which == OPAQUE else _PART))
         return build_some(self.vertices, self.faces, chosen, workers)
 
-    def glass(self, workers: int) -> GlassArgs:
+    def glass(self, workers: int) -> Any:
         """The faces of a mesh that transmits which let some light through, as rays ask them; valid while this lives."""
         tree = self.tree(workers, GLASS).accelerator()
         return GlassArgs(tree=tree, transmittance=self.transmittance.ctypes.data)
 
     def _take_light(self, mesh: Mesh) -> None:
-        self.transmittance = mesh.transmittance if mesh.transmits else None
-        self.has_glass = mesh.transmits and bool((_kinds(mesh.transmittance) == _PART).any())
+        self.transmittance: np.ndarray | None = mesh.transmittance if mesh.transmits else None
+        self.has_glass: bool = mesh.transmits and bool((_kinds(mesh.transmittance) == _PART).any())
 
     def dimmed(self, mesh: Mesh) -> "Scene":
         """The scene of a mesh of the same shape that lets other shares of light through; takes over the trees that stay."""
@@ -143,7 +143,7 @@ class Scene:
         scene._topologies = dict(self._topologies)
         return scene
 
-    def builtin(self, device: wp.Device) -> AcceleratorArgs:
+    def builtin(self, device: wp.Device) -> Any:
         """The wp.Mesh on a device, built at the first call."""
         if device.alias not in self._builtin:
             make(partial(self._build_builtin, device))

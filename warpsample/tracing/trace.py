@@ -10,7 +10,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.host.arguments import check_flag, check_number
-from warpsample.host.arrays import Array
+from warpsample.host.arrays import Array, Floats
 from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_memory
 from warpsample.host.neighbours import address_of
@@ -39,10 +39,10 @@ class Hits:
             there is a hit. NaN for an invalid ray. None if all faces of the mesh are opaque.
     """
 
-    distance: Array
+    distance: Floats
     face: Array
     tracer: str
-    transmitted: Array | None = None
+    transmitted: Floats | None = None
 
     @cached_property
     def invalid(self) -> int:

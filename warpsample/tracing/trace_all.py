@@ -8,7 +8,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.host.arguments import check_number
-from warpsample.host.arrays import Array, cpu
+from warpsample.host.arrays import Array, Floats, cpu
 from warpsample.host.engine import check_memory
 from warpsample.mesh.mesh import as_mesh
 from warpsample.tracing.every_hit import counting_kernel, writing_kernel
@@ -31,7 +31,7 @@ class AllHits:
     """
 
     first: Array
-    distance: Array
+    distance: Floats
     face: Array
     invalid: int
 

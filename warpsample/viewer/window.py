@@ -60,7 +60,7 @@ class Viewer:
         self._middle = 0.5 * (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0))
         self.scale, self.vertices = LENGTH * mesh.diagonal, mesh.vertices - self._middle
         at = sample_surface(mesh, budgeted(points, 1)[0], seed=choice.seed)
-        self.points = replace(at, position=at.position - self._middle)
+        self.points: SurfacePoints = replace(at, position=at.position - self._middle)
         self.plotter = pv.Plotter(
             shape=(2, 3),
             col_weights=_COLUMNS,
@@ -77,7 +77,7 @@ class Viewer:
         self._draw_mesh(mesh, up, occlusion)
         self._choose(int(np.argmax(self.points.normal @ np.array(VIEW[up]))))
         self.plotter.subplot(*_KNOBS)
-        self.controls = Controls(self.plotter, choice, self.show)
+        self.controls: Controls = Controls(self.plotter, choice, self.show)
         self.controls.lay_out()
         self.plotter.render_window.AddObserver("WindowResizeEvent", self.controls.lay_out)
         self.show(choice)
@@ -125,7 +125,7 @@ class Viewer:
 
     def _choose(self, point: int, at: SurfacePoints | None = None) -> None:
         """Pins the point with a global id; it is that row of `points`, unless it is given."""
-        self.chosen = at or self.points.take(slice(point, point + 1))
+        self.chosen: SurfacePoints = at or self.points.take(slice(point, point + 1))
         self._chosen_id = point
         start = self.chosen.position[0]
         self._pin.show(start, start + 1.4 * self.scale * self.chosen.normal[0])
@@ -160,9 +160,10 @@ class Viewer:
     def _draw_mesh(self, mesh: Mesh, up: str, occlusion: ShownOcclusion | None) -> None:
         self.plotter.subplot(*_MESH)
         texture = None if occlusion is None else (occlusion.picture, occlusion.uv)
-        self.picker = MeshPicker(self.plotter, draw_mesh(self.plotter, self.vertices, mesh.faces, texture), self.pick)
+        actor = draw_mesh(self.plotter, self.vertices, mesh.faces, texture)
+        self.picker: MeshPicker = MeshPicker(self.plotter, actor, self.pick)
         draw_normals(self.plotter, self.points.position, self.points.normal, self.scale)
-        self.cloud_actor = CloudActor(self.plotter, point_size=2, bar=True)
+        self.cloud_actor: CloudActor = CloudActor(self.plotter, point_size=2, bar=True)
         self._pin = Pin(self.plotter, LOBE)
         self.caption = self._add_text("", 0.98, "top")
         look_from(self.plotter, up, 1.0)

@@ -1,6 +1,7 @@
 """The functions for kernels: their signatures in Warp's types, and a kernel that calls each."""
 
 import inspect
+import re
 from typing import Any
 
 import warp as wp
@@ -32,6 +33,7 @@ _ARGUMENTS = {
     "direction": "normal[i]",
     "max_distance": "10.0",
 }
+_ARRAY = re.compile(r"(?:~?numpy\.)?ndarray\[tuple\[(?:~?typing\.)?Any, \.\.\.\], (?:~?numpy\.)?dtype\[([^]]+)\]\]")
 KERNEL = "tree: funcs.Tree, position: wp.array[wp.vec3d], normal: wp.array[wp.vec3]"
 """The arguments of the kernel whose lines examples are."""
 
@@ -49,9 +51,9 @@ def shown(kind: Any) -> str:
 
 
 def signature(app: Any, what: str, name: str, item: Any, options: Any, text: str, returned: str) -> tuple[str, str] | None:  # noqa: ARG001
-    """The signature of a wp.func in Warp's types."""
+    """The signature of a wp.func in Warp's types, and of all else with arrays as they are written."""
     if not isinstance(item, wp.Function):
-        return None
+        return tuple(part and _ARRAY.sub(r"NDArray[\1]", part) for part in (text, returned))
     found = inspect.signature(item.func)
     taken = ", ".join(f"{key}: {shown(parameter.annotation)}" for key, parameter in found.parameters.items())
     given = found.return_annotation

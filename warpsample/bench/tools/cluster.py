@@ -7,6 +7,7 @@ from contextlib import ExitStack
 from functools import cache
 from math import ceil
 from pathlib import Path
+from typing import Any
 
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.scenes import bunny
@@ -17,7 +18,7 @@ CHUNK = 65_536
 """Points of a task."""
 FEW, MANY = 8, 264
 """Chunks of the same points, from whose times follows what one costs."""
-WAYS = {"one process of two threads": (None, 2), "two processes of one thread": (2, None)}
+WAYS: dict[str, Any] = {"one process of two threads": (None, 2), "two processes of one thread": (2, None)}
 """(processes, threads); the second is compared with the first."""
 COMPUTED, STORED = "computed", "into a store"
 

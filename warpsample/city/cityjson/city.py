@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from warpsample.city.cityjson.choosing import as_lod
 from warpsample.city.cityjson.context import with_context
@@ -48,7 +49,7 @@ class City:
     """
 
     mesh: Mesh
-    surface: np.ndarray
+    surface: NDArray[np.int32]
     surfaces: CitySurfaces
     split: bool
     geometries: list[Geometry]
@@ -127,7 +128,7 @@ class City:
         values, errors = (np.where(earth, np.nan, array) for array in (found.value, found.standard_error))
         return values, errors, self.surfaces.area.copy()
 
-    def write(self, path: str | PathLike, results: Mapping[str, Any]) -> None:
+    def write(self, path: str | PathLike[str], results: Mapping[str, Any]) -> None:
         """Writes the file with results as attributes: of the semantic objects of surfaces, and of the objects above them.
 
         All else is the same JSON: integers, order, spelling of numbers; a sequence stays one, line by line. Results of
@@ -158,7 +159,7 @@ class City:
         write_bytes(target, rewritten(self.content, editor.edit))
 
 
-def load_city(path: str | PathLike, *, lod: Any = None, split: bool = False, context: Any = None) -> City:
+def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False, context: Any = None) -> City:
     """The surfaces of a CityJSON file, version 1.0, 1.1 or 2.0, or of a sequence (CityJSONSeq, one object on each line).
 
     Of each object the geometries of one level of detail are taken: those with semantics, or else the solids, if it has the

@@ -12,7 +12,7 @@ from warpsample.mesh.mesh import Mesh
 _STEP = 3.0  # metres, of all coordinates
 
 
-def example_content(path: str | PathLike) -> bytes | None:
+def example_content(path: str | PathLike[str]) -> bytes | None:
     """The bytes of the example of that name; None if there is none, or if a file has that name.
 
     Its buildings are one Building with semantics, the ground is a LandUse without; each triangle is a face.

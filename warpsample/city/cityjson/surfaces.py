@@ -6,6 +6,7 @@ from typing import Any
 from warnings import warn
 
 import numpy as np
+from numpy.typing import NDArray
 
 from warpsample.city.cityjson.gathering import Gathered
 from warpsample.city.cityjson.kinds import BY_NORMAL, by_normal, is_built
@@ -30,11 +31,11 @@ class CitySurfaces:
         area: (N,) float64, m2: by Newell's formula, less the holes.
     """
 
-    object: np.ndarray
-    type: np.ndarray
-    lod: np.ndarray
-    faces: np.ndarray
-    area: np.ndarray
+    object: NDArray[np.object_]
+    type: NDArray[np.object_]
+    lod: NDArray[np.float64]
+    faces: NDArray[np.int32]
+    area: NDArray[np.float64]
 
     def __len__(self) -> int:
         """How many surfaces."""

@@ -27,16 +27,21 @@ Results = Mapping[str, np.ndarray]
 class Editor:
     """Puts results of surfaces into the objects of the file that they were read from."""
 
+    geometries: Sequence[Geometry]
+    surfaces: CitySurfaces
+    rows: Rows
+    split: bool
+
     def __init__(
         self, geometries: Sequence[Geometry], surfaces: CitySurfaces, rows: Rows, results: Results, *, split: bool
     ) -> None:
         """Takes the results, and where the surfaces stand."""
         self.geometries, self.surfaces, self.rows, self.split = geometries, surfaces, rows, split
-        self.results = dict(with_totals(results, surfaces.area))
+        self.results: Results = dict(with_totals(results, surfaces.area))
         self.numbers: dict[int, list[int]] = {}
         for number, geometry in enumerate(geometries):
             self.numbers.setdefault(geometry.document, []).append(number)
-        self.starts = np.searchsorted(rows.geometry, np.arange(len(geometries) + 1)).tolist()
+        self.starts: Any = np.searchsorted(rows.geometry, np.arange(len(geometries) + 1)).tolist()
 
     def edit(self, number: int, document: dict[str, Any]) -> None:
         """Changes one document of the file."""

@@ -24,7 +24,7 @@ SUFFIXES = tuple(_READERS)
 """Suffixes of the files that `load_mesh` reads."""
 
 
-def load_mesh(path: str | PathLike, *, transmittance: Any = None, reflectance: Any = None) -> Mesh:
+def load_mesh(path: str | PathLike[str], *, transmittance: Any = None, reflectance: Any = None) -> Mesh:
     """The triangle mesh in a file: .ply .obj .stl .off .glb .gltf or, with usd-core, .usd .usda .usdc .usdz.
 
     Several meshes in one file become one, each where its scene places it; polygons are cut into triangles; of an .stl, whose

@@ -42,7 +42,7 @@ SUFFIXES = tuple(_READERS)
 """Suffixes of the files that hold texture coordinates."""
 
 
-def load_uv(path: str | PathLike, *, set: int = 0) -> np.ndarray:
+def load_uv(path: str | PathLike[str], *, set: int = 0) -> np.ndarray:
     r"""The texture coordinates of the faces that `load_mesh` reads from the same file.
 
     (0, 0) is the upper left corner of a picture and v points down, as glTF has it, whatever the format: those of .obj and

@@ -103,7 +103,7 @@ def _visible_beckmann_density(d: Any, m: np.ndarray) -> np.ndarray:
     return _beckmann_density(d, m) / np.cos(polar_angle(m)) * facing / area
 
 
-TWINS = {
+TWINS: dict[str, tuple[Any, Any]] = {
     "beckmann": (by_theta(_beckmann), _beckmann_density),
     "ggx": (by_theta(_ggx), lambda d, w: _ggx_normals(parameter(d, "alpha"), w) * np.cos(polar_angle(w))),
     "visible_beckmann": (_visible_beckmann, _visible_beckmann_density),

@@ -79,7 +79,7 @@ def _von_mises_fisher_density(d: Any, w: np.ndarray) -> np.ndarray:
     return kappa / (TAU * -np.expm1(-2.0 * kappa)) * np.exp(-2.0 * kappa * np.sin(0.5 * polar_angle(w)) ** 2)
 
 
-TWINS = {
+TWINS: dict[str, tuple[Any, Any]] = {
     "cosine_hemisphere": (_cosine, lambda d, w: w[..., 2] / np.pi),
     "offset_ball": (
         by_theta(lambda d, u: np.arccos(np.sqrt(np.sqrt(1.0 - u)))),

@@ -42,7 +42,7 @@ class ErrorDraws:
         lengths = [len(part) for part in (*parts, *(size for _, size in self._of_outside.values()))]
         self._signs, codes = _balanced(sum(lengths))
         self._codes = np.split(codes, np.cumsum(lengths)[:-1])
-        self.number = len(self._signs)
+        self.number: int = len(self._signs)
 
     def draw(self, number: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
         """Errors of the (E,) factors, and name -> (N,) of what rows lose; the same whenever it is called."""

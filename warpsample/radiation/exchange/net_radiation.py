@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real
@@ -28,9 +29,9 @@ class NetRadiation:
         leaving: of the same shape, W/m², emitted and reflected: the radiosity.
     """
 
-    flux: np.ndarray
-    power: np.ndarray
-    leaving: np.ndarray
+    flux: NDArray[np.float64]
+    power: NDArray[np.float64]
+    leaving: NDArray[np.float64]
 
 
 def net_radiation_of(factors: "ViewFactors", temperature: Any, emissivity: Any, outside: Any) -> NetRadiation:

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from warpsample.estimate.result import PointStatus, Skipped, has_status
 from warpsample.host.arguments import check_flag, check_integer
@@ -60,20 +61,20 @@ class ViewFactors:
 
     matrix: "csr_array"
     standard_error: "csr_array"
-    outside: np.ndarray
-    outside_error: np.ndarray
-    behind: np.ndarray
-    behind_error: np.ndarray
-    areas: np.ndarray
-    rays: np.ndarray
-    status: np.ndarray
+    outside: NDArray[np.float64]
+    outside_error: NDArray[np.float64]
+    behind: NDArray[np.float64]
+    behind_error: NDArray[np.float64]
+    areas: NDArray[np.float64]
+    rays: NDArray[np.int64]
+    status: NDArray[np.uint8]
     skipped: Skipped
-    sky: np.ndarray | None = None
-    sky_error: np.ndarray | None = None
-    ground: np.ndarray | None = None
-    ground_error: np.ndarray | None = None
-    absorbed: np.ndarray | None = None
-    absorbed_error: np.ndarray | None = None
+    sky: NDArray[np.float64] | None = None
+    sky_error: NDArray[np.float64] | None = None
+    ground: NDArray[np.float64] | None = None
+    ground_error: NDArray[np.float64] | None = None
+    absorbed: NDArray[np.float64] | None = None
+    absorbed_error: NDArray[np.float64] | None = None
     names: tuple[str, ...] | None = None
 
     def radiosity(self, emission: Any, reflectance: Any) -> np.ndarray:

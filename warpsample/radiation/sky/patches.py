@@ -9,6 +9,7 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from warpsample.host.arguments import check_choice, told
 from warpsample.host.arrays import as_unit
@@ -41,11 +42,11 @@ class SkyPatches:
     name: str
     up: tuple[float, float, float]
     north: tuple[float, float, float]
-    directions: np.ndarray
-    solid_angles: np.ndarray
-    rows: np.ndarray
-    altitudes: np.ndarray
-    azimuths: np.ndarray
+    directions: NDArray[np.float64]
+    solid_angles: NDArray[np.float64]
+    rows: NDArray[np.int64]
+    altitudes: NDArray[np.float64]
+    azimuths: NDArray[np.float64]
 
     def __len__(self) -> int:
         """How many patches there are."""

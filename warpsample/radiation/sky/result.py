@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from warpsample.estimate.result import PointResult
 from warpsample.host.arguments import told
@@ -52,10 +53,10 @@ class SkyMatrix(PointResult):
         folded: whether the values are sums over the patches.
     """
 
-    value: np.ndarray
-    standard_error: np.ndarray
-    rays: np.ndarray
-    status: np.ndarray
+    value: NDArray[np.float32]
+    standard_error: NDArray[np.float32]
+    rays: NDArray[np.int32]
+    status: NDArray[np.uint8]
     skipped: SkySkipped
     patches: SkyPatches
     folded: bool = False

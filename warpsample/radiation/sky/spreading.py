@@ -5,7 +5,7 @@ import warp as wp
 from warpsample.maths.numerics import HALF, TWO, ZERO, greater, lesser, sincos_turns
 from warpsample.radiation.sky.form_factors import Patch, azimuth_near, reaches
 
-LEAST = wp.constant(wp.float32(1e-20))
+LEAST: wp.float32 = wp.constant(wp.float32(1e-20))
 """What keeps a quotient of two numbers that are 0 from being none."""
 
 _ALIKE = wp.constant(wp.float32(0.05))

@@ -12,13 +12,15 @@ from warpsample.tracing.sight.frontier import open_around
 from warpsample.tracing.sight.search import EMPTY, search_shaft
 from warpsample.tracing.sight.shafts import CORNERS, aim_at, corner_of, triangles_in
 
-MET, LIT, DARK = (wp.constant(wp.int32(i)) for i in range(3))
+MET: wp.int32 = wp.constant(wp.int32(0))
+LIT: wp.int32 = wp.constant(wp.int32(1))
+DARK: wp.int32 = wp.constant(wp.int32(2))
 """What is known of a shaft: nothing; none of its rays meets anything; all do, or are below the horizon."""
 
 _AVERTED = wp.constant(wp.float32(-(2.0**-18)))
 
 
-COVER_MARGIN = wp.constant(wp.float32(2.0**-19))
+COVER_MARGIN: wp.float32 = wp.constant(wp.float32(2.0**-19))
 """By which a shaft must be within a triangle that darkens it: directions are rounded by at most 2^-20.4."""
 
 

@@ -18,10 +18,10 @@ from warpsample.tracing.sight.rays import first_hit, prepare_rays
 DISC_RAYS = 16
 """Rays to a disc that is neither proven lit nor dark: its share errs by 0.037 (RMS) where a straight edge cuts it."""
 
-LEAST_COSINE = wp.constant(wp.float64(2.0**-12))
+LEAST_COSINE: wp.float64 = wp.constant(wp.float64(2.0**-12))
 """The cosine from which on what is below the horizon does not matter to a ray, as to those of an estimate."""
 
-GROUP_BYTES = wp.constant(wp.uint64(3 * 4 * GROUP))
+GROUP_BYTES: wp.uint64 = wp.constant(wp.uint64(3 * 4 * GROUP))
 """Bytes of a group's directions, and of a shaft's vectors."""
 
 _GROUP_FLOATS = 3 * GROUP

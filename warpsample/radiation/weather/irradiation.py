@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from warpsample.estimate.plan import Plan
 from warpsample.estimate.result import PointResult
@@ -40,14 +41,14 @@ class Irradiation(PointResult):
         skipped: what was not done for the sky.
     """
 
-    value: np.ndarray
-    standard_error: np.ndarray
-    direct: np.ndarray
-    diffuse: np.ndarray
-    ground: np.ndarray
-    hours: np.ndarray
-    rays: np.ndarray
-    status: np.ndarray
+    value: NDArray[np.float32]
+    standard_error: NDArray[np.float32]
+    direct: NDArray[np.float32]
+    diffuse: NDArray[np.float32]
+    ground: NDArray[np.float32]
+    hours: NDArray[np.datetime64]
+    rays: NDArray[np.int32]
+    status: NDArray[np.uint8]
     skipped: SkySkipped
 
     _axes: ClassVar[tuple[str, ...]] = ("hour",)

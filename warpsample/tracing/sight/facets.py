@@ -8,7 +8,7 @@ from warpsample.tracing.placement import OFFSET, Placement, in_double
 
 _OFFSET = wp.constant(wp.float64(OFFSET))
 
-NOWHERE = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
+NOWHERE: wp.vec3d = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
 
 
 @wp.struct

@@ -25,7 +25,7 @@ _ALL = wp.constant(wp.int32(2**WIDTH - 1))
 _ENTRY = wp.constant(wp.uint64(16))
 """Bytes of what waits on the stack: the address of a node, and the rays that meet its box."""
 
-NO_RAYS = wp.constant(wp.uint64(0))
+NO_RAYS: wp.uint64 = wp.constant(wp.uint64(0))
 _ONE = wp.constant(wp.uint64(1))
 
 

@@ -20,7 +20,7 @@ from warpsample.tracing.wide.layout import MOST_DEPTH, MOST_STARTS, NODE_BYTES, 
 NONFINITE_POSITION = 4
 """The status of a point that is nowhere; `directions.samples` has the others that a point may have."""
 
-HORIZON_MARGIN = wp.constant(wp.float32(2.0**-20))
+HORIZON_MARGIN: wp.float32 = wp.constant(wp.float32(2.0**-20))
 """Times `placement.reach_along` the normal: what is lower than this below the origin's horizon plane is below it for sure.
 
 A height's three products and sums, and the coordinates and the normal's components in them, are rounded to 2^-21.4 of that.
@@ -34,7 +34,7 @@ SHAFT_FLOATS = 5 * WIDTH
 SIDES_FLOATS = 12 * WIDTH
 """float32 numbers of an opened leaf: see `sides`."""
 
-LOCAL_LEAF = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES))
+LOCAL_LEAF: wp.uint64 = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES))
 """Where a point's local leaf is, in bytes from its first node on."""
 
 _ROW = 16  # parts of the workspace start at multiples of as many floats

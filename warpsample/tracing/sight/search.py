@@ -7,7 +7,9 @@ from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint
 from warpsample.tracing.sight.shafts import boxes_in, triangles_in
 from warpsample.tracing.wide.walk import tree_walk
 
-EMPTY, OCCUPIED, UNTOLD = (wp.constant(wp.int32(i)) for i in range(3))
+EMPTY: wp.int32 = wp.constant(wp.int32(0))
+OCCUPIED: wp.int32 = wp.constant(wp.int32(1))
+UNTOLD: wp.int32 = wp.constant(wp.int32(2))
 """What is known of a shaft: none of its rays meets anything; there are triangles that one may meet; neither."""
 
 _VISITS = wp.constant(wp.int32(32))  # nodes and leaves that are looked into: as long as five rays take

@@ -20,7 +20,7 @@ from warpsample.tracing.wide.layout import WIDTH, corner, size_of
 PLANES, CORNERS = 5, 4
 """How many planes and corners a shaft has."""
 
-VECTORS_BYTES = wp.constant(wp.uint64(4 * 3 * WIDTH))
+VECTORS_BYTES: wp.uint64 = wp.constant(wp.uint64(4 * 3 * WIDTH))
 """Bytes of what is known of a shaft without its point: its vectors, see `shaft_vectors`."""
 
 _VECTORS_FLOATS = 3 * WIDTH

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import warp as wp
@@ -43,7 +44,7 @@ class WideTree:
     nodes: np.ndarray
     leaves: np.ndarray
 
-    def accelerator(self) -> AcceleratorArgs:
+    def accelerator(self) -> Any:
         """Its addresses, valid while this lives."""
         return AcceleratorArgs(
             nodes=self.nodes.ctypes.data, leaves=self.leaves.ctypes.data, start=self.nodes.ctypes.data, starts=1

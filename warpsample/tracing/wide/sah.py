@@ -10,8 +10,8 @@ from warpsample.tracing.wide.layout import WIDTH
 BINS = 16
 ALL_BINS = 3 * BINS
 
-LARGE = wp.constant(wp.float32(1e30))
-MOST_BINS = wp.constant(wp.float32(0.9999 * BINS))
+LARGE: wp.float32 = wp.constant(wp.float32(1e30))
+MOST_BINS: wp.float32 = wp.constant(wp.float32(0.9999 * BINS))
 _MOST_COST = wp.constant(wp.float32(3e38))
 
 

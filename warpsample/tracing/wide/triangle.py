@@ -115,8 +115,8 @@ def _between(inside: wp.Function) -> wp.Function:
     return between
 
 
-between_edges = _between(_inside)
+between_edges: wp.Function = _between(_inside)
 """Or meets one of them: 0 counts as inside of both triangles at an edge, so that a ray there meets at least one."""
 
-crosses = _between(_inside_once)
+crosses: wp.Function = _between(_inside_once)
 """A ray at an edge or a corner crosses the surface as one just beside it does: once, or at a silhouette twice or never."""

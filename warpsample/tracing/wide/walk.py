@@ -10,7 +10,7 @@ from warpsample.maths.numerics import lowest_bit
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.wide.layout import NODE_BYTES, leaf_at, link_in, node_at
 
-WAITING = wp.constant(wp.uint64(4 * 4))
+WAITING: wp.uint64 = wp.constant(wp.uint64(4 * 4))
 """Bytes of a node that waits on the stack: its address, a mask of its children, and the reach they were found with."""
 
 _NOT_LOOKED_AT = wp.constant(wp.int32(-1))
