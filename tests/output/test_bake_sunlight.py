@@ -10,6 +10,7 @@ from weather_files import write_epw
 import warpsample as ws
 from warpsample.output import bake
 from warpsample.radiation.exchange.matrix_files import read_matrix
+from warpsample.radiation.quantities.sun_hours import sun_hours
 from warpsample.radiation.sky.sky_matrix import sky_matrix
 from warpsample.radiation.sun.direct_sun import direct_sun
 from warpsample.radiation.weather.light import sun_directions
@@ -107,6 +108,8 @@ def test_sun_hours_of_points(call, athens, yard, tmp_path):
         assert np.array_equal(file["value"], right)
         assert not file["standard_error"].any()
         assert 0.0 < right.mean() < 13.0
+    found = sun_hours(yard, points, athens, period=("03-21T06", "03-21T20"), up=(0, 1, 0), north=(0, 0, -1))
+    assert np.array_equal(found.to_polydata(points)["value"], right)
     assert status == 0
     assert out.splitlines()[:2] == [f"{output}: sun hours of 50 points", f"  mean {right.mean():.4f} h"]
 

@@ -41,6 +41,16 @@ def test_each_column_has_its_digits(room):
     assert both[:, 2] == pytest.approx(np.full(12, 1e-309), rel=1e-9, abs=0.0)
 
 
+def test_a_table_has_a_row_for_each_surface():
+    mesh = ws.load_mesh("courtyard")
+    named = ws.view_factors(mesh, 16, groups=np.repeat(["yard", "rest"], [848, 1232]), up=(0, 0, 1))
+    table = named.to_frame()
+    assert list(table["names"]) == ["rest", "yard"]
+    assert {"areas", "sky", "sky_error", "ground", "rays"} <= set(table)
+    assert "status" not in set(table)  # which is of faces
+    assert np.array_equal(table["sky"], named.sky)
+
+
 def test_what_has_no_solution_is_refused(room):
     with pytest.raises(ValueError, match="reflectance: got up to 1, by which 1 of the radiation comes back"):
         room.radiosity(np.arange(12.0), 1.0)

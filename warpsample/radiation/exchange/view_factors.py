@@ -1,6 +1,6 @@
 """View factors between the faces of a mesh, what is in the way included: a sparse matrix that closes, with error bars."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +12,7 @@ from warpsample.host.arguments import check_flag, check_integer
 from warpsample.host.arrays import as_unit
 from warpsample.host.options import explained_by
 from warpsample.host.progress import bar
+from warpsample.host.tables import frame_of
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.radiation.exchange.casting import Casting
 from warpsample.radiation.exchange.files import check_factors_file, load, save
@@ -129,6 +130,22 @@ class ViewFactors:
             (2080,) 85.0
         """
         return net_radiation_of(self, temperature, emissivity, outside)
+
+    def to_frame(self) -> Any:
+        """What is known of each surface as a table, without the matrix.
+
+        Returns:
+            a pandas.DataFrame of a row for each surface, or a dictionary of arrays where pandas is not installed: the names,
+            where there are any, and all that is of shape (N,), by its name.
+
+        Example:
+            >>> factors = ws.view_factors(ws.load_mesh("courtyard"), 16, groups=np.repeat(["yard", "rest"], [848, 1232]))
+            >>> print(list(factors.to_frame())[:4], list(factors.to_frame()["names"]))
+            ['names', 'outside', 'outside_error', 'behind'] ['rest', 'yard']
+        """
+        names = {} if self.names is None else {"names": np.array(self.names, object)}
+        kept = {item.name: getattr(self, item.name) for item in fields(self) if item.name != "status"}
+        return frame_of(names | {name: array for name, array in kept.items() if isinstance(array, np.ndarray)})
 
     def save(self, path: str | Path) -> None:
         """Writes a file, complete or not at all; what it replaces stays until then.

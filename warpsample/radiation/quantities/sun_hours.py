@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from warpsample.estimate.quantities.record import Numbers, Quantity
-from warpsample.estimate.result import status_of
+from warpsample.estimate.result import PointResult, status_of
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.quantities.irradiation import WEATHER
@@ -18,7 +19,7 @@ from warpsample.radiation.weather.weather import read_weather
 
 
 @dataclass(frozen=True, eq=False)
-class SunHours:
+class SunHours(PointResult):
     """In how many hours P points see the sun.
 
     Attributes:
@@ -29,10 +30,10 @@ class SunHours:
         status: (P,) uint8, a `PointStatus`.
     """
 
-    value: np.ndarray
-    standard_error: np.ndarray
-    rays: np.ndarray
-    status: np.ndarray
+    value: NDArray[np.float32]
+    standard_error: NDArray[np.float32]
+    rays: NDArray[np.int32]
+    status: NDArray[np.uint8]
 
 
 def sun_hours(
