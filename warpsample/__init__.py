@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from warpsample.distributions.von_mises_fisher import VonMisesFisher
     from warpsample.estimate.integrate import integrate
     from warpsample.estimate.intervals import Interval
-    from warpsample.estimate.irradiance import irradiance
     from warpsample.estimate.quantities.mean_distance import MeanDistance, mean_distance
     from warpsample.estimate.quantities.visible_sky import visible_sky
     from warpsample.estimate.result import Estimate, PointStatus, Skipped
@@ -41,6 +40,7 @@ if TYPE_CHECKING:
     from warpsample.output.frame import to_frame
     from warpsample.radiation.exchange.net_radiation import NetRadiation
     from warpsample.radiation.exchange.view_factors import ViewFactors, view_factors
+    from warpsample.radiation.sky.irradiance import Irradiance, irradiance
     from warpsample.radiation.sky.patches import SkyPatches, sky_patches
     from warpsample.radiation.sky.result import SkyMatrix, SkySkipped
     from warpsample.radiation.sky.sky_matrix import sky_matrix
@@ -65,6 +65,7 @@ __all__ = [
     "Estimate",
     "Hits",
     "Interval",
+    "Irradiance",
     "Irradiation",
     "MeanDistance",
     "Mesh",
@@ -134,7 +135,6 @@ _HOMES = {
     "directions.sample": ("Directions", "Status", "sample_directions", "sample_square"),
     "estimate.integrate": ("integrate",),
     "estimate.intervals": ("Interval",),
-    "estimate.irradiance": ("irradiance",),
     "estimate.quantities.mean_distance": ("MeanDistance", "mean_distance"),
     "estimate.quantities.visible_sky": ("visible_sky",),
     "estimate.result": ("Estimate", "PointStatus", "Skipped"),
@@ -149,6 +149,7 @@ _HOMES = {
     "output.frame": ("to_frame",),
     "radiation.sun.direct_sun": ("direct_sun",),
     "radiation.weather.irradiation": ("Irradiation", "irradiation"),
+    "radiation.sky.irradiance": ("Irradiance", "irradiance"),
     "radiation.sky.patches": ("SkyPatches", "sky_patches"),
     "radiation.sky.sky_matrix": ("sky_matrix",),
     "radiation.sky.result": ("SkyMatrix", "SkySkipped"),

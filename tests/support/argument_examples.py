@@ -114,6 +114,7 @@ KINDS = {
     "workers": kind(1, WHOLE, wrong=(0,)),
     "max_distance": kind(1.5, *LIMITLESS),
     "falloff": kind(2.0, *POSITIVE),
+    "refine": kind(0.5, *LIMITLESS),
     "tolerance": kind(0.1, *POSITIVE, wrong=(0.0,)),
     "scale": kind(0.1, *POSITIVE, "-1", "2**70"),
     "alpha": kind(0.5, *NUMBER),
@@ -220,6 +221,7 @@ NEEDS = {  # to be of use
     "falloff": {"max_distance": 2.0},
     "data": {"integrand": radiance},
     "cosine": {"weights": np.ones(4)},
+    "ViewFactors.radiosity.emission": {"reflectance": 0.5},
     "integrate.mesh": {"points": POINTS},
     "Mesh.part": {"parts": ("wall",)},
     "Mesh.parts": {"part": np.array([0, 0])},
@@ -239,6 +241,7 @@ NEEDS |= {  # to be quick
     if argument not in ("period", "patches")
 }
 NO_DEFAULT = {
+    "ViewFactors.radiosity.reflectance",
     "UniformCone.cos_angle",
     "UniformCone.one_minus_cos",
     "integrate.data",

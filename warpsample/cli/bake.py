@@ -24,6 +24,7 @@ OPTIONS: dict[str, tuple[Any, str]] = {
     "weather": (Path, "A year, .epw, or athens, an example"),
     "period": (tuple[str, str], "Of the year, as 06-01 08-31 or 03-21T09 03-21T15"),
     "ground_albedo": (float, "Of the ground beyond the mesh"),
+    "refine": (float, "Longest edge of parts of faces that reflect evenly, in units of the mesh"),
     "patches": (str, "Of the sky: tregenza, reinhart2, reinhart4"),
     "up": (tuple[float, float, float], "The sky's axis; +y for .glb, .gltf and USD that says so"),
     "north": (tuple[float, float, float], "Where north is"),

@@ -42,7 +42,7 @@ class Mesh:
         transmittance: (F,) float32, the share of light that goes straight on behind each face, from either side and at any
             angle, at each crossing; read-only. None: all faces are opaque. One number is that of all faces.
         reflectance: (F,) float32, the share that either side of each face sends back, evenly in all directions, likewise.
-            None: all faces are black. It is kept for what is to come: no number depends on it yet.
+            None: all faces are black. `irradiance`, `irradiation` and `ViewFactors.radiosity` follow what is sent back.
 
     Raises:
         TypeError: vertices or shares are not real numbers, faces or part not whole ones, or parts no texts.
@@ -128,6 +128,11 @@ class Mesh:
     def transmits(self) -> bool:
         """Whether light goes through some face."""
         return self.transmittance is not None and bool(self.transmittance.any())
+
+    @once_property
+    def reflects(self) -> bool:
+        """Whether some face sends light back."""
+        return self.reflectance is not None and bool(self.reflectance.any())
 
     @property
     def like(self) -> "Mesh | None":

@@ -79,7 +79,7 @@ class Baked:
     @property
     def arrays(self) -> dict[str, np.ndarray]:
         """The arrays with a row for each point, by name."""
-        return {name: getattr(self.found, name) for name in self.quantity.arrays}
+        return self.quantity.arrays_of(self.found)
 
     @property
     def columns(self) -> dict[str, np.ndarray]:

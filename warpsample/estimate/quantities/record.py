@@ -78,8 +78,13 @@ class Quantity:
 
     @property
     def arrays(self) -> list[str]:
-        """The fields of a result that have a row for each point."""
-        return [item.name for item in fields(self.result) if item.name not in self.shared]
+        """The fields of each result that have a row for each point."""
+        return [item.name for item in fields(self.result) if item.name not in self.shared and item.default is not None]
+
+    def arrays_of(self, found: Any) -> dict[str, np.ndarray]:
+        """The arrays of a result that have a row for each point, also those that not every one has, by name."""
+        names = [item.name for item in fields(self.result) if item.name not in self.shared]
+        return {name: getattr(found, name) for name in names if getattr(found, name) is not None}
 
     def takes(self, option: str) -> bool:
         """Whether an option of the command line applies."""
@@ -116,7 +121,8 @@ class Quantity:
     def joined(self, parts: Sequence[Any]) -> Any:
         """One result of several: the rows of the arrays, the sums of what was skipped; what is shared is the first's."""
         first = parts[0]
-        joined = {name: np.concatenate([getattr(part, name) for part in parts]) for name in self.arrays}
+        names = self.arrays_of(first)
+        joined = {name: np.concatenate([getattr(part, name) for part in parts]) for name in names}
         if "skipped" in self.shared:
             names = [item.name for item in fields(first.skipped)]
             sums = {name: sum(getattr(part.skipped, name) for part in parts) for name in names}
@@ -125,9 +131,9 @@ class Quantity:
 
     def columns(self, found: Any) -> dict[str, np.ndarray]:
         """The numbers of each point in columns, by name; those of three components in three."""
-        columns = {}
-        for name in (*(name for name in self.arrays if name not in _OF_INTERVALS + _LAST), *_LAST):
-            array = getattr(found, name)
+        columns, arrays = {}, self.arrays_of(found)
+        for name in (*(name for name in arrays if name not in _OF_INTERVALS + _LAST), *_LAST):
+            array = arrays[name]
             split = zip(self.channels, array.T, strict=True) if array.ndim == 2 else ()
             columns.update({f"{name}_{letter}": column for letter, column in split} or {name: array})
         return columns

@@ -25,7 +25,7 @@ _SPARSE, _SKY = "vfsparse.inp", "svf.inp"
 _LEAST = 5e-7
 _LINES = 1 << 16  # of a text at a time
 _VECTORS = ("outside", "outside_error", "behind", "behind_error", "areas", "rays", "status")
-_OPTIONAL = ("sky", "sky_error", "ground", "ground_error"), ("absorbed", "absorbed_error")
+_OPTIONAL = ("sky", "sky_error", "ground", "ground_error"), ("absorbed", "absorbed_error"), ("reflectance",)
 """Of which a file has all or none of each."""
 
 

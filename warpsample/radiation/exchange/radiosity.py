@@ -36,7 +36,7 @@ def radiosity_of(factors: "ViewFactors", emission: Any, reflectance: Any) -> np.
     share = np.broadcast_to(reflected, (rows,))
     columns = np.broadcast_to(emitted, (rows,)) if emitted.ndim == 0 else emitted
     with np.errstate(over="ignore"):
-        leaving = _solved(factors.matrix, columns.reshape(rows, math.prod(columns.shape[1:])), share)
+        leaving = followed(factors.matrix, columns.reshape(rows, math.prod(columns.shape[1:])), share)
     if not np.isfinite(leaving).all():
         raise ValueError(f"emission: got {told(emission)}, which adds up to more than a float64 holds")
     return leaving.reshape(columns.shape)
@@ -54,8 +54,12 @@ def check_rows(factors: "ViewFactors") -> None:
         raise ValueError(f"active: got {np.count_nonzero(left_out)} rows that were left out, want those of all faces")
 
 
-def _solved(matrix: "csr_array", emitted: np.ndarray, share: np.ndarray) -> np.ndarray:
-    """(N, k), by following the radiation of each column; and by equations where that takes long."""
+def followed(matrix: "csr_array", emitted: np.ndarray, share: np.ndarray) -> np.ndarray:
+    """(N, k), J = emitted + share F J, by following the radiation of each column; and by equations where that takes long.
+
+    Raises:
+        ValueError: shares by which nothing is ever lost.
+    """
     kept = float(np.max(share * matrix.sum(axis=1), initial=0.0))  # of what is under way, from one step to the next
     close = max(_PRECISION * (1.0 - kept), _EXACT)
     scale = np.max(np.abs(emitted), axis=0, initial=0.0)

@@ -37,6 +37,12 @@ class Surfaces:
             return values
         return np.bincount(self.groups, values, len(self.areas)).astype(values.dtype)
 
+    def means(self, values: np.ndarray) -> np.ndarray:
+        """(N,) float64 means by area of (F,) numbers."""
+        if self.groups is None:
+            return values.astype(np.float64)
+        return np.bincount(self.groups, self.weights * values, len(self.areas))
+
 
 def surfaces_of(areas: np.ndarray, cast: np.ndarray, groups: np.ndarray | None) -> Surfaces:
     """The surfaces of faces of some areas, (F,); `cast`, (F,) bool, says which have rays; groups: (F,) int32 or None."""

@@ -57,6 +57,7 @@ class ViewFactors:
         absorbed: (N,) float64, what faces swallow that let a part of the light through, on the way to where it ends; None
             without such faces.
         absorbed_error: (N,) float64 or None.
+        reflectance: (N,) float64, of the mesh's faces, of a group their mean by area; None if they are black.
         names: of the N groups, where they were given by name; else None.
     """
 
@@ -76,9 +77,10 @@ class ViewFactors:
     ground_error: NDArray[np.float64] | None = None
     absorbed: NDArray[np.float64] | None = None
     absorbed_error: NDArray[np.float64] | None = None
+    reflectance: NDArray[np.float32] | None = None
     names: tuple[str, ...] | None = None
 
-    def radiosity(self, emission: Any, reflectance: Any) -> np.ndarray:
+    def radiosity(self, emission: Any, reflectance: Any = None) -> np.ndarray:
         """What leaves each surface, emitted or reflected: J = E + rho F J.
 
         Solved by following the radiation from surface to surface, to 12 digits. What goes outside, meets a back or is
@@ -86,14 +88,14 @@ class ViewFactors:
 
         Args:
             emission: (N,) or (N, k), for k wavelengths or times; or one number. In any unit of power per area.
-            reflectance: (N,) or one number, 0 to 1, diffuse.
+            reflectance: (N,) or one number, 0 to 1, diffuse; by default that of the mesh.
 
         Returns:
             of the shape of the emission, float64, in its unit.
 
         Raises:
-            TypeError, ValueError: no finite numbers, another shape, rows that `active` left out, or a reflectance by which
-                nothing is ever absorbed.
+            TypeError, ValueError: no finite numbers, another shape, rows that `active` left out, no reflectance of a black
+                mesh, or one by which nothing is ever absorbed.
 
         Example:
             >>> mesh = ws.load_mesh("courtyard")
@@ -102,7 +104,9 @@ class ViewFactors:
             >>> print(J.shape, (J >= 0.3 * v.outside).all())
             (2080,) True
         """
-        return radiosity_of(self, emission, reflectance)
+        if reflectance is None and self.reflectance is None:
+            raise ValueError("reflectance: got None for factors of a black mesh, want numbers from 0 to 1")
+        return radiosity_of(self, emission, self.reflectance if reflectance is None else reflectance)
 
     def net_radiation(self, temperature: Any, emissivity: Any, *, outside: Any = 0.0) -> NetRadiation:
         """The heat that each surface loses by thermal radiation: what it emits, less what it absorbs of the others'.
@@ -290,7 +294,7 @@ def view_factors(
     if reciprocal:
         factors = reciprocal_factors(factors, surfaces)
     found = _result(factors, surfaces, status, casting.rays * cast.astype(np.int64), casting.rays)
-    return replace(found, names=names)
+    return replace(found, reflectance=surfaces.means(mesh.reflectance) if mesh.reflects else None, names=names)
 
 
 def _status(mesh: Mesh, active: np.ndarray | None) -> np.ndarray:

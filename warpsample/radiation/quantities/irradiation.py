@@ -6,6 +6,9 @@ from warpsample.estimate.plan import Plan
 from warpsample.estimate.quantities.record import Numbers, Quantity
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.radiation.reflection.patches import patches_of
+from warpsample.radiation.reflection.reflections import reflections_of
+from warpsample.radiation.weather.afar import WeatherAfar
 from warpsample.radiation.weather.irradiation import Irradiation, irradiation, received
 from warpsample.radiation.weather.light import light_of
 from warpsample.tracing.options import RayOptions
@@ -17,14 +20,18 @@ WEATHER = {"weather": "an EPW weather file"}
 _OF_THE_LIGHT = ("weather", "period", "ground_albedo", "patches", "up", "north")
 
 
-def _prepare(mesh: Mesh, _total: int, *, count: int, seed: int, workers: int | None, **given: Any) -> Numbers:
-    """The irradiation by a light that is computed once."""
+def _prepare(mesh: Mesh, _total: int, *, count: int, seed: int, workers: int | None, refine: Any, **given: Any) -> Numbers:
+    """The irradiation by a light, and what faces send back of it, which are computed once."""
+    parts = patches_of(mesh, refine)
     light = light_of(**{name: given[name] for name in _OF_THE_LIGHT})
+    afar = WeatherAfar(light, series=False)
+    how = RayOptions.of(0, seed=seed).by(workers=workers)
+    reflections = None if parts is None else reflections_of(parts, afar, count, how)
 
     def numbers(points: SurfacePoints, first: int) -> Irradiation:
         at = PlacedPoints.of(mesh, points)
         options = RayOptions.of(len(at), seed=seed, first_point=first, ids=at.id).by(workers=workers)
-        return received(Plan.of(at, count, options), light, series=False)
+        return received(Plan.of(at, count, options), light, series=False, reflections=reflections)
 
     return numbers
 
@@ -33,7 +40,7 @@ RECORD = Quantity(
     name="irradiation",
     call=irradiation,
     title="irradiation",
-    value="what sun, sky and the ground beyond the mesh bring by a year's weather, and each of the three",
+    value="what sun, sky, the ground beyond the mesh and reflections bring by a year's weather, and each of them",
     result=Irradiation,
     shared=("hours", "skipped"),
     unit="kWh/m2",

@@ -87,6 +87,17 @@ def sky_patches(name: str = "tregenza", *, up: Any = (0.0, 0.0, 1.0), north: Any
     return _patches_of(name, multiple, zenith.tobytes(), (towards / length).tobytes())
 
 
+def patches_at(sky: SkyPatches, directions: np.ndarray) -> np.ndarray:
+    """(M,) int64, the patch that each of (M, 3) unit directions is in; -1 below the horizon."""
+    east, north, up = sky.frame @ directions.T.astype(np.float64)
+    number = np.bincount(sky.rows)
+    first = np.cumsum(number) - number
+    row = np.searchsorted(np.sin(np.radians(sky.altitudes[first[1:], 0])), up, side="right")
+    turns = np.arctan2(east, north) / (2.0 * np.pi)
+    column = np.floor(turns * number[row] + 0.5).astype(np.int64) % number[row]
+    return np.where(up < 0.0, -1, first[row] + column)
+
+
 @lru_cache(maxsize=8)
 def _patches_of(name: str, multiple: int, up: bytes, north: bytes) -> SkyPatches:
     """The patches of a sky by its checked arguments: the same ones for the same bits."""

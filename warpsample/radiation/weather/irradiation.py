@@ -8,14 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from warpsample.estimate.plan import Plan
-from warpsample.estimate.result import PointResult
+from warpsample.estimate.result import PointResult, PointStatus, has_status
 from warpsample.host.arguments import check_flag
 from warpsample.host.engine import check_memory
 from warpsample.host.options import explained_by
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.radiation.reflection.patches import patches_of
+from warpsample.radiation.reflection.reflections import Reflected, Reflections, reflections_of
 from warpsample.radiation.sky.result import SkySkipped
 from warpsample.radiation.sky.sky_matrix import sky_seen
-from warpsample.radiation.sun.direct_sun import SunCall
+from warpsample.radiation.weather.afar import WeatherAfar, direct_light, summed
 from warpsample.radiation.weather.light import Light, light_of
 from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.options import RayOptions
@@ -29,9 +31,9 @@ class Irradiation(PointResult):
     """What each of P points receives on its surface: in a period (P,), in kWh/m²; or in each of T hours (P, T), in W/m².
 
     Attributes:
-        value: float32, the sum of the three parts; 0 where the status is not 0.
-        standard_error: of the same shape and unit, of the sky's and the ground's part. The sun's has none: it is exact for
-            the sun's centre at the middle of each hour.
+        value: float32, the sum of the three parts, and of what faces reflect; 0 where the status is not 0.
+        standard_error: of the same shape and unit, of the sky's, the ground's and the reflected part. The sun's has none: it
+            is exact for the sun's centre at the middle of each hour.
         direct: of the same shape and unit, from the sun.
         diffuse: from the sky.
         ground: from the ground beyond the mesh.
@@ -39,6 +41,8 @@ class Irradiation(PointResult):
         rays: (P,) int32, rays cast to the sky and the ground, without those to the sun.
         status: (P,) uint8, a `PointStatus`.
         skipped: what was not done for the sky.
+        reflected: of the same shape and unit, from faces, by all orders of reflection; None if they are black.
+        reflected_error: its standard error; None if they are black.
     """
 
     value: NDArray[np.float32]
@@ -50,6 +54,8 @@ class Irradiation(PointResult):
     rays: NDArray[np.int32]
     status: NDArray[np.uint8]
     skipped: SkySkipped
+    reflected: np.ndarray | None = None
+    reflected_error: np.ndarray | None = None
 
     _axes: ClassVar[tuple[str, ...]] = ("hour",)
 
@@ -70,6 +76,7 @@ def irradiation(
     up: Any = (0.0, 0.0, 1.0),
     north: Any = (0.0, 1.0, 0.0),
     series: bool = False,
+    refine: float | None = None,
     seed: int = 0,
     first_point: int = 0,
     active: Any = None,
@@ -87,8 +94,11 @@ def irradiation(
 
     Faces with a transmittance (see `Mesh`) let that share of all three through, at each crossing.
 
-    What the mesh reflects is left out: its faces are black, those of a ground that is part of it too. So a wall that looks
-    down on such a ground receives nothing from there, and one at the edge of the mesh receives what it sees beyond.
+    Faces with a reflectance send back that share of all that they receive, that of other faces too, from either side and
+    evenly in all directions: a fourth part. It is the mean of eight runs, by whose differences its error is told; each finds
+    what faces send back by sun, sky and other faces at random places on them, and then casts an eighth of the points' rays.
+    Each part of a face is taken to send back the same all over it, see `refine`; no error bar contains what that leaves. The
+    ground beyond the mesh stays as it is. Faces without are black: a wall above such a ground gets nothing from there.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
@@ -104,11 +114,15 @@ def irradiation(
         up: (3,), of any length.
         north: (3,), of any length, not along `up`; of it the part across `up` counts. East is north x up.
         series: whether to give each hour of the period.
+        refine: the longest edge, in the mesh's unit, of the parts of faces that each send back the same all over, inf for
+            whole faces. By default the faces with the longest edges are cut into 8,192 parts more than there are sides.
+            In a street, parts of a quarter of its width leave 0.05 % of the irradiance under an even sky, and 1.7 % in its
+            edges; where half of the floor lies in the sun 1 % and 17 % of what is reflected.
         seed, first_point, active, skip, workers, progress: see `RayOptions`.
 
     Returns:
-        value (P,) in kWh/m² of the period, or with `series` (P, T) in W/m²; its standard error, its three parts, and for
-        each point the rays cast and a status.
+        value (P,) in kWh/m² of the period, or with `series` (P, T) in W/m²; its standard error, its parts, and for each
+        point the rays cast and a status.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: an argument that cannot be used, or a file that is not the weather of a
@@ -126,23 +140,25 @@ def irradiation(
     options = RayOptions.of(len(at), seed=seed, first_point=first_point, ids=at.id, active=active)
     plan = Plan.of(at, count, options.by(skip=skip, tracer="wide", workers=workers, progress=progress))
     series = check_flag(series, "series")
-    return received(
-        plan, light_of(weather, period=period, ground_albedo=ground_albedo, patches=patches, up=up, north=north), series
-    )
+    parts = patches_of(at.mesh, refine)
+    light = light_of(weather, period=period, ground_albedo=ground_albedo, patches=patches, up=up, north=north)
+    afar = WeatherAfar(light, series)
+    reflections = None if parts is None else reflections_of(parts, afar, plan.count, plan.options)
+    return received(plan, light, series, reflections)
 
 
-def received(plan: Plan, light: Light, series: bool) -> Irradiation:
+def received(plan: Plan, light: Light, series: bool, reflections: Reflections | None = None) -> Irradiation:
     """What the points of a plan receive by a light: its sums over the period in kWh/m², or each hour in W/m²."""
     hours = len(light.hours)
     if series:
         size = _BYTES * len(plan.at) * hours
         check_memory(size, f"{hours:,} hours of {len(plan.at):,} points", "take fewer points, or a shorter period")
-    sky = sky_seen(plan, light.sky, light.radiance if series else _sums(light.radiance))
+    sky = sky_seen(plan, light.sky, light.radiance if series else summed(light.radiance))
     options = replace(plan.options, seed=seed_for("ground", plan.options.seed))
     ground = sky_seen(replace(plan, options=options), light.below, np.ones(len(light.below)))
-    bright = light.ground if series else _sums(light.ground)
+    bright = light.ground if series else summed(light.ground)
     found = {
-        "direct": (_direct(plan, light, series), light.sun_rows),
+        "direct": (direct_light(plan.at, plan.options, light, series), light.sun_rows),
         "diffuse": (np.pi * sky.value, light.sky_rows),
         "ground": (np.multiply.outer(ground.value, bright), light.sky_rows),
         "standard_error": (
@@ -151,7 +167,7 @@ def received(plan: Plan, light: Light, series: bool) -> Irradiation:
         ),
     }
     arrays = {name: _each_hour(part, rows, hours) if series else np.float32(part) for name, (part, rows) in found.items()}
-    return Irradiation(
+    received_from_afar = Irradiation(
         value=arrays["direct"] + arrays["diffuse"] + arrays["ground"],
         **arrays,
         hours=light.hours,
@@ -159,11 +175,25 @@ def received(plan: Plan, light: Light, series: bool) -> Irradiation:
         status=sky.status,
         skipped=sky.skipped,
     )
+    if reflections is None:
+        return received_from_afar
+    return _with_reflected(received_from_afar, reflections.at(plan.at.points, plan.count, plan.options), light)
 
 
-def _sums(hourly: np.ndarray) -> np.ndarray:
-    """The sum over the hours, the last axis, of W/m² in kWh/m²."""
-    return hourly.sum(axis=-1) / 1000.0
+def _with_reflected(found: Irradiation, reflected: Reflected, light: Light) -> Irradiation:
+    """The sum of what comes from afar and from faces."""
+    value, error = reflected.value, reflected.error
+    if found.value.ndim == 2:
+        value, error = (_each_hour(part, light.sky_rows, len(light.hours)) for part in (value, error))
+    value, error = (part.reshape(found.value.shape).astype(np.float32) for part in (value, error))
+    return replace(
+        found,
+        value=found.value + value,
+        standard_error=np.hypot(*np.float64([found.standard_error, error])).astype(np.float32),
+        rays=found.rays + np.where(has_status(found.status, PointStatus.OK), reflected.rays, 0).astype(np.int32),
+        reflected=value,
+        reflected_error=error,
+    )
 
 
 def _each_hour(part: np.ndarray, rows: np.ndarray, hours: int) -> np.ndarray:
@@ -171,16 +201,3 @@ def _each_hour(part: np.ndarray, rows: np.ndarray, hours: int) -> np.ndarray:
     made = np.zeros((len(part), hours), np.float32)
     made[:, rows] = part
     return made
-
-
-def _direct(plan: Plan, light: Light, series: bool) -> np.ndarray:
-    """What the sun brings: (P,) kWh/m², or (P, S) W/m² in the hours in which it shines."""
-    if len(light.sun) == 0:
-        return np.zeros((len(plan.at), 0) if series else len(plan.at))
-    if not series:
-        return SunCall(plan.at, light.sun, light.direct / 1000.0, plan.options, cosine=True).answer()
-    lit = SunCall(plan.at, light.sun, None, plan.options).answer()
-    normal = plan.at.normal.astype(np.float64)
-    length = np.linalg.norm(normal, axis=1, keepdims=True)
-    normal = np.divide(normal, length, out=np.zeros_like(normal), where=np.isfinite(length) & (length > 0.0))
-    return lit * (np.maximum(normal @ light.sun.T, 0.0) * light.direct)

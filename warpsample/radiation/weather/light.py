@@ -1,7 +1,7 @@
 """The light of a period: where the sun stands, what it brings, and how bright sky and ground are."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -37,6 +37,20 @@ class Light:
     sky_rows: np.ndarray
     radiance: np.ndarray
     ground: np.ndarray
+
+    def only(self, columns: slice) -> "Light":
+        """The light of some of the L hours in which there is any."""
+        rows = self.sky_rows[columns]
+        shining = np.isin(self.sun_rows, rows)
+        return replace(
+            self,
+            sun_rows=self.sun_rows[shining],
+            sun=self.sun[shining],
+            direct=self.direct[shining],
+            sky_rows=rows,
+            radiance=self.radiance[:, columns],
+            ground=self.ground[columns],
+        )
 
 
 def light_of(weather: Any, *, period: Sequence[str] | None, ground_albedo: Any, patches: Any, up: Any, north: Any) -> Light:

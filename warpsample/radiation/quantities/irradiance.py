@@ -2,10 +2,10 @@
 
 from typing import Any
 
-from warpsample.estimate.irradiance import irradiance
 from warpsample.estimate.quantities.record import Numbers, Quantity
 from warpsample.host.picture import read_picture
 from warpsample.mesh.mesh import Mesh
+from warpsample.radiation.sky.irradiance import Irradiance, irradiance
 
 
 def _prepare(mesh: Mesh, _total: int, *, radiance: Any, **options: Any) -> Numbers:
@@ -19,6 +19,7 @@ RECORD = Quantity(
     call=irradiance,
     title="irradiance",
     value="the light of an equirectangular picture, an .hdr or .npy file, or a `wp.func` of the direction",
+    result=Irradiance,
     files={"environment": "a picture of the light, .hdr or .npy"},
     prepare=_prepare,
     example="radiance=np.ones((2, 4))",

@@ -1,0 +1,144 @@
+"""The parts of a mesh that send light back, each evenly: both sides of its faces, or of equal parts of these."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import inf
+from typing import Any
+
+import numpy as np
+
+from warpsample.directions.sample import sample_square
+from warpsample.host.arguments import check_number
+from warpsample.host.engine import check_memory
+from warpsample.mesh.mesh import Mesh, lengths
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.sequences.hashing import seed_for
+
+_BYTES = 64  # of a patch
+_MOST_CUTS = 2**10  # of an edge
+_USUALLY_MORE = 2**13  # patches than sides of faces that reflect
+
+
+@dataclass(frozen=True, eq=False)
+class Patches:
+    """N patches: for each face that reflects, those of its front and then those of its back.
+
+    Attributes:
+        mesh: whose faces they are of.
+        cuts: (F,) int64, into how many parts each edge of a face is cut, which makes as many squared of the face; 0 where
+            it reflects nothing.
+        face: (N,) int64, of each patch.
+        back: (N,) bool, whether it is on the back of the face.
+        part: (N,) int64, which part of the face it is: row by row away from the edge of the first and third corner.
+    """
+
+    mesh: Mesh
+    cuts: np.ndarray
+    face: np.ndarray
+    back: np.ndarray
+    part: np.ndarray
+
+    def __len__(self) -> int:
+        """How many patches there are."""
+        return len(self.face)
+
+    @property
+    def reflectance(self) -> np.ndarray:
+        """(N,) float64, that of the face of each."""
+        return self.mesh.reflectance[self.face].astype(np.float64)
+
+    def met(self, face: np.ndarray, directions: np.ndarray, distance: np.ndarray, start: np.ndarray) -> np.ndarray:
+        """(M,) int64, the patch that each of M rays meets, -1 where it sends nothing back.
+
+        Args:
+            face: (M,), -1 for none.
+            directions: (M, 3) of the rays.
+            distance: (M,), to the face.
+            start: (M, 3) float64, where the rays start.
+        """
+        cuts = np.where(face < 0, 0, self.cuts[face])
+        back = np.einsum("ij,ij->i", self.mesh.face_normals[face], directions) > 0.0
+        found = self._first[face] + back * np.square(cuts)
+        cut = np.flatnonzero(cuts > 1)
+        if len(cut):
+            places = start[cut] + distance[cut, None].astype(np.float64) * directions[cut]
+            found[cut] += _part_at(self.mesh, face[cut], places, cuts[cut])
+        return np.where(cuts > 0, found, -1)
+
+    @cached_property
+    def _first(self) -> np.ndarray:
+        """(F,) int64, the first patch of each face."""
+        parts = 2 * np.square(self.cuts)
+        return np.cumsum(parts) - parts
+
+    def places(self, count: int, seed: int) -> SurfacePoints:
+        """`count` random places on each patch, evenly spread, patch by patch; their normals are those of their sides."""
+        square = sample_square("fibonacci", len(self), count, seed=seed_for("places", seed)).astype(np.float64)
+        square = np.where(square.sum(axis=2, keepdims=True) > 1.0, 1.0 - square, square).reshape(-1, 2)
+        patch = np.repeat(np.arange(len(self)), count)
+        face, cuts = self.face[patch], self.cuts[self.face[patch]]
+        row, column, turned = _corner_of(self.part[patch], cuts)
+        square = np.where(turned[:, None] == 1, 1.0 - square, square)
+        along = (np.stack([row, column], axis=1) + square) / cuts[:, None]
+        corner, first, second = (self.mesh.vertices[self.mesh.faces[face, k]] for k in range(3))
+        position = corner + along[:, :1] * (first - corner) + along[:, 1:] * (second - corner)
+        normal = np.where(self.back[patch, None], -1.0, 1.0).astype(np.float32) * self.mesh.face_normals[face]
+        return SurfacePoints(position, normal, face.astype(np.int32))
+
+
+def patches_of(mesh: Mesh, refine: Any) -> Patches | None:
+    """The patches of a mesh, of edges that are at most as long as `refine`; None if all faces are black.
+
+    Raises:
+        TypeError, ValueError: no such length.
+        MemoryError: more patches than there is memory for.
+    """
+    longest = None if refine is None else check_number(refine, "refine", 1e-12, inf)
+    if not mesh.reflects:
+        return None
+    corners = mesh.vertices[mesh.faces]
+    edges = np.max([lengths(corners[:, k] - corners[:, k - 1]) for k in range(3)], axis=0)
+    edges = np.where((mesh.reflectance > 0.0) & (mesh.face_areas > 0.0), edges, 0.0)
+    cuts = _cuts(edges, _usual(edges) if longest is None else longest)
+    parts = np.square(cuts)
+    total = 2 * int(parts.sum())
+    check_memory(_BYTES * total, f"refine: {total:,} parts of faces that reflect", "take a larger refine=")
+    face = np.repeat(np.arange(len(cuts)), 2 * parts)
+    rank = np.arange(total) - np.repeat(np.cumsum(2 * parts) - 2 * parts, 2 * parts)
+    back = rank >= parts[face]
+    return Patches(mesh, cuts, face, back, rank - back * parts[face])
+
+
+def _cuts(edges: np.ndarray, longest: float) -> np.ndarray:
+    """(F,) int64, into how many parts faces with such longest edges are cut; 0 where that is 0."""
+    return np.where(edges > 0.0, np.clip(np.ceil(edges / longest), 1, _MOST_CUTS), 0).astype(np.int64)
+
+
+def _usual(edges: np.ndarray) -> float:
+    """The length that makes about so many patches more than there are sides: those of the faces with the longest edges."""
+    low, high = 0.0, float(edges.max(initial=1e-300))
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        more = 2 * (np.square(_cuts(edges, max(middle, 1e-300))) - (edges > 0.0)).sum()
+        low, high = (low, middle) if more <= _USUALLY_MORE else (middle, high)
+    return high
+
+
+def _part_at(mesh: Mesh, face: np.ndarray, places: np.ndarray, cuts: np.ndarray) -> np.ndarray:
+    """(M,) int64, which part of its face each place is in."""
+    corner, first, second = (mesh.vertices[mesh.faces[face, k]] for k in range(3))
+    across, away = mesh.cross_products[face], places - corner
+    area = np.einsum("ij,ij->i", across, across)
+    u = cuts * np.einsum("ij,ij->i", np.cross(away, second - corner), across) / area
+    v = cuts * np.einsum("ij,ij->i", np.cross(first - corner, away), across) / area
+    row = np.clip(np.floor(u), 0, cuts - 1).astype(np.int64)
+    column = np.clip(np.floor(v), 0, cuts - 1 - row).astype(np.int64)
+    turned = (u - row + v - column > 1.0) & (row + column < cuts - 1)
+    return row * (2 * cuts - row) + 2 * column + turned
+
+
+def _corner_of(part: np.ndarray, cuts: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(row, column, 1 if it is turned round) of parts, the other way round."""
+    row = (cuts - np.ceil(np.sqrt(np.square(cuts) - part))).astype(np.int64)
+    rest = part - row * (2 * cuts - row)
+    return row, rest // 2, rest % 2

@@ -1,0 +1,199 @@
+"""Irradiance under light from afar: a picture of it all around, or a function of the direction."""
+
+from dataclasses import dataclass, replace
+from hashlib import sha256
+from math import pi
+from os import PathLike
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from warpsample.estimate.estimating import estimate
+from warpsample.estimate.integrand import integrand_of
+from warpsample.estimate.plan import Plan, RaySum
+from warpsample.estimate.result import Estimate, PointStatus, has_status
+from warpsample.estimate.source.definitions import naming_function
+from warpsample.estimate.visibility import ambient_occlusion
+from warpsample.estimate.weights import seen_in
+from warpsample.host.arguments import told
+from warpsample.host.arrays import as_real, as_unit
+from warpsample.host.options import explained_by
+from warpsample.host.picture import read_picture
+from warpsample.mesh.surface import SurfacePoints
+from warpsample.radiation.reflection.lobes_seen import Targets
+from warpsample.radiation.reflection.patches import Patches, patches_of
+from warpsample.radiation.reflection.reflections import REPLICATES, Probes, Reflected, kept_on, reflections_of
+from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
+
+_BRIGHTEST = 1e37  # of a picture: pi times that is a float32
+
+
+@dataclass(frozen=True, eq=False)
+class Irradiance(Estimate):
+    """The irradiance of P points; an `Estimate` that also has what faces send back.
+
+    Attributes:
+        reflected: of `value`'s shape and unit, the part of it that comes from faces, by all orders of reflection; None if
+            they are black.
+        reflected_error: its standard error; None if they are black.
+    """
+
+    reflected: np.ndarray | None = None
+    reflected_error: np.ndarray | None = None
+
+
+@explained_by(RayOptions, ambient_occlusion)
+def irradiance(
+    mesh: Any,
+    points: SurfacePoints,
+    radiance: Any,
+    count: int = 256,
+    *,
+    up: Any = (0.0, 0.0, 1.0),
+    refine: float | None = None,
+    sequence: str = "fibonacci",
+    seed: int = 0,
+    first_point: int = 0,
+    active: Any = None,
+    tolerance: float | None = None,
+    skip: bool = True,
+    tracer: str = "auto",
+    device: Any = None,
+    workers: int | None = None,
+    progress: bool = False,
+) -> Irradiance:
+    """The irradiance of light from afar that the mesh does not block, and of what faces reflect. pi under a radiance of 1.
+
+    Faces with a reflectance (see `Mesh`) send back that share of what they receive, from afar and from other faces, on
+    either side, and evenly in all directions, again and again. It is found by the CPU, by rays of its own, and without a
+    `tolerance`; `irradiation` says how, and how precise it is.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes.
+        points: P of them; as for `ambient_occlusion`.
+        radiance: an equirectangular picture, (H, W) or (H, W, 3), numbers from 0 to 1e37, or the path of an .hdr or .npy
+            file: row 0 is about `up`, columns go round it, counter-clockwise seen from there, for up = (0, 0, 1) from x
+            towards y; read off bilinearly. Or a wp.func (direction: wp.vec3) -> float or wp.vec3, in the mesh's
+            coordinates. A small bright sun takes many rays: they are spread by the cosine alone.
+        count: rays of each point; none is cast where the radiance is 0.
+        up: (3,), of any length; only for a picture.
+        refine: the longest edge, in the mesh's unit, of the parts of faces that each send back the same all over; see
+            `irradiation`, by what is left.
+        tolerance: see `ambient_occlusion`.
+        sequence, seed, first_point, active, skip, tracer, device, workers, progress: see `RayOptions`.
+
+    Returns:
+        value (P,), or (P, 3) for a radiance of three numbers, in the radiance's unit times steradian, at least 0 where
+        the radiance is; its standard error, the part that faces reflect, and for each point the rays cast and a status.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free.
+
+    Example:
+        >>> mesh, sky = ws.load_mesh("courtyard"), np.linspace(2.0, 0.0, 16)[:, None].repeat(32, axis=1)  # bright above
+        >>> light = ws.irradiance(mesh, ws.sample_surface(mesh, 100), sky, 64)
+        >>> print(light.value.shape, 0.0 < light.value.min() < light.value.max() < 2.0 * np.pi)
+        (100,) True
+    """
+    at = PlacedPoints.of(mesh, points)
+    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, ids=at.id, active=active).by(
+        skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
+    )
+    plan = Plan.of(at, count, options, tolerance=tolerance)
+    axis, patches = as_unit(up, "up"), patches_of(at.mesh, refine)
+    if patches is not None and tolerance is not None:
+        raise ValueError(f"tolerance: got {told(tolerance)} for a mesh that reflects, want None")
+    if isinstance(radiance, wp.Function):
+        with naming_function("radiance"):
+            integrand = integrand_of(radiance, argument="radiance", device=options.memory.device)
+            light = _Shining(RaySum(integrand, unit=pi, result=Irradiance), integrand.channels)
+            found = light.at(plan)
+    else:
+        light = _shining_picture(_picture(radiance), axis)
+        found = light.at(plan)
+    return found if patches is None else _with_reflected(found, _reflected(patches, light, plan))
+
+
+@dataclass(frozen=True, eq=False)
+class _Shining:
+    """Light from afar by a function of the direction.
+
+    Attributes:
+        summed: what a ray brings.
+        size: 1, or 3 colours.
+        known_by: what tells the light from others; None: the function.
+    """
+
+    summed: RaySum
+    size: int
+    known_by: str | None = None
+
+    def at(self, plan: Plan) -> Irradiance:
+        """The irradiance of points that comes from there."""
+        found = estimate(plan, self.summed)
+        if self.size == self.summed.integrand.channels:
+            return found
+        numbers = ("value", "standard_error", "spread", "degrees_of_freedom")
+        return replace(found, **{name: getattr(found, name)[:, 0] for name in numbers})
+
+    def targets(self, patches: Patches) -> Targets:
+        """Patches alone: what comes from afar is found by rays of its own."""
+        return Targets(patches)
+
+    def falling(self, probes: Probes, columns: slice) -> np.ndarray:
+        """The irradiance of patches, by rays of their places."""
+        found = self.at(Plan.of(probes.at, probes.count, probes.options))
+        return probes.means(found.value, self.size)[:, columns]
+
+
+def _shining_picture(picture: np.ndarray, up: tuple[float, ...]) -> _Shining:
+    """The light of a picture, (H, W) or (H, W, 3)."""
+    pixels = picture if picture.ndim == 3 else picture[..., None]
+    pixels = np.ascontiguousarray(np.broadcast_to(pixels, (*picture.shape[:2], 3)))
+    known_by = f"{sha256(pixels.tobytes()).hexdigest()} {pixels.shape} {up}"
+    return _Shining(RaySum(seen_in(pixels, up), unit=pi, result=Irradiance), picture[0, 0].size, known_by)
+
+
+def _reflected(patches: Patches, light: _Shining, plan: Plan) -> Reflected:
+    """What the points of a plan receive from patches under a light; what these send back is found once for a mesh."""
+    light_of = light.known_by or light.summed.integrand.function
+    key = light_of, light.size, patches.cuts.tobytes(), plan.count, plan.options.seed
+    found = kept_on(patches.mesh, key, lambda: reflections_of(patches, light, plan.count, plan.options))
+    return found.at(plan.at.points, plan.count, plan.options)
+
+
+def _with_reflected(found: Irradiance, reflected: Reflected) -> Irradiance:
+    """The sum of light from afar and from faces; its t distribution is that of Welch and Satterthwaite."""
+    good = has_status(found.status, PointStatus.OK)
+    more, error = (np.where(good[:, None], a, 0.0).reshape(found.value.shape) for a in (reflected.value, reflected.error))
+    own, other = np.square(found.spread.astype(np.float64)), np.square(error)
+    weight = np.square(own) / np.maximum(found.degrees_of_freedom, 1.0) + np.square(other) / (REPLICATES - 1.0)
+    degrees = np.divide(np.square(own + other), weight, out=np.float64(found.degrees_of_freedom), where=weight > 0.0)
+    numbers = {
+        "value": found.value + more,
+        "standard_error": np.hypot(found.standard_error.astype(np.float64), error),
+        "spread": np.sqrt(own + other),
+        "degrees_of_freedom": degrees,
+        "reflected": more,
+        "reflected_error": error,
+    }
+    rays = found.rays + np.where(good, reflected.rays, 0).astype(np.int32)
+    return replace(found, rays=rays, **{name: array.astype(np.float32) for name, array in numbers.items()})
+
+
+def _picture(radiance: Any) -> np.ndarray:
+    """A picture of radiances, (H, W) or (H, W, 3) float32; refuses anything else."""
+    got = "got"
+    if isinstance(radiance, str | PathLike):
+        got, radiance = f"got {str(radiance)!r} with", read_picture(radiance)
+    picture = as_real(radiance, "radiance", "an array of numbers, a path or a wp.func")
+    if picture.ndim not in (2, 3) or picture.shape[2:] not in ((), (3,)) or 0 in picture.shape:
+        raise ValueError(f"radiance: {got} shape {picture.shape}, want (H, W) or (H, W, 3)")
+    with np.errstate(over="ignore"):
+        picture = picture.astype(np.float32)
+    if not (picture.min() >= 0.0 and picture.max() <= _BRIGHTEST):
+        raise ValueError(f"radiance: {got} numbers that are below 0, above {_BRIGHTEST:g} or not finite, want none of these")
+    return picture

@@ -1,0 +1,86 @@
+"""The light of a period as what faces reflect: what sun, sky and ground bring to patches of them."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from warpsample.radiation.reflection.lobes_seen import Targets
+from warpsample.radiation.reflection.patches import Patches
+from warpsample.radiation.reflection.reflections import Probes
+from warpsample.radiation.sky.patches import patches_at
+from warpsample.radiation.sun.direct_sun import SunCall
+from warpsample.radiation.weather.light import Light
+from warpsample.tracing.options import RayOptions
+from warpsample.tracing.placed_points import PlacedPoints
+
+_SUNS = 512  # that the places of one replicate look at
+
+
+@dataclass(frozen=True, eq=False)
+class WeatherAfar:
+    """The light of a period: its sum in kWh/m², or W/m² in each of the hours in which there is any.
+
+    Attributes:
+        light: of the period.
+        series: whether hours stay apart.
+    """
+
+    light: Light
+    series: bool
+
+    @property
+    def size(self) -> int:
+        """The number of hours with light, or 1."""
+        return len(self.light.sky_rows) if self.series else 1
+
+    def targets(self, patches: Patches) -> Targets:
+        """Patches, those of the sky, and the ground."""
+        sky = self.light.sky
+
+        def beyond(directions: np.ndarray) -> np.ndarray:
+            found = patches_at(sky, directions)
+            return np.where(found < 0, len(sky), found)
+
+        return Targets(patches, beyond, len(sky) + 1)
+
+    def falling(self, probes: Probes, columns: slice) -> np.ndarray:
+        """Sky and ground by the rays of the patches, the sun at their places."""
+        light = self.light
+        if not self.series:
+            bright = summed(np.concatenate([np.pi * light.radiance, light.ground[None]]))
+            direct = direct_light(probes.at, probes.options, _fewer_suns(light, probes.options.seed), False)
+            return (probes.beyond @ bright)[:, None] + probes.means(direct, 1)
+        light = light.only(columns)
+        falling = probes.beyond @ np.concatenate([np.pi * light.radiance, light.ground[None]])
+        direct = direct_light(probes.at, probes.options, light, True)
+        falling[:, np.searchsorted(light.sky_rows, light.sun_rows)] += probes.means(direct, len(light.sun))
+        return falling
+
+
+def _fewer_suns(light: Light, seed: int) -> Light:
+    """The light of a period with one sun of several neighbours, drawn at random, as strong as all; with all of few."""
+    step = len(light.sun) // _SUNS
+    if step < 2:
+        return light
+    first = np.arange(0, len(light.sun), step)
+    sizes = np.diff(first, append=len(light.sun))
+    drawn = first + np.floor(np.random.default_rng(seed).random(len(first)) * sizes).astype(np.int64)
+    return replace(light, sun=light.sun[drawn], direct=sizes * light.direct[drawn])
+
+
+def summed(hourly: np.ndarray) -> np.ndarray:
+    """The sum over the hours, the last axis, of W/m² in kWh/m²."""
+    return hourly.sum(axis=-1) / 1000.0
+
+
+def direct_light(at: PlacedPoints, options: RayOptions, light: Light, series: bool) -> np.ndarray:
+    """What the sun brings: (P,) kWh/m², or (P, S) W/m² in the hours in which it shines."""
+    if len(light.sun) == 0:
+        return np.zeros((len(at), 0) if series else len(at))
+    if not series:
+        return SunCall(at, light.sun, light.direct / 1000.0, options, cosine=True).answer()
+    lit = SunCall(at, light.sun, None, options).answer()
+    normal = at.normal.astype(np.float64)
+    length = np.linalg.norm(normal, axis=1, keepdims=True)
+    normal = np.divide(normal, length, out=np.zeros_like(normal), where=np.isfinite(length) & (length > 0.0))
+    return lit * (np.maximum(normal @ light.sun.T, 0.0) * light.direct)
