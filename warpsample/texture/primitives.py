@@ -62,7 +62,7 @@ def primitives_of(tree: Part, data: Data) -> list[Primitive]:
             name = mesh.text("name") if "name" in mesh else mesh.path
             own = triangles[:, ::-1] if volume < 0.0 else triangles
             materials = [part.index("material", known) for part in naming(one.primitive)]
-            size = {"mirrored": volume < 0.0, "scale": abs(volume) ** (1 / 3), "places": places[key]}
+            size = {"mirrored": volume < 0.0, "scale": np.cbrt(abs(volume)), "places": places[key]}
             found[key] = Primitive(*key, one.primitive, name, *rows, own, materials=materials, **size)
     return list(found.values())
 
