@@ -1,5 +1,6 @@
 """Rasters as people have them: what stands for no height, how they are stored, and what their CRS says."""
 
+import re
 import warnings
 
 import numpy as np
@@ -169,6 +170,7 @@ def test_north_is_up_the_map_without_a_crs():
     assert rasters.surface((HEIGHTS, UTM, None)).north == (0.0, 1.0, 0.0)
 
 
+@pytest.mark.filterwarnings("ignore:.*on which ways are")  # the place is of one of these maps alone
 @pytest.mark.parametrize(
     ("crs", "units", "factor"),
     [
@@ -224,3 +226,13 @@ def test_a_raster_outside_of_its_crs_has_no_north():
     far = rasters.surface((HEIGHTS, Affine(1.0, 0.0, 9e9, 0.0, -1.0, 9e9), "EPSG:32633"))
     with pytest.raises(ValueError, match="which is nowhere on Earth by WGS 84 / UTM zone 33N"):
         _ = far.north
+
+
+@pytest.mark.parametrize(("crs", "x", "told"), [("EPSG:3857", 1.65e6, ["1.33"]), ("EPSG:32633", 5e5, [])])
+def test_a_map_that_stretches_the_ground_is_warned_of(crs, x, told):
+    """Web Mercator by 1 / cos(latitude), here of 41 degrees."""
+    with warnings.catch_warnings(record=True) as heard:
+        warnings.simplefilter("always")
+        rasters.surface((HEIGHTS, Affine(2.5, 0.0, x, 0.0, -2.5, 5e6), crs))
+    found = (re.search(r"on which ways are ([\d.]+) times as long as on the ground", str(one.message)) for one in heard)
+    assert [match[1] for match in found if match] == told

@@ -20,11 +20,12 @@ from rioxarray.exceptions import MissingSpatialDimensionError
 from warpsample.city.rasters.coding import Coding
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
-from warpsample.city.rasters.reference import crs_of, height_metres_of, metres_of
+from warpsample.city.rasters.reference import crs_of, height_metres_of, metres_of, stretch_of
 from warpsample.city.rasters.transforms import affine_of, check_cells, check_place, coordinates_of, transform_of
 from warpsample.host.arrays import as_real
 from warpsample.host.neighbours import kind_told
 
+_STRETCHED = 0.05  # UTM is 0.001 off at most, a map of a continent 0.03
 _WANTS = "the path of a raster, an xarray.DataArray, or a tuple (array, affine, crs or None)"
 
 
@@ -53,6 +54,7 @@ def reader_of(source: Any) -> RasterReader:
 
     Warns:
         UserWarning: the unit of its heights is not told, and that of its coordinates is no metre; or it is not known here.
+            Or ways on its map are longer or shorter than on the ground by a twentieth and more, as by Web Mercator.
     """
     if isinstance(source, str | PathLike):
         return _of_file(fspath(source))
@@ -143,6 +145,13 @@ def _reader(
         said = f"heights in {unit!r}, a unit that is not known here" if unknown else "no unit of its heights"
         warnings.warn(
             f"source: got {said}, and coordinates in units of {metres:g} m; they are taken to be the same", stacklevel=2
+        )
+    stretch = stretch_of(found, *(transform @ (shape[1] / 2.0, shape[0] / 2.0)))
+    if abs(stretch - 1.0) > _STRETCHED:
+        warnings.warn(
+            f"source: got a map, {found.name}, on which ways are {stretch:.2f} times as long as on the ground, unlike "
+            "heights: slopes are wrong by as much; reproject it first, as by da.rio.reproject(da.rio.estimate_utm_crs())",
+            stacklevel=2,
         )
     coordinates = coordinates_of(transform, shape) if coordinates is None else coordinates
     return RasterReader(shape, transform, found, metres, dims, coordinates, (height_metres or metres) / metres, heights)

@@ -69,6 +69,24 @@ def true_north(crs: pyproj.CRS | None, x: float, y: float) -> tuple[float, float
     """
     if crs is None or crs.geodetic_crs is None:
         return 0.0, 1.0, 0.0
+    (east, north), _ = _meridian(crs, x, y)
+    length = float(np.hypot(east, north))
+    return float(east) / length, float(north) / length, 0.0
+
+
+def stretch_of(crs: pyproj.CRS | None, x: float, y: float) -> float:
+    """How many times as long as on the ground a way to the north is on the map; 1 where the map is nowhere on Earth."""
+    if crs is None or crs.geodetic_crs is None:
+        return 1.0
+    try:
+        along, metres = _meridian(crs, x, y)
+    except ValueError:
+        return 1.0
+    return float(np.hypot(*along)) * metres_of(crs) / metres
+
+
+def _meridian(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, float]:
+    """A piece of the meridian through a place of the map: (2,) on the map, and its length on the ground in metres."""
     to_map = pyproj.Transformer.from_crs(crs.geodetic_crs.to_2d(), _flat(crs), always_xy=True)
     try:
         longitude, latitude = to_map.transform(x, y, direction="INVERSE", errcheck=True)
@@ -76,8 +94,7 @@ def true_north(crs: pyproj.CRS | None, x: float, y: float) -> tuple[float, float
         along = np.diff(to_map.transform([longitude, longitude], latitudes, errcheck=True)).ravel()
     except ProjError as error:
         raise ValueError(f"source: got a raster about {x:g}, {y:g}, which is nowhere on Earth by {crs.name}") from error
-    length = float(np.hypot(*along))
-    return float(along[0]) / length, float(along[1]) / length, 0.0
+    return along, crs.get_geod().line_length([longitude, longitude], latitudes)
 
 
 def _flat(crs: pyproj.CRS) -> pyproj.CRS:
