@@ -82,6 +82,14 @@ SHOTS = (
         "viz/occlusion.py --screenshot FILE",
     ),
     Shot(
+        "baked_texture",
+        "Ambient occlusion in a texture",
+        "The bunny before and after its ambient occlusion is baked into a texture with new coordinates, and the standard "
+        "errors of its texels.",
+        "viz/baked_texture.py --screenshot FILE",
+        needs="xatlas",
+    ),
+    Shot(
         "sun_and_sky",
         "Sun and sky",
         "What a cloudless year in Athens brings to a courtyard's faces, what an hour of June does, and the sky above the "

@@ -165,6 +165,23 @@ def test_a_wrong_sampler_is_another_picture(can_render, script, tmp_path, monkey
 
 
 @pytest.mark.slow
+@pytest.mark.slow
+def test_a_baked_texture_is_drawn_by_its_own_images(can_render, script, bunny, tmp_path, capsys):
+    """The colours of errors end where they are told to, and the picture is not blank."""
+    module = script("baked_texture")
+    pytest.importorskip("xatlas")
+    assert module.coloured(np.array([[0.0, 0.5, 2.0]]), 0.5)[0].tolist() == [[68, 1, 84], [253, 231, 37], [253, 231, 37]]
+    uv, occlusion, error = module.images_of(bunny, 128, 32, 0)
+    assert (uv.shape, occlusion.shape, error.shape) == ((len(bunny.faces), 3, 2), (128, 128), (128, 128))
+    right = ws.ambient_occlusion(bunny, ws.face_centers(bunny), 256).value
+    at = np.clip((128 * uv.mean(axis=1)).astype(int), 0, 127)
+    assert np.sqrt(np.mean((occlusion[at[:, 1], at[:, 0]] - right) ** 2)) < 0.1  # 32 rays; another place is 0.2 off
+    module.main(side=128, samples=16, screenshot=tmp_path / "a.png", size=(900, 340))
+    assert capsys.readouterr().out.startswith(f"{tmp_path / 'a.png'}: 12,200 faces, 128 x 128 texels")
+    shown = picture(tmp_path / "a.png")
+    assert differing(shown, shown[:1, :1]) > 0.03
+
+
 def test_occlusion_is_drawn_as_estimated(script, bunny):
     found = ws.ambient_occlusion(bunny, ws.vertex_points(bunny), 32)
     panels = script("occlusion").panels_of(found, 32)
@@ -217,7 +234,9 @@ def test_the_sky_is_shown_of_the_ground_that_sees_least_of_it_and_the_slider_tur
     assert differing(before / 255.0, drawn.screenshot(return_img=True) / 255.0) > 0.01
 
 
-@pytest.mark.parametrize("name", [*PNG_SCRIPTS, "maps", "occlusion", "sun_and_sky", "view_factors", "baked_store"])
+@pytest.mark.parametrize(
+    "name", [*PNG_SCRIPTS, "baked_texture", "maps", "occlusion", "sun_and_sky", "view_factors", "baked_store"]
+)
 def test_scripts_say_what_is_wrong(name, script, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(rendering, "has_screen", lambda: False)
     main = script(name).main
