@@ -122,6 +122,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample bench rays",
         "warpsample bench scaling",
         "warpsample bench startup",
+        "warpsample bench textures",
         "warpsample bench view-factors",
         "warpsample bench visibility",
         "warpsample bench all --write",

@@ -43,6 +43,7 @@ def measured(found, monkeypatch):
         ("rays", {"scene": "bunny", "rays": 64}, ["rays"]),
         ("scaling", {"largest": 1000}, ["scaling"]),
         ("startup", {}, ["startup"]),
+        ("textures", {"side": 64}, ["textures"]),
         ("view-factors", {"side": 2, "rays": 64}, ["view_factors"]),
         ("visibility", {"scene": "city", "points": 64}, ["visibility"]),
     ],

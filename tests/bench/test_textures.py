@@ -1,0 +1,66 @@
+"""`bench textures`: what is right, what a viewer reads, and equal errors."""
+
+import numpy as np
+import pytest
+from bench_output import drawn, lines_of
+from lookups import lookup
+
+import warpsample as ws
+from warpsample.bench.textures import baking
+from warpsample.bench.textures.baking import OURS, RECORD, build_texture, known_of, read, times_of
+from warpsample.bench.textures.painters import Textured
+
+SIZE = 64
+
+
+@pytest.fixture(scope="module")
+def scene():
+    """A ball of some faces, and new coordinates of it."""
+    pytest.importorskip("xatlas")
+    ball = ws.as_mesh(pytest.importorskip("trimesh").creation.icosphere(1))
+    split, uv = ws.unwrap(ball, SIZE)
+    normals = split.vertices / np.linalg.norm(split.vertices, axis=1, keepdims=True)
+    return Textured(split, uv, normals.astype(np.float32))
+
+
+def test_what_a_viewer_reads_is_bilinear_and_clamped():
+    rng = np.random.default_rng(0)
+    image, uv = rng.random((7, 7)), rng.uniform(-0.1, 1.1, (100, 2))
+    assert np.allclose(read(image, uv), lookup(image[..., None], uv)[:, 0], rtol=0, atol=1e-12)
+
+
+def test_ours_is_as_far_from_what_is_right_as_its_rays_are(scene):
+    """By smooth normals the faces of a ball are in their own way: what is right is 0.992 in the mean, by 80 faces."""
+    known = known_of(scene, SIZE, 1024)
+    assert known.at_texels.mean() == pytest.approx(0.99206, abs=0.002)  # texels are not uniform by area
+    assert len(known.texels) > 50
+    job = build_texture(f"{OURS}, 64 rays", scene, known, size=SIZE, workers=1)
+    job.work()
+    found = job.report()
+    assert (found["rays"], found["agrees"]) == (64, True)
+    assert found["rmse"] < 0.02
+    assert found["lookup"] < 0.02
+
+
+def test_equal_errors_are_between_ours():
+    """Ours takes four times as long for half the error; beyond its ends the nearer one counts, or there is none."""
+    ours = [(0.04, 1.0), (0.02, 4.0), (0.01, 16.0)]
+    assert times_of(0.02, 8.0, ours) == pytest.approx(2.0)
+    assert times_of(0.02 * 2**0.5, 8.0, ours) == pytest.approx(4.0)
+    assert times_of(0.1, 8.0, ours) == pytest.approx(8.0)
+    assert times_of(0.01, 16.0, ours) == pytest.approx(1.0)
+    assert times_of(0.009, 8.0, ours) is None
+
+
+@pytest.mark.thorough
+def test_all_is_measured_and_shown(tmp_path, capsys):
+    rows = baking.compare(None, 64, [f"{OURS}, 16 rays", f"{OURS}, 64 rays", "Blender, 4 rays", "nobody, 4 rays"], 1)
+    by_tool = {row.tool: row for row in rows}
+    assert "KeyError" in by_tool["nobody, 4 rays"].failure
+    ours = [by_tool[f"{OURS}, {rays} rays"] for rays in (16, 64)]
+    assert ours[1].rmse < ours[0].rmse
+    assert [row.times_ours for row in ours] == pytest.approx([1.0, 1.0])
+    assert not RECORD.wrong({"rows": rows})
+    text = "\n".join(lines_of("textures", {"side": 64, "repeats": 1}, {"rows": rows}, capsys))
+    assert "bunny, side 64, threads" in text
+    assert drawn("textures", {"rows": rows}, tmp_path) == ["textures.png"]

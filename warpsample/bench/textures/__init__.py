@@ -1,0 +1,3 @@
+"""`bench textures`: ambient occlusion in a texture by each tool."""
+
+from warpsample.bench.textures.baking import RECORD as RECORD
