@@ -204,5 +204,5 @@ def test_a_reason_that_quotes_an_array_is_short(tmp_path):
 
 def test_usd_without_usd_core_says_what_to_install(bunny_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "pxr", None)
-    with pytest.raises(ModuleNotFoundError, match=r"^path: got 'bunny\.usd', which needs usd-core: pip install usd-core"):
+    with pytest.raises(ModuleNotFoundError, match=r"^path: got 'bunny\.usd', which needs usd-core: pip install '"):
         ws.load_mesh(bunny_path)

@@ -13,6 +13,7 @@ from warpsample import sequences
 from warpsample.bench.rows import Spread, columns, shown
 from warpsample.bench.tables import grouped, named
 from warpsample.host.files import write_bytes
+from warpsample.host.making import missing
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -56,7 +57,7 @@ def check_drawing(argument: str) -> None:
         ModuleNotFoundError: says how to install it.
     """
     if find_spec("matplotlib") is None:
-        raise ModuleNotFoundError(f"{argument} needs matplotlib: pip install matplotlib")
+        raise missing(f"{argument} needs matplotlib", "matplotlib")
 
 
 def save(figures: dict[str, "Figure"], folder: Path, source: str = "") -> list[Path]:

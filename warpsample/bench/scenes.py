@@ -10,6 +10,7 @@ import warp as wp
 from warpsample.bench.record import SEED
 from warpsample.directions.sample import sample_directions
 from warpsample.distributions.uniform_sphere import UniformSphere
+from warpsample.host.making import missing
 from warpsample.host.registry import look_up
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.mesh import Mesh, as_mesh
@@ -39,7 +40,7 @@ def bunny(subdivisions: int) -> Mesh:
         try:
             from trimesh.remesh import subdivide
         except ModuleNotFoundError:
-            raise ModuleNotFoundError("the split bunny needs trimesh: pip install 'warpsample[bench]'") from None
+            raise missing("the split bunny needs trimesh", "trimesh", "bench") from None
         for _ in range(subdivisions):
             vertices, faces = subdivide(vertices, faces)
     return as_mesh((vertices, faces))
@@ -50,7 +51,7 @@ def hills() -> Mesh:
     try:
         from pyvista.examples import load_random_hills
     except ModuleNotFoundError:
-        raise ModuleNotFoundError("the scene of hills needs PyVista: pip install pyvista") from None
+        raise missing("the scene of hills needs PyVista", "pyvista") from None
     return as_mesh(load_random_hills())
 
 

@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal
 from warpsample.cli.terminal import option
 from warpsample.estimate.quantities.record import ARGUMENTS
 from warpsample.host.arguments import check_choice
+from warpsample.host.making import missing
 from warpsample.output.baked import BakeRun
 from warpsample.output.quantities import check_options, quantity_of
 
@@ -61,7 +62,7 @@ def bake_raster_file(
         from warpsample.city.rasters.calls import QUANTITIES
         from warpsample.cluster.raster_baking import RasterJob, bake_raster
     except ModuleNotFoundError as error:
-        raise ModuleNotFoundError(f"a raster needs {error.name}: pip install 'warpsample[city,cluster]'") from error
+        raise missing(f"a raster needs {error.name}", error.name, "city,cluster") from error
     if run.output.suffix not in (".zarr", *SUFFIXES[:2]):
         raise ValueError(f"--output: got {run.output.name!r} for a raster, want .tif or .zarr")
     check_choice(run.quantity, "--quantity", QUANTITIES)

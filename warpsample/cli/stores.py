@@ -7,6 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from warpsample.cli.terminal import option, output_file, working
+from warpsample.host.making import missing
 from warpsample.output.baked import BakeRun
 
 SUFFIX = ".zarr"
@@ -62,4 +63,4 @@ def export_command(
 
 
 def _needed(error: ModuleNotFoundError) -> ModuleNotFoundError:
-    return ModuleNotFoundError(f"a {SUFFIX} needs {error.name}: pip install 'warpsample[cluster]', on Python 3.11 or newer")
+    return missing(f"a {SUFFIX} needs {error.name}, on Python 3.11 or newer", error.name, "cluster")

@@ -6,7 +6,7 @@ Each quantity that has `in_stores` in its record has its call here.
 
 from typing import Any
 
-from warpsample.host.making import imported
+from warpsample.host.making import imported, missing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ def __getattr__(name: str) -> Any:
     try:
         home = imported(f"warpsample.cluster.{'baking' if name == 'bake' else 'calls'}")
     except ModuleNotFoundError as error:
-        raise ModuleNotFoundError(f"warpsample.cluster needs {error.name}: pip install 'warpsample[cluster]'") from error
+        raise missing(f"warpsample.cluster needs {error.name}", error.name, "cluster") from error
     globals()[name] = value = getattr(home, name) if name in __all__ else home.call_of(name)
     return value
 

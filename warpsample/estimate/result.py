@@ -12,6 +12,7 @@ from warpsample.directions.sample import Status
 from warpsample.estimate.intervals import Interval, interval_of
 from warpsample.estimate.lobes import NONFINITE_VALUE
 from warpsample.host.arguments import check_choice, check_number
+from warpsample.host.making import missing
 from warpsample.host.neighbours import kind_told
 from warpsample.host.vectors import as_directions
 from warpsample.mesh.mesh import mesh_of
@@ -170,7 +171,7 @@ class PointResult:
         try:
             from xarray import Dataset
         except ModuleNotFoundError:
-            raise ModuleNotFoundError("datasets need xarray: pip install xarray") from None
+            raise missing("datasets need xarray", "xarray") from None
         where = {axis: points.position[:, k] for k, axis in enumerate("xyz")} | {"face": points.face, "id": points.id}
         coordinates: dict[str, Any] = {name: ("point", a) for name, a in where.items() if a is not None}
         coordinates |= self._coordinates()

@@ -1,4 +1,4 @@
-"""What a process makes or imports once: to its end, and never half-made in a forked child."""
+"""What a process makes or imports once: to its end, and never half-made in a forked child; and what it lacks."""
 
 import os
 import threading
@@ -11,6 +11,16 @@ from typing import Any, TypeVar
 from warpsample.host.interrupts import uninterrupted
 
 T = TypeVar("T")
+
+EXTRAS = {
+    "viz": ("pyvista", "matplotlib", "pxr", "trame", "nest_asyncio2", "ipywidgets"),
+    "radiation": ("pvlib", "pyradiance"),
+    "cluster": ("dask", "distributed", "zarr", "xarray"),
+    "city": ("rasterio", "rioxarray", "pyproj", "affine"),
+    "texture": ("xatlas", "PIL", "OpenEXR"),
+    "test": ("trimesh",),
+}
+"""The modules that each extra brings, as pyproject.toml has them; one that several bring stands once."""
 
 making = threading.RLock()
 """Held while a kernel is built or loaded, a launch recorded, a tree or another cache made: Warp does not allow two threads
@@ -53,3 +63,16 @@ def _alone(work: Callable[[], T], lock: Any) -> T:
             return work()
 
     return uninterrupted(alone)
+
+
+def missing(what: str, module: str | None, extra: str = "") -> ModuleNotFoundError:
+    """The error that names the pip line of what is missing.
+
+    Args:
+        what: a clause that names the library, as "weather needs pvlib".
+        module: the module that was not found, perhaps within its package.
+        extra: another one than brings the module, or several, where a call needs more of it.
+    """
+    top = str(module).partition(".")[0]
+    found = extra or next((name for name, modules in EXTRAS.items() if top in modules), "")
+    return ModuleNotFoundError(f"{what}: pip install " + (f"'warpsample[{found}]'" if found else top), name=top)

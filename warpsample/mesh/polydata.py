@@ -4,13 +4,15 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.host.making import missing
+
 
 def pyvista() -> Any:
     """The module `pyvista`, imported when it is first needed; a ModuleNotFoundError says how to install it."""
     try:
         import pyvista as pv
     except ModuleNotFoundError:
-        raise ModuleNotFoundError("PolyData needs PyVista: pip install pyvista") from None
+        raise missing("PolyData needs PyVista", "pyvista") from None
     return pv
 
 

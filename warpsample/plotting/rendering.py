@@ -16,6 +16,7 @@ import numpy as np
 
 from warpsample.host import files
 from warpsample.host.engine import check_memory
+from warpsample.host.making import missing
 
 if TYPE_CHECKING:
     import pyvista
@@ -86,7 +87,7 @@ def check_rendering() -> None:
         importlib.import_module("matplotlib")
         importlib.import_module("pyvista")
     except ModuleNotFoundError as error:
-        raise ModuleNotFoundError(f"pictures need {error.name}: pip install {error.name}") from None
+        raise missing(f"pictures need {error.name}", error.name) from None
     if not has_screen():
         # Without a screen VTK tries X first and complains on stderr before it takes EGL.
         os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
@@ -135,9 +136,7 @@ def save_scene(plotter: "pyvista.Plotter", path: Path, caption: str) -> None:
                 page = plotter.trame.export_html(None).read().replace("</head>", f"{style}</head>", 1)
             files.write_bytes(path, page.encode())
     except ImportError as error:
-        raise ModuleNotFoundError(
-            f"an .html scene needs trame-pyvista: pip install trame-pyvista nest-asyncio2 ({error})"
-        ) from None
+        raise missing(f"an .html scene needs trame-pyvista and nest-asyncio2 ({error})", "trame") from None
     finally:
         plotter.close()
 

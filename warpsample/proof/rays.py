@@ -5,6 +5,7 @@ from functools import cache
 import numpy as np
 
 from warpsample.directions.sample import sample_directions
+from warpsample.host.making import missing
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.points.sampling import sample_surface
 from warpsample.proof.verify import LEVEL, Verdict
@@ -19,7 +20,7 @@ def closed_meshes() -> dict[str, tuple[Mesh, tuple[float, float, float]]]:
     try:
         from trimesh import creation
     except ModuleNotFoundError:
-        raise ModuleNotFoundError("the laws of rays need trimesh: pip install 'warpsample[test]'") from None
+        raise missing("the laws of rays need trimesh", "trimesh") from None
 
     torus = creation.torus(1.0, 0.3, major_sections=48, minor_sections=24)
     return {

@@ -9,7 +9,7 @@ from types import ModuleType
 import numpy as np
 
 from warpsample.host.files import WriteError
-from warpsample.host.making import imported
+from warpsample.host.making import imported, missing
 
 _WHITE = {8: (255.0, np.uint8), 16: (65535.0, np.uint16)}
 DEPTHS = tuple(_WHITE)
@@ -63,4 +63,4 @@ def library(name: str, what: str) -> ModuleType:
     try:
         return imported(name)
     except ModuleNotFoundError:
-        raise ModuleNotFoundError(f"{what}: pip install 'warpsample[texture]'") from None
+        raise missing(what, name) from None

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.host.arguments import check_integer
-from warpsample.host.making import imported
+from warpsample.host.making import imported, missing
 from warpsample.mesh.mesh import Mesh, as_mesh
 
 Charted = tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -88,4 +88,4 @@ def _library() -> Any:
     try:
         return imported("xatlas")
     except ModuleNotFoundError:
-        raise ModuleNotFoundError("new texture coordinates need xatlas: pip install 'warpsample[texture]'") from None
+        raise missing("new texture coordinates need xatlas", "xatlas") from None

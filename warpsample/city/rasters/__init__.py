@@ -6,6 +6,8 @@
 from importlib import import_module
 from typing import Any
 
+from warpsample.host.making import missing
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from warpsample.city.rasters.calls import irradiation, sky_view_factor, sun_hours, visible_sky
@@ -29,8 +31,8 @@ def __getattr__(name: str) -> Any:
     try:
         home = import_module(f"warpsample.city.rasters.{_HOMES[name]}")
     except ModuleNotFoundError as error:
-        missing = str(error.name).partition(".")[0]
-        raise ModuleNotFoundError(f"warpsample.rasters needs {missing}: pip install 'warpsample[city]'") from error
+        library = str(error.name).partition(".")[0]
+        raise missing(f"warpsample.rasters needs {library}", library, "city") from error
     globals()[name] = value = getattr(home, name)
     return value
 

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from warpsample.host.making import missing
 from warpsample.mesh.joining import joined_corners, joined_parts
 from warpsample.mesh.parts import Named
 from warpsample.mesh.usd_stage import REFUSED, UP
@@ -50,7 +51,7 @@ def read_up_axis(path: Path) -> str:
 def _found(path: Path, what: str = "") -> bytes:
     """What a process of `usd_stage` writes of a file."""
     if find_spec("pxr") is None:
-        raise ModuleNotFoundError(f"path: got {path.name!r}, which needs usd-core: pip install usd-core")
+        raise missing(f"path: got {path.name!r}, which needs usd-core", "pxr")
     program = _PROGRAM.format(path=sys.path, file=str(path), what=what)
     pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
     with subprocess.Popen([sys.executable, "-c", program], **pipes) as child:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import warp as wp
+from numpy.typing import NDArray
 
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.integrand import integrand_of
@@ -40,8 +41,8 @@ class Irradiance(Estimate):
         reflected_error: its standard error; None if they are black.
     """
 
-    reflected: np.ndarray | None = None
-    reflected_error: np.ndarray | None = None
+    reflected: NDArray[np.float32] | None = None
+    reflected_error: NDArray[np.float32] | None = None
 
 
 @explained_by(RayOptions, ambient_occlusion)

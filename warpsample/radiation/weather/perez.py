@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.making import imported
+from warpsample.host.making import imported, missing
 from warpsample.radiation.exchange.matrix_files import read_matrix
 from warpsample.radiation.sky.patches import MULTIPLES, SkyPatches, sky_patches
 from warpsample.radiation.weather.weather import Weather
@@ -55,7 +55,7 @@ def _pyradiance() -> Any:
     try:
         return imported("pyradiance")
     except ModuleNotFoundError:
-        raise ModuleNotFoundError("the Perez sky needs pyradiance: pip install 'warpsample[radiation]'") from None
+        raise missing("the Perez sky needs pyradiance", "pyradiance") from None
 
 
 def _wea(weather: Weather) -> bytes:

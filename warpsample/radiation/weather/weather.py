@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.host.arguments import check_file, naming_file, told
-from warpsample.host.making import imported
+from warpsample.host.making import imported, missing
 from warpsample.mesh.known import digest_of
 from warpsample.radiation.weather.epw import YEAR, checked_text, radiation
 
@@ -148,7 +148,7 @@ def _pvlib() -> Any:
         imported("pvlib.iotools")
         return imported("pvlib")
     except ModuleNotFoundError:
-        raise ModuleNotFoundError("weather needs pvlib: pip install 'warpsample[radiation]'") from None
+        raise missing("weather needs pvlib", "pvlib") from None
 
 
 def _check_nights(direct: np.ndarray, altitude: np.ndarray) -> None:

@@ -1,0 +1,84 @@
+"""What comes by extras: a call that misses it names the line of pip, and all else works without."""
+
+import json
+import re
+import subprocess
+import sys
+
+import pytest
+
+from warpsample.host.making import EXTRAS, missing
+
+CALLS = {
+    "mesh.to_polydata()": "viz",
+    "ws.load_mesh(bunny)": "viz",
+    "rendering.check_rendering()": "viz",
+    "pictures.check_drawing('--plot')": "viz",
+    "ws.irradiation(mesh, points, 'athens')": "radiation",
+    "perez._pyradiance()": "radiation",
+    "ws.rasters.surface('dsm.tif')": "city",
+    "rasters.bake_raster_file(None, {}, {}, {})": "city,cluster",
+    "cluster.trace": "cluster",
+    "stores.export_command(None, None, None)": "cluster",
+    "sky.to_xarray(points)": "cluster",
+    "ws.unwrap(mesh, 64)": "texture",
+    "texture.check_library('.png')": "texture",
+    "texture.check_library('.exr')": "texture",
+    "closed_meshes()": "test",
+}
+SCRIPT = """
+import json, sys
+from pathlib import Path
+for name in {hidden}:
+    sys.modules[name] = None
+import warp as wp
+import warpsample as ws
+from warpsample import cluster
+from warpsample.bench import pictures
+from warpsample.cli import rasters, stores
+from warpsample.plotting import rendering
+from warpsample.proof.rays import closed_meshes
+from warpsample.radiation.weather import perez
+from warpsample.texture import pictures as texture
+bunny = Path(wp.__file__).parent / "examples/assets/bunny.usd"
+mesh = ws.load_mesh("courtyard")
+points = ws.sample_surface(mesh, 50)
+sky = ws.sky_view_factor(mesh, points, 16)
+found = {{"without": [len(ws.to_frame(sky, points)["value"]), ws.sample_directions(points, 4).vectors.shape[0]]}}
+for call in {calls}:
+    try:
+        eval(call)
+    except Exception as error:
+        found[call] = f"{{type(error).__name__}}: {{error}}"
+print("found", json.dumps(found))
+"""
+
+
+@pytest.mark.slow
+def test_a_call_that_misses_an_extra_names_it(tmp_path, child_environment):
+    hidden = [*(module for modules in EXTRAS.values() for module in modules), "pandas"]
+    script = tmp_path / "script.py"
+    script.write_text(SCRIPT.format(hidden=hidden, calls=list(CALLS)))
+    done = subprocess.run([sys.executable, script], env=child_environment, capture_output=True, text=True, check=True)
+    found = json.loads(done.stdout.partition("found ")[2])
+    assert found.pop("without") == [50, 50]
+    lines = {
+        call: re.search(r"^ModuleNotFoundError: .* needs? .*: pip install '(.*)'$", said) for call, said in found.items()
+    }
+    assert {call: line and line[1] for call, line in lines.items()} == {
+        call: f"warpsample[{extra}]" for call, extra in CALLS.items()
+    }
+
+
+def test_each_module_is_of_an_extra_that_there_is(repository):
+    text = (repository / "pyproject.toml").read_text()
+    extras = dict(re.findall(r"^(\w+) = \[(\"\w.*)\]$", text, flags=re.MULTILINE))
+    distributions = {"pxr": "usd-core", "trame": "trame-pyvista", "nest_asyncio2": "nest-asyncio2", "PIL": "pillow"}
+    distributions |= {"affine": "rasterio"}  # which needs it
+    for extra, modules in EXTRAS.items():
+        for module in modules:
+            assert re.search(rf'"{distributions.get(module, module)}[\[><="]', extras[extra], flags=re.IGNORECASE), module
+
+
+def test_what_is_of_no_extra_is_named_itself():
+    assert str(missing("this needs that", "that.inner")) == "this needs that: pip install that"
