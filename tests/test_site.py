@@ -11,6 +11,8 @@ from urllib.parse import unquote, urldefrag
 import browser
 import pytest
 
+from warpsample.cli.commands import app
+
 BLOCK = re.compile(r"^```(python|sh|text)\n(.*?)^```", re.DOTALL | re.MULTILINE)
 NUMBER = re.compile(r"-?\d[\d,]*(?:\.\d*)?(?:e[-+]\d+)?")
 SET_UP = ["python3 -m venv .venv && . .venv/bin/activate", "pip install '.[viz]'"]  # .ci/run
@@ -129,6 +131,12 @@ def test_every_public_name_is_in_the_reference_with_an_example(names, repository
     records = {f"warpsample.distributions.{name}" for name in ("Distribution", "Maps")}
     assert sorted(shown) == sorted({*names.public(), *records})
     assert [name for name in names.public() if not names.example(name)] == []
+
+
+def test_every_command_is_in_the_reference(repository):
+    page = (repository / "viz/site/reference/commands.md").read_text()
+    said = {command.name or command.callback.__name__.removesuffix("_command") for command in app.registered_commands}
+    assert set(re.findall(r"^\.\. command:: (\S+)$", page, flags=re.MULTILINE)) == {name.replace("_", "-") for name in said}
 
 
 @pytest.mark.thorough

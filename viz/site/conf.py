@@ -12,6 +12,7 @@ author = "the authors of warpsample"
 version = release = re.search(r'^version = "(.*)"$', (HERE.parents[1] / "pyproject.toml").read_text(), re.MULTILINE)[1]
 html_title = f"warpsample {release}"
 language = "en"
+smartquotes = False  # they would make dashes of options, and quotes that no one can paste
 
 extensions = [
     "myst_parser",

@@ -12,7 +12,7 @@ from warpsample.host.interrupts import uninterrupted
 
 T = TypeVar("T")
 
-EXTRAS = {
+EXTRAS: dict[str, tuple[str, ...]] = {
     "viz": ("pyvista", "matplotlib", "pxr", "trame", "nest_asyncio2", "ipywidgets"),
     "radiation": ("pvlib", "pyradiance"),
     "cluster": ("dask", "distributed", "zarr", "xarray"),

@@ -73,7 +73,7 @@ class GlbFile:
             self.part.parts(key)  # checked: they get further members
         self.tree: dict[str, Any] = copy.deepcopy(self.part.content)
         self._chunks, self._size, self._rest = [bytes(chunk)], len(chunk), b""
-        self.files = [path.parent / unquote(uri) for uri in uris_of(self.tree)]
+        self.files: list[Path] = [path.parent / unquote(uri) for uri in uris_of(self.tree)]
         if is_binary:
             self._rest = _after(path, len(chunk))
             if "uri" in self.tree.setdefault("buffers", [{"byteLength": 0}])[0]:

@@ -1,12 +1,13 @@
-"""What Sphinx does not know of this package: links of READMEs, kernels' functions, examples, keys of sources."""
+"""What Sphinx does not know of this package: links of READMEs, commands, kernels' functions, examples, keys of sources."""
 
 from typing import Any
 
-from extension import kernels, links, names, sources
+from extension import commands, kernels, links, names, sources
 
 
 def setup(app: Any) -> dict[str, bool]:
     """Connects to Sphinx's events."""
+    app.add_directive("command", commands.Command)
     app.connect("builder-inited", links.find_homes)
     app.connect("include-read", links.rewrite)
     app.connect("autodoc-process-docstring", names.complete)

@@ -1,0 +1,49 @@
+"""Commands of the shell, with what each takes: `.. command:: bake`."""
+
+import re
+from typing import Any, Literal, get_args, get_origin
+
+import typer
+from docutils import nodes
+from docutils.parsers.rst import Directive
+from docutils.statemachine import StringList
+
+from warpsample.cli.commands import app
+
+_CODE = re.compile(r"(--[a-z][a-z-]*|tcp://\.*)")
+
+
+def commands() -> dict[str, Any]:
+    """All commands by name."""
+    return dict(typer.main.get_command(app).commands)
+
+
+class Command(Directive):
+    """What a command does, its arguments and its options, as its help says it."""
+
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """The text, and the options as what can be linked and searched."""
+        command = commands()[self.arguments[0]]
+        lines = [*(command.help or "").splitlines(), "", f".. program:: warpsample {self.arguments[0]}", ""]
+        for parameter in command.params:
+            lines += [f".. option:: {', '.join(parameter.opts)}", "", f"   {_said(parameter)}", ""]
+        made = nodes.container()
+        self.state.nested_parse(StringList(lines, source=self.arguments[0]), self.content_offset, made)
+        return made.children
+
+
+def _said(parameter: Any) -> str:
+    """What a parameter is, the words that it may be, and its default."""
+    words = get_args(parameter.type_descriptor.annotation) if _is_choice(parameter) else ()
+    default = parameter.default
+    parts = [_CODE.sub(r"``\1``", " ".join((parameter.help or "").replace("*", r"\*").replace("`", "").split()))]
+    parts += ["One of " + ", ".join(f"``{word}``" for word in words) + "."] if words else []
+    parts += ["Required."] if parameter.required else []
+    parts += [f"By default ``{default}``."] if isinstance(default, int | float | str) and default not in (False, "") else []
+    return " ".join(parts)
+
+
+def _is_choice(parameter: Any) -> bool:
+    return get_origin(parameter.type_descriptor.annotation) is Literal
