@@ -160,9 +160,9 @@ def received(plan: Plan, light: Light, series: bool, reflections: Reflections | 
     found = {
         "direct": (direct_light(plan.at, plan.options, light, series), light.sun_rows),
         "diffuse": (np.pi * sky.value, light.sky_rows),
-        "ground": (np.multiply.outer(ground.value, bright), light.sky_rows),
+        "ground": (np.multiply.outer(np.float64(ground.value), bright), light.sky_rows),
         "standard_error": (
-            np.hypot(np.pi * sky.standard_error, np.multiply.outer(ground.standard_error, bright)),
+            np.hypot(np.pi * sky.standard_error, np.multiply.outer(np.float64(ground.standard_error), bright)),
             light.sky_rows,
         ),
     }
