@@ -64,10 +64,10 @@ def spread_over(mesh, times, seed):
     return points, (mesh.face_areas / np.square(parts.cuts))[points.face] / 2.0
 
 
-def balance(rho, count, seed, **options):
+def balance(rho, count, seed, times=12, **options):
     """What a pit swallows and sends out by what comes in, E (1 - rho + rho SVF) over pi times its opening."""
     mesh = pit(rho)
-    points, area = spread_over(mesh, 12, seed)
+    points, area = spread_over(mesh, times, seed)
     found = ws.irradiance(mesh, points, SKY, count, seed=seed, **options)
     sky = ws.sky_view_factor(mesh, points, count, seed=seed + 1)
     return (area * found.value.astype(float) * (1.0 - rho + rho * sky.value)).sum() / pi

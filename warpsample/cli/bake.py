@@ -58,6 +58,9 @@ def bake_command(
     report: Annotated[
         Path | None, option("An .html about the run, too: picture, histogram, parts, arguments; offline.")
     ] = None,
+    reflectance: Annotated[
+        str | None, option("Share of light that faces send back: a number, NAME.npy, or by part, as wall=0.3,roof=0.1.")
+    ] = None,
     seed: Annotated[int, typer.Option(help="Seed of points and rays.")] = 0,
     workers: Workers = None,
     **options: Any,
@@ -69,7 +72,8 @@ def bake_command(
     given = {name: value for name, value in options.items() if value is not None and value is not False}
     of_stores, of_rasters, of_textures = ({name: given.pop(name) for name in room if name in given} for room in _ROOMS)
     own = {"seed": seed, "workers": workers, **given}
-    run = BakeRun(mesh, output, quantity, at, points, own, by, lod, split, context, report, of_rasters.get("transmittance"))
+    optics = {"transmittance": of_rasters.get("transmittance"), "reflectance": reflectance}
+    run = BakeRun(mesh, output, quantity, at, points, own, by, lod, split, context, report, **optics)
     with working(f"reading {mesh}, casting rays, writing {output}; kernels are compiled when first used, for about 10 s"):
         if rasters.is_raster(mesh, output):
             summary = rasters.bake_raster_file(run, of_rasters, of_stores, of_textures)
@@ -86,6 +90,10 @@ def _bake_mesh(run: BakeRun, of_stores: dict[str, Any], of_textures: dict[str, A
     from warpsample.output.texture_bake import bake_texture
     from warpsample.output.upward import with_up
 
+    reflecting = taking("refine")
+    if run.reflectance is not None and run.quantity not in reflecting:
+        only = " and ".join(reflecting)
+        raise ValueError(f"--reflectance: got {run.reflectance} for {run.quantity}; it applies only to {only}")
     options, said = with_up(run.mesh, quantity_of(run.quantity), run.options)
     run = replace(run, options=options)
     how = textures.options_of(run, of_textures)

@@ -35,7 +35,7 @@ OPTIONS: dict[str, Any] = {
 }
 """The types of the options that apply to rasters, of which transmittance applies to meshes, too."""
 
-_OF_MESHES = ("points", "at", "by", "lod", "split", "context", "report", "up", "north")
+_OF_MESHES = ("points", "at", "by", "lod", "split", "context", "report", "reflectance", "up", "north")
 _OF_THE_SUN = ("irradiation", "sun-hours")
 
 

@@ -15,7 +15,7 @@ from warpsample.mesh.files import load_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.baked import WRITERS, Baked, BakeRun, check_glb, writers_of
 from warpsample.output.by_parts import check_parts, city_of, is_by_parts, points_of_parts, write_parts
-from warpsample.output.faces_option import transmitting
+from warpsample.output.faces_option import with_optics
 from warpsample.output.kept_glb import keeps, told_of_kept
 from warpsample.output.places import check_places, points_on
 from warpsample.output.quantities import check_options, quantity_of
@@ -43,7 +43,7 @@ def bake(run: BakeRun) -> str:
     quantity = quantity_of(run.quantity)
     _check(run, quantity)
     city = city_of(run)
-    mesh = transmitting(load_mesh(run.mesh) if city is None else city.mesh, run.transmittance)
+    mesh = with_optics(load_mesh(run.mesh) if city is None else city.mesh, **run.optics)
     into_itself = city is None and keeps(run.mesh, run.output, run.at)
     said = told_of_kept(run.mesh) if into_itself else []
     if run.output.suffix == ".glb" and not into_itself:

@@ -34,8 +34,8 @@ class BakeRun:
     The output's suffix is of WRITERS, and `at` of places.PLACES, or None: on the surface, uniform by area, so many `points`.
     The options are those that were given of what the quantity takes, by their names on the command line, and the seed. `by`
     is "part" for means over the named parts of the mesh; `lod`, `split` and `context`, "ground" or a path, are for CityJSON;
-    `report` is a further file, an .html about the run; `transmittance` is of the faces, as
-    `faces_option.transmitting` takes it.
+    `report` is a further file, an .html about the run; `transmittance` and `reflectance` are of
+    the faces, as `faces_option.with_optics` takes them.
     """
 
     mesh: Path
@@ -50,6 +50,12 @@ class BakeRun:
     context: str | None = None
     report: Path | None = None
     transmittance: str | None = None
+    reflectance: str | None = None
+
+    @property
+    def optics(self) -> dict[str, str | None]:
+        """What is told of the light that faces let through and send back."""
+        return {"transmittance": self.transmittance, "reflectance": self.reflectance}
 
     @property
     def told(self) -> dict[str, str]:

@@ -11,30 +11,31 @@ from warpsample.mesh.mesh import Mesh, as_mesh
 _WANTS = "a number, NAME.npy of one for each face, or by part, as leaf=0.2,glass=0.8"
 
 
-def transmitting(mesh: Mesh, told: str | None) -> Mesh:
-    """The mesh with the transmittance that `--transmittance` tells, as it is without.
+def with_optics(mesh: Mesh, **told: str | None) -> Mesh:
+    """The mesh with the transmittance and the reflectance that options of these names tell, as it is without.
 
     By parts, each pair names all parts that are called so, or that have that name between slashes, as objects with
-    materials do; faces of other parts are opaque.
+    materials do; of faces of other parts the share is 0.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: no such shares, a file without them, or a name that no part has.
     """
-    if told is None:
+    shares = {name: _shares(mesh, text, f"--{name}") for name, text in told.items() if text is not None}
+    if not shares:
         return mesh
-    option = "--transmittance"
+    try:
+        return as_mesh(mesh, **shares)
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"--{error}") from None
+
+
+def _shares(mesh: Mesh, told: str, option: str) -> np.ndarray:
+    """What an option tells: a number, or one for each face."""
     if told.endswith(".npy"):
         file = check_file(Path(told), option, _WANTS)
         with naming_file(option, file, _WANTS):
-            shares = read_array(file)
-    elif "=" in told:
-        shares = _by_parts(mesh, told, option)
-    else:
-        shares = np.array(_number(told, told, option))
-    try:
-        return as_mesh(mesh, transmittance=shares)
-    except (TypeError, ValueError) as error:
-        raise type(error)(f"--{error}") from None
+            return read_array(file)
+    return _by_parts(mesh, told, option) if "=" in told else np.array(_number(told, told, option))
 
 
 def _by_parts(mesh: Mesh, told: str, option: str) -> np.ndarray:

@@ -15,7 +15,7 @@ from warpsample.host.device_memory import Memory
 from warpsample.host.files import check_output, complete_or_absent, write_arrays
 from warpsample.mesh.files import load_mesh
 from warpsample.output.baked import BakeRun
-from warpsample.output.faces_option import transmitting
+from warpsample.output.faces_option import with_optics
 from warpsample.output.quantities import check_options, quantity_of
 from warpsample.output.texture_images import Filled, filled
 from warpsample.texture.glb_file import GlbFile, editing
@@ -43,7 +43,7 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     _check(run, quantity, how)
     if quantity.name == "normals" and how.normals == "face":
         how = replace(how, normals="smooth")  # what a normal map shows
-    mesh = transmitting(load_mesh(run.mesh), run.transmittance)
+    mesh = with_optics(load_mesh(run.mesh), **run.optics)
     slot = slot_of(quantity.name)
     jobs, file = jobs_of(run.mesh, mesh, how, run.output.suffix, slot)
     told = [] if file is None else _before(file, run, how, jobs)

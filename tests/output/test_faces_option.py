@@ -1,4 +1,4 @@
-"""`warpsample bake --transmittance`: a number, a file, or by the names of parts."""
+"""`warpsample bake --transmittance` and `--reflectance`: a number, a file, or by the names of parts."""
 
 import re
 
@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import warpsample as ws
-from warpsample.output.faces_option import transmitting
+from warpsample.output.faces_option import with_optics
 
 SHEETS = [("crown/leaf", 1.0, 0.25), ("crown/stem", 2.0, 0.0), ("pane", 3.0, 0.5)]
 
@@ -25,13 +25,13 @@ def sheets(where, size=1e4):
 def test_all_ways_to_tell_a_transmittance(tmp_path):
     mesh = ws.load_mesh(sheets(tmp_path))
     np.save(tmp_path / "tau.npy", np.repeat([0.25, 0.0, 0.5], 2))
-    by_file = transmitting(mesh, str(tmp_path / "tau.npy")).transmittance
+    by_file = with_optics(mesh, transmittance=str(tmp_path / "tau.npy")).transmittance
     assert by_file.tolist() == [0.25, 0.25, 0.0, 0.0, 0.5, 0.5]
-    assert np.array_equal(transmitting(mesh, "leaf=0.25,pane=0.5").transmittance, by_file)
-    assert np.array_equal(transmitting(mesh, "crown/leaf=.25,pane=5e-1").transmittance, by_file)
-    assert transmitting(mesh, "crown=0.125").transmittance.tolist() == [0.125] * 4 + [0.0] * 2
-    assert transmitting(mesh, "0.1").transmittance.tolist() == [np.float32(0.1)] * 6
-    assert transmitting(mesh, None) is mesh
+    assert np.array_equal(with_optics(mesh, transmittance="leaf=0.25,pane=0.5").transmittance, by_file)
+    assert np.array_equal(with_optics(mesh, transmittance="crown/leaf=.25,pane=5e-1").transmittance, by_file)
+    assert with_optics(mesh, transmittance="crown=0.125").transmittance.tolist() == [0.125] * 4 + [0.0] * 2
+    assert with_optics(mesh, transmittance="0.1").transmittance.tolist() == [np.float32(0.1)] * 6
+    assert with_optics(mesh, transmittance=None) is mesh
 
 
 @pytest.mark.parametrize(
@@ -49,12 +49,12 @@ def test_all_ways_to_tell_a_transmittance(tmp_path):
 )
 def test_what_is_no_transmittance_is_refused_in_a_sentence(told, message, tmp_path):
     with pytest.raises((ValueError, FileNotFoundError), match=re.escape(message)):
-        transmitting(ws.load_mesh(sheets(tmp_path)), told)
+        with_optics(ws.load_mesh(sheets(tmp_path)), transmittance=told)
     nameless = ws.as_mesh(([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[0, 1, 2]]))
     with pytest.raises(
         ValueError, match="^--transmittance: got 'leaf=0.2' for a mesh without named parts, want a number or"
     ):
-        transmitting(nameless, "leaf=0.2")
+        with_optics(nameless, transmittance="leaf=0.2")
 
 
 @pytest.mark.slow
@@ -71,3 +71,31 @@ def test_bake_writes_what_gets_through(call, tmp_path):
     status, _, err = call("bake", path, "-o", tmp_path / "o.zarr", "--transmittance", "0.5")
     assert status != 0
     assert "--transmittance: got 0.5 for o.zarr, want another file than a store" in " ".join(err.split())
+
+
+@pytest.mark.slow
+def test_bake_writes_what_faces_send_back(call, tmp_path):
+    path, output, picture = sheets(tmp_path), tmp_path / "out.npz", tmp_path / "even.npy"
+    np.save(picture, np.ones((4, 8)))
+    options = ["--quantity", "irradiance", "--environment", picture, "--samples", "32", "--at", "faces"]
+    told = [*options, "--reflectance", "leaf=0.25,pane=0.5", "--transmittance", "stem=0.5"]
+    status, _, err = call("bake", path, "-o", output, *told, "--refine", "inf")
+    assert (status, err) == (0, "")
+    mesh = ws.as_mesh(ws.load_mesh(path), reflectance=np.repeat([0.25, 0, 0.5], 2), transmittance=np.repeat([0, 0.5, 0], 2))
+    found = ws.irradiance(mesh, ws.face_centers(mesh), np.ones((4, 8)), 32, refine=np.inf)
+    with np.load(output) as file:
+        for name in ("value", "standard_error", "reflected", "reflected_error"):
+            assert np.array_equal(file[name], getattr(found, name))
+        assert '"reflectance": "leaf=0.25,pane=0.5"' in str(file["run"])
+    assert found.reflected.max() > 0.0
+    for refused, words in (
+        ([*options, "-o", tmp_path / "o.zarr"], "--reflectance: got 0.5 for o.zarr, want another file than a store"),
+        (["-o", output], "--reflectance: got 0.5 for ao; it applies only to irradiance and irradiation"),
+        (
+            [*options, "-o", output, "--transmittance", "0.75"],
+            "--reflectance: got 0.5 in face 0, whose transm",
+        ),
+    ):
+        status, _, err = call("bake", path, *refused, "--reflectance", "0.5")
+        assert status != 0
+        assert words in " ".join(err.split())
