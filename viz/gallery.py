@@ -120,6 +120,13 @@ SHOTS = (
         needs="rasterio",
     ),
     Shot(
+        "light_between",
+        "Light between faces and through them",
+        "A day in June in a courtyard of black faces and of ones that send back 0.4 of what they receive, and in the shade "
+        "of a tree whose crown lets 0.2 through.",
+        "viz/light_between.py --screenshot FILE",
+    ),
+    Shot(
         "glossy_reflection",
         "A kernel of one's own: glossy reflections",
         "An environment map filtered for surfaces of growing roughness, as renderers do before they look it up; below, a "

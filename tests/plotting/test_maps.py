@@ -85,3 +85,22 @@ def test_the_picture_of_a_raster_and_of_a_city(can_render, script, tmp_path, cap
     picture = matplotlib.image.imread(file)
     assert picture.shape[:2] == (340, 900)
     assert (np.ptp(picture[..., :3], axis=-1) > 0.3).mean() > 0.05  # viridis and inferno, which no text has
+
+
+@pytest.mark.slow
+def test_the_picture_of_light_between_and_through_faces(can_render, script, tmp_path, capsys, monkeypatch):
+    drawn = script("light_between")
+    monkeypatch.setattr(drawn, "PIXELS", 40)
+    black, grey = drawn.courtyards(ws.load_mesh("courtyard"), weather="athens", count=64, seed=0)
+    assert np.array_equal(np.isnan(black.value), np.isnan(grey.value))
+    assert 0.2 < np.isnan(black.value).mean() < 0.6
+    more = np.nanmean(grey.value) - np.nanmean(black.value)
+    assert 0.02 < more / np.nanmean(black.value) < 0.4
+    tree = drawn.shade(weather="athens", count=64, seed=0)
+    shadow, free = tree.value[14, 20], np.nanmax(tree.value)  # 4 m to the north of the trunk, and where nothing is
+    assert 0.3 * free < shadow < 0.9 * free
+    file = tmp_path / "light.png"
+    drawn.main(samples=16, screenshot=file, size=(900, 340))
+    picture = matplotlib.image.imread(file)
+    assert picture.shape[:2] == (340, 900)
+    assert (np.ptp(picture[..., :3], axis=-1) > 0.3).mean() > 0.05

@@ -12,7 +12,7 @@ pytest.importorskip("pyradiance")
 pytestmark = pytest.mark.thorough
 
 
-@pytest.mark.parametrize("rho", [0.3, 0.9])
+@pytest.mark.parametrize("rho", [0.3, 0.6])
 def test_energy_is_kept_to_a_ten_thousandth(rho):
     runs = np.array([known.balance(rho, 512, seed, times=36) for seed in range(12)])
     assert abs(runs.mean() - 1.0) < 1e-4 + 3.0 * runs.std(ddof=1) / np.sqrt(12.0)
