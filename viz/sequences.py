@@ -6,7 +6,7 @@ import numpy as np
 import typer
 
 import warpsample as ws
-from warpsample.bench.integrands import INTEGRANDS, KnownIntegral, evaluate
+from warpsample.bench.tools.integrands import INTEGRANDS, KnownIntegral, evaluate
 from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
 from warpsample.host.arguments import check_integer
 from warpsample.plotting import rendering

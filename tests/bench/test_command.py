@@ -38,6 +38,7 @@ def measured(found, monkeypatch):
         ("directions", {"points": 64}, ["directions"]),
         ("error", {"rmse": 0.01, "largest": 64}, ["error"]),
         ("kernels", {"points": 64}, ["kernels"]),
+        ("light", {"side": 2, "points": 64}, ["light"]),
         ("peers", {"points": 64}, ["peers"]),
         ("radiation", {"scene": "city", "points": 64}, ["radiation"]),
         ("rays", {"scene": "bunny", "rays": 64}, ["rays"]),

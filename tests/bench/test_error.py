@@ -7,9 +7,9 @@ from scipy.stats import norm
 
 import warpsample as ws
 from warpsample.bench import error
-from warpsample.bench.integrands import INTEGRANDS, estimates, evaluate
 from warpsample.bench.rows import Spread
 from warpsample.bench.running import timing
+from warpsample.bench.tools.integrands import INTEGRANDS, estimates, evaluate
 
 
 @pytest.mark.thorough

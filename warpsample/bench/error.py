@@ -9,11 +9,11 @@ import numpy as np
 import typer
 
 from warpsample import sequences
-from warpsample.bench.integrands import INTEGRANDS, KnownIntegral, estimates, estimator
 from warpsample.bench.record import Benchmark, Found, Picture, Repeats, Track
 from warpsample.bench.rows import Spread, Timed, column, digits
 from warpsample.bench.running.timing import timed
 from warpsample.bench.tables import TableView, grouped
+from warpsample.bench.tools.integrands import INTEGRANDS, KnownIntegral, estimates, estimator
 
 COUNTS = tuple(4**k for k in range(1, 9))
 FLOOR = 3e-7  # the least RMSE that float32 leaves: the slope is fitted above it

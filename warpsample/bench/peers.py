@@ -8,12 +8,12 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from warpsample.bench.integrands import INTEGRANDS, evaluate
 from warpsample.bench.record import SEED, Benchmark, Found, Picture, Repeats, TableView, Track
 from warpsample.bench.rows import Spread, ToolRow, maybe
 from warpsample.bench.running.child import ChildJob
 from warpsample.bench.running.turns import Tool, take_turns
 from warpsample.bench.tools.directions import DIRECTIONS
+from warpsample.bench.tools.integrands import INTEGRANDS, evaluate
 from warpsample.host.engine import check_workers
 from warpsample.proof import twins
 

@@ -35,11 +35,20 @@ def mitsuba_scene(mesh: Mesh, points: SurfacePoints, workers: int) -> MitsubaSce
 
     mi.set_variant("llvm_ad_rgb")
     dr.set_thread_count(workers)
-    shape = mi.Mesh("mesh", len(mesh.vertices), len(mesh.faces))
-    parameters = mi.traverse(shape)
-    parameters["vertex_positions"] = mesh.vertices.astype(np.float32).ravel()
-    parameters["faces"] = mesh.faces.astype(np.uint32).ravel()
-    parameters.update()
+    shape = mitsuba_shape(mi, mesh, mesh.faces)
     origins = mi.Point3f(off_the_surface(mesh, points.position, points.normal).T)
     normals = mi.Normal3f(np.ascontiguousarray(points.normal.T))
     return MitsubaScene(dr, mi, mi.load_dict({"type": "scene", "mesh": shape}), origins, normals)
+
+
+def mitsuba_shape(mi: Any, mesh: Mesh, faces: np.ndarray, surface: dict[str, Any] | None = None) -> Any:
+    """Faces, (F, 3), of a mesh, with a surface."""
+    properties = mi.Properties()
+    if surface is not None:
+        properties["surface"] = mi.load_dict(surface)
+    made = mi.Mesh("mesh", len(mesh.vertices), len(faces), props=properties)
+    parameters = mi.traverse(made)
+    parameters["vertex_positions"] = mesh.vertices.astype(np.float32).ravel()
+    parameters["faces"] = faces.astype(np.uint32).ravel()
+    parameters.update()
+    return made

@@ -34,13 +34,14 @@ _IN_ROW = np.diff(_FIRST, append=len(_PATCHES)).astype(np.int32)
 _STEP = np.radians(_PATCHES.altitudes[0, 1])
 
 
-def _repeated(run: Callable[[int], np.ndarray]) -> SkyTool:
+def repeated(run: Callable[[int], np.ndarray]) -> SkyTool:
+    """A tool that runs again and again."""
     return lambda count, runs: np.stack([run(count) for _ in range(runs)])
 
 
 def _ours(call: Callable[..., Any], mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
     seeds = count_from()
-    return _repeated(lambda count: call(mesh, points, count, seed=next(seeds), workers=workers).value)
+    return repeated(lambda count: call(mesh, points, count, seed=next(seeds), workers=workers).value)
 
 
 def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
@@ -72,47 +73,68 @@ def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
             add(min(most, count - done), counts)
         return np.asarray(counts).reshape(len(points), -1) / count
 
-    return _repeated(run)
+    return repeated(run)
 
 
-class _Rcontrib:
-    """Radiance's, a process for each thread with its own part of the points: several of one call repeat random numbers."""
+class Radiance:
+    """A program of Radiance's, a process for each thread with its part of the points: several of one call repeat numbers.
+
+    Attributes:
+        program: its name.
+        light: the light around the mesh, as Radiance reads it.
+    """
+
+    program = "rcontrib"
+    light = _SKY
 
     def __init__(self, mesh: Mesh, points: SurfacePoints, workers: int) -> None:
+        """Writes the scene, larger than the mesh: sensors are lifted by 1e-4."""
         import pyradiance
 
-        home = Path(pyradiance.__file__).parent
+        self._home = Path(pyradiance.__file__).parent
         folder = tempfile.mkdtemp()
         weakref.finalize(self, shutil.rmtree, folder)
-        self.octree, self.program = Path(folder) / "scene.oct", home / "bin" / "rcontrib"
-        self.environment = {**os.environ, "RAYPATH": str(home / "lib")}
-        scale = 100.0 / size_of(mesh)  # sensors are lifted by 1e-4
-        scene = self.octree.with_suffix(".rad")
-        scene.write_text(_polygons(scale * mesh.vertices, mesh.faces) + _SKY, encoding="utf-8")
-        self.octree.write_bytes(self._out([home / "bin" / "oconv", scene]))
+        self._octree = Path(folder) / "scene.oct"
+        self._environment = {**os.environ, "RAYPATH": str(self._home / "lib")}
+        scale = 100.0 / size_of(mesh)
+        scene = self._octree.with_suffix(".rad")
+        scene.write_text(_polygons(scale * mesh.vertices, mesh.faces, *self.materials(mesh)) + self.light, encoding="utf-8")
+        self._octree.write_bytes(self._out([self._home / "bin" / "oconv", scene]))
         sensors = np.hstack([scale * points.position, points.normal]).astype(np.float64)
-        self.parts = np.array_split(sensors, workers)
+        self._parts = np.array_split(sensors, workers)
 
-    def __call__(self, count: int, runs: int) -> np.ndarray:
-        """All runs in one process, which goes on with its random numbers."""
-        command = [self.program, *_OPTIONS.format(count).split(), self.octree]
+    def materials(self, mesh: Mesh) -> tuple[str, np.ndarray]:
+        """(what defines the materials m0, m1, ..., (F,) the number of that of each face): by default black plastic."""
+        return "void plastic m0 0 0 5 0 0 0 0 0", np.zeros(len(mesh.faces), int)
+
+    def answers(self, options: str, runs: int) -> np.ndarray:
+        """(runs, P, numbers, 3) over pi; all runs in one process, which goes on with its random numbers."""
+        command = [self._home / "bin" / self.program, *options.split(), self._octree]
 
         def part(sensors: np.ndarray) -> np.ndarray:
             done = self._out(command, np.tile(sensors, (runs, 1)).tobytes())
-            return np.frombuffer(done, np.float32).reshape(runs, len(sensors), -1, 3)[:, :, 1:, 1] / np.float32(np.pi)
+            return np.frombuffer(done, np.float32).reshape(runs, len(sensors), -1, 3) / np.float32(np.pi)
 
-        with ThreadPoolExecutor(len(self.parts)) as pool:
-            return np.concatenate(list(pool.map(part, self.parts)), axis=1)
+        with ThreadPoolExecutor(len(self._parts)) as pool:
+            return np.concatenate(list(pool.map(part, self._parts)), axis=1)
 
     def _out(self, command: list[Any], given: bytes = b"") -> bytes:
-        return subprocess.run(command, input=given, capture_output=True, check=True, env=self.environment).stdout
+        return subprocess.run(command, input=given, capture_output=True, check=True, env=self._environment).stdout
 
 
-def _polygons(vertices: np.ndarray, faces: np.ndarray) -> str:
-    """The faces in black plastic, as Radiance reads them."""
-    lines = ["void plastic black 0 0 5 0 0 0 0 0"]
+class _Rcontrib(Radiance):
+    """What patches of the sky bring."""
+
+    def __call__(self, count: int, runs: int) -> np.ndarray:
+        """All runs in one process."""
+        return self.answers(_OPTIONS.format(count), runs)[:, :, 1:, 1]
+
+
+def _polygons(vertices: np.ndarray, faces: np.ndarray, materials: str, material: np.ndarray) -> str:
+    """The faces and their materials, as Radiance reads them."""
+    lines = [materials]
     for i, corners in enumerate(vertices[faces].reshape(-1, 9)):
-        lines.append(f"black polygon f{i} 0 0 9 " + " ".join(f"{x:.9g}" for x in corners))
+        lines.append(f"m{material[i]} polygon f{i} 0 0 9 " + " ".join(f"{x:.9g}" for x in corners))
     return "\n".join(lines) + "\n"
 
 
