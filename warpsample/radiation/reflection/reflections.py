@@ -1,7 +1,8 @@
 """All orders of diffuse reflection between faces: what each patch sends back, and what of it points receive.
 
 What a patch sends back is found from what its own rays meet, light from afar and other patches: that makes an equation
-each, J = rho (E + F J). What rays of a point meet then gives what the point receives by reflection, pi J / pi in the mean.
+each, J = rho (E + F J) (Goral1984). What a point receives by reflection is the mean of J over what its rays meet: pi times
+the mean of the radiance J / pi.
 
 All of this is done several times, by other random numbers: the mean is the result, and the differences tell its error, that
 of the patches, which all points share, and that of a point's own rays alike.
