@@ -117,6 +117,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "warpsample bench directions",
         "warpsample bench error",
         "warpsample bench kernels",
+        "warpsample bench light",
         "warpsample bench peers",
         "warpsample bench radiation",
         "warpsample bench rays",
@@ -151,6 +152,7 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "python viz/view_factors.py --screenshot view_factors.png",
         "python viz/baked_store.py --screenshot baked_store.png",
         "python viz/maps.py --screenshot maps.png",
+        "python viz/light_between.py --screenshot light_between.png",
         "python viz/glossy_reflection.py --screenshot glossy_reflection.png",  # these: test_own_kernels.py
         "python viz/direct_light.py --screenshot direct_light.png",
     ]
