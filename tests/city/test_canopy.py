@@ -217,6 +217,11 @@ def test_crowns_without_height_are_told():
     assert len(made.canopy_mesh.faces) - len(made.mesh.faces) == 12
 
 
+def test_crowns_without_a_trunk_height_are_told():
+    with pytest.warns(UserWarning, match=r"^trunk: got none for 1 crowns, which reach down to the ground$"):
+        wooded(np.zeros((3, 3)), np.eye(3) * 5.0, trunk=(np.diag([1.0, np.nan, 1.0]), NORTH_UP, None))
+
+
 @pytest.mark.parametrize("value", [-0.1, 1.1, np.nan, [0.5] * 3, "half"])
 def test_other_shares_are_refused(value):
     with pytest.raises((TypeError, ValueError), match="^transmittance: got"):

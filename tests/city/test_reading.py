@@ -222,6 +222,20 @@ def test_heights_of_an_unknown_unit_on_a_map_in_feet_are_taken_as_feet_with_a_wa
         same(heights_of((HEIGHTS, UTM, "EPSG:2263")), gone=np.zeros(HEIGHTS.shape, bool))
 
 
+@pytest.mark.parametrize(("crs", "x", "y"), [("EPSG:5513", 1.1e6, 6e5), ("+proj=utm +zone=33 +axis=wnu", -5e5, 5e6)])
+def test_a_map_that_mirrors_the_ground_has_no_north(crs, x, y):
+    """Or morning and evening change places: on Krovak's own map x is south, and y is west."""
+    mirrored = rasters.surface((HEIGHTS, Affine(1.0, 0.0, x, 0.0, -1.0, y), crs))
+    with pytest.raises(ValueError, match="on which east is to the left of north, want one that does not mirror the ground"):
+        _ = mirrored.north
+
+
+def test_a_map_that_pyproj_cannot_leave_has_no_north():
+    petrels = rasters.surface((HEIGHTS, Affine(1.0, 0.0, 2e5, 0.0, -1.0, 2e6), "EPSG:2985"))
+    with pytest.raises(ValueError, match="which is nowhere on Earth by Petrels 1972"):
+        _ = petrels.north
+
+
 def test_a_raster_outside_of_its_crs_has_no_north():
     far = rasters.surface((HEIGHTS, Affine(1.0, 0.0, 9e9, 0.0, -1.0, 9e9), "EPSG:32633"))
     with pytest.raises(ValueError, match="which is nowhere on Earth by WGS 84 / UTM zone 33N"):

@@ -193,6 +193,19 @@ def test_crowns_beyond_the_margin_are_bounded_too(monkeypatch):
     assert (off <= 1e-6).mean() >= 0.99
 
 
+def test_crowns_beyond_the_margin_are_seen_from_a_clearing():
+    """No crown is in the tile or in its margin."""
+    crowns = np.full((60, 60), 20.0)
+    crowns[16:44, 16:44] = 0.0
+    given = {"canopy": (crowns, NORTH_UP, None), "transmittance": 0.0, "model": "block"}
+    right, found = (whole(run(np.zeros((60, 60)), **given, **tiles)) for tiles in ({}, {"tile": 20, "margin": 4}))
+    inside = np.s_[20:40, 20:40]
+    off = np.abs(found["value"].astype(np.float64) - right["value"])[inside]
+    assert right["value"][inside].max() < 0.8  # a field without them is 1
+    assert found["far_error"][inside].max() < 0.5
+    assert (off <= found["far_error"][inside] + 4.0 * right["standard_error"][inside]).all()
+
+
 @pytest.mark.parametrize(
     ("options", "message"),
     [

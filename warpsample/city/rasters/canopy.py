@@ -83,7 +83,7 @@ class Canopy:
             ValueError: heights below 0.
 
         Warns:
-            UserWarning: crowns whose underside is not below their top; they are left out.
+            UserWarning: crowns whose underside is not below their top, which are left out; or that have none.
         """
         top = self.top.read(rows, columns)
         if self.relative and (top < 0.0).any():
@@ -94,7 +94,10 @@ class Canopy:
         ground = grid.height if self.relative else 0.0
         top = np.where((top != 0.0) & (ground + top > grid.height), ground + top, np.nan)
         if isinstance(self.trunk, RasterReader):
-            base = np.fmax(ground + self.trunk.read(rows, columns), grid.height)
+            trunk = self.trunk.read(rows, columns)
+            if (untold := np.isnan(trunk) & ~np.isnan(top)).any():
+                warn(f"trunk: got none for {untold.sum():,} crowns, which reach down to the ground", stacklevel=3)
+            base = np.fmax(ground + trunk, grid.height)
         else:
             base = grid.height + self.trunk * (top - grid.height)
         hollow = ~np.isnan(top) & ~(base < top)

@@ -65,13 +65,18 @@ def true_north(crs: pyproj.CRS | None, x: float, y: float) -> tuple[float, float
     """The direction of the meridian at a place of the map, unit; (0, 1, 0) for a map that is nowhere on Earth.
 
     Raises:
-        ValueError: the CRS does not reach there; names `source`.
+        ValueError: the CRS does not reach there, or mirrors the ground; names `source`.
     """
     if crs is None or crs.geodetic_crs is None:
         return 0.0, 1.0, 0.0
-    (east, north), _ = _meridian(crs, x, y)
-    length = float(np.hypot(east, north))
-    return float(east) / length, float(north) / length, 0.0
+    north, east, _ = _steps(crs, x, y)
+    if east[0] * north[1] < east[1] * north[0]:
+        raise ValueError(
+            f"source: got a map, {crs.name}, on which east is to the left of north, want one that does not mirror the "
+            "ground; reproject it first, as by da.rio.reproject(da.rio.estimate_utm_crs())"
+        )
+    length = float(np.hypot(*north))
+    return float(north[0]) / length, float(north[1]) / length, 0.0
 
 
 def stretch_of(crs: pyproj.CRS | None, x: float, y: float) -> float:
@@ -79,22 +84,24 @@ def stretch_of(crs: pyproj.CRS | None, x: float, y: float) -> float:
     if crs is None or crs.geodetic_crs is None:
         return 1.0
     try:
-        along, metres = _meridian(crs, x, y)
+        north, _, metres = _steps(crs, x, y)
     except ValueError:
         return 1.0
-    return float(np.hypot(*along)) * metres_of(crs) / metres
+    return float(np.hypot(*north)) * metres_of(crs) / metres
 
 
-def _meridian(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, float]:
-    """A piece of the meridian through a place of the map: (2,) on the map, and its length on the ground in metres."""
-    to_map = pyproj.Transformer.from_crs(crs.geodetic_crs.to_2d(), _flat(crs), always_xy=True)
+def _steps(crs: pyproj.CRS, x: float, y: float) -> tuple[np.ndarray, np.ndarray, float]:
+    """Steps on the map to the north and to the east of a place, (2,) each, and the first one's metres on the ground."""
     try:
+        to_map = pyproj.Transformer.from_crs(crs.geodetic_crs.to_2d(), _flat(crs), always_xy=True)
         longitude, latitude = to_map.transform(x, y, direction="INVERSE", errcheck=True)
-        latitudes = np.clip([latitude - _STEP, latitude + _STEP], -90.0, 90.0)
-        along = np.diff(to_map.transform([longitude, longitude], latitudes, errcheck=True)).ravel()
+        south, north = np.clip([latitude - _STEP, latitude + _STEP], -90.0, 90.0)
+        around = [longitude, longitude, longitude - _STEP, longitude + _STEP], [south, north, latitude, latitude]
+        places = np.array(to_map.transform(*around, errcheck=True))
     except ProjError as error:
         raise ValueError(f"source: got a raster about {x:g}, {y:g}, which is nowhere on Earth by {crs.name}") from error
-    return along, crs.get_geod().line_length([longitude, longitude], latitudes)
+    metres = crs.get_geod().line_length([longitude, longitude], [south, north])
+    return places[:, 1] - places[:, 0], places[:, 3] - places[:, 2], metres
 
 
 def _flat(crs: pyproj.CRS) -> pyproj.CRS:

@@ -41,9 +41,9 @@ class Foreground:
     ground: tuple[int, int]
 
     def before(self, *columns: Columns) -> Scenery:
-        """The scenes with columns behind: the first ones where there are no crowns, the last ones where there are."""
+        """The scenes with columns behind: without crowns the first ones, with crowns the last ones, if there are two."""
         sizes = len(self.triangles[0]), len(self.triangles[1])
-        wooded = partial(self._beside, sizes, *columns[-1:]) if sizes != self.ground else None
+        wooded = partial(self._beside, sizes, *columns[-1:]) if sizes != self.ground or len(columns) > 1 else None
         return Scenery(partial(self._beside, self.ground, *columns[:1]), wooded)
 
     def _beside(self, sizes: tuple[int, int], *columns: Columns) -> Mesh:
