@@ -119,6 +119,7 @@ def test_a_line_may_differ_by_a_unit_of_its_last_place(shown, printed, alike):
 def names(repository, monkeypatch):
     """What the site knows of public names."""
     pytest.importorskip("zarr")  # and with it all that pages describe
+    pytest.importorskip("sphinx")
     monkeypatch.syspath_prepend(repository / "viz/site")
     return importlib.import_module("extension.names")
 

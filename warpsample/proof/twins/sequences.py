@@ -153,5 +153,5 @@ _TWINS = {
     "philox": (_philox, _as_it_is, "d0a7cbe4f6926d5d"),
     "r2": (_r2, _key, "1ef78d50553aa7c2"),
     "sobol": (_sobol, _key, "2c778d1aeb322b6f"),
-    "stratified": (_stratified, _premixed, "f49b9a87761819b4"),
+    "stratified": (_stratified, _premixed, "a0bc03828ed04ed8"),
 }
