@@ -270,6 +270,39 @@ def test_a_store_of_other_numbers_is_not_resumed(defined, path):
             bake(other.heaven, sky_of(other))
 
 
+LOBE = """
+from dataclasses import dataclass
+import warp as wp
+from warpsample.distributions.record import Distribution, Maps
+@wp.func
+def square_to_own(u: wp.vec2) -> wp.vec3:
+    return wp.normalize(wp.vec3(u[0], u[1], 1.0))
+@wp.func
+def square_to_own_pdf(w: wp.vec3) -> wp.float32:
+    return 1.0
+@dataclass(frozen=True)
+class Own(Distribution):
+    name, density, measure, support, source = "own", "1", "per steradian", "up", "this test"
+    maps = Maps(square_to_own, square_to_own_pdf)
+"""
+
+
+@pytest.mark.slow
+def test_a_store_by_another_lobe_of_the_same_name_is_not_resumed(defined, path, monkeypatch):
+    def bake(module):
+        lobe = {"distribution": module.Own(), "chunk": 20, "resume": True}
+        return cluster.bake(path, "sample_directions", np.eye(3), 2, **lobe)
+
+    monkeypatch.setitem(globals(), "SOURCE", LOBE)
+    with dask.config.set(scheduler="sync"):
+        bake(defined())
+        bake(defined())
+        with pytest.raises(
+            ValueError, match=r"out.zarr' of another run; distribution: the function \S*square_to_own changed$"
+        ):
+            bake(defined(("u[1], 1.0", "u[1], 2.0")))
+
+
 @pytest.mark.slow
 def test_a_store_of_other_streams_is_not_resumed(path, mesh, monkeypatch):
     def bake():

@@ -10,7 +10,7 @@ import reflection_cases as known
 from irradiation_cases import DAY
 
 import warpsample as ws
-from warpsample.radiation.reflection import patches, reflections
+from warpsample.radiation.reflection import lobes_seen, patches, reflections
 from warpsample.radiation.sky import irradiance as by_pictures
 from warpsample.radiation.sky.patches import patches_at
 
@@ -142,6 +142,15 @@ def test_parts_of_a_result_add_up_and_other_points_change_no_bit():
         assert np.array_equal(later.reflected_error, found.reflected_error[40:])
     once = ws.irradiation(mesh, points, "athens", **options)
     np.testing.assert_allclose(found.reflected.sum(axis=1) / 1000.0, once.reflected, rtol=1e-4, atol=1e-6)
+
+
+def test_points_with_ids_of_their_own_are_looked_at_in_blocks(monkeypatch):
+    mesh = ws.load_mesh("courtyard", reflectance=0.4)
+    points = ws.sample_surface(mesh, 60, seed=3)
+    right = ws.irradiance(mesh, points, known.SKY, 64)
+    monkeypatch.setattr(lobes_seen, "_BLOCK", 1 << 8)
+    own = ws.SurfacePoints(points.position, points.normal, points.face, id=np.arange(60))
+    assert np.array_equal(ws.irradiance(mesh, own, known.SKY, 64).reflected, right.reflected)
 
 
 def test_a_floor_that_nothing_shades_sends_what_the_ground_sends():

@@ -14,6 +14,8 @@ from dask.base import tokenize
 
 from warpsample.cluster.chunks import FUNCTIONS, Call, numbers
 from warpsample.cluster.named import Named, named
+from warpsample.distributions.record import Distribution
+from warpsample.estimate.source.content import WHAT, function_content
 from warpsample.host.arguments import check_first_point, check_integer, check_seed, told
 from warpsample.host.arrays import check_active
 from warpsample.host.neighbours import as_ndarray
@@ -228,10 +230,20 @@ def _about(call: Call, large: dict[str, Any], total: int, chunk: int) -> dict[st
     }
 
 
+def _content_of_own(distribution: Distribution) -> dict[str, Any]:
+    """What tells a distribution of a user's own apart from others: its parameters, and the functions of its maps."""
+    maps = distribution.maps
+    functions = (function for function in (maps.sample, maps.pdf, maps.about, maps.redraw) if function is not None)
+    contents = {name: content for function in functions for name, content in function_content(function).items()}
+    return {**contents, WHAT: str(distribution)}
+
+
 def _plain(value: Any) -> Any:
     """`value` as JSON has it, or a text."""
     if isinstance(value, Named):
         return value.content
+    if isinstance(value, Distribution) and not type(value).__module__.startswith("warpsample."):
+        return _content_of_own(value)
     if isinstance(value, np.ndarray | np.generic | tuple | list):
         value = np.asarray(value).tolist()
     try:

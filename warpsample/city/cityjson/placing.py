@@ -8,6 +8,7 @@ from warpsample.host.engine import check_memory
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.points.sampling import BYTES_PER_POINT
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.sequences.hashing import seed_for
 
 _LEAST = 2  # points of a triangle: from two on their values tell how they vary
 _EACH = 4  # points of a triangle, on average, if no number is given
@@ -28,7 +29,7 @@ def spread_points(mesh: Mesh, areas: np.ndarray, count: int | None, seed: int) -
     total = int(each.sum())
     check_memory(3 * BYTES_PER_POINT * total, f"{total:,} surface points", "take fewer")
     face = np.repeat(np.arange(len(each), dtype=np.int32), each)
-    u = sample_square("independent", points=total, count=1, seed=seed)[:, 0].astype(np.float64)
+    u = sample_square("independent", points=total, count=1, seed=seed_for("city", seed))[:, 0].astype(np.float64)
     root = np.sqrt(u[:, :1])
     weights = np.hstack([1.0 - root, root * (1.0 - u[:, 1:]), root * u[:, 1:]])
     corner = mesh.vertices[mesh.faces[face]]

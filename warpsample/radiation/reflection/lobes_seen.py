@@ -146,7 +146,7 @@ def lobes_seen(
     for first in range(0, len(points), step):
         rows = slice(first, min(first + step, len(points)))
         some = points.take(rows)
-        drawn = {"seed": seed, "first_point": first_point + first, "workers": workers}
+        drawn = {"seed": seed, "first_point": first_point + first if points.id is None else 0, "workers": workers}
         if active is not None:
             drawn["active"] = active[rows].view(np.bool_)
         rays = LobeRays(some, sample_directions(some, count, sequence="fibonacci", **drawn).vectors)
