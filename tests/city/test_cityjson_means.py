@@ -54,13 +54,14 @@ def test_the_mean_of_a_linear_value_is_that_of_the_surface(path):
 @pytest.mark.parametrize("sequence", ["independent", "sobol"])
 def test_places_and_the_directions_there_are_independent(path, sequence):
     """By the same seed they were the same numbers, sample 0 of `independent`."""
-    points = ws.load_city(path).points(20_000, seed=5)
+    city = ws.load_city(path)
+    points = city.points(20_000, seed=5)
     drawn = ws.sample_square(sequence, len(points), 1, seed=5)[:, 0]
-    corner = ws.load_city(path).mesh.vertices[ws.load_city(path).mesh.faces[points.face]]
-    areas = np.cross(corner[:, 2] - corner[:, 0], points.position - corner[:, 0])
-    whole = np.cross(corner[:, 2] - corner[:, 0], corner[:, 1] - corner[:, 0])
-    along = np.linalg.norm(areas, axis=1) / np.linalg.norm(whole, axis=1)  # what stands on the side from corner 0 to 2
-    score = np.abs(np.corrcoef(along, drawn.T)[0, 1:]) * np.sqrt(len(points))
+    corner = city.mesh.vertices[city.mesh.faces[points.face]]
+    side = corner[:, 2] - corner[:, 0]
+    part, whole = (np.cross(side, to - corner[:, 0]) for to in (points.position, corner[:, 1]))
+    weight = np.linalg.norm(part, axis=1) / np.linalg.norm(whole, axis=1)  # of corner 1, barycentric
+    score = np.abs(np.corrcoef(weight, drawn.T)[0, 1:]) * np.sqrt(len(points))
     assert score.max() < 5.0  # standard deviations of the correlation of independent numbers
 
 

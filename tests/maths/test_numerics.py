@@ -172,7 +172,7 @@ def test_directions_of_rays_of_any_length_get_unit_length():
     exact /= np.linalg.norm(exact, axis=1)[:, None]
     assert np.abs(found - exact).max() <= 2.0**-23  # two roundings of numbers below 1
     assert np.abs(error).max() < 0.1
-    assert not (np.abs(unit.numpy()[:4, 3]) < 0.1).any()
+    np.testing.assert_array_equal(unit.numpy()[:4, 3], [0.5, np.nan, np.nan, np.nan])  # as `scaled_to_unit` says
 
 
 def test_frame_is_orthonormal_everywhere():

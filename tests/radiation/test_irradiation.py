@@ -177,7 +177,9 @@ def test_the_hours_add_up_to_the_sum(yard, athens):
     for name in ("value", *PARTS):
         added = getattr(hourly, name).sum(axis=1, dtype=np.float64) / 1000.0
         np.testing.assert_allclose(added, getattr(whole, name), rtol=1e-5, atol=1e-6, err_msg=name)
-    assert not hourly.value[:, hourly.hours < np.datetime64("2021-06-21T05:00")].any()
+    night = hourly.hours < np.datetime64("2021-06-21T05:00")
+    assert night.sum() == 2
+    assert (hourly.value[:, night] == 0.0).all()
     assert np.array_equal(hourly.rays, whole.rays)
     weather = read_weather(athens, given["period"])
     sun, radiation = suns(weather)
