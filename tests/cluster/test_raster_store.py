@@ -2,6 +2,7 @@
 
 import os
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -17,6 +18,7 @@ from raster_cases import write_tif
 from weather_files import write_epw
 
 from warpsample import rasters
+from warpsample.host.files import WriteError
 
 pytestmark = pytest.mark.slow  # seconds each
 
@@ -117,6 +119,20 @@ def test_a_geotiff_has_bands_tags_and_the_layout(dsm, folder):
     bake(dsm, folder / "whole.tif", tile=None, margin=None)
     with rasterio.open(folder / "whole.tif") as file:
         assert file.descriptions == ("value", "standard_error")
+
+
+def test_a_full_disk_keeps_the_tiles(dsm, folder):
+    bake(dsm, folder / "right.tif")
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    try:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, limits[1]))  # more than a tile takes, less than the GeoTIFF
+        with pytest.raises(WriteError, match=r"sky.tif cannot be written: .*\.sky\.tif\.making\.zarr can be resumed$"):
+            bake(dsm, folder / "sky.tif")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert sorted(path.name for path in folder.iterdir()) == [".sky.tif.making.zarr", "right.tif"]
+    assert f"{TILES} of them were there already" in bake(dsm, folder / "sky.tif", resume=True)
+    assert (folder / "sky.tif").read_bytes() == (folder / "right.tif").read_bytes()
 
 
 @pytest.mark.parametrize("name", ["sky.zarr", "sky.tif"])

@@ -31,7 +31,7 @@ from warpsample.cluster.sending import current_client
 from warpsample.cluster.store import SUFFIX, check_new, check_store
 from warpsample.cluster.writing import at_work, store_of, writing
 from warpsample.host.arguments import check_integer, told
-from warpsample.host.files import check_output, complete_or_absent, read_arrays, write_arrays
+from warpsample.host.files import WriteError, check_output, complete_or_absent, read_arrays, write_arrays
 from warpsample.host.interrupts import uninterrupted
 from warpsample.mesh.known import digest_of
 from warpsample.output.quantities import quantity_of
@@ -122,7 +122,7 @@ def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: boo
                 _compute(job, store, np.flatnonzero(~whole).tolist(), digests, heard)
             _check_unchanged(store, job)
             if not is_store:
-                write_cog(output, run, about, tiles_in(store, run), store / _COG)
+                write_cog(output, run, about, partial(tiles_in, store, run), store / _COG)
                 uninterrupted(partial(shutil.rmtree, store))
     rows, columns = run.reader.shape
     total, there = len(whole), int(whole.sum())
@@ -135,7 +135,7 @@ def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: boo
 
 @contextmanager
 def _counting(title: str, store: Path, whole: np.ndarray) -> Iterator[Callable[[int], None]]:
-    """A bar of the tiles that are there, which is told how many there are more; an interrupt within says how many."""
+    """A bar of the tiles that are there, which is told how many there are more; what ends it early says what is left."""
     done, total = int(whole.sum()), len(whole)
     with terminal_bar() as bar:
         task = bar.add_task(title, total=total, told="")
@@ -151,6 +151,8 @@ def _counting(title: str, store: Path, whole: np.ndarray) -> Iterator[Callable[[
         except KeyboardInterrupt as interrupt:  # raised again itself: it may stand for another signal
             interrupt.args = (f"interrupted after {done:,} of {total:,} tiles; {store} can be resumed",)
             raise
+        except WriteError as error:
+            raise WriteError(f"{error}; {store} can be resumed") from error
 
 
 def _compute(

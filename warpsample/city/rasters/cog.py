@@ -1,7 +1,7 @@
 """GeoTIFFs of results that are cut for reading over a network (COG): tiles, overviews, and what the numbers are."""
 
 import shutil
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -24,16 +24,18 @@ def write_cog(
     path: Path,
     run: RasterRun,
     about: Mapping[str, Any],
-    tiles: Iterable[tuple[Span, Mapping[str, np.ndarray]]],
+    tiles: Callable[[], Iterable[tuple[Span, Mapping[str, np.ndarray]]]],
     folder: Path,
 ) -> None:
     """Writes the numbers of all tiles, a band for each name: first into a plain file, since a COG is not filled in parts.
+
+    It is read again before it appears: what GDAL cannot write while it closes a file is no error, on a full disk, say.
 
     Args:
         path: of the file, which appears when it is complete. What GDAL keeps beside an older one of this name goes.
         run: what the numbers are of.
         about: what the file says of them.
-        tiles: where they belong, and what they are, by name.
+        tiles: gives where they belong and what they are, by name, as often as it is called.
         folder: for what is not the file yet; it may be there, and whoever gives it removes it.
 
     Raises:
@@ -41,8 +43,9 @@ def write_cog(
     """
     with _telling(path):
         folder.mkdir(exist_ok=True)
-        _write_plain(folder / "plain.tif", run, about, tiles)
+        _write_plain(folder / "plain.tif", run, about, tiles())
         rasterio.shutil.copy(folder / "plain.tif", folder / "cog.tif", driver="COG", predictor="FLOATING_POINT", **_HOW)
+        _check_written(folder / "cog.tif", run, tiles())
         older = [Path(f"{path}{suffix}") for suffix in _SIDECARS] if path.exists() else []
         with complete_or_absent(path) as stream, (folder / "cog.tif").open("rb") as made:
             shutil.copyfileobj(made, stream, 1 << 24)
@@ -63,6 +66,15 @@ def _write_plain(
         file.units = [run.quantity.unit or "1"] * len(run.names)
         for span, arrays in tiles:
             file.write(np.stack([arrays[name] for name in run.names]), window=Window.from_slices(*span))
+
+
+def _check_written(path: Path, run: RasterRun, tiles: Iterable[tuple[Span, Mapping[str, np.ndarray]]]) -> None:
+    """Reads all numbers again."""
+    with rasterio.open(path) as file:
+        for span, arrays in tiles:
+            there = file.read(window=Window.from_slices(*span))
+            if not np.array_equal(there, np.stack([arrays[name] for name in run.names]), equal_nan=True):
+                raise OSError("other numbers are read from it than were written, as happens on a full disk")
 
 
 @contextmanager
