@@ -91,7 +91,7 @@ IN_ONE_PLACE |= {name: {"rasters"} for name in ("rasterio", "rioxarray", "affine
 MOST_FILES = 20
 """Files in a folder, besides `__init__.py`: what has more has stories of its own, a folder each."""
 IN_A_CIRCLE = {"mesh.mesh", "mesh.report"}
-IN_A_CIRCLE |= {f"radiation.exchange.{name}" for name in ("view_factors", "net_radiation", "radiosity", "files")}
+IN_A_CIRCLE |= {f"radiation.exchange.{name}" for name in ("result", "net_radiation", "radiosity", "files")}
 """Files that import each other: one has a type, and others do what its methods say."""
 MOST_CLASSES_TWICE = 5
 """Class names that stand for different things in different files."""

@@ -39,7 +39,8 @@ if TYPE_CHECKING:
     from warpsample.mesh.surface import SurfacePoints, face_centers, vertex_points
     from warpsample.output.frame import to_frame
     from warpsample.radiation.exchange.net_radiation import NetRadiation
-    from warpsample.radiation.exchange.view_factors import ViewFactors, view_factors
+    from warpsample.radiation.exchange.result import ViewFactors
+    from warpsample.radiation.exchange.view_factors import view_factors
     from warpsample.radiation.sky.irradiance import Irradiance, irradiance
     from warpsample.radiation.sky.patches import SkyPatches, sky_patches
     from warpsample.radiation.sky.result import SkyMatrix, SkySkipped
@@ -154,7 +155,8 @@ _HOMES = {
     "radiation.sky.sky_matrix": ("sky_matrix",),
     "radiation.sky.result": ("SkyMatrix", "SkySkipped"),
     "radiation.exchange.net_radiation": ("NetRadiation",),
-    "radiation.exchange.view_factors": ("ViewFactors", "view_factors"),
+    "radiation.exchange.result": ("ViewFactors",),
+    "radiation.exchange.view_factors": ("view_factors",),
     "texture.report": ("TextureReport",),
     "texture.texture_points": ("TexturePoints", "texture_points"),
     "texture.unwrapping": ("unwrap",),

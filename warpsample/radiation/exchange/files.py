@@ -18,7 +18,7 @@ from warpsample.radiation.exchange.radiosity import check_rows
 from warpsample.radiation.exchange.row_factors import matrices_of
 
 if TYPE_CHECKING:
-    from warpsample.radiation.exchange.view_factors import ViewFactors
+    from warpsample.radiation.exchange.result import ViewFactors
 
 WANTS = "a name that ends in .npz or .vf, or begins with vfsparse.inp"
 _SPARSE, _SKY = "vfsparse.inp", "svf.inp"

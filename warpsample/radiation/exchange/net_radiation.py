@@ -11,7 +11,7 @@ from warpsample.host.arrays import as_real
 from warpsample.radiation.exchange.radiosity import radiosity_of
 
 if TYPE_CHECKING:
-    from warpsample.radiation.exchange.view_factors import ViewFactors
+    from warpsample.radiation.exchange.result import ViewFactors
 
 STEFAN_BOLTZMANN = 5.670374419e-8
 """W/(m² K⁴), exact to these digits since 2019."""

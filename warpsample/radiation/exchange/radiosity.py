@@ -12,7 +12,7 @@ from warpsample.host.making import imported
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-    from warpsample.radiation.exchange.view_factors import ViewFactors
+    from warpsample.radiation.exchange.result import ViewFactors
 
 _PRECISION = 1e-12
 _EXACT, _ROUNDING = 1e-15, 1e-13  # of the largest: what sums of few and of many numbers come to

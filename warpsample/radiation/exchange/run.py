@@ -9,7 +9,8 @@ from warpsample.host.arguments import check_file, naming_file
 from warpsample.host.files import read_array
 from warpsample.mesh.files import load_mesh
 from warpsample.radiation.exchange.files import check_factors_file, save
-from warpsample.radiation.exchange.view_factors import ViewFactors, view_factors
+from warpsample.radiation.exchange.result import ViewFactors
+from warpsample.radiation.exchange.view_factors import view_factors
 
 
 def run_view_factors(mesh: Path, output: Path, groups: Path | None, options: dict[str, Any]) -> str:
