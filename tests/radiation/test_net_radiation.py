@@ -35,6 +35,16 @@ def test_a_plate_under_the_sky_loses_what_it_does_not_get():
     assert np.allclose(found.leaving, 0.9 * SIGMA * 280.0**4 + 0.1 * SIGMA * 250.0**4)
 
 
+def test_an_open_room_wants_the_temperature_outside():
+    for seen in (2e-3, 1.0):
+        with pytest.raises(
+            ValueError, match=f"outside: got None where a surface sees {seen:.2g} of what it can see outside"
+        ):
+            factors([[1.0 - seen]], [2.0], outside=[seen]).net_radiation(280.0, 0.9)
+    leaking = factors([[0.9995]], [2.0], outside=[5e-4]).net_radiation(280.0, 1.0)
+    assert np.allclose(leaking.flux, 5e-4 * SIGMA * 280.0**4)
+
+
 @pytest.mark.slow
 def test_equal_temperatures_exchange_nothing_and_each_hour_is_one_column():
     v = ws.view_factors(ws.load_mesh("courtyard"), 64)

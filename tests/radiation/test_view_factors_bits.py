@@ -99,6 +99,14 @@ def test_pooled_factors_are_reciprocal_and_close():
     assert v.matrix.nnz > raw.matrix.nnz
 
 
+@pytest.mark.parametrize("groups", [None, np.zeros(12, int)], ids=["faces", "groups"])
+def test_a_room_that_is_inside_out_has_no_pairs(groups):
+    v = ws.view_factors(ws.Mesh(CUBE.vertices, CUBE.faces[:, ::-1]), 64, groups=groups, reciprocal=True)
+    assert v.matrix.nnz == 0
+    assert (v.outside == 1.0).all()
+    assert not v.outside_error.any()
+
+
 def test_what_cannot_close_is_told():
     """Two surfaces that see each other alone, of unlike area: nothing is both reciprocal and closed."""
     nothing = (np.zeros(2), np.zeros(2))

@@ -35,7 +35,7 @@ u = ws.sample_square("sobol", points=1, count=4)[0]
 w = lobe.sample(u)
 print(lobe.pdf(w) > 0.0, lobe.invert(w).shape, ws.distributions.names(), ws.sequences.names())
 v = ws.view_factors(mine, 64, groups=np.array(["a"]))
-print(v.names, v.matrix.toarray(), v.sky, v.net_radiation(temperature=300.0, emissivity=0.9).flux.sum())
+print(v.names, v.matrix.toarray(), v.sky, v.net_radiation(temperature=300.0, emissivity=0.9, outside=300.0).flux.sum())
 year: ws.Irradiation = ws.irradiation(mesh, eyes, "athens")
 print(year.value, year.hours, ws.to_frame(year, eyes))
 made: pv.PolyData = found.to_polydata(eyes) if (found := ws.mean_distance(mesh, eyes)) else mesh.to_polydata()

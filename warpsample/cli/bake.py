@@ -11,7 +11,7 @@ import typer
 
 from warpsample import sequences
 from warpsample.cli import rasters, stores, textures
-from warpsample.cli.terminal import At, MeshFile, Workers, fail_plainly, option, output_file, working
+from warpsample.cli.terminal import At, BakedFile, Workers, fail_plainly, option, output_file, working
 from warpsample.estimate.quantities.record import OPTIONS as NAMES
 from warpsample.output.baked import BakeRun
 from warpsample.output.quantities import quantities, quantity_of, taking
@@ -39,7 +39,7 @@ _ROOMS = (stores.OPTIONS, rasters.OPTIONS, textures.OPTIONS)
 
 
 def bake_command(
-    mesh: MeshFile,
+    mesh: BakedFile,
     output: Annotated[
         Path,
         output_file(

@@ -15,8 +15,8 @@ SUFFIX = ".zarr"
 OPTIONS: dict[str, Any] = {
     "chunk": Annotated[int | None, option("Points of a task and a file of the store; .zarr only.")],
     "cluster": Annotated[str | None, option("Address of a Dask scheduler, tcp://...; .zarr only.")],
-    "processes": Annotated[int | None, option("So many processes of a thread each; .zarr only.")],
-    "resume": Annotated[bool, typer.Option("--resume", help="Go on with the store, if there is one; .zarr only.")],
+    "processes": Annotated[int | None, option("So many processes of a thread each; .zarr, and rasters.")],
+    "resume": Annotated[bool, typer.Option("--resume", help="Go on with what was begun; .zarr, and rasters.")],
 }
 """The types of the options that apply to stores."""
 

@@ -30,6 +30,10 @@ def output_file(kinds: str) -> Any:
 
 MESH_HELP = "Mesh file: .ply .obj .stl .off .glb .gltf .usd; or courtyard, an example"
 MeshFile = Annotated[Path, typer.Argument(help=f"{MESH_HELP}.", show_default=False)]
+BakedFile = Annotated[
+    Path,
+    typer.Argument(help=f"{MESH_HELP}; or CityJSON; or a raster of heights, as .tif.", show_default=False, metavar="mesh"),
+]
 At = Annotated[
     Literal["vertices", "faces"] | None, option("Where, if not at --points: at the vertices, or the faces' centres.")
 ]

@@ -14,7 +14,7 @@ from warpsample.texture.sets import TextureOptions
 from warpsample.texture.texture_points import check_samples, check_size
 
 OPTIONS: dict[str, Any] = {
-    "texture": Annotated[str | None, option("Into a texture of so many texels, as 1024 or 1024x512.")],
+    "texture": Annotated[str | None, option("Into a texture of so many texels a side, as 1024 or 1024x512.")],
     "uv": Annotated[
         Literal["auto", "0", "1", "new"] | None,
         option(

@@ -30,7 +30,6 @@ from warpsample.mesh.part_means import part_means
 from warpsample.mesh.surface import SurfacePoints
 
 _FILE = "a CityJSON file"
-_SUFFIXES = (".json", ".jsonl")
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,7 +134,7 @@ class City:
         surfaces without a semantic object, and of templates, are in those of their object alone.
 
         Args:
-            path: of the new file, complete or not at all.
+            path: of the new file, complete or not at all; it ends as the one that was read, in .json or .jsonl.
             results: (N,) numbers, a row for each of `surfaces`, NaN where there is none, by the name of the attribute. A
                 name and the same with "_error" are values and their errors. An object with roofs, its own or those of its
                 children, gets their mean under the name and "_roof", and "ws_area_m2_roof", their m2; likewise "_wall"; and
@@ -211,8 +210,9 @@ def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False
 def _check_target(path: Any, source: Path) -> Path:
     if not isinstance(path, str | PathLike):
         raise TypeError(f"path: got {told(path)}, want the path of {_FILE}")
-    if Path(path).suffix not in _SUFFIXES:
-        raise ValueError(f"path: got {str(path)!r}, want a file that ends in one of {' '.join(_SUFFIXES)}")
+    suffix = source.suffix or ".json"  # of the example
+    if Path(path).suffix != suffix:
+        raise ValueError(f"path: got {str(path)!r}, want a file that ends in {suffix}, as what was read")
     check_output(Path(path), "path", source)
     return Path(path)
 

@@ -17,6 +17,7 @@ STEFAN_BOLTZMANN = 5.670374419e-8
 """W/(m² K⁴), exact to these digits since 2019."""
 
 _HOTTEST = 1e6  # kelvin
+_LEAK = 1e-3  # of a row: what may escape from a closed room, at edges where faces meet at less than 14 degrees
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +44,12 @@ def net_radiation_of(factors: "ViewFactors", temperature: Any, emissivity: Any, 
     rows = len(factors.areas)
     kelvin = _checked(temperature, "temperature", 0.0, _HOTTEST)
     share = _checked(emissivity, "emissivity", np.finfo(np.float64).tiny, 1.0)
-    beyond = _checked(outside, "outside", 0.0, _HOTTEST)
+    if outside is None and (open := float(factors.outside.max(initial=0.0))) > _LEAK:
+        raise ValueError(
+            f"outside: got None where a surface sees {open:.2g} of what it can see outside, want the temperature there in "
+            "kelvin; 0.0 if nothing comes from there"
+        )
+    beyond = _checked(0.0 if outside is None else outside, "outside", 0.0, _HOTTEST)
     if kelvin.ndim > 2 or (kelvin.ndim and len(kelvin) != rows):
         raise ValueError(
             f"temperature: got shape {kelvin.shape}, want ({rows},) or ({rows}, k), a row for each of the matrix"

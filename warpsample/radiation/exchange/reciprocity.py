@@ -24,6 +24,8 @@ def reciprocal_factors(factors: RowFactors, surfaces: Surfaces) -> RowFactors:
     Warns:
         UserWarning: no exchange closes all rows.
     """
+    if not len(factors.indices):
+        return factors  # no surface sees another
     areas = surfaces.areas
     pooling = _Pooling(factors, areas, surfaces.densities)
     lost = areas * (factors.others["outside"][0] + factors.others["behind"][0])

@@ -94,7 +94,7 @@ class ViewFactors:
             raise ValueError("reflectance: got None for factors of a black mesh, want numbers from 0 to 1")
         return radiosity_of(self, emission, self.reflectance if reflectance is None else reflectance)
 
-    def net_radiation(self, temperature: Any, emissivity: Any, *, outside: Any = 0.0) -> NetRadiation:
+    def net_radiation(self, temperature: Any, emissivity: Any, *, outside: Any = None) -> NetRadiation:
         """The heat that each surface loses by thermal radiation: what it emits, less what it absorbs of the others'.
 
         Surfaces are grey and diffuse, and opaque: they reflect 1 - emissivity, again and again. What meets a back is lost.
@@ -102,14 +102,15 @@ class ViewFactors:
         Args:
             temperature: (N,) or (N, k), for k times; or one number. In kelvin.
             emissivity: (N,) or one number, above 0 to 1.
-            outside: what is seen beyond the mesh is black at this temperature in kelvin: one number, or (k,).
+            outside: what is seen beyond the mesh is black at this temperature in kelvin: one number, or (k,). A closed
+                room needs none.
 
         Returns:
             the net flux in W/m² and power in W of each surface; above 0 where it cools.
 
         Raises:
-            TypeError, ValueError: no finite numbers, another shape, temperatures below 0, no such emissivity, or rows that
-                `active` left out.
+            TypeError, ValueError: no finite numbers, another shape, temperatures below 0, no such emissivity, none `outside`
+                where more than a thousandth of a row goes there, or rows that `active` left out.
 
         Source: Hottel1967, chapter 3.
 
