@@ -7,7 +7,8 @@ from lookups import lookup
 
 import warpsample as ws
 from warpsample.bench.textures import baking
-from warpsample.bench.textures.baking import OURS, RECORD, build_texture, known_of, read, times_of
+from warpsample.bench.textures.baking import OURS, RECORD, build_texture, known_of, scene_of, seconds_to, times_of
+from warpsample.bench.textures.lookups import read
 from warpsample.bench.textures.painters import Textured
 
 SIZE = 64
@@ -31,15 +32,17 @@ def test_what_a_viewer_reads_is_bilinear_and_clamped():
 
 def test_ours_is_as_far_from_what_is_right_as_its_rays_are(scene):
     """By smooth normals the faces of a ball are in their own way: what is right is 0.992 in the mean, by 80 faces."""
-    known = known_of(scene, SIZE, 1024)
+    known = known_of(scene, SIZE, 1024, 4096)
     assert known.at_texels.mean() == pytest.approx(0.99206, abs=0.002)  # texels are not uniform by area
     assert len(known.texels) > 50
     job = build_texture(f"{OURS}, 64 rays", scene, known, size=SIZE, workers=1)
+    job.work()
     job.work()
     found = job.report()
     assert (found["rays"], found["agrees"]) == (64, True)
     assert found["rmse"] < 0.02
     assert found["lookup"] < 0.02
+    assert found["lookup"] ** 2 == pytest.approx(sum(found[part] ** 2 for part in ("noise", "overlap", "resolution")))
 
 
 def test_equal_errors_are_between_ours():
@@ -50,6 +53,24 @@ def test_equal_errors_are_between_ours():
     assert times_of(0.1, 8.0, ours) == pytest.approx(8.0)
     assert times_of(0.01, 16.0, ours) == pytest.approx(1.0)
     assert times_of(0.009, 8.0, ours) is None
+    assert seconds_to(0.02 * 2**0.5, ours) == pytest.approx(2.0)
+    assert seconds_to(0.02, []) is None
+
+
+def test_the_part_of_a_file_that_gets_it_is_named(tmp_path):
+    pytest.importorskip("trimesh")
+    path = tmp_path / "two.obj"
+    corners = "".join(f"v {x} {y} {z}\n" for z in (0, 1) for x, y in ((0, 0), (1, 0), (0, 1)))
+    path.write_text(f"{corners}vt 0 0\nvt 1 0\nvt 0 1\no lower\nf 1/1 2/2 3/3\no upper\nf 4/1 5/2 6/3\n")
+    scene = scene_of(path, "upper", SIZE)
+    assert np.isnan(scene.uv).all(axis=(1, 2)).tolist() == [True, False]
+    assert known_of(scene, SIZE, 64, 64).at_texels.tolist() == [1.0] * 64
+    with pytest.raises(ValueError, match="^part: got 'middle', want one of lower, upper"):
+        scene_of(path, "middle", SIZE)
+    with pytest.raises(ValueError, match="^asset: got coordinates by which all faces overlap others"):
+        known_of(scene_of(path, None, SIZE), SIZE)
+    with pytest.raises(ValueError, match="^part: got 'upper' and no asset"):
+        baking.measure(None, part="upper")
 
 
 @pytest.mark.thorough

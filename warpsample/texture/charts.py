@@ -5,10 +5,14 @@ import numpy as np
 from warpsample.host.making import imported
 
 
-def charts_of(uv: np.ndarray) -> np.ndarray:
-    """(F,) int32, the chart of each face, from 0 on; those of faces without coordinates say nothing."""
-    flat = np.ascontiguousarray(np.nan_to_num(uv.reshape(-1, 2)) + 0.0)  # + 0.0: -0 is 0
-    _, corner = np.unique(flat.view("V16").ravel(), return_inverse=True)
+def charts_of(corners: np.ndarray) -> np.ndarray:
+    """(F,) int32, the chart of each face, from 0 on; those of faces without coordinates say nothing.
+
+    `corners` are (F, 3, k) float64: coordinates, and what else corners must have alike to hang together.
+    """
+    width = corners.shape[-1]
+    flat = np.ascontiguousarray(np.nan_to_num(corners.reshape(-1, width)) + 0.0)  # + 0.0: -0 is 0
+    _, corner = np.unique(flat.view(f"V{8 * width}").ravel(), return_inverse=True)
     a, b, c = corner.reshape(-1, 3).T
     sparse = imported("scipy.sparse")
     count = int(corner.max()) + 1

@@ -16,10 +16,11 @@ from warpsample.texture.texture_points import texture_points
 
 _MARGIN = 16  # texels that Blender fills around charts, its default
 _FAR = 1e3  # diagonals: no cutoff
+_AWAY = -1.0  # where faces without coordinates are: beyond the image, at one place
 
 
 class Textured(NamedTuple):
-    """A mesh with (F, 3, 2) coordinates, v down, and (V, 3) unit normals."""
+    """A mesh with (F, 3, 2) coordinates, v down, NaN of faces that only block light, and (V, 3) unit normals."""
 
     mesh: Mesh
     uv: np.ndarray
@@ -47,7 +48,7 @@ def _blender(scene: Textured, size: int, workers: int) -> Painter:
     bpy.ops.wm.read_factory_settings(use_empty=True)
     mesh = bpy.data.meshes.new("mesh")
     mesh.from_pydata(scene.mesh.vertices.tolist(), [], scene.mesh.faces.tolist())
-    upward = scene.uv.reshape(-1, 2) * (1.0, -1.0) + (0.0, 1.0)
+    upward = np.nan_to_num(scene.uv, nan=_AWAY).reshape(-1, 2) * (1.0, -1.0) + (0.0, 1.0)
     mesh.uv_layers.new().data.foreach_set("uv", upward.ravel())
     mesh.polygons.foreach_set("use_smooth", [True] * len(scene.mesh.faces))
     mesh.normals_split_custom_set_from_vertices(scene.normals.tolist())
@@ -89,7 +90,8 @@ def _open3d(scene: Textured, size: int, workers: int) -> Painter:
     mesh.vertex.positions = o3d.core.Tensor(scene.mesh.vertices.astype(np.float32))
     mesh.vertex.normals = o3d.core.Tensor(scene.normals.astype(np.float32))
     mesh.triangle.indices = o3d.core.Tensor(scene.mesh.faces.astype(np.int64))
-    mesh.triangle.texture_uvs = o3d.core.Tensor((scene.uv * (1.0, -1.0) + (0.0, 1.0)).astype(np.float32))
+    upward = np.nan_to_num(scene.uv, nan=_AWAY) * (1.0, -1.0) + (0.0, 1.0)
+    mesh.triangle.texture_uvs = o3d.core.Tensor(upward.astype(np.float32))
 
     def paint(rays: int) -> np.ndarray:
         image: Any = mesh.compute_ambient_occlusion(size, rays, max_hit_distance=_FAR * scene.mesh.diagonal)
