@@ -10,7 +10,7 @@ from bench_output import lines_of
 from PIL import Image
 
 from warpsample.bench import benchmarks, readme
-from warpsample.bench.result import RESULTS, keep, kept
+from warpsample.bench.result import RESULTS, keep, kept, save_everything
 
 NAMES = sorted(benchmarks())
 
@@ -86,6 +86,14 @@ def test_results_are_read_as_they_were_written(results, name, tmp_path):
     assert content["machine"]["commit"]
     assert not [part for part in content.values() if isinstance(part, dict) and "seconds" in part.get("columns", ())
                 and isinstance(part["rows"][0][part["columns"].index("seconds")], list)]  # fmt: skip
+
+
+def test_a_setting_that_is_a_path_is_written_as_its_text(results, tmp_path):
+    path, asset = tmp_path / "all.json", tmp_path / "in.glb"
+    result = replace(results["textures"], settings={"asset": asset})
+    save_everything(path, benchmarks()["textures"], result)
+    assert json.loads(path.read_text(encoding="utf-8"))["settings"] == {"asset": str(asset)}
+    assert json.loads(keep(benchmarks()["textures"], result, tmp_path).read_text())["settings"] == {"asset": str(asset)}
 
 
 @pytest.mark.parametrize("content", ['{"command": "bench rays", "machine": {"cp', "{}", "[]", ""])

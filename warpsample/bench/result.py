@@ -20,13 +20,13 @@ RESULTS = Path(__file__).parent / "results"
 def save_everything(path: Path, benchmark: Benchmark, result: Result) -> None:
     """Writes machine, settings and every row with all its repeats; complete or not at all."""
     rows = {part: [asdict(row) for row in found] for part, found in result.found.items()}
-    write_bytes(path, json.dumps({**_head(benchmark, result), **rows}, indent=1).encode())
+    write_bytes(path, json.dumps({**_head(benchmark, result), **rows}, indent=1, default=str).encode())
 
 
 def keep(benchmark: Benchmark, result: Result, folder: Path = RESULTS) -> Path:
     """Writes the file of this benchmark and processor that the README is made from; returns it."""
     path = folder / f"{benchmark.name}-{result.machine.instructions}.json"
-    parts = {key: json.dumps(value, ensure_ascii=False) for key, value in _head(benchmark, result).items()}
+    parts = {key: json.dumps(value, ensure_ascii=False, default=str) for key, value in _head(benchmark, result).items()}
     parts |= {part: _table(list(columns(kind)), result.found[part]) for part, kind in benchmark.parts.items()}
     text = ",\n".join(f'"{key}": {value}' for key, value in parts.items())
     write_bytes(path, f"{{{text}}}\n".encode())
