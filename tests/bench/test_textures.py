@@ -75,13 +75,13 @@ def test_the_part_of_a_file_that_gets_it_is_named(tmp_path):
 
 @pytest.mark.thorough
 def test_all_is_measured_and_shown(tmp_path, capsys):
-    rows = baking.compare(None, 64, [f"{OURS}, 16 rays", f"{OURS}, 64 rays", "Blender, 4 rays", "nobody, 4 rays"], 1)
+    rows = baking.compare(None, 128, [f"{OURS}, 16 rays", f"{OURS}, 64 rays", "Blender, 4 rays", "nobody, 4 rays"], 1)
     by_tool = {row.tool: row for row in rows}
     assert "KeyError" in by_tool["nobody, 4 rays"].failure
     ours = [by_tool[f"{OURS}, {rays} rays"] for rays in (16, 64)]
     assert ours[1].rmse < ours[0].rmse
     assert [row.times_ours for row in ours] == pytest.approx([1.0, 1.0])
     assert not RECORD.wrong({"rows": rows})
-    text = "\n".join(lines_of("textures", {"side": 64, "repeats": 1}, {"rows": rows}, capsys))
-    assert "bunny, side 64, threads" in text
+    text = "\n".join(lines_of("textures", {"side": 128, "repeats": 1}, {"rows": rows}, capsys))
+    assert "bunny, side 128, threads" in text
     assert drawn("textures", {"rows": rows}, tmp_path) == ["textures.png"]

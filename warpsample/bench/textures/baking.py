@@ -89,7 +89,7 @@ def scene_of(asset: Path | None, part: str | None, size: int) -> Textured:
     normals[mesh.faces] = corner_normals_of(mesh, given)
     if part is not None:
         named = np.array(mesh.parts) == check_choice(part, "part", sorted(set(mesh.parts)))
-        uv = np.where(named[mesh.part][:, None, None], uv, np.nan)
+        uv = np.where((named[mesh.part] & (mesh.part >= 0))[:, None, None], uv, np.nan)
     return Textured(mesh, uv, normals)
 
 
