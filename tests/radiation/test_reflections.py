@@ -197,7 +197,7 @@ def test_rays_meet_the_patches_that_places_are_on(refine):
     assert (len(np.unique(made.face)), made.back.sum()) == (9, len(made) / 2)
     at = made.places(5, 0)
     hits = ws.trace(mesh, at.position + 1e-3 * at.normal, -at.normal)
-    patch = made.met(hits.face, -at.normal, hits.distance, at.position + 1e-3 * at.normal)
+    patch = made.met(hits.face, -at.normal, hits.distance, lambda rays: (at.position + 1e-3 * at.normal)[rays])
     assert np.array_equal(patch, np.repeat(np.arange(len(made)), 5))
     longest = np.sqrt(2.0) / np.maximum(made.cuts, 1)
     assert {None: len(made) > 4000, np.inf: len(made) == 18, 0.3: longest[made.cuts > 0].max() <= 0.3}[refine]

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 _BLOCK = 1 << 20  # rays that stand at a time
+_NOTHING, _AFAR = -1, -2  # in place of a patch
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,20 +26,24 @@ class Targets:
 
     Attributes:
         patches: the N patches.
-        beyond: (M, 3) directions that meet nothing -> (M,) int64, in which of `columns` each counts, -1 for none.
-        columns: how many there are of these.
+        beyond: (M, 3) directions that meet nothing -> (M, columns) sparse, the light from there in each column.
     """
 
     patches: Patches
-    beyond: Callable[[np.ndarray], np.ndarray] | None = None
-    columns: int = 0
+    beyond: "Callable[[np.ndarray], csr_array] | None" = None
 
-    def met_beyond(self, directions: np.ndarray) -> np.ndarray:
-        """(M,) int64, the columns of directions that meet nothing, counted on from the patches."""
-        if self.beyond is None:
-            return np.full(len(directions), -1)
-        found = self.beyond(directions)
-        return np.where(found < 0, -1, len(self.patches) + found)
+
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """What lobes see, in rows of sparse matrices.
+
+    Attributes:
+        patches: (P, N), shares of the lobes that patches fill; a ray has an entry of its own.
+        beyond: (P, columns), the lobes' means of the light beyond the mesh; None where that was not asked for.
+    """
+
+    patches: "csr_array"
+    beyond: "csr_array | None"
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,10 +63,9 @@ class LobeRays:
         """(P n, 3), the directions ray by ray."""
         return self.directions.reshape(-1, 3)
 
-    @cached_property
-    def start(self) -> np.ndarray:
-        """(P n, 3), where they start."""
-        return np.repeat(self.points.position, self.directions.shape[1], axis=0)
+    def start(self, rays: np.ndarray) -> np.ndarray:
+        """(K, 3), where some of them start."""
+        return self.points.position[rays // self.directions.shape[1]]
 
     def leaving(self, normals: np.ndarray) -> np.ndarray:
         """(P n,) bool: not those that leave a point behind its own face, as they may about the smooth normal of a texel."""
@@ -78,7 +81,7 @@ class Met:
 
     Attributes:
         ray: (M,) int64, ascending.
-        column: (M,) int64, of the targets; -1 for what sends nothing.
+        column: (M,) int32, of the patches; or what there is in place of one.
         share: (M,) float32, of the light from there that arrives.
     """
 
@@ -87,45 +90,51 @@ class Met:
     share: np.ndarray
 
 
-def shares_seen(targets: Targets, rays: LobeRays, together: int, workers: int | None) -> "csr_array":
-    """(P / together, N + columns) float64, the shares of lobes that come from each target, in the mean of so many points.
-
-    A ray has an entry of its own.
-    """
-    mesh = targets.patches.mesh
+def shares_seen(targets: Targets, rays: LobeRays, together: int, workers: int | None) -> Seen:
+    """What the lobes see in the mean of so many points."""
+    mesh, csr_array = targets.patches.mesh, imported("scipy.sparse").csr_array
     reflects_and_transmits = mesh.transmits and bool((mesh.transmittance[targets.patches.face] > 0.0).any())
-    met = (_met_along if reflects_and_transmits else _met_first)(targets, rays, workers)
-    kept = (met.column >= 0) & rays.leaving(mesh.face_normals)[met.ray]
-    total, size = len(rays.way), together * rays.directions.shape[1]
-    ends = np.searchsorted(met.ray[kept], np.arange(0, total + 1, size))
-    content = met.share[kept] / float(size), met.column[kept].astype(np.int32), ends.astype(np.int32)
-    shape = total // size, len(targets.patches) + targets.columns
-    return imported("scipy.sparse").csr_array(content, shape=shape)
+    met = (_met_along if reflects_and_transmits else _met_first)(targets.patches, rays, workers)
+    column = np.where(rays.leaving(mesh.face_normals)[met.ray], met.column, _NOTHING)
+    size = together * rays.directions.shape[1]
+    first = np.arange(0, len(rays.way) + 1, size)
+
+    def rows(chosen: np.ndarray, columns: np.ndarray, width: int) -> "csr_array":
+        ends = np.searchsorted(met.ray[chosen], first)
+        content = met.share[chosen] / float(size), columns, ends.astype(np.int32)
+        return csr_array(content, shape=(len(first) - 1, width))
+
+    found = np.flatnonzero(column >= 0)
+    between = rows(found, column[found], len(targets.patches))
+    if targets.beyond is None:
+        return Seen(between, None)
+    away = np.flatnonzero(column == _AFAR)
+    afar = rows(away, np.arange(len(away), dtype=np.int32), len(away))
+    return Seen(between, afar @ targets.beyond(rays.way[met.ray[away]]))
 
 
-def _met_first(targets: Targets, rays: LobeRays, workers: int | None) -> Met:
+def _met_first(patches: Patches, rays: LobeRays, workers: int | None) -> Met:
     """What the rays meet first that is opaque."""
-    hits = trace(targets.patches.mesh, rays.points, rays.directions, workers=workers)
+    hits = trace(patches.mesh, rays.points, rays.directions, workers=workers)
     face, distance = hits.face.ravel(), hits.distance.ravel()
-    column = targets.patches.met(face, rays.way, distance, rays.start)
-    missed = np.flatnonzero(np.isinf(distance))
-    column[missed] = targets.met_beyond(rays.way[missed])
+    column = patches.met(face, rays.way, distance, rays.start)
+    column[np.isinf(distance)] = _AFAR
     share = np.ones(len(face), np.float32) if hits.transmitted is None else hits.transmitted.ravel()
     return Met(np.arange(len(face)), column, share)
 
 
-def _met_along(targets: Targets, rays: LobeRays, workers: int | None) -> Met:
+def _met_along(patches: Patches, rays: LobeRays, workers: int | None) -> Met:
     """All that the rays meet, up to where nothing is left: what a face sends goes through those before it."""
-    hits = trace_all(targets.patches.mesh, rays.points, rays.directions, workers=workers)
+    hits = trace_all(patches.mesh, rays.points, rays.directions, workers=workers)
     number = np.diff(hits.first)
     ray = np.repeat(np.arange(len(number)), number)
     share, left = np.empty(len(ray), np.float32), np.ones(len(number), np.float32)
     for depth in range(number.max(initial=0)):
         at = hits.first[np.flatnonzero(number > depth)] + depth
         share[at] = left[ray[at]]
-        left[ray[at]] *= targets.patches.mesh.transmittance[hits.face[at]]
-    column = targets.patches.met(hits.face, rays.way[ray], hits.distance, rays.start[ray])
-    last = np.where(rays.way.any(axis=1), targets.met_beyond(rays.way), -1)
+        left[ray[at]] *= patches.mesh.transmittance[hits.face[at]]
+    column = patches.met(hits.face, rays.way[ray], hits.distance, lambda rows: rays.start(ray[rows]))
+    last = np.where(rays.way.any(axis=1), _AFAR, _NOTHING)
     after = hits.first[1:]  # where what is behind all faces of a ray is put in
     return Met(np.insert(ray, after, np.arange(len(number))), np.insert(column, after, last), np.insert(share, after, left))
 
@@ -140,8 +149,8 @@ def lobes_seen(
     active: np.ndarray | None = None,
     together: int = 1,
     workers: int | None = None,
-) -> Iterator[tuple[slice, "csr_array"]]:
-    """(points, their rows) block by block: what `count` rays of each see, in the mean of `together` points."""
+) -> Iterator[tuple[slice, Seen]]:
+    """(points, what they see) block by block: what `count` rays of each see, in the mean of `together` points."""
     step = max(1, _BLOCK // (count * together)) * together
     for first in range(0, len(points), step):
         rows = slice(first, min(first + step, len(points)))

@@ -1,5 +1,6 @@
 """The parts of a mesh that send light back, each evenly: both sides of its faces, or of equal parts of these."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf
@@ -47,29 +48,32 @@ class Patches:
         """(N,) float64, that of the face of each."""
         return self.mesh.reflectance[self.face].astype(np.float64)
 
-    def met(self, face: np.ndarray, directions: np.ndarray, distance: np.ndarray, start: np.ndarray) -> np.ndarray:
-        """(M,) int64, the patch that each of M rays meets, -1 where it sends nothing back.
+    def met(
+        self, face: np.ndarray, directions: np.ndarray, distance: np.ndarray, start: Callable[[np.ndarray], np.ndarray]
+    ) -> np.ndarray:
+        """(M,) int32, the patch that each of M rays meets, -1 where it sends nothing back.
 
         Args:
             face: (M,), -1 for none.
             directions: (M, 3) of the rays.
             distance: (M,), to the face.
-            start: (M, 3) float64, where the rays start.
+            start: (K,) of the M rays -> (K, 3) float64, where they start.
         """
-        cuts = np.where(face < 0, 0, self.cuts[face])
+        first, parts = (table[face] for table in self._tables)
         back = np.einsum("ij,ij->i", self.mesh.face_normals[face], directions) > 0.0
-        found = self._first[face] + back * np.square(cuts)
-        cut = np.flatnonzero(cuts > 1)
+        found = first + back * parts
+        cut = np.flatnonzero(parts > 1)
         if len(cut):
-            places = start[cut] + distance[cut, None].astype(np.float64) * directions[cut]
-            found[cut] += _part_at(self.mesh, face[cut], places, cuts[cut])
-        return np.where(cuts > 0, found, -1)
+            places = start(cut) + distance[cut, None].astype(np.float64) * directions[cut]
+            found[cut] += _part_at(self.mesh, face[cut], places, self.cuts[face[cut]])
+        return found
 
     @cached_property
-    def _first(self) -> np.ndarray:
-        """(F,) int64, the first patch of each face."""
-        parts = 2 * np.square(self.cuts)
-        return np.cumsum(parts) - parts
+    def _tables(self) -> tuple[np.ndarray, np.ndarray]:
+        """(F + 1,) int32, the first patch of each face, and how many are on a side; -1 and 0 of none, as after the last."""
+        parts = np.append(np.square(self.cuts), 0)
+        first = np.cumsum(2 * parts) - 2 * parts
+        return np.where(parts > 0, first, -1).astype(np.int32), parts.astype(np.int32)
 
     def places(self, count: int, seed: int) -> SurfacePoints:
         """`count` random places on each patch, evenly spread, patch by patch; their normals are those of their sides."""

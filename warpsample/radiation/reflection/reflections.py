@@ -32,11 +32,11 @@ if TYPE_CHECKING:
 REPLICATES = 8
 """Independent runs of all."""
 
-_FEWER = 8
+_FEWER = 16
 """By so much fewer are the rays of a patch than those of a point, whose rays meet many patches, and average their errors."""
 
-_FEWEST_RAYS, _FEWEST_PLACES = 1 << 18, 1 << 12  # of all patches of a replicate together
-_LEAST_RAYS, _MOST_PLACES = 16, 32  # of a patch and a replicate
+_FEWEST_RAYS, _FEWEST_PLACES = 1 << 17, 1 << 12  # of all patches of a replicate together
+_LEAST_RAYS, _MOST_PLACES = 8, 32  # of a patch and a replicate
 _TOGETHER = 256  # columns of light that are followed at a time
 _MANY = 4  # columns, from which on it takes less time to add up the rays that meet the same patch first
 _BYTES_OF_RAY = 40  # of a patch
@@ -48,14 +48,12 @@ class Probes:
 
     Attributes:
         at: P places, P / N on each patch, patch by patch.
-        beyond: (N, columns), shares of the patches' lobes that meet what is beyond the mesh.
-        count: rays of a place, if they are not those that found `beyond`.
-        options: of such rays.
+        beyond: (N, columns), the means of the light beyond the mesh over the patches' lobes.
+        options: of further rays.
     """
 
     at: PlacedPoints
     beyond: "csr_array"
-    count: int
     options: RayOptions
 
     def means(self, values: np.ndarray, columns: int) -> np.ndarray:
@@ -72,8 +70,8 @@ class Afar(Protocol):
 
     size: int
 
-    def targets(self, patches: Patches) -> Targets:
-        """What rays of patches are sorted by."""
+    def targets(self, patches: Patches, workers: int) -> Targets:
+        """What rays of patches are sorted by, with so many threads."""
 
     def falling(self, probes: Probes, columns: slice) -> np.ndarray:
         """(N, some of T) float64, the irradiance of N patches by some columns of the light."""
@@ -115,9 +113,7 @@ class Reflections:
         for number, leaving in enumerate(self.leaving):
             seed = _seed("lobes", number, options.seed)
             for rows, seen in lobes_seen(Targets(self.patches), points, count, seed=seed, **drawn):
-                if shape[1] >= _MANY:
-                    seen.sum_duplicates()
-                apart = seen @ leaving - mean[rows]
+                apart = _together(seen.patches, shape[1]) @ leaving - mean[rows]
                 mean[rows] += apart / (number + 1)
                 squares[rows] += np.square(apart) * (number / (number + 1))
         error = np.sqrt(squares) / sqrt(REPLICATES * (REPLICATES - 1))
@@ -154,6 +150,13 @@ def _seed(purpose: str, number: int, seed: int) -> int:
     return seed_for(f"{purpose} {number}", seed)
 
 
+def _together(seen: "csr_array", columns: int) -> "csr_array":
+    """Shares of which those of the same patch are added up, where that saves time for so many columns of light."""
+    if columns >= _MANY:
+        seen.sum_duplicates()
+    return seen
+
+
 def _leaving(patches: Patches, afar: Afar, count: int, options: RayOptions) -> np.ndarray:
     """(N, T) float32, what each patch sends back, by one set of random numbers."""
     number = len(patches)
@@ -163,12 +166,11 @@ def _leaving(patches: Patches, afar: Afar, count: int, options: RayOptions) -> n
     rays = -(-max(count // (_FEWER * REPLICATES), _FEWEST_RAYS // number, _LEAST_RAYS) // places)
     points, share = patches.places(places, options.seed), patches.reflectance
     how = {"seed": options.seed, "together": places, "workers": options.workers}
-    found = [rows for _, rows in lobes_seen(afar.targets(patches), points, rays, **how)]
-    seen = imported("scipy.sparse").vstack(found, format="csr")
-    if afar.size >= _MANY:
-        seen.sum_duplicates()
-    between, beyond = seen[:, :number], seen[:, number:]
-    probes = Probes(PlacedPoints.of(patches.mesh, points), beyond, max(rays, 2), options)
+    found = [seen for _, seen in lobes_seen(afar.targets(patches, options.workers), points, rays, **how)]
+    stacked = imported("scipy.sparse").vstack
+    between = _together(stacked([seen.patches for seen in found], format="csr"), afar.size)
+    beyond = stacked([seen.beyond for seen in found], format="csr")
+    probes = Probes(PlacedPoints.of(patches.mesh, points), beyond, options)
     leaving = np.empty((number, afar.size), np.float32)
     for first in range(0, afar.size, _TOGETHER):
         columns = slice(first, min(first + _TOGETHER, afar.size))

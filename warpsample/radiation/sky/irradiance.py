@@ -4,12 +4,13 @@ from dataclasses import dataclass, replace
 from hashlib import sha256
 from math import pi
 from os import PathLike
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
+from warpsample.estimate.along import along
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.integrand import integrand_of
 from warpsample.estimate.plan import Plan, RaySum
@@ -19,6 +20,7 @@ from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.estimate.weights import seen_in
 from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real, as_unit
+from warpsample.host.making import imported
 from warpsample.host.options import explained_by
 from warpsample.host.picture import read_picture
 from warpsample.mesh.surface import SurfacePoints
@@ -27,6 +29,9 @@ from warpsample.radiation.reflection.patches import Patches, patches_of
 from warpsample.radiation.reflection.reflections import REPLICATES, Probes, Reflected, kept_on, reflections_of
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 _BRIGHTEST = 1e37  # of a picture: pi times that is a float32
 
@@ -140,14 +145,21 @@ class _Shining:
         numbers = ("value", "standard_error", "spread", "degrees_of_freedom")
         return replace(found, **{name: getattr(found, name)[:, 0] for name in numbers})
 
-    def targets(self, patches: Patches) -> Targets:
-        """Patches alone: what comes from afar is found by rays of its own."""
-        return Targets(patches)
+    def targets(self, patches: Patches, workers: int) -> Targets:
+        """Patches; beyond them the radiance of the direction, 0 where that is not finite."""
+        csr_array = imported("scipy.sparse").csr_array
+
+        def beyond(directions: np.ndarray) -> "csr_array":
+            radiance = along(self.summed.integrand, directions, workers)[:, : self.size]
+            number, columns = np.where(np.isfinite(radiance), radiance, np.float32(0.0)).ravel(), np.arange(self.size)
+            ends = np.arange(0, len(number) + 1, self.size)
+            return csr_array((number, np.tile(columns, len(radiance)), ends), shape=radiance.shape)
+
+        return Targets(patches, beyond)
 
     def falling(self, probes: Probes, columns: slice) -> np.ndarray:
-        """The irradiance of patches, by rays of their places."""
-        found = self.at(Plan.of(probes.at, probes.count, probes.options))
-        return probes.means(found.value, self.size)[:, columns]
+        """The irradiance of patches, by their own rays."""
+        return pi * probes.beyond.toarray()[:, columns]
 
 
 def _shining_picture(picture: np.ndarray, up: tuple[float, ...]) -> _Shining:

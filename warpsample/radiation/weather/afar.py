@@ -1,9 +1,11 @@
 """The light of a period as what faces reflect: what sun, sky and ground bring to patches of them."""
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from warpsample.host.making import imported
 from warpsample.radiation.reflection.lobes_seen import Targets
 from warpsample.radiation.reflection.patches import Patches
 from warpsample.radiation.reflection.reflections import Probes
@@ -12,6 +14,9 @@ from warpsample.radiation.sun.direct_sun import SunCall
 from warpsample.radiation.weather.light import Light
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 _SUNS = 512  # that the places of one replicate look at
 
@@ -33,15 +38,16 @@ class WeatherAfar:
         """The number of hours with light, or 1."""
         return len(self.light.sky_rows) if self.series else 1
 
-    def targets(self, patches: Patches) -> Targets:
-        """Patches, those of the sky, and the ground."""
-        sky = self.light.sky
+    def targets(self, patches: Patches, _workers: int) -> Targets:
+        """Patches; beyond them those of the sky, and the ground."""
+        sky, csr_array = self.light.sky, imported("scipy.sparse").csr_array
 
-        def beyond(directions: np.ndarray) -> np.ndarray:
+        def beyond(directions: np.ndarray) -> "csr_array":
             found = patches_at(sky, directions)
-            return np.where(found < 0, len(sky), found)
+            column, one = np.where(found < 0, len(sky), found), np.ones(len(found), np.float32)
+            return csr_array((one, column, np.arange(len(found) + 1)), shape=(len(found), len(sky) + 1))
 
-        return Targets(patches, beyond, len(sky) + 1)
+        return Targets(patches, beyond)
 
     def falling(self, probes: Probes, columns: slice) -> np.ndarray:
         """Sky and ground by the rays of the patches, the sun at their places."""
