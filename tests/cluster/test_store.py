@@ -103,6 +103,9 @@ def test_every_call_has_a_store(path, tmp_path, mesh):
     met = ws.trace(mesh, points, way)
     assert np.array_equal(hits.distance, met.distance)
     assert np.array_equal(hits.face, met.face)
+    glass = ws.as_mesh(mesh, transmittance=0.5)
+    through = cluster.bake(tmp_path / "t.zarr", "trace", glass, points, stores["directions"], chunk=CHUNK)
+    assert np.array_equal(through.transmitted, ws.trace(glass, points, way).transmitted)
     active = np.arange(POINTS) > 70  # the first chunk is 0 throughout, and is there all the same
     light = cluster.bake(
         tmp_path / "l.zarr", "irradiance", mesh, points, np.ones((4, 8, 3)), RAYS, active=active, chunk=CHUNK

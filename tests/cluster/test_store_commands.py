@@ -17,6 +17,7 @@ dask = pytest.importorskip("dask")
 pytest.importorskip("zarr")
 current_client = import_module("warpsample.cluster.arrays").current_client
 runs = import_module("warpsample.cluster.runs")
+by_pictures = import_module("warpsample.radiation.sky.irradiance")
 
 POINTS, RAYS, CHUNK = 130, 40, 50
 
@@ -48,6 +49,29 @@ def test_a_store_is_exported_as_bake_would_have_written(call, tmp_path):
     one, other = (json.loads(str(np.load(tmp_path / name)["run"])) for name in ("a.npz", "b.npz"))
     assert one.keys() == other.keys()
     assert {name for name in one if one[name] != other[name]} == {"output"}
+
+
+def test_faces_that_reflect_and_let_light_through(call, path, tmp_path, monkeypatch):
+    """What faces send back is found once for all chunks, whose bits are those of one call; another share is another run."""
+    found, find = [], by_pictures.reflections_of
+    monkeypatch.setattr(by_pictures, "reflections_of", lambda *given: found.append(given) or find(*given))
+    np.save(tmp_path / "even.npy", np.ones((4, 8)))
+    told = ("--quantity", "irradiance", "--environment", tmp_path / "even.npy", "--points", POINTS, "--samples", RAYS)
+    shares = (*told, "--transmittance", "0.25", "--reflectance", "0.5")
+    with dask.config.set(scheduler="threads", num_workers=3):
+        status, _, err = call("bake", "courtyard", "-o", path, *shares, "--chunk", CHUNK)
+    assert (status, err, len(found)) == (0, "", 1)
+    assert call("bake", "courtyard", "-o", tmp_path / "b.npz", *shares)[0] == 0
+    (path / "reflected/c/1").unlink()
+    assert call("export", path, "courtyard", "-o", tmp_path / "a.npz")[0] != 0
+    status, _, err = call("bake", "courtyard", "-o", path, *told, "--reflectance", "0.5", "--resume", "--chunk", CHUNK)
+    assert (status, "of mesh '" in err) == (2, True)
+    assert call("bake", "courtyard", "-o", path, *shares, "--resume", "--chunk", CHUNK)[0] == 0
+    assert call("export", path, "courtyard", "-o", tmp_path / "a.npz")[0] == 0
+    with np.load(tmp_path / "a.npz") as one, np.load(tmp_path / "b.npz") as other:
+        assert one.files == other.files
+        assert all(np.array_equal(one[name], other[name]) for name in one.files if name != "run")
+        assert one["reflected"].max() > 0.5
 
 
 def test_the_command_says_what_it_did_and_goes_on(call, path, monkeypatch):

@@ -8,11 +8,13 @@ import numpy as np
 from warpsample.cluster.arrays import POINT_ARRAYS
 from warpsample.cluster.chunks import CALLS
 from warpsample.cluster.holdings import about_of, arrays_of, whole_chunks
+from warpsample.cluster.job import SHAPE
 from warpsample.cluster.store import check_store
 from warpsample.estimate.quantities.record import OPTIONS, Quantity
 from warpsample.host.engine import check_memory
 from warpsample.host.files import check_output, complete_or_absent
 from warpsample.mesh.files import load_mesh
+from warpsample.mesh.known import digest_of
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.baked import WRITERS, Baked, BakeRun, check_glb
 
@@ -37,11 +39,11 @@ def export_store(store: Path, mesh: Path, output: Path) -> str:
     if run.at is None and output.suffix in (".ply", ".glb"):
         raise ValueError(f"--output: got {output.name!r} for points, want .vtp, .npz or .csv")
     shape = load_mesh(mesh)
-    if shape.digest != about["mesh"]:
+    if digest_of(shape.vertices, shape.faces) != about.get(SHAPE, about["mesh"]):
         raise ValueError(f"mesh: got {str(mesh)!r}, which is not the mesh of {str(store)!r}")
     if output.suffix == ".glb":
         check_glb(run, shape)
-    arrays = _arrays(store, _names(quantity))
+    arrays = _arrays(store, _names(store, quantity))
     points = SurfacePoints(*map(arrays.pop, POINT_ARRAYS))
     found = quantity.result(**arrays, **dict.fromkeys(quantity.shared))
     with complete_or_absent(output) as file:
@@ -56,7 +58,7 @@ def _about(store: Path) -> dict[str, Any]:
     about = about_of(path, "store")
     if about.get("call") not in CALLS:
         raise ValueError(f"store: got {str(store)!r} of {about.get('call')}, want one of {', '.join(CALLS)}")
-    whole = whole_chunks(path, _names(CALLS[about["call"]]), "store")
+    whole = whole_chunks(path, _names(path, CALLS[about["call"]]), "store")
     if missing := np.count_nonzero(~whole):
         raise ValueError(
             f"store: got {str(store)!r}, {missing:,} of whose {len(whole):,} chunks are missing, want a finished one: bake "
@@ -73,9 +75,10 @@ def _run(quantity: Quantity, about: dict[str, Any], mesh: Path, output: Path) ->
     return BakeRun(mesh, output, quantity.name, at, None if at else about["points"], options)
 
 
-def _names(quantity: Quantity) -> list[str]:
-    """The arrays of a store."""
-    return [*POINT_ARRAYS, *quantity.arrays]
+def _names(store: Path, quantity: Quantity) -> list[str]:
+    """The arrays of a store: those of each result of the quantity, and what it has of those that some have."""
+    others = [name for name in quantity.sometimes if (store / name).is_dir()]
+    return [*POINT_ARRAYS, *quantity.arrays, *others]
 
 
 def _arrays(store: Path, names: list[str]) -> dict[str, np.ndarray]:

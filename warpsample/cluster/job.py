@@ -37,11 +37,13 @@ VERSIONS = ("warpsample", "warp-lang")
 STREAMS_OF = "streams"
 """What the number of the streams' definition is called; stores without one are of definition 1."""
 
+SHAPE = "shape"
+"""What the digest of the vertices and faces is called, where that of the mesh has more in it."""
+
 _POINTS = "SurfacePoints, a whole number (so many, uniform by area), 'faces' or 'vertices'"
 _AT = {"trace": "origins", "sample_directions": "normals"}
 _OF_THE_CLIENT = ("progress", "out")
 _OF_THE_WORKERS = ("workers",)
-_TRIANGLE = Mesh(np.eye(3), [[0, 1, 2]])
 
 
 @dataclass(frozen=True)
@@ -204,22 +206,31 @@ def _content(value: Any, *more: Any) -> str:
 
 
 def _gives(call: Call, shared: dict[str, Any], rows: dict[str, Array]) -> dict[str, tuple[np.dtype, tuple[int, ...]]]:
-    """Runs the call at no point, on a mesh of one triangle, which checks all other arguments.
+    """Runs the call at no point, on a mesh of one such triangle, which checks all other arguments.
 
     Directions are asked for at one point, since there are none at none.
     """
     points = int(call.name == "sample_directions")
     few = SurfacePoints(np.zeros((points, 3)), np.tile(np.float32([0.0, 0.0, 1.0]), (points, 1)))
     parts = [np.ones((points, *array.shape[1:]), array.dtype) for array in rows.values()]
-    found = numbers(call, 0, few, [_TRIANGLE if name == "mesh" else value for name, value in shared.items()], parts)
+    found = numbers(call, 0, few, [_small(value) if name == "mesh" else value for name, value in shared.items()], parts)
     return {name: (array.dtype, array.shape[1:]) for name, array in found.items() if isinstance(array, np.ndarray)}
+
+
+def _small(mesh: Mesh) -> Mesh:
+    """A triangle that lets light through and sends it back if some face of a mesh does."""
+    optics = {"transmittance": 0.5 * mesh.transmits, "reflectance": 0.5 * mesh.reflects}
+    return Mesh(np.eye(3), [[0, 1, 2]], **{name: share for name, share in optics.items() if share})
 
 
 def _about(call: Call, large: dict[str, Any], total: int, chunk: int) -> dict[str, Any]:
     """All that repeats the run; large arguments by their content."""
     options = {name: value for name, value in call.options.items() if name not in _OF_THE_WORKERS}
+    mesh = large.get("mesh")
+    shape = None if mesh is None else digest_of(mesh.vertices, mesh.faces)
     return {
         "call": call.name,
+        **({} if mesh is None or shape == mesh.digest else {SHAPE: shape}),
         **{name: _plain(value) for name, value in options.items()},
         **{name: _content(value) for name, value in large.items()},
         "place": call.place,

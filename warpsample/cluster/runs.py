@@ -13,6 +13,7 @@ from warpsample.host.arguments import check_integer
 from warpsample.mesh.files import load_mesh
 from warpsample.output.baked import BakeRun
 from warpsample.output.by_parts import check_parts
+from warpsample.output.faces_option import with_optics
 from warpsample.output.quantities import check_options, in_stores, quantity_of
 from warpsample.output.terminal_bar import terminal_bar
 
@@ -33,7 +34,8 @@ def bake_run(run: BakeRun, chunk: int | None, address: str | None, processes: in
     _check(run, address, processes, threads)
     quantity, points = quantity_of(run.quantity), run.points if run.at is None else run.at
     options = quantity.arguments({name: value for name, value in run.options.items() if name != "workers"})
-    job = job_of(quantity.call.__name__, (load_mesh(run.mesh), points), options, CHUNK if chunk is None else chunk)
+    mesh = with_optics(load_mesh(run.mesh), **run.optics)
+    job = job_of(quantity.call.__name__, (mesh, points), options, CHUNK if chunk is None else chunk)
     with computing(address, processes, threads), _Watch(run, job.total) as watch:
         bake_job(job, store, resume, "--output", watch.hear)
     return watch.report()

@@ -81,10 +81,14 @@ class Quantity:
         """The fields of each result that have a row for each point."""
         return [item.name for item in fields(self.result) if item.name not in self.shared and item.default is not None]
 
+    @property
+    def sometimes(self) -> list[str]:
+        """The other fields with a row for each point, which not each result has."""
+        return [item.name for item in fields(self.result) if item.name not in self.shared and item.default is None]
+
     def arrays_of(self, found: Any) -> dict[str, np.ndarray]:
         """The arrays of a result that have a row for each point, also those that not every one has, by name."""
-        names = [item.name for item in fields(self.result) if item.name not in self.shared]
-        return {name: getattr(found, name) for name in names if getattr(found, name) is not None}
+        return {name: array for name in (*self.arrays, *self.sometimes) if (array := getattr(found, name)) is not None}
 
     def takes(self, option: str) -> bool:
         """Whether an option of the command line applies."""

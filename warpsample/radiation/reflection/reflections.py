@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from warpsample.host.engine import check_memory
-from warpsample.host.making import imported
+from warpsample.host.making import imported, making
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.exchange.radiosity import followed
@@ -121,12 +121,16 @@ class Reflections:
 
 
 def kept_on(mesh: Mesh, key: Hashable, find: Callable[[], Reflections]) -> Reflections:
-    """What was found last of a mesh, if it is of that key; else it is found: for calls over many parts of the points."""
-    known, found = vars(mesh).get("_reflections", (None, None))
-    if found is None or known != key:
-        found = find()
-        object.__setattr__(mesh, "_reflections", (key, found))
-    return found
+    """What was found last of a mesh, if it is of that key; else it is found: for calls over many parts of the points.
+
+    Threads that want it at once wait for the first.
+    """
+    with making:
+        known, found = vars(mesh).get("_reflections", (None, None))
+        if found is None or known != key:
+            found = find()
+            object.__setattr__(mesh, "_reflections", (key, found))
+        return found
 
 
 def reflections_of(patches: Patches, afar: Afar, count: int, options: RayOptions) -> Reflections:

@@ -172,6 +172,8 @@ def _shining_picture(picture: np.ndarray, up: tuple[float, ...]) -> _Shining:
 
 def _reflected(patches: Patches, light: _Shining, plan: Plan) -> Reflected:
     """What the points of a plan receive from patches under a light; what these send back is found once for a mesh."""
+    if len(plan.at) == 0:
+        return Reflected(*np.zeros((2, 0, light.size)), 0)
     light_of = light.known_by or light.summed.integrand.function
     key = light_of, light.size, patches.cuts.tobytes(), plan.count, plan.options.seed
     found = kept_on(patches.mesh, key, lambda: reflections_of(patches, light, plan.count, plan.options))
