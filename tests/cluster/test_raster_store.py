@@ -121,6 +121,14 @@ def test_a_geotiff_has_bands_tags_and_the_layout(dsm, folder):
         assert file.descriptions == ("value", "standard_error")
 
 
+def test_what_a_virtual_raster_refers_to_is_no_output(dsm, folder):
+    before = dsm.read_bytes()
+    rasterio.shutil.copy(dsm, folder / "dsm.vrt", driver="VRT")
+    with pytest.raises(ValueError, match="^--output: got .*dsm.tif', which is the input"):
+        bake(folder / "dsm.vrt", dsm)
+    assert dsm.read_bytes() == before
+
+
 def test_a_full_disk_keeps_the_tiles(dsm, folder):
     bake(dsm, folder / "right.tif")
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)

@@ -19,6 +19,7 @@ from dask.highlevelgraph import HighLevelGraph
 from warpsample.city.rasters.calls import run_of
 from warpsample.city.rasters.cog import write_cog
 from warpsample.city.rasters.content import digests_of, place_of, unchanging
+from warpsample.city.rasters.reading import files_read
 from warpsample.city.rasters.tiles import RasterRun
 from warpsample.cluster.baking import DONE
 from warpsample.cluster.clients import computing
@@ -69,8 +70,9 @@ class RasterJob:
     @property
     def files(self) -> list[Path]:
         """All that is read."""
-        given = [value for name, value in self.options if name in ("canopy", "trunk", "far", "weather")]
-        return [Path(self.source), *(Path(value) for value in given if isinstance(value, str))]
+        rasters = [self.source, *(value for name, value in self.options if name in ("canopy", "trunk", "far"))]
+        weather = [Path(value) for name, value in self.options if name == "weather"]
+        return [file for path in rasters if isinstance(path, str) for file in files_read(path)] + weather
 
     def run(self) -> tuple[RasterRun, dict[str, Any]]:
         """The checked run, and what tells it from others but for heights, which are not read yet."""

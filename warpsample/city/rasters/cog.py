@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import rasterio
 import rasterio.shutil
+from rasterio._err import CPLE_BaseError
 from rasterio.errors import RasterioError
 from rasterio.windows import Window
 
@@ -82,7 +83,7 @@ def _telling(path: Path) -> Iterator[None]:
     """Tells what cannot be written as a WriteError that names the file."""
     try:
         yield
-    except RasterioError as error:
+    except (RasterioError, CPLE_BaseError) as error:
         raise WriteError(f"{path} cannot be written: {str(error).splitlines()[0]}") from error
     except OSError as error:
         if isinstance(error, WriteError):

@@ -74,16 +74,17 @@ class FarField:
             beyond = Bounds(heights, heights, ~reader.transform @ other.transform)
         return cls(_pooled(reader, canopy, size, int(model != "block")), beyond, size, reader.outline)
 
-    def columns(self, tile: tuple[slice, slice], near: tuple[slice, slice]) -> list[Columns]:
+    def columns(self, tile: tuple[slice, slice], near: tuple[slice, slice], lowest: float) -> list[Columns]:
         """What makes the upper, and what makes the lower columns; nothing if there is nothing beyond.
 
         Args:
             tile: rows and columns of the points; far columns are lowered by the distance from them, as the Earth is round.
             near: rows and columns that are there as they are, `window_of` the tile.
+            lowest: of the heights there: columns reach below it, so that no ray passes underneath them.
         """
         levels = [level for level in self._levels(tile, near) if not np.isnan(level[0]).all()]
-        known = [lowest for level in levels for lowest in level[:2] if not np.isnan(lowest).all()]
-        floor = min(map(np.nanmin, known), default=0.0) - 1.0
+        known = [some for level in levels for some in level[:2] if not np.isnan(some).all()]
+        floor = min([lowest, *map(np.nanmin, known)]) - 1.0
         return [partial(self._columns, levels, which, floor) for which in (0, 1)] if levels else []
 
     def _columns(self, levels: list[tuple[np.ndarray, np.ndarray, Affine]], which: int, floor: float) -> Part:

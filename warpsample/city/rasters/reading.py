@@ -157,6 +157,15 @@ def _reader(
     return RasterReader(shape, transform, found, metres, dims, coordinates, (height_metres or metres) / metres, heights)
 
 
+def files_read(path: str) -> list[Path]:
+    """The files that are read for a raster: itself, and those that a .vrt or an address within an archive refers to."""
+    try:
+        with _opened(path) as file:
+            return [Path(path), *map(Path, file.files)]
+    except (FileNotFoundError, ValueError):  # which is told where it is read
+        return [Path(path)]
+
+
 @contextmanager
 def _opened(path: str) -> Iterator[Any]:
     """A file that rasterio reads.
