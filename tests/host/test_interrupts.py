@@ -185,6 +185,33 @@ def test_what_a_handler_raises_while_a_launch_is_made_comes_out_as_it_is():
     assert at > 10
 
 
+@pytest.mark.parametrize("kind", ["vec", "array"])
+def test_what_a_handler_raises_while_an_argument_is_made_comes_out_as_it_is(kind):
+    """ctypes makes a RuntimeError of what is raised while it makes a vector of a tuple, and Warp of what an array raises."""
+
+    def late(*_):
+        raise TimeoutError("mine")
+
+    def call():
+        try:
+            if kind == "vec":
+                ws.view_factors(mesh, 4, up=(0.0, 0.0, 1.0), workers=1)
+            else:
+                ws.sample_surface(mesh, 4, spacing="blue", workers=1)
+        except TimeoutError:
+            raise KeyboardInterrupt from None  # as `Interrupter` expects it
+
+    mesh = ws.as_mesh((np.eye(3), [[0, 1, 2]]))
+    call()
+    signal.signal(signal.SIGINT, late)
+    made = {"vec": type(wp.vec3()).__init__.__code__, "array": wp.array._init_from_data.__code__}[kind]
+    reached, at = True, 0
+    while reached:
+        reached = Interrupter(made.__eq__, "line", send_one, at).run(call)
+        at += 1
+    assert at > 5
+
+
 @pytest.mark.parametrize(
     ("error", "function"), [(ValueError, address_of), (BufferError, address_of), (IndexError, engine._take)]
 )
@@ -266,6 +293,19 @@ def test_a_users_handler_is_called_at_once_and_put_back():
     heard.clear()
     assert uninterrupted(send_one) is None  # a handler that raises nothing interrupts nothing
     assert signal.getsignal(signal.SIGINT) is handler
+
+
+def test_what_a_handler_raises_may_count_as_false():
+    class Problems(Exception):
+        def __len__(self):
+            return 0
+
+    def handler(*_):
+        raise Problems
+
+    signal.signal(signal.SIGINT, handler)
+    with pytest.raises(Problems):
+        uninterrupted(send_one)
 
 
 def test_a_handler_that_another_one_has_set_stays():

@@ -55,10 +55,10 @@ def raised_by_a_handler(error: BaseException, before: BaseException | None) -> B
     """
     codes = {_code_of(_signal.getsignal(n)) for n in range(1, signal.NSIG)} - {None}
     cause: BaseException | None = error
-    while cause and cause is not before:
+    while cause is not None and cause is not before:
         if isinstance(cause, KeyboardInterrupt) or any(frame.f_code in codes for frame, _ in walk_tb(cause.__traceback__)):
             return cause
-        cause = cause.__cause__ or cause.__context__
+        cause = cause.__context__ if cause.__cause__ is None else cause.__cause__
     return None
 
 
@@ -93,7 +93,7 @@ def uninterrupted(work: Callable[[], T], stop: Callable[[], None] | None = None)
     try:
         return handlers.run(work)
     finally:
-        if handlers.raised:
+        if handlers.raised is not None:  # which may count as False, as a list of problems does
             raise handlers.raised
 
 
@@ -139,7 +139,7 @@ class _Handlers:
             self._keep(error)
 
     def _keep(self, error: BaseException) -> None:
-        self.raised = self.raised or error
+        self.raised = error if self.raised is None else self.raised
         if self._stop:
             self._stop()
 

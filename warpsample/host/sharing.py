@@ -66,7 +66,7 @@ def share(parts: Sequence[Callable[[], None]], stop: Callable[[], None]) -> None
     finally:
         _end(helpers, stop)  # again, if the first one was broken off by an exception that no signal has raised
     for helper in helpers:
-        if helper.error:
+        if helper.error is not None:
             raise helper.error
 
 

@@ -119,7 +119,7 @@ class Casting:
             step=step_of(self.per_replicate),
             extent=wp.vec3(*scene.extent),
             coarseness=coarseness_of(scene, True),
-            up=self.up or (0.0, 0.0, 0.0),
+            up=wp.vec3(*(self.up or (0.0, 0.0, 0.0))),
             **({"glass": scene.glass(self.workers)} if scene.has_glass else {}),
         )
 
