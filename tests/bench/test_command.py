@@ -92,7 +92,7 @@ def test_all_are_run_and_written(measured, monkeypatch, capsys, tmp_path):
     text = (tmp_path / "README.md").read_text(encoding="utf-8")
     assert text.startswith("Before.\n")
     assert text.endswith("After.\n")
-    assert all(f"(`warpsample bench {name}`: " in text for name in benchmarks())
+    assert all(f"(`warpsample bench {name}`:" in text for name in benchmarks())
     assert len(list((tmp_path / "results").iterdir())) == len(benchmarks())
     assert [path.name for path in (tmp_path / "viz").glob("*.png")] == ["bench_directions.png"]
 

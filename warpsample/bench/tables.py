@@ -1,5 +1,6 @@
 """Tables of what was found: on a terminal, or in Markdown for the README."""
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from textwrap import fill
@@ -104,9 +105,19 @@ def notes(view: TableView, rows: list[Any]) -> list[str]:
 def about_tools(parts: Iterable[list[Any]]) -> list[str]:
     """The versions of the tools, and a line for each that did not run."""
     rows = [row for part in parts for row in part]
-    versions = dict.fromkeys(f"{row.tool} {row.version}" for row in rows if getattr(row, "version", None))
+    known = {row.tool: row.version for row in rows if getattr(row, "version", None)}
+    of_name: dict[str, set[str]] = {}
+    for tool, version in known.items():
+        of_name.setdefault(_name(tool), set()).add(version)
+    shown = ((_name(tool) if len(of_name[_name(tool)]) == 1 else tool, version) for tool, version in known.items())
+    versions = dict.fromkeys(f"{tool} {version}" for tool, version in shown)
     missing = dict.fromkeys(f"{row.tool} did not run here: {row.failure}." for row in rows if getattr(row, "failure", None))
     return [*([f"Versions: {', '.join(versions)}."] if versions else []), *missing]
+
+
+def _name(tool: str) -> str:
+    """A tool without its settings, as in "Blender, 64 rays"."""
+    return tool.partition(",")[0]
 
 
 def show(console: "Console", parts: Iterable[Table | str]) -> None:
@@ -164,7 +175,9 @@ def named(row: Any, name: str) -> str:
 
 
 def _wrapped(paragraph: str) -> str:
-    return fill(paragraph, 125, break_long_words=False, break_on_hyphens=False)
+    """A paragraph in lines, whose commands stay whole."""
+    whole = re.sub("`[^`]*`", lambda command: command[0].replace(" ", "\0"), paragraph)
+    return fill(whole, 125, break_long_words=False, break_on_hyphens=False).replace("\0", " ")
 
 
 def _markdown_table(table: Table) -> str:
