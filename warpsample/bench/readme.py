@@ -68,9 +68,9 @@ def processors(folder: Path) -> list[str]:
     return sorted({path.stem.rpartition("-")[2] for path in folder.glob("*.json")}, reverse=True)
 
 
-def headline(folder: Path = RESULTS) -> list[str]:
-    """What the first page of the package says of speed: phrases of the first processor's results."""
-    results = kept(processors(folder)[0], benchmarks(), folder)
+def headline(processor: str, folder: Path = RESULTS) -> list[str]:
+    """What the first page of the package says of speed: phrases of a processor's results."""
+    results = kept(processor, benchmarks(), folder)
     peers, rays, visibility = (results[name].found["rows"] for name in ("peers", "rays", "visibility"))
     speeds = {row.tool: digits(row.million_per_second.median) for row in peers if row.million_per_second}
     over = [row.ours.median for row in rays if row.tool == "Embree"]
