@@ -146,17 +146,33 @@ def test_overlaps_are_named_and_refused_or_unwrapped(call, tmp_path):
     assert occlusion(tree, 0) == occlusion(tree, 1) == {"index": 0, "texCoord": 1}
 
 
-def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
-    """Beside a closed box on a sheet: under it the floor is filled from beside it, so that no 0 is read at its foot."""
+def floor_and_box(path, side):
+    """A sheet of 8 x 8 with a material, and a closed box that is about it, or stands in its middle; y is up."""
     floor = np.array([(-4, 0, 4), (4, 0, 4), (4, 0, -4), (-4, 0, -4)], np.float32)
-    box = trimesh.creation.box((2, 2, 2))
+    box = trimesh.creation.box((side, side, side))
     arrays = [floor, (SQUARE * (1, -1) + (0, 1)).astype(np.float32), TWO]
-    arrays += [np.float32(box.vertices + np.array((0, 0.5, 0))), np.uint16(box.faces).ravel()]
+    arrays += [np.float32(box.vertices + np.array((0, 0.25 * side, 0))), np.uint16(box.faces).ravel()]
     meshes = [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}]
     meshes += [{"primitives": [{"attributes": {"POSITION": 3}, "indices": 4, "material": 1}]}]
     tree = {"meshes": meshes, "nodes": [{"mesh": 0}, {"mesh": 1}], "materials": [{"name": "floor"}, {"name": "box"}]}
-    path = tmp_path / "in.glb"
     path.write_bytes(glb(tree, arrays))
+
+
+@pytest.mark.parametrize(("options", "mean"), [(["--max-distance", 1], 1.0), ([], 0.0)])
+def test_a_closed_body_around_all_leaves_its_numbers(call, tmp_path, options, mean):
+    """As a dome has that is turned outward: a floor in it sees nothing within 1, and all that it sees is the dome."""
+    floor_and_box(tmp_path / "in.glb", 64)
+    output, out = baked(call, tmp_path / "in.glb", *options, texture=32)
+    tree, data, _ = opened(output)
+    assert np.array_equal(np.unique(picture(tree, data, occlusion(tree, 0)["index"])), [mean])
+    assert f"'floor', set 0: 1,024 texels, mean {mean:.4f}; " in out
+    assert ("1,024 points inside of something closed that hold their numbers" in out) == (mean == 0.0)
+
+
+def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
+    """Beside a closed box on a sheet: under it the floor is filled from beside it, so that no 0 is read at its foot."""
+    path = tmp_path / "in.glb"
+    floor_and_box(path, 2)
     output, out = baked(call, path, texture=32)
     tree, data, _ = opened(output)
     image = picture(tree, data, occlusion(tree, 0)["index"])[..., 0]

@@ -162,10 +162,13 @@ def _told(found: Filled) -> Iterator[str]:
     """A job in sentences."""
     job, report = found.job, found.job.points.report
     known = np.sqrt(np.mean(np.square(found.error[job.points.covered], dtype=np.float64)))
-    yield f"{job.name!r}, {job.told}: {report.covered:,} texels, mean {found.mean:.4f}; standard error {known:.2g}"
+    numbers = "none with a number" if np.isnan(found.mean) else f"mean {found.mean:.4f}; standard error {known:.2g}"
+    yield f"{job.name!r}, {job.told}: {report.covered:,} texels, {numbers}"
     yield from flaws_told(job)
     if found.inside:
         yield f"{found.inside:,} points inside of something closed, filled from their charts"
+    if found.enclosed:
+        yield f"{found.enclosed:,} points inside of something closed that hold their numbers, as most of their charts are"
     if found.missed:
         yield f"{found.missed:,} points that met nothing of the finer mesh within the cage, filled from their charts"
     if found.lost:

@@ -15,7 +15,7 @@ from warpsample.output.bake import numbers_by_parts
 from warpsample.output.baked import BakeRun
 from warpsample.output.quantities import quantity_of
 from warpsample.texture.high import HighMesh
-from warpsample.texture.inside import Closed
+from warpsample.texture.inside import Closed, fillable
 from warpsample.texture.jobs import SCENES, TextureJob
 from warpsample.texture.materials import slot_of
 from warpsample.texture.sets import TextureOptions
@@ -31,7 +31,8 @@ class Filled:
         value: (H, W) or (H, W, C) float32.
         error: its standard errors.
         mean: of the numbers at the points.
-        inside: how many points were inside of something closed.
+        inside: how many points were inside of something closed, and are filled.
+        enclosed: how many were, and keep their numbers, as hardly any of their charts is outside.
         missed: how many met nothing of a finer mesh.
         lost: how many had no number for another reason.
         rays: how many were cast.
@@ -42,6 +43,7 @@ class Filled:
     error: np.ndarray
     mean: float
     inside: int
+    enclosed: int
     missed: int
     lost: int
     rays: int
@@ -61,7 +63,7 @@ def filled(job: TextureJob, run: BakeRun, how: TextureOptions, closed: Closed, h
         rows, places = slice(first, first + len(part)), part
         if high is not None:
             places, missed[rows] = high.under(part, points.mesh, workers)
-        inside[rows] = closed.around(places, workers) & ~missed[rows]
+        inside[rows] = closed.around(places, max_distance=options.get("max_distance"), workers=workers) & ~missed[rows]
         found = numbers(places, 0)  # the points have ids
         return replace(found, value=told(found.value, points.face[rows], part.barycentric))
 
@@ -71,14 +73,15 @@ def filled(job: TextureJob, run: BakeRun, how: TextureOptions, closed: Closed, h
         rays, bad = rays + int(part.rays.sum(dtype=np.int64)), bad + int(np.count_nonzero(part.status))
     value, error = (np.concatenate(arrays) for arrays in zip(*kept, strict=True))
     del kept
-    value[inside] = np.nan
+    buried = fillable(inside, points.face, points.corners)
+    value[buried] = np.nan
     error[np.isnan(value)] = np.nan
     known = np.isfinite(value)
     mean = float(value.mean(where=known, dtype=np.float64)) if known.any() else float("nan")
     shown = points.image(value, gutter=how.gutter)
     errors = points.image_error(SimpleNamespace(value=value, standard_error=error), gutter=how.gutter)
-    within, none = int(np.count_nonzero(inside)), int(np.count_nonzero(missed))
-    return Filled(job, shown, errors, mean=mean, inside=within, missed=none, lost=bad - none, rays=rays)
+    within, kept_own, none = (int(np.count_nonzero(some)) for some in (buried, inside & ~buried, missed))
+    return Filled(job, shown, errors, mean=mean, inside=within, enclosed=kept_own, missed=none, lost=bad - none, rays=rays)
 
 
 def _teller(job: TextureJob, run: BakeRun, quantity: Quantity) -> Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]:

@@ -8,10 +8,12 @@ from warpsample.host.making import imported
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.hashing import seed_for
+from warpsample.texture.charts import charts_of
 from warpsample.tracing.trace import trace
 
 _RAYS, _FIRST = 16, 4
 _SEED = seed_for("inside", 0)
+_LEAST = 0.25  # of a chart's points: a floor that reaches 8 % of its width beyond what stands on it has as much outside
 
 
 class Closed:
@@ -45,24 +47,42 @@ class Closed:
         corner = self.mesh.vertices[self.mesh.faces[:, 0]] - self.mesh.bounds.mean(axis=0)
         return np.bincount(body, (corner * self.mesh.cross_products).sum(axis=1), count)
 
-    def around(self, points: SurfacePoints, workers: int | None = None) -> np.ndarray:
-        """(P,) bool: the points more than half of whose rays first meet the back of a closed body.
+    def around(self, points: SurfacePoints, *, max_distance: float | None = None, workers: int | None = None) -> np.ndarray:
+        """(P,) bool: the points more than half of whose rays first meet the back of a closed body, within a distance.
 
         Where none of the first rays does, the others are not cast.
         """
         inside = np.zeros(len(points), np.bool_)
         if self.faces.any():
             directions = sample_directions(points, _RAYS, seed=_SEED, sequence="sobol", workers=workers).vectors
-            first = self._backs(points, directions[:, :_FIRST], workers)
+            first = self._backs(points, directions[:, :_FIRST], max_distance, workers)
             rows = np.flatnonzero(first)
             if len(rows):
-                found = first[rows] + self._backs(points.take(rows), directions[rows, _FIRST:], workers)
-                inside[rows] = found > _RAYS // 2
+                rest = self._backs(points.take(rows), directions[rows, _FIRST:], max_distance, workers)
+                inside[rows] = first[rows] + rest > _RAYS // 2
         return inside
 
-    def _backs(self, points: SurfacePoints, directions: np.ndarray, workers: int | None) -> np.ndarray:
+    def _backs(
+        self, points: SurfacePoints, directions: np.ndarray, max_distance: float | None, workers: int | None
+    ) -> np.ndarray:
         """(P,) how many of the rays first meet the back of a closed body."""
-        hits = trace(self.mesh, points, np.ascontiguousarray(directions), workers=workers)
+        hits = trace(self.mesh, points, np.ascontiguousarray(directions), max_distance=max_distance, workers=workers)
         normals = self.mesh.face_normals[np.maximum(hits.face, 0)]
         behind = self.faces[hits.face] & (hits.face >= 0) & ((normals * directions).sum(axis=2) > 0.0)
         return np.count_nonzero(behind, axis=1)
+
+
+def fillable(inside: np.ndarray, face: np.ndarray, corners: np.ndarray) -> np.ndarray:
+    """(P,) bool: those of the points inside of something whose chart has enough others to fill them from.
+
+    Where it has hardly any, it is no floor that something stands on, but in a room: its own numbers are what is wanted.
+
+    Args:
+        inside: (P,) bool.
+        face: (P,) that the points are on.
+        corners: (F, 3, 2) float64, the texture coordinates of all faces.
+    """
+    if not inside.any():
+        return inside
+    chart = charts_of(corners)[face]
+    return inside & (np.bincount(chart, ~inside) >= _LEAST * np.bincount(chart))[chart]
