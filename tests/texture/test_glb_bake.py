@@ -146,6 +146,26 @@ def test_overlaps_are_named_and_refused_or_unwrapped(call, tmp_path):
     assert occlusion(tree, 0) == occlusion(tree, 1) == {"index": 0, "texCoord": 1}
 
 
+@pytest.mark.parametrize("number", [0, 1])
+def test_a_set_that_has_no_place_for_some_faces_is_not_taken(call, tmp_path, number):
+    """One face of two has no area, in the first set or in that of an occlusion; one that has none in space is no matter."""
+    wall = corner()[1]
+    good = SQUARE.copy()
+    flat = good.copy()
+    flat[3] = good[0]  # two corners of the second face
+    arrays = [wall, flat, np.append(TWO, [0, 0, 1]).astype(np.uint16), good]
+    names = {f"TEXCOORD_{number}": 1, **({"TEXCOORD_0": 1} if number else {})}
+    occluded = {"occlusionTexture": {"index": 0, "texCoord": 1}} if number else {}
+    primitive = {"attributes": {"POSITION": 0, **names}, "indices": 2, "material": 0}
+    tree = {"meshes": [{"primitives": [primitive]}], "nodes": [{"mesh": 0}], "materials": [occluded]}
+    path = tmp_path / "in.glb"
+    path.write_bytes(glb(tree, arrays))
+    assert f"new coordinates, set {number + 1}: " in baked(call, path)[1]
+    primitive["attributes"]["TEXCOORD_0"] = 3
+    path.write_bytes(glb(tree, arrays))
+    assert ", set 0: " in baked(call, path)[1]
+
+
 def floor_and_box(path, side):
     """A sheet of 8 x 8 with a material, and a closed box that is about it, or stands in its middle; y is up."""
     floor = np.array([(-4, 0, 4), (4, 0, 4), (4, 0, -4), (-4, 0, -4)], np.float32)

@@ -18,7 +18,7 @@ OPTIONS: dict[str, Any] = {
     "uv": Annotated[
         Literal["auto", "0", "1", "new"] | None,
         option(
-            "Texture coordinates: a set of the file, or new ones; by default a set in which nothing overlaps, else new ones."
+            "Texture coordinates: a set of the file, or new ones; by default a set with room for every face, else new ones."
         ),
     ],
     "supersample": Annotated[

@@ -8,6 +8,7 @@ import numpy as np
 
 from warpsample.mesh.files.uv import SUFFIXES, load_uv
 from warpsample.mesh.mesh import Mesh
+from warpsample.texture.report import face_flaws
 from warpsample.texture.texture_points import TexturePoints, texture_points
 
 UV_CHOICES = ("auto", "0", "1", "new")
@@ -63,8 +64,9 @@ class Texels:
     ) -> tuple[int, TexturePoints] | None:
         """The set for some faces, as the run asks for, and their texels by it; None where they are to get new ones.
 
-        Of "auto" it is `first`, the one that these faces have a picture of that kind by, if that lies within the image; else
-        the lowest that does and in which nothing overlaps; and if there is none and it may be `lenient`, the lowest within.
+        Of "auto" it is `first`, the one that these faces have a picture of that kind by, if that lies within the image and
+        all faces have an area there that have one in space; else the lowest of these in which nothing overlaps; and if there
+        is none and it may be `lenient`, the lowest within.
 
         Raises:
             ValueError: a set that is asked for and that some of the faces have not.
@@ -87,7 +89,7 @@ class Texels:
                 found = self._by(number, rows)
                 if not len(found) or found.report.outside:
                     continue
-                if number == first or not found.report.overlapped:
+                if (number == first or not found.report.overlapped) and not self._is_flat(number, rows):
                     return number, found
                 within = within or (number, found)
         return within if lenient else None
@@ -95,6 +97,12 @@ class Texels:
     def _has(self, number: int, rows: Iterable[slice]) -> bool:
         uv = self._set(number)
         return uv is not None and all(np.isfinite(uv[some]).all() for some in rows)
+
+    def _is_flat(self, number: int, rows: Iterable[slice]) -> bool:
+        """Whether faces that have an area in space have none in the image."""
+        uv, areas = self._set(number), self.mesh.face_areas
+        assert uv is not None
+        return any((face_flaws(uv[some])["zero_area"] & (areas[some] > 0.0)).any() for some in rows)
 
     def _by(self, number: int, rows: list[slice]) -> TexturePoints:
         uv = self._set(number)
