@@ -34,7 +34,7 @@ def rich(with_uv=True):
         np.repeat(np.float32([[0.5, 0.5, 0, 0]]), 4, axis=0),
     ]
     arrays += [wall * np.float32(0.01), np.arange(12, dtype=np.uint8).reshape(4, 3) * 20, np.float32([0.0, 1.0])]
-    arrays += [np.tile(np.float32([[-1, 0, 0]]), (4, 1)), np.arange(4, dtype=np.float32)]
+    arrays += [np.tile(np.float32([[1, 0, 0]]), (4, 1)), np.arange(4, dtype=np.float32)]
     attributes = {"POSITION": 4, "NORMAL": 12, "JOINTS_0": 7, "WEIGHTS_0": 8, "COLOR_0": 10, "_AGE": 13}
     variants = {"mappings": [{"material": 2, "variants": [0]}, {"material": 1, "variants": [1]}]}
     walls = {
@@ -60,12 +60,13 @@ def rich(with_uv=True):
             {"mesh": 1, "name": "wall", "skin": 0, "scale": [-1, 1, 1]},
             {"name": "joint"},
             {"mesh": 2},
+            {"name": "another joint"},
         ],
-        "scenes": [{"nodes": [0, 1, 2]}],
+        "scenes": [{"nodes": [0, 1, 2, 4]}],
         "materials": [ground, {"name": "brick", "alphaMode": "OPAQUE"}, {"name": "snow"}],
         "textures": [{"source": 0}],
         "images": [{"uri": "data:image/png;base64,iVBORw0KGgo="}],
-        "skins": [{"joints": [2]}],
+        "skins": [{"joints": [2, 4]}],
         "animations": [
             {
                 "channels": [{"sampler": 0, "target": {"node": 2, "path": "weights"}}],

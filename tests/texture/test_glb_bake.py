@@ -373,6 +373,7 @@ def test_what_a_file_needs_beside_it_and_what_shows_no_occlusion_is_told(call, t
         status, out, _ = call("bake", path, "-o", output, "--texture", 8, "--samples", 2)
         assert status == 0
         assert "viewers show no occlusion on materials that are unlit: 'brick'" in out
+        assert "morph targets are left out, though the file gives them weights: 'Wånd'" in out
         assert ("out.glb wants these files beside it: 'a%20b.png'" in out) == is_told
         assert opened(output)[0]["images"][1] == {"uri": "a%20b.png"}
 

@@ -59,7 +59,7 @@ def joined_corners(parts: Iterable[tuple[np.ndarray, np.ndarray, np.ndarray | No
     for values, triangles, matrix in parts:
         size += 24 * triangles.size
         check_memory(size, "what the corners of a scene have", "leave out some of it")
-        found.append(values[_outward(triangles, matrix)].astype(np.float64))
+        found.append(values[outward(triangles, matrix)].astype(np.float64))
     return np.concatenate(found[1:] or found)
 
 
@@ -69,10 +69,10 @@ def _placed(points: np.ndarray, triangles: np.ndarray, matrix: np.ndarray | None
     with np.errstate(all="ignore"):  # what is not finite is refused by the mesh
         placed = points @ matrix[:3, :3]
         placed += matrix[3, :3]
-    return placed, _outward(triangles, matrix)
+    return placed, outward(triangles, matrix)
 
 
-def _outward(triangles: np.ndarray, matrix: np.ndarray | None) -> np.ndarray:
+def outward(triangles: np.ndarray, matrix: np.ndarray | None) -> np.ndarray:
     """Triangles whose outside stays outside: their winding is reversed where the matrix mirrors them."""
     is_mirrored = matrix is not None and np.linalg.det(matrix[:3, :3]) < 0.0
     return triangles[:, ::-1] if is_mirrored else triangles

@@ -12,12 +12,15 @@ _TRANSMITS, _UNLIT = "KHR_materials_transmission", "KHR_materials_unlit"
 
 
 def notes_on(tree: Part, primitives: list[Primitive]) -> Iterator[str]:
-    """Sentences on meshes in several places, and on materials that are unlit, let light through, or have two sides."""
+    """Sentences on meshes in several places or with morph targets, and on materials: unlit, transparent, with two sides."""
     several = named(one.name for one in primitives if one.places > 1)
     if several:
         yield f"of {several}, in several places, the first one counts"
     materials = tree.parts("materials")
     used = [materials[number] for number in sorted({number for one in primitives for number in one.materials})]
+    morphed = named(one.name for one in primitives if _is_morphed(tree, one))
+    if morphed:
+        yield f"morph targets are left out, though the file gives them weights: {morphed}"
     unlit = named(_name(one) for one in used if _has(one, _UNLIT))
     if unlit:
         yield f"viewers show no occlusion on materials that are unlit: {unlit}"
@@ -43,6 +46,13 @@ def named(names: Iterable[str]) -> str:
 
 def _name(material: Part) -> str:
     return material.text("name") if "name" in material else material.path
+
+
+def _is_morphed(tree: Part, one: Primitive) -> bool:
+    """Whether a primitive has morph targets to which its mesh, or a node that places that, gives weights."""
+    nodes = (node for node in tree.parts("nodes") if node.content.get("mesh") == one.mesh)
+    holders = [tree.parts("meshes")[one.mesh], *nodes]
+    return bool(one.part.parts("targets")) and any(any(holder.values("weights")) for holder in holders)
 
 
 def _lets_through(material: Part) -> bool:

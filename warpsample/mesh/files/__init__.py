@@ -27,8 +27,9 @@ SUFFIXES = tuple(_READERS)
 def load_mesh(path: str | PathLike[str], *, transmittance: Any = None, reflectance: Any = None) -> Mesh:
     """The triangle mesh in a file: .ply .obj .stl .off .glb .gltf or, with usd-core, .usd .usda .usdc .usdz.
 
-    Several meshes in one file become one, each where its scene places it; polygons are cut into triangles; of an .stl, whose
-    faces share no corners, those of equal coordinates become one vertex. Coordinates keep all digits that the file holds.
+    Several meshes in one file become one, each where its scene places it, or its joints pose it (glTF); polygons are cut
+    into triangles; of an .stl, whose faces share no corners, those of equal coordinates become one vertex. Coordinates keep
+    all digits that the file holds.
     What it names is in `part` and `parts`: objects, groups and materials of an .obj, solids of an .stl, nodes, prims.
     A file that ends early is refused, but for what it does not tell: the end of an .obj between two of its lines, and of
     .obj, .off and .ply as text within the very last number; and numbers that were changed into others.

@@ -3,7 +3,6 @@
 Not by trimesh, which takes a damaged .gltf for one without a name and reads the `model.gltf` beside it instead.
 """
 
-from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -12,9 +11,10 @@ from pathlib import Path
 import numpy as np
 
 from warpsample.host.json_tree import Part, parsed
-from warpsample.host.making import imported
 from warpsample.mesh.files.gltf_data import Data, binary
-from warpsample.mesh.joining import joined, joined_corners, joined_parts
+from warpsample.mesh.files.gltf_scene import placed_nodes
+from warpsample.mesh.files.skins import Skin, posed
+from warpsample.mesh.joining import joined, joined_corners, joined_parts, outward
 from warpsample.mesh.parts import Named
 from warpsample.mesh.polygons import triangles
 
@@ -27,11 +27,10 @@ _EXTENSIONS = {
     "EXT_mesh_gpu_instancing",
 }
 _WIDTHS = {"NORMAL": 3, "TANGENT": 4}  # of attributes; of others, 2
-_AFFINE = 1e-6  # of a matrix' last row (0, 0, 0, 1): some float32 roundings, nothing that a perspective would need
 
 
 def read(path: Path) -> Named:
-    """Vertices and faces of the file's scene in its rest pose; lines and points are left out.
+    """Vertices and faces of the file's scene as its joints pose it, without morph targets; lines and points are left out.
 
     A part is a node that places a mesh, by its name, or by that of the mesh if it has none.
 
@@ -81,6 +80,7 @@ class PlacedPrimitive:
         number: of the primitive within that mesh.
         primitive: what the file says of it.
         matrix: that places it, and multiplies from the right.
+        skin: the joints that pose it; then the matrix tells its winding only.
     """
 
     node: Part
@@ -88,15 +88,16 @@ class PlacedPrimitive:
     number: int
     primitive: Part
     matrix: np.ndarray
+    skin: Skin | None
 
 
 def placed_primitives(tree: Part) -> Iterator[PlacedPrimitive]:
     """The primitives of triangles that the scene places."""
     meshes = tree.parts("meshes")
-    for node, matrix in _placed(tree):
+    for node, matrix, skin in placed_nodes(tree):
         if "mesh" in node:
             number = node.index("mesh", meshes)
-            yield from (PlacedPrimitive(node, number, i, p, matrix) for i, p in _faced(meshes[number]))
+            yield from (PlacedPrimitive(node, number, i, p, matrix, skin) for i, p in _faced(meshes[number]))
 
 
 def _faced(mesh: Part) -> list[tuple[int, Part]]:
@@ -117,108 +118,60 @@ def _attributes(placed: PlacedPrimitive, data: Data, name: str) -> tuple[np.ndar
             f"{attributes.at(name)}: got {len(values):,} of them, want one for each of {len(points):,} positions"
         )
     turned = {"NORMAL": _turned, "TANGENT": _turned_tangents}.get(name)
-    return values if turned is None else turned(values, placed.matrix), triangles, placed.matrix
+    if turned is not None:
+        poses = placed.skin and placed.skin.poses(placed.primitive, data)
+        values = turned(values, placed.matrix if poses is None else poses)
+    return values, triangles, placed.matrix
 
 
 def _turned_tangents(tangents: np.ndarray, matrix: np.ndarray) -> np.ndarray:
-    """Tangents, whose first three numbers are unit vectors, where a matrix has moved the surface."""
-    rows = matrix[:3, :3]
-    along = tangents[:, :3] @ rows
-    sign = tangents[:, 3:] * np.sign(np.linalg.det(rows))
+    """Tangents, whose first three numbers are unit vectors, where a matrix, or one for each, has moved the surface."""
+    rows = matrix[..., :3, :3]
+    along = _times(tangents[:, :3], rows)
+    sign = tangents[:, 3:] * np.sign(np.linalg.det(rows)).reshape(-1, 1)
     return np.concatenate([along / np.linalg.norm(along, axis=1, keepdims=True), sign], axis=1)
 
 
 def _turned(normals: np.ndarray, matrix: np.ndarray) -> np.ndarray:
-    """Unit normals where a matrix has moved the surface; NaN of those that it makes none of."""
-    rows = matrix[:3, :3]
-    turned = normals @ (
-        np.cross(rows[[1, 2, 0]], rows[[2, 0, 1]]) * np.sign(np.linalg.det(rows))
-    )  # of the inverse's columns
+    """Unit normals where a matrix, or one for each, has moved the surface; NaN of those that it makes none of."""
+    rows = matrix[..., :3, :3]
+    inverse = np.cross(rows[..., [1, 2, 0], :], rows[..., [2, 0, 1], :])  # its columns, times the determinant
+    turned = _times(normals, inverse * np.sign(np.linalg.det(rows))[..., None, None])
     return turned / np.linalg.norm(turned, axis=1, keepdims=True)
 
 
-def _surfaces(tree: Part, data: Data) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray, str]]:
+def _times(vectors: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    return vectors @ rows if rows.ndim == 2 else np.einsum("vi,vij->vj", vectors, rows)
+
+
+def _surfaces(tree: Part, data: Data) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray | None, str]]:
     """Points, triangles, matrix and name of each mesh that a node of the scene places. A mesh is read once."""
     meshes = tree.parts("meshes")
     found: dict[int, tuple[np.ndarray, np.ndarray] | None] = {}
-    for node, matrix in _placed(tree):
+    for node, matrix, skin in placed_nodes(tree):
         if "mesh" not in node:
             continue
         number = node.index("mesh", meshes)
-        if number not in found:
-            faced = _faced(meshes[number])
+        faced = _faced(meshes[number])
+        if skin is None and number not in found:
             found[number] = joined((*surface(p, data), None) for _, p in faced) if faced else None
-        known = found[number]
+        known = found[number] if skin is None else _skinned(faced, data, skin, matrix)
         if known is not None:
             names = [part.text("name") for part in (node, meshes[number]) if "name" in part]
-            yield (*known, matrix, next(filter(None, names), ""))
+            yield (*known, matrix if skin is None else None, next(filter(None, names), ""))
 
 
-def _placed(tree: Part) -> Iterator[tuple[Part, np.ndarray]]:
-    """The nodes of the scene, each before its children, with the matrices that place them and multiply from the right."""
-    nodes, scenes = tree.parts("nodes"), tree.parts("scenes")
-    children = [node.indices("children", nodes) for node in nodes]
-    parents = _parents(children)
-    if not scenes:
-        return
-    scene = scenes[tree.index("scene", scenes, 0)]
-    roots = scene.indices("nodes", nodes)
-    for number in roots:
-        if number in parents:
-            raise ValueError(f"{scene.path} lists node {number}, a child of node {parents[number]}, want nodes without one")
-    for number, times in Counter(roots).items():
-        if times > 1:
-            raise ValueError(f"{scene.path} lists node {number} {times} times, want each node once")
-    left = [(number, np.eye(4)) for number in reversed(roots)]
-    while left:  # ends, as nodes without a parent have trees below them
-        number, above = left.pop()
-        matrix = _matrix(nodes[number]) @ above
-        yield nodes[number], matrix
-        left += [(child, matrix) for child in reversed(children[number])]
+def _skinned(
+    faced: list[tuple[int, Part]], data: Data, skin: Skin, matrix: np.ndarray
+) -> tuple[np.ndarray, np.ndarray] | None:
+    """Points and triangles of a mesh that joints pose; the matrix of its node is for primitives without these."""
 
+    def placed(primitive: Part) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
+        points, triangles = surface(primitive, data)
+        poses = skin.poses(primitive, data)
+        return (points, triangles, matrix) if poses is None else (posed(points, poses), outward(triangles, matrix), None)
 
-def _parents(children: list[list[int]]) -> dict[int, int]:
-    """The parent of each node that has one; a ValueError if a node has two, or is its own ancestor."""
-    parents: dict[int, int] = {}
-    for number, below in enumerate(children):
-        for child in below:
-            if child in parents:
-                both = f"of node {number} twice" if parents[child] == number else f"of nodes {parents[child]} and {number}"
-                raise ValueError(f"its node {child} is a child {both}, want one parent for each node")
-            parents[child] = number
-    known: set[int] = set()
-    for start in parents:
-        number, path = start, {start}
-        while number in parents and number not in known:
-            number = parents[number]
-            if number in path:
-                raise ValueError(f"its node {number} is its own ancestor")
-            path.add(number)
-        known |= path
-    return parents
-
-
-def _matrix(node: Part) -> np.ndarray:
-    if "matrix" in node:
-        matrix = node.reals("matrix", (0.0,) * 16).reshape(4, 4)
-        if np.abs(matrix[:, 3] - (0.0, 0.0, 0.0, 1.0)).max() > _AFFINE:
-            raise ValueError(
-                f"{node.at('matrix')}: got one with a perspective, want the last of each four numbers 0, 0, 0, 1"
-            )
-        return matrix
-    matrix = np.eye(4)
-    if "rotation" in node:
-        matrix[:3, :3] = _rotation(node)
-    matrix[:3, :3] *= node.reals("scale", (1.0, 1.0, 1.0))[:, None]
-    matrix[3, :3] = node.reals("translation", (0.0, 0.0, 0.0))
-    return matrix
-
-
-def _rotation(node: Part) -> np.ndarray:
-    quaternion = node.reals("rotation", (0.0, 0.0, 0.0, 1.0))
-    if not 0.5 < np.linalg.norm(quaternion) < 2.0:  # rounded ones are nearer to 1
-        raise ValueError(f"{node.at('rotation')}: got {quaternion.tolist()}, want a quaternion of length 1")
-    return imported("scipy.spatial.transform").Rotation.from_quat(quaternion).as_matrix().T
+    return joined(placed(primitive) for _, primitive in faced) if faced else None
 
 
 def surface(primitive: Part, data: Data) -> tuple[np.ndarray, np.ndarray]:

@@ -44,6 +44,11 @@ class Data:
         """(N,) whole numbers of the accessor that a member refers to, without a copy."""
         return self._numbers(by, key, shape="SCALAR", width=1, kinds=_WHOLE)[1].ravel()
 
+    def matrices(self, by: Part, key: str) -> np.ndarray:
+        """(N, 4, 4) float64 matrices that multiply from the right, of the accessor that a member refers to."""
+        found = self._numbers(by, key, shape="MAT4", width=16, kinds={5126: "<f4"})[1]
+        return found.astype(np.float64).reshape(-1, 4, 4)
+
     def rows(self, by: Part, key: str) -> tuple[Part, np.ndarray]:
         """The accessor that a member refers to, and its (V, k) numbers, whatever they are, without a copy."""
         shape = self.accessors[by.index(key, self.accessors)].text("type")

@@ -1,0 +1,87 @@
+"""Where the nodes of a glTF scene are: the matrices that place them, and the joints that pose their meshes."""
+
+from collections import Counter
+from collections.abc import Iterator
+
+import numpy as np
+
+from warpsample.host.json_tree import Part
+from warpsample.host.making import imported
+from warpsample.mesh.files.skins import Skin
+
+_AFFINE = 1e-6  # of a matrix' last row (0, 0, 0, 1): some float32 roundings, nothing that a perspective would need
+
+
+def placed_nodes(tree: Part) -> Iterator[tuple[Part, np.ndarray, Skin | None]]:
+    """The nodes of the scene, each before its children, with the matrices that place them, and the joints that pose them."""
+    nodes = tree.parts("nodes")
+    places = dict(_places(tree, nodes))
+    for number, matrix in places.items():
+        yield nodes[number], matrix, Skin.of(tree, nodes[number], places)
+
+
+def _places(tree: Part, nodes: list[Part]) -> Iterator[tuple[int, np.ndarray]]:
+    """The numbers of the nodes of the scene, and the matrices that place them and multiply from the right."""
+    scenes = tree.parts("scenes")
+    children = [node.indices("children", nodes) for node in nodes]
+    parents = _parents(children)
+    if not scenes:
+        return
+    scene = scenes[tree.index("scene", scenes, 0)]
+    roots = scene.indices("nodes", nodes)
+    for number in roots:
+        if number in parents:
+            raise ValueError(f"{scene.path} lists node {number}, a child of node {parents[number]}, want nodes without one")
+    for number, times in Counter(roots).items():
+        if times > 1:
+            raise ValueError(f"{scene.path} lists node {number} {times} times, want each node once")
+    left = [(number, np.eye(4)) for number in reversed(roots)]
+    while left:  # ends, as nodes without a parent have trees below them
+        number, above = left.pop()
+        matrix = _matrix(nodes[number]) @ above
+        yield number, matrix
+        left += [(child, matrix) for child in reversed(children[number])]
+
+
+def _parents(children: list[list[int]]) -> dict[int, int]:
+    """The parent of each node that has one; a ValueError if a node has two, or is its own ancestor."""
+    parents: dict[int, int] = {}
+    for number, below in enumerate(children):
+        for child in below:
+            if child in parents:
+                both = f"of node {number} twice" if parents[child] == number else f"of nodes {parents[child]} and {number}"
+                raise ValueError(f"its node {child} is a child {both}, want one parent for each node")
+            parents[child] = number
+    known: set[int] = set()
+    for start in parents:
+        number, path = start, {start}
+        while number in parents and number not in known:
+            number = parents[number]
+            if number in path:
+                raise ValueError(f"its node {number} is its own ancestor")
+            path.add(number)
+        known |= path
+    return parents
+
+
+def _matrix(node: Part) -> np.ndarray:
+    if "matrix" in node:
+        matrix = node.reals("matrix", (0.0,) * 16).reshape(4, 4)
+        if np.abs(matrix[:, 3] - (0.0, 0.0, 0.0, 1.0)).max() > _AFFINE:
+            raise ValueError(
+                f"{node.at('matrix')}: got one with a perspective, want the last of each four numbers 0, 0, 0, 1"
+            )
+        return matrix
+    matrix = np.eye(4)
+    if "rotation" in node:
+        matrix[:3, :3] = _rotation(node)
+    matrix[:3, :3] *= node.reals("scale", (1.0, 1.0, 1.0))[:, None]
+    matrix[3, :3] = node.reals("translation", (0.0, 0.0, 0.0))
+    return matrix
+
+
+def _rotation(node: Part) -> np.ndarray:
+    quaternion = node.reals("rotation", (0.0, 0.0, 0.0, 1.0))
+    if not 0.5 < np.linalg.norm(quaternion) < 2.0:  # rounded ones are nearer to 1
+        raise ValueError(f"{node.at('rotation')}: got {quaternion.tolist()}, want a quaternion of length 1")
+    return imported("scipy.spatial.transform").Rotation.from_quat(quaternion).as_matrix().T

@@ -1,0 +1,78 @@
+"""Skins of glTF files: meshes that joints pose, for which the place of their own node says nothing."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import count, takewhile
+
+import numpy as np
+
+from warpsample.host.engine import check_memory
+from warpsample.host.json_tree import Part
+from warpsample.mesh.files.gltf_data import Data
+
+_BYTES = 400  # of a vertex, for its matrix and what makes it
+
+
+@dataclass(frozen=True, eq=False)
+class Skin:
+    """The joints that pose a mesh.
+
+    Attributes:
+        part: what the file says of it.
+        joints: (J, 4, 4) matrices that place them in the scene, and multiply from the right.
+    """
+
+    part: Part
+    joints: np.ndarray
+
+    @classmethod
+    def of(cls, tree: Part, node: Part, places: Mapping[int, np.ndarray]) -> "Skin | None":
+        """That of a node, if it has one; `places` are the matrices of the nodes of the scene, by their numbers."""
+        if "skin" not in node:
+            return None
+        skins = tree.parts("skins")
+        part = skins[node.index("skin", skins)]
+        joints = part.indices("joints", tree.parts("nodes"))
+        for joint in joints:
+            if joint not in places:
+                raise ValueError(f"{part.at('joints')}: got node {joint}, want nodes of the scene that has the skin")
+        return cls(part, np.array([places[joint] for joint in joints]).reshape(-1, 4, 4))
+
+    def poses(self, primitive: Part, data: Data) -> np.ndarray | None:
+        """(V, 4, 4) matrices that pose its vertices, and multiply from the right; None of one that has no joints."""
+        attributes = primitive.part("attributes")
+        sets = list(takewhile(lambda number: f"JOINTS_{number}" in attributes, count()))
+        if not sets:
+            return None
+        joints = np.concatenate([data.rows(attributes, f"JOINTS_{number}")[1] for number in sets], axis=1)
+        weights = np.concatenate([data.vectors(attributes, f"WEIGHTS_{number}", 4) for number in sets], axis=1)
+        if joints.shape != weights.shape:
+            raise ValueError(f"{attributes.path}: got JOINTS of shape {joints.shape}, WEIGHTS of {weights.shape}")
+        check_memory(_BYTES * len(joints), f"a skin of {len(joints):,} vertices", "leave it out")
+        weights = weights.astype(np.float64)
+        weights[~weights.any(axis=1), 0] = 1.0  # as viewers do: a vertex without a weight goes with its first joint
+        joints = np.where(weights == 0.0, 0, joints).astype(np.int64)
+        if len(joints) and not 0 <= joints.min() <= joints.max() < len(self.joints):
+            raise ValueError(f"{attributes.at('JOINTS_0')}: got joint {joints.max()} of {len(self.joints)} of the skin")
+        weights /= weights.sum(axis=1, keepdims=True)
+        moves, found = self._moves(data), np.zeros((len(joints), 4, 4))
+        for column in range(joints.shape[1]):
+            found += weights[:, column, None, None] * moves[joints[:, column]]
+        return found
+
+    def _moves(self, data: Data) -> np.ndarray:
+        """(J, 4, 4) from where the mesh is bound to each joint to where this has it."""
+        if "inverseBindMatrices" not in self.part:
+            return self.joints
+        inverse = data.matrices(self.part, "inverseBindMatrices")
+        if len(inverse) < len(self.joints):
+            at = self.part.at("inverseBindMatrices")
+            raise ValueError(f"{at}: got {len(inverse)} of them, want one for each of {len(self.joints)} joints")
+        return inverse[: len(self.joints)] @ self.joints
+
+
+def posed(points: np.ndarray, poses: np.ndarray) -> np.ndarray:
+    """Points (V, 3) where their matrices (V, 4, 4) put them."""
+    if len(points) != len(poses):
+        raise ValueError(f"it has joints for {len(poses):,} of {len(points):,} vertices")
+    return np.einsum("vi,vij->vj", points.astype(np.float64), poses[:, :3, :3]) + poses[:, 3, :3]
