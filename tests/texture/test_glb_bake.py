@@ -3,6 +3,7 @@
 import copy
 import json
 import re
+import struct
 
 import numpy as np
 import pytest
@@ -334,6 +335,26 @@ def test_a_gltf_is_written_with_its_data_beside_it(call, tmp_path):
     path.write_bytes(whole)
     status, _, err = call("bake", path, "-o", output, "--texture", 16)
     assert (status, "it has 12 bytes after its data, which a .gltf has no place for" in err) == (2, True)
+
+
+@pytest.mark.parametrize("length", [1, 2, 3])
+def test_data_that_end_anywhere(call, tmp_path, length):
+    """What is appended begins at whole 4 bytes all the same, as vertices have to."""
+    path = tmp_path / "in.glb"
+    path.write_bytes(rich())
+    tree, data, _ = opened(path)
+    text = json.dumps(tree).encode()
+    text += b" " * (-len(text) % 4)
+    data += b"\1" * length
+    head = struct.pack("<4sIIII", b"glTF", 2, 28 + len(text) + len(data), len(text), 0x4E4F534A)
+    path.write_bytes(head + text + struct.pack("<II", len(data), 0x004E4942) + data)
+    output, _ = baked(call, path, "--uv", "new")
+    made, after, _ = opened(output)
+    assert after.startswith(data)
+    added = made["bufferViews"][len(tree["bufferViews"]) :]
+    assert {view["byteOffset"] % 4 for view in added} == {0}
+    assert made["buffers"][0]["byteLength"] == len(after)
+    assert len(after) % 4 == 0
 
 
 def test_strips_without_indices_in_two_places_and_glass(call, tmp_path):

@@ -116,6 +116,7 @@ class GlbFile:
 
     def write(self, file: BinaryIO) -> None:
         """Writes the whole: a length of more than 32 bits is a ValueError."""
+        self._put(b"")  # a part is of whole 4 bytes
         self.tree["buffers"][0]["byteLength"] = self._size
         text = json.dumps(self.tree, separators=(",", ":"), allow_nan=False).encode()
         text += b" " * (-len(text) % 4)
@@ -129,6 +130,7 @@ class GlbFile:
 
     def write_apart(self, file: BinaryIO, data: BinaryIO, name: str) -> None:
         """Writes a .gltf, and all its data into another file of that name, which is to be beside it."""
+        self._put(b"")  # the same as in a .glb
         self.tree["buffers"][0] |= {"byteLength": self._size, "uri": quote(name)}
         data.writelines(self._chunks)
         file.write(json.dumps(self.tree, separators=(",", ":"), allow_nan=False).encode())
@@ -158,9 +160,10 @@ class GlbFile:
 
     def _put(self, content: bytes) -> int:
         """Where in the buffer some bytes begin from now on: at a whole number of four."""
-        start = self._size
-        self._chunks += [content, b"\0" * (-len(content) % 4)]
-        self._size += len(content) + -len(content) % 4
+        before = -self._size % 4
+        self._chunks += [b"\0" * before, content]
+        start = self._size + before
+        self._size = start + len(content)
         return start
 
     def _add_array(self, array: np.ndarray, target: int, more: dict[str, Any]) -> int:
@@ -171,7 +174,6 @@ class GlbFile:
         return self._append("accessors", {"bufferView": view, **kind, "count": len(array), **more})
 
     def _add_view(self, content: bytes, more: dict[str, Any]) -> int:
-        self._put(b"\0" * (-self._size % 4))  # what the file has may end anywhere
         view = {"buffer": 0, "byteOffset": self._put(content), "byteLength": len(content), **more}
         return self._append("bufferViews", view)
 
