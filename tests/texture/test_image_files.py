@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from lookups import lookup, on_surface
 from PIL import Image
-from textured_scenes import rich
+from textured_scenes import changed, rich
 
 import warpsample as ws
 
@@ -135,3 +135,25 @@ def test_a_full_disk_leaves_the_old_file(tmp_path, child_environment):
     said = [line for line in done.stderr.splitlines() if line]
     assert [line.split(":")[0] for line in said] == ["error"] * 4
     assert all("cannot be written" in line for line in said)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no limits on a file's size")
+def test_a_gltf_that_cannot_be_written_leaves_the_old_data(call, tmp_path):
+    """Its data would be complete first, and the old .gltf would tell of other ones."""
+    import resource
+
+    path, output = tmp_path / "in.glb", tmp_path / "out.gltf"
+    path.write_bytes(changed(rich()[:-12], lambda tree: tree.update(extras="x" * 100_000)))  # without its last part
+    arguments = ["bake", path, "-o", output, "--texture", 32, "--samples", 4]
+    assert call(*arguments)[0] == 0
+    whole = output.read_bytes(), output.with_suffix(".bin").read_bytes()
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, limits[1]))
+    try:
+        status, _, err = call(*arguments, "--quantity", "sky")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert (status, err) == (1, f"error: {output} cannot be written: File too large\n")
+    assert (output.read_bytes(), output.with_suffix(".bin").read_bytes()) == whole
+    assert len(whole[1]) < 50_000
+    assert len(list(tmp_path.iterdir())) == 3

@@ -70,12 +70,21 @@ def complete_or_absent(path: Path) -> Iterator[BinaryIO]:
     with handlers_first(), _part(path) as raw:
         stream = BufferedWriter(raw, _BUFFER)
         yield stream
-        stream.flush()
+        to_disk(stream)
         with _told(path):
-            os.fsync(raw.fileno())
             if fcntl is None:
                 raw.close()  # Windows requires it; elsewhere the lock is needed to the end
             Path(raw.name).replace(_target(path))
+
+
+def to_disk(stream: Any) -> None:
+    """Brings what a stream of `complete_or_absent` holds to the disk, or is a WriteError: only the new name is left to do.
+
+    Of files that belong together each is brought there before the first one replaces its old file.
+    """
+    stream.flush()
+    with _told(stream.raw.path):
+        os.fsync(stream.fileno())
 
 
 def write_bytes(path: Path, content: Any) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.device_memory import Memory
-from warpsample.host.files import check_output, complete_or_absent, write_arrays
+from warpsample.host.files import check_output, complete_or_absent, to_disk, write_arrays
 from warpsample.mesh.files import load_mesh
 from warpsample.output.baked import BakeRun
 from warpsample.output.faces_option import with_optics
@@ -85,7 +85,8 @@ def _write_scene(file: GlbFile, run: BakeRun, how: TextureOptions, found: list[F
             file.write(stream)
         else:
             data = _data_of(run.output)
-            file.write_apart(stream, files.enter_context(complete_or_absent(data)), data.name)  # complete first
+            file.write_apart(stream, files.enter_context(complete_or_absent(data)), data.name)
+            to_disk(stream)  # before the other replaces its old file, as it does first
     return told
 
 
