@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from lookups import lookup, on_surface
 from PIL import Image
-from textured_scenes import changed, rich
+from textured_scenes import changed, opened, rich
 
 import warpsample as ws
 
@@ -135,6 +135,35 @@ def test_a_full_disk_leaves_the_old_file(tmp_path, child_environment):
     said = [line for line in done.stderr.splitlines() if line]
     assert [line.split(":")[0] for line in said] == ["error"] * 4
     assert all("cannot be written" in line for line in said)
+
+
+def test_what_the_inputs_need_is_not_replaced(call, floor, tmp_path):
+    """Pictures of an .obj and of a .gltf, its data, and those of a finer mesh, which a .gltf of another name would have."""
+    (tmp_path / "in.glb").write_bytes(changed(rich()[:-12], len))  # its length told anew
+    tree, data, _ = opened(tmp_path / "in.glb")
+    (tmp_path / "part").mkdir()
+    (tmp_path / "part" / "m.mtl").write_text("newmtl a\nmap_Kd -s 1 1 1 of walls.png\n")
+    floor.write_text("mtllib part/m.mtl\n" + floor.read_text())
+    tree["images"].append({"uri": "of%20glass.png"})
+    tree["buffers"][0]["uri"] = "data.bin"
+    path, finer = tmp_path / "in.gltf", ["--high", tmp_path / "in.gltf", "--cage", 1]
+    path.write_text(json.dumps(tree))
+    wanted = {"part/of walls.png": b"1", "of glass.png": b"\x89PNG", "data.bin": data}
+    for name, content in wanted.items():
+        (tmp_path / name).write_bytes(content)
+    for mesh, output, options, needed in (
+        (floor, "part/of walls.png", [], "part/of walls.png"),
+        (path, "of glass.png", [], "of glass.png"),
+        (path, "data.gltf", [], "data.bin"),
+        (tmp_path / "in.glb", "data.gltf", finer, "data.bin"),
+        (tmp_path / "in.glb", "of glass.png", ["--uv", "0", *finer], "of glass.png"),
+    ):
+        status, _, err = call("bake", mesh, "-o", tmp_path / output, "--texture", 16, *options)
+        name = repr(str(tmp_path / needed))
+        assert (status, err) == (2, f"error: --output: got {name}, which is the input {name}, want another file\n")
+    status, _, err = call("bake", floor, "-o", tmp_path / "part/of walls.png", "--at", "faces")
+    assert (status, "which is the input" in err) == (2, True)
+    assert all((tmp_path / name).read_bytes() == content for name, content in wanted.items())
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no limits on a file's size")

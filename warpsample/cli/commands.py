@@ -132,10 +132,11 @@ def view(
 
     It starts with sphere + normal, normalised, held against the cosine lobe: turn rho, and see when it is right.
     """
+    from warpsample.mesh.files.beside import files_beside
     from warpsample.plotting import rendering
     from warpsample.viewer import start
 
-    rendering.check_output(screenshot, rendering.SCENE_SUFFIXES, mesh)
+    rendering.check_output(screenshot, rendering.SCENE_SUFFIXES, mesh, *files_beside(mesh))
     choice = start.choice(distribution, density, sequence, samples, seed)
     rendering.check_size(size, start.LEAST_SIZE)
     with working("trying whether pictures can be drawn here"):

@@ -12,6 +12,7 @@ from warpsample.estimate.result import PointStatus, Skipped
 from warpsample.host.device_memory import Memory
 from warpsample.host.files import check_output, complete_or_absent
 from warpsample.mesh.files import load_mesh
+from warpsample.mesh.files.beside import files_beside
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.baked import WRITERS, Baked, BakeRun, check_glb, writers_of
 from warpsample.output.by_parts import check_parts, city_of, is_by_parts, points_of_parts, write_parts
@@ -79,7 +80,9 @@ def _check(run: BakeRun, quantity: Quantity) -> None:
     check_report(run.report, run.mesh, run.output)
     Memory.of(run.options.get("device"))
     files = [run.options.get(option) for option in quantity.files]
-    check_output(run.output, "--output", run.mesh, *files, *([Path(run.context)] if run.context else []))
+    check_output(
+        run.output, "--output", run.mesh, *files_beside(run.mesh), *files, *([Path(run.context)] if run.context else [])
+    )
     check_places(run.points, run.at)
     if run.points is not None and run.output.suffix in (".ply", ".glb"):
         raise ValueError(

@@ -19,6 +19,7 @@ from warpsample.host.files import check_output, complete_or_absent, new_archive,
 from warpsample.host.space import check_space
 from warpsample.mesh.examples import content_of
 from warpsample.mesh.files import load_mesh
+from warpsample.mesh.files.beside import files_beside
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.mesh_writers import Lazy, write_ply, write_vtp
 from warpsample.output.places import check_places, points_on
@@ -122,7 +123,7 @@ def _write_cloud(file: BinaryIO, scale: float, points: SurfacePoints, run: Direc
 def _check(run: DirectionsRun) -> None:
     if run.output.suffix not in SUFFIXES:
         raise ValueError(f"--output: got {str(run.output)!r}, want a file that ends in one of {' '.join(SUFFIXES)}")
-    check_output(run.output, "--output", run.mesh)
+    check_output(run.output, "--output", run.mesh, *files_beside(run.mesh))
     check_places(run.points, run.at)
     check_integer(run.samples, "--samples", 1, 2**31 - 1)
     check_seed(run.seed)

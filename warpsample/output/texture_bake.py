@@ -14,6 +14,7 @@ from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.device_memory import Memory
 from warpsample.host.files import check_output, complete_or_absent, to_disk, write_arrays
 from warpsample.mesh.files import load_mesh
+from warpsample.mesh.files.beside import files_beside
 from warpsample.output.baked import BakeRun
 from warpsample.output.faces_option import with_optics
 from warpsample.output.quantities import check_options, quantity_of
@@ -46,7 +47,7 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     mesh = with_optics(load_mesh(run.mesh), **run.optics)
     slot = slot_of(quantity.name)
     jobs, file = jobs_of(run.mesh, mesh, how, run.output.suffix, slot)
-    told = [] if file is None else _before(file, run, how, jobs)
+    told = [] if file is None else _before(file, run, jobs)
     high = None if how.high is None else HighMesh.load(how.high, how.cage, how.normals)
     closed, start = Closed(mesh if high is None else high.mesh), perf_counter()
     found = [filled(job, run, how, closed, high) for job in jobs]
@@ -63,10 +64,8 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     return "\n  ".join(lines)
 
 
-def _before(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[TextureJob]) -> list[str]:
+def _before(file: GlbFile, run: BakeRun, jobs: list[TextureJob]) -> list[str]:
     """Checks a .glb or .gltf before anything is computed; what is to be said of it."""
-    if run.output.suffix == ".gltf":
-        check_output(_data_of(run.output), "--output", run.mesh, how.high, *file.files)
     with editing(run.mesh):
         if run.output.suffix == ".gltf":
             file.check_apart()
@@ -109,7 +108,9 @@ def _check(run: BakeRun, quantity: Quantity, how: TextureOptions) -> None:
     check_library(suffix)
     Memory.of(run.options.get("device"))
     files = [run.options.get(option) for option in quantity.files]
-    check_output(run.output, "--output", run.mesh, how.high, *files)
+    files += [run.mesh, how.high, *files_beside(run.mesh), *files_beside(how.high)]
+    for output in (run.output, *([_data_of(run.output)] if suffix == ".gltf" else [])):
+        check_output(output, "--output", *files)
     check_options(quantity, run.options)
 
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, BinaryIO
-from urllib.parse import quote, unquote
+from urllib.parse import quote
 
 import numpy as np
 
@@ -55,7 +55,6 @@ class GlbFile:
         part: its JSON as it was, for readers that check what they read.
         data: the numbers in it.
         tree: its JSON, to be edited.
-        files: that it names.
     """
 
     part: Part
@@ -73,7 +72,6 @@ class GlbFile:
             self.part.parts(key)  # checked: they get further members
         self.tree: dict[str, Any] = copy.deepcopy(self.part.content)
         self._chunks, self._size, self._rest = [bytes(chunk)], len(chunk), b""
-        self.files: list[Path] = [path.parent / unquote(uri) for uri in uris_of(self.tree)]
         if is_binary:
             self._rest = _after(path, len(chunk))
             if "uri" in self.tree.setdefault("buffers", [{"byteLength": 0}])[0]:
@@ -181,13 +179,6 @@ class GlbFile:
         items = self.tree.setdefault(key, [])
         items.append(item)
         return len(items) - 1
-
-
-def uris_of(tree: dict[str, Any]) -> Iterator[str]:
-    """What a tree says of the files that it needs."""
-    for item in (*tree.get("images", []), *tree.get("buffers", [])):
-        if isinstance(uri := item.get("uri"), str) and not uri.startswith("data:"):
-            yield uri
 
 
 def _after(path: Path, chunk: int) -> bytes:

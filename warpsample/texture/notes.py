@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from warpsample.host.json_tree import Part
-from warpsample.texture.glb_file import uris_of
+from warpsample.mesh.files.beside import uris_of
 from warpsample.texture.primitives import Primitive
 
 _TRANSMITS, _UNLIT = "KHR_materials_transmission", "KHR_materials_unlit"
@@ -34,7 +34,7 @@ def notes_on(tree: Part, primitives: list[Primitive]) -> Iterator[str]:
 
 def left_behind(path: Path, tree: dict[str, Any], output: Path) -> Iterator[str]:
     """A sentence on the files that a tree names, as they lie beside `path` and not beside what is written."""
-    files = named(uris_of(tree))
+    files = named(uris_of(Part(tree)))
     if files and path.parent.resolve() != output.parent.resolve():
         yield f"{output.name} wants these files beside it: {files}"
 
