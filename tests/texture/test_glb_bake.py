@@ -167,6 +167,28 @@ def test_a_set_that_has_no_place_for_some_faces_is_not_taken(call, tmp_path, num
     assert ", set 0: " in baked(call, path)[1]
 
 
+@pytest.mark.parametrize("material", [0, 1])
+@pytest.mark.parametrize("uv", ["auto", "new"])
+def test_a_primitive_without_an_area_or_a_face_gets_no_picture(call, tmp_path, uv, material):
+    """A line as a quad, and a strip of two vertices, beside a good wall, with a material of their own or with its."""
+    wall = corner()[1]
+    arrays = [wall, SQUARE, TWO, wall * np.float32([0, 1, 0]), np.array([0, 1], np.uint16)]
+    primitives = [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]
+    primitives += [{"attributes": {"POSITION": 3}, "indices": 2, "material": material}]
+    primitives += [{"attributes": {"POSITION": 0}, "indices": 4, "mode": 5, "material": 2 * material}]
+    tree = {"meshes": [{"primitives": [one]} for one in primitives], "materials": [{}, {}, {}]}
+    tree["nodes"] = [{"mesh": i, "name": str(i)} for i in range(3)]
+    path = tmp_path / "in.glb"
+    path.write_bytes(glb(tree, arrays))
+    output, out = baked(call, path, "--uv", uv)
+    made = opened(output)[0]
+    assert ("new coordinates" in out) == (uv == "new")
+    assert [("occlusionTexture" in one) for one in made["materials"]] == [True, False, False]
+    assert ("\n  without an area, and so left without a picture: 'meshes[1]', 'meshes[2]'" in out) == bool(material)
+    if material:
+        assert made["meshes"][1:] == tree["meshes"][1:]
+
+
 def floor_and_box(path, side):
     """A sheet of 8 x 8 with a material, and a closed box that is about it, or stands in its middle; y is up."""
     floor = np.array([(-4, 0, 4), (4, 0, 4), (4, 0, -4), (-4, 0, -4)], np.float32)

@@ -22,10 +22,11 @@ from warpsample.output.texture_images import Filled, filled
 from warpsample.texture.glb_file import GlbFile, editing
 from warpsample.texture.high import HighMesh
 from warpsample.texture.inside import Closed
-from warpsample.texture.jobs import SCENES, TextureJob, flaws_told, jobs_of
+from warpsample.texture.jobs import SCENES, TextureJob, flaws_told, is_flat, jobs_of
 from warpsample.texture.materials import OCCLUSION, THICKNESS, Slot, add_texture, slot_of
-from warpsample.texture.notes import left_behind, notes_on
+from warpsample.texture.notes import left_behind, named, notes_on
 from warpsample.texture.pictures import DEPTHS, check_library, exr_of, png_of
+from warpsample.texture.primitives import primitives_of, sharing
 from warpsample.texture.sets import TextureOptions
 
 SUFFIXES = (*SCENES, ".png", ".exr", ".npz")
@@ -70,6 +71,10 @@ def _before(file: GlbFile, run: BakeRun, jobs: list[TextureJob]) -> list[str]:
         if run.output.suffix == ".gltf":
             file.check_apart()
         told = list(notes_on(file.part, [one for job in jobs for one in job.group]))
+        groups = sharing(primitives_of(file.part, file.data))
+        flat = named(one.name for group in groups if is_flat(jobs[0].points.mesh, group) for one in group)
+    if flat:
+        told.append(f"without an area, and so left without a picture: {flat}")
     return [*told, *left_behind(run.mesh, file.tree, run.output)]
 
 

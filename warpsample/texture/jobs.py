@@ -92,22 +92,30 @@ def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) -> tuple[
     with editing(path):
         file = GlbFile(path)
         check_extensions(file.part)
-        groups = list(_with_slot(file, slot))
+        groups = [group for group in _with_slot(file, slot) if not is_flat(mesh, group)]
         texels = Texels(path, mesh, how, _corner_normals(path, mesh, how))
+    if not groups:
+        raise ValueError("mesh: got faces without an area, want some that have one")
     jobs = []
     for group in groups:
-        rows, name = [one.faces for one in group], name_of(file, group)
+        rows, name = [one.faces for one in group if not is_flat(mesh, [one])], name_of(file, group)
         with editing(path):
             first = _set_of(file, group, slot)
         found = texels.chosen(rows, name, first=first)
         if found is None:
-            charts = charts_for(group, mesh, square(how.size))
+            faced = [one for one in group if len(one.triangles)]
+            charts = charts_for(faced, mesh, square(how.size))
             with editing(path):
-                number, uv = add_uv(file, group, charts, len(mesh.faces))
+                number, uv = add_uv(file, faced, charts, len(mesh.faces))
             jobs.append(TextureJob(name, texels.points(uv, rows), number, f"new coordinates, set {number}", group))
         else:
             jobs.append(TextureJob(name, found[1], found[0], f"set {found[0]}", group))
     return jobs, file
+
+
+def is_flat(mesh: Mesh, group: list[Primitive]) -> bool:
+    """Whether no face of a group has an area in space: there is nothing to show it a picture on."""
+    return not any(mesh.face_areas[one.faces].any() for one in group)
 
 
 def _with_slot(file: GlbFile, slot: Slot) -> Iterator[list[Primitive]]:
