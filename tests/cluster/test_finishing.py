@@ -94,9 +94,9 @@ def test_tasks_are_cancelled_however_it_ends(monkeypatch, error):
 
 
 class Sent:
-    """A future of a task."""
+    """A future of a task; what it gave was told before a restart of the workers forgot it."""
 
-    status = "finished"
+    status = "lost"
 
     def __init__(self, place):
         self.key = "bake", place

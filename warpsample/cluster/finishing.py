@@ -77,8 +77,8 @@ def _finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks
                 return
             ready = done.next_batch(block=False)
             for future, result in ready:
-                if future.status != "finished":  # an error comes with its traceback
-                    raise result[1] if future.status == "error" else result
+                if isinstance(result, tuple | BaseException):  # its status may be another by now; of an error all is told
+                    raise result[1] if isinstance(result, tuple) else result
                 yield held.pop(future), result[0]
             if ready:
                 heard = time.monotonic()
