@@ -199,3 +199,11 @@ def test_wrong_arguments_are_named(arguments, options, why):
     with pytest.raises((TypeError, ValueError)) as caught:
         ws.texture_points(mesh, given, arguments[1], **options)
     assert str(caught.value).startswith(why)
+
+
+def test_the_image_of_no_points_is_0():
+    mesh = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    for samples in (1, 4):
+        t = ws.texture_points(mesh, np.full((1, 3, 2), np.nan), 8, samples=samples)
+        assert np.array_equal(t.image(np.zeros(0)), np.zeros((8, 8)))
+        assert np.array_equal(t.image(np.zeros((0, 3))), np.zeros((8, 8, 3)))

@@ -119,7 +119,7 @@ class TexturePoints:
             [0.125 0.375 0.625 0.875]
         """
         values = self._rows(values, "values")
-        flat = values.reshape(len(self), -1)
+        flat = values.reshape(len(self), *values.shape[1:] or (1,))
         return self._image(self._texel_rows.means(flat.shape[1], lambda rows, _: flat[rows])[0], values, gutter)
 
     def image_error(self, errors: Any, *, gutter: Any = "all") -> np.ndarray:
@@ -144,11 +144,11 @@ class TexturePoints:
             0.0
         """
         own = self._rows(getattr(errors, "standard_error", errors), "errors")
-        flat = own.reshape(len(self), -1)
+        flat = own.reshape(len(self), *own.shape[1:] or (1,))
         if self.samples == 1:
             made = self._texel_rows.means(flat.shape[1], lambda rows, _: flat[rows])[0]
         elif hasattr(errors, "value"):
-            values = self._rows(errors.value, "errors").reshape(len(self), -1)
+            values = self._rows(errors.value, "errors").reshape(flat.shape)
             made = self._texel_rows.errors(values, flat)
         else:
             raise TypeError(f"errors: got {told(errors)}, want the Estimate: of {self.samples} samples the values tell")
@@ -161,7 +161,7 @@ class TexturePoints:
     def _rows(self, values: Any, argument: str) -> np.ndarray:
         wants = f"({len(self)},) or ({len(self)}, C) real numbers, a row for each point"
         rows = as_real(values, argument, wants)
-        if rows.ndim not in (1, 2) or len(rows) != len(self) or not rows.size:
+        if rows.ndim not in (1, 2) or len(rows) != len(self) or 0 in rows.shape[1:]:
             raise ValueError(f"{argument}: got shape {rows.shape}, want {wants}")
         return rows
 
