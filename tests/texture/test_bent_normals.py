@@ -84,6 +84,7 @@ def test_the_set_of_the_occlusion_serves(call, tmp_path):
     def of_equal_sets(tree):
         attributes = tree["meshes"][0]["primitives"][0]["attributes"]
         attributes["TEXCOORD_0"] = attributes["TEXCOORD_1"]
+        del tree["materials"][0]["occlusionTexture"]["extensions"]  # whose transform names the other set
 
     (tmp_path / "in.glb").write_bytes(changed(rich(), of_equal_sets))
     status, out, _ = call("bake", tmp_path / "in.glb", "-o", tmp_path / "out.glb", *BENT[:4], "--samples", 2)

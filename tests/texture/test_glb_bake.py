@@ -189,6 +189,34 @@ def test_a_primitive_without_an_area_or_a_face_gets_no_picture(call, tmp_path, u
         assert made["meshes"][1:] == tree["meshes"][1:]
 
 
+def test_odd_members_stay_as_they_are(call, tmp_path):
+    """Extras 400 deep, limits beside a number that is none, and a second set without a first, which new ones leave."""
+    wall, deep = corner()[1], 1
+    for _ in range(400):
+        deep = [deep]
+    arrays = [wall, SQUARE, TWO, np.float32([1, np.nan, 2, 3])]
+    primitives = [{"attributes": {"POSITION": 0, "TEXCOORD_1": 1, "_T": 3}, "indices": 2, "material": 0}]
+    tree = {"meshes": [{"primitives": primitives}], "nodes": [{"mesh": 0}], "materials": [{"extras": deep}], "extras": deep}
+    path = tmp_path / "in.glb"
+    path.write_bytes(changed(glb(tree, arrays), lambda tree: tree["accessors"][3].update(min=[1], max=[3])))
+    made, data, _ = opened(baked(call, path, "--uv", "new")[0])
+    attributes = made["meshes"][0]["primitives"][0]["attributes"]
+    assert made["extras"] == made["materials"][0]["extras"] == deep
+    assert "min" not in made["accessors"][attributes["_T"]]
+    assert set(np.unique(array_of(made, data, attributes["TEXCOORD_1"]))) == {0.0, 1.0}
+    assert made["materials"][0]["occlusionTexture"] == {"index": 0}
+
+
+def test_an_occlusion_is_by_the_set_that_its_transform_names(call, tmp_path):
+    transform = {"KHR_texture_transform": {"texCoord": 1}}
+    attributes = {"POSITION": 0, "TEXCOORD_0": 1, "TEXCOORD_1": 1}
+    tree = {"meshes": [{"primitives": [{"attributes": attributes, "indices": 2, "material": 0}]}], "nodes": [{"mesh": 0}]}
+    tree["materials"] = [{"occlusionTexture": {"index": 0, "extensions": transform}}]
+    path = tmp_path / "in.glb"
+    path.write_bytes(glb(tree, [corner()[1], SQUARE, TWO]))
+    assert ", set 1: " in baked(call, path)[1]
+
+
 def floor_and_box(path, side):
     """A sheet of 8 x 8 with a material, and a closed box that is about it, or stands in its middle; y is up."""
     floor = np.array([(-4, 0, 4), (4, 0, 4), (4, 0, -4), (-4, 0, -4)], np.float32)
@@ -316,14 +344,18 @@ def test_a_gltf_and_its_files_become_one_file(call, tmp_path):
     (tmp_path / "shown.jpg").write_bytes(shown)
     (tmp_path / "new").write_bytes(b"RIFF\x10\0\0\nWEBPVP8 ")
     tree["images"] += [{"uri": "shown.jpg", "name": "seen", "extras": 1}, {"uri": "new"}]
-    tree["buffers"] = [{"uri": "data:;base64,AAECAwQ=", "byteLength": 5}, {"uri": "a%20b.bin", "byteLength": len(data)}]
+    said = {"name": "first", "extras": [1]}
+    tree["buffers"] = [
+        {"uri": "data:;base64,AAECAwQ=", "byteLength": 5, **said},
+        {"uri": "a%20b.bin", "byteLength": len(data)},
+    ]
     for view in tree["bufferViews"]:
         view["buffer"] = 1
     path = tmp_path / "in.gltf"
     path.write_text(json.dumps(tree))
     output, _ = baked(call, path)
     made, whole, _ = opened(output)
-    assert made["buffers"] == [{"byteLength": len(whole)}]
+    assert made["buffers"] == [{"byteLength": len(whole), **said}]
     assert whole[:8] == bytes([0, 1, 2, 3, 4, 0, 0, 0])
     assert made["images"][-1]["name"] == "brick occlusion"
     assert made["images"][2]["mimeType"] == "image/webp"

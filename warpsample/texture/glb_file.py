@@ -3,7 +3,6 @@
 Not by trimesh or pygltflib, which write anew what they know of a file, and lose the rest.
 """
 
-import copy
 import json
 import re
 import struct
@@ -70,7 +69,7 @@ class GlbFile:
         self.data: Data = Data.of(self.part, path, chunk)
         for key in _LISTS:
             self.part.parts(key)  # checked: they get further members
-        self.tree: dict[str, Any] = copy.deepcopy(self.part.content)
+        self.tree: dict[str, Any] = json.loads(json.dumps(self.part.content, allow_nan=False))  # as deep as it could be read
         self._chunks, self._size, self._rest = [bytes(chunk)], len(chunk), b""
         if is_binary:
             self._rest = _after(path, len(chunk))
@@ -91,8 +90,8 @@ class GlbFile:
     def add_like(self, accessor: Part, array: np.ndarray) -> int:
         """The number of a new accessor of (V, k) numbers of vertices, of which all else is said as of another one."""
         more = {key: value for key, value in accessor.content.items() if key not in _OF_ARRAY}
-        bounds = {"min": array.min(axis=0).tolist(), "max": array.max(axis=0).tolist()}
-        more |= {key: value for key, value in bounds.items() if key in accessor}
+        bounds = {"min": array.min(axis=0), "max": array.max(axis=0)}
+        more |= {key: value.tolist() for key, value in bounds.items() if key in accessor and np.isfinite(value).all()}
         size = array.shape[1] * array.dtype.itemsize
         rows = np.ascontiguousarray(array).view(np.uint8).reshape(len(array), size)
         padded = np.pad(rows, ((0, 0), (0, -size % 4)))
@@ -141,7 +140,8 @@ class GlbFile:
     def _take_in(self, path: Path) -> None:
         """Makes one buffer of all, and takes in the pictures of other files that a .glb may hold."""
         starts = [self._put(bytes(buffer)) for buffer in self.data.buffers]
-        self.tree["buffers"] = [{"byteLength": 0}]
+        self.tree["buffers"] = [{**self.tree.get("buffers", [{}])[0], "byteLength": 0}]  # with what is said of the first
+        self.tree["buffers"][0].pop("uri", None)
         for view in self.tree.get("bufferViews", []):
             view["byteOffset"] = view.get("byteOffset", 0) + starts[view["buffer"]]
             view["buffer"] = 0

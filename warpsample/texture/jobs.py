@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from warpsample.host.json_tree import Part
 from warpsample.mesh.files.gltf import check_extensions, read_corners
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile, editing
@@ -156,8 +157,16 @@ def _set_of(file: GlbFile, group: list[Primitive], slot: Slot) -> int | None:
     materials = file.part.parts("materials")
     numbers = [number for one in group for number in one.materials]
     known = [kind.known(materials[number]) for kind in (slot, OCCLUSION) for number in numbers]
-    sets = [info.whole("texCoord", 0, MOST_SETS) for info in known if info is not None]
+    sets = [_set_by(info) for info in known if info is not None]
     return sets[0] if sets else None
+
+
+def _set_by(info: Part) -> int:
+    """The set of coordinates that a material shows a picture by: that of a transform comes first."""
+    number = info.whole("texCoord", 0, MOST_SETS)
+    if "extensions" in info and "KHR_texture_transform" in info.part("extensions"):
+        number = info.part("extensions").part("KHR_texture_transform").whole("texCoord", number, MOST_SETS)
+    return number
 
 
 def square(size: tuple[int, int]) -> int:

@@ -1,6 +1,6 @@
 """Pictures as textures of the materials of a .glb."""
 
-import copy
+import json
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -118,7 +118,7 @@ def _is_shared(file: GlbFile, group: list[Primitive], number: int) -> bool:
 
 def _copy(file: GlbFile, group: list[Primitive], number: int) -> None:
     """Gives a group a copy of a material of its own."""
-    made = file.add_material(copy.deepcopy(file.tree["materials"][number]))
+    made = file.add_material(json.loads(json.dumps(file.tree["materials"][number])))
     for one in group:
         for named in naming(Part(_primitive(file, one))):
             if named.content["material"] == number:

@@ -1,5 +1,6 @@
 """New texture coordinates of primitives of a .glb: their vertices are split, and all that belongs to these follows."""
 
+from itertools import count as count_up
 from typing import Any
 
 import numpy as np
@@ -28,7 +29,8 @@ def add_uv(file: GlbFile, group: list[Primitive], charts: list[Charted], count: 
     Returns:
         the number of the set, and (F, 3, 2) float64, NaN of the faces of others.
     """
-    number = max(map(_sets, group))
+    used = {name for one in group for name in one.part.part("attributes").content}
+    number = next(number for number in count_up() if f"TEXCOORD_{number}" not in used)
     uv = np.full((count, 3, 2), np.nan)
     for one, (vertex, faces, places) in zip(group, charts, strict=True):
         uv[one.faces] = places[faces]
@@ -36,21 +38,13 @@ def add_uv(file: GlbFile, group: list[Primitive], charts: list[Charted], count: 
     return number, uv.astype(np.float32).astype(np.float64)
 
 
-def _sets(one: Primitive) -> int:
-    """How many sets of coordinates a primitive has: they are counted from 0 without a gap."""
-    attributes, number = one.part.part("attributes"), 0
-    while f"TEXCOORD_{number}" in attributes:
-        number += 1
-    return number
-
-
 def _split(file: GlbFile, one: Primitive, charts: Charted, number: int) -> None:
     """Rewrites a primitive by the vertex that each new one is; sets below `number` that it has not are the new one, too."""
     primitive: dict[str, Any] = file.tree["meshes"][one.mesh]["primitives"][one.number]
-    (vertex, faces, uv), had = charts, _sets(one)
+    vertex, faces, uv = charts
     primitive["attributes"] = _gathered(file, one.part.part("attributes"), vertex)
     places = file.add_vertices(uv.astype(np.float32))
-    primitive["attributes"] |= {f"TEXCOORD_{i}": places for i in range(had, number + 1)}
+    primitive["attributes"] = {f"TEXCOORD_{i}": places for i in range(number + 1)} | primitive["attributes"]
     targets = one.part.parts("targets")
     if targets:
         primitive["targets"] = [_gathered(file, target, vertex) for target in targets]
