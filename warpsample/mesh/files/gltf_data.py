@@ -129,7 +129,7 @@ def content_of(path: Path, uri: str, length: int, by: Part) -> memoryview:
             return memoryview(b64decode(unquote(data), validate=True) if mark else b"")
         except ValueError:
             raise ValueError(f"{by.at('uri')}: got data that are no base64") from None
-    if _SCHEME.match(uri):
+    if _SCHEME.match(uri) or Path(unquote(uri)).anchor:
         raise ValueError(f"{by.at('uri')}: got {told(uri)}, want the name of a file, or data")
     file = check_file(path.parent / unquote(uri), by.at("uri"), "a file")
     with file.open("rb") as stream:
