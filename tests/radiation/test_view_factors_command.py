@@ -52,6 +52,18 @@ def test_groups_and_reciprocity(call, cube_inwards, tmp_path, groups):
     assert len((tmp_path / "svf.inp.1").read_text().splitlines()) == 7
 
 
+def test_groups_are_the_named_parts(call, cube_inwards, tmp_path):
+    mesh = ws.load_mesh(cube_inwards)
+    corners = [f"v {x} {y} {z}" for x, y, z in mesh.vertices]
+    sides = [f"o side{k}\nf {a + 1} {b + 1} {c + 1}" for k, (a, b, c) in enumerate(mesh.faces)]
+    (tmp_path / "named.obj").write_text("\n".join([*corners, *sides]))
+    status, _, err = call(
+        "view-factors", tmp_path / "named.obj", "-o", tmp_path / "v.npz", "--groups", "part", "--count", 16
+    )
+    assert (status, err) == (0, "")
+    assert ws.ViewFactors.load(tmp_path / "v.npz").names == tuple(sorted(f"side{k}" for k in range(12)))
+
+
 @pytest.mark.parametrize("stop", [KeyboardInterrupt, MemoryError("no room")])
 def test_an_interrupted_run_leaves_the_old_file(call, cube_inwards, tmp_path, monkeypatch, stop):
     output = tmp_path / "factors.npz"

@@ -116,7 +116,7 @@ def compare(
             tool=name,
             version=version(TRACERS[name].library) if name in TRACERS else "",
             hit=float(hit.mean()),
-            differ=max(np.count_nonzero(other != found["wide"]) for other in found.values()),
+            differ=max(int(np.count_nonzero(other != found["wide"])) for other in found.values()),
             rays=len(hit),
             million_per_second=Spread.of([len(hit) / t / 1e6 for t in seconds[name, 1]]),
             ours=Spread.of_ratios(seconds[name, 1], seconds["wide", 1]) if name != "wide" else None,

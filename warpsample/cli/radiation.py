@@ -13,7 +13,9 @@ def view_factors_command(
     output: Annotated[Path, output_file(".npz .vf, or vfsparse.inp and more")],
     *,
     count: Annotated[int, typer.Option(help="Rays of each face.")] = 4096,
-    groups: Annotated[Path | None, option("Text or .npy: a whole number for each face, the surface it is part of.")] = None,
+    groups: Annotated[
+        Path | None, option("Text or .npy: the number of each face's surface; or part, the named ones.")
+    ] = None,
     reciprocal: Annotated[bool, typer.Option("--reciprocal", help="Pool both directions of each pair, and close.")] = False,
     up: Annotated[tuple[float, float, float] | None, option("The sky's axis, to part sky from ground.")] = None,
     seed: Annotated[int, typer.Option(help="Seed of the rays.")] = 0,

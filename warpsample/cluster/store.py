@@ -74,7 +74,8 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
 def check_new(path: Path, resume: bool, argument: str) -> None:
     """Refuses, by a ValueError, a store that is there and not to be resumed."""
     if path.exists() and not resume:
-        raise ValueError(f"{argument}: got {str(path)!r}, which is there already, want a new name, or to resume it")
+        how = "a new name, or to resume it (resume=True, --resume)"
+        raise ValueError(f"{argument}: got {str(path)!r}, which is there already, want {how}")
 
 
 def _check_space(path: Path, job: Job, chunks: int) -> None:

@@ -202,7 +202,7 @@ class Distribution:
 
         Raises:
             TypeError, ValueError: w is not floating-point, or its last axis has another length.
-            NotImplementedError: `sample` sends several u to one w.
+            NotImplementedError: `sample` sends several u to one w, or `maps` name no inverse.
 
         Example:
             >>> lobe = ws.GGX(alpha=0.3)
@@ -210,7 +210,7 @@ class Distribution:
             [[0.25 0.75]]
         """
         if self.maps.invert is None:
-            raise NotImplementedError(f"{self!r}: sample sends several u to one w, so it has no inverse")
+            raise NotImplementedError(f"{self!r}: sample sends several u to one w, or its Maps name no invert")
         return self._map(self.maps.invert, w, width=self.width, out_width=2, argument="w")
 
     def kernel_parameters(self) -> Any:

@@ -4,6 +4,7 @@ addEventListener("DOMContentLoaded", () => {
     if (image.closest("a")) continue;
     const link = document.createElement("a");
     link.href = image.src;
+    link.title = "Enlarge";
     image.replaceWith(link);
     link.append(image);
   }

@@ -116,7 +116,8 @@ def _serve() -> None:
         job.work()
         seconds = perf_counter() - start
     except ModuleNotFoundError as error:
-        answer({"failure": f"not installed: pip install {_PACKAGES.get(error.name, error.name)}"})
+        package = (error.name or "").partition(".")[0]
+        answer({"failure": f"not installed: pip install {_PACKAGES.get(package, package)}"})
         return
     except Exception as error:  # whatever a library does when it cannot work here is the answer
         answer({"failure": f"{type(error).__name__}: {error}".splitlines()[0]})

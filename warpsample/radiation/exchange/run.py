@@ -19,21 +19,22 @@ def run_view_factors(mesh: Path, output: Path, groups: Path | None, options: dic
     Args:
         mesh: the mesh file.
         output: .npz, .vf, or vfsparse.inp and what follows.
-        groups: a text or an .npy of one whole number for each face; None for no groups.
+        groups: a text or an .npy of one whole number for each face; "part" for the named parts; None for no groups.
         options: others of `view_factors`.
 
     Raises:
         TypeError, ValueError, OSError: an argument or a file that cannot be used; before anything is written.
     """
     check_factors_file(output, "--output", mesh, groups)
-    numbers = None if groups is None else _numbers(groups)
-    found = view_factors(load_mesh(mesh), groups=numbers, progress=True, **options)
+    found = view_factors(load_mesh(mesh), groups=_groups(groups), progress=True, **options)
     save(found, output)
     return f"{output}: {summary(found)}"
 
 
-def _numbers(path: Path) -> np.ndarray:
-    wants = "a text or an .npy of one whole number for each face"
+def _groups(path: Path | None) -> Any:
+    if path is None or path == Path("part"):
+        return path and path.name
+    wants = "a text or an .npy of one whole number for each face, or part"
     file = check_file(path, "--groups", wants)
     with naming_file("--groups", file, wants):
         if file.suffix == ".npy":
