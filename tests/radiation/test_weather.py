@@ -79,7 +79,9 @@ def test_athens_is_an_example_of_a_cloudless_year(tmp_path, monkeypatch):
     assert np.degrees([noon.min(), noon.max()]) == pytest.approx([28.6, 75.5], abs=0.5)
     assert 900.0 < weather.direct_normal.max() < 1100.0
     assert 0.05 < weather.diffuse_horizontal.sum() / weather.direct_normal.sum() < 0.2
-    assert not weather.direct_normal[weather.sun_altitude < 0.0].any()
+    night = weather.sun_altitude < 0.0
+    assert 4000 < night.sum() < 4700  # a little less than half of 8,760 hours
+    assert (weather.direct_normal[night] == 0.0).all()
     (tmp_path / "athens").write_text("mine")
     with pytest.raises(ValueError, match="^weather: got 'athens', which cannot be read"):
         read_weather("athens")

@@ -43,7 +43,7 @@ def ambient_occlusion(
     Behind a face with a transmittance (see `Mesh`) a ray goes on with that share of its weight.
     The bits depend on (mesh, point, first_point + row, seed, count, sequence) alone: not on threads, on which points are
     together or active, nor on `skip`; a CUDA device has other roundings. Memory is that of the points. The first call ever
-    compiles for about 8 s. Without `skip` it takes up to 2.6 times as long.
+    compiles for about 8 s. Without `skip` it takes up to 1.5 times as long (`warpsample bench visibility`).
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes; pass a Mesh to keep its tree from call to call.

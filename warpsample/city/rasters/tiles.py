@@ -212,7 +212,9 @@ class RasterRun:
 
     def _between(self, foreground: Foreground, span: Span, near: Span) -> list[Scenery]:
         """What is near before the upper, and before the lower columns; or alone, where there are none."""
-        fields = [] if self.field is None else [self.field] if self.wooded is self.field else [self.field, self.wooded]
+        if self.field is None:
+            return [foreground.before()]
+        fields = [self.field] if self.wooded is self.field else [self.field, self.wooded]
         lowest = float(foreground.triangles[0][:, 2].min())
         columns = zip(*(field.columns(span, near, lowest) for field in fields), strict=True)
         return [foreground.before(*each) for each in columns] or [foreground.before()]

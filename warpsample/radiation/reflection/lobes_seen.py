@@ -34,7 +34,7 @@ class Targets:
 
 
 @dataclass(frozen=True, eq=False)
-class Seen:
+class Shares:
     """What lobes see, in rows of sparse matrices.
 
     Attributes:
@@ -90,7 +90,7 @@ class Met:
     share: np.ndarray
 
 
-def shares_seen(targets: Targets, rays: LobeRays, together: int, workers: int | None) -> Seen:
+def shares_seen(targets: Targets, rays: LobeRays, together: int, workers: int | None) -> Shares:
     """What the lobes see in the mean of so many points."""
     mesh, csr_array = targets.patches.mesh, imported("scipy.sparse").csr_array
     reflects_and_transmits = mesh.transmits and bool((mesh.transmittance[targets.patches.face] > 0.0).any())
@@ -107,10 +107,10 @@ def shares_seen(targets: Targets, rays: LobeRays, together: int, workers: int | 
     found = np.flatnonzero(column >= 0)
     between = rows(found, column[found], len(targets.patches))
     if targets.beyond is None:
-        return Seen(between, None)
+        return Shares(between, None)
     away = np.flatnonzero(column == _AFAR)
     afar = rows(away, np.arange(len(away), dtype=np.int32), len(away))
-    return Seen(between, afar @ targets.beyond(rays.way[met.ray[away]]))
+    return Shares(between, afar @ targets.beyond(rays.way[met.ray[away]]))
 
 
 def _met_first(patches: Patches, rays: LobeRays, workers: int | None) -> Met:
@@ -149,7 +149,7 @@ def lobes_seen(
     active: np.ndarray | None = None,
     together: int = 1,
     workers: int | None = None,
-) -> Iterator[tuple[slice, Seen]]:
+) -> Iterator[tuple[slice, Shares]]:
     """(points, what they see) block by block: what `count` rays of each see, in the mean of `together` points."""
     step = max(1, _BLOCK // (count * together)) * together
     for first in range(0, len(points), step):
