@@ -187,7 +187,7 @@ def site(repository, tmp_path_factory):
     return folder
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 def test_all_links_lead_somewhere_and_nothing_is_loaded_from_elsewhere(site):
     pages = {page: Links(page.read_text()) for page in sorted(site.rglob("*.html"))}
     assert len(pages) > 80
@@ -202,12 +202,13 @@ def test_all_links_lead_somewhere_and_nothing_is_loaded_from_elsewhere(site):
             assert not anchor or unquote(anchor) in pages[target].anchors, f"{page}: {address}"
 
 
-@pytest.mark.thorough
-def test_a_browser_shows_every_page_whole_and_finds_words(site, tmp_path):
+@pytest.mark.slow
+def test_a_browser_shows_every_page_whole_and_finds_what_a_search_names(site, tmp_path):
     if browser.CHROMIUM is None:
         pytest.skip("no Chromium: apt-get install chromium")
     pages = [page.relative_to(site).as_posix() for page in sorted(site.rglob("*.html"))]
-    said = browser.opened(site, [*pages, "search.html?q=irradiation"], (390, 1400), tmp_path)
-    assert len(said) == 2 * len(pages) + 2
+    searches = {"irradiation": "warpsample.irradiation", "sky+view+factor": "warpsample.sky_view_factor"}
+    said = browser.opened(site, [*pages, *(f"search.html?q={words}" for words in searches)], (390, 1400), tmp_path)
+    assert len(said) == 2 * (len(pages) + len(searches))
     assert [page for page in said if page["over"] > 0 or page["missing"] or page["errors"]] == []
-    assert all(page["found"] > 0 for page in said if "?q=" in page["page"])
+    assert [page["found"][0] for page in said[-2 * len(searches) :: 2]] == list(searches.values())

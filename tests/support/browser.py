@@ -17,24 +17,27 @@ FLAGS = (
 )
 ASK = """<body><script>
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
-async function opened(page, width) {
+async function opened(page) {
   const frame = document.createElement("iframe"), errors = [];
-  frame.style = `width: ${width}px; height: 900px; border: 0`;
+  frame.style = "height: 900px; border: 0";
   document.body.append(frame);
   await new Promise((done) => { frame.onload = done; frame.src = page; });
   frame.contentWindow.onerror = (text) => errors.push(text);
   const inside = frame.contentDocument, root = inside.documentElement;
   for (const image of inside.images) { image.loading = "eager"; await image.decode().catch(() => {}); }
   for (let i = 0; page.includes("?q=") && i < 200 && !inside.querySelector(".search li"); i++) await pause(50);
-  const said = {page, width, over: root.scrollWidth - root.clientWidth, errors, title: inside.title,
-    missing: [...inside.images].filter((i) => !i.naturalWidth).map((i) => i.src),
-    found: inside.querySelectorAll(".search li").length};
+  const missing = [...inside.images].filter((i) => !i.naturalWidth).map((i) => i.src);
+  const found = [...inside.querySelectorAll(".search li a")].map((a) => a.textContent);
+  const said = WIDTHS.map((width) => {
+    frame.style.width = `${width}px`;
+    return {page, width, over: root.scrollWidth - root.clientWidth, errors, title: inside.title, missing, found};
+  });
   frame.remove();
   return said;
 }
 (async () => {
   const said = [];
-  for (const page of PAGES) for (const width of WIDTHS) said.push(await opened(page, width));
+  for (const page of PAGES) said.push(...await opened(page));
   await fetch("/said", {method: "POST", body: JSON.stringify(said)});
 })();
 </script></body>"""
@@ -66,12 +69,12 @@ def opened(folder, pages, widths, profile):
     """What Chromium says of each page at each width, in pixels.
 
     Returns:
-        dictionaries of page, width, title; over, pixels that it is too wide; missing pictures; errors of scripts; how
-        many results a search has found.
+        dictionaries of page, width, title; over, pixels that it is too wide; missing pictures; errors of scripts; what a
+        search has found, the first first.
     """
     with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Asking, directory=str(folder))) as server:
         server.heard, server.said = threading.Event(), None
-        asked = ASK.replace("PAGES", json.dumps([quote(page, safe="/?=") for page in pages]))
+        asked = ASK.replace("PAGES", json.dumps([quote(page, safe="/?=+") for page in pages]))
         server.ask = asked.replace("WIDTHS", json.dumps(widths))
         threading.Thread(target=server.serve_forever, daemon=True).start()
         address = f"http://127.0.0.1:{server.server_port}/ask"

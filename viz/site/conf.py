@@ -49,6 +49,7 @@ html_theme = "furo"
 html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_js_files = ["images.js"]
+html_search_scorer = str(HERE / "search_scorer.js")
 html_show_sphinx = False
 html_show_copyright = False
 html_copy_source = False
