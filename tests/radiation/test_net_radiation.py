@@ -1,5 +1,7 @@
 """Net radiation between grey surfaces against closed forms, and what rows are called."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import trimesh
@@ -25,6 +27,27 @@ def test_concentric_spheres_exchange_what_the_textbook_says():
     want = SIGMA * (500.0**4 - 300.0**4) / (1 / 0.8 + (1 - 0.4) / 0.4 * inner / outer) * inner
     assert np.allclose(found.power, [want, -want], rtol=1e-11)  # the radiosity has twelve digits
     assert np.allclose(found.flux, found.power / v.areas)
+
+
+def test_surfaces_go_by_their_names():
+    v = replace(factors([[0.0, 1.0], [0.25, 0.75]], [1.0, 4.0]), names=("inner", "outer"))
+    want = v.net_radiation([[500.0, 400.0], [300.0, 300.0]], [0.8, 0.4])
+    kelvin = {"outer": 300.0, "inner": [500.0, 400.0]}
+    assert np.array_equal(v.net_radiation(kelvin, {"inner": 0.8, "outer": 0.4}).flux, want.flux)
+    for wrong in ({"inner": 300.0}, {**kelvin, "roof": 300.0}):
+        with pytest.raises(ValueError, match=r"temperature: got a dictionary of \[.*\], want \['inner', 'outer'\]"):
+            v.net_radiation(wrong, 0.9)
+    with pytest.raises(ValueError, match=r"temperature: got rows of shapes \[\(2,\), \(3,\)\], want numbers, or \(k,\)"):
+        v.net_radiation({"inner": [300.0] * 2, "outer": [300.0] * 3}, 0.9)
+    with pytest.raises(ValueError, match="emissivity: got a dictionary where surfaces have no names, want numbers"):
+        replace(v, names=None).net_radiation(300.0, {"inner": 0.8, "outer": 0.4})
+
+
+def test_degrees_celsius_are_told():
+    v = factors([[0.0, 1.0], [1.0, 0.0]], [1.0, 1.0])
+    with pytest.warns(UserWarning, match="temperature: got at most 25 kelvin; where these are degrees Celsius, add 273.15"):
+        v.net_radiation([20.0, 25.0], 0.9)
+    v.net_radiation([0.0, 77.0], 0.9)
 
 
 def test_a_plate_under_the_sky_loses_what_it_does_not_get():

@@ -1,5 +1,7 @@
 """Thermal radiation between grey surfaces: what each of them loses, from temperatures and emissivities."""
 
+import warnings
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +19,7 @@ STEFAN_BOLTZMANN = 5.670374419e-8
 """W/(m² K⁴), exact to these digits since 2019."""
 
 _HOTTEST = 1e6  # kelvin
+_CELSIUS = (0.0, 60.0)  # what temperatures of rooms and weather are in degrees Celsius; in kelvin hardly anything is
 _LEAK = 1e-3  # of a row: what may escape from a closed room, at edges where faces meet at less than 14 degrees
 
 
@@ -42,8 +45,8 @@ def net_radiation_of(factors: "ViewFactors", temperature: Any, emissivity: Any, 
             "mesh: got view factors of one that light goes through, whose panes would radiate too; want opaque faces"
         )
     rows = len(factors.areas)
-    kelvin = _checked(temperature, "temperature", 0.0, _HOTTEST)
-    share = _checked(emissivity, "emissivity", np.finfo(np.float64).tiny, 1.0)
+    kelvin = _checked(_in_rows(factors, temperature, "temperature"), "temperature", 0.0, _HOTTEST)
+    share = _checked(_in_rows(factors, emissivity, "emissivity"), "emissivity", np.finfo(np.float64).tiny, 1.0)
     if outside is None and (open := float(factors.outside.max(initial=0.0))) > _LEAK:
         raise ValueError(
             f"outside: got None where a surface sees {open:.2g} of what it can see outside, want the temperature there in "
@@ -59,12 +62,40 @@ def net_radiation_of(factors: "ViewFactors", temperature: Any, emissivity: Any, 
     times = kelvin.shape[1:]
     if beyond.ndim and beyond.shape != times:
         raise ValueError(f"outside: got shape {beyond.shape}, want one number{f' or {times}' if times else ''}")
+    _warn_of_celsius(kelvin)
     emitted = np.broadcast_to(STEFAN_BOLTZMANN * np.square(np.square(kelvin)), (rows, *times)).reshape(rows, -1)
     sky = np.outer(factors.outside, np.broadcast_to(STEFAN_BOLTZMANN * np.square(np.square(beyond)), times).ravel())
     part = np.broadcast_to(share, (rows,))[:, None]
     leaving = radiosity_of(factors, part * emitted + (1.0 - part) * sky, 1.0 - part[:, 0])
     flux = part * (emitted - factors.matrix @ leaving - sky)
     return NetRadiation(*(a.reshape(rows, *times) for a in (flux, flux * factors.areas[:, None], leaving)))
+
+
+def _in_rows(factors: "ViewFactors", value: Any, argument: str) -> Any:
+    """`value`, or where it is a dictionary by the names of surfaces, an array with a row for each surface.
+
+    Raises:
+        ValueError: surfaces have no names, or one has no value, or a value belongs to none.
+    """
+    if not isinstance(value, Mapping):
+        return value
+    if factors.names is None:
+        raise ValueError(f"{argument}: got a dictionary where surfaces have no names, want numbers; `groups` names surfaces")
+    if set(value) != set(factors.names):
+        raise ValueError(f"{argument}: got a dictionary of {sorted(map(str, value))}, want {sorted(factors.names)}")
+    rows = [as_real(value[name], f"{argument}[{name!r}]") for name in factors.names]
+    if len(shapes := {row.shape for row in rows if row.ndim}) > 1:
+        raise ValueError(f"{argument}: got rows of shapes {sorted(shapes)}, want numbers, or (k,) for k times")
+    return np.stack(np.broadcast_arrays(*rows))
+
+
+def _warn_of_celsius(kelvin: np.ndarray) -> None:
+    """Tells of temperatures that are all as they would be in degrees Celsius."""
+    low, high = _CELSIUS
+    if kelvin.size and low < kelvin.max() <= high:
+        warnings.warn(
+            f"temperature: got at most {kelvin.max():g} kelvin; where these are degrees Celsius, add 273.15", stacklevel=4
+        )
 
 
 def _checked(value: Any, argument: str, low: float, high: float) -> np.ndarray:

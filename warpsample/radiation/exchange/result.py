@@ -100,8 +100,9 @@ class ViewFactors:
         Surfaces are grey and diffuse, and opaque: they reflect 1 - emissivity, again and again. What meets a back is lost.
 
         Args:
-            temperature: (N,) or (N, k), for k times; or one number. In kelvin.
-            emissivity: (N,) or one number, above 0 to 1.
+            temperature: (N,) or (N, k), for k times; or one number. In kelvin. Where surfaces have names, also a dictionary
+                from each name to a number, or to (k,).
+            emissivity: (N,), a dictionary from each name, or one number, above 0 to 1.
             outside: what is seen beyond the mesh is black at this temperature in kelvin: one number, or (k,). A closed
                 room needs none.
 
@@ -109,8 +110,9 @@ class ViewFactors:
             the net flux in W/m² and power in W of each surface; above 0 where it cools.
 
         Raises:
-            TypeError, ValueError: no finite numbers, another shape, temperatures below 0, no such emissivity, none `outside`
-                where more than a thousandth of a row goes there, or rows that `active` left out.
+            TypeError, ValueError: no finite numbers, another shape, temperatures below 0, no such emissivity, names that
+                are not those of the surfaces, none `outside` where more than a thousandth of a row goes there, or rows that
+                `active` left out.
 
         Source: Hottel1967, chapter 3.
 
