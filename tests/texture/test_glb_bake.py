@@ -170,7 +170,10 @@ def test_a_set_that_has_no_place_for_some_faces_is_not_taken(call, tmp_path, num
 @pytest.mark.parametrize("material", [0, 1])
 @pytest.mark.parametrize("uv", ["auto", "new"])
 def test_a_primitive_without_an_area_or_a_face_gets_no_picture(call, tmp_path, uv, material):
-    """A line as a quad, and a strip of two vertices, beside a good wall, with a material of their own or with its."""
+    """A line as a quad, and a strip of two vertices, beside a good wall, with a material of their own or with its.
+
+    No primitive shows a picture by coordinates that it has not.
+    """
     wall = corner()[1]
     arrays = [wall, SQUARE, TWO, wall * np.float32([0, 1, 0]), np.array([0, 1], np.uint16)]
     primitives = [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]
@@ -183,7 +186,14 @@ def test_a_primitive_without_an_area_or_a_face_gets_no_picture(call, tmp_path, u
     output, out = baked(call, path, "--uv", uv)
     made = opened(output)[0]
     assert ("new coordinates" in out) == (uv == "new")
-    assert [("occlusionTexture" in one) for one in made["materials"]] == [True, False, False]
+    number = 0 if uv == "auto" else 1
+    parts = [mesh["primitives"][0] for mesh in made["meshes"]]
+    shown = [made["materials"][one["material"]].get("occlusionTexture") for one in parts]
+    assert shown[0]["index"] == 0
+    assert shown[0].get("texCoord", 0) == number
+    fits = [info is None or f"TEXCOORD_{number}" in one["attributes"] for info, one in zip(shown, parts, strict=True)]
+    assert all(fits)
+    assert shown[2] is None
     assert ("\n  without an area, and so left without a picture: 'meshes[1]', 'meshes[2]'" in out) == bool(material)
     if material:
         assert made["meshes"][1:] == tree["meshes"][1:]

@@ -62,14 +62,15 @@ def test_a_box_in_units_of_its_mesh(call, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("suffix", "why"),
+    ("suffix", "normals", "why"),
     [
-        (".glb", "mesh: got '.*', which cannot be read as .*: no material has KHR_materials_volume, want one"),
-        (".png", "--quantity: got thickness for 'out.png', want .exr or .npz: a .png holds 0 to 1"),
+        (".glb", "face", "mesh: got '.*', which cannot be read as .*: no material has KHR_materials_volume, want one"),
+        (".png", "face", "--quantity: got thickness for 'out.png', want .exr or .npz: a .png holds 0 to 1"),
+        (".exr", "lifted", "--normals: got lifted for thickness, want face or smooth: its rays start beneath the face"),
     ],
 )
-def test_what_has_no_place_for_it_is_refused(call, tmp_path, suffix, why):
-    path = boxes(tmp_path / "in.glb", {})
-    status, _, err = call("bake", path, "-o", tmp_path / f"out{suffix}", "--texture", 64, "--quantity", "thickness")
+def test_what_has_no_place_for_it_is_refused(call, tmp_path, suffix, normals, why):
+    path, output = boxes(tmp_path / "in.glb", {}), tmp_path / f"out{suffix}"
+    status, _, err = call("bake", path, "-o", output, "--texture", 64, "--quantity", "thickness", "--normals", normals)
     assert status == 2
     assert re.search(f"^error: {why}", err), err

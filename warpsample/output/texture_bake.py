@@ -123,6 +123,8 @@ def _check_picture(run: BakeRun, quantity: Quantity, how: TextureOptions) -> Non
     """Refuses numbers, and options of pictures, that do not go together with the file to write."""
     suffix = run.output.suffix
     slot = slot_of(quantity.name)
+    if slot is THICKNESS and how.normals == "lifted":
+        raise ValueError("--normals: got lifted for thickness, want face or smooth: its rays start beneath the face")
     fits = slot.directed or (slot is THICKNESS and suffix in SCENES)
     if suffix in (*SCENES, ".png") and not fits and getattr(quantity.result, "possible", None) != _INTO_PNG:
         raise ValueError(

@@ -108,9 +108,10 @@ def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) -> tuple[
             charts = charts_for(faced, mesh, square(how.size))
             with editing(path):
                 number, uv = add_uv(file, faced, charts, len(mesh.faces))
-            jobs.append(TextureJob(name, texels.points(uv, rows), number, f"new coordinates, set {number}", group))
+            jobs.append(TextureJob(name, texels.points(uv, rows), number, f"new coordinates, set {number}", faced))
         else:
-            jobs.append(TextureJob(name, found[1], found[0], f"set {found[0]}", group))
+            able = [one for one in group if f"TEXCOORD_{found[0]}" in one.part.part("attributes")]  # flat ones may have none
+            jobs.append(TextureJob(name, found[1], found[0], f"set {found[0]}", able))
     return jobs, file
 
 
