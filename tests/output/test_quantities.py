@@ -49,7 +49,13 @@ def test_every_option_of_the_command_line_is_for_some_quantity(call):
             ),
         ),
         ("ground_albedo", "Of the ground beyond the mesh; by default 0.2; only for irradiation."),
-        ("north", "Where north is; by default 0 1 0; only for irradiation, sky-matrix, sun-hours."),
+        (
+            "north",
+            (
+                "Where north is; -z where the file says that up is +y; by default 0 1 0; "
+                "only for irradiation, sky-matrix, sun-hours."
+            ),
+        ),
         ("period", "Of the year, as 06-01 08-31 or 03-21T09 03-21T15; only for irradiation, sun-hours."),
     ],
 )

@@ -22,10 +22,24 @@ def colours_of(data):
 
 @pytest.mark.slow
 def test_a_picture_shows_the_numbers(call, tmp_path, can_render):
-    for at in (["--at", "faces"], ["--at", "vertices"], ["--points", "3000"]):
-        status, _, err = call(*BAKE[:6], *at, "-o", tmp_path / "sky.png")
+    for at, said in ((["--at", "vertices"], "1,089 vertices"), (["--points", "3000"], "3,000 points"), ([], "2,080 faces")):
+        status, out, err = call(*BAKE[:6], *at, "-o", tmp_path / "sky.png")
         assert (status, err) == (0, "")
+        assert said in out
         assert colours_of((tmp_path / "sky.png").read_bytes()) > 20_000
+
+
+@pytest.mark.slow
+def test_a_glb_stands_upright(call, tmp_path, can_render):
+    """Seen from a little above, a high box is higher than wide where its long side is the file's own y."""
+    tall = {}
+    for name, extents in (("high", (1.0, 4.0, 1.0)), ("deep", (1.0, 1.0, 4.0))):
+        trimesh.creation.box(extents).export(tmp_path / f"{name}.glb")
+        status, _, err = call("bake", tmp_path / f"{name}.glb", "--samples", "16", "-o", tmp_path / "box.png")
+        assert (status, err) == (0, "")
+        rows, columns = np.nonzero(np.ptp(imread(tmp_path / "box.png")[100:700, :, :3], axis=-1) > 0.3)
+        tall[name] = np.ptp(rows) / np.ptp(columns)
+    assert tall["high"] > 1.5 * tall["deep"]  # what is deep is foreshortened; the wrong axis exchanges both
 
 
 @pytest.mark.slow

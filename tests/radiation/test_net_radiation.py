@@ -34,6 +34,11 @@ def test_surfaces_go_by_their_names():
     want = v.net_radiation([[500.0, 400.0], [300.0, 300.0]], [0.8, 0.4])
     kelvin = {"outer": 300.0, "inner": [500.0, 400.0]}
     assert np.array_equal(v.net_radiation(kelvin, {"inner": 0.8, "outer": 0.4}).flux, want.flux)
+    frame = v.net_radiation(kelvin, 0.9).to_frame()
+    assert list(frame["names"]) == ["inner", "inner", "outer", "outer"]
+    assert list(frame["time"]) == [0, 1, 0, 1]
+    assert np.array_equal(frame["flux"], v.net_radiation(kelvin, 0.9).flux.ravel())
+    assert list(v.net_radiation(300.0, 0.9).to_frame()) == ["names", "flux", "power", "leaving"]
     for wrong in ({"inner": 300.0}, {**kelvin, "roof": 300.0}):
         with pytest.raises(ValueError, match=r"temperature: got a dictionary of \[.*\], want \['inner', 'outer'\]"):
             v.net_radiation(wrong, 0.9)

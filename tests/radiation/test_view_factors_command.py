@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import pyvista as pv
+import trimesh
 from scipy import sparse
 from view_factor_cases import box, scene
 
@@ -36,9 +37,17 @@ def test_the_file_holds_what_the_call_gives(call, cube_inwards, tmp_path):
     assert (sparse.load_npz(output) != right.matrix).nnz == 0
     assert re.fullmatch(
         rf".*factors.npz: {right.matrix.nnz} view factors between 12 surfaces by 3,072 rays, closure to 0, "
-        r"reciprocity to 0\.\d+, behind 0\n",
+        r"reciprocity to 0\.\d+, outside 0, behind 0\n",
         out,
     )
+
+
+def test_a_room_that_looks_outwards_is_told(call, tmp_path):
+    path = tmp_path / "room.ply"
+    trimesh.creation.box((2.0, 2.0, 2.0)).export(path)
+    status, out, err = call("view-factors", path, "-o", tmp_path / "factors.npz", "--count", 16)
+    assert (status, err) == (0, "")
+    assert "outside 1, behind 0, 12 open faces cast none, no front faces another: those of a room must look inwards" in out
 
 
 @pytest.mark.parametrize("groups", ["groups.txt", "groups.npy"])

@@ -27,7 +27,7 @@ OPTIONS: dict[str, tuple[Any, str]] = {
     "refine": (float, "Longest edge of parts of faces that reflect evenly, in units of the mesh"),
     "patches": (str, "Of the sky: tregenza, reinhart2, reinhart4"),
     "up": (tuple[float, float, float], "The sky's axis; +y for .glb, .gltf and USD that says so"),
-    "north": (tuple[float, float, float], "Where north is"),
+    "north": (tuple[float, float, float], "Where north is; -z where the file says that up is +y"),
     "sequence": (str, f"One of: {', '.join(sequences.names())}"),
     "tolerance": (float, "Standard error to reach, root mean square over the points"),
     "device": (str, "Where to compute, as cuda:0; by default the CPU"),
@@ -101,7 +101,8 @@ def _bake_mesh(run: BakeRun, of_stores: dict[str, Any], of_textures: dict[str, A
     if not into_store:
         stores.refuse_for_files(run.output, of_stores)
     if how is None and run.points is None and run.at is None and not is_by_parts(run):
-        run = replace(run, at="vertices")
+        # A picture of vertices would blend what differs at edges, as a roof that sees the sky and the wall below it.
+        run = replace(run, at="faces" if run.output.suffix == ".png" else "vertices")
     summary = bake_texture(run, how) if how else stores.bake_into_store(run, **of_stores) if into_store else bake(run)
     return "\n  ".join(filter(None, (summary, said)))
 

@@ -116,7 +116,10 @@ app.command("view-factors")(fail_plainly()(radiation.view_factors_command))
 def view(
     mesh: Annotated[Path | None, typer.Argument(help=f"{MESH_HELP}; by default the bunny in warp-lang.")] = None,
     *,
-    points: Annotated[int, typer.Option(help="How many surface points, uniform by area.", min=1)] = 100,
+    points: Annotated[
+        int | None,
+        typer.Option(help="How many surface points; by default 100, or 1 where an occlusion is shown.", min=1),
+    ] = None,
     samples: Annotated[int, typer.Option(help="Directions at each point.", min=1)] = 1024,
     distribution: Annotated[str | None, option(f"{DISTRIBUTION_HELP} By default offset_sphere(rho=1.0).")] = None,
     density: Annotated[str | None, option("What the directions are held against; by default their own.")] = None,
@@ -144,6 +147,7 @@ def view(
     path = mesh or start.bunny()
     with working(f"reading {path}"):
         surface, occlusion = load_mesh(path), shown_occlusion(path)
+    points = points or (100 if occlusion is None else 1)  # clouds would hide it
     if screenshot is None:
         with signals.at_once():
             start.window(surface, points, choice, up=up, size=size, occlusion=occlusion)

@@ -35,7 +35,8 @@ BakedFile = Annotated[
     typer.Argument(help=f"{MESH_HELP}; or CityJSON; or a raster of heights, as .tif.", show_default=False, metavar="mesh"),
 ]
 At = Annotated[
-    Literal["vertices", "faces"] | None, option("Where, if not at --points: at the vertices, or the faces' centres.")
+    Literal["vertices", "faces"] | None,
+    option("Where, if not at --points: at the vertices, or the faces' centres, as by default for a .png."),
 ]
 FigureFile = Annotated[Path | None, option("No window, but a file: .png, .svg or .pdf.")]
 Workers = Annotated[int | None, option("Threads; by default as WARPSAMPLE_WORKERS says, or all cores.")]

@@ -10,7 +10,7 @@ import typer
 
 from warpsample.cli.terminal import console, fail_plainly, option, with_progress
 
-ONLY_HELP = "One distribution or sequence by its name, or meshes, rays or routes, in one table."
+ONLY_HELP = "One distribution or sequence by its name, or meshes, rays or routes, in one table; --module brings your own."
 
 
 @fail_plainly()
@@ -32,7 +32,10 @@ def verify_command(
 
     if module is not None:
         _load(module)
-    tasks = run.planted() if power else run.trial(only) if only else run.trial()
+    try:
+        tasks = run.planted() if power else run.trial(only) if only else run.trial()
+    except ValueError as error:
+        raise error if module is not None else ValueError(f"{error}; --module brings one of your own") from None
     if plant is not None:
         defects = {task.key: task for task in run.planted()}
         tasks.append(look_up(defects, plant, "plant"))

@@ -23,9 +23,12 @@ def call_of(name: str) -> Callable[..., xr.Dataset]:
         return dataset_of(job_of(name, (mesh, points, *arguments), options, chunk))
 
     call.__name__ = call.__qualname__ = name
-    call.__doc__ = _DOCUMENTATION.format(name=name)
+    call.__doc__ = _DOCUMENTATION.format(name=name, given=_GIVEN.get(name, "10**6, 64"))
     return call
 
+
+_GIVEN = {"irradiance": "10**6, np.ones((16, 32, 3)), 64"}
+"""What stands in a call's example, if not a number of points and one of rays."""
 
 _DOCUMENTATION = """`warpsample.{name}` over Dask: the same arguments, and the same bits when it is computed.
 
@@ -51,9 +54,9 @@ _DOCUMENTATION = """`warpsample.{name}` over Dask: the same arguments, and the s
 
     Example:
         >>> from warpsample import cluster
-        >>> lazy = cluster.ambient_occlusion(ws.load_mesh("courtyard"), 10**6, 64)
-        >>> print(lazy.value.shape, lazy.value.chunks[0][0])  # nothing is computed yet
-        (1000000,) 65536
+        >>> lazy = cluster.{name}(ws.load_mesh("courtyard"), {given})
+        >>> print(len(lazy.value), lazy.value.chunks[0][0])  # nothing is computed yet
+        1000000 65536
     """
 
 

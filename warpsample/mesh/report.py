@@ -20,7 +20,8 @@ class MeshReport:
         degenerate_faces: whose area is 0 or lost to rounding; they carry no points and have a zero normal.
         duplicate_faces: that have the same three vertices as an earlier face, in any order.
         unreferenced_vertices: that no face uses.
-        boundary_edges: with one face.
+        boundary_edges: with one face, by the numbers of their vertices; where a file writes corners anew for each part,
+            parts have such edges where they meet.
         nonmanifold_edges: with more than two.
         inconsistent_edges: that two faces run along in the same direction, so one of them is inside out.
         area: of all faces, in square units of the coordinates.

@@ -5,6 +5,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
+from warpsample.output.upward import upright_by_y
 from warpsample.plotting.number_scene import number_scene
 
 _SIZE = (1200, 900)
@@ -32,7 +33,8 @@ def picture_of(baked: Any) -> bytes:
     (made.cell_data if at == "faces" else made.point_data)["shown"] = value
     largest = np.nanmax(value, initial=0.0)
     high = float(largest if baked.quantity.unit else max(largest, baked.quantity.white)) or 1.0
-    axis = np.abs(np.array(baked.run.options.get("up") or (0.0, 0.0, 1.0), float)).argmax()
+    own = (0.0, 1.0, 0.0) if upright_by_y(baked.run.mesh) else (0.0, 0.0, 1.0)
+    axis = np.abs(np.array(baked.run.options.get("up") or own, float)).argmax()
     said = f"{baked.run.mesh.name}: {len(value):,} {at or 'points'}"
     plotter = number_scene(made, "shown", title=title_of(baked), caption=said, high=high, up="xyz"[axis], size=_SIZE)
     try:

@@ -21,16 +21,23 @@ def with_up(path: Path, quantity: Quantity, options: Mapping[str, Any]) -> tuple
         quantity: that may depend on what is up.
         options: as given.
     """
-    suffix, made = path.suffix.lower(), dict(options)
-    if not quantity.takes("up") or "up" in options or not path.is_file():
-        return made, ""
-    if suffix in _GLTF:
-        format = "glTF"
-    elif suffix in _USD and read_up_axis(path) == "Y":
-        format = "this USD file"
-    else:
+    made = dict(options)
+    format = "" if not quantity.takes("up") or "up" in options else upright_by_y(path)
+    if not format:
         return made, ""
     made["up"] = _Y
+    north = ""
     if quantity.takes("north") and "north" not in options:
         made["north"] = _NORTH_BY_Y
-    return made, f"up is +y, as {format} has it; --up 0 0 1 is for +z"
+        north = " and north -z"
+    return made, f"up is +y{north}, as {format} has it; --up 0 0 1 is for +z"
+
+
+def upright_by_y(path: Path) -> str:
+    """The name of the format by which +y is up in a file; "" where z is, or where there is no such file."""
+    suffix = path.suffix.lower()
+    if not path.is_file():
+        return ""
+    if suffix in _GLTF:
+        return "glTF"
+    return "this USD file" if suffix in _USD and read_up_axis(path) == "Y" else ""

@@ -8,13 +8,14 @@ import numpy as np
 
 from warpsample.host.json_tree import Part
 from warpsample.mesh.files.gltf import check_extensions, read_corners
+from warpsample.mesh.files.uv import LAST_SET
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.glb_file import GlbFile, editing
 from warpsample.texture.high import averaged_normals
 from warpsample.texture.materials import OCCLUSION, Slot, name_of
 from warpsample.texture.new_uv import add_uv, charts_for
 from warpsample.texture.primitives import Primitive, primitives_of, sharing
-from warpsample.texture.sets import MOST_SETS, Texels, TextureOptions
+from warpsample.texture.sets import Texels, TextureOptions
 from warpsample.texture.texture_points import TexturePoints
 from warpsample.texture.unwrapping import PADDING, unwrap
 
@@ -164,9 +165,9 @@ def _set_of(file: GlbFile, group: list[Primitive], slot: Slot) -> int | None:
 
 def _set_by(info: Part) -> int:
     """The set of coordinates that a material shows a picture by: that of a transform comes first."""
-    number = info.whole("texCoord", 0, MOST_SETS)
+    number = info.whole("texCoord", 0, LAST_SET)
     if "extensions" in info and "KHR_texture_transform" in info.part("extensions"):
-        number = info.part("extensions").part("KHR_texture_transform").whole("texCoord", number, MOST_SETS)
+        number = info.part("extensions").part("KHR_texture_transform").whole("texCoord", number, LAST_SET)
     return number
 
 

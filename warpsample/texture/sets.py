@@ -6,14 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
-from warpsample.mesh.files.uv import SUFFIXES, load_uv
+from warpsample.mesh.files.uv import LAST_SET, SUFFIXES, load_uv
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.report import face_flaws
 from warpsample.texture.texture_points import TexturePoints, texture_points
 
 UV_CHOICES = ("auto", "0", "1", "new")
-MOST_SETS = 8
-"""That a file is asked for."""
 
 
 @dataclass(frozen=True)
@@ -84,7 +82,7 @@ class Texels:
                 )
             return number, found
         within = None
-        for number in dict.fromkeys([*([] if first is None else [first]), *range(MOST_SETS)]):
+        for number in dict.fromkeys([*([] if first is None else [first]), *range(LAST_SET + 1)]):
             if self._has(number, rows):
                 found = self._by(number, rows)
                 if not len(found) or found.report.outside:

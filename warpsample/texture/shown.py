@@ -11,8 +11,8 @@ from warpsample.host.arguments import check_number, naming_file
 from warpsample.host.json_tree import Part
 from warpsample.mesh.files.gltf import opened, placed_primitives, read_corners, surface
 from warpsample.mesh.files.gltf_data import Data
+from warpsample.mesh.files.uv import LAST_SET
 from warpsample.texture.pictures import library
-from warpsample.texture.sets import MOST_SETS
 
 _SIDE = 8192  # of the whole picture, which graphics cards take
 _TRANSFORM = "KHR_texture_transform"
@@ -65,7 +65,7 @@ def _info(tree: Part, primitive: Part) -> tuple[int, int, float] | None:
     if "source" not in texture or ("extensions" in info and _TRANSFORM in info.part("extensions")):
         return None
     strength = check_number(info.content.get("strength", 1.0), info.at("strength"), 0.0, 1.0)
-    return texture.index("source", tree.parts("images")), info.whole("texCoord", 0, MOST_SETS), strength
+    return texture.index("source", tree.parts("images")), info.whole("texCoord", 0, LAST_SET), strength
 
 
 def _picture(tree: Part, data: Data, path: Path, image: int, strength: float) -> np.ndarray:

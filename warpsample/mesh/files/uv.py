@@ -9,7 +9,9 @@ import numpy as np
 from warpsample.host.arguments import check_file, check_integer, naming_file
 from warpsample.mesh.files import gltf, text, usd
 
-_MOST_SETS = 255
+LAST_SET = 255
+"""The largest number of a set of texture coordinates that is asked for."""
+
 _UPWARD = np.array((1.0, -1.0)), np.array((0.0, 1.0))
 
 
@@ -70,7 +72,7 @@ def load_uv(path: str | PathLike[str], *, set: int = 0) -> np.ndarray:
         >>> print(ws.load_uv(path).tolist())
         [[[0.0, 1.0], [1.0, 1.0], [0.0, 0.0]]]
     """
-    set = check_integer(set, "set", 0, _MOST_SETS)
+    set = check_integer(set, "set", 0, LAST_SET)
     path = check_file(path, "path", "a mesh file")
     reader = _READERS.get(path.suffix.lower())
     if reader is None:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real
+from warpsample.host.tables import frame_of
 from warpsample.radiation.exchange.radiosity import radiosity_of
 
 if TYPE_CHECKING:
@@ -31,11 +32,35 @@ class NetRadiation:
         flux: (N,) or (N, k) float64, W/m², emitted less absorbed: above 0 where the surface cools.
         power: of the same shape, in W: the flux times the surface's area, which is in m² if the mesh is in metres.
         leaving: of the same shape, W/m², emitted and reflected: the radiosity.
+        names: of the surfaces, or None.
     """
 
     flux: NDArray[np.float64]
     power: NDArray[np.float64]
     leaving: NDArray[np.float64]
+    names: tuple[str, ...] | None = None
+
+    def to_frame(self) -> Any:
+        """The numbers as a table.
+
+        Returns:
+            a pandas.DataFrame of a row for each surface, or for each surface and time, or a dictionary of arrays where
+            pandas is not installed: the names, where there are any, the number of the time, where there are several, and
+            flux, power and leaving.
+
+        Example:
+            >>> yard = ws.view_factors(ws.load_mesh("courtyard"), 16, groups=np.repeat(["yard", "rest"], [848, 1232]))
+            >>> night = yard.net_radiation({"yard": 280.0, "rest": 285.0}, 0.9, outside=265.0)
+            >>> print(list(night.to_frame()), list(night.to_frame()["names"]))
+            ['names', 'flux', 'power', 'leaving'] ['rest', 'yard']
+        """
+        rows, *times = self.flux.shape
+        columns: dict[str, np.ndarray] = {}
+        if self.names is not None:
+            columns["names"] = np.repeat(np.array(self.names, object), self.flux.size // rows)
+        if times:
+            columns["time"] = np.tile(np.arange(*times), rows)
+        return frame_of(columns | {name: getattr(self, name).ravel() for name in ("flux", "power", "leaving")})
 
 
 def net_radiation_of(factors: "ViewFactors", temperature: Any, emissivity: Any, outside: Any) -> NetRadiation:
@@ -68,7 +93,8 @@ def net_radiation_of(factors: "ViewFactors", temperature: Any, emissivity: Any, 
     part = np.broadcast_to(share, (rows,))[:, None]
     leaving = radiosity_of(factors, part * emitted + (1.0 - part) * sky, 1.0 - part[:, 0])
     flux = part * (emitted - factors.matrix @ leaving - sky)
-    return NetRadiation(*(a.reshape(rows, *times) for a in (flux, flux * factors.areas[:, None], leaving)))
+    found = (a.reshape(rows, *times) for a in (flux, flux * factors.areas[:, None], leaving))
+    return NetRadiation(*found, factors.names)
 
 
 def _in_rows(factors: "ViewFactors", value: Any, argument: str) -> Any:

@@ -54,10 +54,13 @@ def summary(found: ViewFactors) -> str:
         f"{found.matrix.nnz:,} view factors between {len(found.areas):,} surfaces by {found.rays.sum():,} rays",
         f"closure to {closure.max(initial=0.0):.1g}",
         f"reciprocity to {apart:.2g}",
+        f"outside {found.areas @ found.outside / max(found.areas.sum(), np.finfo(float).tiny):.2g}",
         f"behind {found.areas @ found.behind / max(found.areas.sum(), np.finfo(float).tiny):.2g}",
     ]
     if skipped.open_points:
         parts.append(f"{skipped.open_points:,} open faces cast none")
     if skipped.points:
         parts.append(f"{skipped.points:,} faces without area")
+    if not found.matrix.nnz:
+        parts.append("no front faces another: those of a room must look inwards")
     return ", ".join(parts)

@@ -83,7 +83,8 @@ def sky_patches(name: str = "tregenza", *, up: Any = (0.0, 0.0, 1.0), north: Any
     towards -= (towards @ zenith) * zenith
     length = np.linalg.norm(towards)
     if length < _PARALLEL:
-        raise ValueError(f"north: got {told(north)}, which is along up, want a direction apart from up {told(up)}")
+        wants = f"a direction apart from up {told(up)}, as (0, 0, -1) where +y is up"
+        raise ValueError(f"north: got {told(north)}, which is along up, want {wants}")
     return _patches_of(name, multiple, zenith.tobytes(), (towards / length).tobytes())
 
 
