@@ -41,6 +41,7 @@ if TYPE_CHECKING:
     from warpsample.radiation.exchange.net_radiation import NetRadiation
     from warpsample.radiation.exchange.result import ViewFactors
     from warpsample.radiation.exchange.view_factors import view_factors
+    from warpsample.radiation.quantities.sun_hours import SunHours, sun_hours
     from warpsample.radiation.sky.irradiance import Irradiance, irradiance
     from warpsample.radiation.sky.patches import SkyPatches, sky_patches
     from warpsample.radiation.sky.result import SkyMatrix, SkySkipped
@@ -84,6 +85,7 @@ __all__ = [
     "SkySkipped",
     "SkyView",
     "Status",
+    "SunHours",
     "SurfacePoints",
     "TexturePoints",
     "TextureReport",
@@ -118,6 +120,7 @@ __all__ = [
     "sky_matrix",
     "sky_patches",
     "sky_view_factor",
+    "sun_hours",
     "texture_points",
     "to_frame",
     "trace",
@@ -148,6 +151,7 @@ _HOMES = {
     "mesh.points.sampling": ("sample_surface",),
     "mesh.surface": ("SurfacePoints", "face_centers", "vertex_points"),
     "output.frame": ("to_frame",),
+    "radiation.quantities.sun_hours": ("SunHours", "sun_hours"),
     "radiation.sun.direct_sun": ("direct_sun",),
     "radiation.weather.irradiation": ("Irradiation", "irradiation"),
     "radiation.sky.irradiance": ("Irradiance", "irradiance"),

@@ -33,6 +33,24 @@ def test_the_sky_of_a_glb_is_along_y(call, tmp_path, texture):
     assert call("bake", path, "-o", output, "--samples", 64)[1].count("\n  up") == 0  # occlusion has none
 
 
+@pytest.mark.parametrize("up", [(0, 0, 1), (0, -1, 0), (3, 0, 4)])
+def test_a_glb_that_is_written_stands_upright(call, tmp_path, up):
+    """A step far from the origin: baked anew, by the format's own up, it sees as much of the sky."""
+    lengths = np.array([[0, 0, 0], [2, 0, 0], [2, 3, 0], [0, 3, 0], [2, 0, 1], [2, 3, 1]]) + 500
+    mesh = trimesh.Trimesh(lengths, [[0, 1, 2], [0, 2, 3], [1, 4, 5], [1, 5, 2]], process=False)
+    mesh.export(tmp_path / "in.ply")
+    command = ("--quantity", "sky", "--samples", 1024, "--at", "faces")
+    for source, output, options in (
+        ("in.ply", "a.npz", ["--up", *up]),
+        ("in.ply", "out.glb", ["--up", *up]),
+        ("out.glb", "b.npz", []),
+    ):
+        assert call("bake", tmp_path / source, "-o", tmp_path / output, *command, *options)[0] == 0
+    before, after = (np.load(tmp_path / name)["value"] for name in ("a.npz", "b.npz"))
+    assert np.abs(before - after).max() < 0.02  # of 1,024 other rays; by another axis it is 0.1 and more
+    assert np.ptp(before) > 0.1
+
+
 def test_a_usd_file_says_its_own(tmp_path):
     from pxr import Usd, UsdGeom
 

@@ -60,6 +60,13 @@ def _check_maps(kind: type[Distribution]) -> None:
         return
     if not isinstance(maps, Maps) or not all(isinstance(func, wp.Function) for func in (maps.sample, maps.pdf)):
         raise TypeError(f"kind: got {kind.__name__} with maps = {told(maps)}, want Maps(sample, pdf, invert) of wp.funcs")
+    for func in filter(None, (maps.sample, maps.pdf, maps.invert)):
+        after = list(func.input_types)[1:]
+        if len(after) != len(kind.parameters):
+            raise TypeError(
+                f"kind: got {kind.__name__} with parameters = {kind.parameters!r}, while {func.key} takes {after} after its "
+                f"first argument, want the names of the fields that the maps take, as parameters = {tuple(after)!r}"
+            )
 
 
 def check_twin(twin: Any) -> Twin | None:

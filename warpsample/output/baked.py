@@ -17,6 +17,7 @@ from warpsample.output.kept_glb import keeps, write_kept
 from warpsample.output.mesh_writers import Lazy, write_glb, write_ply, write_vtp
 from warpsample.output.pictured import write_png
 from warpsample.output.quantities import quantity_of
+from warpsample.output.upward import placed_upright, up_of
 from warpsample.radiation.exchange.matrix_files import write_matrix
 
 _KEPT = 0.01  # of its area a face may gain or lose by a .glb's float32
@@ -166,7 +167,7 @@ def _write_glb(file: BinaryIO, baked: Baked) -> None:
         "COLOR_0": _repeated(baked.quantity.colours(baked.found), times, np.uint8)
     }  # custom names begin with an underscore
     attributes |= {f"_{name}": _repeated(array, times, np.float32) for name, array in baked.columns.items()}
-    write_glb(file, vertices, corners, attributes, tuple(middle.tolist()))
+    write_glb(file, vertices, corners, attributes, placed_upright(middle, up_of(baked.quantity, baked.run.options)))
 
 
 def _repeated(array: np.ndarray, times: int, dtype: type) -> Lazy:

@@ -104,12 +104,12 @@ def write_vtp(
 
 
 def write_glb(
-    file: BinaryIO, vertices: Rows, corners: Rows, attributes: dict[str, Rows], translation: tuple[float, ...]
+    file: BinaryIO, vertices: Rows, corners: Rows, attributes: dict[str, Rows], placed: dict[str, list[float]]
 ) -> None:
     """Binary glTF of one mesh: vertices, (V, 3) float32, and corners, (F, 3) uint32 indices of them.
 
-    Attributes are (V,) or (V, 4) by name, float32, or uint8 that stands for 0 to 1. The translation is added to the
-    vertices, in float64.
+    Attributes are (V,) or (V, 4) by name, float32, or uint8 that stands for 0 to 1. The node is placed by its translation
+    and rotation, in float64.
     """
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     for block in _blocks(vertices):
@@ -134,7 +134,7 @@ def write_glb(
         "asset": {"version": "2.0", "generator": "warpsample"},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0, "translation": list(translation)}],
+        "nodes": [{"mesh": 0, **placed}],
         "meshes": [{"primitives": [primitive]}],
         "buffers": [{"byteLength": offset}],
         "bufferViews": views,

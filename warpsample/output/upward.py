@@ -4,7 +4,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from warpsample.estimate.quantities.record import Quantity
+from warpsample.host.making import imported
 from warpsample.mesh.files.usd import read_up_axis
 
 _GLTF = (".glb", ".gltf")
@@ -41,3 +44,16 @@ def upright_by_y(path: Path) -> str:
     if suffix in _GLTF:
         return "glTF"
     return "this USD file" if suffix in _USD and read_up_axis(path) == "Y" else ""
+
+
+def up_of(quantity: Quantity, options: Mapping[str, Any]) -> Any:
+    """What was up for a quantity in a run; None of one that has no up."""
+    return options.get("up") or quantity.default("up") if quantity.takes("up") else None
+
+
+def placed_upright(middle: np.ndarray, up: Any) -> dict[str, list[float]]:
+    """How a node of a .glb places vertices about a middle, so that what was up is +y; as they are where nothing was."""
+    if up is None or tuple(up) == _Y:
+        return {"translation": middle.tolist()}
+    turn = imported("scipy.spatial.transform").Rotation.align_vectors([_Y], [up])[0]
+    return {"translation": turn.apply(middle).tolist(), "rotation": turn.as_quat().tolist()}

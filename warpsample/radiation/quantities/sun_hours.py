@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from warpsample.estimate.quantities.record import Numbers, Quantity
 from warpsample.estimate.result import PointResult, status_of
-from warpsample.mesh.mesh import Mesh
+from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.quantities.irradiation import WEATHER
 from warpsample.radiation.sky.patches import sky_patches
@@ -37,7 +37,7 @@ class SunHours(PointResult):
 
 
 def sun_hours(
-    mesh: Mesh,
+    mesh: Any,
     points: SurfacePoints,
     weather: Any,
     *,
@@ -48,7 +48,33 @@ def sun_hours(
     first_point: int = 0,
     workers: int | None = None,
 ) -> SunHours:
-    """In how many hours of a period each point sees the sun; the arguments are those of `irradiation`."""
+    """In how many hours of a period each point sees the sun, from where it stands at the middle of each hour.
+
+    Args:
+        mesh: a Mesh or whatever `as_mesh` takes.
+        points: P of them, as for `ambient_occlusion`.
+        weather: whose place and hours count: an EPW file, or "athens", an example.
+        period: as for `irradiation`; by default the year.
+        up: (3,), of any length.
+        north: (3,), of any length, not along `up`.
+        seed: changes nothing, as nothing is drawn at random; other calls take one.
+        first_point: likewise.
+        workers: threads, by default as many as there are cores.
+
+    Returns:
+        value (P,), the hours, and for each point a status.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: as for `irradiation`.
+        ModuleNotFoundError: pvlib is missing; says how to install it.
+
+    Example:
+        >>> mesh = ws.load_mesh("courtyard")
+        >>> june = ws.sun_hours(mesh, ws.face_centers(mesh), "athens", period=("06-21", "06-21"))
+        >>> print(june.value.shape, f"{june.value.max():.0f} hours")
+        (2080,) 15 hours
+    """
+    mesh = as_mesh(mesh)
     options = {"weather": weather, "period": period, "up": up, "north": north, "seed": seed, "workers": workers}
     return _prepare(mesh, len(points), **options)(points, first_point)
 
