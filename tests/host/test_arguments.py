@@ -53,6 +53,7 @@ EXAMPLES = {
         *np.zeros((2, 4, 145), np.float32), *np.zeros((2, 4), np.uint8), ws.SkySkipped(), ws.sky_patches()
     ),
     ws.SurfacePoints: POINTS,
+    ws.NetRadiation: ws.NetRadiation(*np.zeros((3, 2))),
     ws.TexturePoints: TEXELS,
     ws.ViewFactors: ws.ViewFactors(
         HALVES, HALVES, *np.zeros((5, 2)), np.full(2, COUNT), np.zeros(2, np.uint8), ws.Skipped()
@@ -147,6 +148,7 @@ def slow_where_compiled(cases):
         yield pytest.param(*case, id=name, marks=[pytest.mark.slow] if name in COMPILED else [])
 
 
+@pytest.mark.filterwarnings("ignore:temperature. got at most")
 @pytest.mark.parametrize(("name", "argument"), list(slow_where_compiled(CASES)))
 def test_a_wrong_argument_is_named(name, argument):
     assert faults(name, argument) == {}

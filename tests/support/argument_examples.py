@@ -239,7 +239,7 @@ NEEDS |= {  # to be quick
     f"irradiation.{argument}": {"period": JUNE, "patches": "tregenza"}
     for argument in signature(ws.irradiation).parameters
     if argument not in ("period", "patches")
-}
+} | {f"sun_hours.{argument}": {"period": JUNE} for argument in signature(ws.sun_hours).parameters if argument != "period"}
 NO_DEFAULT = {
     "ViewFactors.radiosity.reflectance",
     "UniformCone.cos_angle",

@@ -122,7 +122,10 @@ def view(
     ] = None,
     samples: Annotated[int, typer.Option(help="Directions at each point.", min=1)] = 1024,
     distribution: Annotated[str | None, option(f"{DISTRIBUTION_HELP} By default offset_sphere(rho=1.0).")] = None,
-    density: Annotated[str | None, option("What the directions are held against; by default their own.")] = None,
+    density: Annotated[
+        str | None,
+        option("What the directions are held against; by default their own, or a cosine lobe."),
+    ] = None,
     sequence: Annotated[str, typer.Option(help=f"One of: {', '.join(sequences.names())}.")] = "independent",
     seed: Annotated[int, typer.Option(help="Of points and directions.")] = 0,
     up: Annotated[Literal["x", "y", "z"], typer.Option(help="The mesh's axis that points up in the picture.")] = "y",

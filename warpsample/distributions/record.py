@@ -49,18 +49,22 @@ class Distribution:
     Attributes:
         maps: the `wp.func`s to use in kernels of your own.
         case_values: of the fields, those of `cases`, in tuples.
-        name, density: what users call it by; the formula of the pdf, for tables.
+        name: what users call it by.
+        density: the formula of the pdf, for tables.
         measure: what the pdf is per: "per steradian", "per unit area" or "per radian".
         support: where the pdf is above 0, in words.
         parameters: names of the fields that travel to the kernels, where they are float32: a scalar, then a vector.
         bounds: least and greatest value of the scalar.
         shown: what of the scalar is worth looking at, from above 0; for sliders, which span it by its logarithm.
-        width, variates: components of w, 3, or 2 for what lies in a plane; coordinates of u that the map uses.
-        symmetric, polar: whether the density is one of the angle to +z alone; u[0] its cdf, and u[1] the azimuth in turns.
+        width: components of w, 3, or 2 for what lies in a plane.
+        variates: coordinates of u that the map uses.
+        symmetric: whether the density is one of the angle to +z alone.
+        polar: whether u[0] is its cdf, too, and u[1] the azimuth in turns.
         source: where the formulas come from.
         worst_unit_length: abs(abs(w) - 1) of `sample` over the whole grid of u.
         worst_angle: radians between `sample` and its float64 twin; for points of a disk, their distance.
-        worst_pdf, worst_round_trip: relative error of `pdf` at exact directions; error of u, away from `seam`.
+        worst_pdf: relative error of `pdf` at exact directions.
+        worst_round_trip: error of u, there and back, away from `seam`.
         limits: where an error is worse than those, or the density is not the formula, and why; for tables.
     """
 

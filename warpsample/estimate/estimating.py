@@ -1,5 +1,6 @@
 """Runs the plan of an estimate: by all of its rays, or by as many as reach a tolerance."""
 
+import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -8,9 +9,11 @@ from warpsample.estimate.plan import Plan, RaySum
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.runner import Runner
 from warpsample.estimate.strata import strata_of
-from warpsample.estimate.tolerance import count_within
+from warpsample.estimate.tolerance import count_within, error_of
 from warpsample.host.log import log
 from warpsample.host.progress import bar
+
+_MISSED = 1.1  # times the tolerance: the error's own error is a few percent
 
 
 def estimate(plan: Plan, summed: RaySum) -> Estimate:
@@ -23,6 +26,11 @@ def estimate(plan: Plan, summed: RaySum) -> Estimate:
         count, trial = count_within(runner, plan.tolerance)
         log.info("tolerance %g: %d of at most %d rays of each point", plan.tolerance, count, plan.count)
         main = runner.result(options.seed, count)
+        if count == plan.count and error_of(main, main.status == 0) > _MISSED * plan.tolerance:
+            warnings.warn(
+                f"tolerance: got {plan.tolerance:g}, which {count:,} rays of each point do not reach, the most by count",
+                stacklevel=3,
+            )
     saved = strata_of(plan.count, traced=traced).rays - strata_of(count, traced=traced).rays
     unneeded = saved * np.count_nonzero(main.status == 0) - int(trial.sum(dtype=np.int64))
     return replace(main, rays=main.rays + trial, skipped=replace(main.skipped, unneeded_rays=max(0, unneeded)))

@@ -100,7 +100,7 @@ class _Trial:
         # Skipping whatever the call says, as it changes no bit: so the count does not depend on it either.
         found = self.runner.result(seed_for("trial", self.runner.options.seed), count, chosen, skip=True)
         good = chosen & (found.status == 0)
-        error = _error_of(found, good)
+        error = error_of(found, good)
         alike = counts_with_the_strata_of(self.count, traced) == counts_with_the_strata_of(count, traced)
         if self.count and alike and error > 0.0 and self._apart(count):
             self.rate = min(max(log(self.error / error) / log(count / self.count), _SLOWEST), _FASTEST)
@@ -118,7 +118,7 @@ class _Trial:
         return self.count * float(np.float_power(self.error / error, 1.0 / self.rate))
 
 
-def _error_of(found: Estimate, good: np.ndarray) -> float:
+def error_of(found: Estimate, good: np.ndarray) -> float:
     """The root mean square of the errors of some points, of the worst component."""
     points = np.count_nonzero(good)
     squares = [np.square(a[good].astype(np.float64)).sum(axis=0) for a in (found.standard_error, found.spread)]

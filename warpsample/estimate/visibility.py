@@ -60,8 +60,8 @@ def ambient_occlusion(
             the share that it stops of the light that gets to it.
         tolerance: the standard error to reach, of each component in the result's unit and in the root mean square over the
             points: by how many of `count` rays from each, a trial of one in twelve points or fewer says. Its rays are
-            forgotten, which keeps the result unbiased. The count depends on all points of the call, so another choice of
-            points or parts gives other last digits.
+            forgotten, which keeps the result unbiased. A warning tells where `count` does not reach it. The count
+            depends on all points of the call, so another choice of points or parts gives other last digits.
         sequence, seed, first_point, active, skip, tracer, device, workers, progress: see `RayOptions`.
 
     Returns:

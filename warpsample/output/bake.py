@@ -64,7 +64,7 @@ def bake(run: BakeRun) -> str:
             writers_of(quantity)[run.output.suffix](file, baked)
     if run.report is not None:
         write_report(run.report, baked, city)
-        said = [*said, f"{run.report}: a report, with a picture, a histogram and all arguments"]
+        said = [*said, f"{run.report}: a report, with a histogram, all arguments and, where pictures can be drawn, one"]
     return "\n  ".join([_summary(run, quantity, found, seconds), *said])
 
 

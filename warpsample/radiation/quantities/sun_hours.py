@@ -16,6 +16,7 @@ from warpsample.radiation.sky.patches import sky_patches
 from warpsample.radiation.sun.direct_sun import direct_sun
 from warpsample.radiation.weather.light import sun_directions
 from warpsample.radiation.weather.weather import read_weather
+from warpsample.tracing.placed_points import PlacedPoints
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,8 +76,9 @@ def sun_hours(
         (2080,) 15 hours
     """
     mesh = as_mesh(mesh)
+    at = PlacedPoints.of(mesh, points)
     options = {"weather": weather, "period": period, "up": up, "north": north, "seed": seed, "workers": workers}
-    return _prepare(mesh, len(points), **options)(points, first_point)
+    return _prepare(mesh, len(at), **options)(points, first_point)
 
 
 def _prepare(
