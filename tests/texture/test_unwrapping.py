@@ -7,6 +7,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
+from warpsample.texture import unwrapping
 from warpsample.texture.charts import charts_of
 
 SPHERE = trimesh.creation.icosphere(3)
@@ -52,17 +53,22 @@ def test_parts_stay_and_size_and_place_do_not_matter():
     assert np.array_equal(ws.unwrap(ws.Mesh(mesh.vertices * 2.0**20, mesh.faces), 256)[1], uv)
 
 
+def test_a_mesh_that_ends_xatlas_is_told(monkeypatch):
+    """As a sphere of 81,920 triangles does: github.com/jpcy/xatlas/issues/146."""
+    monkeypatch.setattr(unwrapping, "_PROGRAM", "import os, signal; os.kill(os.getpid(), signal.SIGSEGV)")
+    with pytest.raises(
+        ValueError, match=r"^mesh: got one on which xatlas ended with -11, want coordinates by another program$"
+    ):
+        ws.unwrap(SPHERE, 64)
+
+
 def test_what_cannot_be_unwrapped_is_named(monkeypatch):
     with pytest.raises(ValueError, match=r"^size: got 8, where 6 charts, 4 texels apart, take \d+ texels, want more$"):
         ws.unwrap(trimesh.creation.box(), 8)
     with pytest.raises(ValueError, match="^mesh: got faces without an area"):
         ws.unwrap(([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]]), 8)
     monkeypatch.setitem(sys.modules, "xatlas", None)
-    from warpsample.host.making import imported
-
-    imported.cache_clear()
     with pytest.raises(
         ModuleNotFoundError, match=r"^new texture coordinates need xatlas: pip install 'warpsample\[texture\]'$"
     ):
         ws.unwrap(SPHERE, 64)
-    imported.cache_clear()

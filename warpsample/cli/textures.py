@@ -24,7 +24,10 @@ OPTIONS: dict[str, Any] = {
     "supersample": Annotated[
         int | None, option("Points of a texel, which share its rays: the mean over the texel; by default 1.")
     ],
-    "normals": Annotated[Literal["face", "smooth", "lifted"] | None, option("Of texels; by default those of the faces.")],
+    "normals": Annotated[
+        Literal["face", "smooth", "lifted"] | None,
+        option("Of texels; by default those of the faces, or smooth for --quantity normals."),
+    ],
     "gutter": Annotated[str | None, option("Texels around charts that are filled, or all, the default.")],
     "strength": Annotated[float | None, option("Of the occlusion in a .glb, 0 to 1; by default 1.")],
     "depth": Annotated[Literal["8", "16"] | None, option("Bits of a number in a .png, also within a .glb; by default 8.")],
@@ -50,7 +53,7 @@ def options_of(run: BakeRun, given: dict[str, Any]) -> TextureOptions | None:
             why = "it is about points" if name == "report" else "its points are texels"
             raise ValueError(f"--{name}: got {getattr(run, name)} for --texture, want none: {why}")
     samples = check_samples(given.pop("supersample", 1), "--supersample")
-    parts = re.fullmatch(r"(\d{1,9})(?:x(\d{1,9}))?", size)
+    parts = re.fullmatch(r"([0-9]{1,9})(?:x([0-9]{1,9}))?", size)
     if not parts:
         raise ValueError(f"--texture: got {size!r}, want texels as 1024 or 1024x512")
     both = check_size((int(parts[1]), int(parts[2] or parts[1])), samples, "--texture")
@@ -65,6 +68,8 @@ def options_of(run: BakeRun, given: dict[str, Any]) -> TextureOptions | None:
     if "high" in given:
         check_file(given["high"], "--high", "a mesh file")
         check_number(given["cage"], "--cage", 1e-30, 1e30)
+    if run.quantity == "normals":
+        given.setdefault("normals", "smooth")  # what a normal map shows
     return TextureOptions(both, samples=samples, **given)
 
 

@@ -10,6 +10,7 @@ from zipfile import ZipFile
 
 import numpy as np
 
+from warpsample.mesh.apart import REFUSED
 from warpsample.mesh.polygons import corner_triangles, triangles
 
 try:
@@ -18,8 +19,6 @@ except ModuleNotFoundError:  # Windows
     resource = None  # type: ignore[assignment]
 
 UP = "up"
-REFUSED = 3
-"""What the process ends with where it gives a reason instead of meshes."""
 _TWO_COUNTS = ("TOKENS", "PATHS")
 """Sections of a binary file that begin with two counts, where others begin with one."""
 _TEXTURE_TYPES = ("texCoord2", "float2[", "double2[", "half2[")

@@ -3,7 +3,7 @@
 import json
 from collections.abc import Iterator
 from contextlib import ExitStack
-from dataclasses import fields, replace
+from dataclasses import fields
 from pathlib import Path
 from time import perf_counter
 from typing import Any, BinaryIO
@@ -43,8 +43,6 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     """
     quantity = quantity_of(run.quantity)
     _check(run, quantity, how)
-    if quantity.name == "normals" and how.normals == "face":
-        how = replace(how, normals="smooth")  # what a normal map shows
     mesh = with_optics(load_mesh(run.mesh), **run.optics)
     slot = slot_of(quantity.name)
     jobs, file = jobs_of(run.mesh, mesh, how, run.output.suffix, slot)

@@ -9,6 +9,7 @@ from warpsample.host.engine import check_memory, run
 from warpsample.sequences.hashing import seed_for
 from warpsample.texture.coverage import claim_texels, mark_overlaps, weigh_corners
 
+_BYTES = 42  # of a texel, while its point or its picture is made
 MOST_TEXELS = (1 << 31) - 1
 """Of an image, times their samples: kernels count them by int32."""
 
@@ -48,7 +49,7 @@ def claims_of(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int], sa
         memory: where the kernels run.
     """
     texels = size[0] * size[1]
-    check_memory(texels * (13 + 4 * samples), f"an image of {size[0]} x {size[1]} texels", "take fewer texels")
+    check_memory(texels * (_BYTES + 4 * samples), f"an image of {size[0]} x {size[1]} texels", "take fewer texels")
     nearest, within = np.zeros(texels, np.uint64), np.zeros(texels, np.int32)
     owners = np.zeros(texels * samples if samples > 1 else 0, np.uint32)
     marks = np.zeros(len(corners), np.int32)

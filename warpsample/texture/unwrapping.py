@@ -1,12 +1,16 @@
 """New texture coordinates: `unwrap`, by xatlas."""
 
+import sys
 from dataclasses import replace
+from importlib.util import find_spec
+from io import BytesIO
 from typing import Any
 
 import numpy as np
 
 from warpsample.host.arguments import check_integer
-from warpsample.host.making import imported, missing
+from warpsample.host.making import missing
+from warpsample.mesh.apart import REFUSED, answer_of
 from warpsample.mesh.mesh import Mesh, as_mesh
 
 Charted = tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -17,8 +21,7 @@ PADDING = 4
 
 _MOST_SIDE = 1 << 14
 _DIAGONAL = 1000.0  # that xatlas gets of a mesh: it drops faces whose area is below 1e-7
-_TRIES = 12
-_SLACK = 0.995  # by which a try is smaller than what would just fit: packing is uneven
+_PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.mesh import charting; charting.main({size}, {padding})"
 
 
 def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.ndarray]:
@@ -35,7 +38,8 @@ def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.nd
         same order; and (F, 3, 2) float64, v downward. Faces without an area are all at one place.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used, or an image too small for so many charts.
+        TypeError, ValueError: an argument that cannot be used, a mesh that xatlas does not bear, or an image too small for
+            so many charts.
         ModuleNotFoundError: xatlas is missing; says how to install it.
 
     Example:
@@ -51,41 +55,22 @@ def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.nd
 
 
 def charted(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int) -> list[Charted]:
-    """Charts of several meshes, vertices and faces, in one image.
-
-    The library makes an image of about the size that it is asked for; so it is asked for ever fewer texels of a unit of
-    length, until all charts fit, and its coordinates are told in shares of the image that was meant.
-    """
-    library = _library()
+    """Charts of several meshes, vertices and faces, in one image; coordinates are told in shares of it."""
+    if find_spec("xatlas") is None:
+        raise missing("new texture coordinates need xatlas", "xatlas")
     used = np.concatenate([vertices[np.unique(faces)] for vertices, faces in parts])
     low, high = used.min(axis=0), used.max(axis=0)
     scale = _DIAGONAL / (float(np.linalg.norm(high - low)) or 1.0)
-    scaled = [(((v - 0.5 * (low + high)) * scale).astype(np.float32), f.astype(np.uint32)) for v, f in parts]
-    wanted = 0.0
-    for _ in range(_TRIES):
-        atlas = library.Atlas()
-        for vertices, faces in scaled:
-            atlas.add_mesh(vertices, faces)
-        options = library.PackOptions()
-        options.resolution, options.texels_per_unit, options.padding = 0 if wanted else size, wanted, padding
-        atlas.generate(pack_options=options)
-        side = max(atlas.width, atlas.height)
-        if not side:
-            raise ValueError("mesh: got faces without an area, want at least one that has some")
-        if side <= size:
-            share = np.array((atlas.width, atlas.height)) / size
-            return [
-                (vertex, faces, uv.astype(np.float64) * share)
-                for vertex, faces, uv in map(atlas.get_mesh, range(len(parts)))
-            ]
-        wanted = atlas.texels_per_unit * _SLACK * size / side
-    raise ValueError(
-        f"size: got {size}, where {atlas.chart_count:,} charts, {padding} texels apart, take {side} texels, want more"
-    )
-
-
-def _library() -> Any:
-    try:
-        return imported("xatlas")
-    except ModuleNotFoundError:
-        raise missing("new texture coordinates need xatlas", "xatlas") from None
+    given = {}
+    for i, (vertices, faces) in enumerate(parts):
+        given |= {f"v{i}": ((vertices - 0.5 * (low + high)) * scale).astype(np.float32), f"f{i}": faces.astype(np.uint32)}
+    stream = BytesIO()
+    np.savez(stream, **given)
+    status, answer = answer_of(_PROGRAM.format(path=sys.path, size=size, padding=padding), stream.getvalue())
+    if status == REFUSED:
+        raise ValueError(answer.decode())
+    if status:
+        raise ValueError(f"mesh: got one on which xatlas ended with {status}, want coordinates by another program")
+    made = np.load(BytesIO(answer))
+    share = made["share"]
+    return [(made[f"old{i}"], made[f"f{i}"], made[f"uv{i}"].astype(np.float64) * share) for i in range(len(parts))]

@@ -3,7 +3,6 @@
 A changed byte lets usd-core end the process that it is in, or take all its memory.
 """
 
-import subprocess
 import sys
 from collections.abc import Iterator
 from importlib.util import find_spec
@@ -12,9 +11,10 @@ from pathlib import Path
 import numpy as np
 
 from warpsample.host.making import missing
+from warpsample.mesh.apart import REFUSED, answer_of
 from warpsample.mesh.joining import joined_corners, joined_parts
 from warpsample.mesh.parts import Named
-from warpsample.mesh.usd_stage import REFUSED, UP
+from warpsample.mesh.usd_stage import UP
 
 _PROGRAM = "import sys; sys.path[:] = {path!r}; from warpsample.mesh import usd_stage; usd_stage.main({file!r}, {what!r})"
 _LONGEST = 200  # characters of a reason, which may quote an array of the file
@@ -52,18 +52,12 @@ def _found(path: Path, what: str = "") -> bytes:
     """What a process of `usd_stage` writes of a file."""
     if find_spec("pxr") is None:
         raise missing(f"path: got {path.name!r}, which needs usd-core", "pxr")
-    program = _PROGRAM.format(path=sys.path, file=str(path), what=what)
-    pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
-    with subprocess.Popen([sys.executable, "-c", program], **pipes) as child:
-        try:
-            found = child.communicate()[0]
-        finally:
-            child.kill()
-    if child.returncode == REFUSED:
+    status, found = answer_of(_PROGRAM.format(path=sys.path, file=str(path), what=what))
+    if status == REFUSED:
         reason = found.decode()
         raise ValueError(reason if len(reason) <= _LONGEST else f"{reason[: _LONGEST - 3]}...")
-    if child.returncode:
-        raise ValueError(f"usd-core ended with {child.returncode}: it is damaged, or needs more memory than is free")
+    if status:
+        raise ValueError(f"usd-core ended with {status}: it is damaged, or needs more memory than is free")
     return found
 
 
