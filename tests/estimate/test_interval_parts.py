@@ -91,7 +91,8 @@ def test_every_number_is_finite(bunny, points):
 @pytest.mark.slow
 def test_intervals_follow_the_result(bunny, points):
     """They follow it through a tolerance's run, a picture's one channel and its unit, and widen with the level."""
-    tolerant = ws.ambient_occlusion(bunny, points, 512, tolerance=1e-9)
+    with pytest.warns(UserWarning, match="tolerance: got 1e-09"):
+        tolerant = ws.ambient_occlusion(bunny, points, 512, tolerance=1e-9)
     plain = ws.ambient_occlusion(bunny, points, 512)
     assert np.array_equal(tolerant.interval().upper, plain.interval().upper)
     grey = ws.irradiance(bunny, points, np.ones((2, 2)), 256).interval()
