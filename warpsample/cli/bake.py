@@ -125,8 +125,10 @@ def _help_of(name: str) -> str:
 def _parameters() -> Iterator[inspect.Parameter]:
     """The parameters of the command: its own, and in place of **options those of some files and of the quantities."""
     *own, _ = inspect.signature(bake_command).parameters.values()
-    titles = ", ".join(f"{name}: {quantity.title}" for name, quantity in quantities().items())
-    kinds = {"quantity": Annotated[Literal[tuple(quantities())], typer.Option(help=f"{titles}.")]}
+    titles = {name: quantity.title for name, quantity in quantities().items()}
+    others = {name: title for name, title in titles.items() if title.rstrip("s") != name.replace("-", " ").rstrip("s")}
+    told = ", ".join(f"{name}: {title}" for name, title in others.items())
+    kinds = {"quantity": Annotated[Literal[tuple(titles)], typer.Option(help=f"{told}; others are what they are called.")]}
     yield from (parameter.replace(annotation=kinds.get(parameter.name, parameter.annotation)) for parameter in own)
     for name, kind in chain.from_iterable(room.items() for room in _ROOMS):
         default = False if get_args(kind)[0] is bool else None
