@@ -9,6 +9,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
+from warpsample.output import by_parts
 from warpsample.output.quantities import quantities
 
 
@@ -78,6 +79,19 @@ def test_cityjson_gets_attributes_or_a_table(call, tmp_path):
     assert table["GroundSurface"]["sky_view_factor"] == ""
     assert float(table["WallSurface"]["sky_view_factor"]) == pytest.approx(wall["ws_sky_view_factor"], rel=1e-6)
     assert table["RoofSurface"] | {"object": "house", "lod": "2.2", "faces": "1", "area_m2": "96"} == table["RoofSurface"]
+
+
+def test_a_picture_of_cityjson_shows_the_means_of_its_surfaces(call, tmp_path, monkeypatch, can_render):
+    shown = []
+    monkeypatch.setattr(by_parts, "picture_of", lambda _baked, of_faces: shown.append(of_faces) or b"a picture")
+    path = cases.written(tmp_path / "a.city.json", cases.house())
+    given = ["--quantity", "sky", "--samples", 64, "--points", 600]
+    assert call("bake", path, "-o", tmp_path / "b.png", *given)[0] == 0
+    assert (tmp_path / "b.png").read_bytes() == b"a picture"
+    assert call("bake", path, "-o", tmp_path / "b.csv", *given)[0] == 0
+    table = {row["type"]: row["sky_view_factor"] for row in rows(tmp_path / "b.csv")}
+    wall, roof = np.unique(shown[0][np.isfinite(shown[0])])  # none of the GroundSurface
+    assert (wall, roof) == (pytest.approx(float(table["WallSurface"]), rel=1e-6), 1.0)
 
 
 def test_options_of_cityjson(call, tmp_path):

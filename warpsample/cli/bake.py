@@ -86,7 +86,7 @@ def bake_command(
 def _bake_mesh(run: BakeRun, of_stores: dict[str, Any], of_textures: dict[str, Any]) -> str:
     """Computes numbers on a mesh into whichever file is asked for; the report in sentences."""
     from warpsample.output.bake import bake
-    from warpsample.output.by_parts import is_by_parts
+    from warpsample.output.by_parts import is_by_parts, is_city
     from warpsample.output.texture_bake import bake_texture
     from warpsample.output.upward import with_up
 
@@ -101,8 +101,8 @@ def _bake_mesh(run: BakeRun, of_stores: dict[str, Any], of_textures: dict[str, A
     if not into_store:
         stores.refuse_for_files(run.output, of_stores)
     if how is None and run.points is None and run.at is None and not is_by_parts(run):
-        # A picture of vertices would blend what differs at edges, as a roof that sees the sky and the wall below it.
-        run = replace(run, at="faces" if run.output.suffix == ".png" else "vertices")
+        # Vertices blend what differs at edges, as a roof that sees the sky and the wall below it.
+        run = replace(run, at="faces" if run.output.suffix == ".png" or is_city(run) else "vertices")
     summary = bake_texture(run, how) if how else stores.bake_into_store(run, **of_stores) if into_store else bake(run)
     return "\n  ".join(filter(None, (summary, said)))
 

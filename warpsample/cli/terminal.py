@@ -36,7 +36,7 @@ BakedFile = Annotated[
 ]
 At = Annotated[
     Literal["vertices", "faces"] | None,
-    option("Where, if not at --points: at the vertices, or the faces' centres, as by default for a .png."),
+    option("Where, if not at --points: at the vertices, or the faces' centres, as by default for a .png and CityJSON."),
 ]
 FigureFile = Annotated[Path | None, option("No window, but a file: .png, .svg or .pdf.")]
 Workers = Annotated[int | None, option("Threads; by default as WARPSAMPLE_WORKERS says, or all cores.")]

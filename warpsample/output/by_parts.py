@@ -19,6 +19,7 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.part_means import part_means
 from warpsample.mesh.surface import SurfacePoints, face_centers
 from warpsample.output.baked import Baked, BakeRun
+from warpsample.output.pictured import picture_of, shown
 
 CITY_SUFFIXES = (".json", ".jsonl")
 
@@ -29,8 +30,9 @@ def is_city(run: BakeRun) -> bool:
 
 
 def is_by_parts(run: BakeRun) -> bool:
-    """Whether a run writes means over parts, not numbers at points."""
-    return run.by is not None or (is_city(run) and run.output.suffix in (*CITY_SUFFIXES, ".csv"))
+    """Whether a run writes means over parts, not numbers at points; a picture of a city shows them, too."""
+    suffixes = (*CITY_SUFFIXES, ".csv", *([".png"] if run.at is None else []))
+    return run.by is not None or (is_city(run) and run.output.suffix in suffixes)
 
 
 def check_parts(run: BakeRun, quantity: Quantity) -> None:
@@ -44,7 +46,7 @@ def check_parts(run: BakeRun, quantity: Quantity) -> None:
         raise ValueError(f"--output: got {name!r} for CityJSON, want .city.json, .city.jsonl, .csv or a mesh file")
     if not is_by_parts(run):
         return
-    if run.output.suffix not in ((*CITY_SUFFIXES, ".csv") if is_city(run) else (".csv",)):
+    if run.output.suffix not in ((*CITY_SUFFIXES, ".csv", ".png") if is_city(run) else (".csv",)):
         raise ValueError(f"--output: got {name!r} for --by {run.by}, want a file that ends in .csv")
     if quantity.is_matrix:
         raise ValueError(f"--quantity: got {quantity.name} for {name!r}, want one of a few numbers at each point")
@@ -80,13 +82,16 @@ def points_of_parts(run: BakeRun, mesh: Mesh, city: City | None) -> SurfacePoint
 
 
 def write_parts(baked: Baked, city: City | None) -> None:
-    """Writes the means as attributes of a city, or as a .csv with a row for each part: its name, area, means and errors."""
+    """Writes the means as attributes of a city, a picture, or a .csv with a row for each part: name, area, means, errors."""
     output = baked.run.output
     if city is not None and output.suffix in CITY_SUFFIXES:
         city.write(output, {f"ws_{name}": column for name, column in _means(baked)})
         return
     with complete_or_absent(output) as file:
-        write_csv(file, part_table(baked, city))
+        if output.suffix == ".png":
+            file.write(picture_of(baked, _of_faces(baked)))
+        else:
+            write_csv(file, part_table(baked, city))
 
 
 def part_table(baked: Baked, city: City | None) -> dict[str, np.ndarray]:
@@ -103,6 +108,17 @@ def _rows(mesh: Mesh) -> dict[str, np.ndarray]:
     faces = np.bincount(mesh.part[inside], minlength=count)
     area = np.bincount(mesh.part[inside], mesh.face_areas[inside], count)
     return {"part": np.array(mesh.parts, object), "faces": faces, "area": area}
+
+
+def _of_faces(baked: Baked) -> np.ndarray:
+    """(F,) for each face the mean over its part of what is shown; NaN where it is of none, or has no number."""
+    mesh = baked.mesh
+    assert mesh.part is not None
+    value = shown(baked)
+    means = part_means(
+        mesh.part, mesh.face_areas, baked.points.face, value, np.zeros(len(value)), count=len(mesh.parts)
+    ).value
+    return np.where(mesh.part >= 0, means[np.maximum(mesh.part, 0)], np.nan)
 
 
 def _means(baked: Baked) -> Iterator[tuple[str, np.ndarray]]:

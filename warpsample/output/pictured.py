@@ -26,16 +26,18 @@ def title_of(baked: Any) -> str:
     return f"{name}, {unit}" if unit else name
 
 
-def picture_of(baked: Any) -> bytes:
-    """The scene as a .png."""
-    value, at = shown(baked), baked.run.at
+def picture_of(baked: Any, of_faces: np.ndarray | None = None) -> bytes:
+    """The scene as a .png; `of_faces` are (F,) means over parts, to be shown in place of the numbers."""
+    value, at, what = shown(baked), baked.run.at, baked.run.at or "points"
+    if of_faces is not None:
+        value, at, what = of_faces, "faces", f"faces, with the means over {len(baked.mesh.parts):,} surfaces"
     made = (baked.mesh if at in _FRONT else baked.points).to_polydata()
     (made.cell_data if at == "faces" else made.point_data)["shown"] = value
     largest = np.nanmax(value, initial=0.0)
     high = float(largest if baked.quantity.unit else max(largest, baked.quantity.white)) or 1.0
     own = (0.0, 1.0, 0.0) if upright_by_y(baked.run.mesh) else (0.0, 0.0, 1.0)
     axis = np.abs(np.array(baked.run.options.get("up") or own, float)).argmax()
-    said = f"{baked.run.mesh.name}: {len(value):,} {at or 'points'}"
+    said = f"{baked.run.mesh.name}: {len(value):,} {what}"
     plotter = number_scene(made, "shown", title=title_of(baked), caption=said, high=high, up="xyz"[axis], size=_SIZE)
     try:
         held = BytesIO()
