@@ -76,9 +76,9 @@ def sun_hours(
         (2080,) 15 hours
     """
     mesh = as_mesh(mesh)
-    at = PlacedPoints.of(mesh, points)
+    total = len(PlacedPoints.of(mesh, points))  # which checks them, where no sun is up to do it
     options = {"weather": weather, "period": period, "up": up, "north": north, "seed": seed, "workers": workers}
-    return _prepare(mesh, len(at), **options)(points, first_point)
+    return _prepare(mesh, total, **options)(points, first_point)
 
 
 def _prepare(
