@@ -138,7 +138,7 @@ def test_a_full_disk_leaves_the_old_file(tmp_path, child_environment):
 
 
 def test_what_the_inputs_need_is_not_replaced(call, floor, tmp_path):
-    """Pictures of an .obj and of a .gltf, its data, and those of a finer mesh, which a .gltf of another name would have."""
+    """Pictures of an .obj and of a .gltf, its data, and those of a finer mesh, even where an old .gltf names them."""
     (tmp_path / "in.glb").write_bytes(changed(rich()[:-12], len))  # its length told anew
     tree, data, _ = opened(tmp_path / "in.glb")
     (tmp_path / "part").mkdir()
@@ -154,8 +154,6 @@ def test_what_the_inputs_need_is_not_replaced(call, floor, tmp_path):
     for mesh, output, options, needed in (
         (floor, "part/of walls.png", [], "part/of walls.png"),
         (path, "of glass.png", [], "of glass.png"),
-        (path, "data.gltf", [], "data.bin"),
-        (tmp_path / "in.glb", "data.gltf", finer, "data.bin"),
         (tmp_path / "in.glb", "of glass.png", ["--uv", "0", *finer], "of glass.png"),
     ):
         status, _, err = call("bake", mesh, "-o", tmp_path / output, "--texture", 16, *options)
@@ -163,6 +161,12 @@ def test_what_the_inputs_need_is_not_replaced(call, floor, tmp_path):
         assert (status, err) == (2, f"error: --output: got {name}, which is the input {name}, want another file\n")
     status, _, err = call("bake", floor, "-o", tmp_path / "part/of walls.png", "--at", "faces")
     assert (status, "which is the input" in err) == (2, True)
+    for mesh, options in ((path, []), (tmp_path / "in.glb", finer)):
+        (tmp_path / "data.gltf").write_bytes(path.read_bytes())
+        status, out, _ = call("bake", mesh, "-o", tmp_path / "data.gltf", "--texture", 16, "--samples", 2, *options)
+        assert status == 0
+        assert out.endswith("\n  its data are in data-1.bin: data.bin belongs to another file\n")
+        (tmp_path / "data-1.bin").unlink()
     assert all((tmp_path / name).read_bytes() == content for name, content in wanted.items())
 
 

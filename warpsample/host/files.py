@@ -67,7 +67,7 @@ def complete_or_absent(path: Path) -> Iterator[BinaryIO]:
     is a link, its target is replaced. Remains of killed processes that wrote the same file are removed first. What cannot be
     written is a WriteError.
     """
-    with handlers_first(), _part(path) as raw:
+    with handlers_first(), part_of(path, _target(path)) as raw:
         stream = BufferedWriter(raw, _BUFFER)
         yield stream
         to_disk(stream)
@@ -163,9 +163,11 @@ class _Part(FileIO):
 
 
 @contextmanager
-def _part(path: Path) -> Iterator[_Part]:
-    """An empty file beside `path`, locked while this process lives; removed at the end if it still exists."""
-    target = _target(path)
+def part_of(path: Path, target: Path) -> Iterator[_Part]:
+    """Open an empty hidden file beside `target`, locked while this process lives; remove the file at the end.
+
+    Its errors are WriteErrors that name `path`, the output of the user.
+    """
     _remove_orphans(target)
     part = target.with_name(f"{_prefix(target)}{os.getpid()}.{secrets.token_hex(4)}.part")
     raw = None
@@ -215,7 +217,7 @@ def _remove_if_dead(orphan: Path) -> None:
         return
     with orphan.open("r+b") as file:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        orphan.unlink()  # while it is locked, see _part
+        orphan.unlink()  # while it is locked, see part_of
 
 
 @to_its_end
@@ -252,7 +254,7 @@ def _flaw(path: Path, inputs: list[Path]) -> str:
         target = _target(path)
         mode = _mode(target)
         for source in inputs:
-            if _same(target, source):
+            if is_same(target, source):
                 return f"which is the input {str(source)!r}, want another file"
         kinds = {
             "which is a folder, want a file": stat.S_ISDIR(mode),
@@ -263,15 +265,16 @@ def _flaw(path: Path, inputs: list[Path]) -> str:
         for flaw, found in kinds.items():
             if found:
                 return flaw
-        with _part(path) as raw:
+        with part_of(path, target) as raw:
             raw.close()
-            Path(raw.name).unlink(missing_ok=True)  # as `_part` does: an interrupt can skip one of the two, not both
+            Path(raw.name).unlink(missing_ok=True)  # as `part_of` does: an interrupt can skip one of the two, not both
             return ""
     except OSError as error:
         return f"which cannot be written: {_reason(error)}"
 
 
-def _same(target: Path, source: Path) -> bool:
+def is_same(target: Path, source: Path) -> bool:
+    """Return whether two paths are one existing file, by whatever names."""
     with suppress(OSError):  # one of the two does not exist
         return target.samefile(source)
     return False

@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Iterator
-from contextlib import ExitStack
 from dataclasses import fields
 from pathlib import Path
 from time import perf_counter
@@ -12,10 +11,11 @@ import numpy as np
 
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.host.device_memory import Memory
-from warpsample.host.files import check_output, complete_or_absent, to_disk, write_arrays
+from warpsample.host.files import check_output, complete_or_absent, write_arrays
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.files.beside import files_beside
 from warpsample.output.baked import BakeRun
+from warpsample.output.data_beside import check_data_beside, write_with_data
 from warpsample.output.faces_option import with_optics
 from warpsample.output.quantities import check_options, quantity_of
 from warpsample.output.texture_images import Filled, filled
@@ -34,6 +34,8 @@ SUFFIXES = (*SCENES, ".png", ".exr", ".npz")
 
 _INTO_PNG = (0.0, 1.0)
 """What the numbers are that a .png holds."""
+
+_DATA = ".bin"  # suffix of the data beside a .gltf
 
 
 def bake_texture(run: BakeRun, how: TextureOptions) -> str:
@@ -77,24 +79,24 @@ def _before(file: GlbFile, run: BakeRun, jobs: list[TextureJob]) -> list[str]:
 
 
 def _write_scene(file: GlbFile, run: BakeRun, how: TextureOptions, found: list[Filled], slot: Slot) -> list[str]:
-    """Writes a .glb, or a .gltf and a .bin beside it, with the pictures of all jobs; what was replaced, in sentences."""
-    told: list[str] = []
-    with ExitStack() as files:
-        stream = files.enter_context(complete_or_absent(run.output))
-        for one in found:
-            told += _put(file, one, slot, how)
-        if run.output.suffix == ".glb":
+    """Write a .glb, or a .gltf and its data beside it, with all pictures; return sentences on what was replaced."""
+    told = [line for one in found for line in _put(file, one, slot, how)]
+    if run.output.suffix == ".glb":
+        with complete_or_absent(run.output) as stream:
             file.write(stream)
-        else:
-            data = _data_of(run.output)
-            file.write_apart(stream, files.enter_context(complete_or_absent(data)), data.name)
-            to_disk(stream)  # before the other replaces its old file, as it does first
+        return told
+    ways = {"write_data": file.write_data, "text_naming": file.text_naming, "named_by": files_beside}
+    data = write_with_data(run.output, _DATA, **ways, inputs=_inputs(run, how))
+    if data.stem != run.output.stem:
+        told.append(f"its data are in {data.name}: {run.output.with_suffix(_DATA).name} belongs to another file")
     return told
 
 
-def _data_of(output: Path) -> Path:
-    """The file of a .gltf's data."""
-    return output.with_suffix(".bin")
+def _inputs(run: BakeRun, how: TextureOptions) -> list[Path]:
+    """Return the files that a run reads."""
+    named = [run.options.get(option) for option in quantity_of(run.quantity).files]
+    files = [*named, run.mesh, how.high, *files_beside(run.mesh), *files_beside(how.high)]
+    return [file for file in files if file is not None]
 
 
 def _check(run: BakeRun, quantity: Quantity, how: TextureOptions) -> None:
@@ -110,10 +112,9 @@ def _check(run: BakeRun, quantity: Quantity, how: TextureOptions) -> None:
     _check_picture(run, quantity, how)
     check_library(suffix)
     Memory.of(run.options.get("device"))
-    files = [run.options.get(option) for option in quantity.files]
-    files += [run.mesh, how.high, *files_beside(run.mesh), *files_beside(how.high)]
-    for output in (run.output, *([_data_of(run.output)] if suffix == ".gltf" else [])):
-        check_output(output, "--output", *files)
+    check_output(run.output, "--output", *_inputs(run, how))
+    if suffix == ".gltf":
+        check_data_beside(run.output, _DATA, "--output")
     check_options(quantity, run.options)
 
 

@@ -125,12 +125,15 @@ class GlbFile:
         file.writelines(self._chunks)
         file.write(self._rest)
 
-    def write_apart(self, file: BinaryIO, data: BinaryIO, name: str) -> None:
-        """Writes a .gltf, and all its data into another file of that name, which is to be beside it."""
+    def write_data(self, data: BinaryIO) -> None:
+        """Write all data, as the file beside a .gltf holds them."""
         self._put(b"")  # the same as in a .glb
-        self.tree["buffers"][0] |= {"byteLength": self._size, "uri": quote(name)}
         data.writelines(self._chunks)
-        file.write(json.dumps(self.tree, separators=(",", ":"), allow_nan=False).encode())
+
+    def text_naming(self, name: str) -> bytes:
+        """Return the content of a .gltf whose data are in a file of that name beside it."""
+        self.tree["buffers"][0] |= {"byteLength": self._size, "uri": quote(name)}
+        return json.dumps(self.tree, separators=(",", ":"), allow_nan=False).encode()
 
     def check_apart(self) -> None:
         """Refuses, by a ValueError, a .glb with parts that a .gltf has no place for."""
