@@ -436,8 +436,15 @@ def test_strips_without_indices_in_two_places_and_glass(call, tmp_path):
     )
     output, out = baked(call, path, "--uv", "new")
     assert "\n  of 'meshes[0]', in several places, the first one counts\n" in out
-    assert "\n  transparent materials block light as all others do: 'materials[0]'\n" in out
-    assert out.endswith("\n  of materials with two sides the numbers are those of the front: 'materials[0]'\n")
+    assert "\n  of materials with two sides the numbers are those of the front: 'materials[0]'\n" in out
+    said = "\n  transparent materials that block all light, as --transmittance gives them no share: 'materials[0]'\n"
+    assert out.endswith(said)
+    whole = baked(call, path, "--uv", "new", "--transmittance", "0.25")[1]
+    assert (whole.endswith("\n  faces of 'materials[0]' pass 25 % of the light\n"), "block all" in whole) == (True, False)
+    np.save(tmp_path / "share.npy", np.linspace(0.1, 0.6, len(ws.load_mesh(path).faces)))
+    by_face = baked(call, path, "--uv", "new", "--transmittance", tmp_path / "share.npy")[1]
+    assert "\n  faces of 'materials[0]' pass 10 to " in by_face
+    baked(call, path, "--uv", "new")
     before, after = ws.load_mesh(path), ws.load_mesh(output)
     assert np.array_equal(before.vertices[before.faces], after.vertices[after.faces])
     uv = ws.load_uv(output, set=2)

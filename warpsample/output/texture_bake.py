@@ -24,7 +24,7 @@ from warpsample.texture.high import HighMesh
 from warpsample.texture.inside import Closed
 from warpsample.texture.jobs import SCENES, TextureJob, flaws_told, is_flat, jobs_of
 from warpsample.texture.materials import OCCLUSION, THICKNESS, Slot, add_texture, slot_of
-from warpsample.texture.notes import left_behind, named, notes_on
+from warpsample.texture.notes import left_behind, named, notes_on, notes_on_light
 from warpsample.texture.pictures import DEPTHS, check_library, exr_of, png_of
 from warpsample.texture.primitives import primitives_of, sharing
 from warpsample.texture.sets import TextureOptions
@@ -35,6 +35,7 @@ SUFFIXES = (*SCENES, ".png", ".exr", ".npz")
 _INTO_PNG = (0.0, 1.0)
 """What the numbers are that a .png holds."""
 
+_WITHOUT_LIGHT = ("normals", "position", "thickness")  # quantities that no light goes into
 _DATA = ".bin"  # suffix of the data beside a .gltf
 
 
@@ -48,8 +49,8 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     mesh = with_optics(load_mesh(run.mesh), **run.optics)
     slot = slot_of(quantity.name)
     jobs, file = jobs_of(run.mesh, mesh, how, run.output.suffix, slot)
-    told = [] if file is None else _before(file, run, jobs)
     high = None if how.high is None else HighMesh.load(how.high, how.cage, how.normals)
+    told = [] if file is None else _before(file, run, jobs, has_high=high is not None)
     closed, start = Closed(mesh if high is None else high.mesh), perf_counter()
     found = [filled(job, run, how, closed, high) for job in jobs]
     seconds = perf_counter() - start
@@ -61,17 +62,20 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     lines = [f"{run.output}: {quantity.title} in {_pictures(len(found))} of {how.size[0]} x {how.size[1]} texels"]
     lines += [line for one in found for line in _told(one)]
     rays = sum(one.rays for one in found)
-    lines += [f"{rays:,} rays cast in {seconds:.2f} s, {rays / max(seconds, 1e-9) / 1e6:.1f} million a second", *told]
-    return "\n  ".join(lines)
+    cast = f"{rays:,} rays cast in {seconds:.2f} s, {rays / max(seconds, 1e-9) / 1e6:.1f} million a second"
+    return "\n  ".join([*lines, cast if rays else f"took {seconds:.2f} s", *told])
 
 
-def _before(file: GlbFile, run: BakeRun, jobs: list[TextureJob]) -> list[str]:
+def _before(file: GlbFile, run: BakeRun, jobs: list[TextureJob], *, has_high: bool) -> list[str]:
     """Checks a .glb or .gltf before anything is computed; what is to be said of it."""
     with editing(run.mesh):
         if run.output.suffix == ".gltf":
             file.check_apart()
-        told = list(notes_on(file.part, [one for job in jobs for one in job.group]))
-        groups = sharing(primitives_of(file.part, file.data))
+        told = list(notes_on(file.part, [one for job in jobs for one in job.group], slot_of(run.quantity).name))
+        placed = primitives_of(file.part, file.data)
+        if not has_high and run.quantity not in _WITHOUT_LIGHT:  # a finer mesh has none of these materials
+            told += notes_on_light(file.part, placed, jobs[0].points.mesh.transmittance)
+        groups = sharing(placed)
         flat = named(one.name for group in groups if is_flat(jobs[0].points.mesh, group) for one in group)
     if flat:
         told.append(f"without an area, and so left without a picture: {flat}")
