@@ -21,6 +21,7 @@ from warpsample.host.arrays import Array, Floats, cpu
 from warpsample.host.engine import check_memory, run
 from warpsample.host.options import CallOptions, explained_by
 from warpsample.host.progress import bar
+from warpsample.host.summary import Summary
 from warpsample.host.vectors import as_vectors, check_out, new_vectors
 from warpsample.mesh.polydata import cloud
 from warpsample.mesh.surface import SurfacePoints
@@ -40,8 +41,8 @@ class Status(IntEnum):
     NONFINITE_NORMAL = samples.NONFINITE_NORMAL
 
 
-@dataclass(frozen=True, eq=False)
-class Directions:
+@dataclass(frozen=True, eq=False, repr=False)
+class Directions(Summary):
     """Directions at P points, n each; NumPy or Warp arrays, as the normals were.
 
     Attributes:

@@ -10,8 +10,7 @@ from warpsample.estimate.result import Estimate
 from warpsample.estimate.runner import Runner
 from warpsample.estimate.strata import strata_of
 from warpsample.estimate.tolerance import count_within, error_of
-from warpsample.host.log import log
-from warpsample.host.progress import bar
+from warpsample.host.progress import bar, log
 
 _MISSED = 1.1  # times the tolerance: the error's own error is a few percent
 

@@ -14,6 +14,7 @@ from warpsample.estimate.lobes import NONFINITE_VALUE
 from warpsample.host.arguments import check_choice, check_number
 from warpsample.host.making import missing
 from warpsample.host.neighbours import kind_told
+from warpsample.host.summary import Summary
 from warpsample.host.vectors import as_directions
 from warpsample.mesh.mesh import mesh_of
 from warpsample.mesh.surface import SurfacePoints
@@ -73,7 +74,7 @@ class Skipped:
     unneeded_rays: int = 0
 
 
-class PointResult:
+class PointResult(Summary):
     """What results of P points have in common: a `status` of each, and ways to PyVista and xarray."""
 
     status: NDArray[np.uint8]
@@ -179,7 +180,7 @@ class PointResult:
         return Dataset({name: (("point", *self._axes)[: a.ndim], a) for name, a in arrays}, coordinates)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Estimate(PointResult):
     """A number for each of P points.
 
@@ -250,7 +251,7 @@ class Estimate(PointResult):
         return Interval(*(np.clip(end, *np.float32(self.possible)) for end in (lower, upper)))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Share(Estimate):
     """An `Estimate` of a share, from 0 to 1."""
 

@@ -93,7 +93,7 @@ def ambient_occlusion(
     return estimate(plan, RaySum(OPEN, reach=reach, falloff=falloff, result=Share))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class SkyView(Share):
     """An `Estimate` of the sky view factor.
 

@@ -20,8 +20,7 @@ from typing import BinaryIO
 import warp as wp
 
 from warpsample.host.locks import once
-from warpsample.host.log import log
-from warpsample.host.progress import awaited
+from warpsample.host.progress import awaited, log
 
 WIDE_VECTORS = "-mprefer-vector-width=512"
 """For the compiler, which on Intel's processors with AVX-512 prefers 256 bits: loops of one kernel then are 1.1 to 1.6 times

@@ -1,9 +1,11 @@
 """What happens between the batches of a long call: a bar moves, and whoever no longer wants the call stops it.
 
 A bar is for `progress=True`, on a terminal's stderr or in a notebook only. So is a line that says what is being waited for,
-but that a terminal is told in any case.
+but that a terminal is told in any case. And the package's logger, which nobody hears by default:
+`logging.basicConfig(level="INFO")` shows the kernels that are compiled, the ray counts of a tolerance, and the tiles.
 """
 
+import logging
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -13,6 +15,9 @@ from typing import Any
 
 LEAST_WORK = 1 << 25
 """Directions, or the like: 0.1 s. What takes less does not show how far it is."""
+
+log: logging.Logger = logging.getLogger("warpsample")
+log.addHandler(logging.NullHandler())
 
 _PATIENCE = 1.0  # seconds without a word
 

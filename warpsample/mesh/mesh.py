@@ -12,6 +12,7 @@ from warpsample.host.arguments import told
 from warpsample.host.arrays import Array, as_real
 from warpsample.host.locks import once_property
 from warpsample.host.neighbours import as_ndarray, kind_told
+from warpsample.host.summary import Summary
 from warpsample.mesh.foreign import KINDS, arrays_of
 from warpsample.mesh.indexed import check_faces, check_vertices
 from warpsample.mesh.known import arrived, digest_of, remember
@@ -29,8 +30,8 @@ _BLOCK = 1 << 18  # faces that are looked at together, so that what is between t
 _SLIVER = 2.0**-48  # of abs(e1) abs(e2): below 16 roundings of the cross product the normal is noise
 
 
-@dataclass(frozen=True, eq=False)
-class Mesh:
+@dataclass(frozen=True, eq=False, repr=False)
+class Mesh(Summary):
     """A triangle mesh.
 
     Attributes:

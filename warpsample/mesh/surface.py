@@ -8,6 +8,7 @@ import numpy as np
 from warpsample.host.arguments import told
 from warpsample.host.arrays import Array, as_real
 from warpsample.host.neighbours import as_ndarray
+from warpsample.host.summary import Summary
 from warpsample.mesh.mesh import as_mesh
 from warpsample.mesh.polydata import cloud
 
@@ -15,8 +16,8 @@ if TYPE_CHECKING:
     from pyvista import PolyData
 
 
-@dataclass(frozen=True, eq=False)
-class SurfacePoints:
+@dataclass(frozen=True, eq=False, repr=False)
+class SurfacePoints(Summary):
     """Points with normals, one per row.
 
     Arrays of other libraries (PyTorch, JAX, CuPy) become NumPy's: without a copy where they are in the CPU's memory.

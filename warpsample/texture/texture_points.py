@@ -11,6 +11,7 @@ from warpsample.host.arguments import check_choice, check_integer, told
 from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property
 from warpsample.host.options import CallOptions, explained_by
+from warpsample.host.summary import Summary
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.texture.charts import charts_of
@@ -23,8 +24,8 @@ _MOST_SAMPLES = 1024
 _MOST_SIDE = 1 << 16
 
 
-@dataclass(frozen=True, eq=False)
-class TexturePoints:
+@dataclass(frozen=True, eq=False, repr=False)
+class TexturePoints(Summary):
     """The texels of a texture as points on a mesh, and images of what is known at them.
 
     Attributes:

@@ -16,6 +16,7 @@ from warpsample.host.engine import check_memory
 from warpsample.host.neighbours import address_of
 from warpsample.host.options import explained_by
 from warpsample.host.progress import bar
+from warpsample.host.summary import Summary
 from warpsample.mesh.mesh import as_mesh
 from warpsample.tracing.given_rays import GivenRays
 from warpsample.tracing.options import RayOptions
@@ -25,8 +26,8 @@ from warpsample.tracing.scene import scene_of
 _BYTES_OF_POINT, _BYTES_OF_RAY = 24 + 12, 24 + 4 + 4  # on a device: origin, face's normal; direction, distance, face
 
 
-@dataclass(frozen=True, eq=False)
-class Hits:
+@dataclass(frozen=True, eq=False, repr=False)
+class Hits(Summary):
     """The hits of rays; NumPy or Warp arrays, as the rays were.
 
     Attributes:

@@ -10,6 +10,7 @@ import warp as wp
 from warpsample.host.arguments import check_number
 from warpsample.host.arrays import Array, Floats, cpu
 from warpsample.host.engine import check_memory
+from warpsample.host.summary import Summary
 from warpsample.mesh.mesh import as_mesh
 from warpsample.tracing.every_hit import counting_kernel, writing_kernel
 from warpsample.tracing.given_rays import GivenRays
@@ -18,8 +19,8 @@ from warpsample.tracing.rays import launch_rays
 from warpsample.tracing.scene import scene_of
 
 
-@dataclass(frozen=True, eq=False)
-class AllHits:
+@dataclass(frozen=True, eq=False, repr=False)
+class AllHits(Summary):
     """Every hit of R rays, one ray after the other; NumPy or Warp arrays, as the rays were.
 
     Attributes:

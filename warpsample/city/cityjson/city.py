@@ -24,6 +24,7 @@ from warpsample.host.arrays import as_real
 from warpsample.host.files import check_output, write_bytes
 from warpsample.host.locks import read_only
 from warpsample.host.neighbours import kind_told
+from warpsample.host.summary import Summary
 from warpsample.mesh.holes import Outlines
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.part_means import part_means
@@ -32,8 +33,8 @@ from warpsample.mesh.surface import SurfacePoints
 _FILE = "a CityJSON file"
 
 
-@dataclass(frozen=True, eq=False)
-class City:
+@dataclass(frozen=True, eq=False, repr=False)
+class City(Summary):
     """The surfaces of a CityJSON file as a mesh.
 
     Attributes:

@@ -16,6 +16,7 @@ from warpsample.city.rasters.scenery import Scenery, joined
 from warpsample.city.rasters.triangles import TOP
 from warpsample.host.arguments import check_choice
 from warpsample.host.arrays import as_real
+from warpsample.host.summary import Summary
 from warpsample.mesh.mesh import Mesh, unit_or_zero
 from warpsample.mesh.surface import SurfacePoints
 
@@ -23,8 +24,8 @@ MODELS = ("joined", "block", "tin")
 RECEIVERS = ("horizontal", "surface")
 
 
-@dataclass(frozen=True, eq=False)
-class RasterSurface:
+@dataclass(frozen=True, eq=False, repr=False)
+class RasterSurface(Summary):
     """The triangles of a raster of heights, in the map's coordinates.
 
     Attributes:

@@ -23,7 +23,7 @@ from warpsample.city.rasters.scenery import Foreground, Scenery, Seen, joined
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.visible_sky import visible_sky
 from warpsample.host.arguments import check_choice, check_integer, told
-from warpsample.host.log import log
+from warpsample.host.progress import log
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 

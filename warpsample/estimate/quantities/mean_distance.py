@@ -18,7 +18,7 @@ from warpsample.tracing.placed_points import PlacedPoints
 _LEAST, _MOST = 1e-30, 1e30  # of a limit: its float32 and those of the errors are neither 0 nor infinite
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class MeanDistance(Estimate):
     """An `Estimate` of the mean distance to the nearest hit.
 

@@ -6,12 +6,13 @@ import numpy as np
 
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import PointStatus, status_of
+from warpsample.host.summary import Summary
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 
 
-@dataclass(frozen=True, eq=False)
-class OwnVectors:
+@dataclass(frozen=True, eq=False, repr=False)
+class OwnVectors(Summary):
     """Vectors that P points have of themselves.
 
     Attributes:

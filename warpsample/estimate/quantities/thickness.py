@@ -8,14 +8,15 @@ import numpy as np
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import PointStatus, status_of
 from warpsample.host.arguments import check_number
+from warpsample.host.summary import Summary
 from warpsample.host.vectors import as_directions
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.trace import trace
 
 
-@dataclass(frozen=True, eq=False)
-class Thickness:
+@dataclass(frozen=True, eq=False, repr=False)
+class Thickness(Summary):
     """How far it is through a body at P points.
 
     Attributes:

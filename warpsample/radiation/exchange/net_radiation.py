@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real
+from warpsample.host.summary import Summary
 from warpsample.host.tables import frame_of
 from warpsample.radiation.exchange.radiosity import radiosity_of
 
@@ -24,8 +25,8 @@ _CELSIUS = (0.0, 60.0)  # what temperatures of rooms and weather are in degrees 
 _LEAK = 1e-3  # of a row: what may escape from a closed room, at edges where faces meet at less than 14 degrees
 
 
-@dataclass(frozen=True, eq=False)
-class NetRadiation:
+@dataclass(frozen=True, eq=False, repr=False)
+class NetRadiation(Summary):
     """What each of N surfaces loses by thermal radiation, at one time or at k of them.
 
     Attributes:

@@ -2,12 +2,13 @@
 
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from warpsample.estimate.result import Skipped
+from warpsample.host.summary import Summary
 from warpsample.host.tables import frame_of
 from warpsample.radiation.exchange.files import check_factors_file, load, save
 from warpsample.radiation.exchange.net_radiation import NetRadiation, net_radiation_of
@@ -17,8 +18,8 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 
-@dataclass(frozen=True, eq=False)
-class ViewFactors:
+@dataclass(frozen=True, eq=False, repr=False)
+class ViewFactors(Summary):
     """View factors between N surfaces: the faces of a mesh, or groups of them.
 
     Raw, each row of the matrix adds up to 1 with `outside`, `behind` and `absorbed`: its rays are counted, none is lost.
@@ -65,6 +66,8 @@ class ViewFactors:
     absorbed_error: NDArray[np.float64] | None = None
     reflectance: NDArray[np.float32] | None = None
     names: tuple[str, ...] | None = None
+
+    _counted: ClassVar[str] = "faces"
 
     def radiosity(self, emission: Any, reflectance: Any = None) -> np.ndarray:
         """What leaves each surface, emitted or reflected: J = E + rho F J.

@@ -19,7 +19,7 @@ from warpsample.radiation.weather.weather import read_weather
 from warpsample.tracing.placed_points import PlacedPoints
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class SunHours(PointResult):
     """In how many hours P points see the sun.
 

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 _BRIGHTEST = 1e37  # of a picture: pi times that is a float32
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Irradiance(Estimate):
     """The irradiance of P points; an `Estimate` that also has what faces send back.
 

@@ -6,7 +6,7 @@ of each row straddles north. The last patch is a cap about the zenith.
 
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from warpsample.host.arguments import check_choice, told
 from warpsample.host.arrays import as_unit
 from warpsample.host.locks import read_only
+from warpsample.host.summary import Summary
 
 MULTIPLES = {"tregenza": 1, "reinhart2": 2, "reinhart4": 4}
 """Radiance's MF of each set of patches: into how many rows, and columns, a patch of Tregenza's is cut."""
@@ -22,8 +23,8 @@ _COLUMNS = (30, 30, 24, 24, 18, 12, 6)  # of Tregenza's rows, from the horizon o
 _PARALLEL = 1e-9  # the sine of the angle between up and north, below which north is none
 
 
-@dataclass(frozen=True, eq=False)
-class SkyPatches:
+@dataclass(frozen=True, eq=False, repr=False)
+class SkyPatches(Summary):
     """The patches of a sky, row by row from the horizon to the zenith; in each row clockwise as seen from above.
 
     The k-th is Radiance's sky patch k + 1, the row k + 1 of its matrices; their row 0, the ground, is not among them.
@@ -47,6 +48,8 @@ class SkyPatches:
     rows: NDArray[np.int64]
     altitudes: NDArray[np.float64]
     azimuths: NDArray[np.float64]
+
+    _counted: ClassVar[str] = "patches"
 
     def __len__(self) -> int:
         """How many patches there are."""

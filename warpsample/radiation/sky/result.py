@@ -36,7 +36,7 @@ class SkySkipped:
     patches_below: int = 0
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class SkyMatrix(PointResult):
     """The share of its lobe that each of K patches lights at each of P points; or sums over the patches.
 

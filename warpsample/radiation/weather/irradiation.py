@@ -26,7 +26,7 @@ from warpsample.tracing.placed_points import PlacedPoints
 _BYTES = 5 * 4 + 5 * 8  # of each point and hour: five results, and what they are made of in float64
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Irradiation(PointResult):
     """What each of P points receives on its surface: in a period (P,), in kWh/m²; or in each of T hours (P, T), in W/m².
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from warpsample.host.arguments import check_file, naming_file, told
 from warpsample.host.making import imported, missing
+from warpsample.host.summary import Summary
 from warpsample.mesh.known import digest_of
 from warpsample.radiation.weather.epw import YEAR, checked_text, radiation
 
@@ -21,8 +22,8 @@ _NIGHT = -10.0  # degrees: in an hour whose middle is as deep, the sun is down a
 _PERIOD = re.compile(r"(\d\d)-(\d\d)(?:T(\d\d))?")
 
 
-@dataclass(frozen=True, eq=False)
-class Weather:
+@dataclass(frozen=True, eq=False, repr=False)
+class Weather(Summary):
     """Hours of radiation at a place.
 
     Attributes:
