@@ -407,6 +407,13 @@ def test_a_new_file_is_not_read_with_the_masks_of_an_older_one(dsm, child_enviro
     subprocess.run(command, check=True, env=child_environment, cwd=folder, capture_output=True)
     assert sorted(path.name for path in folder.iterdir()) == [".sky.tif.making", "dsm.tif", "sky.tif"]
     assert own.read_text() == "old"
+    stray = folder / "new.tif.ovr"
+    stray.write_text("overviews of a file that is gone")
+    command[command.index("sky.tif")] = "new.tif"
+    done = subprocess.run(command, check=False, env=child_environment, cwd=folder, capture_output=True, text=True)
+    assert (done.returncode, stray.read_text()) == (2, "overviews of a file that is gone")
+    assert "GDAL would read new.tif.ovr with it" in done.stderr
+    assert not (folder / "new.tif").exists()
 
 
 def test_options_of_rasters_are_refused_for_meshes(tmp_path, child_environment):

@@ -110,6 +110,10 @@ def test_files_that_cannot_be_written_or_read(tmp_path):
     with pytest.raises(ValueError, match="svf.inp.1.*folder"):
         v.save(tmp_path / "vfsparse.inp.1")
     assert not (tmp_path / "vfsparse.inp.1").exists()
+    (tmp_path / "svf.inp.2").write_text("of another scene")
+    with pytest.raises(ValueError, match=r"svf\.inp\.2 would be replaced, want another name"):
+        v.save(tmp_path / "vfsparse.inp.2")
+    assert (tmp_path / "svf.inp.2").read_text() == "of another scene"
     np.savez(tmp_path / "other.npz", data=np.ones(3))
     (tmp_path / "broken.npz").write_bytes(b"PK nothing")
     np.savez(tmp_path / "pickled.npz", data=np.array([{}], object))

@@ -17,7 +17,7 @@ from dask.array import Array
 from dask.highlevelgraph import HighLevelGraph
 
 from warpsample.city.rasters.calls import run_of
-from warpsample.city.rasters.cog import write_cog
+from warpsample.city.rasters.cog import check_sidecars, write_cog
 from warpsample.city.rasters.content import digests_of, place_of, unchanging
 from warpsample.city.rasters.reading import files_read
 from warpsample.city.rasters.tiles import RasterRun
@@ -110,6 +110,7 @@ def bake_raster(job: RasterJob, output: Path, processes: int | None, resume: boo
     is_store = output.suffix == SUFFIX
     if not is_store:
         check_output(output, "--output", *job.files)
+        check_sidecars(output, "--output")
     store = check_store(output if is_store else output.with_name(f".{output.name}.making{SUFFIX}"), "--output")
     run, about = job.run()
     run.check()

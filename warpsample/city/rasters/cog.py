@@ -21,6 +21,17 @@ _SIDECARS = (".msk", ".ovr", ".aux.xml")  # masks, overviews and statistics, whi
 _HOW = {"compress": "DEFLATE", "overview_resampling": "AVERAGE", "blocksize": _BLOCK, "bigtiff": "IF_SAFER"}
 
 
+def check_sidecars(path: Path, argument: str) -> None:
+    """Refuse a new GeoTIFF beside files that GDAL would read as its masks, overviews or statistics.
+
+    Raises:
+        ValueError: there is no such GeoTIFF yet, but a file that GDAL would read with it.
+    """
+    older = [file.name for suffix in _SIDECARS if (file := Path(f"{path}{suffix}")).exists()]
+    if older and not path.exists():
+        raise ValueError(f"{argument}: got {str(path)!r}, beside which GDAL would read {older[0]} with it, want another name")
+
+
 def write_cog(
     path: Path,
     run: RasterRun,

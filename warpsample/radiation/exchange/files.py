@@ -40,8 +40,12 @@ def check_factors_file(path: Any, argument: str, *inputs: Path | None) -> Path:
     path = Path(path)
     if path.suffix not in (".npz", ".vf") and not path.name.startswith(_SPARSE):
         raise ValueError(f"{argument}: got {str(path)!r}, want {WANTS}")
-    for file in _files(path):
+    named, *unnamed = _files(path)
+    for file in (named, *unnamed):
         check_output(file, argument, *inputs)
+    for file in unnamed:
+        if file.exists() and not named.exists():
+            raise ValueError(f"{argument}: got {str(path)!r}, beside which {file.name} would be replaced, want another name")
     return path
 
 
