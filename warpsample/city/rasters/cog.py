@@ -29,7 +29,7 @@ def check_sidecars(path: Path, argument: str) -> None:
     """
     older = [file.name for suffix in _SIDECARS if (file := Path(f"{path}{suffix}")).exists()]
     if older and not path.exists():
-        raise ValueError(f"{argument}: got {str(path)!r}, beside which GDAL would read {older[0]} with it, want another name")
+        raise ValueError(f"{argument}: got {str(path)!r}, but GDAL would read {older[0]} with it; want another name")
 
 
 def write_cog(
