@@ -2,6 +2,7 @@
 
 import importlib
 import sys
+from collections.abc import Iterable
 from contextlib import closing
 from pathlib import Path
 from typing import Annotated, Any
@@ -46,7 +47,7 @@ def verify_command(
     except KeyboardInterrupt as interrupt:  # raised again itself: it may stand for another signal
         interrupt.args = (f"interrupted after {len(outcome)} of {len(tasks)} parts; what is told is of these",)
         if outcome and not (power or markdown):
-            _tell([v for found in outcome.values() for v in found], thorough, single=only is not None)
+            _tell([v for found in outcome.values() for v in found], outcome, thorough, single=only is not None)
         raise
     in_order = {task: outcome[task] for task in tasks}
     verdicts = [verdict for found in in_order.values() for verdict in found]
@@ -56,18 +57,18 @@ def verify_command(
     if markdown:
         print(report.markdown(verdicts))
     else:
-        _tell(verdicts, thorough, single=only is not None)
+        _tell(verdicts, tasks, thorough, single=only is not None)
     raise SystemExit(not all(v.passed for v in verdicts))
 
 
-def _tell(verdicts: list[Any], thorough: bool, *, single: bool) -> None:
+def _tell(verdicts: list[Any], tasks: Iterable[Any], thorough: bool, *, single: bool) -> None:
     """Prints tables, how far the sweep went, and what to do about what is broken."""
     from warpsample.proof import advice, report, run
 
     tables = console()
     (report.show_one if single else report.show)(verdicts, tables)
     tables.print(run.extent(thorough))
-    for sentence in advice.advice(verdicts):
+    for sentence in advice.advise(verdicts, run.subjects(tasks)):
         tables.print(f"\n{sentence}", markup=False, highlight=False)
 
 

@@ -1,11 +1,13 @@
-"""What broken laws say of a distribution, in sentences: what is wrong, what is merely imprecise, and what to do."""
+"""Advice on broken laws, in sentences: which part is wrong, what is merely imprecise, and what to do."""
 
 from collections.abc import Iterable, Iterator
 
+from warpsample.proof.diagnosis import WRONG, Conflict, find_conflicts, smallest
+from warpsample.proof.evidence import Subject
+from warpsample.proof.opinions import DENSITIES, MAPS
 from warpsample.proof.report import figure, name_of
 from warpsample.proof.verify import LAWS, Verdict
 
-_WRONG = 1e-2  # float32 loses digits, seldom all but two of them: what is further off has another formula
 _ERRORS = {
     "unit length": "worst_unit_length",
     "direction": "worst_angle",
@@ -13,62 +15,126 @@ _ERRORS = {
     "round trip": "worst_round_trip",
 }
 _IMPRECISE = {*_ERRORS, "sine", "tails"}  # laws that lost digits alone may break
-_TOGETHER = ("stretch", "mean stretch", "cells", "angle", "moments", "azimuth", "azimuth gap")
+_MOST_CASES = 3  # of one distribution: more cases seldom add evidence
+_MOST_TEXTS = 3
+_MEND = {
+    "map": "`sample`, the first function of Maps",
+    "density": "`pdf`, the second function of Maps",
+    "inverse": "`invert`, the third function of Maps",
+    "cdf": "`_cdf`",
+    "support": "`largest_angle`, the greatest angle to +z in radians, or in a disk the radius: override it in the class",
+    "twin's map": "the first function of twin=(directions, density)",
+    "twin's density": "the second function of twin=(directions, density)",
+}
+_JUDGED = {
+    "density": {*DENSITIES},
+    "round trip": {"inverse"},
+}  # parts of laws whose digits are worth no advice once they are wrong
 
 
-def advice(verdicts: Iterable[Verdict]) -> list[str]:
-    """A sentence or two for each thing that is broken of each distribution; none for those whose laws hold."""
+def advise(verdicts: Iterable[Verdict], subjects: Iterable[Subject] = ()) -> list[str]:
+    """Return the sentences about each distribution with a broken law.
+
+    Args:
+        verdicts: of any laws.
+        subjects: lobes and twins that were judged. Those with broken laws are searched for the wrong part.
+    """
     names = {law.name for law in LAWS}
-    broken: dict[str, dict[str, Verdict]] = {}
+    broken: dict[str, list[Verdict]] = {}
     for verdict in verdicts:
         if verdict.law in names and not verdict.passed:
-            kept = broken.setdefault(name_of(verdict), {})
-            kept[verdict.law] = max(kept.get(verdict.law, verdict), verdict, key=lambda v: v.measured)
-    return [f"{name} {sentence}" for name, found in sorted(broken.items()) for sentence in _told(found)]
+            broken.setdefault(name_of(verdict), []).append(verdict)
+    known = {subject.name: subject for subject in subjects}
+    return [f"{name} {text}" for name, found in sorted(broken.items()) for text in _advise_one(found, known)]
 
 
-def _told(broken: dict[str, Verdict]) -> Iterator[str]:
-    """What is said of one distribution, by its broken laws."""
-    far = {law for law in ("direction", "density", "round trip") if law in broken and broken[law].measured > _WRONG}
-    apart = [law for law in _TOGETHER if law in broken]
-    if "finite" in broken:
-        count = f"{broken['finite'].measured:,.0f}"
+def _advise_one(verdicts: list[Verdict], known: dict[str, Subject]) -> Iterator[str]:
+    worst = {v.law: v for v in sorted(verdicts, key=lambda v: v.measured)}
+    imprecise = [law for law in _ERRORS if law in worst and worst[law].measured <= WRONG]
+    only_digits = not worst.keys() - _IMPRECISE and not _far(worst)
+    names = list(dict.fromkeys(v.subject for v in verdicts if v.subject in known))[:_MOST_CASES]
+    conflicts = [] if only_digits else [conflict for name in names for conflict in find_conflicts(known[name])]
+    sets = smallest(conflicts) if conflicts else []
+    suspects = frozenset().union(*sets)
+    if "finite" in worst and not suspects & {*MAPS, "support"}:
+        count = f"{worst['finite'].measured:,.0f}"
         yield f"gives NaN, an infinity or density 0 at {count} values of u: try u[0] = 0 and u[0] = 1 - 2^-24 first."
-    if "outside" in broken:
+    if "outside" in worst and "support" not in suspects:
         yield "has a density beyond its support, or at NaN: return 0 there, as wp.where(w[2] > 0.0, density, 0.0) does."
-    if "density" in far or "mass" in broken:
-        yield _of_density(broken, "direction" in far)
-    elif "direction" in far:
-        yield f"has a wrong map: up to {figure(broken['direction'].measured)} rad from its twin, whose density it has."
-    elif apart:
-        told = ", ".join(apart)
-        yield f"has a map and a density that each agree with its twin, but not with each other ({told}): mend the twin, too."
-    if "round trip" in far and "direction" not in far:
-        yield f"has a wrong inverse: sample, then invert, ends up to {figure(broken['round trip'].measured)} from u."
-    imprecise = [law for law in _ERRORS if law in broken and law not in far and broken[law].measured <= _WRONG]
-    if imprecise and "direction" not in far:
-        yield _of_digits(broken, imprecise, alone=set(broken) <= _IMPRECISE)
+    if sets:
+        yield _name_parts(sets, conflicts) if len(sets) == 1 else _list_choices(sets, conflicts, known[names[0]])
+    elif not worst.keys() & {"finite", "outside"} and not only_digits:
+        yield _describe_unexplained(worst)
+    imprecise = [law for law in imprecise if not suspects & _JUDGED.get(law, set())]
+    if imprecise and "direction" not in _far(worst) and "support" not in suspects:
+        yield _describe_digits(worst, imprecise, alone=only_digits)
 
 
-def _of_density(broken: dict[str, Verdict], map_too: bool) -> str:
-    mass = f"; its integral is {figure(broken['mass'].measured)} from 1" if "mass" in broken else ""
-    if "density" not in broken:
-        return f"has a wrong density, and its twin the same one{mass}: mend the formula of both."
-    off = f"up to {figure(broken['density'].measured)} of itself from its twin's{mass}"
-    told = "wrong density, and a wrong map" if map_too else "wrong density; its map is the twin's"
-    return f"has a {told}. The density is {off}. Mend this first: the statistics follow from it."
+def _far(worst: dict[str, Verdict]) -> set[str]:
+    """Return the laws of which the error is more than lost digits."""
+    return {law for law in _ERRORS if law in worst and worst[law].measured > WRONG}
 
 
-def _of_digits(broken: dict[str, Verdict], laws: list[str], alone: bool) -> str:
-    """The advice on what float32 loses."""
-    what = ", ".join(f"{law} {figure(broken[law].measured)} (at most {figure(broken[law].limit)})" for law in laws)
-    said = ", ".join(f"{_ERRORS[law]} = {figure(2.0 * broken[law].measured)}" for law in laws)
-    kept = f"If fewer are enough, say so in the class: {said}."
-    if "sine" in broken:
-        kept = "Its sine is lost near the pole, which nothing in the class can excuse: narrow lobes need it."
+def _name_parts(sets: list[frozenset[str]], conflicts: list[Conflict]) -> str:
+    """Name the parts that alone explain all conflicts."""
+    parts = _in_order(sets[0])
+    same = len(parts) == 2 and set(parts) in ({*MAPS}, {*DENSITIES}) and all(c.parts != sets[0] for c in conflicts)
+    error = f" The two agree: both have the same error, and {parts[0]} and twin must be mended." if same else ""
+    mend = "; ".join(_MEND[part] for part in parts)
+    return f"has a wrong {' and a wrong '.join(parts)}: {_evidence(conflicts)}.{error} The other parts agree. Mend {mend}."
+
+
+def _list_choices(sets: list[frozenset[str]], conflicts: list[Conflict], subject: Subject) -> str:
+    """List the parts that may be wrong where the conflicts do not decide, and say how to decide."""
+    choices = ", or ".join(f"the {' and the '.join(_in_order(parts))}" for parts in sets)
+    more = [] if subject.sampler.symmetric else ["`_cdf` with symmetric = True, if the density depends on the angle alone"]
+    more += [] if subject.sampler.maps.invert is not None else ["`invert`"]
+    check = f" Another part is a further check: {', or '.join(more)}." if more else ""
+    return (
+        f"has parts that contradict each other: {_evidence(conflicts)}.{_BETWEEN.get(frozenset(sets), '')} Either of these "
+        f"is wrong: {choices}. The checks cannot decide which: compare the values with those of the lobe that you mean."
+        f"{check}"
+    )
+
+
+_BETWEEN = {
+    frozenset({frozenset(MAPS), frozenset(DENSITIES)}): " The maps belong to another lobe than the densities.",
+    frozenset({frozenset({"map", "density"}), frozenset({"twin's map", "twin's density"})}): (
+        " The class and its twin describe different lobes."
+    ),
+}
+
+
+def _in_order(parts: Iterable[str]) -> list[str]:
+    return [part for part in _MEND if part in parts]
+
+
+def _evidence(conflicts: list[Conflict]) -> str:
+    """Join the first result of each group of parts."""
+    texts: dict[frozenset[str], str] = {}
+    for conflict in conflicts:
+        texts.setdefault(conflict.parts, conflict.text)
+    return "; ".join([*texts.values()][:_MOST_TEXTS])
+
+
+def _describe_unexplained(worst: dict[str, Verdict]) -> str:
+    laws = ", ".join(worst)
+    return (
+        f"breaks {laws}, while all parts agree to {WRONG:g} at 2^18 values of u: the error is small or rare. Look at the "
+        "ends of u[0] and u[1] and at the ends of the support first."
+    )
+
+
+def _describe_digits(worst: dict[str, Verdict], laws: list[str], *, alone: bool) -> str:
+    """Describe the digits that float32 loses, and how to keep or to excuse them."""
+    what = ", ".join(f"{law} {figure(worst[law].measured)} (at most {figure(worst[law].limit)})" for law in laws)
+    fields = ", ".join(f"{_ERRORS[law]} = {figure(2.0 * worst[law].measured)}" for law in laws)
+    last = f"If fewer are enough, say so in the class: {fields}."
+    if "sine" in worst:
+        last = "Its sine is lost near the pole, which nothing in the class can excuse: narrow lobes need it."
     return (
         f"is {'imprecise, not wrong' if alone else 'imprecise, too'}: {what}. Float32 loses digits in 1 - x, in "
         "sqrt(1 - z^2) and in wp.pow near 1; exp_double and log1p_double of warpsample.maths.exponentials keep them, as in "
         "power_cosine.py. "
-        f"{kept}"
+        f"{last}"
     )

@@ -207,13 +207,17 @@ def names() -> list[str]:
     return [*_SAMPLERS, *_STREAMS, *_MIXERS, *_KEYS, *_SAMPLES]
 
 
+def subject_of(name: str) -> Subject:
+    """Return the wrong sampler or stream of one defect, and its twin."""
+    sampler = _SAMPLERS.get(name, _RIGHT)
+    return Subject(name, sampler, getattr(sampler, "claims", _RIGHT), _STREAMS.get(name, independent))
+
+
 def judge_defect(name: str, every: int = 16, draws: int = 1 << 22, points: int = 1_000_000) -> list[Verdict]:
     """All laws for one defect. `every` and `draws`: see `Evidence`; `points`: for the laws of streams."""
-    sampler = _SAMPLERS.get(name, _RIGHT)
-    claims = getattr(sampler, "claims", _RIGHT)
-    variates = _STREAMS.get(name, independent)
-    verdicts = judge(Evidence(Subject(name, sampler, claims, variates), every, draws))
+    subject = subject_of(name)
+    verdicts = judge(Evidence(subject, every, draws))
     verdicts += judge_cells(name, _MIXERS[name]) if name in _MIXERS else []
     verdicts += [judge_keys(name, _KEYS[name])] if name in _KEYS else []
     verdicts += [judge_far_samples(name, _SAMPLES[name]())] if name in _SAMPLES else []
-    return verdicts + (judge_stream(name, variates, points) if name in _STREAMS else [])
+    return verdicts + (judge_stream(name, subject.variates, points) if name in _STREAMS else [])

@@ -3,7 +3,7 @@
 import multiprocessing
 import os
 import signal
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -13,6 +13,7 @@ from warpsample import distributions, sequences
 from warpsample.distributions.record import Distribution
 from warpsample.host.registry import look_up
 from warpsample.proof import defects, mixing, rays, routes, streams, stress, verify
+from warpsample.proof.evidence import Subject
 from warpsample.proof.verify import Verdict
 
 _USUAL, _SLOW = 4, 16  # the sweep takes every n-th variate, unless it is thorough
@@ -53,6 +54,12 @@ def trial(only: str | None = None) -> list[TrialPart]:
         TrialPart("routes"),
         TrialPart("rays"),
     ]
+
+
+def subjects(tasks: Iterable[TrialPart]) -> list[Subject]:
+    """Return the samplers and twins of those tasks that judge one lobe."""
+    found = [Subject(repr(task.key), task.key, task.key) for task in tasks if task.kind == "case"]
+    return found + [defects.subject_of(task.key) for task in tasks if task.kind == "defect"]
 
 
 def _kinds_of_parts() -> dict[str, str]:

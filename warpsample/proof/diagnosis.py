@@ -1,0 +1,245 @@
+"""Find the parts of a lobe, or of its twin, that are wrong: the fewest parts that explain all disagreements.
+
+Six parts describe one lobe: the map, the density, the inverse and the cdf of the class, and the two functions of the
+twin. A seventh, the declared support, limits all of them. Each check compares two parts, or one part with what holds for
+any lobe. A check that fails is a `Conflict`: at least one of its parts is wrong.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from warpsample.proof import laws
+from warpsample.proof.evidence import Subject
+from warpsample.proof.opinions import DENSITIES, MAPS, MARGIN, STEP, Opinions
+from warpsample.proof.report import figure
+from warpsample.proof.verify import LEVEL
+from warpsample.statistics.charts import DISK
+
+PARTS = ("map", "density", "inverse", "cdf", "support", "twin's map", "twin's density")
+WRONG = 1e-2  # float32 loses digits, seldom all but two of them: a greater error is of another formula
+_SHARE = 1e-3  # of the variates: fewer invalid values are an edge that was forgotten
+_MASS = 1e-4  # the limit of the law "mass"
+_CDF = 1e-3  # quadrature converges to 5e-5
+_MANY = 1000  # directions in the support, from which on a test has a meaning
+
+
+@dataclass(frozen=True)
+class Conflict:
+    """A check that failed: the parts of which at least one is wrong, and the check's result in words."""
+
+    parts: frozenset[str]
+    text: str
+
+
+def smallest(conflicts: Iterable[Conflict]) -> list[frozenset[str]]:
+    """Return the smallest sets of parts that have a member in every conflict; several if the conflicts leave a choice."""
+    wanted = {conflict.parts for conflict in conflicts}
+    for size in range(len(PARTS) + 1):
+        sets = [frozenset(parts) for parts in combinations(PARTS, size) if all(some & {*parts} for some in wanted)]
+        if sets:
+            return sets
+    return []
+
+
+def find_conflicts(subject: Subject) -> list[Conflict]:
+    """Run all checks on one lobe and its twin, and return those that failed."""
+    o = Opinions(subject)
+    with np.errstate(all="ignore"):
+        early = [Conflict(frozenset(parts), text) for parts, text in _support(o)]
+    if early:  # all other checks take the support as it is declared
+        return early
+    checks = (_maps_alone, _densities_alone, _equal_maps, _equal_densities, _samples, _inverses, _cdfs, _polar)
+    with np.errstate(all="ignore"):
+        return [Conflict(frozenset(parts), text) for check in checks for parts, text in check(o)]
+
+
+Found = Iterator[tuple[set[str], str]]
+
+
+def _support(o: Opinions) -> Found:
+    """Accuse the declared support where both maps and the density agree on another one."""
+    beyond = [o.outside(part) for part in MAPS]
+    if all(len(w) and (o.density("density", w) > 0.0).mean() > 0.5 for w in beyond):
+        yield {"support"}, f"both maps leave it, {_reach(o, 'map')}, and the density is above 0 there"
+        return
+    reach = [o.furthest(part) for part in MAPS]
+    near = o.chart.point(max(reach) * np.linspace(1.01, 1.1, 10)[:, None], np.linspace(0.0, 1.0, 16))
+    alike = abs(reach[0] - reach[1]) <= WRONG * o.high and max(reach) < 0.9 * o.high
+    if alike and not (o.density("density", near) > 0.0).any():
+        yield {"support"}, f"both maps end before it, {_reach(o, 'map')}, and the density is 0 beyond"
+
+
+def _reach(o: Opinions, part: str) -> str:
+    return f"at {_angle(o, o.furthest(part))}, while `largest_angle` is {_angle(o, o.high)}"
+
+
+def _maps_alone(o: Opinions) -> Found:
+    for part in MAPS:
+        w = o.at_u[part]
+        length = np.abs(np.linalg.norm(w, axis=-1) - 1.0) if o.chart is not DISK else np.abs(w).sum(axis=-1) * 0.0
+        invalid = (~(length <= WRONG)).mean()
+        if invalid > _SHARE:
+            yield {part}, f"the {part} gives NaN or another length than 1 for {_percent(invalid)} of u"
+        outside = len(o.outside(part)) / len(w)
+        if outside:
+            yield {part}, f"the {part} leaves the support, {_reach(o, part)}, for {_percent(outside)} of u"
+
+
+def _densities_alone(o: Opinions) -> Found:
+    w = np.concatenate(list(o.draws.values()))[::16]
+    for part in DENSITIES:
+        pdf, masses = o.density(part, w), o.masses[part]
+        invalid = (~(pdf >= 0.0) | np.isinf(pdf)).mean() if len(w) else 0.0
+        if invalid > _SHARE:
+            yield {part}, f"the {part} is NaN, infinite or below 0 at {_percent(invalid)} of the sampled directions"
+        elif masses is None:
+            yield {part}, f"the integral of the {part} does not converge: it jumps, or oscillates"
+        elif not abs(masses.sum() - 1.0) <= _MASS:
+            yield {part}, f"the {part} integrates to {_value(masses.sum())} over the support"
+
+
+def _equal_maps(o: Opinions) -> Found:
+    w, twin = (o.at_u[part] for part in MAPS)
+    apart = np.linalg.norm(w - twin, axis=-1)
+    if np.nanmax(apart, initial=0.0) > WRONG:
+        at = _first_worst(apart)
+        text = f"the map and its twin differ by up to {figure(apart[at])}: at u = {_vector(o.u[at])} the map gives "
+        yield {*MAPS}, f"{text}{_vector(w[at])}, its twin {_vector(twin[at])}"
+
+
+def _equal_densities(o: Opinions) -> Found:
+    for part in MAPS:
+        w = o.at_u[part]
+        kept = o.is_inside(w, -1e-4)
+        u, w = o.u[kept], w[kept]
+        pdf, twin = (o.density(density, w) for density in DENSITIES)
+        apart = np.nan_to_num(np.abs(pdf - twin) / np.maximum(np.abs(pdf), np.abs(twin)))
+        if apart.max(initial=0.0) > WRONG:
+            at = _first_worst(apart)
+            text = f"the density and its twin differ by up to {figure(apart[at])} of themselves: at w = {_vector(w[at])} "
+            yield {*DENSITIES}, f"{text}the density is {_value(pdf[at])}, its twin {_value(twin[at])}"
+            if part == "twin's map":
+                near = (apart > 0.5 * apart.max()) & (u > 4.0 * STEP).all(axis=-1) & (u < 1.0 - 4.0 * STEP).all(axis=-1)
+                yield from _fitting(o, u[near], pdf[near], twin[near])
+
+
+def _fitting(o: Opinions, u: np.ndarray, *densities: np.ndarray) -> Found:
+    """Accuse a density that does not fit the stretch of the twin's map where the other density does."""
+    if len(u) == 0:
+        return
+    stretch = o.stretch("twin's map", u)
+    differ = 0.2 * np.abs(densities[0] - densities[1]) * stretch
+    fits = [np.median(np.abs(pdf * stretch - 1.0) - differ) < 0.0 for pdf in densities]
+    if fits[0] != fits[1]:
+        wrong, right = DENSITIES if fits[1] else DENSITIES[::-1]
+        yield (
+            {"twin's map", wrong},
+            f"the twin's map stretches areas by 1 / ({right}), not by 1 / ({wrong}), where the densities differ",
+        )
+
+
+def _samples(o: Opinions) -> Found:
+    for density in DENSITIES:
+        masses = o.masses[density]
+        if masses is None or not masses.sum() > 0.0:
+            continue
+        law = o.supported(density, masses.sum())
+        edges = np.unique([o.chart.low, *o.edges, o.chart.high])
+        for part in MAPS:
+            if len(o.draws[part]) >= _MANY and not _cells(law, o.draws[part], edges) >= LEVEL:
+                yield (
+                    {part, density},
+                    f"directions of the {part} are not distributed as the {density}{_means(o, part, density)}",
+                )
+
+
+def _means(o: Opinions, *parts: str) -> str:
+    """Return the mean angles of two parts, where the means differ."""
+    means = [o.mean_angle(part) for part in parts]
+    if None in means or abs(means[0] - means[1]) < WRONG * (o.high - o.low):
+        return ""
+    return f" (mean {_angle(o, means[0])} of the {parts[0]}, {_angle(o, means[1])} of the {parts[1]})"
+
+
+def _cells(law: laws.Sampler, w: np.ndarray, edges: np.ndarray) -> float:
+    try:
+        return laws.cells_p_value(law, w, edges)
+    except ValueError:
+        return 1.0  # a density of which the integral does not converge is a conflict of its own
+
+
+def _inverses(o: Opinions) -> Found:
+    if o.sampler.maps.invert is None:
+        return
+    for part in MAPS:
+        w = o.at_u[part]
+        kept = o.is_inside(w, MARGIN)
+        back = np.asarray(o.sampler.invert(w[kept].astype(np.float32)))[:, : o.sampler.variates].astype(np.float64)
+        apart = back - o.u[kept][:, : o.sampler.variates]
+        apart = np.abs(apart - np.round(apart)).max(axis=-1, initial=0.0)
+        apart[np.isnan(apart)] = np.inf
+        if apart.max(initial=0.0) > WRONG:
+            at = _first_worst(apart)
+            there = f"{_vector(o.u[kept][at])} and returns to {_vector(back[at])}"
+            yield {part, "inverse"}, f"the inverse does not undo the {part}: it starts from u = {there}"
+
+
+def _cdfs(o: Opinions) -> Found:
+    if not o.sampler.symmetric:
+        return
+    cdf = np.asarray(o.sampler.cdf(o.edges), np.float64)
+    ends = f"the cdf is {_value(cdf[0])} at the start and {_value(cdf[-1])} at the end of the support"
+    if not (np.abs(cdf[[0, -1]] - [0.0, 1.0]).max() <= _CDF and (np.diff(cdf) >= -_CDF).all()):
+        yield {"cdf"}, ends
+    for part in MAPS:
+        if len(o.draws[part]) >= _MANY and not laws.angles_p_value(o.sampler, o.chart.polar(o.draws[part])) >= LEVEL:
+            yield {part, "cdf"}, f"angles of the {part} are not distributed as the cdf"
+    for part in DENSITIES:
+        masses = o.masses[part]
+        if masses is not None:
+            apart = np.abs(masses.sum(axis=1).cumsum() - (cdf[1:] - cdf[0]))
+            if not apart.max() <= _CDF:
+                at = int(np.nan_to_num(apart, nan=np.inf).argmax())
+                text = f"up to {_angle(o, o.edges[at + 1])} the {part} integrates to {_value(masses[: at + 1].sum())}"
+                yield {part, "cdf"}, f"{text}, the cdf is {_value(cdf[at + 1])}"
+
+
+def _polar(o: Opinions) -> Found:
+    """Accuse a map that breaks `polar` where the other map keeps it: u[0] the cdf, u[1] the azimuth in turns."""
+    if not (o.sampler.symmetric and o.sampler.polar):
+        return
+    keeps = [_is_polar(o, o.at_u[part]) for part in MAPS]
+    if keeps[0] != keeps[1]:
+        wrong = MAPS[keeps[0]]
+        yield {wrong}, f"`polar` is declared, but the {wrong} does not use u[0] as the cdf and u[1] as the azimuth in turns"
+
+
+def _is_polar(o: Opinions, w: np.ndarray) -> bool:
+    both = [np.asarray(o.sampler.cdf(o.chart.polar(w)), np.float64)]
+    both += [o.chart.azimuth(w)] if o.chart.azimuths > 1.0 else []
+    apart = np.stack(both, axis=-1) - o.u[:, : len(both)]
+    return bool(np.abs(apart - np.round(apart)).max(initial=0.0) <= WRONG)
+
+
+def _first_worst(apart: np.ndarray) -> int:
+    """Return the first place of nearly the greatest error: the same on all processors."""
+    return int(np.argmax(apart >= 0.99 * np.nanmax(apart)))
+
+
+def _percent(share: float) -> str:
+    return f"{100.0 * share:.3g} %"
+
+
+def _value(number: float) -> str:
+    return f"{number:.4g}"
+
+
+def _vector(values: np.ndarray) -> str:
+    return f"({', '.join(f'{value:.3g}' for value in values)})"
+
+
+def _angle(o: Opinions, a: float) -> str:
+    return f"radius {a:.3g}" if o.chart is DISK else f"{np.degrees(a):.3g}°"

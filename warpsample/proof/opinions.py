@@ -1,0 +1,140 @@
+"""Answers of each part of a lobe and of its twin to the same questions, so that the parts can be compared in pairs."""
+
+from collections.abc import Callable
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from warpsample.proof import laws, twins
+from warpsample.proof.evidence import Evidence, Subject
+from warpsample.statistics.charts import DISK, SPHERE, support_of
+from warpsample.statistics.quadrature import cell_masses
+
+MAPS = ("map", "twin's map")
+DENSITIES = ("density", "twin's density")
+COLUMNS = 16
+_EVERY = 64  # of the variates of the sweep: 2^18 remain
+_ROWS = 40
+MARGIN = 1e-3  # share of the support by which digits alone may leave it
+STEP = 2.0**-16  # of central differences; a twin in float32 then errs by 4e-3
+
+
+class Density:
+    """A density in place of a distribution's own, for quadrature and tests."""
+
+    def __init__(self, sampler: Any, pdf: Callable[[np.ndarray], np.ndarray]):
+        self.sampler, self.pdf = sampler, pdf
+
+    def __getattr__(self, name: str) -> Any:
+        """Return the distribution's own attribute."""
+        return getattr(self.sampler, name)
+
+
+class Opinions:
+    """Directions, densities and integrals of the two maps and the two densities of one subject."""
+
+    def __init__(self, subject: Subject):
+        self.subject, self.sampler = subject, subject.sampler
+        self._draws = Evidence(subject, draws=1 << 20)
+        self.chart = self._draws.chart
+        self.low, self.high = support_of(subject.sampler)
+
+    def directions(self, part: str, u: np.ndarray) -> np.ndarray:
+        """Return the directions of one map at u, in float64."""
+        with np.errstate(all="ignore"):
+            w = self.sampler.sample(u) if part == "map" else twins.directions(self.subject.twin, u.astype(np.float64))
+        return np.asarray(w, np.float64)
+
+    def density(self, part: str, w: np.ndarray) -> np.ndarray:
+        """Return one density at w rounded to float32, in float64."""
+        w = w.astype(np.float32)
+        with np.errstate(all="ignore"):
+            own = part == "density"
+            pdf = self.sampler.pdf(w) if own else twins.density(self.subject.twin, w.astype(np.float64))
+        return np.asarray(pdf, np.float64)
+
+    def is_inside(self, w: np.ndarray, margin: float = 0.0) -> np.ndarray:
+        """Return whether w is in the support, enlarged by a share of its width."""
+        a, margin = self.chart.polar(w), margin * (self.high - self.low)
+        return (a >= self.low - margin) & (a <= self.high + margin)
+
+    @cached_property
+    def u(self) -> np.ndarray:
+        """(N, 2) variates: every 64th of the sweep, off the seams."""
+        u = np.concatenate(list(laws.all_variates(_EVERY)))
+        return u[~self.sampler.seam(u)]
+
+    @cached_property
+    def at_u(self) -> dict[str, np.ndarray]:
+        """Directions of each map at `u`."""
+        return {part: self.directions(part, self.u) for part in MAPS}
+
+    @cached_property
+    def draws(self) -> dict[str, np.ndarray]:
+        """Independent directions of each map that are finite and in the support."""
+        u = self.subject.variates((1 << 20) // 16, 16, self._draws.seed).reshape(-1, 2)
+        drawn = {part: self.directions(part, u) for part in MAPS}
+        return {part: w[self.is_inside(w)] for part, w in drawn.items()}
+
+    @cached_property
+    def edges(self) -> np.ndarray:
+        """Edges of cells within the support: quantiles of both maps, and the ends of the support."""
+        quantiles = np.arange(1, _ROWS) / _ROWS
+        inner = [np.quantile(self.chart.polar(w), quantiles) for w in self.draws.values() if len(w)]
+        bend = [np.pi / 2.0] if self.chart is SPHERE else []
+        edges = np.sort(np.concatenate([*inner, bend]))
+        width = self.high - self.low
+        edges = edges[(edges > self.low + 1e-6 * width) & (edges < self.high - 1e-6 * width)]
+        apart = np.diff(edges, prepend=self.low) > 1e-5 * np.maximum(edges, 1e-30)  # equal quantiles of both maps
+        return np.concatenate([[self.low], edges[apart], [self.high]])
+
+    @cached_property
+    def masses(self) -> dict[str, np.ndarray | None]:
+        """Integrals of each density over the cells of the support; None if they do not converge."""
+        return {part: self.integrate(part, self.edges) for part in DENSITIES}
+
+    def integrate(self, part: str, edges: np.ndarray, weight: int = 0) -> np.ndarray | None:
+        """Return the integrals of one density times a^weight over cells; None if they do not converge."""
+        try:
+            return cell_masses(self.scaled(part), edges, COLUMNS if self.chart.azimuths > 1.0 else 1, weight)
+        except ValueError:
+            return None
+
+    def scaled(self, part: str, mass: float = 1.0) -> Density:
+        """Return one density divided by `mass`."""
+        return Density(self.sampler, lambda w: self.density(part, w) / mass)
+
+    def supported(self, part: str, mass: float) -> Density:
+        """Return one density divided by `mass`, and 0 outside the support."""
+        return Density(self.sampler, lambda w: np.where(self.is_inside(w), self.density(part, w) / mass, 0.0))
+
+    def mean_angle(self, part: str) -> float | None:
+        """Return the mean of the chart's coordinate a by one part; None if an integral does not converge."""
+        if part in MAPS:
+            return float(self.chart.polar(self.draws[part]).mean()) if len(self.draws[part]) else None
+        masses, first = self.masses[part], self.integrate(part, self.edges, 1)
+        return None if masses is None or first is None else float(first.sum() / masses.sum())
+
+    def stretch(self, part: str, u: np.ndarray) -> np.ndarray:
+        """Return the ratio of areas on the sphere and in the square, by central differences.
+
+        u: (N, 2), at least STEP from the rim of the square.
+        """
+        u = u.astype(np.float64)
+        ends = [(self.directions(part, u + step), self.directions(part, u - step)) for step in STEP * np.eye(2)]
+        along = [(high - low) / (2.0 * STEP) for high, low in ends]
+        if self.chart.azimuths == 1.0:
+            return np.linalg.norm(along[0], axis=-1)
+        if self.chart is DISK:
+            return np.abs(along[0][..., 0] * along[1][..., 1] - along[0][..., 1] * along[1][..., 0])
+        return np.linalg.norm(np.cross(*along), axis=-1)
+
+    def outside(self, part: str) -> np.ndarray:
+        """Return the directions of one map at `u` that are finite and clearly outside the support."""
+        w = self.at_u[part]
+        return w[np.isfinite(w).all(axis=-1) & ~self.is_inside(w, MARGIN)]
+
+    def furthest(self, part: str) -> float:
+        """Return the greatest absolute coordinate a of one map at `u`."""
+        return float(np.nanmax(np.abs(self.chart.polar(self.at_u[part])), initial=0.0))
