@@ -20,12 +20,11 @@ from rioxarray.exceptions import MissingSpatialDimensionError
 from warpsample.city.rasters.coding import Coding
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
-from warpsample.city.rasters.reference import crs_of, height_metres_of, metres_of, stretch_of
+from warpsample.city.rasters.reference import REPROJECT, crs_of, describe_stretch, height_metres_of, metres_of
 from warpsample.city.rasters.transforms import affine_of, check_cells, check_place, coordinates_of, transform_of
 from warpsample.host.arrays import as_real
 from warpsample.host.neighbours import kind_told
 
-_STRETCHED = 0.05  # UTM is 0.001 off at most, a map of a continent 0.03
 _WANTS = "the path of a raster, an xarray.DataArray, or a tuple (array, affine, crs or None)"
 
 
@@ -146,11 +145,10 @@ def _reader(
         warnings.warn(
             f"source: got {said}, and coordinates in units of {metres:g} m; they are taken to be the same", stacklevel=2
         )
-    stretch = stretch_of(found, *(transform @ (shape[1] / 2.0, shape[0] / 2.0)))
-    if abs(stretch - 1.0) > _STRETCHED:
+    stretched = describe_stretch(found, *(transform @ (shape[1] / 2.0, shape[0] / 2.0)))
+    if stretched:
         warnings.warn(
-            f"source: got a map, {found.name}, on which ways are {stretch:.2f} times as long as on the ground, unlike "
-            "heights: slopes are wrong by as much; reproject it first, as by da.rio.reproject(da.rio.estimate_utm_crs())",
+            f"source: {stretched}: slopes are wrong by as much; {REPROJECT}",
             stacklevel=2,
         )
     coordinates = coordinates_of(transform, shape) if coordinates is None else coordinates
