@@ -62,7 +62,8 @@ class Units:
         on_earth, extent = np.abs(ends[:, :2]).max(axis=0) <= (180.0, 90.0), ends[1] - ends[0]
         if self.crs is None and on_earth.all() and extent[2] > max(_LEAST, _STEEP * np.hypot(*extent[:2])):
             raise ValueError(
-                f"it has no metadata.{_KEY} that is known, and coordinates between {ends.tolist()}, as in degrees, want lengths"
+                f"it has no metadata.{_KEY} that is known, and coordinates between {ends.tolist()}, as in degrees; want "
+                "lengths"
             )
 
     def warn(self, path: Path, points: np.ndarray) -> None:

@@ -21,7 +21,14 @@ from warpsample.city.rasters.coding import Coding
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
 from warpsample.city.rasters.reference import REPROJECT, crs_of, describe_stretch, height_metres_of, metres_of
-from warpsample.city.rasters.transforms import affine_of, check_cells, check_place, coordinates_of, transform_of
+from warpsample.city.rasters.transforms import (
+    affine_of,
+    check_cells,
+    check_lengths,
+    check_place,
+    coordinates_of,
+    transform_of,
+)
 from warpsample.host.arrays import as_real
 from warpsample.host.neighbours import kind_told
 
@@ -62,6 +69,28 @@ def reader_of(source: Any) -> RasterReader:
     if isinstance(source, tuple) and len(source) == 3:
         return _of_array(*source)
     raise TypeError(f"source: got {kind_told(source)}, want {_WANTS}")
+
+
+def ground_of(source: Any) -> RasterReader:
+    """Return the reader of the heights that a call is about: without a CRS their coordinates are taken as metres.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: as of `reader_of`; no CRS, and coordinates that can only be degrees.
+
+    Warns:
+        UserWarning: a file or an xarray.DataArray without a CRS; whoever gives a tuple with None knows.
+    """
+    reader = reader_of(source)
+    if reader.crs is None:
+        check_lengths(reader.transform, reader.shape, reader.read)
+        if not isinstance(source, tuple):
+            got = repr(fspath(source)) if isinstance(source, str | PathLike) else "an xarray.DataArray"
+            warnings.warn(
+                f"source: got {got} without a CRS; its coordinates are taken as metres, and the map's y axis as true north; "
+                "(array, affine, None) says so",
+                stacklevel=4,
+            )
+    return reader
 
 
 def _of_file(path: str) -> RasterReader:
