@@ -9,12 +9,13 @@ import pytest
 from affine import Affine
 from raster_cases import NORTH_UP, write_tif
 
+pytest.importorskip("rasterio")
+pytest.importorskip("rioxarray")
+
+import xarray as xr
+
 import warpsample as ws
 from warpsample.city.rasters.transforms import check_lengths
-
-rasterio = pytest.importorskip("rasterio")
-pytest.importorskip("rioxarray")
-xr = pytest.importorskip("xarray")
 
 HEIGHTS = np.arange(120.0).reshape(10, 12) % 7.0
 WARNED = "without a CRS; its coordinates are taken as metres"

@@ -130,8 +130,7 @@ def surface(
 
     Args:
         source: the path of a raster of one band that GDAL reads, an xarray.DataArray with `rio.crs`, or (array, affine, crs
-            or None). Coordinates are lengths, metres without a CRS; heights that are told to be in another unit than these are
-            converted.
+            or None). Coordinates are lengths, metres without a CRS; heights that are told in another unit are converted.
         model: "joined": cells share their corners with neighbours that differ by at most a step of two cells, 63°, and
             vertical walls stand between the others; for cities with roofs, and all else. "block": each cell is flat, with
             vertical walls; for models of boxes. "tin": triangles between the centres of cells; for bare terrain.
