@@ -5,6 +5,9 @@ import json
 import city_files as cases
 import numpy as np
 import pytest
+
+pytest.importorskip("rioxarray")
+
 from affine import Affine
 
 import warpsample as ws
