@@ -140,5 +140,5 @@ def test_what_cannot_be_written_is_refused_before_any_work(measured, monkeypatch
     assert "--scene: got 'teapot', want one of bunny, " in capsys.readouterr().err
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     assert run_command(monkeypatch, "directions", "--plot", tmp_path) == 2
-    assert "pip install 'warpsample[viz]'" in capsys.readouterr().err
+    assert "pip install '.[viz]'" in capsys.readouterr().err
     assert measured == {}

@@ -73,7 +73,11 @@ def array_of(values=HEIGHTS, **coordinates):
         (xr.DataArray(np.zeros((2, 3, 4)), dims=("time", "y", "x")), ValueError, "want y and x alone: one band"),
         (array_of(x=[0.0, 1.0, 2.0, 4.0], y=[2.0, 1.0, 0.0]), ValueError, "coordinates 'x' that are not evenly spaced"),
         (array_of(x=list("abcd"), y=[2.0, 1.0, 0.0]), TypeError, "coordinates 'x' of dtype <U1, want real numbers"),
-        (array_of(HEIGHTS > 3, x=[0, 1, 2, 3], y=[2, 1, 0]), TypeError, "heights of dtype bool, want real numbers"),
+        (
+            array_of(HEIGHTS > 3, x=[0, 1, 2, 3], y=[2, 1, 0]).rio.write_crs("EPSG:3794"),
+            TypeError,
+            "heights of dtype bool, want real numbers",
+        ),
         (array_of(), ValueError, "which has no place on a map"),
         (array_of().assign_attrs(_FillValue="x"), ValueError, r"attributes \{'_FillValue': 'x'\}, want numbers$"),
         (array_of().assign_attrs(scale_factor="x"), ValueError, r"attributes \{'scale_factor': 'x'\}, want numbers$"),
@@ -127,7 +131,9 @@ def test_what_is_too_large_is_refused_before_it_is_read(tmp_path, monkeypatch):
         rasters.surface((huge, UTM, None))
     path = tmp_path / "sparse.tif"
     size = {"count": 1, "height": 17_000, "width": 17_000, "dtype": "float32"}
-    with rasterio.open(path, "w", "GTiff", **size, transform=UTM, sparse_ok=True, tiled=True, compress="deflate"):
+    with rasterio.open(
+        path, "w", "GTiff", **size, transform=UTM, crs="EPSG:3794", sparse_ok=True, tiled=True, compress="deflate"
+    ):
         pass
     with pytest.raises(ValueError, match="source: got 17,000 x 17,000 cells, want 1 to 268,435,456; take it in tiles"):
         rasters.surface(path)

@@ -135,7 +135,7 @@ def test_the_error_bars_of_a_real_city_hold(repository):
         ),
         (
             lambda city: ws.load_city(city.path, context=3),
-            "context: got a value of type int, want 'ground', a warpsample.Mesh",
+            "context: got a value of type int, want 'ground', a RasterSurface, a warpsample.Mesh",
         ),
         (lambda city: ws.load_city(city.path, split=1), "split: got 1, want True or False"),
         (lambda _: ws.load_city(7), "path: got 7, want the path of a CityJSON file"),

@@ -144,7 +144,7 @@ def test_what_is_missing_is_told_with_the_extra(child_environment):
     )
     done = subprocess.run([sys.executable, "-c", code], env=child_environment, capture_output=True, text=True, check=False)
     assert done.stdout == "module\n"
-    wanted = "ModuleNotFoundError: warpsample.rasters needs rioxarray: pip install 'warpsample[city]'"
+    wanted = "ModuleNotFoundError: warpsample.rasters needs rioxarray: pip install '.[city]'"
     assert done.stderr.splitlines()[-1] == wanted
 
 

@@ -203,12 +203,13 @@ def test_a_unit_that_is_not_known_is_told():
 
 def test_heights_without_a_map_keep_their_unit():
     array = xr.DataArray(HEIGHTS, dims=("y", "x"), attrs={"units": "ft"}).rio.write_transform(UTM)
-    same(heights_of(array), gone=np.zeros(HEIGHTS.shape, bool))
+    with pytest.warns(UserWarning, match="got an xarray.DataArray without a CRS; its coordinates are taken as metres"):
+        same(heights_of(array), gone=np.zeros(HEIGHTS.shape, bool))
 
 
 def test_coordinates_of_float32_are_evenly_spaced_but_for_their_rounding():
     centres = {"x": np.float32(564000.5 + np.arange(200)), "y": np.float32(146000.5 - np.arange(50))}
-    array = xr.DataArray(np.zeros((50, 200)), centres, ("y", "x"))
+    array = xr.DataArray(np.zeros((50, 200)), centres, ("y", "x")).rio.write_crs("EPSG:3794")
     assert np.allclose(rasters.surface(array).grid.transform[:6], (1.0, 0.0, 564000.0, 0.0, -1.0, 146001.0), atol=0.03)
 
 

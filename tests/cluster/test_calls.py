@@ -229,7 +229,7 @@ def test_the_room_opens_without_dask_and_says_what_it_needs(child_environment):
     done = subprocess.run([sys.executable, "-c", code], env=child_environment, capture_output=True, text=True, check=False)
     assert done.stdout == "[]\n"
     assert done.stderr.splitlines()[-1].startswith("ModuleNotFoundError: warpsample.cluster needs dask")
-    assert done.stderr.rstrip().endswith("pip install 'warpsample[cluster]'")
+    assert done.stderr.rstrip().endswith("pip install '.[cluster]'")
 
 
 def test_ids_go_with_the_points(mesh, points):

@@ -65,9 +65,7 @@ def test_a_call_that_misses_an_extra_names_it(tmp_path, child_environment):
     lines = {
         call: re.search(r"^ModuleNotFoundError: .* needs? .*: pip install '(.*)'$", said) for call, said in found.items()
     }
-    assert {call: line and line[1] for call, line in lines.items()} == {
-        call: f"warpsample[{extra}]" for call, extra in CALLS.items()
-    }
+    assert {call: line and line[1] for call, line in lines.items()} == {call: f".[{extra}]" for call, extra in CALLS.items()}
 
 
 def test_each_module_is_of_an_extra_that_there_is(repository):
@@ -82,3 +80,12 @@ def test_each_module_is_of_an_extra_that_there_is(repository):
 
 def test_what_is_of_no_extra_is_named_itself():
     assert str(missing("this needs that", "that.inner")) == "this needs that: pip install that"
+
+
+def test_no_page_or_message_installs_the_package_from_an_index(repository):
+    suffixes = {".py", ".md", ".ipynb", ".html", ".toml", ".yml"}
+    folders = ("warpsample", "viz", "tests", ".github")
+    files = [*repository.glob("*.*"), *(path for name in folders for path in (repository / name).rglob("*.*"))]
+    by_name = re.compile(r"pip install [^`\n]*?(?<![\w/.:-])[\"']?warpsample\b(?![/.])")
+    named = [path for path in files if path.suffix in suffixes and by_name.search(path.read_text(errors="replace"))]
+    assert named == []

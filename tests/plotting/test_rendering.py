@@ -121,5 +121,5 @@ def test_a_missing_gl_library_is_a_sentence_and_no_crash(monkeypatch):
 def test_a_missing_pyvista_says_what_to_install(monkeypatch, call, tmp_path):
     monkeypatch.setitem(sys.modules, "pyvista", None)
     said = call("view", "--screenshot", tmp_path / "x.png")
-    assert said == (2, "", "error: pictures need pyvista: pip install 'warpsample[viz]'\n")
+    assert said == (2, "", "error: pictures need pyvista: pip install '.[viz]'\n")
     assert list(tmp_path.iterdir()) == []

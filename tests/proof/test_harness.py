@@ -164,7 +164,7 @@ def test_hostile_meshes_reject_float32_positions_and_a_heavy_last_face(monkeypat
 def test_a_trial_without_trimesh_is_refused_before_any_work(monkeypatch):
     rays.closed_meshes.cache_clear()
     monkeypatch.setitem(sys.modules, "trimesh", None)
-    with pytest.raises(ModuleNotFoundError, match=r"^the laws of rays need trimesh: pip install 'warpsample\[test\]'$"):
+    with pytest.raises(ModuleNotFoundError, match=r"^the laws of rays need trimesh: pip install '\.\[test\]'$"):
         run.trial()
 
 

@@ -102,5 +102,5 @@ def test_too_many_hours_are_told(athens, monkeypatch):
 def test_pyradiance_is_asked_for_by_the_extra(athens, monkeypatch):
     monkeypatch.setitem(sys.modules, "pyradiance", None)
     imported.cache_clear()
-    with pytest.raises(ModuleNotFoundError, match=r"pip install 'warpsample\[radiation\]'"):
+    with pytest.raises(ModuleNotFoundError, match=r"pip install '\.\[radiation\]'"):
         ws.irradiation(BEHIND, points([(0, 0, 1)]), athens)

@@ -186,7 +186,7 @@ def test_pvlib_is_asked_for_by_the_extra(athens, monkeypatch):
     monkeypatch.setitem(sys.modules, "pvlib", None)
     imported.cache_clear()
     imported.cache_clear()
-    with pytest.raises(ModuleNotFoundError, match=r"pip install 'warpsample\[radiation\]'"):
+    with pytest.raises(ModuleNotFoundError, match=r"pip install '\.\[radiation\]'"):
         read_weather(athens)
 
 

@@ -97,7 +97,7 @@ def test_what_is_missing_is_named_before_the_work(call, floor, tmp_path, library
     status, _, err = call("bake", floor, "-o", tmp_path / f"a{suffix}", "--texture", 64, *new)
     imported.cache_clear()
     assert status == 2
-    assert err.endswith("pip install 'warpsample[texture]'\n")
+    assert err.endswith("pip install '.[texture]'\n")
     assert [path.name for path in tmp_path.iterdir()] == ["floor.obj"]
 
 

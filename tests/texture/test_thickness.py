@@ -64,7 +64,11 @@ def test_a_box_in_units_of_its_mesh(call, tmp_path):
 @pytest.mark.parametrize(
     ("suffix", "normals", "why"),
     [
-        (".glb", "face", "mesh: got '.*', which cannot be read as .*: no material has KHR_materials_volume, want one"),
+        (
+            ".glb",
+            "face",
+            "--quantity: got thickness for 'in.glb', none of whose materials has KHR_materials_volume, .*, want a file",
+        ),
         (".png", "face", "--quantity: got thickness for 'out.png', want .exr or .npz: a .png holds 0 to 1"),
         (".exr", "lifted", "--normals: got lifted for thickness, want face or smooth: its rays start beneath the face"),
     ],

@@ -1,6 +1,7 @@
 """`warpsample bake` of a raster: tile by tile into a store that resumes, and from there into a GeoTIFF."""
 
 import shutil
+import warnings
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import closing, contextmanager, nullcontext
 from dataclasses import dataclass
@@ -186,7 +187,9 @@ def _check_unchanged(store: Path, job: RasterJob, digests: Mapping[str, np.ndarr
     Raises:
         ValueError: one changed; names what.
     """
-    run, about = job.run()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # of rasters: the call has warned once, before its first tile
+        run, about = job.run()
     about |= _heights(digests or {name: digests_of(raster) for name, raster in run.rasters.items()})
     kept = about_of(store, "--output")
     for name, now in about.items():

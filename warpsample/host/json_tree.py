@@ -5,6 +5,7 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -100,6 +101,19 @@ def parsed(content: bytes) -> Part:
     if not isinstance(found, dict):
         raise ValueError(f"its JSON is {told(found)}, want an object")
     return Part(found)
+
+
+def check_finite(tree: Part) -> None:
+    """Raise a ValueError that names the first number beyond float64, such as 1e400, which JSON cannot write again."""
+    left: list[tuple[str, Any]] = [("", tree.content)]
+    while left:
+        path, value = left.pop()
+        if isinstance(value, float) and not isfinite(value):
+            raise ValueError(f"{path}: got a number beyond {sys.float_info.max:.2g}, want one that float64 holds")
+        if isinstance(value, dict):
+            left += [(Part(value, path).at(key), member) for key, member in reversed(value.items())]
+        elif isinstance(value, list):
+            left += [(f"{path}[{i}]", member) for i, member in reversed(list(enumerate(value)))]
 
 
 def _object(members: list[tuple[str, Any]]) -> dict[str, Any]:

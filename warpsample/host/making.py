@@ -66,7 +66,9 @@ def _alone(work: Callable[[], T], lock: Any) -> T:
 
 
 def missing(what: str, module: str | None, extra: str = "") -> ModuleNotFoundError:
-    """The error that names the pip line of what is missing.
+    """Return the error that names the pip line for a missing module.
+
+    The line installs from a checkout, `.`: the package is not on an index.
 
     Args:
         what: a clause that names the library, as "weather needs pvlib".
@@ -75,4 +77,4 @@ def missing(what: str, module: str | None, extra: str = "") -> ModuleNotFoundErr
     """
     top = str(module).partition(".")[0]
     found = extra or next((name for name, modules in EXTRAS.items() if top in modules), "")
-    return ModuleNotFoundError(f"{what}: pip install " + (f"'warpsample[{found}]'" if found else top), name=top)
+    return ModuleNotFoundError(f"{what}: pip install " + (f"'.[{found}]'" if found else top), name=top)

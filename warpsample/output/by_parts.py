@@ -64,11 +64,11 @@ def city_of(run: BakeRun) -> City | None:
 
 
 def _context(name: str | None) -> Any:
-    """What stands around a city: nothing, a plane, or the mesh of a mesh file or of a raster of heights."""
+    """Read what stands around a city: nothing, a plane, a mesh file in the city's unit, or a raster of heights."""
     if name in (None, GROUND_PLANE):
         return name
     is_raster = Path(name).suffix.lower() not in (*SUFFIXES, "")
-    return rasters.surface(name).mesh if is_raster else load_mesh(name)
+    return rasters.surface(name) if is_raster else load_mesh(name)
 
 
 def points_of_parts(run: BakeRun, mesh: Mesh, city: City | None) -> SurfacePoints:

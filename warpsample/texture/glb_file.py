@@ -15,7 +15,7 @@ from urllib.parse import quote
 import numpy as np
 
 from warpsample.host.arguments import naming_file
-from warpsample.host.json_tree import Part, parsed
+from warpsample.host.json_tree import Part, check_finite, parsed
 from warpsample.mesh.files.gltf_data import Data, binary, content_of
 
 MOST_BYTES = 2**32 - 2**20
@@ -69,6 +69,7 @@ class GlbFile:
         self.data: Data = Data.of(self.part, path, chunk)
         for key in _LISTS:
             self.part.parts(key)  # checked: they get further members
+        check_finite(self.part)
         self.tree: dict[str, Any] = json.loads(json.dumps(self.part.content, allow_nan=False))  # as deep as it could be read
         self._chunks, self._size, self._rest = [bytes(chunk)], len(chunk), b""
         if is_binary:

@@ -40,7 +40,7 @@ class TextureJob:
         name: of the material that it is for, or of the file.
         points: its texels.
         set: the number of the texture coordinates that it is by; of new ones the number that they get.
-        told: which coordinates these are.
+        told: which coordinates these are, and which sets of the file are not taken.
         group: the primitives that it is for; none where it is for a whole file.
     """
 
@@ -94,8 +94,14 @@ def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) -> tuple[
     with editing(path):
         file = GlbFile(path)
         check_extensions(file.part)
-        groups = [group for group in _with_slot(file, slot) if not is_flat(mesh, group)]
+        slotted = list(_with_slot(file, slot))
         texels = Texels(path, mesh, how, _corner_normals(path, mesh, how))
+    if not slotted:
+        raise ValueError(
+            f"--quantity: got {slot.name} for {path.name!r}, none of whose materials has {slot.within[-1]}, which holds a "
+            f"{slot.key}, want a file with it, or an .exr or .npz as --output"
+        )
+    groups = [group for group in slotted if not is_flat(mesh, group)]
     if not groups:
         raise ValueError("mesh: got faces without an area, want some that have one")
     jobs = []
@@ -104,15 +110,18 @@ def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) -> tuple[
         with editing(path):
             first = _set_of(file, group, slot)
         found = texels.chosen(rows, name, first=first)
-        if found is None:
+        if found.points is None:
             faced = [one for one in group if len(one.triangles)]
             charts = charts_for(faced, mesh, square(how.size))
             with editing(path):
                 number, uv = add_uv(file, faced, charts, len(mesh.faces))
-            jobs.append(TextureJob(name, texels.points(uv, rows), number, f"new coordinates, set {number}", faced))
+            jobs.append(
+                TextureJob(name, texels.points(uv, rows), number, found.told(f"new coordinates, set {number}"), faced)
+            )
         else:
-            able = [one for one in group if f"TEXCOORD_{found[0]}" in one.part.part("attributes")]  # flat ones may have none
-            jobs.append(TextureJob(name, found[1], found[0], f"set {found[0]}", able))
+            own = f"TEXCOORD_{found.number}"
+            able = [one for one in group if own in one.part.part("attributes")]  # flat ones may have none
+            jobs.append(TextureJob(name, found.points, found.number, found.told(f"set {found.number}"), able))
     return jobs, file
 
 
@@ -123,28 +132,25 @@ def is_flat(mesh: Mesh, group: list[Primitive]) -> bool:
 
 def _with_slot(file: GlbFile, slot: Slot) -> Iterator[list[Primitive]]:
     """The groups of primitives whose materials have a place for such a picture, or get one."""
-    materials, found = file.part.parts("materials"), False
+    materials = file.part.parts("materials")
     for group in sharing(primitives_of(file.part, file.data)):
         if slot.optional or any(slot.holder(materials[number]) is not None for one in group for number in one.materials):
-            found = True
             yield group
-    if not found:
-        raise ValueError(f"no material has {slot.within[-1]}, want one: nothing else holds a {slot.key}")
 
 
 def _whole_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> TextureJob:
     """One image for all faces of a file."""
     texels, rows = Texels(path, mesh, how, _corner_normals(path, mesh, how)), [slice(None)]
     found = texels.chosen(rows, path.name, lenient=output != ".npz")
-    if found is not None:
-        return TextureJob(path.name, found[1], found[0], f"set {found[0]}", [])
+    if found.points is not None:
+        return TextureJob(path.name, found.points, found.number, found.told(f"set {found.number}"), [])
     if output != ".npz":
         raise ValueError(
             f"--output: got a {output} for {path.name!r} without texture coordinates that can be used, want .npz, which "
             "holds new ones, or .glb for a glTF file"
         )
     uv = unwrap(mesh, square(how.size), padding=PADDING)[1]
-    return TextureJob(path.name, texels.points(uv, rows), 0, "new coordinates", [])
+    return TextureJob(path.name, texels.points(uv, rows), 0, found.told("new coordinates"), [])
 
 
 def _corner_normals(path: Path, mesh: Mesh, how: TextureOptions) -> np.ndarray | None:

@@ -35,6 +35,23 @@ class TextureOptions:
     cage: float = 0.0
 
 
+@dataclass(frozen=True)
+class ChosenSet:
+    """A set of coordinates for some faces.
+
+    `points` are the texels by the set, None where the faces get new coordinates; `passed` are phrases on the sets that are
+    not taken, and why.
+    """
+
+    number: int = 0
+    points: TexturePoints | None = None
+    passed: tuple[str, ...] = ()
+
+    def told(self, which: str) -> str:
+        """The name of the coordinates, with the reasons for not taking the sets before them."""
+        return which + (f" ({'; '.join(self.passed)})" if self.passed else "")
+
+
 class Texels:
     """The texels of a mesh file by its own sets of coordinates, each of which is read once."""
 
@@ -57,10 +74,8 @@ class Texels:
         normals = how.normals if how.high is None else "smooth"  # of the rays to it
         return texture_points(self.mesh, own, how.size, samples=how.samples, normals=normals, corner_normals=self.normals)
 
-    def chosen(
-        self, rows: list[slice], name: str, *, first: int | None = None, lenient: bool = False
-    ) -> tuple[int, TexturePoints] | None:
-        """The set for some faces, as the run asks for, and their texels by it; None where they are to get new ones.
+    def chosen(self, rows: list[slice], name: str, *, first: int | None = None, lenient: bool = False) -> "ChosenSet":
+        """Choose the set for some faces, as the run asks for; one without points where they are to get new coordinates.
 
         Of "auto" it is `first`, the one that these faces have a picture of that kind by, if that lies within the image and
         all faces have an area there that have one in space; else the lowest of these in which nothing overlaps; and if there
@@ -70,7 +85,7 @@ class Texels:
             ValueError: a set that is asked for and that some of the faces have not.
         """
         if self.how.uv == "new":
-            return None
+            return ChosenSet()
         if self.how.uv != "auto":
             number = int(self.how.uv)
             if not self._has(number, rows):
@@ -80,17 +95,31 @@ class Texels:
                 raise ValueError(
                     f"--uv: got {number}, by which {name!r} has no texels: its faces are flat or beyond the image"
                 )
-            return number, found
+            return ChosenSet(number, found)
         within = None
+        passed: list[str] = []
         for number in dict.fromkeys([*([] if first is None else [first]), *range(LAST_SET + 1)]):
             if self._has(number, rows):
                 found = self._by(number, rows)
-                if not len(found) or found.report.outside:
-                    continue
-                if (number == first or not found.report.overlapped) and not self._is_flat(number, rows):
-                    return number, found
-                within = within or (number, found)
-        return within if lenient else None
+                why = self._flaw(number, rows, found, may_overlap=number == first)
+                if why is None:
+                    return ChosenSet(number, found, tuple(passed))
+                passed.append(f"set {number} is passed over: {why}")
+                if len(found) and not found.report.outside:
+                    within = within or ChosenSet(number, found)
+        return within if lenient and within else ChosenSet(passed=tuple(passed))
+
+    def _flaw(self, number: int, rows: list[slice], found: TexturePoints, *, may_overlap: bool) -> str | None:
+        """Describe why "auto" does not take a set; None if it does."""
+        report = found.report
+        if report.outside:
+            return f"{report.outside:,} faces reach beyond the image"
+        if not len(found):
+            return "no face has a texel"
+        if report.overlapped and not may_overlap:
+            counts = f"{report.overlapped:,} of {report.covered:,} texels ({report.overlapped / report.covered:.2%})"
+            return f"faces overlap in {counts}, and auto accepts none; --uv {number} takes it"
+        return "faces have no area in it" if self._is_flat(number, rows) else None
 
     def _has(self, number: int, rows: Iterable[slice]) -> bool:
         uv = self._set(number)

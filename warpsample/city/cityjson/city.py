@@ -38,7 +38,7 @@ class City(Summary):
     """The surfaces of a CityJSON file as a mesh.
 
     Attributes:
-        mesh: in the coordinates of the file's reference system.
+        mesh: in metres: the coordinates of the file, times the lengths of their units by its reference system.
         surface: (F,) int32, the row of each triangle's surface in `surfaces`; -1 for those of a context.
         surfaces: the table of the surfaces.
         split: whether each polygon is a surface of its own.
@@ -166,13 +166,17 @@ def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False
     same surfaces twice. Templates are placed, surfaces with holes cut into triangles; points and lines are left out.
     "courtyard", where no file is called that, is an example.
 
+    The mesh, its areas and all lengths are in metres: feet become metres by the file's metadata.referenceSystem, heights by
+    a unit of their own (extra `city`). Without a reference system coordinates are taken as metres.
+
     Args:
         path: of the file.
         lod: the level of detail, as 2.2 or "2.2"; by default the highest that each object has, without footprints (LoD 0)
             and without buildings whose parts have a higher one.
         split: whether each polygon is a surface of its own, with results of its own.
-        context: what stands around, and gets no results: a mesh in the same coordinates, as the terrain, or "ground", a
-            level plane through the lowest point, black as all of a mesh; by default nothing, as below the horizon no sky is.
+        context: what stands around, and gets no results: a mesh in the coordinates and units of the file, such as the
+            terrain; what `rasters.surface` returns, in a unit of its own on the same map; or "ground", a level plane through
+            the lowest point, black as all of a mesh; by default nothing, as below the horizon no sky is.
 
     Returns:
         the mesh, the surface of each of its triangles, and the table of the surfaces.
@@ -180,12 +184,15 @@ def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False
     Raises:
         TypeError: not a path, or no level of detail.
         FileNotFoundError: no such file.
-        ValueError: a file that is damaged or has no such surfaces; names the path.
+        ValueError: a file that is damaged, in degrees, or has no such surfaces; names the path. A raster as context of
+            another map.
         MemoryError: templates are placed so often that the free memory does not hold them.
 
     Warns:
         UserWarning: some polygons cross themselves; says how many. Their triangles overlap and may face either way, so that
             what they hide, and the numbers of their surfaces, are not those of a polygon; areas are Newell's, and less.
+            The reference system is not known, as without pyproj, or names no unit of heights beside a map in feet; or
+            lengths on its map are wrong by a twentieth and more, as by Web Mercator.
 
     Example:
         >>> city = ws.load_city("courtyard")
@@ -201,11 +208,14 @@ def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False
         found = gather(content, lod)
         if not found.lods:
             raise ValueError("it has no surfaces")
+        points = np.concatenate(found.vertices)
+        found.units.check_lengths(points)
     if not found.geometries:
         there = ", ".join(f"{level:g}" for level in sorted(found.lods))
         got = "none" if lod is None else f"{lod:g}"
         raise ValueError(f"lod: got {got}, want one of those that {str(path)!r} has surfaces of: {there}")
-    return _city(found, path, content, split=split, context=context)
+    found.units.warn(path, points)
+    return _city(found, points * found.units.metres, path, content, split=split, context=context)
 
 
 def _check_target(path: Any, source: Path) -> Path:
@@ -230,13 +240,12 @@ def _check_results(results: Any, count: int) -> dict[str, np.ndarray]:
     return columns
 
 
-def _city(found: Gathered, path: Path, content: bytes, *, split: bool, context: Any) -> City:
-    points = np.concatenate(found.vertices)
+def _city(found: Gathered, points: np.ndarray, path: Path, content: bytes, *, split: bool, context: Any) -> City:
     parts = ([getattr(each, name) for each in found.outlines] for name in ("corners", "sizes", "rings"))
     outlines = Outlines(*map(np.concatenate, parts))
     surfaces, rows = surfaces_of(found, points, outlines, split)
     triangles, owner = outlines.triangles(points)
-    vertices, faces = with_context(points, triangles, context)
+    vertices, faces = with_context(points, triangles, context, found.units)
     surface = np.full(len(faces), -1, np.int32)
     surface[: len(owner)] = rows.row[owner]
     mesh = Mesh(vertices, faces, surface, surfaces.names)

@@ -4,6 +4,9 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.city.cityjson.units import Units
+from warpsample.host.arguments import told
+from warpsample.host.making import imported
 from warpsample.mesh.mesh import mesh_of
 
 GROUND_PLANE = "ground"
@@ -11,16 +14,36 @@ GROUND_PLANE = "ground"
 _REACH = 20.0  # of the plane beyond the city, in its diagonals; scenes keep their digits for what is not so far
 
 
-def with_context(points: np.ndarray, faces: np.ndarray, context: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices and faces of a city with those of a context after them; None is none."""
+def with_context(points: np.ndarray, faces: np.ndarray, context: Any, units: Units) -> tuple[np.ndarray, np.ndarray]:
+    """Vertices in metres and faces of a city with those of a context after them; None is none."""
     if context is None:
         return points, faces
     if isinstance(context, str) and context == GROUND_PLANE:
         corners, squares = _plane(points[np.unique(faces)])
+    elif hasattr(context, "grid") and hasattr(context, "mesh"):  # a RasterSurface, without importing its room
+        _check_map(context.grid, units)
+        corners, squares = context.mesh.vertices * context.grid.metres, context.mesh.faces
     else:
-        mesh = mesh_of(context, "context", f"{GROUND_PLANE!r}, a warpsample.Mesh")
-        corners, squares = mesh.vertices, mesh.faces
+        mesh = mesh_of(context, "context", f"{GROUND_PLANE!r}, a RasterSurface, a warpsample.Mesh")
+        corners, squares = mesh.vertices * units.metres, mesh.faces
     return np.concatenate([points, corners]), np.concatenate([faces, squares + len(points)])
+
+
+def _check_map(grid: Any, units: Units) -> None:
+    """Refuse a raster on another map than a city, and one in an unknown unit beside a city that is not in metres."""
+    if grid.crs is None:
+        if (units.metres != 1.0).any():
+            raise ValueError(
+                f"context: got a raster without a CRS beside a city in {told(units.name)}, want one whose CRS tells its unit"
+            )
+    elif units.crs is not None:
+        rows, columns = grid.height.shape
+        middle = grid.transform @ (columns / 2.0, rows / 2.0)
+        if not imported("warpsample.city.rasters.reference").is_same_map(grid.crs, units.crs, *middle):
+            raise ValueError(
+                f"context: got a raster in {grid.crs.name}, want {units.crs.name}, the city's map, in whichever unit; "
+                "reproject it first, as by gdalwarp"
+            )
 
 
 def _plane(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

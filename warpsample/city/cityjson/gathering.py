@@ -8,6 +8,7 @@ import numpy as np
 from warpsample.city.cityjson.boundaries import outlines_of, semantics_of
 from warpsample.city.cityjson.choosing import INSTANCE, Choice, ancestors, chosen, coarser, surfaced
 from warpsample.city.cityjson.documents import read_each
+from warpsample.city.cityjson.units import Units
 from warpsample.host.arguments import told
 from warpsample.host.engine import check_memory
 from warpsample.host.json_tree import Part
@@ -51,11 +52,13 @@ class Gathered:
     Attributes:
         lods: all that occur.
         geometries: those that are traced.
-        vertices: (V, 3) blocks, in world coordinates.
+        vertices: (V, 3) blocks, in world coordinates and in the file's units.
         outlines: of each geometry, its corners among all vertices.
         semantics: of each geometry, (N,) the semantic object of each face, or -1.
+        units: of the file.
     """
 
+    units: Units
     lods: set[float] = field(default_factory=set)
     geometries: list[Geometry] = field(default_factory=list)
     vertices: list[np.ndarray] = field(default_factory=list)
@@ -130,16 +133,16 @@ class Head:
 
 def gather(content: bytes, lod: float | None) -> Gathered:
     """The surfaces of all objects of a file, of one level of detail, or of the highest that each object has."""
-    found, heads = Gathered(), []
+    found: list[tuple[Gathered, Head]] = []
 
     def read(number: int, tree: Part) -> None:
         if not number:
-            heads.append(Head(tree))
-        _add_document(found, heads[0], tree, number, lod)
+            found.append((Gathered(Units.of(tree)), Head(tree)))
+        _add_document(*found[0], tree, number, lod)
 
     with np.errstate(all="ignore"):  # what is not finite is refused
         read_each(content, read)
-    return found
+    return found[0][0] if found else Gathered(Units.of(Part({})))
 
 
 def _add_document(found: Gathered, head: Head, tree: Part, number: int, lod: float | None) -> None:

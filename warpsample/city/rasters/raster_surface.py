@@ -11,7 +11,7 @@ from warpsample.city.rasters.canopy import TRUNK, Canopy, Crowns, prisms
 from warpsample.city.rasters.cells import STEP, joined_cells
 from warpsample.city.rasters.centres import between_centres
 from warpsample.city.rasters.grid import Grid
-from warpsample.city.rasters.reading import reader_of, with_heights
+from warpsample.city.rasters.reading import ground_of, with_heights
 from warpsample.city.rasters.scenery import Scenery, joined
 from warpsample.city.rasters.triangles import TOP
 from warpsample.host.arguments import check_choice
@@ -131,7 +131,7 @@ def surface(
 
     Args:
         source: the path of a raster of one band that GDAL reads, an xarray.DataArray with `rio.crs`, or (array, affine, crs
-            or None). Coordinates are lengths; heights that are told to be in another unit than these are converted.
+            or None). Coordinates are lengths, metres without a CRS; heights that are told in another unit are converted.
         model: "joined": cells share their corners with neighbours that differ by at most a step of two cells, 63°, and
             vertical walls stand between the others; for cities with roofs, and all else. "block": each cell is flat, with
             vertical walls; for models of boxes. "tin": triangles between the centres of cells; for bare terrain.
@@ -150,8 +150,8 @@ def surface(
         MemoryError: its triangles need more memory than is free.
 
     Warns:
-        UserWarning: the unit of its heights is not told, and that of its coordinates is no metre; or crowns have their
-            underside at or above their top.
+        UserWarning: the unit of its heights is not told, and that of its coordinates is no metre; a file or an
+            xarray.DataArray has no CRS; or crowns have their underside at or above their top.
 
     Example:
         >>> from affine import Affine
@@ -160,7 +160,7 @@ def surface(
         4.0 10.0
     """
     check_choice(model, "model", MODELS)
-    reader = reader_of(source)
+    reader = ground_of(source)
     canopy = Canopy.of(reader, canopy, trunk, relative)
     grid = with_heights(reader.grid())
     return surface_of(grid, model, canopy and canopy.crowns(grid))

@@ -20,12 +20,18 @@ from rioxarray.exceptions import MissingSpatialDimensionError
 from warpsample.city.rasters.coding import Coding
 from warpsample.city.rasters.grid import Grid
 from warpsample.city.rasters.reader import RasterReader
-from warpsample.city.rasters.reference import crs_of, height_metres_of, metres_of, stretch_of
-from warpsample.city.rasters.transforms import affine_of, check_cells, check_place, coordinates_of, transform_of
+from warpsample.city.rasters.reference import REPROJECT, crs_of, describe_stretch, height_metres_of, metres_of
+from warpsample.city.rasters.transforms import (
+    affine_of,
+    check_cells,
+    check_lengths,
+    check_place,
+    coordinates_of,
+    transform_of,
+)
 from warpsample.host.arrays import as_real
 from warpsample.host.neighbours import kind_told
 
-_STRETCHED = 0.05  # UTM is 0.001 off at most, a map of a continent 0.03
 _WANTS = "the path of a raster, an xarray.DataArray, or a tuple (array, affine, crs or None)"
 
 
@@ -63,6 +69,28 @@ def reader_of(source: Any) -> RasterReader:
     if isinstance(source, tuple) and len(source) == 3:
         return _of_array(*source)
     raise TypeError(f"source: got {kind_told(source)}, want {_WANTS}")
+
+
+def ground_of(source: Any) -> RasterReader:
+    """Return the reader of the heights that a call is about: without a CRS their coordinates are taken as metres.
+
+    Raises:
+        TypeError, ValueError, FileNotFoundError: as of `reader_of`; no CRS, and coordinates that can only be degrees.
+
+    Warns:
+        UserWarning: a file or an xarray.DataArray without a CRS; whoever gives a tuple with None knows.
+    """
+    reader = reader_of(source)
+    if reader.crs is None:
+        check_lengths(reader.transform, reader.shape, reader.read)
+        if not isinstance(source, tuple):
+            got = repr(fspath(source)) if isinstance(source, str | PathLike) else "an xarray.DataArray"
+            warnings.warn(
+                f"source: got {got} without a CRS; its coordinates are taken as metres, and the map's y axis as true north; "
+                "(array, affine, None) says so",
+                stacklevel=4,
+            )
+    return reader
 
 
 def _of_file(path: str) -> RasterReader:
@@ -146,11 +174,10 @@ def _reader(
         warnings.warn(
             f"source: got {said}, and coordinates in units of {metres:g} m; they are taken to be the same", stacklevel=2
         )
-    stretch = stretch_of(found, *(transform @ (shape[1] / 2.0, shape[0] / 2.0)))
-    if abs(stretch - 1.0) > _STRETCHED:
+    stretched = describe_stretch(found, *(transform @ (shape[1] / 2.0, shape[0] / 2.0)))
+    if stretched:
         warnings.warn(
-            f"source: got a map, {found.name}, on which ways are {stretch:.2f} times as long as on the ground, unlike "
-            "heights: slopes are wrong by as much; reproject it first, as by da.rio.reproject(da.rio.estimate_utm_crs())",
+            f"source: {stretched}: slopes are wrong by as much; {REPROJECT}",
             stacklevel=2,
         )
     coordinates = coordinates_of(transform, shape) if coordinates is None else coordinates

@@ -1,5 +1,6 @@
-"""What a coordinate reference system says of a raster: its units, and where north is."""
+"""What a coordinate reference system (CRS) says of a raster or of CityJSON: units, and where north is."""
 
+import re
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,11 @@ _METRES = dict.fromkeys(("m", "metre", "metres", "meter", "meters"), 1.0)
 _METRES |= {"mm": 0.001, "cm": 0.01, "dm": 0.1, "km": 1000.0}
 _METRES |= dict.fromkeys(("ft", "foot", "feet", "international foot"), _FOOT)
 _METRES |= dict.fromkeys(("us-ft", "ftus", "us survey foot", "us survey feet", "foot_us"), _SURVEY_FOOT)
+_PART = re.compile(r"[?&]\d+=([^?&]+)")  # of an address of several systems: crs-compound?1=...&2=...
+_EPSG = re.compile(r"EPSG(?:/|::|:)(?:[^/:]*[/:])?(\d+)/?$", re.IGNORECASE)
+_SAME = 1.0  # m: versions of a datum are nearer to each other, other maps farther off
+_STRETCHED = 0.05  # UTM is 0.001 off at most, a map of a continent 0.03
+REPROJECT = "reproject it first, as by da.rio.reproject(da.rio.estimate_utm_crs())"
 _STEP = 1e-4  # degrees of latitude, 11 m: the meridian is straight over them, and float64 has them to nine digits
 
 
@@ -28,17 +34,54 @@ def crs_of(crs: Any) -> pyproj.CRS | None:
         found = pyproj.CRS.from_user_input(crs)
     except CRSError as error:
         raise ValueError(f"source: got {told(crs)} for its CRS, want one that pyproj knows, or None") from error
-    unit = _flat(found).axis_info[0].unit_name if _flat(found).axis_info else ""
-    if any(angle in unit.lower() for angle in ("degree", "radian", "grad", "arc")):
-        raise ValueError(
-            f"source: got coordinates in {unit} of {found.name}, want lengths, as heights are; reproject it first, as by "
-            "da.rio.reproject(da.rio.estimate_utm_crs()) or gdalwarp"
-        )
-    if found.is_geocentric or found.type_name == "Vertical CRS":
-        raise ValueError(f"source: got coordinates of {found.name}, want those of a map, two of them level")
-    if any(axis.direction == "down" for axis in found.axis_info):
-        raise ValueError(f"source: got depths, by {found.name}, want heights: -1 times that, and a CRS that says so")
+    check_map(found, "source", f"{REPROJECT} or gdalwarp")
     return found
+
+
+def check_map(crs: pyproj.CRS, argument: str, mend: str) -> None:
+    """Refuse a CRS whose first two axes are no lengths of a map, and depths; the ValueError names the argument."""
+    axes = _flat(crs).axis_info
+    unit = axes[0].unit_name if axes else ""
+    if any(angle in unit.lower() for angle in ("degree", "radian", "grad", "arc")):
+        raise ValueError(f"{argument}: got coordinates in {unit} of {crs.name}, want lengths, as heights are; {mend}")
+    if crs.is_geocentric or crs.type_name == "Vertical CRS":
+        raise ValueError(f"{argument}: got coordinates of {crs.name}, want those of a map, two of them level")
+    if any(axis.direction == "down" for axis in crs.axis_info):
+        raise ValueError(f"{argument}: got depths, by {crs.name}, want heights: -1 times that, and a CRS that says so")
+
+
+def crs_by_address(text: str) -> pyproj.CRS:
+    """Return the CRS of an OGC address or URN, or of any text that pyproj knows.
+
+    PROJ does not read addresses of several systems, crs-compound?1=...&2=..., which CityJSON has for a map and its heights.
+
+    Raises:
+        CRSError: no CRS that is known.
+    """
+    parts = [part for address in _PART.findall(text) if (part := _EPSG.search(address))]
+    if len(parts) != len(_PART.findall(text)) or "crs-compound" not in text:
+        return pyproj.CRS.from_user_input(text)
+    return pyproj.CRS.from_user_input("EPSG:" + "+".join(part[1] for part in parts))
+
+
+def is_same_map(one: pyproj.CRS, other: pyproj.CRS, x: float, y: float) -> bool:
+    """Whether two CRS place a point of the first, (x, y), alike, but for their units."""
+    if _flat(one) == _flat(other):
+        return True
+    try:
+        there = pyproj.Transformer.from_crs(_flat(one), _flat(other), always_xy=True).transform(x, y, errcheck=True)
+    except ProjError:
+        return False
+    off = np.array(there) * metres_of(other) - np.array((x, y)) * metres_of(one)
+    return bool(np.abs(off).max() <= _SAME)
+
+
+def describe_stretch(crs: pyproj.CRS | None, x: float, y: float) -> str:
+    """Describe a map on which lengths about a place are wrong by a twentieth and more; "" for others."""
+    stretch = stretch_of(crs, x, y)
+    if crs is None or abs(stretch - 1.0) <= _STRETCHED:
+        return ""
+    return f"got a map, {crs.name}, on which ways are {stretch:.2f} times as long as on the ground, unlike heights"
 
 
 def metres_of(crs: pyproj.CRS | None) -> float:
@@ -73,7 +116,7 @@ def true_north(crs: pyproj.CRS | None, x: float, y: float) -> tuple[float, float
     if east[0] * north[1] < east[1] * north[0]:
         raise ValueError(
             f"source: got a map, {crs.name}, on which east is to the left of north, want one that does not mirror the "
-            "ground; reproject it first, as by da.rio.reproject(da.rio.estimate_utm_crs())"
+            f"ground; {REPROJECT}"
         )
     length = float(np.hypot(*north))
     return float(north[0]) / length, float(north[1]) / length, 0.0

@@ -18,7 +18,7 @@ from warpsample.city.rasters.horizons import finds_horizons, sky_by_horizons
 from warpsample.city.rasters.leaves import TRANSMITTANCE, check_dates, check_transmittance, seen_of
 from warpsample.city.rasters.raster_surface import MODELS, RECEIVERS, surface_of
 from warpsample.city.rasters.reader import RasterReader
-from warpsample.city.rasters.reading import reader_of, with_heights
+from warpsample.city.rasters.reading import ground_of, reader_of, with_heights
 from warpsample.city.rasters.scenery import Foreground, Scenery, Seen, joined
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.visible_sky import visible_sky
@@ -93,7 +93,7 @@ class RasterRun:
             raise ValueError(f"margin: got {told(margin)} without tile, want tile, around which it is")
         tile = None if tile is None else check_integer(tile, "tile", 1, 2**31 - 1)
         margin = MARGIN if margin is None else check_integer(margin, "margin", 1, 2**31 - 1)
-        reader, other = reader_of(source), None
+        reader, other = ground_of(source), None
         if far is not None:
             with calling("far"):
                 other = reader_of(far)

@@ -1,11 +1,22 @@
 """Where the cells of a raster are on its map: transforms, checked, and the coordinates that go with them."""
 
+from collections.abc import Callable
+
 import numpy as np
 import xarray as xr
 from affine import Affine
 
 from warpsample.host.arguments import told
 
+_DEGREES = 360.0, 90.0  # of longitude and latitude, at most
+_ARC_MINUTE = 0.02  # of degrees, and more: rasters with coarser cells show no terrain that shades
+_STEEP = 50.0
+"""Least relief over the diagonal of a raster in degrees: a second of arc is 31 m, so 1 m over 10 cells is a ratio of 250.
+
+In metres, with cells of at most 2 cm, it would be 7 m of relief in 5 x 5 cells; a model 1 m wide and 0.3 m high has 0.2.
+"""
+_RELIEF = 1.0
+_LOOKED_AT = 512  # rows and columns in the middle
 _APART = 1e-3  # of a cell: to so much float64 must hold its coordinates
 
 
@@ -39,6 +50,26 @@ def check_cells(transform: Affine, shape: tuple[int, int]) -> None:
     if not np.spacing(farthest) <= _APART * side:
         raise ValueError(
             f"source: got coordinates up to {farthest:g} of cells that are {side:g} long, want some that float64 tells apart"
+        )
+
+
+def check_lengths(transform: Affine, shape: tuple[int, int], heights: Callable[[slice, slice], np.ndarray]) -> None:
+    """Refuse a raster without a CRS that can only be in degrees, by the relief in its middle.
+
+    Raises:
+        ValueError: names `source`.
+    """
+    corners = np.array([transform @ corner for corner in ((0, 0), (shape[1], 0), (0, shape[0]), shape[::-1])])
+    sides = np.hypot(np.array(transform[:2]), np.array(transform[3:5]))
+    if sides.max() > _ARC_MINUTE or (np.abs(corners) > np.array(_DEGREES) + sides.max()).any():
+        return
+    found = heights(*(slice(max(0, (size - _LOOKED_AT) // 2), (size + _LOOKED_AT) // 2) for size in shape))
+    known = found[~np.isnan(found)]
+    relief = float(np.ptp(known)) if known.size else 0.0
+    if relief > max(_RELIEF, _STEEP * np.hypot(*(sides * found.shape[::-1]))):
+        raise ValueError(
+            "source: got no CRS, heights that differ by {:g}, and cells of {:g} about {:g}, {:g}, as in degrees; want "
+            "lengths: give it its CRS, and reproject it".format(relief, sides.max(), *corners.mean(axis=0))
         )
 
 

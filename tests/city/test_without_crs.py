@@ -1,0 +1,117 @@
+"""A raster without a CRS is taken to be in metres, with one warning, and refused if it can only be in degrees."""
+
+import subprocess
+import sys
+import warnings
+
+import numpy as np
+import pytest
+from affine import Affine
+from raster_cases import NORTH_UP, write_tif
+
+pytest.importorskip("rasterio")
+pytest.importorskip("rioxarray")
+
+import xarray as xr
+
+import warpsample as ws
+from warpsample.city.rasters.transforms import check_lengths
+
+HEIGHTS = np.arange(120.0).reshape(10, 12) % 7.0
+WARNED = "without a CRS; its coordinates are taken as metres"
+
+ASC = """ncols 12\nnrows 10\nxllcorner {0}\nyllcorner {1}\ncellsize {2}\nNODATA_value -9999\n"""
+
+
+def grid_file(path, x=564000.0, y=146000.0, side=1.0, heights=HEIGHTS):
+    """An .asc without a .prj beside it."""
+    rows = "\n".join(" ".join(map(str, row)) for row in heights)
+    path.write_text(ASC.format(x, y, side) + rows + "\n")
+    return path
+
+
+def warned(heard):
+    return [str(one.message) for one in heard if "without a CRS" in str(one.message)]
+
+
+@pytest.mark.parametrize("options", [{}, {"tile": 4, "margin": 2}, {"canopy": True, "far": True}])
+def test_one_warning_a_call(tmp_path, options):
+    path = grid_file(tmp_path / "dsm.asc")
+    others = {name: path if value is True else value for name, value in options.items()}
+    with warnings.catch_warnings(record=True) as heard:
+        warnings.simplefilter("always", UserWarning)
+        ws.rasters.sky_view_factor(path, 4, **others)
+    assert len(warned(heard)) == 1
+    assert f"source: got '{path}' {WARNED}" in warned(heard)[0]
+
+
+def test_an_array_of_xarray_is_warned_of_and_a_tuple_is_not(tmp_path):
+    array = xr.DataArray(HEIGHTS, dims=("y", "x")).rio.write_transform(NORTH_UP)
+    with pytest.warns(UserWarning, match=f"got an xarray.DataArray {WARNED}"):
+        ws.rasters.surface(array)
+    ws.rasters.surface((HEIGHTS, NORTH_UP, None))  # warnings are errors
+    ws.rasters.surface(array.rio.write_crs('LOCAL_CS["model",UNIT["metre",1]]'))
+    ws.rasters.surface(write_tif(tmp_path / "dsm.tif", HEIGHTS))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("processes", [None, 2])
+def test_one_line_of_the_command(tmp_path, child_environment, processes):
+    pytest.importorskip("dask")
+    path, more = grid_file(tmp_path / "dsm.asc"), [] if processes is None else ["--processes", str(processes)]
+    bake = ["bake", path, "-o", tmp_path / "sky.tif", "--quantity", "sky", "--samples", "4", "--tile", "5", *more]
+    command = [sys.executable, "-m", "warpsample", *bake]
+    done = subprocess.run(command, env=child_environment, capture_output=True, text=True, check=True, timeout=300)
+    said = [line for line in done.stderr.splitlines() if "without a CRS" in line]
+    assert len(said) == 1, done.stderr
+    assert said[0].startswith("warning: ")
+
+
+DEGREES = [
+    (8.5, 47.4, 1.0 / 3600.0, 60.0),  # the Alps by seconds of arc
+    (-74.0, 40.7, 1.0 / 108000.0, 3.0),  # a town by 1 m
+    (300.0, -20.0, 1.0 / 1200.0, 600.0),  # longitudes from 0 to 360
+    (179.99, 89.9, 1.0 / 120.0, 900.0),  # cells of 1 km
+]
+
+
+@pytest.mark.parametrize(("x", "y", "side", "relief"), DEGREES)
+def test_what_can_only_be_in_degrees_is_refused(tmp_path, x, y, side, relief):
+    heights = HEIGHTS / HEIGHTS.max() * relief
+    path = grid_file(tmp_path / "dsm.asc", x, y, side, heights)
+    for source in (path, (heights, Affine(side, 0.0, x, 0.0, -side, y), None)):
+        with pytest.raises(
+            ValueError, match="^source: got no CRS, heights that differ by .*, as in degrees; want lengths: "
+        ):
+            ws.rasters.sky_view_factor(source, 4)
+
+
+METRES = [
+    (400, 0.001, 0.3),  # a part of a model 1 m wide, by millimetres
+    (200, 0.02, 60.0),  # a patch of a tower's scan, by 2 cm
+    (5, 0.01, 2.0),  # the edge of a shelf
+    (3, 1.0, 200.0),  # beside a tower, by metres
+    (40, 0.0001, 0.01),  # a coin
+    (4, 0.5, 0.0),  # level
+]
+
+
+@pytest.mark.parametrize(("cells", "side", "relief"), METRES)
+def test_models_in_metres_are_not_refused(cells, side, relief):
+    heights = np.linspace(0.0, relief, cells * cells).reshape(cells, cells)
+    for x, y in ((0.0, 0.0), (8.5, 47.4)):
+        made = ws.rasters.surface((heights, Affine(side, 0.0, x, 0.0, -side, y), None), model="tin")
+        assert len(made.mesh.faces) == 2 * (cells - 1) ** 2
+
+
+def test_only_the_middle_of_a_raster_is_read_for_it():
+    """And nothing of one whose cells cannot be in degrees."""
+    shapes, level = [], np.zeros((3000, 200))
+
+    def heights(rows, columns):
+        shapes.append(level[rows, columns].shape)
+        return level[rows, columns]
+
+    for side, x, y in ((1e-4, 8.0, 47.0), (1.0, 8.0, 47.0), (1e-4, 5e5, 5e6)):
+        check_lengths(Affine(side, 0.0, x, 0.0, -side, y), level.shape, heights)
+    assert shapes == [(512, 200)]
