@@ -74,12 +74,13 @@ def test_what_is_wrong_ends_with_a_status(measured, found, monkeypatch):
 
 
 def test_all_are_run_and_written(measured, monkeypatch, capsys, tmp_path):
-    """The README, its pictures and the results are remade from what was found, by default sizes."""
+    """Both pages, the pictures and the results are written from the measured rows, by default sizes."""
     monkeypatch.setattr(readme, "README", tmp_path / "README.md")
     monkeypatch.setattr(readme, "PICTURES", tmp_path / "viz")
     monkeypatch.setattr(readme, "RESULTS", tmp_path / "results")
     blocks = "".join(f"<!-- bench {name} -->\n<!-- end -->\n" for name in benchmarks())
     (tmp_path / "README.md").write_text(f"Before.\n{blocks}![A picture](../../viz/bench_directions.png)\nAfter.\n")
+    (tmp_path / readme.SECOND_PAGE).write_text(f"Before.\n{blocks}After.\n")
     assert run_command(monkeypatch, "all", "--write") == 2
     assert "--write: got an installed package, want a checkout" in capsys.readouterr().err
     (tmp_path / "results").mkdir()
@@ -93,6 +94,7 @@ def test_all_are_run_and_written(measured, monkeypatch, capsys, tmp_path):
     assert text.startswith("Before.\n")
     assert text.endswith("After.\n")
     assert all(f"(`warpsample bench {name}`:" in text for name in benchmarks())
+    assert "`warpsample bench" not in (tmp_path / readme.SECOND_PAGE).read_text(encoding="utf-8")  # no other processor
     assert len(list((tmp_path / "results").iterdir())) == len(benchmarks())
     assert [path.name for path in (tmp_path / "viz").glob("*.png")] == ["bench_directions.png"]
 

@@ -49,31 +49,53 @@ def block(name):
     return f"<!-- bench {name} -->\n<!-- end -->"
 
 
-def test_the_readme_shows_every_benchmark_once():
-    text = readme.README.read_text(encoding="utf-8")
-    assert sorted(re.findall("<!-- bench ([a-z-]+) -->", text)) == NAMES
+@pytest.fixture
+def fill():
+    """Return a function that fills a text from a folder, for a slice of its processors."""
+
+    def fill_for(text, folder, chosen=slice(None)):
+        return readme.fill(text, folder, readme.processors(folder)[chosen])
+
+    return fill_for
 
 
-def test_the_readme_is_made_from_the_results():
-    text = readme.README.read_text(encoding="utf-8")
-    assert readme.fill(text, RESULTS) == text
+@pytest.mark.parametrize("page", readme.list_pages(), ids=lambda page: page.name)
+def test_each_page_shows_every_benchmark_once(page):
+    assert sorted(re.findall("<!-- bench ([a-z-]+) -->", page.read_text(encoding="utf-8"))) == NAMES
+
+
+@pytest.mark.parametrize(("page", "chosen"), readme.list_pages().items(), ids=lambda item: getattr(item, "name", ""))
+def test_each_page_is_generated_from_the_results(page, chosen, fill):
+    text = page.read_text(encoding="utf-8")
+    assert fill(text, RESULTS, chosen) == text
+
+
+def test_each_page_names_one_kind_of_processor():
+    kinds = [set(re.findall(r"AMD EPYC,\s(AVX2|AVX-512)", page.read_text(encoding="utf-8"))) for page in readme.list_pages()]
+    assert kinds == [{"AVX-512"}, {"AVX2"}]
+
+
+def test_the_page_is_short():
+    """Count the lines: a reader of one processor scrolls past nothing that is about the other."""
+    assert len(readme.README.read_text(encoding="utf-8").splitlines()) <= 500
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_an_edit_of_a_result_is_seen(copied, name):
-    text = readme.README.read_text(encoding="utf-8")
+def test_an_edit_of_a_result_changes_the_page_of_its_processor_alone(copied, name, fill):
     scale(copied / f"{name}-{readme.processors(copied)[0]}.json")
-    assert readme.fill(text, copied) != text
+    texts = {page: page.read_text(encoding="utf-8") for page in readme.list_pages()}
+    changed = [fill(text, copied, readme.list_pages()[page]) != text for page, text in texts.items()]
+    assert changed == [True, False]
 
 
-def test_an_edit_of_the_readme_is_seen_where_it_is_measured_and_only_there():
+def test_an_edit_of_the_readme_is_seen_where_it_is_measured_and_only_there(fill):
     text = readme.README.read_text(encoding="utf-8")
     blocks = re.finditer("<!-- bench .*?<!-- end -->", text, flags=re.DOTALL)
     figures = [block.start() + found.start() for block in blocks for found in re.finditer(r"\d", block[0])]
     for at in figures[:: len(figures) // 8]:
         edited = text[:at] + str((int(text[at]) + 1) % 10) + text[at + 1 :]
-        assert readme.fill(edited, RESULTS) == text
-    assert readme.fill(f"{text}More.", RESULTS) == f"{text}More."
+        assert fill(edited, RESULTS, slice(1)) == text
+    assert fill(f"{text}More.", RESULTS, slice(1)) == f"{text}More."
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -97,11 +119,11 @@ def test_a_setting_that_is_a_path_is_written_as_its_text(results, tmp_path):
 
 
 @pytest.mark.parametrize("content", ['{"command": "bench rays", "machine": {"cp', "{}", "[]", ""])
-def test_a_damaged_file_of_results_is_named(copied, content):
+def test_a_damaged_file_of_results_is_named(copied, content, fill):
     path = copied / f"rays-{readme.processors(copied)[0]}.json"
     path.write_text(content, encoding="utf-8")
     with pytest.raises(ValueError, match=rf"^{re.escape(str(path))}: got \w+Error .*, want results as `warpsample bench"):
-        readme.fill(block("rays"), copied)
+        fill(block("rays"), copied)
 
 
 def test_results_are_small():
@@ -119,7 +141,7 @@ def test_results_are_of_the_default_sizes_and_of_a_commit(results, name):
 
 def test_the_first_page_says_what_was_measured(repository):
     text = " ".join((repository / "README.md").read_text(encoding="utf-8").split())
-    phrases = [phrase for processor in readme.processors(RESULTS) for phrase in readme.headline(processor)]
+    phrases = readme.headline(readme.processors(RESULTS)[0])
     assert [phrase for phrase in phrases if phrase not in text] == []
 
 
@@ -133,17 +155,17 @@ def test_pictures_are_of_the_results(repository):
             assert image.text["Description"] == readme.digest(path)
 
 
-def test_each_processor_has_its_tables_the_first_before_the_others(results, tmp_path):
+def test_each_processor_has_its_tables_the_first_before_the_others(results, tmp_path, fill):
     for name, result in results.items():
         keep(benchmarks()[name], replace(result, machine=replace(result.machine, cpu="One", instructions="avx2")), tmp_path)
     result = results["peers"]
     keep(benchmarks()["peers"], replace(result, machine=replace(result.machine, cpu="Two", instructions="avx512")), tmp_path)
-    text = readme.fill("\n".join(map(block, NAMES)), tmp_path)
+    text = fill("\n".join(map(block, NAMES)), tmp_path)
     told = re.findall("`warpsample bench ([a-z-]+)`:[^;]*;\\s(One|Two),\\s(AVX2|AVX-512)", text)
     others = [(name, "One", "AVX2") for name in NAMES]
     others.insert(NAMES.index("peers"), ("peers", "Two", "AVX-512"))
     assert told == others
-    assert readme.fill(text, tmp_path) == text
+    assert fill(text, tmp_path) == text
 
 
 def test_every_figure_of_the_first_page_follows_its_result(copied):
