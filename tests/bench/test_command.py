@@ -9,14 +9,14 @@ from bench_output import give, run_command
 from matplotlib.figure import Figure
 
 from warpsample.bench import benchmarks, pictures, readme
-from warpsample.bench.result import RESULTS, kept
+from warpsample.bench.result import RESULTS, load_results
 
 
 @pytest.fixture
 def found():
     """What every benchmark has found, as its files hold it, with repeats made up."""
-    results = kept(readme.processors(RESULTS)[0], benchmarks())
-    found = {name: result.found for name, result in results.items()}
+    results = load_results(readme.list_processors(RESULTS)[0], benchmarks())
+    found = {name: result.rows for name, result in results.items()}
     found["peers"]["rows"] = [replace(row, seconds=[1.0, 2.0]) for row in found["peers"]["rows"]]
     return found
 

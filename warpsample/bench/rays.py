@@ -1,4 +1,4 @@
-"""`bench rays`: rays a second by ours, wp.Mesh, Embree and Open3D on the same rays and threads; and how long each builds."""
+"""`bench rays`: rays per second by warpsample, wp.Mesh, Embree and Open3D on the same rays and threads, and build times."""
 
 from dataclasses import dataclass
 from importlib.metadata import version
@@ -8,19 +8,19 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from warpsample.bench.record import Benchmark, Found, Picture, Repeats, Scenes, Track
+from warpsample.bench.record import Benchmark, Picture, Repeats, RowsByPart, Scenes, Track
 from warpsample.bench.rows import Spread, Timed, column
-from warpsample.bench.running.timing import timed
-from warpsample.bench.scenes import KINDS, SCENES, ray_set
+from warpsample.bench.running.timing import time_interleaved
+from warpsample.bench.scenes import KINDS, SCENES, build_rays
 from warpsample.bench.tables import Cell, TableView
-from warpsample.bench.tools.tracers import TRACERS, RayTool, builds, visits
+from warpsample.bench.tools.tracers import TRACERS, RayTool, count_visits, list_builds
 from warpsample.host.engine import check_workers
 from warpsample.mesh.mesh import Mesh
 
 
 @dataclass(frozen=True)
 class RaySpeed(Timed):
-    """One tool on one set of rays."""
+    """Speed of one tool on one set of rays."""
 
     scene: str = column("scene")
     triangles: int = column("triangles")
@@ -40,7 +40,7 @@ class RaySpeed(Timed):
 
 @dataclass(frozen=True)
 class BuildTime(Timed):
-    """How long a tool takes to be ready for a scene, from vertices and faces in memory to the first ray."""
+    """Time of a tool from vertices and faces in memory until it can trace the first ray of a scene."""
 
     scene: str = column("scene")
     triangles: int = column("triangles")
@@ -51,7 +51,7 @@ class BuildTime(Timed):
 
 @dataclass(frozen=True)
 class MissingTool:
-    """A tool that is not there."""
+    """Tool that is not installed."""
 
     tool: str = column("tool")
     failure: str = column("why it did not run, and what to install")
@@ -63,26 +63,26 @@ def measure(
     scene: Scenes = None,
     rays: Annotated[int, typer.Option(help="Rays of a set.", min=64)] = 131_072,
     repeats: Repeats = 5,
-) -> Found:
-    """Scene by scene, all that is compared taking turns."""
+) -> RowsByPart:
+    """Measure one scene after the other; the compared runs alternate."""
     everyone = sorted({1, check_workers(None)})
     names = scene or list(SCENES)
-    found: Found = {"rows": [], "builds": []}
+    found: RowsByPart = {"rows": [], "builds": []}
     missing: dict[str, str] = {}
     for name in track(names, len(names)):
         mesh = SCENES[name]()
         for kind, any_hit in product(KINDS, (True, False)):
-            tools = tracers_of(mesh, kind, rays, missing)
-            nodes, leaves = visits(mesh, kind, rays, any_hit)
+            tools = build_tracers(mesh, kind, rays, missing)
+            nodes, leaves = count_visits(mesh, kind, rays, any_hit)
             case = {"scene": name, "triangles": len(mesh.faces), "kind": kind, "any_hit": any_hit}
             found["rows"] += compare(tools, everyone, repeats, {"nodes": nodes, "leaves": leaves}, **case)
-        found["builds"] += _builds(name, mesh, missing, everyone, repeats)
-        ray_set.cache_clear()
+        found["builds"] += _measure_builds(name, mesh, missing, everyone, repeats)
+        build_rays.cache_clear()
     return found | {"missing": [MissingTool(*item) for item in missing.items()]}
 
 
-def tracers_of(mesh: Mesh, kind: str, count: int, missing: dict[str, str]) -> dict[str, RayTool]:
-    """Those of TRACERS that are installed, each with its rays; the others are added to `missing`, with what to install."""
+def build_tracers(mesh: Mesh, kind: str, count: int, missing: dict[str, str]) -> dict[str, RayTool]:
+    """Build the installed tools of `TRACERS`; add the reason for each missing tool to `missing`."""
     tools = {name: _tracer_or_reason(tool.make, tool.library, mesh, kind, count) for name, tool in TRACERS.items()}
     missing |= {name: tool for name, tool in tools.items() if isinstance(tool, str)}
     return {name: tool for name, tool in tools.items() if not isinstance(tool, str)}
@@ -98,18 +98,18 @@ def _tracer_or_reason(make: Any, library: str, *rays: Any) -> RayTool | str:
 def compare(
     tools: dict[str, RayTool], everyone: list[int], repeats: int, visited: dict[str, float], **case: Any
 ) -> list[RaySpeed]:
-    """One set of rays and one query by all tools, taking turns.
+    """Compare all tools on one set of rays and one query, with alternating runs.
 
     Args:
-        tools: by name, "wide" among them, each with its rays.
+        tools: tools by name, with their rays; "wide" must be one of the names.
         everyone: numbers of workers.
         repeats: timed runs.
-        visited: the fields `nodes` and `leaves` of our wide tree.
-        **case: the fields `scene`, `triangles`, `kind` and `any_hit` of all rows.
+        visited: fields `nodes` and `leaves` of the wide tree.
+        **case: fields `scene`, `triangles`, `kind` and `any_hit` of all rows.
     """
     found = {name: tool(case["any_hit"], 1)() for name, tool in tools.items()}
     works = {(name, workers): tools[name](case["any_hit"], workers) for name, workers in product(tools, everyone)}
-    seconds = timed(works, repeats)
+    seconds = time_interleaved(works, repeats)
     return [
         RaySpeed(
             **case,
@@ -128,16 +128,16 @@ def compare(
     ]
 
 
-def _builds(scene: str, mesh: Mesh, missing: dict[str, str], everyone: list[int], repeats: int) -> list[BuildTime]:
+def _measure_builds(scene: str, mesh: Mesh, missing: dict[str, str], everyone: list[int], repeats: int) -> list[BuildTime]:
     works = {
         (name, workers if name.startswith("wide") else 0): work
         for workers in everyone
-        for name, work in builds(mesh, workers).items()
+        for name, work in list_builds(mesh, workers).items()
         if name not in missing
     }
     return [
         BuildTime(scene, len(mesh.faces), *case, Spread.of([1e3 * t for t in seconds]), seconds=seconds)
-        for case, seconds in timed(works, repeats).items()
+        for case, seconds in time_interleaved(works, repeats).items()
     ]
 
 

@@ -1,7 +1,7 @@
 """Generate the tables, headlines and pictures of this room's pages from the files in `results/`.
 
-`README.md` shows the first kind of processor, AVX-512, and `AVX2.md` shows every other kind. Run
-`python -m warpsample.bench.readme` to write both pages without a new measurement. The text around the tables is hand-written.
+`README.md` shows the first kind of processor, AVX-512, and `AVX2.md` shows every other kind. The text around the tables is
+hand-written. `python -m warpsample.bench.readme` writes both pages without a new measurement.
 """
 
 import hashlib
@@ -9,9 +9,9 @@ import re
 from pathlib import Path
 
 from warpsample.bench import benchmarks, pictures
-from warpsample.bench.result import RESULTS, kept
-from warpsample.bench.rows import digits
-from warpsample.bench.tables import markdown
+from warpsample.bench.result import RESULTS, load_results
+from warpsample.bench.rows import format_digits
+from warpsample.bench.tables import format_markdown
 from warpsample.host.files import check_output, check_output_folder, write_bytes
 
 README = Path(__file__).parent / "README.md"
@@ -43,27 +43,27 @@ def list_pages() -> dict[Path, slice]:
     return {README: slice(1), README.with_name(SECOND_PAGE): slice(1, None)}
 
 
-def write() -> list[Path]:
+def write_pages() -> list[Path]:
     """Write both pages and the README's pictures, which show the first processor; return the files."""
-    everyone = processors(RESULTS)
+    everyone = list_processors(RESULTS)
     text = README.read_text(encoding="utf-8")
     files = []
     for page, chosen in list_pages().items():
-        write_bytes(page, fill(page.read_text(encoding="utf-8"), RESULTS, everyone[chosen]).encode())
+        write_bytes(page, fill_page(page.read_text(encoding="utf-8"), RESULTS, everyone[chosen]).encode())
         files.append(page)
-    for name, result in kept(everyone[0], benchmarks(), RESULTS).items():
-        figures = benchmarks()[name].figures(result, pictures_in(text))
+    for name, result in load_results(everyone[0], benchmarks(), RESULTS).items():
+        figures = benchmarks()[name].figures(result, find_pictures(text))
         named = {f"bench_{picture}": figure for picture, figure in figures.items()}
-        files += pictures.save(named, PICTURES, digest(RESULTS / f"{name}-{everyone[0]}.json"))
+        files += pictures.save_figures(named, PICTURES, describe_source(RESULTS / f"{name}-{everyone[0]}.json"))
     return files
 
 
-def pictures_in(text: str) -> list[str]:
+def find_pictures(text: str) -> list[str]:
     """Return the names of the pictures in the text of a page."""
     return list(dict.fromkeys(_PICTURE.findall(text)))
 
 
-def fill(text: str, folder: Path, shown: list[str]) -> str:
+def fill_page(text: str, folder: Path, shown: list[str]) -> str:
     """Return the text of a page with new tables and headlines between its marks.
 
     Args:
@@ -71,36 +71,36 @@ def fill(text: str, folder: Path, shown: list[str]) -> str:
         folder: folder of results.
         shown: kinds of processor that the page shows, in this order.
     """
-    everything = [kept(processor, benchmarks(), folder) for processor in shown]
+    everything = [load_results(processor, benchmarks(), folder) for processor in shown]
 
     def tables_of(match: re.Match[str]) -> str:
         name = match[1]
         results = [results[name] for results in everything if name in results]
-        tables = [markdown(benchmarks()[name].brief(result)) for result in results]
+        tables = [format_markdown(benchmarks()[name].build_page(result)) for result in results]
         return "\n\n".join([f"<!-- bench {name} -->", *tables, "<!-- end -->"])
 
     def headline_of(match: re.Match[str]) -> str:
-        phrases = [phrase for processor in shown for phrase in headline(processor, folder)]
+        phrases = [phrase for processor in shown for phrase in list_headlines(processor, folder)]
         return "\n".join(["<!-- headline -->", "", *(f"- {phrase}" for phrase in phrases), "", "<!-- end -->"])
 
     return _HEADLINE.sub(headline_of, _BLOCK.sub(tables_of, text))
 
 
-def processors(folder: Path) -> list[str]:
+def list_processors(folder: Path) -> list[str]:
     """Return the kinds of processor that `folder` holds results of, AVX-512 before AVX2."""
     return sorted({path.stem.rpartition("-")[2] for path in folder.glob("*.json")}, reverse=True)
 
 
-def headline(processor: str, folder: Path = RESULTS) -> list[str]:
-    """Return the phrases of a processor's results that a page opens with, such as the first page of the package."""
-    results = kept(processor, benchmarks(), folder)
+def list_headlines(processor: str, folder: Path = RESULTS) -> list[str]:
+    """Return the headlines of a processor: phrases for the start of a page, with the processor's name last."""
+    results = load_results(processor, benchmarks(), folder)
     if not {"peers", "rays", "visibility"} <= results.keys():
         return []
-    peers, rays, visibility = (results[name].found["rows"] for name in ("peers", "rays", "visibility"))
-    speeds = {row.tool: digits(row.million_per_second.median) for row in peers if row.million_per_second}
+    peers, rays, visibility = (results[name].rows["rows"] for name in ("peers", "rays", "visibility"))
+    speeds = {row.tool: format_digits(row.million_per_second.median) for row in peers if row.million_per_second}
     ratios = [row.ours.median for row in rays if row.tool == "Embree"]
     on_bunny = [row for row in visibility if (row.scene, row.target) == ("bunny", 0.01) and row.microseconds]
-    times = {row.tool: digits(row.microseconds.median) for row in on_bunny}
+    times = {row.tool: format_digits(row.microseconds.median) for row in on_bunny}
     mitsuba = speeds.get("Mitsuba, three planes")
     return [
         f"{speeds['warpsample independent']} million directions a second{f' (Mitsuba: {mitsuba})' if mitsuba else ''}",
@@ -111,10 +111,10 @@ def headline(processor: str, folder: Path = RESULTS) -> list[str]:
     ]
 
 
-def digest(path: Path) -> str:
+def describe_source(path: Path) -> str:
     """Return the name and the SHA-256 digest of a file of results, which a picture keeps as its source."""
     return f"{path.name} {hashlib.sha256(path.read_bytes()).hexdigest()}"
 
 
 if __name__ == "__main__":
-    write()
+    write_pages()

@@ -1,4 +1,4 @@
-"""`bench startup`: what a new process waits for."""
+"""`bench startup`: seconds until a new process has its first results."""
 
 import os
 import subprocess
@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from warpsample.bench.record import Benchmark, Found, Picture, TableView, Track
+from warpsample.bench.record import Benchmark, Picture, RowsByPart, TableView, Track
 from warpsample.bench.rows import Spread, Timed, column
 
 _DIRECTIONS = """
@@ -48,7 +48,7 @@ STEPS = [step for steps in _SCRIPTS.values() for step in steps]
 
 @dataclass(frozen=True)
 class Wait(Timed):
-    """What a new process waits for."""
+    """Waiting time of a new process for one step."""
 
     step: str = column("step")
     cache: str = column("kernel cache", show="{} cache".format)
@@ -59,15 +59,15 @@ def measure(
     track: Track,
     *,
     repeats: Annotated[int, typer.Option(help="New processes of each kind.", min=1)] = 5,
-) -> Found:
-    """The processes one after the other."""
+) -> RowsByPart:
+    """Start the processes one after the other and time the steps."""
     found = [start_processes() for _ in track(range(repeats), repeats)]
     taken = {(step, cache): [one[cache, step] for one in found] for step in STEPS for cache in CACHES}
     return {"waits": [Wait(*key, Spread.of(seconds), seconds=seconds) for key, seconds in taken.items()]}
 
 
 def start_processes() -> dict[tuple[str, str], float]:
-    """Seconds by (cache, step), of two processes to each script: the first finds the kernel cache cold, the second warm."""
+    """Return seconds by (cache, step); each script runs in two processes, the first with a cold kernel cache."""
     found = {}
     for script, steps in _SCRIPTS.items():
         with tempfile.TemporaryDirectory(prefix="warpsample-bench-") as folder:

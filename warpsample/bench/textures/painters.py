@@ -1,6 +1,6 @@
-"""Ambient occlusion in a texture by each tool: (rays of each texel) -> an image (H, W), v down, another one at each call.
+"""Ambient occlusion in a texture by each tool, as functions from rays per texel to a new image (H, W), v down.
 
-All have the same smooth normals, no cutoff and gutters of their own.
+All tools use the same smooth normals and no distance limit; each tool fills the gutters around charts in its own way.
 """
 
 from collections.abc import Callable
@@ -20,7 +20,13 @@ _AWAY = -1.0  # where faces without coordinates are: beyond the image, at one pl
 
 
 class Textured(NamedTuple):
-    """A mesh with (F, 3, 2) coordinates, v down, NaN of faces that only block light, and (V, 3) unit normals."""
+    """Mesh with texture coordinates and normals.
+
+    Attributes:
+        mesh: the mesh.
+        uv: (F, 3, 2) coordinates, v down; NaN at faces that only block light.
+        normals: (V, 3) unit normals.
+    """
 
     mesh: Mesh
     uv: np.ndarray

@@ -1,4 +1,4 @@
-"""The visible sky in the cells of a raster by each tool: () -> (rows, columns) shares, a new estimate at each call."""
+"""Visible sky in the cells of a raster by each tool, as functions () -> (rows, columns) with a new estimate at each call."""
 
 from collections.abc import Callable
 from functools import partial
@@ -41,7 +41,7 @@ def _xarray_spatial(heights: np.ndarray, workers: int, *, directions: int, radiu
 
 
 _RAYS = {f"warpsample, {count} rays": partial(_ours, count=count) for count in (64, 256)}
-_RAYS |= {f"all over the sky, {count} rays": partial(_ours, count=count, tracer="wide") for count in (64, 256)}
+_RAYS |= {f"warpsample without horizons, {count} rays": partial(_ours, count=count, tracer="wide") for count in (64, 256)}
 _SWEEPS = {f"{count} directions of {radius} cells": (count, radius) for count, radius in ((16, 10), (32, 100))}
 RASTER_TOOLS = {name: Tool("warpsample", make) for name, make in _RAYS.items()}
 RASTER_TOOLS |= {

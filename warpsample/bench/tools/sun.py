@@ -1,11 +1,11 @@
-"""Which of many suns points see, by each tool: () -> (P, T) bool."""
+"""Visibility of many suns by each tool, as functions () -> (P, T) bool."""
 
 from collections.abc import Callable
 
 import numpy as np
 
 from warpsample.bench.running.turns import Tool
-from warpsample.bench.tools.mitsuba import mitsuba_scene
+from warpsample.bench.tools.mitsuba import build_mitsuba_scene
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.sun.direct_sun import direct_sun
@@ -19,15 +19,15 @@ def _ours(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> 
 
 
 def _trace(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> SunTool:
-    """A ray for each pair; averted pairs are made dark afterwards."""
+    """Trace a ray for each pair; set pairs with an averted sun to False afterwards."""
     directions = np.array(np.broadcast_to(suns, (len(points), *suns.shape)))
     facing = points.normal @ suns.T > 0.0
     return lambda: (trace(mesh, points, directions, any_hit=True, workers=workers).face < 0) & facing
 
 
 def _mitsuba(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> SunTool:
-    """A lane for each pair; averted ones are masked."""
-    known = mitsuba_scene(mesh, points, workers)
+    """Test one lane for each pair; mask pairs with an averted sun."""
+    known = build_mitsuba_scene(mesh, points, workers)
     dr, mi = known.dr, known.mi
     towards = mi.Vector3f(np.ascontiguousarray(suns.T))
 
