@@ -90,6 +90,6 @@ def test_all_is_measured_and_shown(tmp_path, capsys):
     assert year.took > 0.0
     text = "\n".join(lines_of("radiation", SETTINGS, found, capsys))
     assert "nobody did not run here: KeyError" in text
-    assert "Sky matrix, 1,024 rays a point: bunny, threads 1" in text
-    assert "s of 16 points" in text
+    assert "Sky matrix, 1,024 rays per point: bunny, threads 1" in text
+    assert "seconds for 16 points" in text
     assert drawn("radiation", found, tmp_path) == ["radiation.png"]

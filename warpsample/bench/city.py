@@ -17,10 +17,10 @@ from warpsample.bench.tools.rasters import RASTER_TOOLS
 from warpsample.estimate.quantities.visible_sky import visible_sky
 from warpsample.host.engine import check_workers
 
-_AZIMUTHS = 1 << 14  # of exact values
-_RAYS = 1 << 14  # of a cell of terrain that is looked at
-_LOOKED_AT = 2000
-_SEED = 1 << 40  # far from those of the estimates
+_AZIMUTHS = 1 << 14  # azimuths of an exact value
+_RAYS = 1 << 14  # rays of a judged cell of terrain
+_JUDGED = 2000  # judged cells of terrain
+_SEED = 1 << 40  # far from the seeds of the estimates
 
 
 @dataclass(frozen=True)
@@ -30,10 +30,12 @@ class CellSky(ToolRow):
     scene: str = column("raster")
     cells: int = column("cells")
     workers: int = column("workers")
-    bias: float | None = optional_column("bias", "the mean of what the cells looked at are off by", show="+.4f")
-    rmse: float | None = optional_column("RMSE", "of these cells", show=".4f")
-    worst: float | None = optional_column("worst", "of these cells", show=".3f")
-    microseconds: Spread | None = optional_column("µs", "of a cell, mesh and tree included")
+    bias: float | None = optional_column("bias", "mean error of the judged cells", show="+.4f")
+    rmse: float | None = optional_column("RMSE", "RMSE of the judged cells", show=".4f")
+    worst: float | None = optional_column("worst", "largest absolute error of the judged cells", show=".3f")
+    microseconds: Spread | None = optional_column(
+        "µs per cell", "time per cell of the raster, with building the mesh and the tree"
+    )
 
 
 def build_yard(side: int = 21, around: int = 60) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -63,14 +65,14 @@ def build_slope(degrees: float = 30.0, side: int = 401) -> tuple[np.ndarray, np.
 
 
 def load_terrain(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return (heights, judged cells, visible sky) of a raster; the visible sky is by 16,384 rays per cell on the triangulated raster."""
+    """Return (heights, judged cells, visible sky) of a raster, by 16,384 rays per judged cell on the triangulated raster."""
     from warpsample import rasters
 
-    made = rasters.surface(path, model="tin")
-    points, known = made.points()
-    rows = np.linspace(0, len(known) - 1, _LOOKED_AT).astype(np.int64)
-    right = visible_sky(made.mesh, points.take(rows), _RAYS, seed=_SEED).value
-    return made.grid.height, known[rows], right.astype(np.float64)
+    surface = rasters.surface(path, model="tin")
+    points, cells = surface.points()
+    rows = np.linspace(0, len(cells) - 1, _JUDGED).astype(np.int64)
+    right = visible_sky(surface.mesh, points.take(rows), _RAYS, seed=_SEED).value
+    return surface.grid.height, cells[rows], right.astype(np.float64)
 
 
 def build_sky(tool: str, scene: str, raster: Path | None, workers: int) -> ChildJob:
@@ -89,13 +91,18 @@ def build_sky(tool: str, scene: str, raster: Path | None, workers: int) -> Child
 
 
 SCENES: dict[str, Any] = {"yard": build_yard, "slope": build_slope}
-"""By name: heights in cells of a metre, the numbers of some cells, and what these see."""
+"""Functions that return heights in cells of 1 m, indices of the judged cells, and the visible sky there, keyed by scene."""
 
 
 def measure(
     track: Track,
     *,
-    raster: Annotated[Path | None, typer.Option(help="Terrain, in cells of a metre, besides a yard and a slope.")] = None,
+    raster: Annotated[
+        Path | None,
+        typer.Option(
+            help="Path of a raster of heights with cells of 1 m, for example dsm.tif. Default: only a yard and a slope."
+        ),
+    ] = None,
     repeats: Repeats = 3,
 ) -> RowsByPart:
     """Measure one raster after the other."""
@@ -120,7 +127,7 @@ def measure_scene(scene: str, raster: Path | None, repeats: int) -> list[CellSky
 
 RECORD = Benchmark(
     name="city",
-    summary="The visible sky in the cells of rasters: error and time, ours, RVT and xarray-spatial.",
+    summary="Error and time of the visible sky in the cells of rasters: warpsample, RVT and xarray-spatial.",
     measure=measure,
     parts={"rows": CellSky},
     views=[TableView("rows", "Visible sky", "tool", "bias rmse worst microseconds", split="scene cells")],

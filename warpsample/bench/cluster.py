@@ -23,7 +23,7 @@ from warpsample.bench.tools.cluster import (
 )
 
 PLANNED = 10**9
-"""Points of the plan."""
+"""Number of points of the plan."""
 
 
 @dataclass(frozen=True)
@@ -32,8 +32,8 @@ class WayTime(Timed):
 
     way: str = column("way")
     points: int = column("points")
-    duration: Spread = column("s")
-    speed: Spread = column("times as fast", "as the first way, within each round")
+    duration: Spread = column("seconds")
+    speed: Spread = column("speed / first way", "speed over that of the first way, in the same round")
 
 
 @dataclass(frozen=True)
@@ -53,9 +53,9 @@ class PlannedHours:
     bottleneck: str = column("bottleneck")
 
 
-def plan_hours(found: RowsByPart) -> list[PlannedHours]:
+def plan_hours(rows: RowsByPart) -> list[PlannedHours]:
     """Compute the hours with 1 to 16,384 threads, from whole rounds of chunks and from the scheduler's rate."""
-    way, overhead = found["ways"][-1], max(1e-6, found["overheads"][-1].milliseconds.median / 1e3)
+    way, overhead = rows["ways"][-1], max(1e-6, rows["overheads"][-1].milliseconds.median / 1e3)
     chunks, chunk_seconds = ceil(PLANNED / CHUNK), 2 * way.duration.median * CHUNK / way.points
     at_most = max(1, int(chunk_seconds / overhead))
 
@@ -73,7 +73,7 @@ def plan_hours(found: RowsByPart) -> list[PlannedHours]:
 def measure(
     track: Track,
     *,
-    points: Annotated[int, typer.Option(help="Points of the timed call.", min=1000)] = 262_144,
+    points: Annotated[int, typer.Option(help="Number of points of the timed call.", min=1000)] = 262_144,
     repeats: Repeats = 3,
 ) -> RowsByPart:
     """Measure each part in separate processes, with alternating runs.
@@ -83,13 +83,13 @@ def measure(
     """
     from warpsample import cluster
 
-    _ = cluster.ambient_occlusion  # says what is missing
+    _ = cluster.ambient_occlusion  # raise the error that names a missing package
     jobs = [("ways", partial(_measure_ways, points, repeats))]
     jobs += [("overheads", partial(_measure_overhead, end, repeats)) for end in (COMPUTED, STORED)]
-    found: RowsByPart = {"ways": [], "overheads": []}
+    rows: RowsByPart = {"ways": [], "overheads": []}
     for part, job in track(jobs, len(jobs)):
-        found[part] += job()
-    return found | {"hours": plan_hours(found)}
+        rows[part] += job()
+    return rows | {"hours": plan_hours(rows)}
 
 
 def _measure_ways(points: int, repeats: int) -> list[WayTime]:
@@ -110,13 +110,13 @@ def _select_few_threads(rows: list[PlannedHours]) -> list[PlannedHours]:
 
 RECORD = Benchmark(
     name="cluster",
-    summary="Processes against threads over Dask, what a chunk costs, and the plan for 10^9 points.",
+    summary="Processes against threads over Dask, the cost of a chunk, and a plan for 10^9 points.",
     measure=measure,
     parts={"ways": WayTime, "overheads": Overhead, "hours": PlannedHours},
     views=[
-        TableView("ways", f"Processes and threads, {RAYS} rays a point", "way points", "duration speed"),
-        TableView("overheads", "One more chunk", "chunk", "milliseconds"),
-        TableView("hours", f"The plan for {PLANNED:,} points", "threads", "hours bottleneck", page_rows=_select_few_threads),
+        TableView("ways", f"Processes and threads, {RAYS} rays per point", "way points", "duration speed"),
+        TableView("overheads", "Cost of one more chunk", "chunk", "milliseconds"),
+        TableView("hours", f"Plan for {PLANNED:,} points", "threads", "hours bottleneck", page_rows=_select_few_threads),
     ],
     pictures=[Picture("cluster", "hours", "threads", y="hours", series="", log="xy")],
 )

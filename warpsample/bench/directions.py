@@ -1,4 +1,4 @@
-"""`bench directions`: directions per second of every map and sequence into an existing array, and NumPy's fill of that array."""
+"""`bench directions`: directions per second of every map and sequence into an existing array, beside NumPy's fill."""
 
 import re
 from collections.abc import Callable
@@ -22,12 +22,12 @@ from warpsample.host.engine import check_workers
 
 COUNTS = (1, 4, 16, 64, 256)
 SAMPLES = 64
-"""Samples of a point in the table of maps."""
+"""Samples per point in the table of maps."""
 MAP_ONLY = "map only"
-"""In place of a sequence: the map alone, `distribution.sample(u)` into a new array, for what lies in a plane."""
+"""Replaces the sequence of a planar map, timed alone: `distribution.sample(u)` into a new array."""
 FILL = ("fill", "", 1, False)
 
-_BUDGET = 20.0  # seconds after which a group makes do with three repeats
+_BUDGET = 20.0  # seconds after which a group stops at three repeats
 
 
 def shorten_distribution(distribution: str) -> str:
@@ -41,21 +41,28 @@ class DirectionSpeed(Timed):
 
     table: str = column("table")
     distribution: str = column(
-        "map", "fill is NumPy's `out.fill(0)` of the same array, on one thread", show=shorten_distribution
+        "map", "fill: NumPy's `out.fill(0)` of the same array on one thread", show=shorten_distribution
     )
     sequence: str = column("sequence", show=lambda name: name or "fill")
     points: int = column("points")
-    samples: int = column("n", "samples of a point", show="n = {}".format)
+    samples: int = column("n", "samples per point", show="n = {}".format)
     workers: int = column("workers", show=lambda n: f"{n} workers" if n > 1 else "1 worker")
     pdf: bool = column("pdf", show=lambda pdf: "with pdf" if pdf else "")
-    million_per_second: Spread = column("million a second", "of what lies in a plane by the map alone, u given")
-    of_fill: Spread = column("share of fill", "its speed over that of a fill right after it")
+    million_per_second: Spread = column(
+        "million per second", "for planar maps the time of the map alone, from existing points of the square"
+    )
+    of_fill: Spread = column("fraction of fill", "speed over that of a fill of the same array right after")
 
 
 def measure(
     track: Track,
     *,
-    points: Annotated[int, typer.Option(help="Points, with 64 samples each, or as many directions.", min=1)] = 65_536,
+    points: Annotated[
+        int,
+        typer.Option(
+            help="Number of points with 64 samples each. Other sample counts use the same number of directions.", min=1
+        ),
+    ] = 65_536,
     repeats: Repeats = 15,
 ) -> RowsByPart:
     """Time every map with 64 samples, and every sequence with the cosine lobe."""
@@ -64,7 +71,7 @@ def measure(
 
 
 def list_maps() -> list[Distribution]:
-    """Return the cosine lobe by every method, then one typical case of every other distribution; planar distributions come last."""
+    """Return the cosine lobe by every method, then a typical case of every other distribution, planar ones last."""
     all_cases = [distributions.get(name).cases() for name in distributions.names()]
     chosen = [
         case for cases in all_cases for case in (cases if cases[0] == CosineHemisphere() else [cases[len(cases) // 2]])
@@ -91,7 +98,7 @@ def list_groups(points: int) -> list[tuple[str, int, int, list[Any]]]:
 
 
 def measure_group(table: str, points: int, samples: int, cases: list[Any], repeats: int) -> list[DirectionSpeed]:
-    """Time the cases in alternation, with a fill of the array after each case; return one row for each case and for the fill."""
+    """Time the cases in alternation, with a fill of the array after each case; return one row per case and fill."""
     normals = np.random.default_rng(SEED).normal(size=(points, 3)).astype(np.float32)
     out = np.zeros((points, samples, 3), np.float32)
     fill = partial(out.fill, 0.0)
@@ -122,8 +129,8 @@ def _build_work(normals: np.ndarray, out: np.ndarray, row: tuple[Distribution, s
     if sequence == MAP_ONLY:
         u = sample_square("independent", *out.shape[:2])
         return partial(case.sample, wp.array(u, dtype=wp.vec2, device="cpu", copy=False))
-    given = {"distribution": case, "sequence": sequence, "pdf": pdf, "out": out, "workers": workers}
-    return partial(sample_directions, normals, out.shape[1], **given)
+    options = {"distribution": case, "sequence": sequence, "pdf": pdf, "out": out, "workers": workers}
+    return partial(sample_directions, normals, out.shape[1], **options)
 
 
 def _is_sequence(row: DirectionSpeed) -> bool:
@@ -139,13 +146,15 @@ _SAME = {"lines": "sequence workers", "across": "samples", "page_rows": _select_
 
 RECORD = Benchmark(
     name="directions",
-    summary="Directions a second by every map, sequence and count, beside NumPy's fill of the same array.",
+    summary="Directions per second of every map, sequence and count, beside NumPy's fill of the same array.",
     measure=measure,
     parts={"rows": DirectionSpeed},
     views=[
-        TableView("rows", "Maps, million directions a second", cells="million_per_second", **_MAPS),
-        TableView("rows", "Sequences, million directions a second", cells="million_per_second", where=_is_sequence, **_SAME),
-        TableView("rows", "The same as a share of a fill's speed right after", cells="of_fill", where=_is_sequence, **_SAME),
+        TableView("rows", "Maps, million directions per second", cells="million_per_second", **_MAPS),
+        TableView(
+            "rows", "Sequences, million directions per second", cells="million_per_second", where=_is_sequence, **_SAME
+        ),
+        TableView("rows", "Speed of the sequences as a fraction of a fill", cells="of_fill", where=_is_sequence, **_SAME),
     ],
     pictures=[
         Picture("directions", "rows", "samples", y="million_per_second", series="sequence", where=_select_for_page, log="x")

@@ -16,8 +16,10 @@ from warpsample.bench.tables import TableView, group_rows
 from warpsample.bench.tools.integrands import INTEGRANDS, KnownIntegral, build_estimator, compute_estimates
 
 COUNTS = tuple(4**k for k in range(1, 9))
-FLOOR = 3e-7  # the least RMSE that float32 leaves: the slope is fitted above it
-_LEAST_WORK = 1 << 21  # directions of a timed run: small counts take more randomisations, or a launch's cost would be all
+FLOOR = 3e-7  # smallest RMSE in float32; the slope is fitted above this RMSE
+_LEAST_WORK = (
+    1 << 21
+)  # minimum directions of a timed run: small counts need more randomisations to hide the cost of a launch
 
 
 @dataclass(frozen=True)
@@ -29,7 +31,7 @@ class ErrorPoint(Timed):
     count: int = column("N")
     randomisations: int = column("randomisations")
     rmse: float = column("RMSE", show=".1e")
-    microseconds: Spread = column("wall time of one estimate, all workers, sampling included [µs]")
+    microseconds: Spread = column("run time of one estimate, all workers, sampling included [µs]")
 
 
 _INTEGRANDS = {i.name: f"{i.name} ({i.kind}), mean {i.mean:.6f}" for i in INTEGRANDS}
@@ -42,13 +44,16 @@ class TimeToTarget:
     integrand: str = column("integrand", show=_INTEGRANDS.get)
     sequence: str = column("sequence")
     rmse: float = column("RMSE", show="to an RMSE of {:g}".format)
-    time: str = column("µs", "after a ~ by the slope of the curve, beyond the N measured; after a < by the least N")
+    time: str = column(
+        "µs",
+        "~ marks a time extrapolated by the slope of the curve, beyond the measured N; < marks the time of the smallest N",
+    )
 
 
 def fit_slope(points: list[ErrorPoint]) -> float | None:
     """Fit the slope of log RMSE over log N for N >= 16; return None with fewer than two points above the floor."""
-    kept = [(log(p.count), log(p.rmse)) for p in points if p.count >= 16 and p.rmse > FLOOR]
-    return float(np.polyfit(*np.array(kept).T, 1)[0]) if len(kept) > 1 else None
+    logarithms = [(log(p.count), log(p.rmse)) for p in points if p.count >= 16 and p.rmse > FLOOR]
+    return float(np.polyfit(*np.array(logarithms).T, 1)[0]) if len(logarithms) > 1 else None
 
 
 def estimate_time(points: list[ErrorPoint], rmse: float) -> tuple[float, bool] | None:
@@ -74,19 +79,21 @@ def estimate_time(points: list[ErrorPoint], rmse: float) -> tuple[float, bool] |
 def list_times(points: list[ErrorPoint], rmse: float) -> list[TimeToTarget]:
     """Return the time to an RMSE for each sequence and integrand, as text."""
     rows = []
-    for case, mine in group_rows(points, "integrand sequence").items():
-        reached = estimate_time(mine, rmse)
-        sign = "" if reached and not reached[1] else "<" if rmse > mine[0].rmse else "~"
-        rows.append(TimeToTarget(*case, rmse, f"{sign}{format_digits(reached[0])}" if reached else "never"))
+    for case, group in group_rows(points, "integrand sequence").items():
+        time = estimate_time(group, rmse)
+        sign = "" if time and not time[1] else "<" if rmse > group[0].rmse else "~"
+        rows.append(TimeToTarget(*case, rmse, f"{sign}{format_digits(time[0])}" if time else "never"))
     return rows
 
 
 def measure(
     track: Track,
     *,
-    rmse: Annotated[float, typer.Option(help="The RMSE to state the time to.", min=1e-6, max=1.0)] = 1e-3,
-    randomisations: Annotated[int, typer.Option(help="Estimates of each mean, at least.", min=64)] = 256,
-    largest: Annotated[int, typer.Option(help="Greatest number of samples of an estimate.", min=16)] = 65_536,
+    rmse: Annotated[
+        float, typer.Option(help="Target RMSE of the table of times, for example 0.001.", min=1e-6, max=1.0)
+    ] = 1e-3,
+    randomisations: Annotated[int, typer.Option(help="Minimum number of estimates of each mean.", min=64)] = 256,
+    largest: Annotated[int, typer.Option(help="Maximum number of samples of an estimate.", min=16)] = 65_536,
     repeats: Repeats = 7,
 ) -> RowsByPart:
     """Measure one integrand after the other; the sequences alternate."""
@@ -110,7 +117,7 @@ def _measure_integrand(integrand: KnownIntegral, randomisations: int, largest: i
 
 RECORD = Benchmark(
     name="error",
-    summary="RMSE against run time: every sequence on seven integrands of known mean, from 4 samples on.",
+    summary="RMSE against run time of every sequence, on seven integrands of known mean, with 4 samples or more.",
     measure=measure,
     parts={"points": ErrorPoint, "times": TimeToTarget},
     views=[TableView("times", "µs of one estimate", "integrand", "time", across="sequence", split="rmse")],

@@ -25,12 +25,12 @@ from warpsample.tracing.own_rays import Tree, any_hit, offset_origin
 from warpsample.tracing.tree import tree
 
 COUNTS = (64, 256, 1024, 4096)
-"""Directions of a point that are integrated."""
+"""Directions per point of the means."""
 RAYS = 256
-"""Rays of a point whose occlusion is estimated."""
+"""Rays per point of the occlusion."""
 SCENES: dict[str, Callable[[], Mesh]] = {"bunny": lambda: bunny(0), "city": city}
 
-_TOTAL = 1 << 22  # directions of a run
+_TOTAL = 1 << 22  # directions of a timed run
 
 
 @dataclass(frozen=True)
@@ -39,9 +39,9 @@ class WayCost(Timed):
 
     way: str = column("way")
     scene: str = column("mesh")
-    count: int = column("directions", "of a point")
+    count: int = column("directions", "directions per point")
     nanoseconds: Spread = column("ns per direction")
-    ours: Spread = column("times", "how many times as long as the first way to the same result, within each round")
+    ours: Spread = column("time / first way", "time over that of the first way to the same result, in the same round")
 
 
 @wp.func
@@ -66,7 +66,7 @@ def occlusion(tree: Tree, position: wp.array[wp.vec3d], normal: wp.array[wp.vec3
 def measure(
     track: Track,
     *,
-    points: Annotated[int, typer.Option(help="Points on each mesh.", min=64)] = 8192,
+    points: Annotated[int, typer.Option(help="Number of points on each mesh, placed uniformly by area.", min=64)] = 8192,
     repeats: Repeats = 15,
 ) -> RowsByPart:
     """Time all ways to each result, alternating."""
@@ -91,13 +91,13 @@ def build_means(count: int) -> dict[str, Callable[[], object]]:
     normals = np.random.default_rng(SEED).normal(size=(_TOTAL // count, 3)).astype(np.float32)
     out = np.empty((len(normals), count, 3), np.float32)
 
-    def summed() -> np.ndarray:
+    def average_with_numpy() -> np.ndarray:
         return (0.3 + 0.7 * np.maximum(_sample(normals, count)[..., 2], 0.0)).mean(axis=1)
 
     return {
         "integrate": lambda: integrate(normals, gradient, count, workers=1),
         "sample_directions": lambda: _sample(normals, count, out),
-        "sample_directions and NumPy": summed,
+        "sample_directions and NumPy": average_with_numpy,
     }
 
 
@@ -109,30 +109,30 @@ def build_occlusions(scene: str, points: int) -> dict[str, Callable[[], object]]
     """Build the ways to ambient occlusion: a user-defined kernel, and the built-in call with and without skipping."""
     mesh = SCENES[scene]()
     at = sample_surface(mesh, points, seed=SEED)
-    searched = tree(mesh)
+    ray_tree = tree(mesh)
     position = wp.array(at.position, dtype=wp.vec3d, device="cpu")
     normal = wp.array(at.normal, dtype=wp.vec3, device="cpu")
     out = wp.zeros(points, dtype=float, device="cpu")
-    load(occlusion, "cpu")  # Warp would announce it between our tables
+    load(occlusion, "cpu")  # otherwise Warp prints a message between the tables
 
-    def own() -> wp.array:
+    def run_kernel() -> wp.array:
         out.zero_()
-        wp.launch(occlusion, points, inputs=[searched, position, normal, RAYS], outputs=[out], device="cpu")
+        wp.launch(occlusion, points, inputs=[ray_tree, position, normal, RAYS], outputs=[out], device="cpu")
         return out
 
     return {
-        "a kernel of ten lines": own,
+        "a kernel of ten lines": run_kernel,
         "ambient_occlusion, skip=False": lambda: ambient_occlusion(mesh, at, RAYS, skip=False, workers=1),
         "ambient_occlusion": lambda: ambient_occlusion(mesh, at, RAYS, workers=1),
     }
 
 
 _MEANS = "Means of a sky over the cosine lobe, one thread"
-_OCCLUSION = f"Ambient occlusion by {RAYS} rays a point, one thread"
+_OCCLUSION = f"Ambient occlusion with {RAYS} rays per point, one thread"
 
 RECORD = Benchmark(
     name="kernels",
-    summary="The price of a user's integrand and of a user's kernel with rays, beside what is built in.",
+    summary="Cost of a user-defined integrand and a user-defined kernel with rays, beside the built-in calls.",
     measure=measure,
     parts={"rows": WayCost},
     views=[

@@ -18,9 +18,9 @@ from warpsample.host.engine import check_workers
 from warpsample.proof import twins
 
 SAMPLES = 64
-_JUDGED = 1 << 20  # directions whose means are taken
-_ROUNDING = 1e-9  # of an exact mean
-_MOST_DEVIATION = 4.5  # standard errors; with 13 peers and 7 means by chance once in 1,600 runs
+_JUDGED = 1 << 20  # directions of the means
+_ROUNDING = 1e-9  # absolute rounding error of an exact mean
+_MOST_DEVIATION = 4.5  # standard errors; 13 tools with 7 means each exceed this by chance once in 1,600 runs
 
 
 @dataclass(frozen=True)
@@ -29,10 +29,12 @@ class PeerSpeed(ToolRow):
 
     library: str = optional_column("version")
     threads: int = optional_column("threads")
-    million_per_second: Spread | None = optional_column("million a second")
-    ours: Spread | None = optional_column("ours / it", "the speed of independent directions by warpsample over its")
+    million_per_second: Spread | None = optional_column("million per second")
+    ours: Spread | None = optional_column(
+        "warpsample / tool", "speed of independent directions by warpsample over that of the tool, in the same round"
+    )
     worst_deviation: float | None = optional_column(
-        "off by", "the worst of the means of seven integrals, in standard errors from the exact value",
+        "worst deviation", "largest deviation of the means of seven integrals from the exact values, in standard errors",
         show=lambda x: f"{x:.1f}{'' if x <= _MOST_DEVIATION else ' WRONG'}")  # fmt: skip
     agrees: bool | None = optional_column("agrees")
 
@@ -73,7 +75,7 @@ def judge(tool: Tool, workers: int, worst: float) -> dict[str, Any]:
 def measure(
     track: Track,
     *,
-    points: Annotated[int, typer.Option(help="Normals, with 64 directions each.", min=1)] = 65_536,
+    points: Annotated[int, typer.Option(help="Number of normals, with 64 directions each.", min=1)] = 65_536,
     repeats: Repeats = 15,
 ) -> RowsByPart:
     """Compare all tools, with alternating runs."""
@@ -83,12 +85,12 @@ def measure(
 def compare(tools: Iterable[str], points: int, repeats: int) -> list[PeerSpeed]:
     """Compare some tools with alternating runs; the first tool is the baseline."""
     turns = run_tools(build_directions, tools, repeats, points=points, workers=check_workers(None))
-    ours = next(iter(turns.seconds.values()))
+    baseline = next(iter(turns.seconds.values()))
 
     def figures(tool: str) -> dict[str, Any]:
         seconds = turns.seconds[tool]
         speed = Spread.of([points * SAMPLES / t / 1e6 for t in seconds])
-        return {"million_per_second": speed, "ours": Spread.of_ratios(seconds, ours), **turns.reports[tool]}
+        return {"million_per_second": speed, "ours": Spread.of_ratios(seconds, baseline), **turns.reports[tool]}
 
     return turns.rows(PeerSpeed, figures)
 

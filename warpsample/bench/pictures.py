@@ -76,8 +76,8 @@ def draw_figure(picture: Picture, rows: list[Any], caption: str) -> "Figure":
     from matplotlib.figure import Figure
 
     rows = [row for row in picture.where(rows) if None not in _get_values(picture, row)]
-    plots = [(y, [row for row in mine if row in beside])
-             for mine in group_rows(rows, picture.down).values() for y in picture.y.split()
+    plots = [(y, [row for row in group if row in beside])
+             for group in group_rows(rows, picture.down).values() for y in picture.y.split()
              for beside in group_rows(rows, picture.panels).values()]  # fmt: skip
     panels = len(group_rows(rows, picture.panels))
     across = ceil(panels / ceil(panels / _MOST_ACROSS))
@@ -86,14 +86,14 @@ def draw_figure(picture: Picture, rows: list[Any], caption: str) -> "Figure":
     grid = figure.subplots(down, across, squeeze=False, sharex="col", sharey="row")
     for axes in grid.ravel()[len(plots) :]:
         axes.axis("off")
-    for i, (axes, (y, mine)) in enumerate(zip(grid.ravel(), plots, strict=False)):
-        axes.set_title(", ".join(_list_titles(picture, mine)), fontsize=10)
-        _draw_curves(axes, picture, mine, y)
+    for i, (axes, (y, group)) in enumerate(zip(grid.ravel(), plots, strict=False)):
+        axes.set_title(", ".join(_list_titles(picture, group)), fontsize=10)
+        _draw_curves(axes, picture, group, y)
         if i % across == 0:
             axes.set_ylabel(_get_label(rows, y))
     for axes, *_ in grid:
         if isinstance(getattr(rows[0], plots[0][0]), str):
-            axes.invert_yaxis()  # the first name is on top
+            axes.invert_yaxis()  # the first name on top
         elif "y" not in picture.log:
             axes.set_ylim(bottom=0.0)
     _draw_legend(figure, grid)
@@ -110,24 +110,24 @@ def _get_values(picture: Picture, row: Any) -> list[Any]:
 
 def _list_titles(picture: Picture, rows: list[Any]) -> list[str]:
     names = [*picture.panels.split(), *picture.down.split()]
-    return [told for row in rows[:1] for name in names if (told := format_named(row, name))]
+    return [title for row in rows[:1] for name in names if (title := format_named(row, name))]
 
 
 def _get_label(rows: list[Any], name: str) -> str:
-    known = get_columns(type(rows[0]))
-    return known[name].metadata["heading"] if name in known else name.replace("_", " ")
+    columns = get_columns(type(rows[0]))
+    return columns[name].metadata["heading"] if name in columns else name.replace("_", " ")
 
 
 def _draw_curves(axes: "Axes", picture: Picture, rows: list[Any], name: str) -> None:
     """Draw a curve through the medians of each series, with whiskers from quartile to quartile."""
-    for i, mine in enumerate(group_rows(rows, picture.series).values()):
-        label = ", ".join(format_field(mine[0], field) for field in picture.series.split())
-        x = [getattr(v, "median", v) for v in (_get_values(picture, row)[0] for row in mine)]
-        y = [getattr(v, "median", v) for v in (getattr(row, name) for row in mine)]
+    for i, group in enumerate(group_rows(rows, picture.series).values()):
+        label = ", ".join(format_field(group[0], field) for field in picture.series.split())
+        x = [getattr(v, "median", v) for v in (_get_values(picture, row)[0] for row in group)]
+        y = [getattr(v, "median", v) for v in (getattr(row, name) for row in group)]
         width = 0 if isinstance(y[0], str) else 1
         style = {"marker": _MARKERS[i % len(_MARKERS)], "markersize": 4, "linewidth": width, "label": label}
         (line,) = axes.plot(x, y, color=_choose_colour(label), fillstyle="none" if i >= len(_MARKERS) else "full", **style)
-        for at, row in zip(x, mine, strict=True):
+        for at, row in zip(x, group, strict=True):
             if isinstance(spread := getattr(row, name), Spread):
                 axes.plot([at, at], [spread.low, spread.high], color=line.get_color(), linewidth=0.8)
     for axis in picture.log:

@@ -27,13 +27,13 @@ from warpsample.radiation.weather.irradiation import irradiation
 from warpsample.tracing.trace import trace
 
 DEFAULT_SCENES = ("city", "bunny", "hills")
-RAYS = 1024  # of each point, for the sky
-MOST_ERROR_RATIO = 1.5  # mean square error over the runs' own variance; about 1 where a tool is right
+RAYS = 1024  # rays per point of a sky matrix
+MOST_ERROR_RATIO = 1.5  # mean square error over the variance of the runs; about 1 for a correct tool
 
-_REFERENCE_RAYS, _REFERENCE_SEED = 1 << 16, 1 << 40  # far from those of the estimates
-_MOST_DIFFERENT = 0.002  # of all pairs: suns behind an edge, as seen from where each tool starts its rays
+_REFERENCE_RAYS, _REFERENCE_SEED = 1 << 16, 1 << 40  # far from the seeds of the estimates
+_MOST_DIFFERENT = 0.002  # of all pairs: ray origins differ between tools, so suns near an edge can differ
 _WEATHER = "athens"
-_FEW = 16  # points whose year tells what a year costs whatever the points
+_FEW = 16  # points of the run that shows the fixed cost of a year
 _FEWEST, _FIXED_RUNS, _RUNS, _FEWER = 2, 3, 2, 4
 
 
@@ -44,16 +44,20 @@ class SkyTime(ToolRow):
     scene: str = column("scene")
     workers: int = column("threads")
     microseconds: Spread | None = optional_column("µs per point")
-    views: Spread | None = optional_column("/ sky_view_factor", "times as long, with as many rays, in the same round")
-    rmse: float | None = optional_column("RMSE", "over points and patches", show=".1e")
-    rate: float | None = optional_column("rate", "the power of the rays by which it falls, from a quarter of them on")
+    views: Spread | None = optional_column(
+        "time / sky_view_factor", "time over that of `sky_view_factor` with the same number of rays, in the same round"
+    )
+    rmse: float | None = optional_column("RMSE", "RMSE over points and patches", show=".1e")
+    rate: float | None = optional_column(
+        "rate", "exponent of the ray count in the RMSE, measured from a quarter of the rays"
+    )
     times_ours: Spread | None = optional_column(
-        "times ours", "as long as ours to the RMSE of ours, extrapolated by its own rate"
+        "time / warpsample", "time to warpsample's RMSE, extrapolated by the tool's own rate, over warpsample's time"
     )
     apart: float | None = optional_column(
-        "error² / spread²", "square error of the mean of two runs over their own variance, about 1"
+        "error² / spread²", "mean square error of the mean of two runs over the variance of that mean; about 1"
     )
-    agrees: bool | None = optional_column("agrees", "whether that is below 1.5")
+    agrees: bool | None = optional_column("agrees", "True if error² / spread² is at most 1.5")
 
 
 @dataclass(frozen=True)
@@ -62,11 +66,15 @@ class SunTime(ToolRow):
 
     scene: str = column("scene")
     workers: int = column("threads")
-    pairs: int = column("pairs", "points times suns, averted ones included")
-    million_pairs: Spread | None = optional_column("million pairs a second")
-    traces: Spread | None = optional_column("/ ws.trace", "times as long as it takes for all pairs, in the same round")
-    different: float | None = optional_column("differ", "share of the pairs where `ws.trace` differs", show=".1e")
-    agrees: bool | None = optional_column("agrees", "whether that is below 0.002; ours must have none")
+    pairs: int = column("pairs", "points times suns, with averted suns")
+    million_pairs: Spread | None = optional_column("million pairs per second")
+    traces: Spread | None = optional_column(
+        "time / ws.trace", "time over that of `ws.trace` for all pairs, in the same round"
+    )
+    different: float | None = optional_column(
+        "differ", "fraction of the pairs where the tool and `ws.trace` differ", show=".1e"
+    )
+    agrees: bool | None = optional_column("agrees", "True if at most 0.002 of the pairs differ; 0 for warpsample")
 
 
 @dataclass(frozen=True)
@@ -76,9 +84,13 @@ class YearTime(ToolRow):
     scene: str = column("scene")
     workers: int = column("threads")
     points: int = column("points")
-    took: float | None = optional_column("s", show=format_digits)
-    fewer_seconds: float | None = optional_column("s of 16 points", "of another run in the same process", show=format_digits)
-    peak_megabytes: float | None = optional_column("peak memory, MB", "Python and mesh included", show=".0f")
+    took: float | None = optional_column("seconds", show=format_digits)
+    fewer_seconds: float | None = optional_column(
+        "seconds for 16 points", "time of another run in the same process", show=format_digits
+    )
+    peak_megabytes: float | None = optional_column(
+        "peak memory, MB", "peak memory of the process, with Python and mesh", show=".0f"
+    )
 
 
 def build_sky(tool: str, scene: str, points: int, *, rays: int, workers: int, reference: np.ndarray) -> ChildJob:
@@ -91,9 +103,9 @@ def build_sky(tool: str, scene: str, points: int, *, rays: int, workers: int, re
     def report() -> dict[str, Any]:
         if tool == VIEW:
             return {}
-        judged = make(mesh, at, workers)  # anew: how many runs were timed, and so their seeds, is a matter of time
-        mse, variance, apart = compute_errors(judged(rays, _RUNS), reference)
-        fewer, _, _ = compute_errors(judged(rays // _FEWER, _RUNS), reference)
+        tool_again = make(mesh, at, workers)  # a new tool: the number of timed runs, and so the next seed, depends on speed
+        mse, variance, apart = compute_errors(tool_again(rays, _RUNS), reference)
+        fewer, _, _ = compute_errors(tool_again(rays // _FEWER, _RUNS), reference)
         return {
             "rmse": float(np.sqrt(mse)),
             "rate": float(0.5 * np.log(fewer / mse) / np.log(_FEWER)),
@@ -104,12 +116,12 @@ def build_sky(tool: str, scene: str, points: int, *, rays: int, workers: int, re
     return ChildJob(lambda: run(rays, 1), report, lambda: run(_FEWEST, 1))
 
 
-def compute_errors(found: np.ndarray, right: np.ndarray) -> tuple[float, float, float]:
+def compute_errors(runs: np.ndarray, right: np.ndarray) -> tuple[float, float, float]:
     """Return (mean square error of a run, variance of the mean of the runs, mean square error of that mean)."""
-    found = found.astype(np.float64)
-    mean = found.mean(axis=0)
-    variance = np.mean(found.var(axis=0, ddof=1)) / len(found)
-    return float(np.mean((found - right) ** 2)), float(variance), float(np.mean((mean - right) ** 2))
+    runs = runs.astype(np.float64)
+    mean = runs.mean(axis=0)
+    variance = np.mean(runs.var(axis=0, ddof=1)) / len(runs)
+    return float(np.mean((runs - right) ** 2)), float(variance), float(np.mean((mean - right) ** 2))
 
 
 def build_sun(tool: str, scene: str, points: int, *, workers: int, reference: np.ndarray) -> ChildJob:
@@ -131,28 +143,28 @@ def build_year(tool: str, scene: str, points: int, workers: int) -> ChildJob:
 
 def compute_sky_reference(mesh: Mesh, points: SurfacePoints, workers: int) -> np.ndarray:
     """Compute the reference (P, 145) float64 by `sky_matrix` with 65,536 rays in place of 1,024, and another seed."""
-    found = sky_matrix(mesh, points, _REFERENCE_RAYS, seed=_REFERENCE_SEED, workers=workers)
-    return found.value.astype(np.float64)
+    matrix = sky_matrix(mesh, points, _REFERENCE_RAYS, seed=_REFERENCE_SEED, workers=workers)
+    return matrix.value.astype(np.float64)
 
 
 def measure(
     track: Track,
     *,
     scene: Scenes = None,
-    points: Annotated[int, typer.Option(help="Points on each scene.", min=16)] = 256,
-    year_points: Annotated[int, typer.Option(help="Points whose year is computed.", min=64)] = 4096,
+    points: Annotated[int, typer.Option(help="Number of points on each scene, placed uniformly by area.", min=16)] = 256,
+    year_points: Annotated[int, typer.Option(help="Number of points of the year's irradiation.", min=64)] = 4096,
     repeats: Repeats = 3,
 ) -> RowsByPart:
     """Measure one scene after the other; the hills have no suns, and the first scene has a year."""
     names = scene or list(DEFAULT_SCENES)
-    found: RowsByPart = {"sky": [], "sun": []}
+    rows: RowsByPart = {"sky": [], "sun": []}
     threads = sorted({1, check_workers(None)})
     for name in track(names, len(names)):
         for workers in threads:
-            found["sky"].extend(compare_skies(name, points, workers, repeats, list(SKY_TOOLS)))
+            rows["sky"].extend(compare_skies(name, points, workers, repeats, list(SKY_TOOLS)))
             if name != "hills":
-                found["sun"].extend(compare_suns(name, points, workers, repeats, list(SUN_TOOLS)))
-    return found | {"year": measure_year(names[0], year_points, threads[-1])}
+                rows["sun"].extend(compare_suns(name, points, workers, repeats, list(SUN_TOOLS)))
+    return rows | {"year": measure_year(names[0], year_points, threads[-1])}
 
 
 def compare_skies(scene: str, points: int, workers: int, repeats: int, tools: Sequence[str]) -> list[SkyTime]:
@@ -161,28 +173,28 @@ def compare_skies(scene: str, points: int, workers: int, repeats: int, tools: Se
     turns = run_tools(build_sky, tools, repeats, scene=scene, workers=workers, points=points, rays=RAYS, reference=right)
 
     def figures(tool: str) -> dict[str, Any]:
-        seconds, told = turns.seconds[tool], turns.reports[tool]
+        seconds, facts = turns.seconds[tool], turns.reports[tool]
         each, views = Spread.of([1e6 * t / points for t in seconds]), Spread.of_ratios(seconds, turns.seconds[VIEW])
         row = {"version": version(SKY_TOOLS[tool].library), "microseconds": each, "views": views}
         if tool == VIEW:
             return row
-        times = compare_at_equal_error(seconds, told, turns.seconds[OURS], turns.reports[OURS])
-        judged = {name: told[name] for name in ("rmse", "rate", "apart")}
-        return {**row, **judged, "times_ours": times, "agrees": told["apart"] <= MOST_ERROR_RATIO}
+        times = compare_at_equal_error(seconds, facts, turns.seconds[OURS], turns.reports[OURS])
+        fields = {name: facts[name] for name in ("rmse", "rate", "apart")}
+        return {**row, **fields, "times_ours": times, "agrees": facts["apart"] <= MOST_ERROR_RATIO}
 
     return turns.rows(SkyTime, figures, scene=scene, workers=workers)
 
 
 def compare_at_equal_error(
-    seconds: list[float], told: dict[str, float], ours: list[float], ours_told: dict[str, float]
+    seconds: list[float], facts: dict[str, float], ours: list[float], our_facts: dict[str, float]
 ) -> Spread:
     """Compute the ratio of a tool's time to warpsample's time, both to the RMSE of warpsample.
 
     The rays are extrapolated by the tool's own rate; the fixed time of a run is not.
     """
-    more = float(np.float_power(told["rmse"] / ours_told["rmse"], 1.0 / told["rate"]))
-    due = [min(told["fixed"], t) + more * max(0.0, t - told["fixed"]) for t in seconds]
-    return Spread.of_ratios(due, ours)
+    more = float(np.float_power(facts["rmse"] / our_facts["rmse"], 1.0 / facts["rate"]))
+    equal_times = [min(facts["fixed"], t) + more * max(0.0, t - facts["fixed"]) for t in seconds]
+    return Spread.of_ratios(equal_times, ours)
 
 
 def compare_suns(scene: str, points: int, workers: int, repeats: int, tools: Sequence[str]) -> list[SunTime]:
@@ -194,12 +206,12 @@ def compare_suns(scene: str, points: int, workers: int, repeats: int, tools: Seq
     turns = run_tools(build_sun, tools, repeats, scene=scene, points=points, workers=workers, reference=lit)
 
     def figures(tool: str) -> dict[str, Any]:
-        seconds, told = turns.seconds[tool], turns.reports[tool]
+        seconds, facts = turns.seconds[tool], turns.reports[tool]
         library = SUN_TOOLS[tool].library
         most = 0.0 if library == "warpsample" else _MOST_DIFFERENT
         pairs, traces = Spread.of([lit.size / t / 1e6 for t in seconds]), Spread.of_ratios(seconds, turns.seconds[TRACE])
-        judged = {"different": told["different"], "agrees": told["different"] <= most}
-        return {"version": version(library), "million_pairs": pairs, "traces": traces, **judged}
+        fields = {"different": facts["different"], "agrees": facts["different"] <= most}
+        return {"version": version(library), "million_pairs": pairs, "traces": traces, **fields}
 
     return turns.rows(SunTime, figures, scene=scene, workers=workers, pairs=lit.size)
 
@@ -215,12 +227,12 @@ _BY_SCENE = {"lines": "tool", "split": "scene workers", "page_rows": select_all_
 
 RECORD = Benchmark(
     name="radiation",
-    summary="Sky matrices and sun positions: ours, Radiance's rcontrib and Mitsuba; and a year's irradiation.",
+    summary="Sky matrices and sun positions by warpsample, Radiance's rcontrib and Mitsuba; a year's irradiation.",
     measure=measure,
     parts={"sky": SkyTime, "sun": SunTime, "year": YearTime},
     views=[
         TableView(
-            "sky", f"Sky matrix, {RAYS:,} rays a point", cells="microseconds views rmse times_ours apart", **_BY_SCENE
+            "sky", f"Sky matrix, {RAYS:,} rays per point", cells="microseconds views rmse times_ours apart", **_BY_SCENE
         ),
         TableView("sun", "Suns of a year", cells="million_pairs traces different", **_BY_SCENE),
         TableView("year", "A year's irradiation", "scene workers points", "took fewer_seconds peak_megabytes"),

@@ -24,18 +24,24 @@ class RaySpeed(Timed):
 
     scene: str = column("scene")
     triangles: int = column("triangles")
-    kind: str = column("rays", "from a camera, in the cosine lobe off the surface and into it, and at random")
+    kind: str = column(
+        "rays", "camera: from a camera; outward, inward: cosine lobe off and into the surface; random: uniform"
+    )
     any_hit: bool = column("query", show={True: "any hit", False: "nearest hit"}.get)
     tool: str = column("tool")
     version: str = column("version")
-    hit: float = column("hit", "share of the rays that meet something, by this tool", show=".0%")
-    differ: int = column("differ", "rays, at most, that a tool answers otherwise than our wide tree: hit or not")
+    hit: float = column("hit", "fraction of the rays with a hit", show=".0%")
+    differ: int = column("differ", "largest number of rays for which a tool and the wide tree disagree about a hit")
     rays: int = column("rays")
-    million_per_second: Spread = column("M/s", "million rays a second by our wide tree on one thread", show=".3g")
-    ours: Spread | None = column("/ tool", "times as fast as it we are on one thread, within each round")
-    gain: Spread = column("by all", "times as fast by all threads as by one, within each round", show=".2f")
-    nodes: float | None = column("nodes", "that a ray visits, on average; unknown for other tools", show=".1f")
-    leaves: float | None = column("leaves", "of up to 16 triangles, that a ray visits, on average", show=".1f")
+    million_per_second: Spread = column("million/s", "million rays per second by the wide tree on one thread", show=".3g")
+    ours: Spread | None = column("/ tool", "speed of the wide tree over that of the tool on one thread, in the same round")
+    gain: Spread = column(
+        "all / 1 thread", "speed with all threads over the speed with one thread, in the same round", show=".2f"
+    )
+    nodes: float | None = column(
+        "nodes", "mean number of nodes of the wide tree that a ray visits; unknown for other tools", show=".1f"
+    )
+    leaves: float | None = column("leaves", "mean number of leaves, of up to 16 triangles, that a ray visits", show=".1f")
 
 
 @dataclass(frozen=True)
@@ -61,13 +67,13 @@ def measure(
     track: Track,
     *,
     scene: Scenes = None,
-    rays: Annotated[int, typer.Option(help="Rays of a set.", min=64)] = 131_072,
+    rays: Annotated[int, typer.Option(help="Number of rays of each kind.", min=64)] = 131_072,
     repeats: Repeats = 5,
 ) -> RowsByPart:
     """Measure one scene after the other; the compared runs alternate."""
-    everyone = sorted({1, check_workers(None)})
+    worker_counts = sorted({1, check_workers(None)})
     names = scene or list(SCENES)
-    found: RowsByPart = {"rows": [], "builds": []}
+    rows: RowsByPart = {"rows": [], "builds": []}
     missing: dict[str, str] = {}
     for name in track(names, len(names)):
         mesh = SCENES[name]()
@@ -75,10 +81,10 @@ def measure(
             tools = build_tracers(mesh, kind, rays, missing)
             nodes, leaves = count_visits(mesh, kind, rays, any_hit)
             case = {"scene": name, "triangles": len(mesh.faces), "kind": kind, "any_hit": any_hit}
-            found["rows"] += compare(tools, everyone, repeats, {"nodes": nodes, "leaves": leaves}, **case)
-        found["builds"] += _measure_builds(name, mesh, missing, everyone, repeats)
+            rows["rows"] += compare(tools, worker_counts, repeats, {"nodes": nodes, "leaves": leaves}, **case)
+        rows["builds"] += _measure_builds(name, mesh, missing, worker_counts, repeats)
         build_rays.cache_clear()
-    return found | {"missing": [MissingTool(*item) for item in missing.items()]}
+    return rows | {"missing": [MissingTool(*item) for item in missing.items()]}
 
 
 def build_tracers(mesh: Mesh, kind: str, count: int, missing: dict[str, str]) -> dict[str, RayTool]:
@@ -91,24 +97,24 @@ def build_tracers(mesh: Mesh, kind: str, count: int, missing: dict[str, str]) ->
 def _tracer_or_reason(make: Any, library: str, *rays: Any) -> RayTool | str:
     try:
         return make(*rays)
-    except (ImportError, OSError) as error:  # OSError: a library of the system's that Open3D wants
+    except (ImportError, OSError) as error:  # OSError: Open3D does not find a system library
         return f"{error}; pip install {library}"
 
 
 def compare(
-    tools: dict[str, RayTool], everyone: list[int], repeats: int, visited: dict[str, float], **case: Any
+    tools: dict[str, RayTool], worker_counts: list[int], repeats: int, visited: dict[str, float], **case: Any
 ) -> list[RaySpeed]:
     """Compare all tools on one set of rays and one query, with alternating runs.
 
     Args:
         tools: tools by name, with their rays; "wide" must be one of the names.
-        everyone: numbers of workers.
+        worker_counts: numbers of workers.
         repeats: timed runs.
         visited: fields `nodes` and `leaves` of the wide tree.
         **case: fields `scene`, `triangles`, `kind` and `any_hit` of all rows.
     """
-    found = {name: tool(case["any_hit"], 1)() for name, tool in tools.items()}
-    works = {(name, workers): tools[name](case["any_hit"], workers) for name, workers in product(tools, everyone)}
+    hits = {name: tool(case["any_hit"], 1)() for name, tool in tools.items()}
+    works = {(name, workers): tools[name](case["any_hit"], workers) for name, workers in product(tools, worker_counts)}
     seconds = time_interleaved(works, repeats)
     return [
         RaySpeed(
@@ -116,22 +122,24 @@ def compare(
             tool=name,
             version=version(TRACERS[name].library) if name in TRACERS else "",
             hit=float(hit.mean()),
-            differ=max(int(np.count_nonzero(other != found["wide"])) for other in found.values()),
+            differ=max(int(np.count_nonzero(other != hits["wide"])) for other in hits.values()),
             rays=len(hit),
             million_per_second=Spread.of([len(hit) / t / 1e6 for t in seconds[name, 1]]),
             ours=Spread.of_ratios(seconds[name, 1], seconds["wide", 1]) if name != "wide" else None,
-            gain=Spread.of_ratios(seconds[name, 1], seconds[name, everyone[-1]]),
+            gain=Spread.of_ratios(seconds[name, 1], seconds[name, worker_counts[-1]]),
             **(visited if name == "wide" else {"nodes": None, "leaves": None}),
             seconds=seconds[name, 1],
         )
-        for name, hit in found.items()
+        for name, hit in hits.items()
     ]
 
 
-def _measure_builds(scene: str, mesh: Mesh, missing: dict[str, str], everyone: list[int], repeats: int) -> list[BuildTime]:
+def _measure_builds(
+    scene: str, mesh: Mesh, missing: dict[str, str], worker_counts: list[int], repeats: int
+) -> list[BuildTime]:
     works = {
         (name, workers if name.startswith("wide") else 0): work
-        for workers in everyone
+        for workers in worker_counts
         for name, work in list_builds(mesh, workers).items()
         if name not in missing
     }
@@ -149,12 +157,14 @@ _CELLS = [
 
 RECORD = Benchmark(
     name="rays",
-    summary="Rays a second beside wp.Mesh, Embree and Open3D: five meshes, four kinds of rays, two queries; builds.",
+    summary="Rays per second and build times of warpsample, wp.Mesh, Embree and Open3D on five meshes.",
     measure=measure,
     parts={"rows": RaySpeed, "builds": BuildTime, "missing": MissingTool},
     views=[
-        TableView("rows", "Rays, and how many times as fast as each tool", "triangles kind", _CELLS, split="any_hit"),
-        TableView("builds", "Building, milliseconds (workers)", "triangles", "milliseconds", across="tool workers"),
+        TableView(
+            "rows", "Speed of the wide tree, and its ratio to each tool's speed", "triangles kind", _CELLS, split="any_hit"
+        ),
+        TableView("builds", "Build time, milliseconds (threads)", "triangles", "milliseconds", across="tool workers"),
     ],
     pictures=[Picture("rays", "rows", "kind", y="million_per_second", panels="scene", down="any_hit")],
 )

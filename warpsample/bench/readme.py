@@ -45,16 +45,16 @@ def list_pages() -> dict[Path, slice]:
 
 def write_pages() -> list[Path]:
     """Write both pages and the README's pictures, which show the first processor; return the files."""
-    everyone = list_processors(RESULTS)
+    kinds = list_processors(RESULTS)
     text = README.read_text(encoding="utf-8")
     files = []
     for page, chosen in list_pages().items():
-        write_bytes(page, fill_page(page.read_text(encoding="utf-8"), RESULTS, everyone[chosen]).encode())
+        write_bytes(page, fill_page(page.read_text(encoding="utf-8"), RESULTS, kinds[chosen]).encode())
         files.append(page)
-    for name, result in load_results(everyone[0], benchmarks(), RESULTS).items():
+    for name, result in load_results(kinds[0], benchmarks(), RESULTS).items():
         figures = benchmarks()[name].figures(result, find_pictures(text))
         named = {f"bench_{picture}": figure for picture, figure in figures.items()}
-        files += pictures.save_figures(named, PICTURES, describe_source(RESULTS / f"{name}-{everyone[0]}.json"))
+        files += pictures.save_figures(named, PICTURES, describe_source(RESULTS / f"{name}-{kinds[0]}.json"))
     return files
 
 

@@ -17,15 +17,20 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 SEED = 0
-"""The seed of every benchmark's points, rays and directions."""
+"""Seed of the points, rays and directions of every benchmark."""
 
-Repeats = Annotated[int, typer.Option(help="Timed runs of each case, each after untimed ones.", min=1)]
-Scenes = Annotated[list[str] | None, typer.Option(help="Only this one; may be repeated.", show_default=False)]
+Repeats = Annotated[int, typer.Option(help="Number of timed runs of each case. Untimed runs come first.", min=1)]
+Scenes = Annotated[
+    list[str] | None,
+    typer.Option(
+        help="Name of a scene to measure, for example bunny; may be repeated. Default: all scenes.", show_default=False
+    ),
+]
 Track = Callable[[Iterable[Any], int], Iterator[Any]]
-"""Passes on items, of which there are so many, and may show how far it has come."""
+"""Function (items, count) that yields the items and can show progress."""
 
 RowsByPart = dict[str, list[Any]]
-"""What was rows: rows by the name of their part."""
+"""Measured rows, keyed by the name of their part."""
 
 
 @dataclass(frozen=True)
@@ -91,7 +96,7 @@ class Benchmark:
         """Return the page's tables, then a paragraph with versions, missing tools, command and machine."""
         shown = [
             table for view in self.views if view.page_rows
-            for table in tables.build_tables(view, view.page_rows([row for row in result.rows[view.part] if view.where(row)]))
+            for table in tables.build_tables(view, view.page_rows(list(filter(view.where, result.rows[view.part]))))
         ]  # fmt: skip
         return [*shown, " ".join([*tables.describe_tools(result.rows.values()), f"({self.provenance(result)})"])]
 

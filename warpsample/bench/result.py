@@ -19,7 +19,7 @@ RESULTS = Path(__file__).parent / "results"
 
 def save_repeats(path: Path, benchmark: Benchmark, result: Result) -> None:
     """Write machine, settings and every row with all repeats to a JSON file, atomically."""
-    rows = {part: [asdict(row) for row in found] for part, found in result.rows.items()}
+    rows = {part: [asdict(row) for row in rows] for part, rows in result.rows.items()}
     write_bytes(path, json.dumps({**_describe_run(benchmark, result), **rows}, indent=1, default=str).encode())
 
 
@@ -43,12 +43,12 @@ def load(benchmark: Benchmark, path: Path) -> Result:
     """
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
-        found = {part: [_build_row(kind, row, content[part]["columns"]) for row in content[part]["rows"]]
+        rows = {part: [_build_row(kind, row, content[part]["columns"]) for row in content[part]["rows"]]
                  for part, kind in benchmark.parts.items()}  # fmt: skip
-        return Result(Machine(**content["machine"]), dict(content["settings"]), found)
+        return Result(Machine(**content["machine"]), dict(content["settings"]), rows)
     except (KeyError, TypeError, ValueError) as error:
         reason = f"{type(error).__name__} {error}"
-        raise ValueError(f"{path}: got {reason}, want results as `warpsample bench all --write` keeps them") from error
+        raise ValueError(f"{path}: got {reason}, want a file written by `warpsample bench all --write`") from error
 
 
 def load_results(instructions: str, benchmarks: dict[str, Benchmark], folder: Path = RESULTS) -> dict[str, Result]:

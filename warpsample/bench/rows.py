@@ -61,7 +61,7 @@ def column(heading: str, note: str = "", *, show: Show = None, default: Any = MI
 
 
 optional_column = partial(column, default=None)
-"""A column that may have no value."""
+"""Declare a field that can be None as a column."""
 
 
 @dataclass(frozen=True)

@@ -25,10 +25,12 @@ class ScaledCost(Timed):
 
     axis: str = column("varied")
     points: int = column("points")
-    samples: int = column("samples", "of each point")
+    samples: int = column("samples", "samples per point")
     workers: int = column("workers")
     nanoseconds: Spread = column("ns per direction")
-    peak_megabytes: float | None = column("peak memory, MB", "of the process, Python, Warp and NumPy included", show=".0f")
+    peak_megabytes: float | None = column(
+        "peak memory, MB", "peak memory of the process, with Python, Warp and NumPy", show=".0f"
+    )
 
 
 def list_cases(largest: int) -> list[tuple[str, int, int, int]]:
@@ -45,7 +47,7 @@ def list_cases(largest: int) -> list[tuple[str, int, int, int]]:
 def measure(
     track: Track,
     *,
-    largest: Annotated[int, typer.Option(help="Greatest number of points.", min=1000)] = 100_000_000,
+    largest: Annotated[int, typer.Option(help="Maximum number of points.", min=1000)] = 100_000_000,
     repeats: Repeats = 5,
 ) -> RowsByPart:
     """Time all cases alternately, with one process for each case."""
@@ -87,9 +89,9 @@ def _get_varied(row: ScaledCost) -> int:
 
 RECORD = Benchmark(
     name="scaling",
-    summary="Cost per direction and peak memory against points, samples and workers, streamed.",
+    summary="Cost per direction and peak memory against points, samples and workers.",
     measure=measure,
     parts={"rows": ScaledCost},
-    views=[TableView("rows", "Size", "axis points samples workers", "nanoseconds peak_megabytes")],
+    views=[TableView("rows", "Cost against size", "axis points samples workers", "nanoseconds peak_megabytes")],
     pictures=[Picture("scaling", "rows", _get_varied, y="nanoseconds peak_megabytes", series="", panels="axis", log="x")],
 )

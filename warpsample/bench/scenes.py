@@ -19,13 +19,13 @@ from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.trace import trace
 
 PER_POINT = 64
-"""Cosine rays from each point."""
+"""Cosine rays per point."""
 
 KINDS = ("camera", "outward", "inward", "random")
 
-_OFFSET = 1e-4  # of the mesh's size: above every tool's rounding, so that all trace the same rays
-_LATITUDE, _TILT = 52.37, 23.44  # Amsterdam's, and the Earth's axis
-_LOOKS = 64  # directions in which a point looks for what is close before it
+_OFFSET = 1e-4  # of the mesh's size: larger than every tool's rounding, so that all tools trace the same rays
+_LATITUDE, _TILT = 52.37, 23.44  # degrees; latitude of Amsterdam, tilt of the Earth's axis
+_LOOKS = 64  # directions per point of the test for close faces
 
 
 def bunny(subdivisions: int) -> Mesh:
@@ -78,7 +78,7 @@ SCENES: dict[str, Callable[[], Mesh]] = {
     "hills": hills,
     "city": city,
 }
-"""By name; built when called."""
+"""Functions that build the scenes, by name."""
 
 
 @cache
@@ -116,8 +116,8 @@ def build_rays(mesh: Mesh, kind: str, count: int) -> tuple[np.ndarray, np.ndarra
 def sample_scene(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
     """Return a scene and points on it: uniform by area, in the order of the faces, seed 0."""
     mesh = look_up(SCENES, scene, "scene")()
-    found = sample_surface(mesh, points, seed=SEED)
-    return mesh, found.take(np.argsort(found.face, kind="stable"))
+    samples = sample_surface(mesh, points, seed=SEED)
+    return mesh, samples.take(np.argsort(samples.face, kind="stable"))
 
 
 def sample_clear_points(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
@@ -127,14 +127,14 @@ def sample_clear_points(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
         ValueError: too few points remain.
     """
     mesh = look_up(SCENES, scene, "scene")()
-    found = sample_surface(mesh, points + points // 4 + 16, seed=SEED)
-    looks = sample_directions(found.normal, _LOOKS, seed=SEED).vectors
+    samples = sample_surface(mesh, points + points // 4 + 16, seed=SEED)
+    looks = sample_directions(samples.normal, _LOOKS, seed=SEED).vectors
     close = _OFFSET * float(np.ptp(mesh.vertices, axis=0).max())
-    clear = (trace(mesh, found, looks, max_distance=close, any_hit=True).face < 0).all(axis=1)
+    clear = (trace(mesh, samples, looks, max_distance=close, any_hit=True).face < 0).all(axis=1)
     chosen = np.flatnonzero(clear)[:points]
     if len(chosen) < points:
-        raise ValueError(f"points: got {len(chosen)} with nothing close before them, want {points}")
-    return mesh, found.take(chosen[np.argsort(found.face[chosen], kind="stable")])
+        raise ValueError(f"points: got {len(chosen)} without a close face in front, want {points}")
+    return mesh, samples.take(chosen[np.argsort(samples.face[chosen], kind="stable")])
 
 
 def compute_year_of_suns() -> np.ndarray:

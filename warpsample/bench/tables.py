@@ -11,7 +11,7 @@ from warpsample.bench.rows import Show, format_field, get_columns
 if TYPE_CHECKING:
     from rich.console import Console
 
-SPREAD_NOTE = "Figures are medians; in brackets the range of the middle half of the repeats."
+SPREAD_NOTE = "Figures are medians. Brackets: 25th to 75th percentile of the repeats."
 
 
 @dataclass(frozen=True)
@@ -96,22 +96,22 @@ def select_all_workers(rows: list[Any]) -> list[Any]:
 
 def list_notes(view: TableView, rows: list[Any]) -> list[str]:
     """Return one sentence for each column of a view that has a note."""
-    known = get_columns(type(rows[0])) if rows else {}
+    columns = get_columns(type(rows[0])) if rows else {}
     names = dict.fromkeys([*view.lines.split(), *(cell.field for cell in _list_cells(view))])
-    told = [(known[name].metadata["heading"], known[name].metadata["note"]) for name in names if name in known]
-    return [f"{heading}: {note}." for heading, note in told if note]
+    described = [(columns[name].metadata["heading"], columns[name].metadata["note"]) for name in names if name in columns]
+    return [f"{heading}: {note}." for heading, note in described if note]
 
 
 def describe_tools(parts: Iterable[list[Any]]) -> list[str]:
     """Return a line with the versions of the tools, then a line for each tool that did not run."""
     rows = [row for part in parts for row in part]
-    known = {row.tool: row.version for row in rows if getattr(row, "version", None)}
-    of_name: dict[str, set[str]] = {}
-    for tool, version in known.items():
-        of_name.setdefault(_drop_settings(tool), set()).add(version)
+    version_of = {row.tool: row.version for row in rows if getattr(row, "version", None)}
+    versions_of: dict[str, set[str]] = {}
+    for tool, version in version_of.items():
+        versions_of.setdefault(_drop_settings(tool), set()).add(version)
     shown = (
-        (_drop_settings(tool) if len(of_name[_drop_settings(tool)]) == 1 else tool, version)
-        for tool, version in known.items()
+        (_drop_settings(tool) if len(versions_of[_drop_settings(tool)]) == 1 else tool, version)
+        for tool, version in version_of.items()
     )
     versions = dict.fromkeys(f"{tool} {version}" for tool, version in shown)
     missing = dict.fromkeys(f"{row.tool} did not run here: {row.failure}." for row in rows if getattr(row, "failure", None))
@@ -142,8 +142,8 @@ def _build_table(view: TableView, key: tuple[Any, ...], rows: list[Any]) -> Tabl
     names, cells = view.lines.split(), _repeat_across(view, rows)
     headings = [*(_get_heading(rows, name) for name in names), *(cell.heading or "" for cell in cells)]
     texts = [
-        [*(format_field(mine[0], name) for name in names), *(cell.format_line(mine) for cell in cells)]
-        for mine in group_rows(rows, view.lines).values()
+        [*(format_field(group[0], name) for name in names), *(cell.format_line(group) for cell in cells)]
+        for group in group_rows(rows, view.lines).values()
     ]
     return Table(": ".join(filter(None, titles)), headings, texts, len(names))
 
@@ -158,10 +158,10 @@ def _repeat_across(view: TableView, rows: list[Any]) -> list[Cell]:
     if not view.across:
         return cells
     names, spread_out = view.across.split(), []
-    for values, mine in group_rows(rows, view.across).items():
-        told = " ".join(filter(None, (format_named(mine[0], name) for name in names)))
+    for values, group in group_rows(rows, view.across).items():
+        label = " ".join(filter(None, (format_named(group[0], name) for name in names)))
         for cell in cells:
-            heading = ", ".join([told, *([cell.heading or ""] if len(cells) > 1 else [])])
+            heading = ", ".join([label, *([cell.heading or ""] if len(cells) > 1 else [])])
             spread_out.append(replace(cell, heading=heading, where=(*cell.where, *zip(names, values, strict=True))))
     return spread_out
 
@@ -173,8 +173,8 @@ def _get_heading(rows: list[Any], name: str) -> str:
 def format_named(row: Any, name: str) -> str:
     """Return a value as text, preceded by the heading of its column if the value is a bare number."""
     value = format_field(row, name)
-    speaks = isinstance(getattr(row, name), str) or get_columns(type(row))[name].metadata["show"]
-    return value if speaks else f"{get_columns(type(row))[name].metadata['heading']} {value}"
+    is_clear = isinstance(getattr(row, name), str) or get_columns(type(row))[name].metadata["show"]
+    return value if is_clear else f"{get_columns(type(row))[name].metadata['heading']} {value}"
 
 
 def _wrap(paragraph: str) -> str:

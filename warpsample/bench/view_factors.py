@@ -24,11 +24,11 @@ SMALL_SCENES = ("boxes 6", "city 4")
 """540 and 1,128 faces."""
 
 _REFERENCE_RAYS, _REFERENCE_SEED = 1 << 17, 1 << 40
-_JUDGED = 256  # faces whose rows are held against the reference
+_JUDGED = 256  # faces whose rows are compared with the reference
 _QUARTER, _ANOTHER_SEED = 4, 1 << 30
-_MOST_ERROR_RATIO = 1.3  # square error over the one that is due
-_MOST_RELATIVE = 0.25  # RMSE over the RMS of the factors, of a tool that one ray for a pair makes coarse
-_FEWER = 16  # times fewer rays of embreex, which takes half a minute for all on the large city
+_MOST_ERROR_RATIO = 1.3  # mean square error over the expected one
+_MOST_RELATIVE = 0.25  # RMSE over the root mean square of the factors, for one ray per pair
+_FEWER = 16  # divisor of embreex's rays: all rays would take half a minute on the large city
 
 
 @dataclass(frozen=True)
@@ -38,20 +38,28 @@ class FactorTime(ToolRow):
     scene: str = column("scene")
     faces: int = column("faces")
     workers: int = column("threads")
-    rays: int | None = optional_column("rays", "of each face")
-    took: Spread | None = optional_column("s", "of the tracing alone as for all faces, from some of them")
-    traces: Spread | None = optional_column("/ trace", "times as long as `ws.trace` alone with as many rays", show=".2f")
-    rmse: float | None = optional_column("RMSE", "over the entries of 256 rows, zeros included", show=".1e")
-    rate: float | None = optional_column("rate", "the power of the rays by which the RMSE of ours falls")
+    rays: int | None = optional_column("rays", "rays per face")
+    took: Spread | None = optional_column(
+        "seconds", "time of one run; the tracing alone is timed on some faces and scaled to all faces"
+    )
+    traces: Spread | None = optional_column(
+        "time / trace", "time over that of `ws.trace` alone with the same number of rays", show=".2f"
+    )
+    rmse: float | None = optional_column("RMSE", "RMSE over the entries of 256 rows, with zeros", show=".1e")
+    rate: float | None = optional_column("rate", "exponent of the ray count in warpsample's RMSE")
     times_ours: Spread | None = optional_column(
-        "times ours",
-        "as long as ours to the same RMSE, extrapolated by each tool's rate (pyViewFactor has none: by ours)",
+        "time / warpsample",
+        "time over warpsample's at the same RMSE, extrapolated by each tool's rate; by warpsample's rate for pyViewFactor",
         show=format_digits,
     )
-    due: float | None = optional_column("error² / due", "what our error bars say, or what independent rays have")
-    relative: float | None = optional_column("relative", "RMSE over the RMS of the factors")
-    agrees: bool | None = optional_column("agrees", "whether `due` is below 1.3, or without it `relative` below 0.25")
-    peak_megabytes: float | None = optional_column("MB", "peak memory of the process", show=".0f")
+    due: float | None = optional_column(
+        "error² / expected", "mean square error over that of the error bars, or over the variance of independent rays"
+    )
+    relative: float | None = optional_column("relative", "RMSE over the root mean square of the factors")
+    agrees: bool | None = optional_column(
+        "agrees", "True if error² / expected is at most 1.3, or relative at most 0.25 for pyViewFactor"
+    )
+    peak_megabytes: float | None = optional_column("peak MB", "peak memory of the process", show=".0f")
 
 
 def choose_judged_faces(mesh: Mesh) -> np.ndarray:
@@ -78,7 +86,7 @@ def build_factors(tool: str, scene: str, *, rays: int, workers: int, reference: 
         return ChildJob(alone, lambda: {"row": row, "scale": len(mesh.faces) / len(faces)})
     library, make, _ = FACTOR_TOOLS[tool]
     few = make(build_mesh("boxes 1"), workers)
-    few.run(16)  # kernels and compilers are loaded
+    few.run(16)  # load kernels and compilers
     used = make(mesh, workers)
     count = rays // _FEWER if tool == EMBREE else rays
 
@@ -109,8 +117,10 @@ def _compute_rate(mesh: Mesh, right: np.ndarray, rays: int, mse: float, workers:
 def measure(
     track: Track,
     *,
-    side: Annotated[int, typer.Option(help="Blocks along a side of the large city; 18 are 22,344 faces.", min=1)] = 18,
-    rays: Annotated[int, typer.Option(help="Rays of each face.", min=64)] = 4096,
+    side: Annotated[
+        int, typer.Option(help="Number of blocks along a side of the large city. 18 blocks make 22,344 faces.", min=1)
+    ] = 18,
+    rays: Annotated[int, typer.Option(help="Number of rays per face.", min=64)] = 4096,
     repeats: Repeats = 3,
 ) -> RowsByPart:
     """Measure the small city with one thread and with all, the boxes with all, and the large city once with all."""
@@ -125,14 +135,14 @@ def measure(
 def compare(scene: str, workers: int, tools: Sequence[str], repeats: int, rays: int) -> list[FactorTime]:
     """Compare tools on one scene with alternating runs; warpsample and the tracing alone must be among the tools."""
     mesh = build_mesh(scene)
-    given = {"scene": scene, "workers": workers, "rays": rays, "reference": compute_reference_rows(mesh, workers)}
-    turns = run_tools(build_factors, tools, repeats, **given)
-    seconds = {tool: [t * told["scale"] for t in turns.seconds[tool]] for tool, told in turns.reports.items()}
+    arguments = {"scene": scene, "workers": workers, "rays": rays, "reference": compute_reference_rows(mesh, workers)}
+    turns = run_tools(build_factors, tools, repeats, **arguments)
+    seconds = {tool: [t * facts["scale"] for t in turns.seconds[tool]] for tool, facts in turns.reports.items()}
 
     def figures(tool: str) -> dict[str, Any]:
         row, times = turns.reports[tool]["row"], seconds[tool]
-        as_many = (row["rays"] or rays) / rays
-        traces = Spread.of_ratios(times, [as_many * t for t in seconds[TRACE]])
+        ray_ratio = (row["rays"] or rays) / rays
+        traces = Spread.of_ratios(times, [ray_ratio * t for t in seconds[TRACE]])
         row = {**row, "took": Spread.of(times), "traces": traces, "seconds": times}
         return row if tool == TRACE else row | judge(tool, row, turns.reports[OURS]["row"], times, seconds[OURS])
 
@@ -144,7 +154,7 @@ def judge(
 ) -> dict[str, Any]:
     """Return the fields of a row that compare errors, from the tool's row and seconds and from warpsample's."""
     more = row["rmse"] / ours["rmse"]
-    # Independent rays at their own rate; what knows no rays, or shares ours, beside ours of as large an error.
+    # Independent rays scale by their own rate; every other tool is compared with warpsample at the same error.
     factor = more**2 if tool == EMBREE else float(np.float_power(more, 1.0 / ours["rate"]))
     return {
         "times_ours": Spread.of_ratios([factor * t for t in times], our_times),
@@ -156,7 +166,7 @@ _CELLS = "rays took traces rmse times_ours due peak_megabytes"
 
 RECORD = Benchmark(
     name="view-factors",
-    summary="All view factors of a mesh: ours, pyViewFactor, and rays by NumPy and embreex, beside tracing alone.",
+    summary="All view factors of a mesh by warpsample, pyViewFactor, and NumPy with embreex, beside tracing alone.",
     measure=measure,
     parts={"rows": FactorTime},
     views=[

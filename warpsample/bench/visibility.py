@@ -24,13 +24,13 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 
 TARGETS = (0.01, 0.003)
-"""RMSE that all tools are to reach."""
+"""Target RMSE of all tools."""
 TOOLS = tuple(ESTIMATORS)
 DEFAULT_SCENES = ("bunny", "city", "hills")
 MANY = 256
-"""How many times as many points, by as many rays each, are estimated for their memory."""
-_REFERENCE_SEED = 1 << 40  # far from those of the estimates
-_TRIAL, _TRIALS = 64, 2  # rays of the first trial; trials until the number of rays is known
+"""Factor from `points` to the number of points in the memory run, and rays per point of that run."""
+_REFERENCE_SEED = 1 << 40  # far from the seeds of the estimates
+_TRIAL, _TRIALS = 64, 2  # rays of the first trial; number of trials
 
 
 @dataclass(frozen=True)
@@ -41,13 +41,15 @@ class TimeToError(ToolRow):
     target: float = column("RMSE", show="to {:g}".format)
     workers: int = column("workers")
     points: int = column("points")
-    rays: int | None = optional_column("rays", "of a point")
-    cast: float | None = optional_column("cast", "of these, cast on average", show=",.0f")
-    rmse: float | None = optional_column("RMSE", "the one reached", show=".4f")
+    rays: int | None = optional_column("rays", "rays per point")
+    cast: float | None = optional_column("cast", "mean number of rays per point that were traced, not skipped", show=",.0f")
+    rmse: float | None = optional_column("RMSE", "RMSE of the timed run", show=".4f")
     microseconds: Spread | None = optional_column(
-        "µs", "of a point to the RMSE asked for, by its own rate from the one reached"
+        "µs per point", "time to the target RMSE, extrapolated from the RMSE of the timed run by the tool's own rate"
     )
-    times_ours: Spread | None = optional_column("times ours", "as long as warpsample takes to it, within each round")
+    times_ours: Spread | None = optional_column(
+        "time / warpsample", "time to the target RMSE over that of warpsample in the same round"
+    )
 
 
 @dataclass(frozen=True)
@@ -59,9 +61,9 @@ class Many(ToolRow):
     rays: int = column("rays")
     workers: int = column("workers")
     peak_megabytes: float | None = optional_column(
-        "peak memory, MB", "of the process, Python, Warp, mesh and points included", show=",.0f"
+        "peak memory, MB", "peak memory of the process, with Python, Warp, mesh and points", show=",.0f"
     )
-    took: float | None = optional_column("s", show=format_digits)
+    took: float | None = optional_column("seconds", show=format_digits)
 
 
 def build_estimate(tool: str, scene: str, points: int, *, workers: int, target: float, reference: np.ndarray) -> ChildJob:
@@ -78,26 +80,26 @@ def build_estimate(tool: str, scene: str, points: int, *, workers: int, target: 
 
     count = _TRIAL
     for _ in range(_TRIALS):
-        count = max(2, round(count * more_rays(_rmse(run(count), reference))))
+        count = max(2, round(count * more_rays(_compute_rmse(run(count), reference))))
     work, values = keep_last_result(lambda: run(count))
 
     def report() -> dict[str, Any]:
         cast = float(run.last.rays.mean()) if isinstance(run, Occlusion) and run.last else float(count)
-        error = _rmse(values(), reference)
-        told = {"version": version(library), "rays": count, "cast": cast, "rmse": error}
-        return {"row": told, "to_target": more_rays(error)}
+        error = _compute_rmse(values(), reference)
+        facts = {"version": version(library), "rays": count, "cast": cast, "rmse": error}
+        return {"row": facts, "to_target": more_rays(error)}
 
     return ChildJob(work, report)
 
 
-def _rmse(found: np.ndarray, right: np.ndarray) -> float:
-    return float(np.sqrt(np.mean((found - right) ** 2)))
+def _compute_rmse(values: np.ndarray, right: np.ndarray) -> float:
+    return float(np.sqrt(np.mean((values - right) ** 2)))
 
 
 def build_many_points(tool: str, scene: str, points: int, rays: int, workers: int) -> ChildJob:
     """Build warpsample's estimate of many points; the job reports the peak memory of its process."""
     mesh, at = sample_scene(scene, points)
-    ESTIMATORS[tool].make(mesh, at.take(slice(64)), workers)(rays)  # loads kernels
+    ESTIMATORS[tool].make(mesh, at.take(slice(64)), workers)(rays)  # load kernels
     run = ESTIMATORS[tool].make(mesh, at, workers)
     return ChildJob(lambda: run(rays), lambda: {"peak_megabytes": measure_peak_megabytes()})
 
@@ -106,16 +108,16 @@ def measure(
     track: Track,
     *,
     scene: Scenes = None,
-    points: Annotated[int, typer.Option(help="Points on each scene.", min=16)] = 4096,
+    points: Annotated[int, typer.Option(help="Number of points on each scene, placed uniformly by area.", min=16)] = 4096,
     repeats: Repeats = 3,
 ) -> RowsByPart:
     """Measure one scene after the other, then many points on the first scene."""
     names = scene or list(DEFAULT_SCENES)
-    found: RowsByPart = {"rows": [], "many": []}
+    rows: RowsByPart = {"rows": [], "many": []}
     for name in track(names, len(names)):
-        found["rows"] += measure_scene(name, points, repeats)
-    found["many"] += measure_many(names[0], MANY * points, MANY)
-    return found
+        rows["rows"] += measure_scene(name, points, repeats)
+    rows["many"] += measure_many(names[0], MANY * points, MANY)
+    return rows
 
 
 def measure_scene(
@@ -136,11 +138,11 @@ def compute_reference(mesh: Mesh, at: SurfacePoints, workers: int, rays: int = 1
 def compare(tools: Sequence[str], repeats: int, reference: np.ndarray, **case: Any) -> list[TimeToError]:
     """Compare tools on one case with alternating runs; the case has the fields that are known before the runs."""
     turns = run_tools(build_estimate, tools, repeats, reference=reference, **case)
-    due = {tool: [t * told["to_target"] for t in turns.seconds[tool]] for tool, told in turns.reports.items()}
+    equal_times = {tool: [t * facts["to_target"] for t in turns.seconds[tool]] for tool, facts in turns.reports.items()}
 
     def figures(tool: str) -> dict[str, Any]:
-        each = Spread.of([1e6 * t / case["points"] for t in due[tool]])
-        times = Spread.of_ratios(due[tool], due["warpsample"])
+        each = Spread.of([1e6 * t / case["points"] for t in equal_times[tool]])
+        times = Spread.of_ratios(equal_times[tool], equal_times["warpsample"])
         return {**turns.reports[tool]["row"], "microseconds": each, "times_ours": times}
 
     return turns.rows(TimeToError, figures, **case)
@@ -158,13 +160,13 @@ _SPLIT = "scene target points"
 
 RECORD = Benchmark(
     name="visibility",
-    summary="Time to an RMSE of ambient occlusion: ours, with and without skipping, Mitsuba and embreex.",
+    summary="Time of ambient occlusion to an RMSE: warpsample with and without skipping, Mitsuba and embreex.",
     measure=measure,
     parts={"rows": TimeToError, "many": Many},
     views=[
-        TableView("rows", "To an RMSE", "tool", "rays cast rmse microseconds times_ours", split=_SPLIT, page_rows=None),
-        TableView("rows", "Microseconds of a point to an RMSE", "tool", [_TIME], across="scene target"),
-        TableView("rows", "The same as a multiple of ours", "tool", [_RATIO], across="scene target"),
+        TableView("rows", "Time to an RMSE", "tool", "rays cast rmse microseconds times_ours", split=_SPLIT, page_rows=None),
+        TableView("rows", "Microseconds per point to an RMSE", "tool", [_TIME], across="scene target"),
+        TableView("rows", "Time as a multiple of warpsample's", "tool", [_RATIO], across="scene target"),
         TableView("many", "Many points", "scene points rays workers", "took peak_megabytes"),
     ],
     pictures=[Picture("visibility", "rows", "microseconds", y="tool", series="target", panels="scene", log="x")],

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 from warpsample.bench.running.timing import build_stopwatch
 
 _PACKAGES = {"rvt": "rvt-py", "xrspatial": "xarray-spatial"}
-"""What pip installs for modules of another name."""
+"""Package names that differ from the module name, for the hint how to install."""
 
 
 class ChildJob(NamedTuple):
@@ -90,7 +90,7 @@ class Child:
         return answer
 
     def _send(self, *request: Any) -> None:
-        with suppress(BrokenPipeError):  # then there is no answer either
+        with suppress(BrokenPipeError):  # the child has ended, so there is no answer
             pickle.dump(request, self.process.stdin)
             self.process.stdin.flush()
 
@@ -103,7 +103,7 @@ class Child:
 
 def _serve() -> None:
     requests, answers = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what libraries print is no answer
+    os.dup2(2, 1)  # keeps output of libraries out of the answers
 
     def answer(content: dict[str, Any]) -> None:
         pickle.dump(content, answers)
@@ -119,7 +119,7 @@ def _serve() -> None:
         package = (error.name or "").partition(".")[0]
         answer({"failure": f"not installed: pip install {_PACKAGES.get(package, package)}"})
         return
-    except Exception as error:  # whatever a library does when it cannot work here is the answer
+    except Exception as error:  # the reason why a library does not work here is the answer
         answer({"failure": f"{type(error).__name__}: {error}".splitlines()[0]})
         return
     answer({"seconds": seconds})

@@ -60,8 +60,8 @@ def _read_processor() -> tuple[str, str]:
     names = {key.strip(): value.strip() for key, value in entries.items()}
     denied = {flag[1:] for flag in (wp.config.cpu_compiler_flags or "").split() if flag.startswith("-avx")}
     flags = set(names.get("flags", "").split()) - denied
-    found = next((name for flag, name in (("avx512f", "avx512"), ("avx2", "avx2")) if flag in flags), platform.machine())
-    return names.get("model name") or platform.processor() or platform.machine(), found.lower()
+    widest = next((name for flag, name in (("avx512f", "avx512"), ("avx2", "avx2")) if flag in flags), platform.machine())
+    return names.get("model name") or platform.processor() or platform.machine(), widest.lower()
 
 
 def find_commit(package: Path) -> str:
@@ -71,7 +71,9 @@ def find_commit(package: Path) -> str:
         files = sorted(package.rglob("*.py"))
         if not all(file.read_bytes() == (top / "warpsample" / file.relative_to(package)).read_bytes() for file in files):
             return "unknown"
-        changed = _run_git(top, "status", "--porcelain", "--", ":(glob)warpsample/**/*.py")  # results are no part of it
+        changed = _run_git(
+            top, "status", "--porcelain", "--", ":(glob)warpsample/**/*.py"
+        )  # result files do not count as changes
         return _run_git(top, "rev-parse", "--short=12", "HEAD") + ("+changes" if changed else "")
     except (OSError, subprocess.CalledProcessError):
         return "unknown"
@@ -85,6 +87,6 @@ def _run_git(folder: Path, *arguments: str) -> str:
 def measure_peak_megabytes() -> float | None:
     """Return the peak resident memory of this process in MB; None on systems without /proc/self/status."""
     status = Path("/proc/self/status")
-    if not status.is_file():  # getrusage would count what the parent held when it started this process, too
+    if not status.is_file():  # getrusage would include the parent's memory at the start of this process
         return None
     return next(float(line.split()[1]) * 1024 / 1e6 for line in status.read_text().splitlines() if "VmHWM" in line)

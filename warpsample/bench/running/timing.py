@@ -9,7 +9,7 @@ Case = TypeVar("Case")
 
 _LEAST_REPEATS = 3
 WARM_UP = 0.03
-"""Seconds of untimed runs before a timed one."""
+"""Minimum seconds of untimed runs before a timed run."""
 
 
 def build_stopwatch(work: Callable[[], object], warm: Callable[[], object] | None = None) -> Callable[[], float]:

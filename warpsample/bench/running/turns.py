@@ -34,7 +34,7 @@ class ToolRuns:
     """
 
     seconds: dict[Any, list[float]]
-    told: dict[Any, dict[str, Any]]
+    reports: dict[Any, dict[str, Any]]
     failures: dict[Any, str]
 
     def require_all(self) -> dict[Any, list[float]]:
@@ -82,5 +82,5 @@ def run_tools(build: Callable[..., ChildJob], tools: Iterable[Any], repeats: int
                 children[tool] = child
         runs = {tool: child.run if repeats else child.get_first_seconds for tool, child in children.items()}
         seconds = run_interleaved(runs, max(1, repeats))
-        told = {tool: child.report() for tool, child in children.items()}
-    return ToolRuns(seconds, told, failures)
+        reports = {tool: child.report() for tool, child in children.items()}
+    return ToolRuns(seconds, reports, failures)

@@ -33,8 +33,8 @@ from warpsample.texture.texture_points import texture_points
 from warpsample.texture.unwrapping import unwrap
 
 OURS = "warpsample"
-_RAYS, _SEED = 4096, 1 << 40  # of the reference
-_MOST = 1 << 18  # texels, and places on the surface, at which it is known
+_RAYS, _SEED = 4096, 1 << 40  # rays per texel and seed of the reference
+_MOST = 1 << 18  # texels, and sample positions on the surface, with a reference
 _MOST_BIAS = 0.03
 _TARGET = 0.02
 
@@ -46,22 +46,32 @@ class BakedTexture(ToolRow):
     scene: str = column("scene")
     side: int = column("side")
     workers: int = column("threads")
-    rays: int | None = optional_column("rays", "of each texel")
-    took: Spread | None = optional_column("s", "of the whole image")
-    bias: float | None = optional_column("bias", "the mean error of the texels below", show="+.4f")
-    rmse: float | None = optional_column("RMSE", "of texels whose centres are in one face", show=".4f")
-    lookup: float | None = optional_column("lookup", "RMSE of bilinear lookups at places on the surface", show=".4f")
-    times_ours: float | None = optional_column("times ours", "as long as ours to the same RMSE, at least")
-    times_read: float | None = optional_column("read", "times as long as ours to the same error of lookups, at least")
-    agrees: bool | None = optional_column("agrees", "whether the bias is below 0.03")
-    peak_megabytes: float | None = optional_column("MB", "peak memory of the process", show=".0f")
-    noise: float | None = optional_column("noise", "the part of lookups that is another one with each seed", show=".4f")
-    overlap: float | None = optional_column(
-        "overlap", "at places that read a texel which another chart claims, too", show=".4f"
+    rays: int | None = optional_column("rays", "rays per texel")
+    took: Spread | None = optional_column("seconds", "time of the whole image")
+    bias: float | None = optional_column("bias", "mean error of texels with their centre in one face", show="+.4f")
+    rmse: float | None = optional_column("RMSE", "RMSE of texels with their centre in one face", show=".4f")
+    lookup: float | None = optional_column(
+        "lookup", "RMSE of bilinear lookups at sample positions on the surface", show=".4f"
     )
-    resolution: float | None = optional_column("resolution", "at all others; the squares of the three add up", show=".4f")
-    shared: float | None = optional_column("shared", "how many places these are", show=".2%")
-    to_target: float | None = optional_column("to 0.02", "times as long as ours to a RMSE of 0.02, between the tool's rays")
+    times_ours: float | None = optional_column(
+        "time / warpsample", "time over warpsample's at the same RMSE of texels; a lower bound"
+    )
+    times_read: float | None = optional_column(
+        "same for lookups", "time over warpsample's at the same error of lookups; a lower bound"
+    )
+    agrees: bool | None = optional_column("agrees", "True if the bias is below 0.03")
+    peak_megabytes: float | None = optional_column("peak MB", "peak memory of the process", show=".0f")
+    noise: float | None = optional_column("noise", "part of the error of lookups that changes with the seed", show=".4f")
+    overlap: float | None = optional_column(
+        "overlap", "common error at positions that read a texel which another chart claims too", show=".4f"
+    )
+    resolution: float | None = optional_column(
+        "resolution", "common error at the other positions; the squares of the three parts add up", show=".4f"
+    )
+    shared: float | None = optional_column("shared", "fraction of positions that read a texel of another chart", show=".2%")
+    to_target: float | None = optional_column(
+        "time / warpsample to 0.02", "time over warpsample's to an RMSE of 0.02, interpolated between ray counts"
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,12 +104,12 @@ def load_scene(asset: Path | None, part: str | None, size: int) -> Textured:
         normals[split.faces] = mesh.vertex_normals[mesh.faces]
         return Textured(split, uv, normals)
     mesh, uv = load_mesh(asset), load_uv(asset)
-    given = read_corners(asset, "NORMAL") if asset.suffix.lower() in SCENES else None
+    file_normals = read_corners(asset, "NORMAL") if asset.suffix.lower() in SCENES else None
     normals = np.zeros((len(mesh.vertices), 3), np.float32)
-    normals[mesh.faces] = corner_normals_of(mesh, given)
+    normals[mesh.faces] = corner_normals_of(mesh, file_normals)
     if part is not None:
-        named = np.array(mesh.parts) == check_choice(part, "part", sorted(set(mesh.parts)))
-        uv = np.where((named[mesh.part] & (mesh.part >= 0))[:, None, None], uv, np.nan)
+        is_in_part = np.array(mesh.parts) == check_choice(part, "part", sorted(set(mesh.parts)))
+        uv = np.where((is_in_part[mesh.part] & (mesh.part >= 0))[:, None, None], uv, np.nan)
     return Textured(mesh, uv, normals)
 
 
@@ -111,14 +121,14 @@ def compute_known(scene: Textured, size: int, rays: int = _RAYS, most: int = _MO
     alone = ~claims_of(t.corners, usable, t.size, 1, t.options.memory).overlapping[t.face]
     inside = np.flatnonzero(alone & (np.asarray(t.points.barycentric) > 0.0).all(axis=1))
     if not len(inside):
-        raise ValueError("asset: got coordinates by which all faces overlap others, want such that do not, or a part")
+        raise ValueError("asset: got coordinates with all faces overlapping, want some faces without overlap, or a part")
     inside = np.sort(np.random.default_rng(SEED).permutation(inside)[:most])
     at_texels = ambient_occlusion(scene.mesh, t.points.take(inside), rays, seed=_SEED).value
     return Known(t.texel[inside], at_texels, sample_places(t, scene.uv, most, rays, _SEED))
 
 
 def build_texture(tool: str, scene: Textured, known: Known, *, size: int, workers: int) -> ChildJob:
-    """Build one image by a tool, named as in "Blender, 16 rays"; the report needs two runs."""
+    """Build one image by a tool, is_in_part as in "Blender, 16 rays"; the report needs two runs."""
     name, rays = tool.removesuffix(" rays").split(", ")
     (library, make, _), _ = TEXTURE_TOOLS[name]
     paint, images = make(scene, size, workers), deque[np.ndarray](maxlen=2)
@@ -143,14 +153,19 @@ def build_texture(tool: str, scene: Textured, known: Known, *, size: int, worker
 def measure(
     track: Track,
     *,
-    side: Annotated[int, typer.Option(help="Side of the image in texels.", min=64)] = 512,
-    asset: Annotated[Path | None, typer.Option(help="A file with texture coordinates; by default the bunny.")] = None,
-    part: Annotated[str | None, typer.Option(help="The part of the file that gets it; others only block light.")] = None,
+    side: Annotated[int, typer.Option(help="Side of the square image in texels.", min=64)] = 512,
+    asset: Annotated[
+        Path | None, typer.Option(help="Path of a mesh with texture coordinates, for example in.glb. Default: the bunny.")
+    ] = None,
+    part: Annotated[
+        str | None,
+        typer.Option(help="Name of the part of the asset to bake; the other parts only block light. Default: all parts."),
+    ] = None,
     repeats: Repeats = 3,
 ) -> RowsByPart:
     """Measure each tool with several numbers of rays."""
     if part is not None and asset is None:
-        raise ValueError(f"part: got {part!r} and no asset, want the file that it is of")
+        raise ValueError(f"part: got {part!r} without an asset, want the asset with this part")
     tools = [f"{name}, {rays} rays" for name, (_, ladder) in TEXTURE_TOOLS.items() for rays in ladder]
     return {"rows": [row for size in track([side], 1) for row in compare(asset, size, tools, repeats, part=part)]}
 
@@ -189,10 +204,10 @@ def interpolate_seconds(error: float, ladder: Sequence[tuple[float, Any]]) -> fl
     For an error above the largest, return the seconds of the largest. Return None for an error below the smallest, or
     without measurements.
     """
-    known = np.log(sorted(ladder)).reshape(-1, 2)
-    if not len(known) or np.log(error) < known[0, 0]:
+    ladder_logs = np.log(sorted(ladder)).reshape(-1, 2)
+    if not len(ladder_logs) or np.log(error) < ladder_logs[0, 0]:
         return None
-    return float(np.exp(np.interp(np.log(error), *known.T)))
+    return float(np.exp(np.interp(np.log(error), *ladder_logs.T)))
 
 
 def compare_times(error: float, seconds: float, ours: Sequence[tuple[float, Any]]) -> float | None:
@@ -210,14 +225,12 @@ _PARTS = "lookup noise overlap resolution shared to_target"
 
 RECORD = Benchmark(
     name="textures",
-    summary="Ambient occlusion in a texture: ours, Blender and Open3D, by the error at texels and of lookups.",
+    summary="Ambient occlusion in a texture by warpsample, Blender and Open3D: errors of texels and of lookups.",
     measure=measure,
     parts={"rows": BakedTexture},
     views=[
         TableView("rows", "Occlusion in a texture", "tool", _CELLS, split="scene side workers"),
-        TableView(
-            "rows", "What the error of lookups is made of", "tool", _PARTS, split="scene side workers", where=_has_parts
-        ),
+        TableView("rows", "Parts of the error of lookups", "tool", _PARTS, split="scene side workers", where=_has_parts),
     ],
     pictures=[Picture("textures", "rows", "took", y="lookup", panels="scene side", log="xy")],
 )

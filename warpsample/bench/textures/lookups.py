@@ -66,10 +66,10 @@ def _find_texels(uv: np.ndarray, side: int) -> tuple[np.ndarray, np.ndarray]:
 def sample_places(t: TexturePoints, uv: np.ndarray, count: int, rays: int, seed: int) -> LookupPlaces:
     """Sample `count` positions uniformly by area on the faces with coordinates; compute reference values with many rays."""
     mesh, rows = t.mesh, np.flatnonzero(np.isfinite(uv).all(axis=(1, 2)))
-    drawn = sample_surface(Mesh(mesh.vertices, mesh.faces[rows]), count, seed=seed, barycentric=True)
-    face, weights = rows[drawn.face], drawn.barycentric
+    samples = sample_surface(Mesh(mesh.vertices, mesh.faces[rows]), count, seed=seed, barycentric=True)
+    face, weights = rows[samples.face], samples.barycentric
     normal = unit_or_zero(np.einsum("pk,pkc->pc", weights, t.corner_normals[face]))
-    right = ambient_occlusion(mesh, SurfacePoints(drawn.position, normal, face, weights), rays, seed=seed).value
+    right = ambient_occlusion(mesh, SurfacePoints(samples.position, normal, face, weights), rays, seed=seed).value
     at = np.einsum("pk,pkc->pc", weights, uv[face])
     return LookupPlaces(at, right, _find_shared(t, at, face))
 
@@ -87,9 +87,9 @@ def _find_shared(t: TexturePoints, at: np.ndarray, face: np.ndarray) -> np.ndarr
     backwards = np.ascontiguousarray(t.corners[::-1])
     last = len(charts) - 1 - claims_of(backwards, usable[::-1], t.size, 1, t.options.memory).face
     texels, weights = _find_texels(at, t.size[0])
-    found = np.zeros(len(at), np.bool_)
+    shared = np.zeros(len(at), np.bool_)
     for owners in (t.face, last):
         owner = np.zeros(t.size[0] * t.size[1], np.int64)
         owner[t.texel] = owners
-        found |= ((charts[owner[texels]] != charts[face][:, None]) & (weights > 0.0)).any(axis=1)
-    return found
+        shared |= ((charts[owner[texels]] != charts[face][:, None]) & (weights > 0.0)).any(axis=1)
+    return shared

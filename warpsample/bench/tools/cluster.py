@@ -13,19 +13,19 @@ from warpsample.bench.running.child import ChildJob
 from warpsample.bench.scenes import bunny
 
 RAYS = 256
-"""Rays of a point."""
+"""Rays per point."""
 CHUNK = 65_536
-"""Points of a task."""
+"""Points of a chunk, which is one task."""
 FEW_CHUNKS, MANY = 8, 264
-"""Chunks of the same points, from whose times follows what one costs."""
+"""Numbers of chunks for the same points; the cost of a chunk follows from the difference of the times."""
 WAYS: dict[str, Any] = {"one process of two threads": (None, 2), "two processes of one thread": (2, None)}
-"""(processes, threads); the second is compared with the first."""
+"""(processes, threads) by name; the first is the baseline."""
 COMPUTED, STORED = "computed", "into a store"
 
-_ALL_AT_ONCE = 1 << 20  # more chunks than there are
-_FEWEST = 2  # rays of a point, where work is to be next to nothing
-_SMALL = 8448  # points of few chunks and of many
-_load_bunny = cache(bunny)  # one object, which is sent once
+_ALL_AT_ONCE = 1 << 20  # more than the number of chunks
+_FEWEST = 2  # rays per point of a run with almost no work
+_SMALL = 8448  # points of the runs with few and with many chunks
+_load_bunny = cache(bunny)  # one object, so that Dask sends it once
 
 
 def _use_workers(processes: int | None, threads: int | None) -> None:

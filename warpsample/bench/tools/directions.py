@@ -16,7 +16,7 @@ from warpsample.maths.frames import frame_about, to_world
 from warpsample.proof import twins
 
 Built = tuple[Callable[[], object], Callable[[], Any]]
-"""Work, and what gives the result of the last run."""
+"""(work, result): a function to time, and a function that returns the result of its last run."""
 
 _TAU = np.float32(2.0 * np.pi)
 
@@ -60,12 +60,12 @@ def _builtins(normals: wp.array[wp.vec3], samples: wp.int32, seed: wp.int32, out
 
 def _warp(normals: np.ndarray, count: int, workers: int) -> Built:
     load(_builtins, "cpu")
-    given = wp.array(normals, dtype=wp.vec3, device="cpu")
+    normals_on_device = wp.array(normals, dtype=wp.vec3, device="cpu")
     out = wp.empty(len(normals) * count, dtype=wp.vec3, device="cpu")
     seeds = count_from()
 
     def run() -> None:
-        wp.launch(_builtins, dim=len(out), inputs=[given, count, next(seeds)], outputs=[out], device="cpu")
+        wp.launch(_builtins, dim=len(out), inputs=[normals_on_device, count, next(seeds)], outputs=[out], device="cpu")
 
     return run, out.numpy
 
@@ -77,11 +77,11 @@ def _mitsuba(interleaved: bool, normals: np.ndarray, count: int, workers: int) -
     mi.set_variant("llvm_ad_rgb")
     dr.set_thread_count(workers)
     size = len(normals) * count
-    given = mi.Normal3f(np.ascontiguousarray(normals.T))
+    normals_on_device = mi.Normal3f(np.ascontiguousarray(normals.T))
     seeds = count_from()
 
     def run() -> Any:
-        n = dr.gather(mi.Normal3f, given, dr.arange(mi.UInt32, size) // count)
+        n = dr.gather(mi.Normal3f, normals_on_device, dr.arange(mi.UInt32, size) // count)
         rng = mi.PCG32(size, initstate=dr.opaque(mi.UInt64, next(seeds)))
         u = mi.Point2f(rng.next_float32(), rng.next_float32())
         d = mi.Frame3f(n).to_world(mi.warp.square_to_cosine_hemisphere(u))
@@ -101,4 +101,4 @@ DIRECTIONS = {
     "Warp built-ins": Tool("warp-lang", _warp, threaded=False),
     "NumPy": Tool("numpy", _numpy, threaded=False),
 }
-"""By name; each makes (work, result) of (normals, count, threads)."""
+"""Tools by name; `make(normals, count, threads)` returns (work, result)."""

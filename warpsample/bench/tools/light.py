@@ -16,7 +16,7 @@ from warpsample.radiation.sky.irradiance import irradiance
 LightTool = Callable[[int, int], np.ndarray]
 
 _EVEN = np.ones((2, 4))
-_LANES = 1 << 22  # of Mitsuba's kernel
+_LANES = 1 << 22  # rays of one launch of Mitsuba's kernel
 _OPTIONS = "-h -I+ -ab 8 -aa 0 -as 0 -ad {} -lr 64 -lw 1e-6 -u+ -fdf"
 
 
@@ -38,13 +38,13 @@ def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> LightTool:
 
     A mesh without transmission has no masks, so `path` replaces `volpath`.
     """
-    known = build_mitsuba_scene(mesh, points, workers)
-    dr, mi = known.dr, known.mi
+    setup = build_mitsuba_scene(mesh, points, workers)
+    dr, mi = setup.dr, setup.mi
     scene: dict[str, Any] = {"type": "scene", "light": {"type": "constant", "radiance": 1.0}}
-    for i, (mine, (rho, tau)) in enumerate(_split_by_kind(mesh)):
+    for i, (faces, (rho, tau)) in enumerate(_split_by_kind(mesh)):
         diffuse = {"type": "diffuse", "reflectance": {"type": "rgb", "value": float(rho / (1.0 - tau))}}
         surface = {"type": "mask", "opacity": float(1.0 - tau), "inner": {"type": "twosided", "inner": diffuse}}
-        scene[f"part{i}"] = build_mitsuba_shape(mi, mesh, mine, surface if tau > 0.0 else surface["inner"])
+        scene[f"part{i}"] = build_mitsuba_shape(mi, mesh, faces, surface if tau > 0.0 else surface["inner"])
     loaded = mi.load_dict(scene)
     integrator = mi.load_dict({"type": "volpath" if mesh.transmits else "path", "max_depth": -1, "rr_depth": 8})
     seeds = count_from()
@@ -53,7 +53,7 @@ def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> LightTool:
         sampler = mi.load_dict({"type": "independent"})
         sampler.seed(next(seeds), len(points) * count)
         point = dr.arange(mi.UInt32, len(points) * count) // dr.opaque(mi.UInt32, count)
-        origin, normal = dr.gather(mi.Point3f, known.origins, point), dr.gather(mi.Normal3f, known.normals, point)
+        origin, normal = dr.gather(mi.Point3f, setup.origins, point), dr.gather(mi.Normal3f, setup.normals, point)
         way = mi.Frame3f(normal).to_world(mi.warp.square_to_cosine_hemisphere(sampler.next_2d()))
         light, _, _ = integrator.sample(loaded, sampler, mi.RayDifferential3f(mi.Ray3f(origin, way)))
         dr.scatter_reduce(dr.ReduceOp.Add, total, light.x, point)
@@ -61,8 +61,8 @@ def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> LightTool:
 
     def run(count: int) -> np.ndarray:
         total, most = dr.zeros(mi.Float, len(points)), max(1, _LANES // len(points))
-        for done in range(0, count, most):
-            add(min(most, count - done), total)
+        for start in range(0, count, most):
+            add(min(most, count - start), total)
         return np.asarray(total) / count
 
     return repeat_runs(run)
@@ -84,7 +84,7 @@ class _Rtrace(Radiance):
         """Return plastic for faces that reflect and `trans` for faces that transmit straight through."""
         kinds, kind = list_kinds(mesh)
         if (kinds.min(axis=1) > 0.0).any():
-            raise ValueError("mesh: got faces that reflect and let light through, want one or the other")
+            raise ValueError("mesh: got faces that reflect and transmit, want faces that do one of the two")
         lines = [
             f"void trans m{k} 0 0 7 {tau} {tau} {tau} 0 0 1 1"
             if tau > 0.0
@@ -104,4 +104,4 @@ LIGHT_TOOLS = {
     "Mitsuba": Tool("mitsuba", _mitsuba),
     "Radiance rtrace -ab 8": Tool("pyradiance", _Rtrace),
 }
-"""By name; each makes a tool of (mesh, points, threads)."""
+"""Tools by name, with `make(mesh, points, threads)`."""

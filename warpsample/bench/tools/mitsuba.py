@@ -54,9 +54,9 @@ def build_mitsuba_shape(mi: Any, mesh: Mesh, faces: np.ndarray, surface: dict[st
     properties = mi.Properties()
     if surface is not None:
         properties["surface"] = mi.load_dict(surface)
-    made = mi.Mesh("mesh", len(mesh.vertices), len(faces), props=properties)
-    parameters = mi.traverse(made)
+    mesh_shape = mi.Mesh("mesh", len(mesh.vertices), len(faces), props=properties)
+    parameters = mi.traverse(mesh_shape)
     parameters["vertex_positions"] = mesh.vertices.astype(np.float32).ravel()
     parameters["faces"] = faces.astype(np.uint32).ravel()
     parameters.update()
-    return made
+    return mesh_shape

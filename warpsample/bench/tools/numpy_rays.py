@@ -11,7 +11,7 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 
 _RAYS_PER_PART = 1 << 18  # 6 MB of directions and origins
-_OFFSET = 1e-5  # of the mesh's size, by which peers move points off their face
+_OFFSET = 1e-5  # of the mesh's size; lift of the ray origins of other tools
 
 
 def measure_size(mesh: Mesh) -> float:
@@ -26,8 +26,8 @@ def lift_off_surface(mesh: Mesh, position: np.ndarray, normal: np.ndarray) -> np
 
 def compute_cosine_directions(u: np.ndarray, n: np.ndarray) -> np.ndarray:
     """Compute directions (P, count, 3) float32 about normals (P, 3), from points (2, P, count, 1) of the unit square."""
-    across = np.where(np.abs(n[:, :1]) > 0.5, np.float32([[0, 1, 0]]), np.float32([[1, 0, 0]]))
-    tangent = np.cross(n, across)
+    helper = np.where(np.abs(n[:, :1]) > 0.5, np.float32([[0, 1, 0]]), np.float32([[1, 0, 0]]))
+    tangent = np.cross(n, helper)
     tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
     r, angle = np.sqrt(u[0]), np.float32(2.0 * np.pi) * u[1]
     flat = (r * np.cos(angle)) * tangent[:, None] + (r * np.sin(angle)) * np.cross(n, tangent)[:, None]
@@ -35,7 +35,7 @@ def compute_cosine_directions(u: np.ndarray, n: np.ndarray) -> np.ndarray:
 
 
 def map_parts(size: int, count: int, threads: int, seed: int, work: Callable[[slice, Any], Any]) -> list[Any]:
-    """Call `work` on parts of the points in threads, each part with its own random numbers; return the results in order.
+    """Call `work` on parts of the points in threads, each part with a random generator; return the results.
 
     Args:
         size: number of points.
@@ -48,11 +48,11 @@ def map_parts(size: int, count: int, threads: int, seed: int, work: Callable[[sl
     parts = [slice(start, min(start + step, size)) for start in range(0, size, step)]
     seeds = np.random.SeedSequence(seed).spawn(len(parts))
     with ThreadPoolExecutor(threads) as pool:
-        return list(pool.map(lambda part, own: work(part, np.random.default_rng(own)), parts, seeds))
+        return list(pool.map(lambda part, sequence: work(part, np.random.default_rng(sequence)), parts, seeds))
 
 
 def build_open_fraction(
-    mesh: Mesh, points: SurfacePoints, threads: int, met: Callable[[np.ndarray, np.ndarray], np.ndarray]
+    mesh: Mesh, points: SurfacePoints, threads: int, is_hit: Callable[[np.ndarray, np.ndarray], np.ndarray]
 ) -> Callable[[int], np.ndarray]:
     """Build a function f(rays) that computes the open fraction (P,) of the points, with new rays at each call.
 
@@ -68,7 +68,7 @@ def build_open_fraction(
         def work(part: slice, rng: np.random.Generator) -> np.ndarray:
             n = points.normal[part]
             directions = compute_cosine_directions(rng.random((2, len(n), count, 1), np.float32), n)
-            hit = met(np.repeat(origin[part], count, axis=0), directions.reshape(-1, 3))
+            hit = is_hit(np.repeat(origin[part], count, axis=0), directions.reshape(-1, 3))
             return 1.0 - hit.reshape(len(n), count).mean(axis=1)
 
         return np.concatenate(map_parts(len(origin), count, threads, next(seeds), work))

@@ -42,17 +42,17 @@ def build_embree_estimator(mesh: Mesh, points: SurfacePoints, workers: int) -> E
 
 
 def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
-    known, seeds = build_mitsuba_scene(mesh, points, workers), count_from()
-    dr, mi = known.dr, known.mi
+    setup, seeds = build_mitsuba_scene(mesh, points, workers), count_from()
+    dr, mi = setup.dr, setup.mi
 
     def work(count: int) -> np.ndarray:
         limit = dr.opaque(mi.UInt32, count)
 
         def cast(rng: Any, hits: Any, done: Any) -> tuple[Any, Any, Any]:
-            ray = known.sample_cosine_ray(rng, known.origins, known.normals)
-            return rng, hits + dr.select(known.scene.ray_test(ray), mi.UInt32(1), mi.UInt32(0)), done + 1
+            ray = setup.sample_cosine_ray(rng, setup.origins, setup.normals)
+            return rng, hits + dr.select(setup.scene.ray_test(ray), mi.UInt32(1), mi.UInt32(0)), done + 1
 
-        state = (known.build_random(len(points), next(seeds)), dr.zeros(mi.UInt32, len(points)), mi.UInt32(0))
+        state = (setup.build_random(len(points), next(seeds)), dr.zeros(mi.UInt32, len(points)), mi.UInt32(0))
         _, hits, _ = dr.while_loop(state, lambda _rng, _hits, done: done < limit, cast)
         return 1.0 - np.asarray(hits) / count
 
@@ -66,4 +66,4 @@ ESTIMATORS = {
     "Mitsuba": Tool("mitsuba", _mitsuba),
     "embreex": Tool("embreex", build_embree_estimator),
 }
-"""By name; each makes an estimator of (mesh, points, threads)."""
+"""Tools by name; `make(mesh, points, threads)` returns an estimator."""

@@ -25,11 +25,11 @@ from warpsample.radiation.sky.sky_matrix import sky_matrix
 
 SkyTool = Callable[[int, int], np.ndarray]
 
-_RAYS_AT_A_TIME = 1 << 24  # of Mitsuba's kernel
+_RAYS_AT_A_TIME = 1 << 24  # of one launch of Mitsuba's kernel
 _OPTIONS = "-h -V+ -I+ -ab 1 -ad {} -lw 1e-8 -n 1 -fdf -e MF:1 -f reinhart.cal -b rbin -bn Nrbins -m sky"
 _SKY = "void glow sky 0 0 4 1 1 1 0\nsky source dome 0 0 4 0 0 1 180\n"
 _PATCHES = sky_patches()
-_FIRST = np.flatnonzero(np.diff(_PATCHES.rows, prepend=-1)).astype(np.int32)  # patch of each row
+_FIRST = np.flatnonzero(np.diff(_PATCHES.rows, prepend=-1)).astype(np.int32)  # first patch of each row
 _IN_ROW = np.diff(_FIRST, append=len(_PATCHES)).astype(np.int32)
 _STEP = np.radians(_PATCHES.altitudes[0, 1])
 
@@ -46,21 +46,21 @@ def _ours(call: Callable[..., Any], mesh: Mesh, points: SurfacePoints, workers: 
 
 def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
     """Trace independent cosine directions and count the free ones by patch, in one kernel."""
-    known = build_mitsuba_scene(mesh, points, workers)
-    dr, mi = known.dr, known.mi
+    setup = build_mitsuba_scene(mesh, points, workers)
+    dr, mi = setup.dr, setup.mi
     first, in_row = mi.UInt32(_FIRST.astype(np.uint32)), mi.UInt32(_IN_ROW.astype(np.uint32))
     seeds, size = count_from(), len(points) * len(_PATCHES)
 
     def add(count: int, counts: Any) -> None:
         lane = dr.arange(mi.UInt32, len(points) * count)
         point = lane // dr.opaque(mi.UInt32, count)
-        rng = known.build_random(len(points) * count, next(seeds))
-        origin, normal = dr.gather(mi.Point3f, known.origins, point), dr.gather(mi.Normal3f, known.normals, point)
-        ray = known.sample_cosine_ray(rng, origin, normal)
+        rng = setup.build_random(len(points) * count, next(seeds))
+        origin, normal = dr.gather(mi.Point3f, setup.origins, point), dr.gather(mi.Normal3f, setup.normals, point)
+        ray = setup.sample_cosine_ray(rng, origin, normal)
         d, up = ray.d, ray.d.z > 0.0
-        free = up & ~known.scene.ray_test(ray, up)
+        free = up & ~setup.scene.ray_test(ray, up)
         row = mi.UInt32(dr.asin(dr.clip(d.z, 0.0, 1.0)) * (1.0 / _STEP))
-        columns = dr.gather(mi.UInt32, in_row, row)  # unmasked: by 0 nothing is divided
+        columns = dr.gather(mi.UInt32, in_row, row)  # not masked, so that no lane divides by 0
         turns = dr.atan2(d.x, d.y) * (0.5 / np.pi)
         column = mi.UInt32(dr.round((turns + 1.0) * mi.Float(columns))) % columns
         entry = point * len(_PATCHES) + dr.gather(mi.UInt32, first, row) + column
@@ -69,8 +69,8 @@ def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
 
     def run(count: int) -> np.ndarray:
         counts, most = dr.zeros(mi.UInt32, size), max(1, _RAYS_AT_A_TIME // len(points))
-        for done in range(0, count, most):
-            add(min(most, count - done), counts)
+        for start in range(0, count, most):
+            add(min(most, count - start), counts)
         return np.asarray(counts).reshape(len(points), -1) / count
 
     return repeat_runs(run)
@@ -116,14 +116,14 @@ class Radiance:
         command = [self._home / "bin" / self.program, *options.split(), self._octree]
 
         def part(sensors: np.ndarray) -> np.ndarray:
-            done = self._run(command, np.tile(sensors, (runs, 1)).tobytes())
-            return np.frombuffer(done, np.float32).reshape(runs, len(sensors), -1, 3) / np.float32(np.pi)
+            output = self._run(command, np.tile(sensors, (runs, 1)).tobytes())
+            return np.frombuffer(output, np.float32).reshape(runs, len(sensors), -1, 3) / np.float32(np.pi)
 
         with ThreadPoolExecutor(len(self._parts)) as pool:
             return np.concatenate(list(pool.map(part, self._parts)), axis=1)
 
-    def _run(self, command: list[Any], given: bytes = b"") -> bytes:
-        return subprocess.run(command, input=given, capture_output=True, check=True, env=self._environment).stdout
+    def _run(self, command: list[Any], data: bytes = b"") -> bytes:
+        return subprocess.run(command, input=data, capture_output=True, check=True, env=self._environment).stdout
 
 
 class _Rcontrib(Radiance):
@@ -149,4 +149,4 @@ SKY_TOOLS = {
     "Radiance rcontrib": Tool("pyradiance", _Rcontrib),
     "Mitsuba": Tool("mitsuba", _mitsuba),
 }
-"""By name; each makes a tool of (mesh, points, threads)."""
+"""Tools by name, with `make(mesh, points, threads)`."""

@@ -27,17 +27,17 @@ def _trace(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) ->
 
 def _mitsuba(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> SunTool:
     """Test one lane for each pair; mask pairs with an averted sun."""
-    known = build_mitsuba_scene(mesh, points, workers)
-    dr, mi = known.dr, known.mi
+    setup = build_mitsuba_scene(mesh, points, workers)
+    dr, mi = setup.dr, setup.mi
     towards = mi.Vector3f(np.ascontiguousarray(suns.T))
 
     def work() -> np.ndarray:
         lane, columns = dr.arange(mi.UInt32, len(points) * len(suns)), dr.opaque(mi.UInt32, len(suns))
         point = lane // columns
         d = dr.gather(mi.Vector3f, towards, lane - point * columns)
-        facing = dr.dot(mi.Vector3f(dr.gather(mi.Normal3f, known.normals, point)), d) > 0.0
-        ray = mi.Ray3f(dr.gather(mi.Point3f, known.origins, point), d)
-        return np.asarray(facing & ~known.scene.ray_test(ray, facing)).reshape(len(points), len(suns))
+        facing = dr.dot(mi.Vector3f(dr.gather(mi.Normal3f, setup.normals, point)), d) > 0.0
+        ray = mi.Ray3f(dr.gather(mi.Point3f, setup.origins, point), d)
+        return np.asarray(facing & ~setup.scene.ray_test(ray, facing)).reshape(len(points), len(suns))
 
     return work
 
@@ -48,4 +48,4 @@ SUN_TOOLS = {
     TRACE: Tool("warpsample", _trace),
     "Mitsuba": Tool("mitsuba", _mitsuba),
 }
-"""By name; each makes what says who is lit, of (mesh, points, suns, threads)."""
+"""Tools by name; `make(mesh, points, suns, threads)` returns a function that computes the lit pairs."""

@@ -22,9 +22,9 @@ from warpsample.tracing.triples import Triples
 
 Hit = Callable[[], np.ndarray]
 RayTool = Callable[[bool, int], Hit]
-"""(whether any hit is asked for, workers) -> the work."""
+"""(whether any hit is query for, workers) -> the work."""
 
-_PARTS = 8  # of the rays, for each thread of a peer that leaves threads to its caller
+_PARTS = 8  # parts of the rays per thread, for a tool without threads of its own
 
 
 def build_wide_tool(mesh: Mesh, kind: str, count: int) -> RayTool:
@@ -39,11 +39,13 @@ def count_visits(mesh: Mesh, kind: str, count: int, any_hit: bool) -> tuple[floa
     """Return the mean number of (nodes, leaves) of the wide tree that a ray visits."""
     scene = scene_of(mesh)
     start, way = (Triples.of(array, "rays") for array in build_rays(mesh, kind, count))
-    hits = Hits(way.empty(np.float32), way.empty(np.int32), "wide")  # named, so that it outlives the addresses in `asked`
-    asked = rays_of(placed(scene, start, np.inf), way, hits)
+    hits = Hits(
+        way.empty(np.float32), way.empty(np.int32), "wide"
+    )  # a name keeps the arrays alive while `query` holds their addresses
+    query = rays_of(placed(scene, start, np.inf), way, hits)
     counts = np.zeros((*way.shape, 2), np.int32)
-    asked.visits = counts.ctypes.data
-    trace_rays(scene, asked, tracer=WIDE, any_hit=any_hit, device=way.device, workers=1)
+    query.visits = counts.ctypes.data
+    trace_rays(scene, query, tracer=WIDE, any_hit=any_hit, device=way.device, workers=1)
     nodes, leaves = counts.reshape(-1, 2).mean(axis=0)
     return float(nodes), float(leaves)
 
@@ -138,16 +140,16 @@ TRACERS = {
     "Embree": Tool("embreex", _embree),
     "Open3D": Tool("open3d", _open3d),
 }
-"""By name; each is made of (mesh, kind of rays, count)."""
+"""Tools by name, with `make(mesh, kind of rays, count)`."""
 
 
 def list_builds(mesh: Mesh, workers: int) -> dict[str, Callable[[], object]]:
     """Return functions that build each tool's scene; `workers` is for warpsample, the other tools use their defaults."""
-    known = scene_of(mesh)
-    known.tree(workers)
+    scene = scene_of(mesh)
+    scene.tree(workers)
     return {
         "wide": lambda: Scene(mesh).tree(workers),
-        "wide, refit": lambda: known.moved(mesh).tree(workers),
+        "wide, refit": lambda: scene.moved(mesh).tree(workers),
         "wp.Mesh": lambda: Scene(mesh).builtin(cpu()),
         "Embree": lambda: build_embree_scene(mesh),
         "Open3D": lambda: build_open3d_scene(mesh),

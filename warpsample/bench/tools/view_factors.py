@@ -56,11 +56,13 @@ class EmbreeFactors:
             faces = np.arange(part.start, part.stop)
             origins, directions = sample_rays(self.mesh, faces, count, rng)
             hit = np.asarray(self.scene.run(origins, directions, query="INTERSECT"))
-            met = np.flatnonzero(hit >= 0)
-            met = met[np.einsum("rk,rk->r", directions[met], self.normals[hit[met]]) < 0.0]  # the front of a face
-            found = np.bincount((met // count) * self.size + hit[met], minlength=len(faces) * self.size)
-            entries = np.flatnonzero(found)
-            return entries + part.start * self.size, found[entries]
+            hits = np.flatnonzero(hit >= 0)
+            hits = hits[
+                np.einsum("rk,rk->r", directions[hits], self.normals[hit[hits]]) < 0.0
+            ]  # keep hits of the front of a face
+            counts_of_pairs = np.bincount((hits // count) * self.size + hit[hits], minlength=len(faces) * self.size)
+            entries = np.flatnonzero(counts_of_pairs)
+            return entries + part.start * self.size, counts_of_pairs[entries]
 
         self.parts, self.count = map_parts(self.size, count, self.workers, next(self.seeds), counts), count
 
@@ -131,4 +133,4 @@ FACTOR_TOOLS = {
     EMBREE: Tool("embreex", EmbreeFactors),
     PAIRS: Tool("pyviewfactor", PyViewFactor),
 }
-"""By name; each makes a tool of (mesh, threads)."""
+"""Tools by name, with `make(mesh, threads)`."""
