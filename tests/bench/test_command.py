@@ -87,7 +87,7 @@ def test_all_are_run_and_written(measured, monkeypatch, capsys, tmp_path):
     (tmp_path / "viz").mkdir()
     (tmp_path / "viz" / "gallery.py").touch()
     assert measured == {}
-    monkeypatch.setattr(pictures, "draw", lambda *_: Figure((1.0, 1.0)))  # all are drawn above
+    monkeypatch.setattr(pictures, "draw_figure", lambda *_: Figure((1.0, 1.0)))  # all are drawn above
     assert run_command(monkeypatch, "all", "--write") == 0
     assert measured == {name: benchmark.settings() for name, benchmark in benchmarks().items()}
     text = (tmp_path / "README.md").read_text(encoding="utf-8")

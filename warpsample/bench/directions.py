@@ -154,7 +154,13 @@ RECORD = Benchmark(
         TableView(
             "rows", "Sequences, million directions per second", cells="million_per_second", where=_is_sequence, **_SAME
         ),
-        TableView("rows", "Speed of the sequences as a fraction of a fill", cells="of_fill", where=_is_sequence, **_SAME),
+        TableView(
+            "rows",
+            "Speed of the sequences as a fraction of a fill",
+            cells="of_fill",
+            where=_is_sequence,
+            **_SAME | {"page_rows": None},
+        ),
     ],
     pictures=[
         Picture("directions", "rows", "samples", y="million_per_second", series="sequence", where=_select_for_page, log="x")

@@ -77,11 +77,11 @@ def fill_page(text: str, folder: Path, shown: list[str]) -> str:
         name = match[1]
         results = [results[name] for results in everything if name in results]
         tables = [format_markdown(benchmarks()[name].build_page(result)) for result in results]
-        return "\n\n".join([f"<!-- bench {name} -->", *tables, "<!-- end -->"])
+        return "\n".join([f"<!-- bench {name} -->", *["\n\n".join(tables)] * bool(tables), "<!-- end -->"])
 
     def headline_of(match: re.Match[str]) -> str:
         phrases = [phrase for processor in shown for phrase in list_headlines(processor, folder)]
-        return "\n".join(["<!-- headline -->", "", *(f"- {phrase}" for phrase in phrases), "", "<!-- end -->"])
+        return "\n".join(["<!-- headline -->", *(f"- {phrase}" for phrase in phrases), "<!-- end -->"])
 
     return _HEADLINE.sub(headline_of, _BLOCK.sub(tables_of, text))
 

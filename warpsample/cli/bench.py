@@ -20,7 +20,7 @@ app: typer.Typer = typer.Typer(no_args_is_help=True, help="Run time, measured on
 
 Write = Annotated[
     bool,
-    typer.Option("--write", help="Keep the results in the checkout, and write the README and its pictures from them."),
+    typer.Option("--write", help="Save the results in the checkout, and write both pages of benchmarks and their pictures."),
 ]
 
 

@@ -76,7 +76,7 @@ class BakedTexture(ToolRow):
 
 @dataclass(frozen=True, eq=False)
 class Known:
-    """Reference values.
+    """Reference values at texels and at sample positions.
 
     Attributes:
         texels: indices of the texels with a reference value.
@@ -216,6 +216,10 @@ def compare_times(error: float, seconds: float, ours: Sequence[tuple[float, Any]
     return seconds / least if least else None
 
 
+def _select_for_page(rows: list[BakedTexture]) -> list[BakedTexture]:
+    return [row for row in rows if row.rays == 64]
+
+
 def _has_parts(row: BakedTexture) -> bool:
     return row.noise is not None
 
@@ -230,7 +234,15 @@ RECORD = Benchmark(
     parts={"rows": BakedTexture},
     views=[
         TableView("rows", "Occlusion in a texture", "tool", _CELLS, split="scene side workers"),
-        TableView("rows", "Parts of the error of lookups", "tool", _PARTS, split="scene side workers", where=_has_parts),
+        TableView(
+            "rows",
+            "Parts of the error of lookups",
+            "tool",
+            _PARTS,
+            split="scene side workers",
+            where=_has_parts,
+            page_rows=_select_for_page,
+        ),
     ],
     pictures=[Picture("textures", "rows", "took", y="lookup", panels="scene side", log="xy")],
 )

@@ -68,7 +68,7 @@ def cosine(w: wp.vec3) -> wp.float32:
 
 @wp.func
 def cosine_power(w: wp.vec3) -> wp.float32:
-    """Return cos(theta)^8."""
+    """Return the eighth power of the cosine of the angle to the normal, cos(theta)^8."""
     squared = w[2] * w[2]
     return squared * squared * squared * squared
 

@@ -39,9 +39,8 @@ def count_visits(mesh: Mesh, kind: str, count: int, any_hit: bool) -> tuple[floa
     """Return the mean number of (nodes, leaves) of the wide tree that a ray visits."""
     scene = scene_of(mesh)
     start, way = (Triples.of(array, "rays") for array in build_rays(mesh, kind, count))
-    hits = Hits(
-        way.empty(np.float32), way.empty(np.int32), "wide"
-    )  # a name keeps the arrays alive while `query` holds their addresses
+    # A name keeps the arrays alive while `query` holds their addresses.
+    hits = Hits(way.empty(np.float32), way.empty(np.int32), "wide")
     query = rays_of(placed(scene, start, np.inf), way, hits)
     counts = np.zeros((*way.shape, 2), np.int32)
     query.visits = counts.ctypes.data
