@@ -124,7 +124,9 @@ def test_a_setting_that_is_a_path_is_written_as_its_text(results, tmp_path):
 def test_a_damaged_file_of_results_is_named(copied, content, fill):
     path = copied / f"rays-{readme.list_processors(copied)[0]}.json"
     path.write_text(content, encoding="utf-8")
-    with pytest.raises(ValueError, match=rf"^{re.escape(str(path))}: got \w+Error .*, want a file written by `warpsample bench"):
+    with pytest.raises(
+        ValueError, match=rf"^{re.escape(str(path))}: got \w+Error .*, want a file written by `warpsample bench"
+    ):
         fill(block("rays"), copied)
 
 
