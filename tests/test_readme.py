@@ -112,20 +112,8 @@ def test_shell_blocks_are_the_commands_that_are_tested(repository):
         "pytest",  # this
         "warpsample verify",  # test_verify.py, on fewer cases
         "warpsample verify --power",
+        "warpsample bench peers",  # these: tests/bench/test_command.py, on what was measured before
         "warpsample bench city --raster dsm.tif",
-        "warpsample bench cluster",  # these: tests/bench/test_command.py, on what was measured before
-        "warpsample bench directions",
-        "warpsample bench error",
-        "warpsample bench kernels",
-        "warpsample bench light",
-        "warpsample bench peers",
-        "warpsample bench radiation",
-        "warpsample bench rays",
-        "warpsample bench scaling",
-        "warpsample bench startup",
-        "warpsample bench textures",
-        "warpsample bench view-factors",
-        "warpsample bench visibility",
         "warpsample bench all --write",
         "warpsample info courtyard",
         "warpsample directions courtyard -o directions.npz --points 10000 --samples 64",

@@ -13,7 +13,7 @@ from typing import Annotated
 
 import typer
 
-from warpsample.bench.running.machine import this_machine
+from warpsample.bench.running.machine import describe_machine
 from warpsample.cli.terminal import fail_plainly, with_progress
 from warpsample.host.files import check_output_folder, write_bytes
 from warpsample.plotting import rendering
@@ -231,7 +231,7 @@ def main(
         figures="\n".join(figures),
         scene=text,
         scene_command=SCENE.replace("FILE", "scene.html"),
-        machine=escape(str(this_machine())),
+        machine=escape(str(describe_machine())),
     )
     write_bytes(output / "index.html", page.encode())
     print(f"{output / 'index.html'}: {len(shots)} pictures")

@@ -13,7 +13,7 @@ from warpsample.bench.tools.rasters import RASTER_TOOLS
 
 def test_exact_values_are_those_of_the_sheet():
     """The middle of the yard by its walls' elevation, the slope by (1 - the mean of sin h) of a plane: shared/CITY.md."""
-    heights, cells, right = city.yard()
+    heights, cells, right = city.build_yard()
     assert (heights.ravel()[cells] == 0.0).all()
     assert (heights == 0.0).sum() == len(cells) == 441
     middle = right.reshape(21, 21)
@@ -22,14 +22,14 @@ def test_exact_values_are_those_of_the_sheet():
     turn = np.linspace(0.0, 2.0 * np.pi, 100_001)[:-1]
     away = 10.5 / np.maximum(np.abs(np.cos(turn)), np.abs(np.sin(turn)))
     assert middle[10, 10] == pytest.approx(1.0 - (20.0 / np.hypot(20.0, away)).mean(), abs=1e-6)
-    _, _, plane = city.slope(45.0)
+    _, _, plane = city.build_slope(45.0)
     assert plane[0] == pytest.approx(1.0 - np.arctan(1.0) / np.pi, abs=1e-6)  # a wedge of 45 of 180 degrees is hidden
 
 
 @pytest.mark.slow
 def test_a_tool_is_told_what_it_is_off_by(monkeypatch):
     """By 64 rays four standard errors of the mean of 441 cells; one that adds 0.1 is told so."""
-    heights, cells, right = city.yard()
+    heights, cells, right = city.build_yard()
     job = city.build_sky("warpsample, 64 rays", "yard", None, workers=1)
     job.work()
     told = job.report()

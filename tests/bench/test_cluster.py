@@ -15,18 +15,18 @@ CASE = {
 
 def test_the_plan_follows_from_what_was_measured():
     """By hand: 15,259 chunks of 2 s each on one thread, which the scheduler hands out in 4 ms each."""
-    hours = {row.threads: row.hours for row in cluster.plan(CASE)}
+    hours = {row.threads: row.hours for row in cluster.plan_hours(CASE)}
     assert hours[1] == pytest.approx(15_259 * 2.0 / 3600)
     assert hours[128] == pytest.approx(120 * 2.0 / 3600)
     assert hours[8192] == pytest.approx(15_259 * 0.004 / 3600)
 
 
 def test_the_bottleneck_is_named():
-    told = {row.threads: row.bottleneck for row in cluster.plan(CASE)}
+    told = {row.threads: row.bottleneck for row in cluster.plan_hours(CASE)}
     assert told[1] == told[256] == "the work, up to 500 threads"
     assert told[1024] == "the scheduler: take chunks of 3 times as many points"
     less = CASE | {"overheads": CASE["overheads"][:1]}
-    assert cluster.plan(less)[10].bottleneck == "the work, up to 2,000 threads"
+    assert cluster.plan_hours(less)[10].bottleneck == "the work, up to 2,000 threads"
 
 
 @pytest.mark.thorough

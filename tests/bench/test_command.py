@@ -9,14 +9,14 @@ from bench_output import give, run_command
 from matplotlib.figure import Figure
 
 from warpsample.bench import benchmarks, pictures, readme
-from warpsample.bench.result import RESULTS, kept
+from warpsample.bench.result import RESULTS, load_results
 
 
 @pytest.fixture
 def found():
     """What every benchmark has found, as its files hold it, with repeats made up."""
-    results = kept(readme.processors(RESULTS)[0], benchmarks())
-    found = {name: result.found for name, result in results.items()}
+    results = load_results(readme.list_processors(RESULTS)[0], benchmarks())
+    found = {name: result.rows for name, result in results.items()}
     found["peers"]["rows"] = [replace(row, seconds=[1.0, 2.0]) for row in found["peers"]["rows"]]
     return found
 
@@ -74,25 +74,27 @@ def test_what_is_wrong_ends_with_a_status(measured, found, monkeypatch):
 
 
 def test_all_are_run_and_written(measured, monkeypatch, capsys, tmp_path):
-    """The README, its pictures and the results are remade from what was found, by default sizes."""
+    """Both pages, the pictures and the results are written from the measured rows, by default sizes."""
     monkeypatch.setattr(readme, "README", tmp_path / "README.md")
     monkeypatch.setattr(readme, "PICTURES", tmp_path / "viz")
     monkeypatch.setattr(readme, "RESULTS", tmp_path / "results")
     blocks = "".join(f"<!-- bench {name} -->\n<!-- end -->\n" for name in benchmarks())
     (tmp_path / "README.md").write_text(f"Before.\n{blocks}![A picture](../../viz/bench_directions.png)\nAfter.\n")
+    (tmp_path / readme.SECOND_PAGE).write_text(f"Before.\n{blocks}After.\n")
     assert run_command(monkeypatch, "all", "--write") == 2
     assert "--write: got an installed package, want a checkout" in capsys.readouterr().err
     (tmp_path / "results").mkdir()
     (tmp_path / "viz").mkdir()
     (tmp_path / "viz" / "gallery.py").touch()
     assert measured == {}
-    monkeypatch.setattr(pictures, "draw", lambda *_: Figure((1.0, 1.0)))  # all are drawn above
+    monkeypatch.setattr(pictures, "draw_figure", lambda *_: Figure((1.0, 1.0)))  # all are drawn above
     assert run_command(monkeypatch, "all", "--write") == 0
     assert measured == {name: benchmark.settings() for name, benchmark in benchmarks().items()}
     text = (tmp_path / "README.md").read_text(encoding="utf-8")
     assert text.startswith("Before.\n")
     assert text.endswith("After.\n")
     assert all(f"(`warpsample bench {name}`:" in text for name in benchmarks())
+    assert "`warpsample bench" not in (tmp_path / readme.SECOND_PAGE).read_text(encoding="utf-8")  # no other processor
     assert len(list((tmp_path / "results").iterdir())) == len(benchmarks())
     assert [path.name for path in (tmp_path / "viz").glob("*.png")] == ["bench_directions.png"]
 

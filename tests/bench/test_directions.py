@@ -10,19 +10,19 @@ from warpsample.bench.running import timing
 
 @pytest.fixture(scope="module")
 def rows():
-    groups = directions.groups(64)
+    groups = directions.list_groups(64)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(timing, "WARM_UP", 0.0)
         return [row for group in (groups[0], groups[-6], groups[-2]) for row in directions.measure_group(*group, 2)]
 
 
 def test_every_distribution_method_sequence_and_count_is_measured():
-    names = {case.name for case in directions.maps()}
+    names = {case.name for case in directions.list_maps()}
     assert names == set(ws.distributions.names())
-    assert {case.method for case in directions.maps() if case.name == "cosine_hemisphere"} == {
+    assert {case.method for case in directions.list_maps() if case.name == "cosine_hemisphere"} == {
         *("polar", "concentric", "inversion", "offset")
     }
-    assert len(directions.groups(64)) == len(directions.maps()) + len(directions.COUNTS)
+    assert len(directions.list_groups(64)) == len(directions.list_maps()) + len(directions.COUNTS)
 
 
 @pytest.mark.thorough

@@ -12,7 +12,7 @@ from warpsample.bench import kernels
 @pytest.mark.thorough
 def test_ways_to_a_mean_agree(monkeypatch):
     monkeypatch.setattr(kernels, "_TOTAL", 1 << 14)
-    fused, directions, summed = (work() for work in kernels.means(256).values())
+    fused, directions, summed = (work() for work in kernels.build_means(256).values())
     assert directions.shape == (64, 256, 3)
     assert np.abs(fused.value - summed).max() <= 6.0 * fused.standard_error.max() + 1e-3
 
@@ -21,7 +21,7 @@ def test_ways_to_a_mean_agree(monkeypatch):
 def test_ways_to_occlusion_agree(monkeypatch):
     """The user's kernel has a point's own 256 rays, each 0 or 1: its error is at most that of independent ones."""
     monkeypatch.setitem(kernels.SCENES, "bunny", soup)
-    own, cast, skipped = (work() for work in kernels.occlusions("bunny", 64).values())
+    own, cast, skipped = (work() for work in kernels.build_occlusions("bunny", 64).values())
     assert np.array_equal(cast.value, skipped.value)
     assert 0.01 < cast.value.mean() < 0.99
     assert np.abs(own.numpy() - cast.value).max() <= 5.3 * np.sqrt(0.25 / 256 + cast.standard_error.max() ** 2)

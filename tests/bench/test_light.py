@@ -5,21 +5,21 @@ import pytest
 from bench_output import drawn, lines_of
 
 from warpsample.bench import light
-from warpsample.bench.radiation import errors
-from warpsample.bench.tools.light import LIGHT_TOOLS, OURS, kinds_of
+from warpsample.bench.radiation import compute_errors
+from warpsample.bench.tools.light import LIGHT_TOOLS, OURS, list_kinds
 
 PEER = "Radiance rtrace -ab 8"
 SETTINGS = {"side": 2, "points": 64, "rays": 256, "repeats": 1}
 
 
 def test_kinds_of_faces():
-    reflecting, _ = light.lit_city("reflection", 2, 16)
-    clear, at = light.lit_city("transmission", 2, 16)
-    kinds, kind = kinds_of(clear)
+    reflecting, _ = light.build_lit_city("reflection", 2, 16)
+    clear, at = light.build_lit_city("transmission", 2, 16)
+    kinds, kind = list_kinds(clear)
     assert kinds.tolist() == [[0.0, 0.0], [0.0, 0.3]]
     assert np.array_equal(np.float32(kinds[kind, 1]), clear.transmittance)
     assert 0.2 < kind.mean() < 0.45
-    assert kinds_of(reflecting)[0].tolist() == [[0.4, 0.0]]
+    assert list_kinds(reflecting)[0].tolist() == [[0.4, 0.0]]
     assert len(at) == 16
 
 
@@ -27,16 +27,16 @@ def test_kinds_of_faces():
 @pytest.mark.parametrize("task", light.TASKS)
 @pytest.mark.parametrize("tool", ["Mitsuba", PEER])
 def test_tools_find_the_same_light(tool, task):
-    mesh, at = light.lit_city(task, 2, 128)
+    mesh, at = light.build_lit_city(task, 2, 128)
     try:
         runs = LIGHT_TOOLS[tool].make(mesh, at, 2)(1024, 3)
     except (ImportError, RuntimeError) as error:
         pytest.skip(str(error))
     right = LIGHT_TOOLS[OURS].make(mesh, at, 2)(1 << 14, 2).mean(axis=0, dtype=float)
-    most = light._MOST_OFF**2
-    assert errors(runs, right)[2] < most
+    most = light._MOST_RMSE**2
+    assert compute_errors(runs, right)[2] < most
     for wrong in (right / np.pi, 0.9 * right, right[::-1]):
-        assert errors(runs, wrong)[2] > 4.0 * most
+        assert compute_errors(runs, wrong)[2] > 4.0 * most
 
 
 @pytest.mark.thorough

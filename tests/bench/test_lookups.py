@@ -5,7 +5,7 @@ import pytest
 from lookups import floor_by_a_wall, two_charts
 
 import warpsample as ws
-from warpsample.bench.textures.lookups import places_of, read
+from warpsample.bench.textures.lookups import read_bilinear, sample_places
 
 HEIGHT, DEPTH, SIDE = 1.0, 4.0, 16
 
@@ -35,7 +35,7 @@ def folded():
 def test_places_are_shared_that_read_texels_of_others(made, share):
     """All or none, but for two floors of three, with a standard deviation of 0.007 of 4,000 places."""
     mesh, uv = made()
-    places = places_of(ws.texture_points(mesh, uv, SIDE, normals="smooth"), uv, 4000, 16, 0)
+    places = sample_places(ws.texture_points(mesh, uv, SIDE, normals="smooth"), uv, 4000, 16, 0)
     assert places.shared.mean() == pytest.approx(share, abs=0.03 if share % 1.0 else 0.0)
 
 
@@ -48,14 +48,14 @@ def test_noise_overlap_and_resolution_are_the_whole_error():
     """
     mesh, uv = stacked()
     t = ws.texture_points(mesh, uv, SIDE, normals="smooth")
-    places = places_of(t, uv, 20_000, 16_384, 1 << 40)
+    places = sample_places(t, uv, 20_000, 16_384, 1 << 40)
     bakes = [ws.ambient_occlusion(mesh, t.points, 64, sequence="independent", seed=seed) for seed in range(40)]
     images = [t.image(bake.value) for bake in bakes]
     best = t.image(ws.ambient_occlusion(mesh, t.points, 65_536, seed=99).value)
-    squares = [(read(image, places.uv) - places.right) ** 2 for image in images]
-    common = (read(best, places.uv) - places.right) ** 2
+    squares = [(read_bilinear(image, places.uv) - places.right) ** 2 for image in images]
+    common = (read_bilinear(best, places.uv) - places.right) ** 2
     told = _told(places.uv, np.mean([np.square(t.image_error(bake)).ravel() for bake in bakes], axis=0))
-    pairs = [places.error(images[k : k + 2]) for k in range(0, len(images), 2)]
+    pairs = [places.compute_error(images[k : k + 2]) for k in range(0, len(images), 2)]
 
     for name, half in (("overlap", places.shared), ("resolution", ~places.shared)):
         part, whole = np.mean(common * half), np.array([np.mean(square * half) for square in squares])
@@ -76,5 +76,5 @@ def assert_mean(right, found):
 
 def _told(uv, variance):
     """The variance of each lookup by those of the texels (T,), which are independent."""
-    ways = (read(np.eye(SIDE**2)[texel].reshape(SIDE, SIDE), uv) ** 2 * variance[texel] for texel in range(SIDE**2))
+    ways = (read_bilinear(np.eye(SIDE**2)[texel].reshape(SIDE, SIDE), uv) ** 2 * variance[texel] for texel in range(SIDE**2))
     return sum(ways)

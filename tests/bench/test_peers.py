@@ -34,12 +34,12 @@ def test_a_peer_with_another_mean_is_called_wrong():
     values = 2.0 / 3.0 + 0.1 * np.float32([1.0, -1.0] * 5000)  # a standard error of 1e-3
 
     def worst(off):
-        return peers.worst_deviation([(values + off, 2.0 / 3.0), (values, 2.0 / 3.0)])
+        return peers.find_worst_deviation([(values + off, 2.0 / 3.0), (values, 2.0 / 3.0)])
 
     assert worst(0.0) < 0.1
     assert worst(5e-3) == pytest.approx(5.0, rel=0.01)
     assert np.isnan(worst(np.nan))
-    told = [peers.judged(DIRECTIONS["NumPy"], 2, worst(off)) for off in (0.0, 5e-3, np.nan)]
+    told = [peers.judge(DIRECTIONS["NumPy"], 2, worst(off)) for off in (0.0, 5e-3, np.nan)]
     assert [row["agrees"] for row in told] == [True, False, False]
     assert told[0]["threads"] == 1
 

@@ -7,8 +7,8 @@ import pytest
 from bench_output import drawn, lines_of
 
 from warpsample.bench import radiation
-from warpsample.bench.radiation import RECORD, errors, sky_reference
-from warpsample.bench.scenes import clear_points_of, year_of_suns
+from warpsample.bench.radiation import RECORD, compute_errors, compute_sky_reference
+from warpsample.bench.scenes import compute_year_of_suns, sample_clear_points
 from warpsample.bench.tools.sky import OURS, SKY_TOOLS, VIEW
 from warpsample.bench.tools.sun import SUN_TOOLS, TRACE
 
@@ -18,7 +18,7 @@ SETTINGS = {"scene": ["bunny"], "points": 32, "year_points": 64, "repeats": 1}
 
 def test_a_year_has_its_suns():
     """The sun stands due south at 12, its altitude between 90 - 52.37 -+ 23.44 degrees; up half of the time."""
-    suns = year_of_suns().astype(np.float64)
+    suns = compute_year_of_suns().astype(np.float64)
     assert 4300 <= len(suns) <= 4460
     assert np.abs(np.linalg.norm(suns, axis=1) - 1.0).max() <= 1e-6
     highest = np.degrees(np.arcsin(suns[:, 2].max()))
@@ -31,16 +31,16 @@ def test_errors_tell_what_is_apart():
     rng = np.random.default_rng(2)
     right = rng.random((50, 145))
     runs = right + 0.01 * rng.standard_normal((2, 50, 145))
-    mse, variance, apart = errors(runs, right)
+    mse, variance, apart = compute_errors(runs, right)
     assert mse == pytest.approx(1e-4, rel=0.05)
     assert apart / variance == pytest.approx(1.0, abs=0.1)
-    assert errors(runs + 0.02, right)[2] / variance > radiation.MOST_APART
+    assert compute_errors(runs + 0.02, right)[2] / variance > radiation.MOST_ERROR_RATIO
 
 
 def test_equal_errors_take_as_many_more_rays():
     """Independent rays with four times the error need sixteen times the rays; what is fixed stays."""
     ours, theirs = {"rmse": 1e-4}, {"rmse": 4e-4, "rate": 0.5, "fixed": 0.5}
-    assert radiation.at_equal_error([1.5], theirs, [0.1], ours).median == pytest.approx((0.5 + 16.0) / 0.1)
+    assert radiation.compare_at_equal_error([1.5], theirs, [0.1], ours).median == pytest.approx((0.5 + 16.0) / 0.1)
 
 
 def test_a_tool_that_disagrees_is_wrong_and_one_that_is_missing_is_not():
@@ -49,25 +49,25 @@ def test_a_tool_that_disagrees_is_wrong_and_one_that_is_missing_is_not():
         "sun": [radiation.SunTime("city", 1, 9, tool=TRACE, failure="no")],
         "year": [],
     }
-    assert not RECORD.wrong(right)
-    assert RECORD.wrong(right | {"sky": [replace(right["sky"][0], agrees=False)]})
-    assert RECORD.wrong(right | {"sun": [replace(right["sun"][0], agrees=False)]})
+    assert not RECORD.has_disagreement(right)
+    assert RECORD.has_disagreement(right | {"sky": [replace(right["sky"][0], agrees=False)]})
+    assert RECORD.has_disagreement(right | {"sun": [replace(right["sun"][0], agrees=False)]})
 
 
 @pytest.mark.thorough
 @pytest.mark.parametrize("tool", ["Mitsuba", "Radiance rcontrib", OURS])
 def test_tools_see_the_same_sky(tool):
-    mesh, at = clear_points_of("bunny", 64)
+    mesh, at = sample_clear_points("bunny", 64)
     try:
         run = SKY_TOOLS[tool].make(mesh, at, 2)
         runs = run(2048, 3)
     except (ImportError, RuntimeError) as error:
         pytest.skip(str(error))
-    right = sky_reference(mesh, at, 2)
-    _, variance, apart = errors(runs, right)
-    assert apart <= radiation.MOST_APART * variance
+    right = compute_sky_reference(mesh, at, 2)
+    _, variance, apart = compute_errors(runs, right)
+    assert apart <= radiation.MOST_ERROR_RATIO * variance
     for wrong in (right * np.pi, np.roll(right, 5, axis=1), right[:, ::-1]):
-        assert errors(runs, wrong)[2] > 2.0 * radiation.MOST_APART * variance
+        assert compute_errors(runs, wrong)[2] > 2.0 * radiation.MOST_ERROR_RATIO * variance
 
 
 @pytest.mark.thorough
@@ -84,12 +84,12 @@ def test_all_is_measured_and_shown(tmp_path, capsys):
     assert {row.tool: row.different for row in sun}["warpsample"] == 0.0
     assert [row.agrees for row in sun] == [True, True]
     assert set(SUN_TOOLS) >= {row.tool for row in sun}
-    assert not RECORD.wrong(found)
+    assert not RECORD.has_disagreement(found)
     (year,) = found["year"]
     assert year.fewer_seconds > 0.0
     assert year.took > 0.0
     text = "\n".join(lines_of("radiation", SETTINGS, found, capsys))
     assert "nobody did not run here: KeyError" in text
-    assert "Sky matrix, 1,024 rays a point: bunny, threads 1" in text
-    assert "s of 16 points" in text
+    assert "Sky matrix, 1,024 rays per point: bunny, threads 1" in text
+    assert "seconds for 16 points" in text
     assert drawn("radiation", found, tmp_path) == ["radiation.png"]

@@ -38,14 +38,14 @@ def test_the_city_is_boxes_on_a_plane():
 
 def test_rays_are_of_their_kind():
     mesh = scenes.bunny(0)
-    shapes = {kind: [array.shape for array in scenes.ray_set(mesh, kind, 4096)] for kind in scenes.KINDS}
+    shapes = {kind: [array.shape for array in scenes.build_rays(mesh, kind, 4096)] for kind in scenes.KINDS}
     assert shapes == {
         "camera": [(3,), (4096, 3)],
         "outward": [(64, 3), (64, 64, 3)],
         "inward": [(64, 3), (64, 64, 3)],
         "random": [(4096, 3), (4096, 3)],
     }
-    share = {kind: tracers.wide_tree(mesh, kind, 4096)(True, 1)().mean() for kind in scenes.KINDS}
+    share = {kind: tracers.build_wide_tool(mesh, kind, 4096)(True, 1)().mean() for kind in scenes.KINDS}
     assert share["inward"] == 1.0  # the bunny is closed
     assert 0.03 < share["outward"] < 0.2  # its mean occlusion is 0.091
     assert 0.2 < share["camera"] < 0.5
@@ -78,7 +78,7 @@ def test_builds_are_measured(measured):
 def test_a_tool_that_answers_otherwise_is_seen(monkeypatch):
     monkeypatch.setattr(timing, "WARM_UP", 0.0)
     mesh = scenes.bunny(0)
-    tools = {"wide": tracers.wide_tree(mesh, "inward", 256), "blind": lambda *_: lambda: np.zeros(256, bool)}
+    tools = {"wide": tracers.build_wide_tool(mesh, "inward", 256), "blind": lambda *_: lambda: np.zeros(256, bool)}
     visited = {"nodes": 1.0, "leaves": 1.0}
     case = {"scene": "bunny", "triangles": 12_200, "kind": "inward", "any_hit": True}
     assert [row.differ for row in rays.compare(tools, [1], 1, visited, **case)] == [256, 256]
@@ -90,7 +90,7 @@ def test_a_missing_tool_is_a_line(monkeypatch):
 
     monkeypatch.setitem(tracers.TRACERS, "Embree", tracers.TRACERS["Embree"]._replace(make=absent))
     missing = {}
-    assert "Embree" not in rays.tracers_of(scenes.bunny(0), "camera", 64, missing)
+    assert "Embree" not in rays.build_tracers(scenes.bunny(0), "camera", 64, missing)
     assert missing["Embree"] == "No module named 'embreex'; pip install embreex"
 
 

@@ -10,7 +10,7 @@ from bench_output import lines_of
 from PIL import Image
 
 from warpsample.bench import benchmarks, readme
-from warpsample.bench.result import RESULTS, keep, kept, save_everything
+from warpsample.bench.result import RESULTS, load_results, save_repeats, save_summary
 
 NAMES = sorted(benchmarks())
 
@@ -18,7 +18,7 @@ NAMES = sorted(benchmarks())
 @pytest.fixture(scope="module")
 def results():
     """Of the first processor."""
-    return kept(readme.processors(RESULTS)[0], benchmarks())
+    return load_results(readme.list_processors(RESULTS)[0], benchmarks())
 
 
 @pytest.fixture
@@ -49,36 +49,58 @@ def block(name):
     return f"<!-- bench {name} -->\n<!-- end -->"
 
 
-def test_the_readme_shows_every_benchmark_once():
-    text = readme.README.read_text(encoding="utf-8")
-    assert sorted(re.findall("<!-- bench ([a-z-]+) -->", text)) == NAMES
+@pytest.fixture
+def fill():
+    """Return a function that fills a text from a folder, for a slice of its processors."""
+
+    def fill_for(text, folder, chosen=slice(None)):
+        return readme.fill_page(text, folder, readme.list_processors(folder)[chosen])
+
+    return fill_for
 
 
-def test_the_readme_is_made_from_the_results():
-    text = readme.README.read_text(encoding="utf-8")
-    assert readme.fill(text, RESULTS) == text
+@pytest.mark.parametrize("page", readme.list_pages(), ids=lambda page: page.name)
+def test_each_page_shows_every_benchmark_once(page):
+    assert sorted(re.findall("<!-- bench ([a-z-]+) -->", page.read_text(encoding="utf-8"))) == NAMES
+
+
+@pytest.mark.parametrize(("page", "chosen"), readme.list_pages().items(), ids=lambda item: getattr(item, "name", ""))
+def test_each_page_is_generated_from_the_results(page, chosen, fill):
+    text = page.read_text(encoding="utf-8")
+    assert fill(text, RESULTS, chosen) == text
+
+
+def test_each_page_names_one_kind_of_processor():
+    kinds = [set(re.findall(r"AMD EPYC,\s(AVX2|AVX-512)", page.read_text(encoding="utf-8"))) for page in readme.list_pages()]
+    assert kinds == [{"AVX-512"}, {"AVX2"}]
+
+
+def test_the_page_is_short():
+    """Count the lines: a reader of one processor scrolls past nothing that is about the other."""
+    assert len(readme.README.read_text(encoding="utf-8").splitlines()) <= 500
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_an_edit_of_a_result_is_seen(copied, name):
-    text = readme.README.read_text(encoding="utf-8")
-    scale(copied / f"{name}-{readme.processors(copied)[0]}.json")
-    assert readme.fill(text, copied) != text
+def test_an_edit_of_a_result_changes_the_page_of_its_processor_alone(copied, name, fill):
+    scale(copied / f"{name}-{readme.list_processors(copied)[0]}.json")
+    texts = {page: page.read_text(encoding="utf-8") for page in readme.list_pages()}
+    changed = [fill(text, copied, readme.list_pages()[page]) != text for page, text in texts.items()]
+    assert changed == [True, False]
 
 
-def test_an_edit_of_the_readme_is_seen_where_it_is_measured_and_only_there():
+def test_an_edit_of_the_readme_is_seen_where_it_is_measured_and_only_there(fill):
     text = readme.README.read_text(encoding="utf-8")
     blocks = re.finditer("<!-- bench .*?<!-- end -->", text, flags=re.DOTALL)
     figures = [block.start() + found.start() for block in blocks for found in re.finditer(r"\d", block[0])]
     for at in figures[:: len(figures) // 8]:
         edited = text[:at] + str((int(text[at]) + 1) % 10) + text[at + 1 :]
-        assert readme.fill(edited, RESULTS) == text
-    assert readme.fill(f"{text}More.", RESULTS) == f"{text}More."
+        assert fill(edited, RESULTS, slice(1)) == text
+    assert fill(f"{text}More.", RESULTS, slice(1)) == f"{text}More."
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_results_are_read_as_they_were_written(results, name, tmp_path):
-    path = keep(benchmarks()[name], results[name], tmp_path)
+    path = save_summary(benchmarks()[name], results[name], tmp_path)
     assert path.read_bytes() == (RESULTS / path.name).read_bytes()
     content = json.loads(path.read_text(encoding="utf-8"))
     assert content["command"] == f"bench {name}"
@@ -91,17 +113,21 @@ def test_results_are_read_as_they_were_written(results, name, tmp_path):
 def test_a_setting_that_is_a_path_is_written_as_its_text(results, tmp_path):
     path, asset = tmp_path / "all.json", tmp_path / "in.glb"
     result = replace(results["textures"], settings={"asset": asset})
-    save_everything(path, benchmarks()["textures"], result)
+    save_repeats(path, benchmarks()["textures"], result)
     assert json.loads(path.read_text(encoding="utf-8"))["settings"] == {"asset": str(asset)}
-    assert json.loads(keep(benchmarks()["textures"], result, tmp_path).read_text())["settings"] == {"asset": str(asset)}
+    assert json.loads(save_summary(benchmarks()["textures"], result, tmp_path).read_text())["settings"] == {
+        "asset": str(asset)
+    }
 
 
 @pytest.mark.parametrize("content", ['{"command": "bench rays", "machine": {"cp', "{}", "[]", ""])
-def test_a_damaged_file_of_results_is_named(copied, content):
-    path = copied / f"rays-{readme.processors(copied)[0]}.json"
+def test_a_damaged_file_of_results_is_named(copied, content, fill):
+    path = copied / f"rays-{readme.list_processors(copied)[0]}.json"
     path.write_text(content, encoding="utf-8")
-    with pytest.raises(ValueError, match=rf"^{re.escape(str(path))}: got \w+Error .*, want results as `warpsample bench"):
-        readme.fill(block("rays"), copied)
+    with pytest.raises(
+        ValueError, match=rf"^{re.escape(str(path))}: got \w+Error .*, want a file written by `warpsample bench"
+    ):
+        fill(block("rays"), copied)
 
 
 def test_results_are_small():
@@ -119,40 +145,44 @@ def test_results_are_of_the_default_sizes_and_of_a_commit(results, name):
 
 def test_the_first_page_says_what_was_measured(repository):
     text = " ".join((repository / "README.md").read_text(encoding="utf-8").split())
-    phrases = [phrase for processor in readme.processors(RESULTS) for phrase in readme.headline(processor)]
+    phrases = readme.list_headlines(readme.list_processors(RESULTS)[0])
     assert [phrase for phrase in phrases if phrase not in text] == []
 
 
 def test_pictures_are_of_the_results(repository):
-    shown = readme.pictures_in(readme.README.read_text(encoding="utf-8"))
+    shown = readme.find_pictures(readme.README.read_text(encoding="utf-8"))
     drawn = {picture.name: name for name, benchmark in benchmarks().items() for picture in benchmark.pictures}
-    assert shown == ["error", "rays", "visibility"]
+    assert sorted(shown) == ["error", "rays", "visibility"]
     for picture in shown:
-        path = RESULTS / f"{drawn[picture]}-{readme.processors(RESULTS)[0]}.json"
+        path = RESULTS / f"{drawn[picture]}-{readme.list_processors(RESULTS)[0]}.json"
         with Image.open(repository / "viz" / f"bench_{picture}.png") as image:
-            assert image.text["Description"] == readme.digest(path)
+            assert image.text["Description"] == readme.describe_source(path)
 
 
-def test_each_processor_has_its_tables_the_first_before_the_others(results, tmp_path):
+def test_each_processor_has_its_tables_the_first_before_the_others(results, tmp_path, fill):
     for name, result in results.items():
-        keep(benchmarks()[name], replace(result, machine=replace(result.machine, cpu="One", instructions="avx2")), tmp_path)
+        save_summary(
+            benchmarks()[name], replace(result, machine=replace(result.machine, cpu="One", instructions="avx2")), tmp_path
+        )
     result = results["peers"]
-    keep(benchmarks()["peers"], replace(result, machine=replace(result.machine, cpu="Two", instructions="avx512")), tmp_path)
-    text = readme.fill("\n".join(map(block, NAMES)), tmp_path)
+    save_summary(
+        benchmarks()["peers"], replace(result, machine=replace(result.machine, cpu="Two", instructions="avx512")), tmp_path
+    )
+    text = fill("\n".join(map(block, NAMES)), tmp_path)
     told = re.findall("`warpsample bench ([a-z-]+)`:[^;]*;\\s(One|Two),\\s(AVX2|AVX-512)", text)
     others = [(name, "One", "AVX2") for name in NAMES]
     others.insert(NAMES.index("peers"), ("peers", "Two", "AVX-512"))
     assert told == others
-    assert readme.fill(text, tmp_path) == text
+    assert fill(text, tmp_path) == text
 
 
 def test_every_figure_of_the_first_page_follows_its_result(copied):
-    processor = readme.processors(copied)[0]
-    before = readme.headline(processor, copied)
+    processor = readme.list_processors(copied)[0]
+    before = readme.list_headlines(processor, copied)
     assert len(before) == 4
     for name, changed in (("peers", 0), ("rays", 1), ("visibility", 2)):
         scale(copied / f"{name}-{processor}.json")
-        after = readme.headline(processor, copied)
+        after = readme.list_headlines(processor, copied)
         assert [i for i in range(4) if after[i] != before[i]] == [changed]
         before = after
 
@@ -160,4 +190,4 @@ def test_every_figure_of_the_first_page_follows_its_result(copied):
 @pytest.mark.parametrize("name", NAMES)
 def test_results_are_shown(results, name, capsys):
     """All lines fit; `lines_of` looks."""
-    assert len(lines_of(name, results[name].settings, results[name].found, capsys)) > 10
+    assert len(lines_of(name, results[name].settings, results[name].rows, capsys)) > 10

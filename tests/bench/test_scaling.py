@@ -7,7 +7,7 @@ from warpsample.bench import scaling
 
 
 def test_scaling_covers_points_samples_and_workers():
-    found = scaling.cases(100_000_000)
+    found = scaling.list_cases(100_000_000)
     assert [p for axis, p, _, _ in found if axis == "points"] == [10**k for k in range(3, 9)]
     assert [s for axis, _, s, _ in found if axis == "samples"] == [4**k for k in range(7)]
     assert next(w for axis, _, _, w in found if axis == "workers") == 1
@@ -24,7 +24,7 @@ def test_a_stream_computes_every_direction(monkeypatch):
 
 @pytest.mark.thorough
 def test_each_case_is_measured_in_a_process_of_its_own(monkeypatch, capsys, tmp_path):
-    monkeypatch.setattr(scaling, "cases", lambda _: [("points", 1000, 16, 1), ("points", 4000, 16, 1)])
+    monkeypatch.setattr(scaling, "list_cases", lambda _: [("points", 1000, 16, 1), ("points", 4000, 16, 1)])
     settings = {"largest": 4000, "repeats": 2}
     found = scaling.measure(untracked, **settings)
     assert [(row.points, len(row.seconds)) for row in found["rows"]] == [(1000, 2), (4000, 2)]

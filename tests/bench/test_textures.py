@@ -7,8 +7,16 @@ from lookups import lookup
 
 import warpsample as ws
 from warpsample.bench.textures import baking
-from warpsample.bench.textures.baking import OURS, RECORD, build_texture, known_of, scene_of, seconds_to, times_of
-from warpsample.bench.textures.lookups import read
+from warpsample.bench.textures.baking import (
+    OURS,
+    RECORD,
+    build_texture,
+    compare_times,
+    compute_known,
+    interpolate_seconds,
+    load_scene,
+)
+from warpsample.bench.textures.lookups import read_bilinear
 from warpsample.bench.textures.painters import Textured
 
 SIZE = 64
@@ -27,12 +35,12 @@ def scene():
 def test_what_a_viewer_reads_is_bilinear_and_clamped():
     rng = np.random.default_rng(0)
     image, uv = rng.random((7, 7)), rng.uniform(-0.1, 1.1, (100, 2))
-    assert np.allclose(read(image, uv), lookup(image[..., None], uv)[:, 0], rtol=0, atol=1e-12)
+    assert np.allclose(read_bilinear(image, uv), lookup(image[..., None], uv)[:, 0], rtol=0, atol=1e-12)
 
 
 def test_ours_is_as_far_from_what_is_right_as_its_rays_are(scene):
     """By smooth normals the faces of a ball are in their own way: what is right is 0.992 in the mean, by 80 faces."""
-    known = known_of(scene, SIZE, 1024, 4096)
+    known = compute_known(scene, SIZE, 1024, 4096)
     assert known.at_texels.mean() == pytest.approx(0.99206, abs=0.002)  # texels are not uniform by area
     assert len(known.texels) > 50
     job = build_texture(f"{OURS}, 64 rays", scene, known, size=SIZE, workers=1)
@@ -48,13 +56,13 @@ def test_ours_is_as_far_from_what_is_right_as_its_rays_are(scene):
 def test_equal_errors_are_between_ours():
     """Ours takes four times as long for half the error; beyond its ends the nearer one counts, or there is none."""
     ours = [(0.04, 1.0), (0.02, 4.0), (0.01, 16.0)]
-    assert times_of(0.02, 8.0, ours) == pytest.approx(2.0)
-    assert times_of(0.02 * 2**0.5, 8.0, ours) == pytest.approx(4.0)
-    assert times_of(0.1, 8.0, ours) == pytest.approx(8.0)
-    assert times_of(0.01, 16.0, ours) == pytest.approx(1.0)
-    assert times_of(0.009, 8.0, ours) is None
-    assert seconds_to(0.02 * 2**0.5, ours) == pytest.approx(2.0)
-    assert seconds_to(0.02, []) is None
+    assert compare_times(0.02, 8.0, ours) == pytest.approx(2.0)
+    assert compare_times(0.02 * 2**0.5, 8.0, ours) == pytest.approx(4.0)
+    assert compare_times(0.1, 8.0, ours) == pytest.approx(8.0)
+    assert compare_times(0.01, 16.0, ours) == pytest.approx(1.0)
+    assert compare_times(0.009, 8.0, ours) is None
+    assert interpolate_seconds(0.02 * 2**0.5, ours) == pytest.approx(2.0)
+    assert interpolate_seconds(0.02, []) is None
 
 
 def test_the_part_of_a_file_that_gets_it_is_named(tmp_path):
@@ -62,14 +70,14 @@ def test_the_part_of_a_file_that_gets_it_is_named(tmp_path):
     path = tmp_path / "two.obj"
     corners = "".join(f"v {x} {y} {z}\n" for z in (0, 1) for x, y in ((0, 0), (1, 0), (0, 1)))
     path.write_text(f"{corners}vt 0 0\nvt 1 0\nvt 0 1\no lower\nf 1/1 2/2 3/3\no upper\nf 4/1 5/2 6/3\n")
-    scene = scene_of(path, "upper", SIZE)
+    scene = load_scene(path, "upper", SIZE)
     assert np.isnan(scene.uv).all(axis=(1, 2)).tolist() == [True, False]
-    assert known_of(scene, SIZE, 64, 64).at_texels.tolist() == [1.0] * 64
+    assert compute_known(scene, SIZE, 64, 64).at_texels.tolist() == [1.0] * 64
     with pytest.raises(ValueError, match="^part: got 'middle', want one of lower, upper"):
-        scene_of(path, "middle", SIZE)
-    with pytest.raises(ValueError, match="^asset: got coordinates by which all faces overlap others"):
-        known_of(scene_of(path, None, SIZE), SIZE)
-    with pytest.raises(ValueError, match="^part: got 'upper' and no asset"):
+        load_scene(path, "middle", SIZE)
+    with pytest.raises(ValueError, match="^asset: got coordinates with all faces overlapping"):
+        compute_known(load_scene(path, None, SIZE), SIZE)
+    with pytest.raises(ValueError, match="^part: got 'upper' without an asset"):
         baking.measure(None, part="upper")
 
 
@@ -81,7 +89,7 @@ def test_all_is_measured_and_shown(tmp_path, capsys):
     ours = [by_tool[f"{OURS}, {rays} rays"] for rays in (16, 64)]
     assert ours[1].rmse < ours[0].rmse
     assert [row.times_ours for row in ours] == pytest.approx([1.0, 1.0])
-    assert not RECORD.wrong({"rows": rows})
+    assert not RECORD.has_disagreement({"rows": rows})
     text = "\n".join(lines_of("textures", {"side": 128, "repeats": 1}, {"rows": rows}, capsys))
     assert "bunny, side 128, threads" in text
     assert drawn("textures", {"rows": rows}, tmp_path) == ["textures.png"]

@@ -13,17 +13,17 @@ import warpsample
 from warpsample.bench.rows import Spread
 from warpsample.bench.running import timing
 from warpsample.bench.running.child import Child
-from warpsample.bench.running.machine import commit, peak_megabytes, this_machine
+from warpsample.bench.running.machine import describe_machine, find_commit, measure_peak_megabytes
 
 
 def test_rounds_are_interleaved_and_each_timed_run_follows_one_of_its_kind(monkeypatch):
     monkeypatch.setattr(timing, "WARM_UP", 0.0)
     calls = []
     cases = {
-        "a": timing.stopwatch(lambda: calls.append("a")),
-        "b": timing.stopwatch(lambda: calls.append("b"), warm=lambda: None),
+        "a": timing.build_stopwatch(lambda: calls.append("a")),
+        "b": timing.build_stopwatch(lambda: calls.append("b"), warm=lambda: None),
     }
-    seconds = timing.in_turns(cases, 2)
+    seconds = timing.run_interleaved(cases, 2)
     assert calls == ["a", "a", "b"] * 2
     assert [(case, len(t)) for case, t in seconds.items()] == [("a", 2), ("b", 2)]
 
@@ -31,12 +31,12 @@ def test_rounds_are_interleaved_and_each_timed_run_follows_one_of_its_kind(monke
 def test_short_work_is_warmed_up_for_a_while(monkeypatch):
     monkeypatch.setattr(timing, "WARM_UP", 0.01)
     calls = []
-    assert timing.stopwatch(lambda: calls.append(sleep(0.001)))() >= 0.001
+    assert timing.build_stopwatch(lambda: calls.append(sleep(0.001)))() >= 0.001
     assert 2 <= len(calls) <= 11  # once is enough if it takes long
 
 
 def test_beyond_the_budget_three_rounds_are_enough():
-    assert timing.in_turns({"a": lambda: 1.0}, 9, budget=-1.0) == {"a": [1.0] * 3}
+    assert timing.run_interleaved({"a": lambda: 1.0}, 9, budget=-1.0) == {"a": [1.0] * 3}
 
 
 def test_a_spread_is_the_median_and_the_middle_half():
@@ -70,36 +70,36 @@ def test_a_child_without_a_job_says_why():
 
 
 def test_the_commit_is_that_of_the_checkout_or_unknown(tmp_path):
-    assert re.fullmatch(r"[0-9a-f]{12}(\+changes)?|unknown", this_machine().commit)
+    assert re.fullmatch(r"[0-9a-f]{12}(\+changes)?|unknown", describe_machine().commit)
     copy = tmp_path / "warpsample"
     copy.mkdir()
     (copy / "a.py").touch()
-    assert commit(copy) == "unknown"  # no checkout
+    assert find_commit(copy) == "unknown"  # no checkout
     git = ["git", "-C", tmp_path, "-c", "user.name=x", "-c", "user.email=x@example.org"]
     subprocess.run([*git, "init", "-q"], check=True)
     subprocess.run([*git, "add", "."], check=True)
     subprocess.run([*git, "commit", "-q", "-m", "x"], check=True)
-    assert re.fullmatch("[0-9a-f]{12}", commit(copy))
+    assert re.fullmatch("[0-9a-f]{12}", find_commit(copy))
     (copy / "bench" / "results").mkdir(parents=True)
     (copy / "bench" / "results" / "a.json").touch()
-    assert re.fullmatch("[0-9a-f]{12}", commit(copy))  # what is measured is not what measures
+    assert re.fullmatch("[0-9a-f]{12}", find_commit(copy))  # what is measured is not what measures
     (copy / "a.py").write_text("changed")
-    assert commit(copy).endswith("+changes")
+    assert find_commit(copy).endswith("+changes")
     installed = tmp_path / "venv" / "warpsample"
     installed.mkdir(parents=True)
     (installed / "b.py").touch()
-    assert commit(installed) == "unknown"  # within a checkout of something else
+    assert find_commit(installed) == "unknown"  # within a checkout of something else
 
 
 def test_the_machine_is_known():
-    machine = this_machine()
+    machine = describe_machine()
     assert machine.warpsample == warpsample.__version__
     assert machine.instructions == machine.instructions.lower()
     assert machine.cores >= 1
     assert str(machine).startswith(machine.cpu)
-    assert peak_megabytes() > 50.0
+    assert measure_peak_megabytes() > 50.0
 
 
 def test_what_the_compiler_is_denied_is_none_of_the_instructions(monkeypatch):
     monkeypatch.setattr(wp.config, "cpu_compiler_flags", "-march=native -target-feature -avx512f -target-feature -avx2")
-    assert this_machine().instructions == platform.machine().lower()
+    assert describe_machine().instructions == platform.machine().lower()

@@ -8,7 +8,7 @@ from bench_output import drawn, lines_of
 
 import warpsample as ws
 from warpsample.bench import view_factors
-from warpsample.bench.tools.blocks import blocks, boxes, mesh_of
+from warpsample.bench.tools.blocks import build_blocks, build_boxes, build_mesh
 from warpsample.bench.tools.view_factors import (
     EMBREE,
     FACTOR_TOOLS,
@@ -17,8 +17,8 @@ from warpsample.bench.tools.view_factors import (
     TRACE,
     EmbreeFactors,
     PyViewFactor,
-    normals_of,
-    rays_of,
+    compute_normals,
+    sample_rays,
 )
 from warpsample.bench.view_factors import RECORD
 
@@ -33,7 +33,7 @@ def outward(mesh):
 
 @pytest.mark.thorough
 def test_a_city_has_faces_of_one_size_and_no_other_gap_than_its_border():
-    mesh = blocks(2)
+    mesh = build_blocks(2)
     assert np.ptp(mesh.face_areas) <= 1e-9
     n = outward(mesh)
     assert (n[:, 2] > 0.0).sum() == 2 * 10 * 10  # roofs and streets are the plan
@@ -44,13 +44,13 @@ def test_a_city_has_faces_of_one_size_and_no_other_gap_than_its_border():
     assert (times == 1).sum() == 4 * 10
     v = ws.view_factors(mesh, 64)
     assert v.behind.max() == 0.0
-    assert len(mesh_of("city 2").faces) == len(mesh.faces)
+    assert len(build_mesh("city 2").faces) == len(mesh.faces)
 
 
 @pytest.mark.thorough
 def test_boxes_are_closed_and_the_inner_one_sees_the_outer_alone():
     """A convex body in another: the inner's factor to the outer is 1, the outer's to the inner the ratio of areas."""
-    mesh = boxes(4)
+    mesh = build_boxes(4)
     inner = np.arange(len(mesh.faces)) >= 6 * 16 * 2
     v = ws.view_factors(mesh, 1024, groups=inner.astype(int))
     assert v.areas == pytest.approx([54.0, 6.0])
@@ -60,13 +60,13 @@ def test_boxes_are_closed_and_the_inner_one_sees_the_outer_alone():
 
 
 def test_peers_rays_are_uniform_on_faces_and_cosine_weighted():
-    mesh = boxes(1)
+    mesh = build_boxes(1)
     faces = np.array([0, 7, 20])
-    origins, directions = rays_of(mesh, faces, 20_000, np.random.default_rng(3))
+    origins, directions = sample_rays(mesh, faces, 20_000, np.random.default_rng(3))
     o, d = (array.reshape(3, -1, 3).astype(np.float64) for array in (origins, directions))
     centre = mesh.vertices[mesh.faces[faces]].mean(axis=1)
     assert np.abs(o.mean(axis=1) - centre).max() <= 5.0 * 3.0 * 0.24 / np.sqrt(20_000)
-    cosine = np.einsum("frk,fk->fr", d, normals_of(mesh, faces).astype(np.float64))
+    cosine = np.einsum("frk,fk->fr", d, compute_normals(mesh, faces).astype(np.float64))
     assert np.abs(cosine.mean(axis=1) - 2.0 / 3.0).max() <= 0.009  # 5 of 0.236 / sqrt(20,000)
     assert np.abs(np.linalg.norm(d, axis=2) - 1.0).max() <= 1e-5
 
@@ -76,7 +76,7 @@ def test_peers_rays_are_uniform_on_faces_and_cosine_weighted():
 def test_tools_compute_the_same(make):
     """The two small boxes have few enough faces that a ray between centroids says little: these are free of obstacles."""
     pytest.importorskip("embreex" if make is EmbreeFactors else "pyviewfactor")
-    mesh = ws.Mesh(boxes(2).vertices, boxes(2).faces[: 6 * 4 * 2])  # the outer box alone
+    mesh = ws.Mesh(build_boxes(2).vertices, build_boxes(2).faces[: 6 * 4 * 2])  # the outer box alone
     right = ws.view_factors(mesh, 16_384).matrix.toarray()
     tool = make(mesh, 2)
     tool.run(4096)
@@ -93,7 +93,7 @@ def test_equal_errors_take_more_rays_or_fewer_of_ours():
 
     def judged(times, tool, **changes):
         row = {"rmse": 2e-4, "due": 1.0, "relative": 0.1} | changes
-        return view_factors.judged(tool, row, ours, times, [1.0])
+        return view_factors.judge(tool, row, ours, times, [1.0])
 
     rays = judged([3.0], EMBREE)
     assert rays["times_ours"].median == pytest.approx(12.0)
@@ -107,8 +107,8 @@ def test_equal_errors_take_more_rays_or_fewer_of_ours():
 
 def test_a_tool_that_disagrees_is_wrong_and_one_that_is_missing_is_not():
     missing, right = (view_factors.FactorTime("city 1", 104, 1, tool=OURS, failure=failure) for failure in ("no", None))
-    assert not RECORD.wrong({"rows": [missing, replace(right, agrees=True)]})
-    assert RECORD.wrong({"rows": [missing, replace(right, agrees=False)]})
+    assert not RECORD.has_disagreement({"rows": [missing, replace(right, agrees=True)]})
+    assert RECORD.has_disagreement({"rows": [missing, replace(right, agrees=False)]})
 
 
 @pytest.mark.thorough
@@ -123,7 +123,7 @@ def test_all_is_measured_and_shown(tmp_path, capsys):
     assert by_tool["embreex"].rmse > by_tool[OURS].rmse
     assert 50.0 < by_tool[OURS].peak_megabytes < 700.0
     found = {"rows": rows}
-    assert not RECORD.wrong(found)
+    assert not RECORD.has_disagreement(found)
     text = "\n".join(lines_of("view-factors", SETTINGS, found, capsys))
     assert "city 1, faces 104, threads 1" in text
     assert "nobody did not run here: KeyError" in text

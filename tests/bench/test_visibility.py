@@ -7,10 +7,10 @@ import pytest
 from bench_output import drawn, lines_of
 
 from warpsample.bench import visibility
-from warpsample.bench.scenes import points_of
-from warpsample.bench.tools.numpy_rays import open_share, size_of
-from warpsample.bench.tools.occlusion import ESTIMATORS, Occlusion, by_embree
-from warpsample.bench.visibility import reference_of
+from warpsample.bench.scenes import sample_scene
+from warpsample.bench.tools.numpy_rays import build_open_fraction, measure_size
+from warpsample.bench.tools.occlusion import ESTIMATORS, Occlusion, build_embree_estimator
+from warpsample.bench.visibility import compute_reference
 
 pytestmark = pytest.mark.thorough  # peers and timers, in processes of their own
 
@@ -46,7 +46,7 @@ def test_a_tool_that_is_missing_says_so():
 def off_embree(mesh, at, reference, points=256, rays=1 << 14):
     """How far a reference is off independent cosine rays that embreex traces, in standard errors: at each point, and all."""
     chosen = np.linspace(0, len(at) - 1, min(points, len(at))).astype(int)
-    share = by_embree(mesh, at.take(chosen), 1)(rays).astype(np.float64)
+    share = build_embree_estimator(mesh, at.take(chosen), 1)(rays).astype(np.float64)
     values, errors = (array[chosen].astype(np.float64) for array in (reference.value, reference.standard_error))
     # By Laplace's rule, so that a share of all or nothing has a variance too; of both, since they should agree.
     likely = [(rays * p + 1.0) / (rays + 2.0) for p in (values, share)]
@@ -58,8 +58,8 @@ def off_embree(mesh, at, reference, points=256, rays=1 << 14):
 
 
 def test_embree_confirms_the_reference():
-    mesh, at = points_of("bunny", 200)
-    off, mean = off_embree(mesh, at, reference_of(mesh, at, 2))
+    mesh, at = sample_scene("bunny", 200)
+    off, mean = off_embree(mesh, at, compute_reference(mesh, at, 2))
     assert len(off) == 200
     assert max(np.abs(off).max(), abs(mean)) <= BY_CHANCE
     assert 0.7 < np.sqrt(np.mean(off**2)) < 1.3  # 200 differences in their standard errors: 1, to within 0.05 (one sigma)
@@ -68,8 +68,8 @@ def test_embree_confirms_the_reference():
 @pytest.mark.parametrize("wrong", [lambda v: v + 0.002, lambda v: np.where(np.arange(len(v)) == 7, v - 0.05, v)])
 def test_a_wrong_reference_is_not_confirmed(wrong):
     """All values by little, or one by much."""
-    mesh, at = points_of("bunny", 200)
-    right = reference_of(mesh, at, 1, rays=4096)
+    mesh, at = sample_scene("bunny", 200)
+    right = compute_reference(mesh, at, 1, rays=4096)
     changed = replace(right, value=np.clip(wrong(right.value), 0.0, 1.0))
     off, mean = off_embree(mesh, at, changed)
     assert max(np.abs(off).max(), abs(mean)) > BY_CHANCE
@@ -97,7 +97,7 @@ def test_what_is_shown_and_drawn(rows, many, tmp_path, capsys):
 
 @pytest.mark.parametrize("tool", ["embreex", "warpsample, skip=False"])
 def test_tools_estimate_the_same(tool):
-    mesh, at = points_of("bunny", 100)
+    mesh, at = sample_scene("bunny", 100)
     right = Occlusion(mesh, at, 1)(4096)
     found = ESTIMATORS[tool].make(mesh, at, 1)(1024)
     assert np.abs(found - right).max() <= 5 * 0.5 / 32  # the greatest standard deviation of a ray
@@ -106,14 +106,14 @@ def test_tools_estimate_the_same(tool):
 
 def test_peers_rays_are_cosine_weighted():
     """Their mean cosine is 2/3, whatever the normal; and they start off the surface."""
-    mesh, at = points_of("bunny", 64)
+    mesh, at = sample_scene("bunny", 64)
     seen = []
-    share = open_share(mesh, at, 1, lambda o, d: seen.append((o, d)) or np.zeros(len(o), bool))(1000)
+    share = build_open_fraction(mesh, at, 1, lambda o, d: seen.append((o, d)) or np.zeros(len(o), bool))(1000)
     assert (share == 1.0).all()
     origins, directions = (np.concatenate(arrays).reshape(64, 1000, 3) for arrays in zip(*seen, strict=True))
     cosine = np.einsum("psk,pk->ps", directions, at.normal)
     assert abs(cosine.mean() - 2 / 3) <= 0.005  # 5 of 0.236 / sqrt(64,000)
     assert np.abs(np.linalg.norm(directions, axis=2) - 1.0).max() <= 1e-5
     assert np.abs(
-        np.einsum("psk,pk->ps", origins - at.position[:, None], at.normal) - 1e-5 * size_of(mesh)
-    ).max() <= 1e-6 * size_of(mesh)
+        np.einsum("psk,pk->ps", origins - at.position[:, None], at.normal) - 1e-5 * measure_size(mesh)
+    ).max() <= 1e-6 * measure_size(mesh)

@@ -9,7 +9,7 @@ import pytest
 import warp as wp
 
 import warpsample as ws
-from warpsample.bench.running.machine import this_machine
+from warpsample.bench.running.machine import describe_machine
 from warpsample.directions.blocks import direction_blocks
 from warpsample.directions.rows import direction_rows
 from warpsample.directions.square import square_blocks
@@ -79,7 +79,7 @@ def test_every_loop_of_directions_is_vectorised(tmp_path, child_environment):
         assert child.returncode == 0, remarks
         compiled = re.split(r"^@@ ", remarks, flags=re.MULTILINE)[1:-1]
         assert len(compiled) > 25
-        lanes, widths = _LANES.get(this_machine().instructions, 8), set()
+        lanes, widths = _LANES.get(describe_machine().instructions, 8), set()
         for one in compiled:
             # Hot loops are the `while`s of their kernel; those over rows, and those that mend, are `for` loops.
             hot = re.findall(r"vectorized loop \(vectorization width: (\d+).*\n.*goto end_while_", one)

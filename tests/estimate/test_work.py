@@ -4,7 +4,7 @@ import pytest
 
 import warpsample as ws
 from warpsample.bench import scenes
-from warpsample.bench.tools.tracers import visits as visits_of
+from warpsample.bench.tools.tracers import count_visits
 
 # (rays cast, points that none is cast from) of 1,000 points, as it was on 2026-11-21.
 WORK = {
@@ -40,5 +40,5 @@ def test_no_more_rays_are_cast_than_it_takes(bunny, name, count):
 
 @pytest.mark.parametrize(("kind", "any_hit"), VISITS)
 def test_no_more_is_visited_than_it_takes(bunny, kind, any_hit):
-    visits = visits_of(bunny, kind, 1 << 12, any_hit)
+    visits = count_visits(bunny, kind, 1 << 12, any_hit)
     assert max(seen / known for seen, known in zip(visits, VISITS[kind, any_hit], strict=True)) <= 1.001

@@ -13,7 +13,7 @@ CALLS = {
     "mesh.to_polydata()": "viz",
     "ws.load_mesh(bunny)": "viz",
     "rendering.check_rendering()": "viz",
-    "pictures.check_drawing('--plot')": "viz",
+    "pictures.check_matplotlib('--plot')": "viz",
     "ws.irradiation(mesh, points, 'athens')": "radiation",
     "perez._pyradiance()": "radiation",
     "ws.rasters.surface('dsm.tif')": "city",

@@ -10,7 +10,7 @@ import pytest
 from warpsample import cli
 from warpsample.bench import benchmarks, pictures, tables
 from warpsample.bench.record import Result
-from warpsample.bench.running.machine import this_machine
+from warpsample.bench.running.machine import describe_machine
 from warpsample.cli import terminal
 
 
@@ -24,7 +24,9 @@ def untracked(items, total):
 def lines_of(name, settings, found, capsys):
     """What the command of a benchmark prints."""
     benchmark = benchmarks()[name]
-    tables.show(terminal.console(), benchmark.report(Result(this_machine(), benchmark.settings(**settings), found)))
+    tables.print_parts(
+        terminal.console(), benchmark.report(Result(describe_machine(), benchmark.settings(**settings), found))
+    )
     lines = capsys.readouterr().out.splitlines()
     assert max(map(len, lines)) <= 120
     assert not [line for line in lines if "…" in line]
@@ -35,8 +37,8 @@ def drawn(name, found, folder):
     """The names of the pictures of a benchmark, none of them blank."""
     from matplotlib.image import imread
 
-    result = Result(this_machine(), benchmarks()[name].settings(), found)
-    files = pictures.save(benchmarks()[name].figures(result), folder)
+    result = Result(describe_machine(), benchmarks()[name].settings(), found)
+    files = pictures.save_figures(benchmarks()[name].figures(result), folder)
     assert all(imread(file)[..., :3].std() > 0.05 for file in files)
     return [file.name for file in files]
 

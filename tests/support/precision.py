@@ -32,8 +32,8 @@ _REAL = ("absolute", "sqrt")  # exact but for complex numbers
 _PLAIN = ("angle", "i0", "sinc")  # functions of NumPy's that call some of these inside
 # What is timed as its users would write it, in float32: rays of peers, and of the embreex that confirms to 1e-4.
 _TIMED = (
-    ("tools/directions.py", "_polar"),
-    ("tools/numpy_rays.py", "cosine_directions"),
+    ("tools/directions.py", "_map_polar"),
+    ("tools/numpy_rays.py", "compute_cosine_directions"),
     ("tools/sky.py", "patch_of"),
 )
 _METHODS = ("reduce", "accumulate", "reduceat", "outer", "at")

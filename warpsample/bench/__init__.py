@@ -1,4 +1,4 @@
-"""Run time against error, against other tools and against what the machine can do, for `warpsample bench`."""
+"""Benchmarks of run time, error and memory, for the `warpsample bench` command."""
 
 import sys
 
@@ -7,5 +7,5 @@ from warpsample.host.registry import records_of
 
 
 def benchmarks() -> dict[str, Benchmark]:
-    """Every benchmark by its name: what a file or a folder of this room defines as `RECORD`."""
+    """Return every benchmark by name: the `RECORD` of each file or folder of this room."""
     return dict(sorted(records_of(sys.modules[__name__]).items()))

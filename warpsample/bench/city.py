@@ -1,4 +1,4 @@
-"""`bench city`: the visible sky in the cells of rasters and its error, by horizons, by rays and by other tools."""
+"""`bench city`: error and time of the visible sky in the cells of rasters, by horizons, by rays and by other tools."""
 
 from dataclasses import dataclass
 from importlib.metadata import version
@@ -8,36 +8,41 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from warpsample.bench.record import Benchmark, Found, Picture, Repeats, Track
-from warpsample.bench.rows import Spread, ToolRow, column, maybe
+from warpsample.bench.record import Benchmark, Picture, Repeats, RowsByPart, Track
+from warpsample.bench.rows import Spread, ToolRow, column, optional_column
 from warpsample.bench.running.child import ChildJob
-from warpsample.bench.running.turns import keeping_last, take_turns
+from warpsample.bench.running.turns import keep_last_result, run_tools
 from warpsample.bench.tables import TableView
 from warpsample.bench.tools.rasters import RASTER_TOOLS
 from warpsample.estimate.quantities.visible_sky import visible_sky
 from warpsample.host.engine import check_workers
 
-_AZIMUTHS = 1 << 14  # of exact values
-_RAYS = 1 << 14  # of a cell of terrain that is looked at
-_LOOKED_AT = 2000
-_SEED = 1 << 40  # far from those of the estimates
+_AZIMUTHS = 1 << 14  # azimuths of an exact value
+_RAYS = 1 << 14  # rays of a judged cell of terrain
+_JUDGED = 2000  # judged cells of terrain
+_SEED = 1 << 40  # far from the seeds of the estimates
 
 
 @dataclass(frozen=True)
 class CellSky(ToolRow):
-    """One tool on one raster."""
+    """Error and time of one tool on one raster."""
 
     scene: str = column("raster")
     cells: int = column("cells")
     workers: int = column("workers")
-    bias: float | None = maybe("bias", "the mean of what the cells looked at are off by", show="+.4f")
-    rmse: float | None = maybe("RMSE", "of these cells", show=".4f")
-    worst: float | None = maybe("worst", "of these cells", show=".3f")
-    microseconds: Spread | None = maybe("µs", "of a cell, mesh and tree included")
+    bias: float | None = optional_column("bias", "mean error of the judged cells", show="+.4f")
+    rmse: float | None = optional_column("RMSE", "RMSE of the judged cells", show=".4f")
+    worst: float | None = optional_column("worst", "largest absolute error of the judged cells", show=".3f")
+    microseconds: Spread | None = optional_column(
+        "µs per cell", "time per cell of the raster, with building the mesh and the tree"
+    )
 
 
-def yard(side: int = 21, around: int = 60) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """A square yard of walls of 20 m, its cells, and what each sees of the sky: exact but for the sum over azimuths."""
+def build_yard(side: int = 21, around: int = 60) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return (heights, judged cells, exact visible sky) of a square yard with walls of 20 m.
+
+    The visible sky is exact but for the sum over azimuths.
+    """
     heights = np.full((side + 2 * around,) * 2, 20.0)
     heights[around:-around, around:-around] = 0.0
     row, column_ = np.mgrid[:side, :side].reshape(2, -1) + 0.5
@@ -49,8 +54,8 @@ def yard(side: int = 21, around: int = 60) -> tuple[np.ndarray, np.ndarray, np.n
     return heights, cells.astype(np.int64), exact
 
 
-def slope(degrees: float = 30.0, side: int = 401) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """A plane to the east, the cells about its middle, and what they see of the sky."""
+def build_slope(degrees: float = 30.0, side: int = 401) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return (heights, judged cells, exact visible sky) of a plane that rises to the east; the cells are near its middle."""
     rise = np.tan(np.radians(degrees))
     heights = rise * np.arange(side) * np.ones((side, 1))
     up = np.maximum(rise * np.cos(2.0 * np.pi * (np.arange(_AZIMUTHS) + 0.5) / _AZIMUTHS), 0.0)
@@ -59,23 +64,23 @@ def slope(degrees: float = 30.0, side: int = 401) -> tuple[np.ndarray, np.ndarra
     return heights, cells, np.full(len(cells), 1.0 - np.sin(np.arctan(up)).mean())
 
 
-def terrain(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """A raster's heights, some of its cells, and what these see by very many rays among triangles between their centres."""
+def load_terrain(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return (heights, judged cells, visible sky) of a raster, by 16,384 rays per judged cell on the triangulated raster."""
     from warpsample import rasters
 
-    made = rasters.surface(path, model="tin")
-    points, known = made.points()
-    rows = np.linspace(0, len(known) - 1, _LOOKED_AT).astype(np.int64)
-    right = visible_sky(made.mesh, points.take(rows), _RAYS, seed=_SEED).value
-    return made.grid.height, known[rows], right.astype(np.float64)
+    surface = rasters.surface(path, model="tin")
+    points, cells = surface.points()
+    rows = np.linspace(0, len(cells) - 1, _JUDGED).astype(np.int64)
+    right = visible_sky(surface.mesh, points.take(rows), _RAYS, seed=_SEED).value
+    return surface.grid.height, cells[rows], right.astype(np.float64)
 
 
 def build_sky(tool: str, scene: str, raster: Path | None, workers: int) -> ChildJob:
-    """A tool's numbers in all cells of a raster, and what they are off by."""
-    heights, cells, right = SCENES[scene]() if raster is None else terrain(raster)
+    """Build a tool's visible sky in all cells of a raster; the report has the errors in the judged cells."""
+    heights, cells, right = SCENES[scene]() if raster is None else load_terrain(raster)
     library, make, _ = RASTER_TOOLS[tool]
     model = {"model": "tin"} if raster is not None and library == "warpsample" else {}
-    work, last = keeping_last(make(heights, workers, **model))
+    work, last = keep_last_result(make(heights, workers, **model))
 
     def report() -> dict[str, Any]:
         off = last().ravel()[cells] - right
@@ -85,17 +90,22 @@ def build_sky(tool: str, scene: str, raster: Path | None, workers: int) -> Child
     return ChildJob(work, report)
 
 
-SCENES: dict[str, Any] = {"yard": yard, "slope": slope}
-"""By name: heights in cells of a metre, the numbers of some cells, and what these see."""
+SCENES: dict[str, Any] = {"yard": build_yard, "slope": build_slope}
+"""Functions that return heights in cells of 1 m, indices of the judged cells, and the visible sky there, keyed by scene."""
 
 
 def measure(
     track: Track,
     *,
-    raster: Annotated[Path | None, typer.Option(help="Terrain, in cells of a metre, besides a yard and a slope.")] = None,
+    raster: Annotated[
+        Path | None,
+        typer.Option(
+            help="Path of a raster of heights with cells of 1 m, for example dsm.tif. Default: only a yard and a slope."
+        ),
+    ] = None,
     repeats: Repeats = 3,
-) -> Found:
-    """Raster by raster."""
+) -> RowsByPart:
+    """Measure one raster after the other."""
     scenes: dict[str, Path | None] = dict.fromkeys(SCENES)
     scenes |= {} if raster is None else {raster.name: raster}
     rows = [row for name in track(scenes, len(scenes)) for row in measure_scene(name, scenes[name], repeats)]
@@ -103,21 +113,21 @@ def measure(
 
 
 def measure_scene(scene: str, raster: Path | None, repeats: int) -> list[CellSky]:
-    """All tools on one raster, taking turns."""
-    heights = SCENES[scene]()[0] if raster is None else terrain(raster)[0]
+    """Compare all tools on one raster, with alternating runs."""
+    heights = SCENES[scene]()[0] if raster is None else load_terrain(raster)[0]
     case = {"scene": scene, "workers": check_workers(None)}
-    turns = take_turns(build_sky, RASTER_TOOLS, repeats, raster=raster, **case)
+    turns = run_tools(build_sky, RASTER_TOOLS, repeats, raster=raster, **case)
 
     def figures(tool: str) -> dict[str, Any]:
         each = [1e6 * seconds / heights.size for seconds in turns.seconds[tool]]
-        return {**turns.told[tool], "microseconds": Spread.of(each)}
+        return {**turns.reports[tool], "microseconds": Spread.of(each)}
 
     return turns.rows(CellSky, figures, cells=heights.size, **case)
 
 
 RECORD = Benchmark(
     name="city",
-    summary="The visible sky in the cells of rasters: error and time, ours, RVT and xarray-spatial.",
+    summary="Error and time of the visible sky in the cells of rasters: warpsample, RVT and xarray-spatial.",
     measure=measure,
     parts={"rows": CellSky},
     views=[TableView("rows", "Visible sky", "tool", "bias rmse worst microseconds", split="scene cells")],

@@ -1,4 +1,4 @@
-"""`bench cluster`: processes against threads, what a chunk costs over Dask, and the plan for 10^9 points."""
+"""`bench cluster`: processes against threads, the cost of a chunk over Dask, and a plan for 10^9 points."""
 
 from dataclasses import dataclass
 from functools import partial
@@ -7,13 +7,13 @@ from typing import Annotated
 
 import typer
 
-from warpsample.bench.record import Benchmark, Found, Picture, Repeats, TableView, Track
-from warpsample.bench.rows import Spread, Timed, column, digits
-from warpsample.bench.running.turns import take_turns
+from warpsample.bench.record import Benchmark, Picture, Repeats, RowsByPart, TableView, Track
+from warpsample.bench.rows import Spread, Timed, column, format_digits
+from warpsample.bench.running.turns import run_tools
 from warpsample.bench.tools.cluster import (
     CHUNK,
     COMPUTED,
-    FEW,
+    FEW_CHUNKS,
     MANY,
     RAYS,
     STORED,
@@ -23,22 +23,22 @@ from warpsample.bench.tools.cluster import (
 )
 
 PLANNED = 10**9
-"""Points of the plan."""
+"""Number of points of the plan."""
 
 
 @dataclass(frozen=True)
 class WayTime(Timed):
-    """One way of two threads, on ambient occlusion of the bunny by 256 rays a point."""
+    """Time of one way to use two cores, on ambient occlusion of the bunny with 256 rays per point."""
 
     way: str = column("way")
     points: int = column("points")
-    duration: Spread = column("s")
-    speed: Spread = column("times as fast", "as the first way, within each round")
+    duration: Spread = column("seconds")
+    speed: Spread = column("speed / first way", "speed over that of the first way, in the same round")
 
 
 @dataclass(frozen=True)
 class Overhead:
-    """What one more chunk costs the whole run, on two processes: client, scheduler and workers."""
+    """Cost of one more chunk with two processes, in the client, the scheduler and the workers together."""
 
     chunk: str = column("chunk")
     milliseconds: Spread = column("ms")
@@ -46,16 +46,16 @@ class Overhead:
 
 @dataclass(frozen=True)
 class PlannedHours:
-    """How long 10^9 points by 256 rays take by so many threads, from what was measured here."""
+    """Planned hours for 10^9 points with 256 rays each, extrapolated from the other parts."""
 
     threads: int = column("threads")
-    hours: float = column("hours", show=digits)
+    hours: float = column("hours", show=format_digits)
     bottleneck: str = column("bottleneck")
 
 
-def plan(found: Found) -> list[PlannedHours]:
-    """The hours by 1 to 16,384 threads: chunks in whole rounds, or as fast as the scheduler hands them out."""
-    way, overhead = found["ways"][-1], max(1e-6, found["overheads"][-1].milliseconds.median / 1e3)
+def plan_hours(rows: RowsByPart) -> list[PlannedHours]:
+    """Compute the hours with 1 to 16,384 threads, from whole rounds of chunks and from the scheduler's rate."""
+    way, overhead = rows["ways"][-1], max(1e-6, rows["overheads"][-1].milliseconds.median / 1e3)
     chunks, chunk_seconds = ceil(PLANNED / CHUNK), 2 * way.duration.median * CHUNK / way.points
     at_most = max(1, int(chunk_seconds / overhead))
 
@@ -73,50 +73,50 @@ def plan(found: Found) -> list[PlannedHours]:
 def measure(
     track: Track,
     *,
-    points: Annotated[int, typer.Option(help="Points of the timed call.", min=1000)] = 262_144,
+    points: Annotated[int, typer.Option(help="Number of points of the timed call.", min=1000)] = 262_144,
     repeats: Repeats = 3,
-) -> Found:
-    """Each part in processes of its own; what is compared in turns.
+) -> RowsByPart:
+    """Measure each part in separate processes, with alternating runs.
 
     Raises:
         ModuleNotFoundError: Dask is missing; names the extra.
     """
     from warpsample import cluster
 
-    _ = cluster.ambient_occlusion  # says what is missing
-    jobs = [("ways", partial(_ways, points, repeats))]
-    jobs += [("overheads", partial(_overhead, end, repeats)) for end in (COMPUTED, STORED)]
-    found: Found = {"ways": [], "overheads": []}
+    _ = cluster.ambient_occlusion  # raise the error that names a missing package
+    jobs = [("ways", partial(_measure_ways, points, repeats))]
+    jobs += [("overheads", partial(_measure_overhead, end, repeats)) for end in (COMPUTED, STORED)]
+    rows: RowsByPart = {"ways": [], "overheads": []}
     for part, job in track(jobs, len(jobs)):
-        found[part] += job()
-    return found | {"hours": plan(found)}
+        rows[part] += job()
+    return rows | {"hours": plan_hours(rows)}
 
 
-def _ways(points: int, repeats: int) -> list[WayTime]:
-    times = take_turns(build_way, WAYS, repeats, points=points).of_all()
+def _measure_ways(points: int, repeats: int) -> list[WayTime]:
+    times = run_tools(build_way, WAYS, repeats, points=points).require_all()
     first = next(iter(times.values()))
     return [WayTime(name, points, Spread.of(t), Spread.of_ratios(first, t), seconds=t) for name, t in times.items()]
 
 
-def _overhead(end: str, repeats: int) -> list[Overhead]:
-    times = take_turns(build_chunks, (FEW, MANY), repeats, end=end).of_all()
-    each = [1e3 * (many - few) / (MANY - FEW) for few, many in zip(times[FEW], times[MANY], strict=True)]
+def _measure_overhead(end: str, repeats: int) -> list[Overhead]:
+    times = run_tools(build_chunks, (FEW_CHUNKS, MANY), repeats, end=end).require_all()
+    each = [1e3 * (many - few) / (MANY - FEW_CHUNKS) for few, many in zip(times[FEW_CHUNKS], times[MANY], strict=True)]
     return [Overhead(end, Spread.of(each))]
 
 
-def _few_threads(rows: list[PlannedHours]) -> list[PlannedHours]:
+def _select_few_threads(rows: list[PlannedHours]) -> list[PlannedHours]:
     return [row for row in rows if row.threads in (1, 64, 1024)]
 
 
 RECORD = Benchmark(
     name="cluster",
-    summary="Processes against threads over Dask, what a chunk costs, and the plan for 10^9 points.",
+    summary="Processes against threads over Dask, the cost of a chunk, and a plan for 10^9 points.",
     measure=measure,
     parts={"ways": WayTime, "overheads": Overhead, "hours": PlannedHours},
     views=[
-        TableView("ways", f"Processes and threads, {RAYS} rays a point", "way points", "duration speed"),
-        TableView("overheads", "One more chunk", "chunk", "milliseconds"),
-        TableView("hours", f"The plan for {PLANNED:,} points", "threads", "hours bottleneck", brief=_few_threads),
+        TableView("ways", f"Processes and threads, {RAYS} rays per point", "way points", "duration speed"),
+        TableView("overheads", "Cost of one more chunk", "chunk", "milliseconds"),
+        TableView("hours", f"Plan for {PLANNED:,} points", "threads", "hours bottleneck", page_rows=_select_few_threads),
     ],
     pictures=[Picture("cluster", "hours", "threads", y="hours", series="", log="xy")],
 )

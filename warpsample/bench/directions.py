@@ -1,4 +1,4 @@
-"""`bench directions`: directions a second by every map and sequence into an existing array, beside NumPy's fill of it."""
+"""`bench directions`: directions per second of every map and sequence into an existing array, beside NumPy's fill."""
 
 import re
 from collections.abc import Callable
@@ -11,10 +11,10 @@ import typer
 import warp as wp
 
 from warpsample import distributions, sequences
-from warpsample.bench.record import SEED, Benchmark, Found, Picture, Repeats, Track
+from warpsample.bench.record import SEED, Benchmark, Picture, Repeats, RowsByPart, Track
 from warpsample.bench.rows import Spread, Timed, column
-from warpsample.bench.running.timing import timed
-from warpsample.bench.tables import TableView, all_workers
+from warpsample.bench.running.timing import time_interleaved
+from warpsample.bench.tables import TableView, select_all_workers
 from warpsample.directions.sample import sample_directions, sample_square
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
@@ -22,47 +22,56 @@ from warpsample.host.engine import check_workers
 
 COUNTS = (1, 4, 16, 64, 256)
 SAMPLES = 64
-"""Samples of a point in the table of maps."""
-GIVEN = "given"
-"""In place of a sequence: the map alone, `distribution.sample(u)` into a new array, for what lies in a plane."""
+"""Samples per point in the table of maps."""
+MAP_ONLY = "map only"
+"""Replaces the sequence of a planar map, timed alone: `distribution.sample(u)` into a new array."""
 FILL = ("fill", "", 1, False)
 
-_BUDGET = 20.0  # seconds after which a group makes do with three repeats
+_BUDGET = 20.0  # seconds after which a group stops at three repeats
 
 
-def short_name(distribution: str) -> str:
-    """What Python writes, without the names of strings and without what follows the first parameter."""
+def shorten_distribution(distribution: str) -> str:
+    """Return the `repr` of a distribution with its first parameter only, and without quotation marks."""
     return re.sub(r", .*\)", ")", distribution.replace("method=", "").replace("'", ""))
 
 
 @dataclass(frozen=True)
 class DirectionSpeed(Timed):
-    """One map or sequence: of maps all at 64 samples, independent; of sequences all with the cosine lobe, polar."""
+    """Speed of one map or sequence. Maps use 64 independent samples; sequences use the polar cosine lobe."""
 
     table: str = column("table")
-    distribution: str = column("map", "fill is NumPy's `out.fill(0)` of the same array, on one thread", show=short_name)
+    distribution: str = column(
+        "map", "fill: NumPy's `out.fill(0)` of the same array on one thread", show=shorten_distribution
+    )
     sequence: str = column("sequence", show=lambda name: name or "fill")
     points: int = column("points")
-    samples: int = column("n", "samples of a point", show="n = {}".format)
+    samples: int = column("n", "samples per point", show="n = {}".format)
     workers: int = column("workers", show=lambda n: f"{n} workers" if n > 1 else "1 worker")
     pdf: bool = column("pdf", show=lambda pdf: "with pdf" if pdf else "")
-    million_per_second: Spread = column("million a second", "of what lies in a plane by the map alone, u given")
-    of_fill: Spread = column("share of fill", "its speed over that of a fill right after it")
+    million_per_second: Spread = column(
+        "million per second", "for planar maps the time of the map alone, from existing points of the square"
+    )
+    of_fill: Spread = column("fraction of fill", "speed over that of a fill of the same array right after")
 
 
 def measure(
     track: Track,
     *,
-    points: Annotated[int, typer.Option(help="Points, with 64 samples each, or as many directions.", min=1)] = 65_536,
+    points: Annotated[
+        int,
+        typer.Option(
+            help="Number of points with 64 samples each. Other sample counts use the same number of directions.", min=1
+        ),
+    ] = 65_536,
     repeats: Repeats = 15,
-) -> Found:
-    """Every map at 64 samples, and every sequence with the cosine lobe."""
-    chosen = groups(points)
+) -> RowsByPart:
+    """Time every map with 64 samples, and every sequence with the cosine lobe."""
+    chosen = list_groups(points)
     return {"rows": [row for group in track(chosen, len(chosen)) for row in measure_group(*group, repeats)]}
 
 
-def maps() -> list[Distribution]:
-    """The cosine lobe by every method, then an ordinary case of every other distribution, those in a plane last."""
+def list_maps() -> list[Distribution]:
+    """Return the cosine lobe by every method, then a typical case of every other distribution, planar ones last."""
     all_cases = [distributions.get(name).cases() for name in distributions.names()]
     chosen = [
         case for cases in all_cases for case in (cases if cases[0] == CosineHemisphere() else [cases[len(cases) // 2]])
@@ -70,32 +79,34 @@ def maps() -> list[Distribution]:
     return sorted(chosen, key=lambda case: (not isinstance(case, CosineHemisphere), -case.width))
 
 
-def groups(points: int) -> list[tuple[str, int, int, list[Any]]]:
-    """(table, points, samples, cases) of what takes turns; a case is a map, a sequence, workers, and whether with the pdf.
+def list_groups(points: int) -> list[tuple[str, int, int, list[Any]]]:
+    """Return groups (table, points, samples, cases) of alternating runs.
+
+    A case is (map, sequence, workers, with pdf).
 
     Args:
-        points: with 64 samples each; with other counts as many as give the same number of directions.
+        points: points with 64 samples each; other counts have the same number of directions.
     """
     everyone = sorted({1, check_workers(None)})
     by_map = [
         ("maps", points, SAMPLES, [(case, "independent", w, p) for w in everyone for p in (False, True)]
-         if case.width == 3 else [(case, GIVEN, everyone[-1], False)])
-        for case in maps()
+         if case.width == 3 else [(case, MAP_ONLY, everyone[-1], False)])
+        for case in list_maps()
     ]  # fmt: skip
     lobes = [(CosineHemisphere(), name, w, False) for name in sequences.names() for w in everyone]
     return [*by_map, *(("sequences", max(1, points * SAMPLES // count), count, lobes) for count in COUNTS)]
 
 
 def measure_group(table: str, points: int, samples: int, cases: list[Any], repeats: int) -> list[DirectionSpeed]:
-    """The rows of what takes turns, a fill among it and after each."""
+    """Time the cases in alternation, with a fill of the array after each case; return one row per case and fill."""
     normals = np.random.default_rng(SEED).normal(size=(points, 3)).astype(np.float32)
     out = np.zeros((points, samples, 3), np.float32)
     fill = partial(out.fill, 0.0)
     works = {}
     for case in (FILL, *cases):
-        works[case] = fill if case == FILL else _work(normals, out, case)
+        works[case] = fill if case == FILL else _build_work(normals, out, case)
         works["after", case] = fill
-    seconds = timed(works, repeats, _BUDGET)
+    seconds = time_interleaved(works, repeats, _BUDGET)
     return [
         DirectionSpeed(
             table=table,
@@ -113,37 +124,45 @@ def measure_group(table: str, points: int, samples: int, cases: list[Any], repea
     ]
 
 
-def _work(normals: np.ndarray, out: np.ndarray, row: tuple[Distribution, str, int, bool]) -> Callable[[], object]:
+def _build_work(normals: np.ndarray, out: np.ndarray, row: tuple[Distribution, str, int, bool]) -> Callable[[], object]:
     case, sequence, workers, pdf = row
-    if sequence == GIVEN:
+    if sequence == MAP_ONLY:
         u = sample_square("independent", *out.shape[:2])
         return partial(case.sample, wp.array(u, dtype=wp.vec2, device="cpu", copy=False))
-    given = {"distribution": case, "sequence": sequence, "pdf": pdf, "out": out, "workers": workers}
-    return partial(sample_directions, normals, out.shape[1], **given)
+    options = {"distribution": case, "sequence": sequence, "pdf": pdf, "out": out, "workers": workers}
+    return partial(sample_directions, normals, out.shape[1], **options)
 
 
 def _is_sequence(row: DirectionSpeed) -> bool:
     return row.table == "sequences"
 
 
-def _all_and_fill(rows: list[DirectionSpeed]) -> list[DirectionSpeed]:
-    return [row for row in rows if _is_sequence(row) and (row in all_workers(rows) or not row.sequence)]
+def _select_for_page(rows: list[DirectionSpeed]) -> list[DirectionSpeed]:
+    return [row for row in rows if _is_sequence(row) and (row in select_all_workers(rows) or not row.sequence)]
 
 
-_MAPS = {"lines": "distribution", "across": "workers pdf", "brief": None, "where": lambda row: not _is_sequence(row)}
-_SAME = {"lines": "sequence workers", "across": "samples", "brief": _all_and_fill}
+_MAPS = {"lines": "distribution", "across": "workers pdf", "page_rows": None, "where": lambda row: not _is_sequence(row)}
+_SAME = {"lines": "sequence workers", "across": "samples", "page_rows": _select_for_page}
 
 RECORD = Benchmark(
     name="directions",
-    summary="Directions a second by every map, sequence and count, beside NumPy's fill of the same array.",
+    summary="Directions per second of every map, sequence and count, beside NumPy's fill of the same array.",
     measure=measure,
     parts={"rows": DirectionSpeed},
     views=[
-        TableView("rows", "Maps, million directions a second", cells="million_per_second", **_MAPS),
-        TableView("rows", "Sequences, million directions a second", cells="million_per_second", where=_is_sequence, **_SAME),
-        TableView("rows", "The same as a share of a fill's speed right after", cells="of_fill", where=_is_sequence, **_SAME),
+        TableView("rows", "Maps, million directions per second", cells="million_per_second", **_MAPS),
+        TableView(
+            "rows", "Sequences, million directions per second", cells="million_per_second", where=_is_sequence, **_SAME
+        ),
+        TableView(
+            "rows",
+            "Speed of the sequences as a fraction of a fill",
+            cells="of_fill",
+            where=_is_sequence,
+            **_SAME | {"page_rows": None},
+        ),
     ],
     pictures=[
-        Picture("directions", "rows", "samples", y="million_per_second", series="sequence", where=_all_and_fill, log="x")
+        Picture("directions", "rows", "samples", y="million_per_second", series="sequence", where=_select_for_page, log="x")
     ],
 )

@@ -1,4 +1,4 @@
-"""`bench error`: the error of means of known integrals against run time, by every sequence, many times over."""
+"""`bench error`: error of means of known integrals against run time, for every sequence."""
 
 from dataclasses import dataclass
 from itertools import pairwise
@@ -9,27 +9,29 @@ import numpy as np
 import typer
 
 from warpsample import sequences
-from warpsample.bench.record import Benchmark, Found, Picture, Repeats, Track
-from warpsample.bench.rows import Spread, Timed, column, digits
-from warpsample.bench.running.timing import timed
-from warpsample.bench.tables import TableView, grouped
-from warpsample.bench.tools.integrands import INTEGRANDS, KnownIntegral, estimates, estimator
+from warpsample.bench.record import Benchmark, Picture, Repeats, RowsByPart, Track
+from warpsample.bench.rows import Spread, Timed, column, format_digits
+from warpsample.bench.running.timing import time_interleaved
+from warpsample.bench.tables import TableView, group_rows
+from warpsample.bench.tools.integrands import INTEGRANDS, KnownIntegral, build_estimator, compute_estimates
 
 COUNTS = tuple(4**k for k in range(1, 9))
-FLOOR = 3e-7  # the least RMSE that float32 leaves: the slope is fitted above it
-_LEAST_WORK = 1 << 21  # directions of a timed run: small counts take more randomisations, or a launch's cost would be all
+FLOOR = 3e-7  # smallest RMSE in float32; the slope is fitted above this RMSE
+_LEAST_WORK = (
+    1 << 21
+)  # minimum directions of a timed run: small counts need more randomisations to hide the cost of a launch
 
 
 @dataclass(frozen=True)
 class ErrorPoint(Timed):
-    """One sequence on one integrand, with one number of samples."""
+    """Error and run time of one sequence on one integrand with one number of samples."""
 
     integrand: str = column("integrand")
     sequence: str = column("sequence")
     count: int = column("N")
     randomisations: int = column("randomisations")
     rmse: float = column("RMSE", show=".1e")
-    microseconds: Spread = column("wall time of one estimate, all workers, sampling included [µs]")
+    microseconds: Spread = column("run time of one estimate, all workers, sampling included [µs]")
 
 
 _INTEGRANDS = {i.name: f"{i.name} ({i.kind}), mean {i.mean:.6f}" for i in INTEGRANDS}
@@ -37,25 +39,28 @@ _INTEGRANDS = {i.name: f"{i.name} ({i.kind}), mean {i.mean:.6f}" for i in INTEGR
 
 @dataclass(frozen=True)
 class TimeToTarget:
-    """How long one sequence takes on one integrand."""
+    """Time of one sequence to an RMSE on one integrand."""
 
     integrand: str = column("integrand", show=_INTEGRANDS.get)
     sequence: str = column("sequence")
     rmse: float = column("RMSE", show="to an RMSE of {:g}".format)
-    time: str = column("µs", "after a ~ by the slope of the curve, beyond the N measured; after a < by the least N")
+    time: str = column(
+        "µs",
+        "~ marks a time extrapolated by the slope of the curve, beyond the measured N; < marks the time of the smallest N",
+    )
 
 
-def slope_of(points: list[ErrorPoint]) -> float | None:
-    """The slope of log RMSE over log N from N = 16 on; None if fewer than two points are above the floor."""
-    kept = [(log(p.count), log(p.rmse)) for p in points if p.count >= 16 and p.rmse > FLOOR]
-    return float(np.polyfit(*np.array(kept).T, 1)[0]) if len(kept) > 1 else None
+def fit_slope(points: list[ErrorPoint]) -> float | None:
+    """Fit the slope of log RMSE over log N for N >= 16; return None with fewer than two points above the floor."""
+    logarithms = [(log(p.count), log(p.rmse)) for p in points if p.count >= 16 and p.rmse > FLOOR]
+    return float(np.polyfit(*np.array(logarithms).T, 1)[0]) if len(logarithms) > 1 else None
 
 
-def reaching(points: list[ErrorPoint], rmse: float) -> tuple[float, bool] | None:
-    """(microseconds to that RMSE, whether that is beyond the counts measured); None where it never gets there.
+def estimate_time(points: list[ErrorPoint], rmse: float) -> tuple[float, bool] | None:
+    """Return (microseconds to that RMSE, True if outside the measured counts); None if the RMSE is out of reach.
 
-    By a line through the two counts around it in log-log; beyond the last with the fitted slope, before the first the time
-    of the first.
+    Between two counts, interpolate linearly in logarithms. Beyond the last count, extrapolate by the fitted slope. Below the
+    first count, return the time of the first count.
     """
     for a, b in pairwise(points):
         if a.rmse >= rmse >= b.rmse:
@@ -65,43 +70,45 @@ def reaching(points: list[ErrorPoint], rmse: float) -> tuple[float, bool] | None
     first, last = points[0], points[-1]
     if rmse > first.rmse:
         return first.microseconds.median, True
-    slope = slope_of(points)
+    slope = fit_slope(points)
     if slope is None or slope >= 0.0 or last.rmse <= FLOOR:
         return None
     return last.microseconds.median * float(np.float_power(rmse / last.rmse, 1.0 / slope)), True
 
 
-def times_to(points: list[ErrorPoint], rmse: float) -> list[TimeToTarget]:
-    """The time to an RMSE of each sequence on each integrand, in words."""
+def list_times(points: list[ErrorPoint], rmse: float) -> list[TimeToTarget]:
+    """Return the time to an RMSE for each sequence and integrand, as text."""
     rows = []
-    for case, mine in grouped(points, "integrand sequence").items():
-        reached = reaching(mine, rmse)
-        sign = "" if reached and not reached[1] else "<" if rmse > mine[0].rmse else "~"
-        rows.append(TimeToTarget(*case, rmse, f"{sign}{digits(reached[0])}" if reached else "never"))
+    for case, group in group_rows(points, "integrand sequence").items():
+        time = estimate_time(group, rmse)
+        sign = "" if time and not time[1] else "<" if rmse > group[0].rmse else "~"
+        rows.append(TimeToTarget(*case, rmse, f"{sign}{format_digits(time[0])}" if time else "never"))
     return rows
 
 
 def measure(
     track: Track,
     *,
-    rmse: Annotated[float, typer.Option(help="The RMSE to state the time to.", min=1e-6, max=1.0)] = 1e-3,
-    randomisations: Annotated[int, typer.Option(help="Estimates of each mean, at least.", min=64)] = 256,
-    largest: Annotated[int, typer.Option(help="Greatest number of samples of an estimate.", min=16)] = 65_536,
+    rmse: Annotated[
+        float, typer.Option(help="Target RMSE of the table of times, for example 0.001.", min=1e-6, max=1.0)
+    ] = 1e-3,
+    randomisations: Annotated[int, typer.Option(help="Minimum number of estimates of each mean.", min=64)] = 256,
+    largest: Annotated[int, typer.Option(help="Maximum number of samples of an estimate.", min=16)] = 65_536,
     repeats: Repeats = 7,
-) -> Found:
-    """Integrand by integrand; the sequences take turns."""
-    cases = [_points(i, randomisations, largest, repeats) for i in track(INTEGRANDS, len(INTEGRANDS))]
+) -> RowsByPart:
+    """Measure one integrand after the other; the sequences alternate."""
+    cases = [_measure_integrand(i, randomisations, largest, repeats) for i in track(INTEGRANDS, len(INTEGRANDS))]
     points = [point for points in cases for point in points]
-    return {"points": points, "times": times_to(points, rmse)}
+    return {"points": points, "times": list_times(points, rmse)}
 
 
-def _points(integrand: KnownIntegral, randomisations: int, largest: int, repeats: int) -> list[ErrorPoint]:
+def _measure_integrand(integrand: KnownIntegral, randomisations: int, largest: int, repeats: int) -> list[ErrorPoint]:
     points = []
     for count in (n for n in COUNTS if n <= largest):
         out = np.empty(max(randomisations, _LEAST_WORK // count))
-        works = {name: estimator(integrand, name, count, out) for name in sequences.names()}
-        for name, seconds in timed(works, repeats).items():
-            errors = estimates(integrand, name, count, len(out)) - integrand.mean
+        works = {name: build_estimator(integrand, name, count, out) for name in sequences.names()}
+        for name, seconds in time_interleaved(works, repeats).items():
+            errors = compute_estimates(integrand, name, count, len(out)) - integrand.mean
             rmse = sqrt(float(np.mean(errors**2)))
             each = Spread.of([1e6 * t / len(out) for t in seconds])
             points.append(ErrorPoint(integrand.name, name, count, len(out), rmse, each, seconds=seconds))
@@ -110,7 +117,7 @@ def _points(integrand: KnownIntegral, randomisations: int, largest: int, repeats
 
 RECORD = Benchmark(
     name="error",
-    summary="RMSE against run time: every sequence on seven integrands of known mean, from 4 samples on.",
+    summary="RMSE against run time of every sequence, on seven integrands of known mean, with 4 samples or more.",
     measure=measure,
     parts={"points": ErrorPoint, "times": TimeToTarget},
     views=[TableView("times", "µs of one estimate", "integrand", "time", across="sequence", split="rmse")],

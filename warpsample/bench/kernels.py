@@ -1,4 +1,4 @@
-"""`bench kernels`: what the kernel API costs: a user's own integrand and a user's own kernel, beside what is built in."""
+"""`bench kernels`: cost of user-defined integrands and kernels, compared with the built-in calls."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -8,9 +8,9 @@ import numpy as np
 import typer
 import warp as wp
 
-from warpsample.bench.record import SEED, Benchmark, Found, Picture, Repeats, TableView, Track
+from warpsample.bench.record import SEED, Benchmark, Picture, Repeats, RowsByPart, TableView, Track
 from warpsample.bench.rows import Spread, Timed, column
-from warpsample.bench.running.timing import timed
+from warpsample.bench.running.timing import time_interleaved
 from warpsample.bench.scenes import bunny, city
 from warpsample.directions.sample import sample_directions
 from warpsample.distributions.cosine_hemisphere import square_to_cosine_hemisphere
@@ -25,34 +25,34 @@ from warpsample.tracing.own_rays import Tree, any_hit, offset_origin
 from warpsample.tracing.tree import tree
 
 COUNTS = (64, 256, 1024, 4096)
-"""Directions of a point that are integrated."""
+"""Directions per point of the means."""
 RAYS = 256
-"""Rays of a point whose occlusion is estimated."""
+"""Rays per point of the occlusion."""
 SCENES: dict[str, Callable[[], Mesh]] = {"bunny": lambda: bunny(0), "city": city}
 
-_TOTAL = 1 << 22  # directions of a run
+_TOTAL = 1 << 22  # directions of a timed run
 
 
 @dataclass(frozen=True)
 class WayCost(Timed):
-    """One way to a result, on one thread."""
+    """Cost of one way to a result, on one thread."""
 
     way: str = column("way")
     scene: str = column("mesh")
-    count: int = column("directions", "of a point")
+    count: int = column("directions", "directions per point")
     nanoseconds: Spread = column("ns per direction")
-    ours: Spread = column("times", "how many times as long as the first way to the same result, within each round")
+    ours: Spread = column("time / first way", "time over that of the first way to the same result, in the same round")
 
 
 @wp.func
 def gradient(w: wp.vec3) -> float:
-    """A sky that is brighter upwards."""
+    """Return the radiance of a sky that is brighter towards the zenith."""
     return 0.3 + 0.7 * wp.max(w[2], 0.0)
 
 
 @wp.kernel(module="unique", enable_backward=False, module_options={"cpu_compiler_flags": wide_flags()})
 def occlusion(tree: Tree, position: wp.array[wp.vec3d], normal: wp.array[wp.vec3], count: int, out: wp.array[float]):
-    """The kernel that the README of `tracing` shows, with the compiler's flag that it names."""
+    """Estimate ambient occlusion: the kernel of the `tracing` README, with the compiler flag given there."""
     p = wp.tid()
     frame = frame_about(normal[p])
     origin = offset_origin(tree, position[p], normal[p])
@@ -66,16 +66,16 @@ def occlusion(tree: Tree, position: wp.array[wp.vec3d], normal: wp.array[wp.vec3
 def measure(
     track: Track,
     *,
-    points: Annotated[int, typer.Option(help="Points on each mesh.", min=64)] = 8192,
+    points: Annotated[int, typer.Option(help="Number of points on each mesh, placed uniformly by area.", min=64)] = 8192,
     repeats: Repeats = 15,
-) -> Found:
-    """Each result by all ways to it, in turns."""
-    groups = [("", count, means(count)) for count in COUNTS]
-    groups += [(scene, RAYS, occlusions(scene, points)) for scene in SCENES]
+) -> RowsByPart:
+    """Time all ways to each result, alternating."""
+    groups = [("", count, build_means(count)) for count in COUNTS]
+    groups += [(scene, RAYS, build_occlusions(scene, points)) for scene in SCENES]
     rows = []
     for scene, count, ways in track(groups, len(groups)):
         size = count * (points if scene else _TOTAL // count)
-        times = timed(ways, repeats)
+        times = time_interleaved(ways, repeats)
         first = next(iter(times.values()))
         for way, seconds in times.items():
             each = Spread.of([1e9 * t / size for t in seconds])
@@ -83,57 +83,66 @@ def measure(
     return {"rows": rows}
 
 
-def means(count: int) -> dict[str, Callable[[], object]]:
-    """The mean of a cheap function over the cosine lobe: fused, the directions alone into an array, and these with NumPy."""
+def build_means(count: int) -> dict[str, Callable[[], object]]:
+    """Build the ways to the mean of a cheap function over the cosine lobe.
+
+    The ways are a fused call, directions alone into an array, and directions with a mean by NumPy.
+    """
     normals = np.random.default_rng(SEED).normal(size=(_TOTAL // count, 3)).astype(np.float32)
     out = np.empty((len(normals), count, 3), np.float32)
 
-    def summed() -> np.ndarray:
-        return (0.3 + 0.7 * np.maximum(_directions(normals, count)[..., 2], 0.0)).mean(axis=1)
+    def average_with_numpy() -> np.ndarray:
+        return (0.3 + 0.7 * np.maximum(_sample(normals, count)[..., 2], 0.0)).mean(axis=1)
 
     return {
         "integrate": lambda: integrate(normals, gradient, count, workers=1),
-        "sample_directions": lambda: _directions(normals, count, out),
-        "sample_directions and NumPy": summed,
+        "sample_directions": lambda: _sample(normals, count, out),
+        "sample_directions and NumPy": average_with_numpy,
     }
 
 
-def _directions(normals: np.ndarray, count: int, out: np.ndarray | None = None) -> np.ndarray:
+def _sample(normals: np.ndarray, count: int, out: np.ndarray | None = None) -> np.ndarray:
     return sample_directions(normals, count, sequence="fibonacci", out=out, workers=1).vectors
 
 
-def occlusions(scene: str, points: int) -> dict[str, Callable[[], object]]:
-    """Ambient occlusion of points: by a user's kernel, and by the call that is built in."""
+def build_occlusions(scene: str, points: int) -> dict[str, Callable[[], object]]:
+    """Build the ways to ambient occlusion: a user-defined kernel, and the built-in call with and without skipping."""
     mesh = SCENES[scene]()
     at = sample_surface(mesh, points, seed=SEED)
-    searched = tree(mesh)
+    ray_tree = tree(mesh)
     position = wp.array(at.position, dtype=wp.vec3d, device="cpu")
     normal = wp.array(at.normal, dtype=wp.vec3, device="cpu")
     out = wp.zeros(points, dtype=float, device="cpu")
-    load(occlusion, "cpu")  # Warp would announce it between our tables
+    load(occlusion, "cpu")  # otherwise Warp prints a message between the tables
 
-    def own() -> wp.array:
+    def run_kernel() -> wp.array:
         out.zero_()
-        wp.launch(occlusion, points, inputs=[searched, position, normal, RAYS], outputs=[out], device="cpu")
+        wp.launch(occlusion, points, inputs=[ray_tree, position, normal, RAYS], outputs=[out], device="cpu")
         return out
 
     return {
-        "a kernel of ten lines": own,
+        "a kernel of ten lines": run_kernel,
         "ambient_occlusion, skip=False": lambda: ambient_occlusion(mesh, at, RAYS, skip=False, workers=1),
         "ambient_occlusion": lambda: ambient_occlusion(mesh, at, RAYS, workers=1),
     }
 
 
+def _select_for_page(rows: list[WayCost]) -> list[WayCost]:
+    return [row for row in rows if row.count in (256, 4096)]
+
+
 _MEANS = "Means of a sky over the cosine lobe, one thread"
-_OCCLUSION = f"Ambient occlusion by {RAYS} rays a point, one thread"
+_OCCLUSION = f"Ambient occlusion with {RAYS} rays per point, one thread"
 
 RECORD = Benchmark(
     name="kernels",
-    summary="The price of a user's integrand and of a user's kernel with rays, beside what is built in.",
+    summary="Cost of a user-defined integrand and a user-defined kernel with rays, beside the built-in calls.",
     measure=measure,
     parts={"rows": WayCost},
     views=[
-        TableView("rows", _MEANS, "count way", "nanoseconds ours", where=lambda row: not row.scene),
+        TableView(
+            "rows", _MEANS, "count way", "nanoseconds ours", where=lambda row: not row.scene, page_rows=_select_for_page
+        ),
         TableView("rows", _OCCLUSION, "scene way", "nanoseconds ours", where=lambda row: row.scene),
     ],
     pictures=[Picture("kernels", "rows", "nanoseconds", y="way", series="count", panels="scene", log="x")],

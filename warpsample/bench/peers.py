@@ -1,4 +1,4 @@
-"""`bench peers`: 64 directions of the cosine lobe about each normal by other tools, a process each, taking turns."""
+"""`bench peers`: 64 directions of the cosine lobe at each normal by other tools, alternating, one process per tool."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -8,37 +8,39 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from warpsample.bench.record import SEED, Benchmark, Found, Picture, Repeats, TableView, Track
-from warpsample.bench.rows import Spread, ToolRow, maybe
+from warpsample.bench.record import SEED, Benchmark, Picture, Repeats, RowsByPart, TableView, Track
+from warpsample.bench.rows import Spread, ToolRow, optional_column
 from warpsample.bench.running.child import ChildJob
-from warpsample.bench.running.turns import Tool, take_turns
+from warpsample.bench.running.turns import Tool, run_tools
 from warpsample.bench.tools.directions import DIRECTIONS
 from warpsample.bench.tools.integrands import INTEGRANDS, evaluate
 from warpsample.host.engine import check_workers
 from warpsample.proof import twins
 
 SAMPLES = 64
-_JUDGED = 1 << 20  # directions whose means are taken
-_ROUNDING = 1e-9  # of an exact mean
-_BY_CHANCE = 4.5  # standard errors; with 13 peers and 7 means by chance once in 1,600 runs
+_JUDGED = 1 << 20  # directions of the means
+_ROUNDING = 1e-9  # absolute rounding error of an exact mean
+_MOST_DEVIATION = 4.5  # standard errors; 13 tools with 7 means each exceed this by chance once in 1,600 runs
 
 
 @dataclass(frozen=True)
 class PeerSpeed(ToolRow):
-    """One tool's speed and its means."""
+    """Speed of one tool, and the deviation of its means."""
 
-    library: str = maybe("version")
-    threads: int = maybe("threads")
-    million_per_second: Spread | None = maybe("million a second")
-    ours: Spread | None = maybe("ours / it", "the speed of independent directions by warpsample over its")
-    worst_deviation: float | None = maybe(
-        "off by", "the worst of the means of seven integrals, in standard errors from the exact value",
-        show=lambda x: f"{x:.1f}{'' if x <= _BY_CHANCE else ' WRONG'}")  # fmt: skip
-    agrees: bool | None = maybe("agrees")
+    library: str = optional_column("version")
+    threads: int = optional_column("threads")
+    million_per_second: Spread | None = optional_column("million per second")
+    ours: Spread | None = optional_column(
+        "warpsample / tool", "speed of independent directions by warpsample over that of the tool, in the same round"
+    )
+    worst_deviation: float | None = optional_column(
+        "worst deviation", "largest deviation of the means of seven integrals from the exact values, in standard errors",
+        show=lambda x: f"{x:.1f}{'' if x <= _MOST_DEVIATION else ' WRONG'}")  # fmt: skip
+    agrees: bool | None = optional_column("agrees")
 
 
 def build_directions(tool: str, points: int, workers: int) -> ChildJob:
-    """Directions by one tool, whose means of all integrands are judged."""
+    """Build the job of one tool; its report judges the means of all integrands."""
     normals = np.random.default_rng(SEED).normal(size=(points, 3))
     normals = (normals / np.linalg.norm(normals, axis=1, keepdims=True)).astype(np.float32)
     work, result = DIRECTIONS[tool].make(normals, SAMPLES, workers)
@@ -47,48 +49,48 @@ def build_directions(tool: str, points: int, workers: int) -> ChildJob:
     def report() -> dict[str, Any]:
         d = np.asarray(result()).reshape(points, SAMPLES, 3)[: len(frames)]
         local = np.einsum("nij,nsi->nsj", frames, d).reshape(-1, 3).astype(np.float32)
-        return judged(DIRECTIONS[tool], workers, worst_deviation([(evaluate(i, local), i.mean) for i in INTEGRANDS]))
+        return judge(DIRECTIONS[tool], workers, find_worst_deviation([(evaluate(i, local), i.mean) for i in INTEGRANDS]))
 
     return ChildJob(work, report)
 
 
-def worst_deviation(means: Iterable[tuple[np.ndarray, float]]) -> float:
-    """The worst of some means, in standard errors, of (values, exact mean) of each; NaN if one is."""
+def find_worst_deviation(means: Iterable[tuple[np.ndarray, float]]) -> float:
+    """Return the largest deviation in standard errors over pairs (values, exact mean); NaN if a value is NaN."""
     errors = [
         (v.mean(dtype=np.float64) - exact, v.std(dtype=np.float64) / np.sqrt(len(v)) + _ROUNDING) for v, exact in means
     ]
     return float(np.max([abs(off) / error for off, error in errors]))
 
 
-def judged(tool: Tool, workers: int, worst: float) -> dict[str, Any]:
-    """What a row says of a tool whose worst mean is off by so many standard errors."""
+def judge(tool: Tool, workers: int, worst: float) -> dict[str, Any]:
+    """Return the fields of a row for a tool with the worst deviation `worst`, in standard errors."""
     return {
         "library": f"{tool.library} {version(tool.library)}",
         "threads": workers if tool.threaded else 1,
         "worst_deviation": worst,
-        "agrees": worst <= _BY_CHANCE,
+        "agrees": worst <= _MOST_DEVIATION,
     }
 
 
 def measure(
     track: Track,
     *,
-    points: Annotated[int, typer.Option(help="Normals, with 64 directions each.", min=1)] = 65_536,
+    points: Annotated[int, typer.Option(help="Number of normals, with 64 directions each.", min=1)] = 65_536,
     repeats: Repeats = 15,
-) -> Found:
-    """Compares all tools, in turns."""
+) -> RowsByPart:
+    """Compare all tools, with alternating runs."""
     return {"rows": compare(list(track(DIRECTIONS, len(DIRECTIONS))), points, repeats)}
 
 
 def compare(tools: Iterable[str], points: int, repeats: int) -> list[PeerSpeed]:
-    """Some tools, ours first, taking turns."""
-    turns = take_turns(build_directions, tools, repeats, points=points, workers=check_workers(None))
-    ours = next(iter(turns.seconds.values()))
+    """Compare some tools with alternating runs; the first tool is the baseline."""
+    turns = run_tools(build_directions, tools, repeats, points=points, workers=check_workers(None))
+    baseline = next(iter(turns.seconds.values()))
 
     def figures(tool: str) -> dict[str, Any]:
         seconds = turns.seconds[tool]
         speed = Spread.of([points * SAMPLES / t / 1e6 for t in seconds])
-        return {"million_per_second": speed, "ours": Spread.of_ratios(seconds, ours), **turns.told[tool]}
+        return {"million_per_second": speed, "ours": Spread.of_ratios(seconds, baseline), **turns.reports[tool]}
 
     return turns.rows(PeerSpeed, figures)
 

@@ -1,4 +1,4 @@
-"""Pictures of what was found: curves through the rows. Labels are the headings of the rows' columns."""
+"""Pictures of benchmark rows: curves with column headings as labels."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,8 +10,8 @@ from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 from warpsample import sequences
-from warpsample.bench.rows import Spread, columns, shown
-from warpsample.bench.tables import grouped, named
+from warpsample.bench.rows import Spread, format_field, get_columns
+from warpsample.bench.tables import format_named, group_rows
 from warpsample.host.files import write_bytes
 from warpsample.host.making import missing
 
@@ -25,18 +25,18 @@ _MOST_ACROSS = 5  # plots side by side
 
 @dataclass(frozen=True)
 class Picture:
-    """How rows of a part are drawn. Several fields are named in one text, with blanks between.
+    """Layout of a part's rows as a picture. Several fields are one text, separated by blanks.
 
     Attributes:
-        name: of its file.
-        part: whose rows are drawn.
+        name: name of the file.
+        part: part with the rows.
         x: field along the x axis, or a function of a row.
-        y: fields along the y axis, a plot to each; names have a line each, the first on top.
-        series: fields that name a curve.
-        panels: fields; there are plots side by side for each of their values.
-        down: likewise, one below the other.
-        where: which rows are drawn, of all.
-        log: axes that are logarithmic.
+        y: fields along the y axis, one plot each; text values have one line each, the first on top.
+        series: fields that identify a curve.
+        panels: fields; each combination of their values is a plot, side by side.
+        down: fields; each combination of their values is a plot, one below the other.
+        where: function that selects the rows to draw.
+        log: logarithmic axes: "x", "y" or "xy".
     """
 
     name: str
@@ -50,18 +50,18 @@ class Picture:
     log: str = ""
 
 
-def check_drawing(argument: str) -> None:
-    """Refuses if there is no matplotlib, before minutes of work.
+def check_matplotlib(argument: str) -> None:
+    """Raise an error if matplotlib is missing, before minutes of work.
 
     Raises:
-        ModuleNotFoundError: says how to install it.
+        ModuleNotFoundError: matplotlib is missing; says how to install it.
     """
     if find_spec("matplotlib") is None:
         raise missing(f"{argument} needs matplotlib", "matplotlib")
 
 
-def save(figures: dict[str, "Figure"], folder: Path, source: str = "") -> list[Path]:
-    """Writes each as `folder/name.png`, 150 dots an inch, with `source` as its description; returns the files."""
+def save_figures(figures: dict[str, "Figure"], folder: Path, source: str = "") -> list[Path]:
+    """Write each figure to `folder/name.png` at 150 dots per inch, with `source` as description; return the files."""
     folder.mkdir(parents=True, exist_ok=True)
     files = [folder / f"{name}.png" for name in figures]
     for file, figure in zip(files, figures.values(), strict=True):
@@ -71,63 +71,63 @@ def save(figures: dict[str, "Figure"], folder: Path, source: str = "") -> list[P
     return files
 
 
-def draw(picture: Picture, rows: list[Any], caption: str) -> "Figure":
-    """The figure: a plot for each panel, with a caption below."""
+def draw_figure(picture: Picture, rows: list[Any], caption: str) -> "Figure":
+    """Draw the figure of a picture: one plot for each panel, and a caption below."""
     from matplotlib.figure import Figure
 
-    rows = [row for row in picture.where(rows) if None not in _values(picture, row)]
-    plots = [(y, [row for row in mine if row in beside])
-             for mine in grouped(rows, picture.down).values() for y in picture.y.split()
-             for beside in grouped(rows, picture.panels).values()]  # fmt: skip
-    panels = len(grouped(rows, picture.panels))
+    rows = [row for row in picture.where(rows) if None not in _get_values(picture, row)]
+    plots = [(y, [row for row in group if row in beside])
+             for group in group_rows(rows, picture.down).values() for y in picture.y.split()
+             for beside in group_rows(rows, picture.panels).values()]  # fmt: skip
+    panels = len(group_rows(rows, picture.panels))
     across = ceil(panels / ceil(panels / _MOST_ACROSS))
     down = ceil(len(plots) / across)
     figure = Figure(figsize=(max(7.0, 1.8 + 3.2 * across), 0.8 + 3.0 * down), layout="constrained")
     grid = figure.subplots(down, across, squeeze=False, sharex="col", sharey="row")
     for axes in grid.ravel()[len(plots) :]:
         axes.axis("off")
-    for i, (axes, (y, mine)) in enumerate(zip(grid.ravel(), plots, strict=False)):
-        axes.set_title(", ".join(_titles(picture, mine)), fontsize=10)
-        _curves(axes, picture, mine, y)
+    for i, (axes, (y, group)) in enumerate(zip(grid.ravel(), plots, strict=False)):
+        axes.set_title(", ".join(_list_titles(picture, group)), fontsize=10)
+        _draw_curves(axes, picture, group, y)
         if i % across == 0:
-            axes.set_ylabel(_label(rows, y))
+            axes.set_ylabel(_get_label(rows, y))
     for axes, *_ in grid:
         if isinstance(getattr(rows[0], plots[0][0]), str):
-            axes.invert_yaxis()  # the first name is on top
+            axes.invert_yaxis()  # the first name on top
         elif "y" not in picture.log:
             axes.set_ylim(bottom=0.0)
-    _legend(figure, grid)
-    x = _label(rows, picture.x) if isinstance(picture.x, str) else ""
+    _draw_legend(figure, grid)
+    x = _get_label(rows, picture.x) if isinstance(picture.x, str) else ""
     figure.supxlabel("\n".join(filter(None, [x, fill(caption, int(14 * figure.get_figwidth()))])), fontsize=9)
     return figure
 
 
-def _values(picture: Picture, row: Any) -> list[Any]:
-    """What is drawn of a row: its x and each y."""
+def _get_values(picture: Picture, row: Any) -> list[Any]:
+    """Return the x value and each y value of a row."""
     x = picture.x(row) if callable(picture.x) else getattr(row, picture.x)
     return [x, *(getattr(row, name) for name in picture.y.split())]
 
 
-def _titles(picture: Picture, rows: list[Any]) -> list[str]:
+def _list_titles(picture: Picture, rows: list[Any]) -> list[str]:
     names = [*picture.panels.split(), *picture.down.split()]
-    return [told for row in rows[:1] for name in names if (told := named(row, name))]
+    return [title for row in rows[:1] for name in names if (title := format_named(row, name))]
 
 
-def _label(rows: list[Any], name: str) -> str:
-    known = columns(type(rows[0]))
-    return known[name].metadata["heading"] if name in known else name.replace("_", " ")
+def _get_label(rows: list[Any], name: str) -> str:
+    columns = get_columns(type(rows[0]))
+    return columns[name].metadata["heading"] if name in columns else name.replace("_", " ")
 
 
-def _curves(axes: "Axes", picture: Picture, rows: list[Any], name: str) -> None:
-    """A curve through the medians of each series, with whiskers where there is a spread."""
-    for i, mine in enumerate(grouped(rows, picture.series).values()):
-        label = ", ".join(shown(mine[0], field) for field in picture.series.split())
-        x = [getattr(v, "median", v) for v in (_values(picture, row)[0] for row in mine)]
-        y = [getattr(v, "median", v) for v in (getattr(row, name) for row in mine)]
+def _draw_curves(axes: "Axes", picture: Picture, rows: list[Any], name: str) -> None:
+    """Draw a curve through the medians of each series, with whiskers from quartile to quartile."""
+    for i, group in enumerate(group_rows(rows, picture.series).values()):
+        label = ", ".join(format_field(group[0], field) for field in picture.series.split())
+        x = [getattr(v, "median", v) for v in (_get_values(picture, row)[0] for row in group)]
+        y = [getattr(v, "median", v) for v in (getattr(row, name) for row in group)]
         width = 0 if isinstance(y[0], str) else 1
         style = {"marker": _MARKERS[i % len(_MARKERS)], "markersize": 4, "linewidth": width, "label": label}
-        (line,) = axes.plot(x, y, color=_colour(label), fillstyle="none" if i >= len(_MARKERS) else "full", **style)
-        for at, row in zip(x, mine, strict=True):
+        (line,) = axes.plot(x, y, color=_choose_colour(label), fillstyle="none" if i >= len(_MARKERS) else "full", **style)
+        for at, row in zip(x, group, strict=True):
             if isinstance(spread := getattr(row, name), Spread):
                 axes.plot([at, at], [spread.low, spread.high], color=line.get_color(), linewidth=0.8)
     for axis in picture.log:
@@ -136,13 +136,13 @@ def _curves(axes: "Axes", picture: Picture, rows: list[Any], name: str) -> None:
     axes.grid(alpha=0.3)
 
 
-def _colour(label: str) -> str | None:
-    """The colour that a sequence has in all pictures; others get one after the other."""
+def _choose_colour(label: str) -> str | None:
+    """Return the colour of a sequence, the same in all pictures; None for other labels."""
     return sequences.get(label).colour if label in sequences.names() else None
 
 
-def _legend(figure: "Figure", grid: Any) -> None:
-    """One legend for all plots, if there is more than one curve."""
+def _draw_legend(figure: "Figure", grid: Any) -> None:
+    """Draw one legend for all plots if there is more than one curve."""
     named = {label: handle for axes in grid.ravel() for handle, label in zip(*axes.get_legend_handles_labels(), strict=True)}
     if len(named) > 1:
         figure.legend(named.values(), named, loc="outside right center", frameon=False, fontsize=8)

@@ -1,7 +1,7 @@
-"""The tables in the room's README, and its pictures, from the files of `results/`: a pure function of them.
+"""Generate the tables, headlines and pictures of this room's pages from the files in `results/`.
 
-`python -m warpsample.bench.readme` writes them anew without measuring anything. What stands around the tables is written by
-hand, there.
+`README.md` shows the first kind of processor, AVX-512, and `AVX2.md` shows every other kind. The text around the tables is
+hand-written. `python -m warpsample.bench.readme` writes both pages without a new measurement.
 """
 
 import hashlib
@@ -9,87 +9,112 @@ import re
 from pathlib import Path
 
 from warpsample.bench import benchmarks, pictures
-from warpsample.bench.result import RESULTS, kept
-from warpsample.bench.rows import digits
-from warpsample.bench.tables import markdown
+from warpsample.bench.result import RESULTS, load_results
+from warpsample.bench.rows import format_digits
+from warpsample.bench.tables import format_markdown
 from warpsample.host.files import check_output, check_output_folder, write_bytes
 
 README = Path(__file__).parent / "README.md"
+SECOND_PAGE = "AVX2.md"
+"""Name of the page for every processor but the first, in the folder of the README."""
 PICTURES = Path(__file__).parents[2] / "viz"
 
 _BLOCK = re.compile(r"<!-- bench ([\w-]+) -->\n.*?<!-- end -->", re.DOTALL)
+_HEADLINE = re.compile(r"<!-- headline -->\n.*?<!-- end -->", re.DOTALL)
 _PICTURE = re.compile(r"viz/bench_(\w+)\.png")
 
 
 def check_checkout(argument: str) -> None:
-    """Refuses an installed package, which has no pictures beside it, and a checkout that may not be written.
+    """Raise an error unless the package is a checkout whose pages, results and pictures can be written.
 
     Raises:
-        ValueError: this is no checkout, or the README or the folders of results and pictures cannot be written.
+        ValueError: the package is installed without its pictures, or a page or folder cannot be written.
     """
     if not (PICTURES / "gallery.py").is_file():
         raise ValueError(f"{argument}: got an installed package, want a checkout, whose README and pictures can be written")
-    check_output(README, argument)
+    for page in list_pages():
+        check_output(page, argument)
     check_output_folder(RESULTS, argument)
     check_output_folder(PICTURES, argument)
 
 
-def write() -> list[Path]:
-    """Writes the README's tables, and the pictures that it shows, of the first processor; returns the files."""
+def list_pages() -> dict[Path, slice]:
+    """Return the pages, each with the slice of `processors` that the page shows."""
+    return {README: slice(1), README.with_name(SECOND_PAGE): slice(1, None)}
+
+
+def write_pages() -> list[Path]:
+    """Write both pages and the README's pictures, which show the first processor; return the files."""
+    kinds = list_processors(RESULTS)
     text = README.read_text(encoding="utf-8")
-    write_bytes(README, fill(text, RESULTS).encode())
-    files, processor, shown = [README], processors(RESULTS)[0], pictures_in(text)
-    for name, result in kept(processor, benchmarks(), RESULTS).items():
-        figures = {f"bench_{picture}": figure for picture, figure in benchmarks()[name].figures(result, shown).items()}
-        files += pictures.save(figures, PICTURES, digest(RESULTS / f"{name}-{processor}.json"))
+    files = []
+    for page, chosen in list_pages().items():
+        write_bytes(page, fill_page(page.read_text(encoding="utf-8"), RESULTS, kinds[chosen]).encode())
+        files.append(page)
+    for name, result in load_results(kinds[0], benchmarks(), RESULTS).items():
+        figures = benchmarks()[name].figures(result, find_pictures(text))
+        named = {f"bench_{picture}": figure for picture, figure in figures.items()}
+        files += pictures.save_figures(named, PICTURES, describe_source(RESULTS / f"{name}-{kinds[0]}.json"))
     return files
 
 
-def pictures_in(text: str) -> list[str]:
-    """The names of the pictures that a README shows."""
+def find_pictures(text: str) -> list[str]:
+    """Return the names of the pictures in the text of a page."""
     return list(dict.fromkeys(_PICTURE.findall(text)))
 
 
-def fill(text: str, folder: Path) -> str:
-    """A README's text in which each block `<!-- bench name --> ... <!-- end -->` has its tables, of a folder of results."""
-    everything = [kept(processor, benchmarks(), folder) for processor in processors(folder)]
+def fill_page(text: str, folder: Path, shown: list[str]) -> str:
+    """Return the text of a page with new tables and headlines between its marks.
 
-    def block(found: re.Match[str]) -> str:
-        name = found[1]
+    Args:
+        text: page with marks `<!-- bench NAME -->`, `<!-- headline -->` and `<!-- end -->`.
+        folder: folder of results.
+        shown: kinds of processor that the page shows, in this order.
+    """
+    everything = [load_results(processor, benchmarks(), folder) for processor in shown]
+
+    def tables_of(match: re.Match[str]) -> str:
+        name = match[1]
         results = [results[name] for results in everything if name in results]
-        tables = [markdown(benchmarks()[name].brief(result)) for result in results]
-        return "\n\n".join([f"<!-- bench {name} -->", *tables, "<!-- end -->"])
+        tables = [format_markdown(benchmarks()[name].build_page(result)) for result in results]
+        return "\n".join([f"<!-- bench {name} -->", *["\n\n".join(tables)] * bool(tables), "<!-- end -->"])
 
-    return _BLOCK.sub(block, text)
+    def headline_of(match: re.Match[str]) -> str:
+        phrases = [phrase for processor in shown for phrase in list_headlines(processor, folder)]
+        return "\n".join(["<!-- headline -->", *(f"- {phrase}" for phrase in phrases), "<!-- end -->"])
+
+    return _HEADLINE.sub(headline_of, _BLOCK.sub(tables_of, text))
 
 
-def processors(folder: Path) -> list[str]:
-    """The kinds of processor that there are results of, AVX-512 before AVX2."""
+def list_processors(folder: Path) -> list[str]:
+    """Return the kinds of processor that `folder` holds results of, AVX-512 before AVX2."""
     return sorted({path.stem.rpartition("-")[2] for path in folder.glob("*.json")}, reverse=True)
 
 
-def headline(processor: str, folder: Path = RESULTS) -> list[str]:
-    """What the first page of the package says of speed: phrases of a processor's results."""
-    results = kept(processor, benchmarks(), folder)
-    peers, rays, visibility = (results[name].found["rows"] for name in ("peers", "rays", "visibility"))
-    speeds = {row.tool: digits(row.million_per_second.median) for row in peers if row.million_per_second}
-    over = [row.ours.median for row in rays if row.tool == "Embree"]
+def list_headlines(processor: str, folder: Path = RESULTS) -> list[str]:
+    """Return the headlines of a processor: phrases for the start of a page, with the processor's name last."""
+    results = load_results(processor, benchmarks(), folder)
+    if not {"peers", "rays", "visibility"} <= results.keys():
+        return []
+    peers, rays, visibility = (results[name].rows["rows"] for name in ("peers", "rays", "visibility"))
+    speeds = {row.tool: format_digits(row.million_per_second.median) for row in peers if row.million_per_second}
+    ratios = [row.ours.median for row in rays if row.tool == "Embree"]
     on_bunny = [row for row in visibility if (row.scene, row.target) == ("bunny", 0.01) and row.microseconds]
-    times = {row.tool: digits(row.microseconds.median) for row in on_bunny}
-    theirs = speeds.get("Mitsuba, three planes")
+    times = {row.tool: format_digits(row.microseconds.median) for row in on_bunny}
+    mitsuba = speeds.get("Mitsuba, three planes")
     return [
-        f"{speeds['warpsample independent']} million directions a second{f' (Mitsuba: {theirs})' if theirs else ''}",
-        *([f"rays {min(over):.1f} to {max(over):.1f} times as fast as Embree's"] if over else []),
-        f"to an RMSE of 0.01 in {times['warpsample']} µs a point"
+        f"{speeds['warpsample independent']} million directions a second{f' (Mitsuba: {mitsuba})' if mitsuba else ''}",
+        *([f"rays {min(ratios):.1f} to {max(ratios):.1f} times as fast as Embree's"] if ratios else []),
+        f"ambient occlusion to an RMSE of 0.01 in {times['warpsample']} µs a point"
         + (f" (Mitsuba's fused kernel: {times['Mitsuba']})" if "Mitsuba" in times else ""),
         results["peers"].machine.processor,
     ]
 
 
-def digest(path: Path) -> str:
-    """The name and the digest of a file of results, by which a picture says what it was made from."""
+def describe_source(path: Path) -> str:
+    """Return the name and the SHA-256 digest of a file of results, which a picture keeps as its source."""
     return f"{path.name} {hashlib.sha256(path.read_bytes()).hexdigest()}"
 
 
 if __name__ == "__main__":
-    write()
+    write_pages()

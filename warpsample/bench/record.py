@@ -1,4 +1,4 @@
-"""What a benchmark says of itself; the command line, the result files, the tables and the pictures follow from it."""
+"""Record of a benchmark: the command line, result files, tables and pictures follow from it."""
 
 import inspect
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -9,7 +9,7 @@ import typer
 
 from warpsample.bench import pictures, tables
 from warpsample.bench.pictures import Picture
-from warpsample.bench.rows import text
+from warpsample.bench.rows import format_value
 from warpsample.bench.running.machine import Machine
 from warpsample.bench.tables import Table, TableView
 
@@ -17,15 +17,20 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 SEED = 0
-"""The seed of every benchmark's points, rays and directions."""
+"""Seed of the points, rays and directions of every benchmark."""
 
-Repeats = Annotated[int, typer.Option(help="Timed runs of each case, each after untimed ones.", min=1)]
-Scenes = Annotated[list[str] | None, typer.Option(help="Only this one; may be repeated.", show_default=False)]
+Repeats = Annotated[int, typer.Option(help="Number of timed runs of each case. Untimed runs come first.", min=1)]
+Scenes = Annotated[
+    list[str] | None,
+    typer.Option(
+        help="Name of a scene to measure, for example bunny; may be repeated. Default: all scenes.", show_default=False
+    ),
+]
 Track = Callable[[Iterable[Any], int], Iterator[Any]]
-"""Passes on items, of which there are so many, and may show how far it has come."""
+"""Function (items, count) that yields the items and can show progress."""
 
-Found = dict[str, list[Any]]
-"""What was found: rows by the name of their part."""
+RowsByPart = dict[str, list[Any]]
+"""Measured rows, keyed by the name of their part."""
 
 
 @dataclass(frozen=True)
@@ -33,74 +38,77 @@ class Result:
     """One run of a benchmark.
 
     Attributes:
-        machine: where.
-        settings: the values of the command's options.
-        found: rows by part.
+        machine: machine and versions of the run.
+        settings: values of the command's options.
+        rows: measured rows, keyed by part.
     """
 
     machine: Machine
     settings: dict[str, Any]
-    found: Found
+    rows: RowsByPart
 
 
 @dataclass(frozen=True)
 class Benchmark:
-    """What is measured, and how it is shown.
+    """A benchmark: function that measures, options, rows, tables and pictures.
 
     Attributes:
-        name: of its command and its result files.
+        name: name of the command and of the result files.
         summary: one sentence for the command's help.
-        measure: (track, **settings) -> found; its keyword-only parameters, typed as typer takes them, are the options.
-        parts: the class of the rows of each part that is measured and kept.
-        views: the tables.
-        pictures: what is drawn.
+        measure: function (track, **settings) -> rows by part; its keyword-only parameters, annotated for typer, are the
+            options.
+        parts: class of the rows of each part.
+        views: tables of the command and of the page.
+        pictures: pictures of the rows.
     """
 
     name: str
     summary: str
-    measure: Callable[..., Found]
+    measure: Callable[..., RowsByPart]
     parts: dict[str, type]
     views: Sequence[TableView]
     pictures: Sequence[Picture]
 
-    def wrong(self, found: Found) -> bool:
-        """Whether a tool does not agree with what is right; then the command ends with status 1."""
-        return any(getattr(row, "agrees", None) is False for rows in found.values() for row in rows)
+    def has_disagreement(self, rows: RowsByPart) -> bool:
+        """Return True if a tool disagrees with the reference; the command then exits with status 1."""
+        return any(getattr(row, "agrees", None) is False for rows in rows.values() for row in rows)
 
     @property
     def options(self) -> dict[str, inspect.Parameter]:
-        """The settings that can be chosen, with their defaults."""
+        """Options of the command, with their defaults."""
         parameters = inspect.signature(self.measure).parameters
         return {name: each for name, each in parameters.items() if each.kind is inspect.Parameter.KEYWORD_ONLY}
 
     def settings(self, **chosen: Any) -> dict[str, Any]:
-        """All settings: those chosen, and the others by default."""
+        """Return the value of every option: `chosen` where given, otherwise the default."""
         return {name: option.default for name, option in self.options.items()} | chosen
 
     def report(self, result: Result) -> list[Table | str]:
-        """What the command prints: all tables, what their columns are, and which tools did not run."""
-        lines = [self.provenance(result), tables.SPREADS]
+        """Return the command's output: every table, notes on the columns, and tools that did not run."""
+        lines = [self.provenance(result), tables.SPREAD_NOTE]
         for view in self.views:
-            rows = [row for row in result.found[view.part] if view.where(row)]
-            lines += [*tables.tables(view, rows), *tables.notes(view, rows)]
-        lines += tables.about_tools(result.found.values())
+            rows = [row for row in result.rows[view.part] if view.where(row)]
+            lines += [*tables.build_tables(view, rows), *tables.list_notes(view, rows)]
+        lines += tables.describe_tools(result.rows.values())
         return [line for i, line in enumerate(lines) if line not in lines[:i]]
 
-    def brief(self, result: Result) -> list[Table | str]:
-        """What the README shows: some tables, which tools did not run, and where all this was measured."""
+    def build_page(self, result: Result) -> list[Table | str]:
+        """Return the page's tables, then a paragraph with versions, missing tools, command and machine."""
         shown = [
-            table for view in self.views if view.brief
-            for table in tables.tables(view, view.brief([row for row in result.found[view.part] if view.where(row)]))
+            table for view in self.views if view.page_rows
+            for table in tables.build_tables(view, view.page_rows(list(filter(view.where, result.rows[view.part]))))
         ]  # fmt: skip
-        return [*shown, " ".join([*tables.about_tools(result.found.values()), f"({self.provenance(result)})"])]
+        return [*shown, " ".join([*tables.describe_tools(result.rows.values()), f"({self.provenance(result)})"])]
 
     def figures(self, result: Result, names: Sequence[str] | None = None) -> dict[str, "Figure"]:
-        """The pictures by name, all of them or those that are named."""
+        """Return the pictures by name: every picture, or the pictures in `names`."""
         chosen = [picture for picture in self.pictures if names is None or picture.name in names]
-        return {each.name: pictures.draw(each, result.found[each.part], str(result.machine)) for each in chosen}
+        return {each.name: pictures.draw_figure(each, result.rows[each.part], str(result.machine)) for each in chosen}
 
     def provenance(self, result: Result) -> str:
-        """The command, its settings and the machine, in a line."""
-        shown = {name: text(value, "g" if isinstance(value, float) else None) for name, value in result.settings.items()}
+        """Return one line with the command, its settings and the machine."""
+        shown = {
+            name: format_value(value, "g" if isinstance(value, float) else None) for name, value in result.settings.items()
+        }
         chosen = [f"{name} {shown[name]}" for name, value in result.settings.items() if value is not None]
         return f"`warpsample bench {self.name}`: {', '.join(chosen)}, seed {SEED}; {result.machine}"

@@ -1,4 +1,4 @@
-"""`bench scaling`: cost per direction and peak memory against points, samples and workers, a process to each case."""
+"""`bench scaling`: cost per direction and peak memory against points, samples and workers, one process per case."""
 
 from dataclasses import dataclass
 from typing import Annotated
@@ -6,11 +6,11 @@ from typing import Annotated
 import numpy as np
 import typer
 
-from warpsample.bench.record import SEED, Benchmark, Found, Picture, Repeats, TableView, Track
+from warpsample.bench.record import SEED, Benchmark, Picture, Repeats, RowsByPart, TableView, Track
 from warpsample.bench.rows import Spread, Timed, column
 from warpsample.bench.running.child import ChildJob
-from warpsample.bench.running.machine import peak_megabytes
-from warpsample.bench.running.turns import take_turns
+from warpsample.bench.running.machine import measure_peak_megabytes
+from warpsample.bench.running.turns import run_tools
 from warpsample.directions.sample import sample_directions
 from warpsample.host.engine import check_workers
 
@@ -21,18 +21,20 @@ _TOTAL = 1 << 22
 
 @dataclass(frozen=True)
 class ScaledCost(Timed):
-    """One case: Sobol' directions of the cosine lobe, streamed in parts."""
+    """Cost of one case: Sobol' directions of the cosine lobe, computed in parts."""
 
     axis: str = column("varied")
     points: int = column("points")
-    samples: int = column("samples", "of each point")
+    samples: int = column("samples", "samples per point")
     workers: int = column("workers")
     nanoseconds: Spread = column("ns per direction")
-    peak_megabytes: float | None = column("peak memory, MB", "of the process, Python, Warp and NumPy included", show=".0f")
+    peak_megabytes: float | None = column(
+        "peak memory, MB", "peak memory of the process, with Python, Warp and NumPy", show=".0f"
+    )
 
 
-def cases(largest: int) -> list[tuple[str, int, int, int]]:
-    """(axis, points, samples, workers): points from 1,000 to `largest`, samples from 1 to 4096, workers from 1 to all."""
+def list_cases(largest: int) -> list[tuple[str, int, int, int]]:
+    """Return cases (axis, points, samples, workers): 1,000 to `largest` points, 1 to 4,096 samples, 1 to all workers."""
     everyone = check_workers(None)
     workers = sorted({min(2**k, everyone) for k in range(everyone.bit_length() + 1)})
     return [
@@ -45,21 +47,24 @@ def cases(largest: int) -> list[tuple[str, int, int, int]]:
 def measure(
     track: Track,
     *,
-    largest: Annotated[int, typer.Option(help="Greatest number of points.", min=1000)] = 100_000_000,
+    largest: Annotated[int, typer.Option(help="Maximum number of points.", min=1000)] = 100_000_000,
     repeats: Repeats = 5,
-) -> Found:
-    """All cases in turns: a process each, alive to the end."""
-    chosen = cases(largest)
-    turns = take_turns(build_stream, track(chosen, len(chosen)), repeats)
+) -> RowsByPart:
+    """Time all cases alternately, with one process for each case."""
+    chosen = list_cases(largest)
+    turns = run_tools(build_stream, track(chosen, len(chosen)), repeats)
     rows = []
-    for case, times in turns.of_all().items():
+    for case, times in turns.require_all().items():
         each = Spread.of([1e9 * t / (case[1] * case[2]) for t in times])
-        rows.append(ScaledCost(*case, each, turns.told[case]["peak_megabytes"], seconds=times))
+        rows.append(ScaledCost(*case, each, turns.reports[case]["peak_megabytes"], seconds=times))
     return {"rows": rows}
 
 
 def build_stream(tool: tuple[str, int, int, int], part: int = PART) -> ChildJob:
-    """All directions of a case, part by part into one array, about normals that repeat every 65,536."""
+    """Build the job that computes all directions of a case, part by part into one array.
+
+    The normals repeat every 65,536 points.
+    """
     _, points, samples, workers = tool
     part = min(points, max(1, part // samples))
     normals = np.random.default_rng(SEED).normal(size=(65_536, 3)).astype(np.float32)
@@ -74,19 +79,32 @@ def build_stream(tool: tuple[str, int, int, int], part: int = PART) -> ChildJob:
     return ChildJob(
         work=lambda: sample(points),
         warm=lambda: sample(min(points, 4 * part)),
-        report=lambda: {"peak_megabytes": peak_megabytes()},
+        report=lambda: {"peak_megabytes": measure_peak_megabytes()},
     )
 
 
-def _varied(row: ScaledCost) -> int:
+def _get_varied(row: ScaledCost) -> int:
     return getattr(row, row.axis)
+
+
+def _select_for_page(rows: list[ScaledCost]) -> list[ScaledCost]:
+    chosen = {"points": (1000, 100_000, 100_000_000), "samples": (1, 64, 4096)}
+    return [row for row in rows if row.axis == "workers" or _get_varied(row) in chosen[row.axis]]
 
 
 RECORD = Benchmark(
     name="scaling",
-    summary="Cost per direction and peak memory against points, samples and workers, streamed.",
+    summary="Cost per direction and peak memory against points, samples and workers.",
     measure=measure,
     parts={"rows": ScaledCost},
-    views=[TableView("rows", "Size", "axis points samples workers", "nanoseconds peak_megabytes")],
-    pictures=[Picture("scaling", "rows", _varied, y="nanoseconds peak_megabytes", series="", panels="axis", log="x")],
+    views=[
+        TableView(
+            "rows",
+            "Cost against size",
+            "axis points samples workers",
+            "nanoseconds peak_megabytes",
+            page_rows=_select_for_page,
+        )
+    ],
+    pictures=[Picture("scaling", "rows", _get_varied, y="nanoseconds peak_megabytes", series="", panels="axis", log="x")],
 )

@@ -1,4 +1,4 @@
-"""What rays are traced against, and the rays."""
+"""Scenes of the benchmarks, with sets of rays and points on the scenes."""
 
 from collections.abc import Callable
 from functools import cache
@@ -19,20 +19,20 @@ from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.trace import trace
 
 PER_POINT = 64
-"""Cosine rays from each point."""
+"""Cosine rays per point."""
 
 KINDS = ("camera", "outward", "inward", "random")
 
-_OFF = 1e-4  # of the mesh's size: above every tool's rounding, so that all trace the same rays
-_LATITUDE, _TILT = 52.37, 23.44  # Amsterdam's, and the Earth's axis
-_LOOKS = 64  # directions in which a point looks for what is close before it
+_OFFSET = 1e-4  # of the mesh's size: larger than every tool's rounding, so that all tools trace the same rays
+_LATITUDE, _TILT = 52.37, 23.44  # degrees; latitude of Amsterdam, tilt of the Earth's axis
+_LOOKS = 64  # directions per point of the test for close faces
 
 
 def bunny(subdivisions: int) -> Mesh:
-    """The one inside warp-lang, its 12,200 triangles split in four so many times.
+    """Load the bunny that comes with warp-lang; each subdivision splits the 12,200 triangles in four.
 
     Raises:
-        ModuleNotFoundError: they are to be split, and trimesh is missing; says how to install it.
+        ModuleNotFoundError: `subdivisions` is positive and trimesh is missing; says how to install it.
     """
     mesh = load_mesh(Path(wp.__file__).parent / "examples" / "assets" / "bunny.usd")
     vertices, faces = mesh.vertices, mesh.faces
@@ -47,7 +47,7 @@ def bunny(subdivisions: int) -> Mesh:
 
 
 def hills() -> Mesh:
-    """PyVista's random hills, 19,602 triangles."""
+    """Load PyVista's random hills, 19,602 triangles."""
     try:
         from pyvista.examples import load_random_hills
     except ModuleNotFoundError:
@@ -56,7 +56,7 @@ def hills() -> Mesh:
 
 
 def city(side: int = 64) -> Mesh:
-    """side x side boxes of random height on a square plane: long thin triangles beside one another, most of them upright."""
+    """Build side x side boxes of random height on a square plane: mostly long, thin, upright triangles."""
     rng = np.random.default_rng(0)
     corners = np.array([[x, y, z] for z in (0.0, 1.0) for y in (0.0, 1.0) for x in (0.0, 1.0)])
     quads = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
@@ -78,19 +78,19 @@ SCENES: dict[str, Callable[[], Mesh]] = {
     "hills": hills,
     "city": city,
 }
-"""By name; built when called."""
+"""Functions that build the scenes, by name."""
 
 
 @cache
-def ray_set(mesh: Mesh, kind: str, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """About `count` rays: origins (P, 3) or (3,), and directions, float32, seed 0.
+def build_rays(mesh: Mesh, kind: str, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Build about `count` rays: origins (P, 3) or (3,) and directions, float32, seed 0.
 
     Args:
-        mesh: what they are for.
-        kind: "camera": through the pixels of a square picture, row by row; "outward", "inward": the cosine lobe about the
-            normals of points uniform by area, in the order of the faces, and its mirror image; "random": uniform, each from
-            a place of its own in the mesh's box.
-        count: how many, at least 64.
+        mesh: mesh that the rays are made for.
+        kind: "camera": through the pixels of a square picture, row by row. "outward": cosine lobe at points uniform by area,
+            in the order of the faces. "inward": the mirror image of the outward rays. "random": uniform directions from
+            uniform origins in the mesh's bounding box.
+        count: number of rays, at least 64.
     """
     lower, upper = mesh.report.lower, mesh.report.upper
     size = float(np.max(upper - lower))
@@ -110,35 +110,38 @@ def ray_set(mesh: Mesh, kind: str, count: int) -> tuple[np.ndarray, np.ndarray]:
     side = 1.0 if kind == "outward" else -1.0
     normal = points.normal[order]
     directions = side * sample_directions(normal, PER_POINT, sequence="independent").vectors
-    return (points.position[order] + side * _OFF * size * normal).astype(np.float32), directions.astype(np.float32)
+    return (points.position[order] + side * _OFFSET * size * normal).astype(np.float32), directions.astype(np.float32)
 
 
-def points_of(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
-    """A scene, and points uniform on it by area, in the order of the faces; seed 0."""
+def sample_scene(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
+    """Return a scene and points on it: uniform by area, in the order of the faces, seed 0."""
     mesh = look_up(SCENES, scene, "scene")()
-    found = sample_surface(mesh, points, seed=SEED)
-    return mesh, found.take(np.argsort(found.face, kind="stable"))
+    samples = sample_surface(mesh, points, seed=SEED)
+    return mesh, samples.take(np.argsort(samples.face, kind="stable"))
 
 
-def clear_points_of(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
-    """A scene and points on it, without those that have something within 10^-4 of the mesh's size before them.
+def sample_clear_points(scene: str, points: int) -> tuple[Mesh, SurfacePoints]:
+    """Return a scene and points on it, without points that have a face in front within 10^-4 of the mesh's size.
 
     Raises:
-        ValueError: too few are left.
+        ValueError: too few points remain.
     """
     mesh = look_up(SCENES, scene, "scene")()
-    found = sample_surface(mesh, points + points // 4 + 16, seed=SEED)
-    looks = sample_directions(found.normal, _LOOKS, seed=SEED).vectors
-    close = _OFF * float(np.ptp(mesh.vertices, axis=0).max())
-    clear = (trace(mesh, found, looks, max_distance=close, any_hit=True).face < 0).all(axis=1)
+    samples = sample_surface(mesh, points + points // 4 + 16, seed=SEED)
+    looks = sample_directions(samples.normal, _LOOKS, seed=SEED).vectors
+    close = _OFFSET * float(np.ptp(mesh.vertices, axis=0).max())
+    clear = (trace(mesh, samples, looks, max_distance=close, any_hit=True).face < 0).all(axis=1)
     chosen = np.flatnonzero(clear)[:points]
     if len(chosen) < points:
-        raise ValueError(f"points: got {len(chosen)} with nothing close before them, want {points}")
-    return mesh, found.take(chosen[np.argsort(found.face[chosen], kind="stable")])
+        raise ValueError(f"points: got {len(chosen)} without a close face in front, want {points}")
+    return mesh, samples.take(chosen[np.argsort(samples.face[chosen], kind="stable")])
 
 
-def year_of_suns() -> np.ndarray:
-    """The suns (T, 3) float32, about 4,400, of a year's hours in which they are up: circular orbit; +x east, +y north."""
+def compute_year_of_suns() -> np.ndarray:
+    """Compute the directions (T, 3) float32 of the suns above the horizon, about 4,400, for the hours of a year.
+
+    The Earth's orbit is circular; +x is east and +y is north.
+    """
     hours = np.arange(8760) + 0.5
     declination = -np.radians(_TILT) * np.cos(2.0 * np.pi * (hours / 24.0 + 10.0) / 365.0)
     angle, latitude = 2.0 * np.pi * (hours % 24.0 - 12.0) / 24.0, np.radians(_LATITUDE)
@@ -149,6 +152,6 @@ def year_of_suns() -> np.ndarray:
 
 
 def check_scenes(names: list[str] | None) -> None:
-    """Refuses, by a ValueError that lists those that are known, a scene that is not."""
+    """Raise a ValueError with the known names if a name is not a scene."""
     for name in names or []:
         look_up(SCENES, name, "scene")

@@ -1,4 +1,4 @@
-"""`bench startup`: what a new process waits for."""
+"""`bench startup`: seconds until a new process has its first results."""
 
 import os
 import subprocess
@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from warpsample.bench.record import Benchmark, Found, Picture, TableView, Track
+from warpsample.bench.record import Benchmark, Picture, RowsByPart, TableView, Track
 from warpsample.bench.rows import Spread, Timed, column
 
 _DIRECTIONS = """
@@ -42,13 +42,13 @@ _SCRIPTS = {
     _ESTIMATE: ["first points and their occlusion"],
 }
 
-CACHES = ("cold", "warm")  # kernels are compiled, or they are loaded
+CACHES = ("cold", "warm")  # a cold cache compiles kernels, a warm cache loads them
 STEPS = [step for steps in _SCRIPTS.values() for step in steps]
 
 
 @dataclass(frozen=True)
 class Wait(Timed):
-    """What a new process waits for."""
+    """Waiting time of a new process for one step."""
 
     step: str = column("step")
     cache: str = column("kernel cache", show="{} cache".format)
@@ -58,35 +58,35 @@ class Wait(Timed):
 def measure(
     track: Track,
     *,
-    repeats: Annotated[int, typer.Option(help="New processes of each kind.", min=1)] = 5,
-) -> Found:
-    """The processes one after the other."""
-    found = [start_processes() for _ in track(range(repeats), repeats)]
-    taken = {(step, cache): [one[cache, step] for one in found] for step in STEPS for cache in CACHES}
-    return {"waits": [Wait(*key, Spread.of(seconds), seconds=seconds) for key, seconds in taken.items()]}
+    repeats: Annotated[int, typer.Option(help="Number of new processes for each script and cache.", min=1)] = 5,
+) -> RowsByPart:
+    """Start the processes one after the other and time the steps."""
+    runs = [start_processes() for _ in track(range(repeats), repeats)]
+    seconds_by_case = {(step, cache): [one[cache, step] for one in runs] for step in STEPS for cache in CACHES}
+    return {"waits": [Wait(*key, Spread.of(seconds), seconds=seconds) for key, seconds in seconds_by_case.items()]}
 
 
 def start_processes() -> dict[tuple[str, str], float]:
-    """Seconds by (cache, step), of two processes to each script: the first finds the kernel cache cold, the second warm."""
-    found = {}
+    """Return seconds by (cache, step); each script runs in two processes, the first with a cold kernel cache."""
+    seconds = {}
     for script, steps in _SCRIPTS.items():
         with tempfile.TemporaryDirectory(prefix="warpsample-bench-") as folder:
             for cache in CACHES:
-                found |= {(cache, step): t for step, t in zip(steps, _run(script, folder), strict=True)}
-    return found
+                seconds |= {(cache, step): t for step, t in zip(steps, _run(script, folder), strict=True)}
+    return seconds
 
 
 def _run(script: str, folder: str) -> list[float]:
     environment = {**os.environ, "WARP_CACHE_PATH": folder}
-    done = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True)
-    return [float(x) for x in done.stdout.splitlines()[-1].split()]
+    process = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True)
+    return [float(x) for x in process.stdout.splitlines()[-1].split()]
 
 
 RECORD = Benchmark(
     name="startup",
-    summary="What a new process waits for, with a cold kernel cache and with a warm one.",
+    summary="Seconds until a new process has its first results, with a cold and a warm kernel cache.",
     measure=measure,
     parts={"waits": Wait},
-    views=[TableView("waits", "A new process, seconds", "step", "took", across="cache")],
+    views=[TableView("waits", "Seconds of each step in a new process", "step", "took", across="cache")],
     pictures=[Picture("startup", "waits", "took", y="step", series="cache", log="x")],
 )

@@ -1,4 +1,4 @@
-"""`bench view-factors`: all view factors of a mesh by each tool, in turns: time, error, memory and entries."""
+"""`bench view-factors`: time, error and memory of all view factors of a mesh, for each tool, with alternating runs."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,14 +8,14 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from warpsample.bench.record import Benchmark, Found, Picture, Repeats, Track
-from warpsample.bench.rows import Spread, ToolRow, column, digits, maybe
+from warpsample.bench.record import Benchmark, Picture, Repeats, RowsByPart, Track
+from warpsample.bench.rows import Spread, ToolRow, column, format_digits, optional_column
 from warpsample.bench.running.child import ChildJob
-from warpsample.bench.running.machine import peak_megabytes
-from warpsample.bench.running.turns import take_turns
-from warpsample.bench.tables import TableView, all_workers
-from warpsample.bench.tools.blocks import mesh_of
-from warpsample.bench.tools.view_factors import EMBREE, FACTOR_TOOLS, OURS, PAIRS, TRACE, trace_alone
+from warpsample.bench.running.machine import measure_peak_megabytes
+from warpsample.bench.running.turns import run_tools
+from warpsample.bench.tables import TableView, select_all_workers
+from warpsample.bench.tools.blocks import build_mesh
+from warpsample.bench.tools.view_factors import EMBREE, FACTOR_TOOLS, OURS, PAIRS, TRACE, build_trace_alone
 from warpsample.host.engine import check_workers
 from warpsample.mesh.mesh import Mesh
 from warpsample.radiation.exchange.view_factors import view_factors
@@ -24,66 +24,74 @@ SMALL_SCENES = ("boxes 6", "city 4")
 """540 and 1,128 faces."""
 
 _REFERENCE_RAYS, _REFERENCE_SEED = 1 << 17, 1 << 40
-_JUDGED = 256  # faces whose rows are held against the reference
+_JUDGED = 256  # faces whose rows are compared with the reference
 _QUARTER, _ANOTHER_SEED = 4, 1 << 30
-_MOST_APART = 1.3  # square error over the one that is due
-_MOST_RELATIVE = 0.25  # RMSE over the RMS of the factors, of a tool that one ray for a pair makes coarse
-_FEWER = 16  # times fewer rays of embreex, which takes half a minute for all on the large city
+_MOST_ERROR_RATIO = 1.3  # mean square error over the expected one
+_MOST_RELATIVE = 0.25  # RMSE over the root mean square of the factors, for one ray per pair
+_FEWER = 16  # divisor of embreex's rays: all rays would take half a minute on the large city
 
 
 @dataclass(frozen=True)
 class FactorTime(ToolRow):
-    """One tool on one scene."""
+    """Time and error of one tool on one scene."""
 
     scene: str = column("scene")
     faces: int = column("faces")
     workers: int = column("threads")
-    rays: int | None = maybe("rays", "of each face")
-    took: Spread | None = maybe("s", "of the tracing alone as for all faces, from some of them")
-    traces: Spread | None = maybe("/ trace", "times as long as `ws.trace` alone with as many rays", show=".2f")
-    rmse: float | None = maybe("RMSE", "over the entries of 256 rows, zeros included", show=".1e")
-    rate: float | None = maybe("rate", "the power of the rays by which the RMSE of ours falls")
-    times_ours: Spread | None = maybe(
-        "times ours",
-        "as long as ours to the same RMSE, extrapolated by each tool's rate (pyViewFactor has none: by ours)",
-        show=digits,
+    rays: int | None = optional_column("rays", "rays per face")
+    took: Spread | None = optional_column(
+        "seconds", "time of one run; the tracing alone is timed on some faces and scaled to all faces"
     )
-    due: float | None = maybe("error² / due", "what our error bars say, or what independent rays have")
-    relative: float | None = maybe("relative", "RMSE over the RMS of the factors")
-    agrees: bool | None = maybe("agrees", "whether `due` is below 1.3, or without it `relative` below 0.25")
-    peak_megabytes: float | None = maybe("MB", "peak memory of the process", show=".0f")
+    traces: Spread | None = optional_column(
+        "time / trace", "time over that of `ws.trace` alone with the same number of rays", show=".2f"
+    )
+    rmse: float | None = optional_column("RMSE", "RMSE over the entries of 256 rows, with zeros", show=".1e")
+    rate: float | None = optional_column("rate", "exponent of the ray count in warpsample's RMSE")
+    times_ours: Spread | None = optional_column(
+        "time / warpsample",
+        "time over warpsample's at the same RMSE, extrapolated by each tool's rate; by warpsample's rate for pyViewFactor",
+        show=format_digits,
+    )
+    due: float | None = optional_column(
+        "error² / expected", "mean square error over that of the error bars, or over the variance of independent rays"
+    )
+    relative: float | None = optional_column("relative", "RMSE over the root mean square of the factors")
+    agrees: bool | None = optional_column(
+        "agrees", "True if error² / expected is at most 1.3, or relative at most 0.25 for pyViewFactor"
+    )
+    peak_megabytes: float | None = optional_column("peak MB", "peak memory of the process", show=".0f")
 
 
-def judged_faces(mesh: Mesh) -> np.ndarray:
-    """The faces whose rows are held against the reference, spread over all."""
+def choose_judged_faces(mesh: Mesh) -> np.ndarray:
+    """Return the faces whose rows are compared with the reference, spread evenly over all faces."""
     return np.unique(np.linspace(0, len(mesh.faces) - 1, _JUDGED).astype(int))
 
 
-def reference_rows(mesh: Mesh, workers: int, rays: int = _REFERENCE_RAYS, seed: int = _REFERENCE_SEED) -> np.ndarray:
-    """The judged rows (R, F) float64, by `view_factors` with many more rays and another seed."""
-    faces = judged_faces(mesh)
+def compute_reference_rows(mesh: Mesh, workers: int, rays: int = _REFERENCE_RAYS, seed: int = _REFERENCE_SEED) -> np.ndarray:
+    """Compute the judged rows (R, F) float64 by `view_factors` with many more rays and another seed."""
+    faces = choose_judged_faces(mesh)
     active = np.zeros(len(mesh.faces), bool)
     active[faces] = True
     return view_factors(mesh, rays, active=active, seed=seed, workers=workers).matrix[faces].toarray()
 
 
 def build_factors(tool: str, scene: str, *, rays: int, workers: int, reference: np.ndarray) -> ChildJob:
-    """All view factors of a scene by a tool; or the tracing of the rays alone, from the judged faces."""
-    mesh = mesh_of(scene)
-    faces = judged_faces(mesh)
+    """Build all view factors of a scene by a tool, or the tracing of rays alone from the judged faces."""
+    mesh = build_mesh(scene)
+    faces = choose_judged_faces(mesh)
     if tool == TRACE:
-        alone = trace_alone(mesh, workers, faces, rays)
+        alone = build_trace_alone(mesh, workers, faces, rays)
         alone()
         row = {"version": version("warpsample"), "rays": rays}
         return ChildJob(alone, lambda: {"row": row, "scale": len(mesh.faces) / len(faces)})
     library, make, _ = FACTOR_TOOLS[tool]
-    few = make(mesh_of("boxes 1"), workers)
-    few.run(16)  # kernels and compilers are loaded
+    few = make(build_mesh("boxes 1"), workers)
+    few.run(16)  # load kernels and compilers
     used = make(mesh, workers)
     count = rays // _FEWER if tool == EMBREE else rays
 
     def report() -> dict[str, Any]:
-        peak = peak_megabytes()
+        peak = measure_peak_megabytes()
         mse = float(np.mean((used.rows(faces) - reference) ** 2))
         due = used.due(reference, faces, count)
         row = {
@@ -92,7 +100,7 @@ def build_factors(tool: str, scene: str, *, rays: int, workers: int, reference: 
             "rmse": mse**0.5,
             "relative": (mse / float(np.mean(reference**2))) ** 0.5,
             "due": None if due is None else mse / due,
-            "rate": _rate(mesh, reference, rays, mse, workers) if tool == OURS else None,
+            "rate": _compute_rate(mesh, reference, rays, mse, workers) if tool == OURS else None,
             "peak_megabytes": peak,
         }
         return {"row": row, "scale": 1.0}
@@ -100,20 +108,22 @@ def build_factors(tool: str, scene: str, *, rays: int, workers: int, reference: 
     return ChildJob(lambda: used.run(count), report, lambda: few.run(16))
 
 
-def _rate(mesh: Mesh, right: np.ndarray, rays: int, mse: float, workers: int) -> float:
-    """The power of the rays by which our RMSE falls, from a quarter of them on."""
-    fewer = np.mean((reference_rows(mesh, workers, max(4, rays // _QUARTER), seed=_ANOTHER_SEED) - right) ** 2)
+def _compute_rate(mesh: Mesh, right: np.ndarray, rays: int, mse: float, workers: int) -> float:
+    """Return the exponent of the ray count in warpsample's RMSE, from a quarter of the rays."""
+    fewer = np.mean((compute_reference_rows(mesh, workers, max(4, rays // _QUARTER), seed=_ANOTHER_SEED) - right) ** 2)
     return float(0.5 * np.log(fewer / mse) / np.log(_QUARTER))
 
 
 def measure(
     track: Track,
     *,
-    side: Annotated[int, typer.Option(help="Blocks along a side of the large city; 18 are 22,344 faces.", min=1)] = 18,
-    rays: Annotated[int, typer.Option(help="Rays of each face.", min=64)] = 4096,
+    side: Annotated[
+        int, typer.Option(help="Number of blocks along a side of the large city. 18 blocks make 22,344 faces.", min=1)
+    ] = 18,
+    rays: Annotated[int, typer.Option(help="Number of rays per face.", min=64)] = 4096,
     repeats: Repeats = 3,
-) -> Found:
-    """The small city by one thread and by all, boxes and the large city by all, the latter once."""
+) -> RowsByPart:
+    """Measure the small city with one thread and with all, the boxes with all, and the large city once with all."""
     most = check_workers(None)
     tools = [*FACTOR_TOOLS, TRACE]
     boxes, city = SMALL_SCENES
@@ -123,32 +133,32 @@ def measure(
 
 
 def compare(scene: str, workers: int, tools: Sequence[str], repeats: int, rays: int) -> list[FactorTime]:
-    """Tools on one scene, ours and the tracing alone among them, taking turns."""
-    mesh = mesh_of(scene)
-    given = {"scene": scene, "workers": workers, "rays": rays, "reference": reference_rows(mesh, workers)}
-    turns = take_turns(build_factors, tools, repeats, **given)
-    seconds = {tool: [t * told["scale"] for t in turns.seconds[tool]] for tool, told in turns.told.items()}
+    """Compare tools on one scene with alternating runs; warpsample and the tracing alone must be among the tools."""
+    mesh = build_mesh(scene)
+    arguments = {"scene": scene, "workers": workers, "rays": rays, "reference": compute_reference_rows(mesh, workers)}
+    turns = run_tools(build_factors, tools, repeats, **arguments)
+    seconds = {tool: [t * facts["scale"] for t in turns.seconds[tool]] for tool, facts in turns.reports.items()}
 
     def figures(tool: str) -> dict[str, Any]:
-        row, times = turns.told[tool]["row"], seconds[tool]
-        as_many = (row["rays"] or rays) / rays
-        traces = Spread.of_ratios(times, [as_many * t for t in seconds[TRACE]])
+        row, times = turns.reports[tool]["row"], seconds[tool]
+        ray_ratio = (row["rays"] or rays) / rays
+        traces = Spread.of_ratios(times, [ray_ratio * t for t in seconds[TRACE]])
         row = {**row, "took": Spread.of(times), "traces": traces, "seconds": times}
-        return row if tool == TRACE else row | judged(tool, row, turns.told[OURS]["row"], times, seconds[OURS])
+        return row if tool == TRACE else row | judge(tool, row, turns.reports[OURS]["row"], times, seconds[OURS])
 
     return turns.rows(FactorTime, figures, scene=scene, faces=len(mesh.faces), workers=workers)
 
 
-def judged(
+def judge(
     tool: str, row: dict[str, Any], ours: dict[str, Any], times: list[float], our_times: list[float]
 ) -> dict[str, Any]:
-    """The fields of a row that compare errors: of a tool's other fields and seconds, and of ours."""
+    """Return the fields of a row that compare errors, from the tool's row and seconds and from warpsample's."""
     more = row["rmse"] / ours["rmse"]
-    # Independent rays at their own rate; what knows no rays, or shares ours, beside ours of as large an error.
+    # Independent rays scale by their own rate; every other tool is compared with warpsample at the same error.
     factor = more**2 if tool == EMBREE else float(np.float_power(more, 1.0 / ours["rate"]))
     return {
         "times_ours": Spread.of_ratios([factor * t for t in times], our_times),
-        "agrees": row["relative"] <= _MOST_RELATIVE if row["due"] is None else row["due"] <= _MOST_APART,
+        "agrees": row["relative"] <= _MOST_RELATIVE if row["due"] is None else row["due"] <= _MOST_ERROR_RATIO,
     }
 
 
@@ -156,11 +166,11 @@ _CELLS = "rays took traces rmse times_ours due peak_megabytes"
 
 RECORD = Benchmark(
     name="view-factors",
-    summary="All view factors of a mesh: ours, pyViewFactor, and rays by NumPy and embreex, beside tracing alone.",
+    summary="All view factors of a mesh by warpsample, pyViewFactor, and NumPy with embreex, beside tracing alone.",
     measure=measure,
     parts={"rows": FactorTime},
     views=[
-        TableView("rows", "View factors", "tool", _CELLS, split="scene faces workers", brief=all_workers),
+        TableView("rows", "View factors", "tool", _CELLS, split="scene faces workers", page_rows=select_all_workers),
     ],
-    pictures=[Picture("view_factors", "rows", "took", y="rmse", panels="scene faces", where=all_workers, log="xy")],
+    pictures=[Picture("view_factors", "rows", "took", y="rmse", panels="scene faces", where=select_all_workers, log="xy")],
 )

@@ -1,4 +1,4 @@
-"""`bench visibility`: how long ambient occlusion takes to an RMSE: ours, with and without skipping, and other tools."""
+"""`bench visibility`: time of ambient occlusion to an RMSE, by warpsample with and without skipping, and by other tools."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -9,12 +9,12 @@ import numpy as np
 import typer
 
 from warpsample import sequences
-from warpsample.bench.record import Benchmark, Found, Picture, Repeats, Scenes, Track
-from warpsample.bench.rows import Spread, ToolRow, column, digits, maybe
+from warpsample.bench.record import Benchmark, Picture, Repeats, RowsByPart, Scenes, Track
+from warpsample.bench.rows import Spread, ToolRow, column, format_digits, optional_column
 from warpsample.bench.running.child import ChildJob
-from warpsample.bench.running.machine import peak_megabytes
-from warpsample.bench.running.turns import keeping_last, take_turns
-from warpsample.bench.scenes import points_of
+from warpsample.bench.running.machine import measure_peak_megabytes
+from warpsample.bench.running.turns import keep_last_result, run_tools
+from warpsample.bench.scenes import sample_scene
 from warpsample.bench.tables import Cell, TableView
 from warpsample.bench.tools.occlusion import ESTIMATORS, Estimator, Occlusion
 from warpsample.estimate.result import Estimate
@@ -24,48 +24,55 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 
 TARGETS = (0.01, 0.003)
-"""RMSE that all tools are to reach."""
+"""Target RMSE of all tools."""
 TOOLS = tuple(ESTIMATORS)
 DEFAULT_SCENES = ("bunny", "city", "hills")
 MANY = 256
-"""How many times as many points, by as many rays each, are estimated for their memory."""
-_REFERENCE_SEED = 1 << 40  # far from those of the estimates
-_TRIAL, _TRIALS = 64, 2  # rays of the first trial; trials until the number of rays is known
+"""Factor from `points` to the number of points in the memory run, and rays per point of that run."""
+_REFERENCE_SEED = 1 << 40  # far from the seeds of the estimates
+_TRIAL, _TRIALS = 64, 2  # rays of the first trial; number of trials
 
 
 @dataclass(frozen=True)
 class TimeToError(ToolRow):
-    """One tool on one scene, all its rays and everything before them, to an RMSE over all points."""
+    """Time of one tool on one scene to an RMSE over all points, after the mesh's tree is built."""
 
     scene: str = column("scene")
     target: float = column("RMSE", show="to {:g}".format)
     workers: int = column("workers")
     points: int = column("points")
-    rays: int | None = maybe("rays", "of a point")
-    cast: float | None = maybe("cast", "of these, cast on average", show=",.0f")
-    rmse: float | None = maybe("RMSE", "the one reached", show=".4f")
-    microseconds: Spread | None = maybe("µs", "of a point to the RMSE asked for, by its own rate from the one reached")
-    times_ours: Spread | None = maybe("times ours", "as long as warpsample takes to it, within each round")
+    rays: int | None = optional_column("rays", "rays per point")
+    cast: float | None = optional_column("cast", "mean number of rays per point that were traced, not skipped", show=",.0f")
+    rmse: float | None = optional_column("RMSE", "RMSE of the timed run", show=".4f")
+    microseconds: Spread | None = optional_column(
+        "µs per point", "time to the target RMSE, extrapolated from the RMSE of the timed run by the tool's own rate"
+    )
+    times_ours: Spread | None = optional_column(
+        "time / warpsample", "time to the target RMSE over that of warpsample in the same round"
+    )
 
 
 @dataclass(frozen=True)
 class Many(ToolRow):
-    """Our estimate of many points, in a process of its own."""
+    """Run of warpsample with many points, in a separate process."""
 
     scene: str = column("scene")
     points: int = column("points")
     rays: int = column("rays")
     workers: int = column("workers")
-    peak_megabytes: float | None = maybe(
-        "peak memory, MB", "of the process, Python, Warp, mesh and points included", show=",.0f"
+    peak_megabytes: float | None = optional_column(
+        "peak memory, MB", "peak memory of the process, with Python, Warp, mesh and points", show=",.0f"
     )
-    took: float | None = maybe("s", show=digits)
+    took: float | None = optional_column("seconds", show=format_digits)
 
 
 def build_estimate(tool: str, scene: str, points: int, *, workers: int, target: float, reference: np.ndarray) -> ChildJob:
-    """A tool's estimate by as many rays as take it to an RMSE over all points; it looks for that number first."""
+    """Build a tool's estimate with the number of rays that reaches the target RMSE over all points.
+
+    Two trials find the number of rays.
+    """
     library, make, _ = ESTIMATORS[tool]
-    run: Estimator = make(*points_of(scene, points), workers)
+    run: Estimator = make(*sample_scene(scene, points), workers)
     rate = sequences.get("fibonacci" if library.startswith("warp") else "independent").rate
 
     def more_rays(error: float) -> float:
@@ -73,93 +80,93 @@ def build_estimate(tool: str, scene: str, points: int, *, workers: int, target: 
 
     count = _TRIAL
     for _ in range(_TRIALS):
-        count = max(2, round(count * more_rays(_rmse(run(count), reference))))
-    work, values = keeping_last(lambda: run(count))
+        count = max(2, round(count * more_rays(_compute_rmse(run(count), reference))))
+    work, values = keep_last_result(lambda: run(count))
 
     def report() -> dict[str, Any]:
         cast = float(run.last.rays.mean()) if isinstance(run, Occlusion) and run.last else float(count)
-        error = _rmse(values(), reference)
-        told = {"version": version(library), "rays": count, "cast": cast, "rmse": error}
-        return {"row": told, "to_target": more_rays(error)}
+        error = _compute_rmse(values(), reference)
+        facts = {"version": version(library), "rays": count, "cast": cast, "rmse": error}
+        return {"row": facts, "to_target": more_rays(error)}
 
     return ChildJob(work, report)
 
 
-def _rmse(found: np.ndarray, right: np.ndarray) -> float:
-    return float(np.sqrt(np.mean((found - right) ** 2)))
+def _compute_rmse(values: np.ndarray, right: np.ndarray) -> float:
+    return float(np.sqrt(np.mean((values - right) ** 2)))
 
 
 def build_many_points(tool: str, scene: str, points: int, rays: int, workers: int) -> ChildJob:
-    """Our estimate of many points, and the memory of all its process: Python, mesh and points included."""
-    mesh, at = points_of(scene, points)
-    ESTIMATORS[tool].make(mesh, at.take(slice(64)), workers)(rays)  # loads kernels
+    """Build warpsample's estimate of many points; the job reports the peak memory of its process."""
+    mesh, at = sample_scene(scene, points)
+    ESTIMATORS[tool].make(mesh, at.take(slice(64)), workers)(rays)  # load kernels
     run = ESTIMATORS[tool].make(mesh, at, workers)
-    return ChildJob(lambda: run(rays), lambda: {"peak_megabytes": peak_megabytes()})
+    return ChildJob(lambda: run(rays), lambda: {"peak_megabytes": measure_peak_megabytes()})
 
 
 def measure(
     track: Track,
     *,
     scene: Scenes = None,
-    points: Annotated[int, typer.Option(help="Points on each scene.", min=16)] = 4096,
+    points: Annotated[int, typer.Option(help="Number of points on each scene, placed uniformly by area.", min=16)] = 4096,
     repeats: Repeats = 3,
-) -> Found:
-    """Scene by scene, then many points on the first."""
+) -> RowsByPart:
+    """Measure one scene after the other, then many points on the first scene."""
     names = scene or list(DEFAULT_SCENES)
-    found: Found = {"rows": [], "many": []}
+    rows: RowsByPart = {"rows": [], "many": []}
     for name in track(names, len(names)):
-        found["rows"] += measure_scene(name, points, repeats)
-    found["many"] += measure_many(names[0], MANY * points, MANY)
-    return found
+        rows["rows"] += measure_scene(name, points, repeats)
+    rows["many"] += measure_many(names[0], MANY * points, MANY)
+    return rows
 
 
 def measure_scene(
     scene: str, points: int, repeats: int, targets: Sequence[float] = TARGETS, tools: Sequence[str] = TOOLS
 ) -> list[TimeToError]:
-    """Tools on a scene, to each of the targets."""
+    """Compare tools on a scene, for each of the targets."""
     workers = check_workers(None)
-    right = reference_of(*points_of(scene, points), workers).value
+    right = compute_reference(*sample_scene(scene, points), workers).value
     case = {"scene": scene, "workers": workers, "points": points}
     return [row for target in targets for row in compare(tools, repeats, right, **case, target=target)]
 
 
-def reference_of(mesh: Mesh, at: SurfacePoints, workers: int, rays: int = 1 << 16) -> Estimate:
-    """The right values by `ambient_occlusion` and its defaults: Fibonacci points, our own tracer."""
+def compute_reference(mesh: Mesh, at: SurfacePoints, workers: int, rays: int = 1 << 16) -> Estimate:
+    """Compute the reference by `ambient_occlusion` with its defaults: Fibonacci points and the package's own tracer."""
     return ambient_occlusion(mesh, at, rays, seed=_REFERENCE_SEED, workers=workers)
 
 
 def compare(tools: Sequence[str], repeats: int, reference: np.ndarray, **case: Any) -> list[TimeToError]:
-    """Tools at one case, ours first, taking turns; the case has all fields that are known before."""
-    turns = take_turns(build_estimate, tools, repeats, reference=reference, **case)
-    due = {tool: [t * told["to_target"] for t in turns.seconds[tool]] for tool, told in turns.told.items()}
+    """Compare tools on one case with alternating runs; the case has the fields that are known before the runs."""
+    turns = run_tools(build_estimate, tools, repeats, reference=reference, **case)
+    equal_times = {tool: [t * facts["to_target"] for t in turns.seconds[tool]] for tool, facts in turns.reports.items()}
 
     def figures(tool: str) -> dict[str, Any]:
-        each = Spread.of([1e6 * t / case["points"] for t in due[tool]])
-        times = Spread.of_ratios(due[tool], due["warpsample"])
-        return {**turns.told[tool]["row"], "microseconds": each, "times_ours": times}
+        each = Spread.of([1e6 * t / case["points"] for t in equal_times[tool]])
+        times = Spread.of_ratios(equal_times[tool], equal_times["warpsample"])
+        return {**turns.reports[tool]["row"], "microseconds": each, "times_ours": times}
 
     return turns.rows(TimeToError, figures, **case)
 
 
 def measure_many(scene: str, points: int, rays: int) -> list[Many]:
-    """Time and memory of many points, by our defaults."""
+    """Measure time and memory of many points, with the defaults of `ambient_occlusion`."""
     same = {"scene": scene, "points": points, "rays": rays, "workers": check_workers(None)}
-    turns = take_turns(build_many_points, ["warpsample"], 0, **same)
-    return turns.rows(Many, lambda tool: {"took": turns.seconds[tool][0], **turns.told[tool]}, **same)
+    turns = run_tools(build_many_points, ["warpsample"], 0, **same)
+    return turns.rows(Many, lambda tool: {"took": turns.seconds[tool][0], **turns.reports[tool]}, **same)
 
 
-_TIME, _RATIO = Cell("microseconds", show=digits), Cell("times_ours", show=".1f")
+_TIME, _RATIO = Cell("microseconds", show=format_digits), Cell("times_ours", show=".1f")
 _SPLIT = "scene target points"
 
 RECORD = Benchmark(
     name="visibility",
-    summary="Time to an RMSE of ambient occlusion: ours, with and without skipping, Mitsuba and embreex.",
+    summary="Time of ambient occlusion to an RMSE: warpsample with and without skipping, Mitsuba and embreex.",
     measure=measure,
     parts={"rows": TimeToError, "many": Many},
     views=[
-        TableView("rows", "To an RMSE", "tool", "rays cast rmse microseconds times_ours", split=_SPLIT, brief=None),
-        TableView("rows", "Microseconds of a point to an RMSE", "tool", [_TIME], across="scene target"),
-        TableView("rows", "The same as a multiple of ours", "tool", [_RATIO], across="scene target"),
+        TableView("rows", "Time to an RMSE", "tool", "rays cast rmse microseconds times_ours", split=_SPLIT, page_rows=None),
+        TableView("rows", "Microseconds per point to an RMSE", "tool", [_TIME], across="scene target"),
+        TableView("rows", "Time as a multiple of warpsample's", "tool", [_RATIO], across="scene target"),
         TableView("many", "Many points", "scene points rays workers", "took peak_megabytes"),
     ],
     pictures=[Picture("visibility", "rows", "microseconds", y="tool", series="target", panels="scene", log="x")],

@@ -10,8 +10,8 @@ import typer
 
 from warpsample.bench import benchmarks, pictures, readme, tables
 from warpsample.bench.record import Benchmark, Result
-from warpsample.bench.result import keep, save_everything
-from warpsample.bench.running.machine import this_machine
+from warpsample.bench.result import save_repeats, save_summary
+from warpsample.bench.running.machine import describe_machine
 from warpsample.bench.scenes import check_scenes
 from warpsample.cli.terminal import console, fail_plainly, option, with_progress, working
 from warpsample.host.files import check_output, check_output_folder
@@ -20,16 +20,16 @@ app: typer.Typer = typer.Typer(no_args_is_help=True, help="Run time, measured on
 
 Write = Annotated[
     bool,
-    typer.Option("--write", help="Keep the results in the checkout, and write the README and its pictures from them."),
+    typer.Option("--write", help="Save the results in the checkout, and write both pages of benchmarks and their pictures."),
 ]
 
 
 def _measure(benchmark: Benchmark, **settings: Any) -> Result:
     """Measures a benchmark, with a bar meanwhile, and prints its tables."""
     chosen = benchmark.settings(**settings)
-    found = benchmark.measure(lambda items, total: with_progress(items, total, f"measuring {benchmark.name}"), **chosen)
-    result = Result(this_machine(), chosen, found)
-    tables.show(console(), benchmark.report(result))
+    rows = benchmark.measure(lambda items, total: with_progress(items, total, f"measuring {benchmark.name}"), **chosen)
+    result = Result(describe_machine(), chosen, rows)
+    tables.print_parts(console(), benchmark.report(result))
     return result
 
 
@@ -45,30 +45,30 @@ def _run_and_save(
         check_output(json, "--json")
     if plot is not None:
         check_output_folder(plot, "--plot")
-        pictures.check_drawing("--plot")
+        pictures.check_matplotlib("--plot")
     if write:
         _check_write()
     result = _measure(benchmark, **settings)
     if json is not None:
-        save_everything(json, benchmark, result)
+        save_repeats(json, benchmark, result)
     if plot is not None:
         with working(f"drawing into {plot}"):
-            files = pictures.save(benchmark.figures(result), plot)
+            files = pictures.save_figures(benchmark.figures(result), plot)
         for file in files:
             print(f"{file}", file=sys.stderr)
     if write:
         _write([(benchmark, result)])
-    raise SystemExit(benchmark.wrong(result.found))
+    raise SystemExit(benchmark.has_disagreement(result.rows))
 
 
 def _check_write() -> None:
     readme.check_checkout("--write")
-    pictures.check_drawing("--write")
+    pictures.check_matplotlib("--write")
 
 
 def _write(results: list[tuple[Benchmark, Result]]) -> None:
     """Keeps results and makes the README's measured part: after all are measured, so that an interrupt leaves both as is."""
-    for file in [*(keep(*found, readme.RESULTS) for found in results), *readme.write()]:
+    for file in [*(save_summary(*rows, readme.RESULTS) for rows in results), *readme.write_pages()]:
         print(f"{file}", file=sys.stderr)
 
 
@@ -99,4 +99,4 @@ def bench_all(write: Write = False) -> None:
     results = [(benchmark, _measure(benchmark)) for benchmark in benchmarks().values()]
     if write:
         _write(results)
-    raise SystemExit(any(benchmark.wrong(result.found) for benchmark, result in results))
+    raise SystemExit(any(benchmark.has_disagreement(result.rows) for benchmark, result in results))

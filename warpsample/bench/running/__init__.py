@@ -1,1 +1,1 @@
-"""How work is run to be timed: in turns, in processes of its own, on a machine that is told."""
+"""Timing of work: interleaved runs, processes for single tools, and a description of the machine."""

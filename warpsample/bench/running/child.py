@@ -1,7 +1,7 @@
-"""A job in a process of its own, run when it is told to, so that the threads and compilers of two libraries never meet.
+"""A job in a separate process that runs on request, so that threads and compilers of two libraries never share a process.
 
-The parent pickles what is to be built and then a word for each run; it reads pickled answers. The other side is `python -m`
-this module.
+The parent sends a pickled build function, then one pickled word for each run; the child answers with pickled dicts.
+The child process is `python -m` this module.
 """
 
 import os
@@ -13,19 +13,19 @@ from contextlib import suppress
 from time import perf_counter
 from typing import Any, NamedTuple
 
-from warpsample.bench.running.timing import stopwatch
+from warpsample.bench.running.timing import build_stopwatch
 
 _PACKAGES = {"rvt": "rvt-py", "xrspatial": "xarray-spatial"}
-"""What pip installs for modules of another name."""
+"""Package names that differ from the module name, for the hint how to install."""
 
 
 class ChildJob(NamedTuple):
-    """What a child runs.
+    """Job of a child process.
 
     Attributes:
-        work: what is timed.
-        report: what it says of the last run.
-        warm: what is run before it, untimed; by default `work`.
+        work: function to time.
+        report: function that returns facts about the last run.
+        warm: untimed function that runs before `work`; default: `work`.
     """
 
     work: Callable[[], object]
@@ -34,64 +34,64 @@ class ChildJob(NamedTuple):
 
 
 class Child:
-    """A child process that builds a job; a context that ends it."""
+    """Child process that builds a job; a context manager that ends the process."""
 
     def __init__(self, build: Callable[..., ChildJob], **arguments: Any):
-        """Starts it, and does not wait; the child imports anew `build`, which makes the job of the arguments."""
+        """Start the process without waiting; the child imports `build` and calls it with the arguments."""
         self._name = f"{build.__module__}:{build.__qualname__}"
         self._built: dict[str, Any] | None = None
         command = [sys.executable, "-m", "warpsample.bench.running.child"]
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
         pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
         self.process = subprocess.Popen(command, env=environment, **pipes)
-        self._tell(build, arguments)
+        self._send(build, arguments)
 
     def __enter__(self) -> "Child":
-        """Nothing: it has started."""
+        """Return the child, whose process runs since construction."""
         return self
 
     def __exit__(self, error: type[BaseException] | None, *rest: object) -> None:
-        """Ends the process: it reads to the end of its input, unless something is wrong, as an interrupt."""
+        """End the process: close the input and wait, or kill the process after an error, for example an interrupt."""
         if error:
             self.process.kill()
         with suppress(OSError):
             self.process.communicate()
 
     def wait_until_built(self) -> str | None:
-        """Waits until the child has built its job and run it once; why it could not in a line, or None."""
+        """Wait until the child has built its job and run it once; return None, or the reason for a failure in one line."""
         if self._built is None:
             self._built = self._read()
         return self._built.get("failure")
 
-    def first(self) -> float:
-        """The seconds of the first run, for work that is too long to be repeated."""
+    def get_first_seconds(self) -> float:
+        """Return the seconds of the first run, for work that takes too long to repeat."""
         self.wait_until_built()
         return self._built["seconds"]
 
     def run(self) -> float:
-        """Runs the job and says how many seconds it took.
+        """Run the job and return the seconds.
 
         Raises:
-            RuntimeError: there is no job, or its process has ended.
+            RuntimeError: the child has no job, or its process has ended.
         """
-        return self._ask("run")["seconds"]
+        return self._request("run")["seconds"]
 
     def report(self) -> dict[str, Any]:
-        """The job's report of its last run."""
-        return self._ask("report")
+        """Return the job's report of its last run."""
+        return self._request("report")
 
-    def _ask(self, what: str) -> dict[str, Any]:
+    def _request(self, request: str) -> dict[str, Any]:
         if failure := self.wait_until_built():
             raise RuntimeError(failure)
-        self._tell(what)
+        self._send(request)
         answer = self._read()
         if "failure" in answer:
             raise RuntimeError(f"{self._name}: {answer['failure']}")
         return answer
 
-    def _tell(self, *what: Any) -> None:
-        with suppress(BrokenPipeError):  # then there is no answer either
-            pickle.dump(what, self.process.stdin)
+    def _send(self, *request: Any) -> None:
+        with suppress(BrokenPipeError):  # the child has ended, so there is no answer
+            pickle.dump(request, self.process.stdin)
             self.process.stdin.flush()
 
     def _read(self) -> dict[str, Any]:
@@ -102,15 +102,15 @@ class Child:
 
 
 def _serve() -> None:
-    told, answers = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what libraries print is no answer
+    requests, answers = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # keeps output of libraries out of the answers
 
     def answer(content: dict[str, Any]) -> None:
         pickle.dump(content, answers)
         answers.flush()
 
     try:
-        build, arguments = pickle.load(told)
+        build, arguments = pickle.load(requests)
         job = build(**arguments)
         start = perf_counter()
         job.work()
@@ -119,14 +119,14 @@ def _serve() -> None:
         package = (error.name or "").partition(".")[0]
         answer({"failure": f"not installed: pip install {_PACKAGES.get(package, package)}"})
         return
-    except Exception as error:  # whatever a library does when it cannot work here is the answer
+    except Exception as error:  # the reason why a library does not work here is the answer
         answer({"failure": f"{type(error).__name__}: {error}".splitlines()[0]})
         return
     answer({"seconds": seconds})
-    run = stopwatch(job.work, job.warm)
+    run = build_stopwatch(job.work, job.warm)
     with suppress(EOFError):
-        while what := pickle.load(told):
-            answer({"seconds": run()} if what == ("run",) else job.report())
+        while request := pickle.load(requests):
+            answer({"seconds": run()} if request == ("run",) else job.report())
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What the figures depend on: processor, cores, versions, commit."""
+"""Description of the machine: processor, cores, versions and commit."""
 
 import platform
 import subprocess
@@ -13,14 +13,14 @@ from warpsample.host.engine import check_workers
 
 @dataclass(frozen=True)
 class Machine:
-    """Where something was measured, and by which versions of Python, warp-lang, NumPy and warpsample.
+    """Machine of a measurement, with versions of Python, warp-lang, NumPy and warpsample.
 
     Attributes:
-        cpu: the processor's own name, where the system tells it.
-        instructions: the widest that the kernels use there: "avx512", "avx2", or else the architecture. They use none
-            that Warp's flags deny the compiler.
-        cores: that the process may use.
-        commit: of the checkout around the package, "unknown" without one.
+        cpu: model name of the processor, or its architecture if the system does not report a name.
+        instructions: widest instructions of the kernels: "avx512", "avx2" or the architecture. Instructions that Warp's
+            compiler flags disable do not count.
+        cores: cores that the process may use.
+        commit: commit of the checkout around the package; "unknown" without a checkout.
     """
 
     cpu: str
@@ -34,7 +34,7 @@ class Machine:
     commit: str
 
     def __str__(self) -> str:
-        """In a line, for pictures and headings."""
+        """Return one line for pictures and headings."""
         return (
             f"{self.processor}, {self.cores} cores, warp-lang {self.warp}, NumPy {self.numpy}, "
             f"Python {self.python}, commit {self.commit}"
@@ -42,49 +42,51 @@ class Machine:
 
     @property
     def processor(self) -> str:
-        """Its name and its instructions."""
+        """Name of the processor and its instructions."""
         return f"{self.cpu}, {({'avx512': 'AVX-512', 'avx2': 'AVX2'}).get(self.instructions, self.instructions)}"
 
 
-def this_machine() -> Machine:
-    """The machine of this process."""
+def describe_machine() -> Machine:
+    """Describe the machine of this process."""
     versions = [version(name) for name in ("warp-lang", "numpy", "warpsample")]
     here = check_workers(None), platform.system(), platform.python_version()
-    return Machine(*_processor(), *here, *versions, commit(Path(__file__).parents[2]))
+    return Machine(*_read_processor(), *here, *versions, find_commit(Path(__file__).parents[2]))
 
 
-def _processor() -> tuple[str, str]:
+def _read_processor() -> tuple[str, str]:
     information = Path("/proc/cpuinfo")
     lines = information.read_text().splitlines() if information.is_file() else []
     entries = dict(line.split(":", 1) for line in lines if ":" in line)
     names = {key.strip(): value.strip() for key, value in entries.items()}
     denied = {flag[1:] for flag in (wp.config.cpu_compiler_flags or "").split() if flag.startswith("-avx")}
     flags = set(names.get("flags", "").split()) - denied
-    found = next((name for flag, name in (("avx512f", "avx512"), ("avx2", "avx2")) if flag in flags), platform.machine())
-    return names.get("model name") or platform.processor() or platform.machine(), found.lower()
+    widest = next((name for flag, name in (("avx512f", "avx512"), ("avx2", "avx2")) if flag in flags), platform.machine())
+    return names.get("model name") or platform.processor() or platform.machine(), widest.lower()
 
 
-def commit(package: Path) -> str:
-    """The commit of the checkout around a package, if the package is what is in it; else "unknown"."""
+def find_commit(package: Path) -> str:
+    """Return the commit of the checkout that holds a package; "unknown" if the checkout has other files than the package."""
     try:
-        top = Path(_git(package, "rev-parse", "--show-toplevel"))
+        top = Path(_run_git(package, "rev-parse", "--show-toplevel"))
         files = sorted(package.rglob("*.py"))
         if not all(file.read_bytes() == (top / "warpsample" / file.relative_to(package)).read_bytes() for file in files):
             return "unknown"
-        changed = _git(top, "status", "--porcelain", "--", ":(glob)warpsample/**/*.py")  # results are no part of it
-        return _git(top, "rev-parse", "--short=12", "HEAD") + ("+changes" if changed else "")
+        changed = _run_git(
+            top, "status", "--porcelain", "--", ":(glob)warpsample/**/*.py"
+        )  # result files do not count as changes
+        return _run_git(top, "rev-parse", "--short=12", "HEAD") + ("+changes" if changed else "")
     except (OSError, subprocess.CalledProcessError):
         return "unknown"
 
 
-def _git(folder: Path, *arguments: str) -> str:
+def _run_git(folder: Path, *arguments: str) -> str:
     command = ["git", "-C", str(folder), *arguments]
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
 
 
-def peak_megabytes() -> float | None:
-    """The greatest resident memory of this process so far; None on a system that does not say it as Linux does."""
+def measure_peak_megabytes() -> float | None:
+    """Return the peak resident memory of this process in MB; None on systems without /proc/self/status."""
     status = Path("/proc/self/status")
-    if not status.is_file():  # getrusage would count what the parent held when it started this process, too
+    if not status.is_file():  # getrusage would include the parent's memory at the start of this process
         return None
     return next(float(line.split()[1]) * 1024 / 1e6 for line in status.read_text().splitlines() if "VmHWM" in line)

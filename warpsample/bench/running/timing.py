@@ -1,4 +1,4 @@
-"""Timings that can be compared: interleaved, so that a slow minute hits every case."""
+"""Interleaved timings, so that a slow minute of the machine affects every case."""
 
 from collections.abc import Callable, Mapping
 from math import inf
@@ -9,14 +9,14 @@ Case = TypeVar("Case")
 
 _LEAST_REPEATS = 3
 WARM_UP = 0.03
-"""Seconds of untimed runs before a timed one."""
+"""Minimum seconds of untimed runs before a timed run."""
 
 
-def stopwatch(work: Callable[[], object], warm: Callable[[], object] | None = None) -> Callable[[], float]:
-    """A case that says how many seconds `work` took.
+def build_stopwatch(work: Callable[[], object], warm: Callable[[], object] | None = None) -> Callable[[], float]:
+    """Build a case: a function that runs `work` once and returns the seconds.
 
-    Before it `warm`, or `work` itself, runs untimed, over and over for 30 ms: so kernels are loaded, arrays are where that
-    case leaves them, and all cores are awake, which takes a virtual machine's second one longer than many a run.
+    Before that run, `warm` (default: `work`) runs untimed for at least 30 ms. This loads kernels and arrays and wakes all
+    cores; waking the second core of a virtual machine takes longer than many runs.
     """
 
     def case() -> float:
@@ -32,13 +32,13 @@ def stopwatch(work: Callable[[], object], warm: Callable[[], object] | None = No
     return case
 
 
-def in_turns(cases: Mapping[Case, Callable[[], float]], repeats: int, budget: float = inf) -> dict[Case, list[float]]:
-    """The seconds of all cases, which are run in turn, `repeats` rounds of it.
+def run_interleaved(cases: Mapping[Case, Callable[[], float]], repeats: int, budget: float = inf) -> dict[Case, list[float]]:
+    """Run all cases alternately for `repeats` rounds and return the seconds of each run.
 
     Args:
-        cases: each says how many seconds it took, such as a `stopwatch`.
-        repeats: rounds, at most.
-        budget: seconds; once they are over, three rounds are enough.
+        cases: functions that return the seconds of one run, such as from `build_stopwatch`.
+        repeats: maximum number of rounds.
+        budget: seconds after which the rounds stop, once there are three.
     """
     seconds: dict[Case, list[float]] = {case: [] for case in cases}
     start = perf_counter()
@@ -50,6 +50,8 @@ def in_turns(cases: Mapping[Case, Callable[[], float]], repeats: int, budget: fl
     return seconds
 
 
-def timed(works: Mapping[Case, Callable[[], object]], repeats: int, budget: float = inf) -> dict[Case, list[float]]:
-    """The seconds of all works, each timed by a stopwatch, in turns."""
-    return in_turns({case: stopwatch(work) for case, work in works.items()}, repeats, budget)
+def time_interleaved(
+    works: Mapping[Case, Callable[[], object]], repeats: int, budget: float = inf
+) -> dict[Case, list[float]]:
+    """Time all works alternately, each with a stopwatch; return the seconds of each run."""
+    return run_interleaved({case: build_stopwatch(work) for case, work in works.items()}, repeats, budget)

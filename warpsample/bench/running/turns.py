@@ -1,4 +1,4 @@
-"""Tools in a process each, which take turns at one task."""
+"""Comparison of tools: one process for each tool, with alternating runs of the same task."""
 
 from collections.abc import Callable, Iterable
 from contextlib import ExitStack
@@ -6,16 +6,16 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from warpsample.bench.running.child import Child, ChildJob
-from warpsample.bench.running.timing import in_turns
+from warpsample.bench.running.timing import run_interleaved
 
 
 class Tool(NamedTuple):
-    """A tool at a task.
+    """A tool for a task.
 
     Attributes:
-        library: whose version is said, and what pip installs.
-        make: makes what does the work, of arguments that all tools of a task share.
-        threaded: whether it uses more than one thread.
+        library: package that pip installs, whose version the tables show.
+        make: function that builds the tool's work; all tools of a task take the same arguments.
+        threaded: True if the tool uses more than one thread.
     """
 
     library: str
@@ -24,31 +24,37 @@ class Tool(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Turns:
-    """What came of it, by tool: the seconds of each repeat, its job's report, or why it did not run."""
+class ToolRuns:
+    """Runs of tools, keyed by tool.
+
+    Attributes:
+        seconds: run time of each repeat.
+        reports: report of each job on its last run.
+        failures: reason for each tool that did not run.
+    """
 
     seconds: dict[Any, list[float]]
-    told: dict[Any, dict[str, Any]]
+    reports: dict[Any, dict[str, Any]]
     failures: dict[Any, str]
 
-    def of_all(self) -> dict[Any, list[float]]:
-        """The seconds, of tools that are all ours.
+    def require_all(self) -> dict[Any, list[float]]:
+        """Return the seconds, for cases that must all run.
 
         Raises:
-            RuntimeError: one did not run.
+            RuntimeError: a case did not run.
         """
         for tool, failure in self.failures.items():
             raise RuntimeError(f"{tool}: {failure}")
         return self.seconds
 
     def rows(self, kind: type, figures: Callable[[str], dict[str, Any]], **case: Any) -> list[Any]:
-        """A row of each tool, of the fields of the case and its own figures; those that did not run come first."""
+        """Build a row for each tool from the case and from `figures(tool)`; rows of tools that did not run come first."""
         failed = [kind(tool=tool, failure=failure, **case) for tool, failure in self.failures.items()]
         return failed + [kind(tool=tool, **case, **{"seconds": t} | figures(tool)) for tool, t in self.seconds.items()]
 
 
-def keeping_last(run: Callable[[], Any]) -> tuple[Callable[[], object], Callable[[], Any]]:
-    """Work that keeps its last result, and what gives that."""
+def keep_last_result(run: Callable[[], Any]) -> tuple[Callable[[], object], Callable[[], Any]]:
+    """Return (work, result): a function that runs and keeps the last result, and a function that returns the result."""
     last: list[Any] = []
 
     def work() -> None:
@@ -57,14 +63,14 @@ def keeping_last(run: Callable[[], Any]) -> tuple[Callable[[], object], Callable
     return work, lambda: last[0]
 
 
-def take_turns(build: Callable[..., ChildJob], tools: Iterable[Any], repeats: int, **arguments: Any) -> Turns:
-    """Builds each tool's job undisturbed, one after the other, and then runs all in turns.
+def run_tools(build: Callable[..., ChildJob], tools: Iterable[Any], repeats: int, **arguments: Any) -> ToolRuns:
+    """Build each tool's job, one after the other, then run all jobs alternately.
 
     Args:
-        build: (tool, **arguments) -> its job.
-        tools: names, or what else tells them apart.
-        repeats: timed runs of each after the first; of none the first is the timed one.
-        **arguments: of `build`, but for the tool.
+        build: function (tool, **arguments) -> job.
+        tools: names of the tools, or other keys.
+        repeats: timed runs of each tool after the first; 0 times the first run.
+        **arguments: arguments of `build`, besides the tool.
     """
     with ExitStack() as stack:
         children, failures = {}, {}
@@ -74,7 +80,7 @@ def take_turns(build: Callable[..., ChildJob], tools: Iterable[Any], repeats: in
                 failures[tool] = failure
             else:
                 children[tool] = child
-        runs = {tool: child.run if repeats else child.first for tool, child in children.items()}
-        seconds = in_turns(runs, max(1, repeats))
-        told = {tool: child.report() for tool, child in children.items()}
-    return Turns(seconds, told, failures)
+        runs = {tool: child.run if repeats else child.get_first_seconds for tool, child in children.items()}
+        seconds = run_interleaved(runs, max(1, repeats))
+        reports = {tool: child.report() for tool, child in children.items()}
+    return ToolRuns(seconds, reports, failures)

@@ -1,4 +1,4 @@
-"""The benchmark: time, and error at texels and of what a viewer reads."""
+"""Time, error at texels and error of lookups of textures baked by each tool."""
 
 from collections import deque
 from collections.abc import Sequence
@@ -10,14 +10,14 @@ from typing import Annotated, Any
 import numpy as np
 import typer
 
-from warpsample.bench.record import SEED, Benchmark, Found, Picture, Repeats, Track
-from warpsample.bench.rows import Spread, ToolRow, column, maybe
+from warpsample.bench.record import SEED, Benchmark, Picture, Repeats, RowsByPart, Track
+from warpsample.bench.rows import Spread, ToolRow, column, optional_column
 from warpsample.bench.running.child import ChildJob
-from warpsample.bench.running.machine import peak_megabytes
-from warpsample.bench.running.turns import take_turns
+from warpsample.bench.running.machine import measure_peak_megabytes
+from warpsample.bench.running.turns import run_tools
 from warpsample.bench.scenes import bunny
 from warpsample.bench.tables import TableView
-from warpsample.bench.textures.lookups import LookupPlaces, places_of
+from warpsample.bench.textures.lookups import LookupPlaces, sample_places
 from warpsample.bench.textures.painters import TEXTURE_TOOLS, Textured
 from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.host.arguments import check_choice
@@ -33,49 +33,69 @@ from warpsample.texture.texture_points import texture_points
 from warpsample.texture.unwrapping import unwrap
 
 OURS = "warpsample"
-_RAYS, _SEED = 4096, 1 << 40  # of the reference
-_MOST = 1 << 18  # texels, and places on the surface, at which it is known
+_RAYS, _SEED = 4096, 1 << 40  # rays per texel and seed of the reference
+_MOST = 1 << 18  # texels, and sample positions on the surface, with a reference
 _MOST_BIAS = 0.03
 _TARGET = 0.02
 
 
 @dataclass(frozen=True)
 class BakedTexture(ToolRow):
-    """One tool, with so many rays of each texel."""
+    """Time and error of one tool with one number of rays per texel."""
 
     scene: str = column("scene")
     side: int = column("side")
     workers: int = column("threads")
-    rays: int | None = maybe("rays", "of each texel")
-    took: Spread | None = maybe("s", "of the whole image")
-    bias: float | None = maybe("bias", "the mean error of the texels below", show="+.4f")
-    rmse: float | None = maybe("RMSE", "of texels whose centres are in one face", show=".4f")
-    lookup: float | None = maybe("lookup", "RMSE of bilinear lookups at places on the surface", show=".4f")
-    times_ours: float | None = maybe("times ours", "as long as ours to the same RMSE, at least")
-    times_read: float | None = maybe("read", "times as long as ours to the same error of lookups, at least")
-    agrees: bool | None = maybe("agrees", "whether the bias is below 0.03")
-    peak_megabytes: float | None = maybe("MB", "peak memory of the process", show=".0f")
-    noise: float | None = maybe("noise", "the part of lookups that is another one with each seed", show=".4f")
-    overlap: float | None = maybe("overlap", "at places that read a texel which another chart claims, too", show=".4f")
-    resolution: float | None = maybe("resolution", "at all others; the squares of the three add up", show=".4f")
-    shared: float | None = maybe("shared", "how many places these are", show=".2%")
-    to_target: float | None = maybe("to 0.02", "times as long as ours to a RMSE of 0.02, between the tool's rays")
+    rays: int | None = optional_column("rays", "rays per texel")
+    took: Spread | None = optional_column("seconds", "time of the whole image")
+    bias: float | None = optional_column("bias", "mean error of texels with their centre in one face", show="+.4f")
+    rmse: float | None = optional_column("RMSE", "RMSE of texels with their centre in one face", show=".4f")
+    lookup: float | None = optional_column(
+        "lookup", "RMSE of bilinear lookups at sample positions on the surface", show=".4f"
+    )
+    times_ours: float | None = optional_column(
+        "time / warpsample", "time over warpsample's at the same RMSE of texels; a lower bound"
+    )
+    times_read: float | None = optional_column(
+        "same for lookups", "time over warpsample's at the same error of lookups; a lower bound"
+    )
+    agrees: bool | None = optional_column("agrees", "True if the bias is below 0.03")
+    peak_megabytes: float | None = optional_column("peak MB", "peak memory of the process", show=".0f")
+    noise: float | None = optional_column("noise", "part of the error of lookups that changes with the seed", show=".4f")
+    overlap: float | None = optional_column(
+        "overlap", "common error at positions that read a texel which another chart claims too", show=".4f"
+    )
+    resolution: float | None = optional_column(
+        "resolution", "common error at the other positions; the squares of the three parts add up", show=".4f"
+    )
+    shared: float | None = optional_column("shared", "fraction of positions that read a texel of another chart", show=".2%")
+    to_target: float | None = optional_column(
+        "time / warpsample to 0.02", "time over warpsample's to an RMSE of 0.02, interpolated between ray counts"
+    )
 
 
 @dataclass(frozen=True, eq=False)
 class Known:
-    """What is right: `at_texels`, and at places of the surface."""
+    """Reference values at texels and at sample positions.
+
+    Attributes:
+        texels: indices of the texels with a reference value.
+        at_texels: reference values at these texels.
+        places: sample positions on the surface, with reference values.
+    """
 
     texels: np.ndarray
     at_texels: np.ndarray
     places: LookupPlaces
 
 
-def scene_of(asset: Path | None, part: str | None, size: int) -> Textured:
-    """A file's own coordinates of the set 0 and its normals, or the bunny with new ones and means of those of faces.
+def load_scene(asset: Path | None, part: str | None, size: int) -> Textured:
+    """Load an asset with its texture coordinates and normals, or the bunny without an asset.
+
+    The bunny is unwrapped anew, with the means of its face normals.
 
     Raises:
-        ValueError: a part that the file does not have; names those that it has.
+        ValueError: the file has no part of this name; lists the names.
     """
     if asset is None:
         mesh = bunny(0)
@@ -84,40 +104,46 @@ def scene_of(asset: Path | None, part: str | None, size: int) -> Textured:
         normals[split.faces] = mesh.vertex_normals[mesh.faces]
         return Textured(split, uv, normals)
     mesh, uv = load_mesh(asset), load_uv(asset)
-    given = read_corners(asset, "NORMAL") if asset.suffix.lower() in SCENES else None
+    file_normals = read_corners(asset, "NORMAL") if asset.suffix.lower() in SCENES else None
     normals = np.zeros((len(mesh.vertices), 3), np.float32)
-    normals[mesh.faces] = corner_normals_of(mesh, given)
+    normals[mesh.faces] = corner_normals_of(mesh, file_normals)
     if part is not None:
-        named = np.array(mesh.parts) == check_choice(part, "part", sorted(set(mesh.parts)))
-        uv = np.where((named[mesh.part] & (mesh.part >= 0))[:, None, None], uv, np.nan)
+        is_in_part = np.array(mesh.parts) == check_choice(part, "part", sorted(set(mesh.parts)))
+        uv = np.where((is_in_part[mesh.part] & (mesh.part >= 0))[:, None, None], uv, np.nan)
     return Textured(mesh, uv, normals)
 
 
-def known_of(scene: Textured, size: int, rays: int = _RAYS, most: int = _MOST) -> Known:
-    """What is right by many rays, of another seed, at no more than so many texels and at as many places."""
+def compute_known(scene: Textured, size: int, rays: int = _RAYS, most: int = _MOST) -> Known:
+    """Compute reference values with many rays and another seed, at up to `most` texels and at `most` sample positions."""
     t = texture_points(scene.mesh, scene.uv, size, normals="smooth", corner_normals=scene.normals[scene.mesh.faces])
     flaws = face_flaws(scene.uv)
     usable = ~(flaws["without_uv"] | flaws["zero_area"])
     alone = ~claims_of(t.corners, usable, t.size, 1, t.options.memory).overlapping[t.face]
     inside = np.flatnonzero(alone & (np.asarray(t.points.barycentric) > 0.0).all(axis=1))
     if not len(inside):
-        raise ValueError("asset: got coordinates by which all faces overlap others, want such that do not, or a part")
+        raise ValueError("asset: got coordinates with all faces overlapping, want some faces without overlap, or a part")
     inside = np.sort(np.random.default_rng(SEED).permutation(inside)[:most])
     at_texels = ambient_occlusion(scene.mesh, t.points.take(inside), rays, seed=_SEED).value
-    return Known(t.texel[inside], at_texels, places_of(t, scene.uv, most, rays, _SEED))
+    return Known(t.texel[inside], at_texels, sample_places(t, scene.uv, most, rays, _SEED))
 
 
 def build_texture(tool: str, scene: Textured, known: Known, *, size: int, workers: int) -> ChildJob:
-    """One image of a tool, called as "Blender, 16 rays"; it is told of once it has been made twice."""
+    """Build one image by a tool, is_in_part as in "Blender, 16 rays"; the report needs two runs."""
     name, rays = tool.removesuffix(" rays").split(", ")
     (library, make, _), _ = TEXTURE_TOOLS[name]
     paint, images = make(scene, size, workers), deque[np.ndarray](maxlen=2)
 
     def report() -> dict[str, Any]:
-        peak = peak_megabytes()
+        peak = measure_peak_megabytes()
         error = images[-1].ravel()[known.texels].astype(np.float64) - known.at_texels
         bias, rmse = float(error.mean()), float(np.sqrt(np.mean(error**2)))
-        row = {"version": version(library), "rays": int(rays), "bias": bias, "rmse": rmse, **known.places.error(images)}
+        row = {
+            "version": version(library),
+            "rays": int(rays),
+            "bias": bias,
+            "rmse": rmse,
+            **known.places.compute_error(images),
+        }
         shared = float(known.places.shared.mean())
         return row | {"shared": shared, "agrees": abs(bias) < _MOST_BIAS, "peak_megabytes": peak}
 
@@ -127,14 +153,19 @@ def build_texture(tool: str, scene: Textured, known: Known, *, size: int, worker
 def measure(
     track: Track,
     *,
-    side: Annotated[int, typer.Option(help="Side of the image in texels.", min=64)] = 512,
-    asset: Annotated[Path | None, typer.Option(help="A file with texture coordinates; by default the bunny.")] = None,
-    part: Annotated[str | None, typer.Option(help="The part of the file that gets it; others only block light.")] = None,
+    side: Annotated[int, typer.Option(help="Side of the square image in texels.", min=64)] = 512,
+    asset: Annotated[
+        Path | None, typer.Option(help="Path of a mesh with texture coordinates, for example in.glb. Default: the bunny.")
+    ] = None,
+    part: Annotated[
+        str | None,
+        typer.Option(help="Name of the part of the asset to bake; the other parts only block light. Default: all parts."),
+    ] = None,
     repeats: Repeats = 3,
-) -> Found:
-    """Each tool with few rays and with more."""
+) -> RowsByPart:
+    """Measure each tool with several numbers of rays."""
     if part is not None and asset is None:
-        raise ValueError(f"part: got {part!r} and no asset, want the file that it is of")
+        raise ValueError(f"part: got {part!r} without an asset, want the asset with this part")
     tools = [f"{name}, {rays} rays" for name, (_, ladder) in TEXTURE_TOOLS.items() for rays in ladder]
     return {"rows": [row for size in track([side], 1) for row in compare(asset, size, tools, repeats, part=part)]}
 
@@ -142,45 +173,54 @@ def measure(
 def compare(
     asset: Path | None, size: int, tools: Sequence[str], repeats: int, *, part: str | None = None
 ) -> list[BakedTexture]:
-    """Tools on one scene, taking turns."""
-    scene, workers = scene_of(asset, part, size), check_workers(None)
-    turns = take_turns(build_texture, tools, repeats, scene=scene, known=known_of(scene, size), size=size, workers=workers)
+    """Compare tools on one scene, with alternating runs."""
+    scene, workers = load_scene(asset, part, size), check_workers(None)
+    turns = run_tools(
+        build_texture, tools, repeats, scene=scene, known=compute_known(scene, size), size=size, workers=workers
+    )
 
     def ladder(name: str, key: str) -> list[tuple[float, Any]]:
-        return [(turns.told[tool][key], np.median(turns.seconds[tool])) for tool in turns.told if tool.startswith(name)]
+        return [
+            (turns.reports[tool][key], np.median(turns.seconds[tool])) for tool in turns.reports if tool.startswith(name)
+        ]
 
     def figures(tool: str) -> dict[str, Any]:
-        row, took, name = turns.told[tool], Spread.of(turns.seconds[tool]), tool.split(",", maxsplit=1)[0]
+        row, took, name = turns.reports[tool], Spread.of(turns.seconds[tool]), tool.split(",", maxsplit=1)[0]
         times = {
-            field: times_of(row[key], took.median, ladder(OURS, key))
+            field: compare_times(row[key], took.median, ladder(OURS, key))
             for field, key in (("times_ours", "rmse"), ("times_read", "lookup"))
         }
-        to_target = seconds_to(_TARGET, ladder(name, "rmse"))
-        times["to_target"] = times_of(_TARGET, to_target, ladder(OURS, "rmse")) if to_target else None
+        to_target = interpolate_seconds(_TARGET, ladder(name, "rmse"))
+        times["to_target"] = compare_times(_TARGET, to_target, ladder(OURS, "rmse")) if to_target else None
         return {**row, **times, "took": took}
 
     name = (part or asset.stem) if asset else "bunny"
     return turns.rows(BakedTexture, figures, scene=name, side=size, workers=workers)
 
 
-def seconds_to(error: float, ladder: Sequence[tuple[float, Any]]) -> float | None:
-    """How long a tool takes to an error, along lines between its (error, seconds) in logarithms.
+def interpolate_seconds(error: float, ladder: Sequence[tuple[float, Any]]) -> float | None:
+    """Return a tool's seconds to an error, interpolated linearly in logarithms between its (error, seconds).
 
-    Where even its coarsest is better, that counts; None where its best is not as good, or where it has none.
+    For an error above the largest, return the seconds of the largest. Return None for an error below the smallest, or
+    without measurements.
     """
-    known = np.log(sorted(ladder)).reshape(-1, 2)
-    if not len(known) or np.log(error) < known[0, 0]:
+    ladder_logs = np.log(sorted(ladder)).reshape(-1, 2)
+    if not len(ladder_logs) or np.log(error) < ladder_logs[0, 0]:
         return None
-    return float(np.exp(np.interp(np.log(error), *known.T)))
+    return float(np.exp(np.interp(np.log(error), *ladder_logs.T)))
 
 
-def times_of(error: float, seconds: float, ours: Sequence[tuple[float, Any]]) -> float | None:
-    """How many times as long as ours to the same error; None where our best is not as good."""
-    least = seconds_to(error, ours)
+def compare_times(error: float, seconds: float, ours: Sequence[tuple[float, Any]]) -> float | None:
+    """Return the ratio of `seconds` to warpsample's seconds for an error; None if warpsample's best error is larger."""
+    least = interpolate_seconds(error, ours)
     return seconds / least if least else None
 
 
-def _in_parts(row: BakedTexture) -> bool:
+def _select_for_page(rows: list[BakedTexture]) -> list[BakedTexture]:
+    return [row for row in rows if row.rays == 64]
+
+
+def _has_parts(row: BakedTexture) -> bool:
     return row.noise is not None
 
 
@@ -189,13 +229,19 @@ _PARTS = "lookup noise overlap resolution shared to_target"
 
 RECORD = Benchmark(
     name="textures",
-    summary="Ambient occlusion in a texture: ours, Blender and Open3D, by the error at texels and of lookups.",
+    summary="Ambient occlusion in a texture by warpsample, Blender and Open3D: errors of texels and of lookups.",
     measure=measure,
     parts={"rows": BakedTexture},
     views=[
         TableView("rows", "Occlusion in a texture", "tool", _CELLS, split="scene side workers"),
         TableView(
-            "rows", "What the error of lookups is made of", "tool", _PARTS, split="scene side workers", where=_in_parts
+            "rows",
+            "Parts of the error of lookups",
+            "tool",
+            _PARTS,
+            split="scene side workers",
+            where=_has_parts,
+            page_rows=_select_for_page,
         ),
     ],
     pictures=[Picture("textures", "rows", "took", y="lookup", panels="scene side", log="xy")],

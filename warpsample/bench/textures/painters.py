@@ -1,6 +1,6 @@
-"""Ambient occlusion in a texture by each tool: (rays of each texel) -> an image (H, W), v down, another one at each call.
+"""Ambient occlusion in a texture by each tool, as functions from rays per texel to a new image (H, W), v down.
 
-All have the same smooth normals, no cutoff and gutters of their own.
+All tools use the same smooth normals and no distance limit; each tool fills the gutters around charts in its own way.
 """
 
 from collections.abc import Callable
@@ -14,13 +14,19 @@ from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.mesh.mesh import Mesh
 from warpsample.texture.texture_points import texture_points
 
-_MARGIN = 16  # texels that Blender fills around charts, its default
-_FAR = 1e3  # diagonals: no cutoff
-_AWAY = -1.0  # where faces without coordinates are: beyond the image, at one place
+_MARGIN = 16  # texels that Blender fills around charts by default
+_FAR = 1e3  # mesh diagonals; in effect no distance limit
+_AWAY = -1.0  # coordinate of faces without coordinates, outside the image
 
 
 class Textured(NamedTuple):
-    """A mesh with (F, 3, 2) coordinates, v down, NaN of faces that only block light, and (V, 3) unit normals."""
+    """Mesh with texture coordinates and normals.
+
+    Attributes:
+        mesh: the mesh.
+        uv: (F, 3, 2) coordinates, v down; NaN at faces that only block light.
+        normals: (V, 3) unit normals.
+    """
 
     mesh: Mesh
     uv: np.ndarray
@@ -34,10 +40,10 @@ def _warpsample(scene: Textured, size: int, workers: int) -> Painter:
     seeds, normals = count_from(), scene.normals[scene.mesh.faces]
 
     def paint(rays: int) -> np.ndarray:
-        how = {"normals": "smooth", "corner_normals": normals, "workers": workers}
-        t = texture_points(scene.mesh, scene.uv, size, **how)
-        found: np.ndarray = t.image(ambient_occlusion(scene.mesh, t.points, rays, seed=next(seeds), workers=workers).value)
-        return found
+        options = {"normals": "smooth", "corner_normals": normals, "workers": workers}
+        t = texture_points(scene.mesh, scene.uv, size, **options)
+        pixels: np.ndarray = t.image(ambient_occlusion(scene.mesh, t.points, rays, seed=next(seeds), workers=workers).value)
+        return pixels
 
     return paint
 
@@ -52,10 +58,10 @@ def _blender(scene: Textured, size: int, workers: int) -> Painter:
     mesh.uv_layers.new().data.foreach_set("uv", upward.ravel())
     mesh.polygons.foreach_set("use_smooth", [True] * len(scene.mesh.faces))
     mesh.normals_split_custom_set_from_vertices(scene.normals.tolist())
-    thing = bpy.data.objects.new("thing", mesh)
-    bpy.context.collection.objects.link(thing)
-    bpy.context.view_layer.objects.active = thing
-    thing.select_set(True)
+    obj = bpy.data.objects.new("thing", mesh)
+    bpy.context.collection.objects.link(obj)
+    bpy.context.view_layer.objects.active = obj
+    obj.select_set(True)
     image = bpy.data.images.new("image", size, size, float_buffer=True)
     material = bpy.data.materials.new("material")
     material.use_nodes = True
@@ -95,8 +101,8 @@ def _open3d(scene: Textured, size: int, workers: int) -> Painter:
 
     def paint(rays: int) -> np.ndarray:
         image: Any = mesh.compute_ambient_occlusion(size, rays, max_hit_distance=_FAR * scene.mesh.diagonal)
-        found: np.ndarray = np.asarray(image.as_tensor().numpy() if hasattr(image, "as_tensor") else image.numpy())
-        return found.reshape(size, size, -1)[..., 0] / np.float32(255.0)
+        pixels: np.ndarray = np.asarray(image.as_tensor().numpy() if hasattr(image, "as_tensor") else image.numpy())
+        return pixels.reshape(size, size, -1)[..., 0] / np.float32(255.0)
 
     return paint
 
@@ -106,4 +112,4 @@ TEXTURE_TOOLS = {
     "Blender": (Tool("bpy", _blender), (4, 16, 64)),
     "Open3D": (Tool("open3d", _open3d), (16, 64)),
 }
-"""By name; each makes a painter of (scene, side of the image, threads); and the rays of a texel that it is tried with."""
+"""(tool, rays per texel of the measurements) by name; `make(scene, side of the image, threads)` returns a painter."""

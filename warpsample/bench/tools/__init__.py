@@ -1,1 +1,1 @@
-"""What other tools and ours do at the tasks of the benchmarks, each as its own documentation would write it."""
+"""Tools of the benchmarks, each used as in its own documentation."""

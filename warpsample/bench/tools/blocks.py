@@ -1,4 +1,4 @@
-"""Meshes whose faces are all of like size, as those who want view factors make them."""
+"""Meshes with faces of similar size, as users of view factors build them."""
 
 import numpy as np
 
@@ -8,14 +8,17 @@ _SIDES = ((1, 0), (0, 1), (-1, 0), (0, -1))
 _FEET = (((1, 0), (1, 1)), ((1, 1), (0, 1)), ((0, 1), (0, 0)), ((0, 0), (1, 0)))  # of the wall on each side of a square
 
 
-def mesh_of(name: str) -> Mesh:
-    """The mesh called "boxes 6", which is boxes(6), or "city 4", which is blocks(4)."""
+def build_mesh(name: str) -> Mesh:
+    """Build the mesh with this name, for example "boxes 6" or "city 4"."""
     kind, size = name.split()
-    return {"boxes": boxes, "city": blocks}[kind](int(size))
+    return {"boxes": build_boxes, "city": build_blocks}[kind](int(size))
 
 
-def blocks(side: int) -> Mesh:
-    """side x side blocks in streets, all faces half unit squares: 2 x 2 squares each, from 1 to 6 floors, outward."""
+def build_blocks(side: int) -> Mesh:
+    """Build side x side blocks in streets; all faces are half unit squares that face outward.
+
+    A block is 2 x 2 squares wide and 1 to 6 floors high.
+    """
     heights = np.clip(np.rint(np.random.default_rng(0).lognormal(0.7, 0.5, (side, side))), 1, 6).astype(int)
     # A street is two squares wide, within a margin of 1.
     squares = np.pad(np.kron(heights, np.pad(np.ones((2, 2), int), 1)), 1)
@@ -29,11 +32,14 @@ def blocks(side: int) -> Mesh:
                 (ax, ay), (bx, by) = foot
                 a, b = (x + ax, y + ay, floor), (x + bx, y + by, floor)
                 quads.append([a, b, (*b[:2], floor + 1), (*a[:2], floor + 1)])
-    return _halved(np.array(quads, np.float64))
+    return _halve(np.array(quads, np.float64))
 
 
-def boxes(outer: int) -> Mesh:
-    """A cube of edge 3 turned inward around one of edge 1 turned outward; each side is outer x outer squares, or half."""
+def build_boxes(outer: int) -> Mesh:
+    """Build an inward cube of edge 3 around an outward cube of edge 1.
+
+    Each side of the outer cube is outer x outer squares; the inner cube has half as many squares per edge.
+    """
     sides, inner = [], max(1, outer // 2)
     for count, size, turn in ((outer, 3.0, -1), (inner, 1.0, 1)):
         u, v = (g.reshape(-1, 1, 1) for g in np.meshgrid(np.arange(count), np.arange(count), indexing="ij"))
@@ -41,10 +47,10 @@ def boxes(outer: int) -> Mesh:
         top = (square * [1.0, 1.0, count] + u * [1.0, 0.0, 0.0] + v * [0.0, 1.0, 0.0]) * (size / count) - 0.5 * size
         for axis in range(3):
             sides += [np.roll(top, axis, axis=2), np.roll(top * [1.0, -1.0, -1.0], axis, axis=2)]
-    return _halved(np.concatenate(sides))
+    return _halve(np.concatenate(sides))
 
 
-def _halved(quads: np.ndarray) -> Mesh:
-    """Each of (Q, 4, 3) as two triangles; corners in one place become one."""
+def _halve(quads: np.ndarray) -> Mesh:
+    """Split each quad of (Q, 4, 3) into two triangles and merge corners at the same position."""
     vertices, index = np.unique(quads.reshape(-1, 3).round(9), axis=0, return_inverse=True)
     return as_mesh((vertices, index.reshape(-1, 4)[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3)))

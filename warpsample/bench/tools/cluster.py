@@ -1,4 +1,4 @@
-"""The jobs of `bench cluster`: clients of two processes, or of two threads of their own."""
+"""Jobs of `bench cluster`, with a Dask client of two processes or two threads."""
 
 import atexit
 import tempfile
@@ -13,23 +13,23 @@ from warpsample.bench.running.child import ChildJob
 from warpsample.bench.scenes import bunny
 
 RAYS = 256
-"""Rays of a point."""
+"""Rays per point."""
 CHUNK = 65_536
-"""Points of a task."""
-FEW, MANY = 8, 264
-"""Chunks of the same points, from whose times follows what one costs."""
+"""Points of a chunk, which is one task."""
+FEW_CHUNKS, MANY = 8, 264
+"""Numbers of chunks for the same points; the cost of a chunk follows from the difference of the times."""
 WAYS: dict[str, Any] = {"one process of two threads": (None, 2), "two processes of one thread": (2, None)}
-"""(processes, threads); the second is compared with the first."""
+"""(processes, threads) by name; the first is the baseline."""
 COMPUTED, STORED = "computed", "into a store"
 
-_ALL_AT_ONCE = 1 << 20  # more chunks than there are
-_FEWEST = 2  # rays of a point, where work is to be next to nothing
-_SMALL = 8448  # points of few chunks and of many
-_bunny = cache(bunny)  # one object, which is sent once
+_ALL_AT_ONCE = 1 << 20  # more than the number of chunks
+_FEWEST = 2  # rays per point of a run with almost no work
+_SMALL = 8448  # points of the runs with few and with many chunks
+_load_bunny = cache(bunny)  # one object, so that Dask sends it once
 
 
-def _within(processes: int | None, threads: int | None) -> None:
-    """Computes by these from now to the end of this process."""
+def _use_workers(processes: int | None, threads: int | None) -> None:
+    """Set the number of worker processes and threads for the rest of this process."""
     from warpsample.cluster.clients import computing
 
     stack = ExitStack()
@@ -37,31 +37,31 @@ def _within(processes: int | None, threads: int | None) -> None:
     stack.enter_context(computing(None, processes, threads))
 
 
-def _mean(points: int, chunk: int, rays: int) -> Callable[[], object]:
-    """The mean of a lazy call: what comes back is one number, which one task makes of those of all chunks."""
+def _build_mean(points: int, chunk: int, rays: int) -> Callable[[], object]:
+    """Build a function that computes the mean of a lazy call: one task reduces all chunks to one number."""
     from warpsample import cluster
 
-    lazy = cluster.ambient_occlusion(_bunny(0), points, rays, chunk=chunk)
+    lazy = cluster.ambient_occlusion(_load_bunny(0), points, rays, chunk=chunk)
     return lazy.value.data.mean(split_every=_ALL_AT_ONCE).compute
 
 
 def build_way(tool: str, points: int) -> ChildJob:
-    """Ambient occlusion by one of the ways, in chunks that both are given evenly."""
-    _within(*WAYS[tool])
-    warm = _mean(_SMALL, _SMALL // FEW, RAYS)
+    """Build ambient occlusion by one of the ways, with chunks that divide evenly between two workers."""
+    _use_workers(*WAYS[tool])
+    warm = _build_mean(_SMALL, _SMALL // FEW_CHUNKS, RAYS)
     warm()
-    return ChildJob(_mean(points, ceil(points / (2 * ceil(points / CHUNK / 2))), RAYS), report=dict, warm=warm)
+    return ChildJob(_build_mean(points, ceil(points / (2 * ceil(points / CHUNK / 2))), RAYS), report=dict, warm=warm)
 
 
 def build_chunks(tool: int, end: str) -> ChildJob:
-    """Few points in so many chunks by two processes, computed or into a store."""
+    """Build a job with few points in `tool` chunks on two processes, computed or written into a store."""
     from warpsample import cluster
 
-    _within(2, None)
-    mesh, chunk = _bunny(0), _SMALL // tool
+    _use_workers(2, None)
+    mesh, chunk = _load_bunny(0), _SMALL // tool
 
     def store() -> None:
         with tempfile.TemporaryDirectory() as folder:
             cluster.bake(Path(folder, "a.zarr"), "ambient_occlusion", mesh, _SMALL, _FEWEST, chunk=chunk)
 
-    return ChildJob(_mean(_SMALL, chunk, _FEWEST) if end == COMPUTED else store, report=dict)
+    return ChildJob(_build_mean(_SMALL, chunk, _FEWEST) if end == COMPUTED else store, report=dict)

@@ -9,14 +9,14 @@ import numpy as np
 import warp as wp
 
 from warpsample.bench.record import SEED
-from warpsample.bench.running.turns import Tool, keeping_last
+from warpsample.bench.running.turns import Tool, keep_last_result
 from warpsample.directions.sample import sample_directions
 from warpsample.host.kernel_cache import load
 from warpsample.maths.frames import frame_about, to_world
 from warpsample.proof import twins
 
 Built = tuple[Callable[[], object], Callable[[], Any]]
-"""Work, and what gives the result of the last run."""
+"""(work, result): a function to time, and a function that returns the result of its last run."""
 
 _TAU = np.float32(2.0 * np.pi)
 
@@ -26,30 +26,30 @@ def _warpsample(normals: np.ndarray, count: int, workers: int) -> Built:
     return partial(sample_directions, normals, count, sequence="independent", out=out, workers=workers), lambda: out
 
 
-def _polar(u: np.ndarray, r: np.ndarray, turns: np.ndarray) -> np.ndarray:
+def _map_polar(u: np.ndarray, r: np.ndarray, turns: np.ndarray) -> np.ndarray:
     azimuth = _TAU * turns
     return np.stack([r * np.cos(azimuth), r * np.sin(azimuth), np.sqrt(np.float32(1.0) - u)], axis=-1)
 
 
-def _frames(n: np.ndarray) -> np.ndarray:
-    """(P, 3, 3) float32, rows tangent, bitangent, normal."""
+def _compute_frames(n: np.ndarray) -> np.ndarray:
+    """Compute frames (P, 3, 3) float32 with the rows tangent, bitangent and normal."""
     return twins.frames(n).transpose(0, 2, 1)
 
 
 def _numpy(normals: np.ndarray, count: int, workers: int) -> Built:
-    """Malley's method and a frame. The sphere + normal by `standard_normal` takes 2.6 times as long."""
+    """Sample by Malley's method and a frame. A sphere by `standard_normal` plus the normal takes 2.6 times as long."""
     rng = np.random.default_rng(SEED)
 
     def run() -> np.ndarray:
         u = rng.random((2, len(normals), count), dtype=np.float32)
-        return _polar(u[0], np.sqrt(u[0]), u[1]) @ _frames(normals)
+        return _map_polar(u[0], np.sqrt(u[0]), u[1]) @ _compute_frames(normals)
 
-    return keeping_last(run)
+    return keep_last_result(run)
 
 
 @wp.kernel(enable_backward=False)
 def _builtins(normals: wp.array[wp.vec3], samples: wp.int32, seed: wp.int32, out: wp.array[wp.vec3]):
-    """Malley's method with Warp's generator, sine and cosine; the sphere sampler plus the normal takes twice as long."""
+    """Sample by Malley's method with Warp's generator. The sphere sampler plus the normal takes twice as long."""
     i = wp.tid()
     state = wp.rand_init(seed, i)
     u = wp.randf(state)
@@ -60,12 +60,12 @@ def _builtins(normals: wp.array[wp.vec3], samples: wp.int32, seed: wp.int32, out
 
 def _warp(normals: np.ndarray, count: int, workers: int) -> Built:
     load(_builtins, "cpu")
-    given = wp.array(normals, dtype=wp.vec3, device="cpu")
+    normals_on_device = wp.array(normals, dtype=wp.vec3, device="cpu")
     out = wp.empty(len(normals) * count, dtype=wp.vec3, device="cpu")
     seeds = count_from()
 
     def run() -> None:
-        wp.launch(_builtins, dim=len(out), inputs=[given, count, next(seeds)], outputs=[out], device="cpu")
+        wp.launch(_builtins, dim=len(out), inputs=[normals_on_device, count, next(seeds)], outputs=[out], device="cpu")
 
     return run, out.numpy
 
@@ -77,11 +77,11 @@ def _mitsuba(interleaved: bool, normals: np.ndarray, count: int, workers: int) -
     mi.set_variant("llvm_ad_rgb")
     dr.set_thread_count(workers)
     size = len(normals) * count
-    given = mi.Normal3f(np.ascontiguousarray(normals.T))
+    normals_on_device = mi.Normal3f(np.ascontiguousarray(normals.T))
     seeds = count_from()
 
     def run() -> Any:
-        n = dr.gather(mi.Normal3f, given, dr.arange(mi.UInt32, size) // count)
+        n = dr.gather(mi.Normal3f, normals_on_device, dr.arange(mi.UInt32, size) // count)
         rng = mi.PCG32(size, initstate=dr.opaque(mi.UInt64, next(seeds)))
         u = mi.Point2f(rng.next_float32(), rng.next_float32())
         d = mi.Frame3f(n).to_world(mi.warp.square_to_cosine_hemisphere(u))
@@ -90,7 +90,7 @@ def _mitsuba(interleaved: bool, normals: np.ndarray, count: int, workers: int) -
         dr.sync_thread()
         return d
 
-    work, result = keeping_last(run)
+    work, result = keep_last_result(run)
     return work, lambda: np.asarray(result()) if interleaved else np.asarray(result()).T
 
 
@@ -101,4 +101,4 @@ DIRECTIONS = {
     "Warp built-ins": Tool("warp-lang", _warp, threaded=False),
     "NumPy": Tool("numpy", _numpy, threaded=False),
 }
-"""By name; each makes (work, result) of (normals, count, threads)."""
+"""Tools by name; `make(normals, count, threads)` returns (work, result)."""

@@ -1,7 +1,7 @@
-"""Ambient occlusion by each tool: (rays of each point) -> the share (P,) of them that gets away, another one at each call.
+"""Ambient occlusion by each tool, as functions from rays per point to the open fraction (P,), new at each call.
 
-The peers take independent cosine directions, as their users do: for embreex made by NumPy in float32, part by part, in as
-many threads as there are cores; by Mitsuba in its own kernel.
+Other tools use independent cosine directions, as their users do. For embreex NumPy generates the directions in float32, in
+as many threads as there are cores; Mitsuba generates them in its own kernel.
 """
 
 from collections.abc import Callable
@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 
 from warpsample.bench.running.turns import Tool
-from warpsample.bench.tools.mitsuba import mitsuba_scene
-from warpsample.bench.tools.numpy_rays import open_share
-from warpsample.bench.tools.tracers import embree_met
+from warpsample.bench.tools.mitsuba import build_mitsuba_scene
+from warpsample.bench.tools.numpy_rays import build_open_fraction
+from warpsample.bench.tools.tracers import build_embree_test
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.mesh.mesh import Mesh
@@ -24,35 +24,35 @@ Estimator = Callable[[int], np.ndarray]
 
 
 class Occlusion:
-    """`ambient_occlusion`, by its defaults or with options."""
+    """Ambient occlusion by `ambient_occlusion`, with defaults or options."""
 
     def __init__(self, mesh: Mesh, points: SurfacePoints, workers: int, **options: Any) -> None:
         self.call = partial(ambient_occlusion, mesh, points, workers=workers, **options)
         self.seeds, self.last = count_from(), None
 
     def __call__(self, count: int) -> np.ndarray:
-        """The estimate, which is kept as `last`."""
+        """Compute an estimate with a new seed, and keep it as `last`."""
         self.last: Estimate | None = self.call(count, seed=next(self.seeds))
         return self.last.value
 
 
-def by_embree(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
-    """By embreex, which leaves threads to its caller."""
-    return open_share(mesh, points, workers, embree_met(mesh))
+def build_embree_estimator(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
+    """Build an estimator by embreex, whose rays NumPy generates in threads."""
+    return build_open_fraction(mesh, points, workers, build_embree_test(mesh))
 
 
 def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> Estimator:
-    known, seeds = mitsuba_scene(mesh, points, workers), count_from()
-    dr, mi = known.dr, known.mi
+    setup, seeds = build_mitsuba_scene(mesh, points, workers), count_from()
+    dr, mi = setup.dr, setup.mi
 
     def work(count: int) -> np.ndarray:
         limit = dr.opaque(mi.UInt32, count)
 
         def cast(rng: Any, hits: Any, done: Any) -> tuple[Any, Any, Any]:
-            ray = known.cosine_ray(rng, known.origins, known.normals)
-            return rng, hits + dr.select(known.scene.ray_test(ray), mi.UInt32(1), mi.UInt32(0)), done + 1
+            ray = setup.sample_cosine_ray(rng, setup.origins, setup.normals)
+            return rng, hits + dr.select(setup.scene.ray_test(ray), mi.UInt32(1), mi.UInt32(0)), done + 1
 
-        state = (known.random(len(points), next(seeds)), dr.zeros(mi.UInt32, len(points)), mi.UInt32(0))
+        state = (setup.build_random(len(points), next(seeds)), dr.zeros(mi.UInt32, len(points)), mi.UInt32(0))
         _, hits, _ = dr.while_loop(state, lambda _rng, _hits, done: done < limit, cast)
         return 1.0 - np.asarray(hits) / count
 
@@ -64,6 +64,6 @@ ESTIMATORS = {
     "warpsample, skip=False": Tool("warpsample", partial(Occlusion, skip=False)),
     "warpsample, wp.Mesh": Tool("warp-lang", partial(Occlusion, tracer="warp")),
     "Mitsuba": Tool("mitsuba", _mitsuba),
-    "embreex": Tool("embreex", by_embree),
+    "embreex": Tool("embreex", build_embree_estimator),
 }
-"""By name; each makes an estimator of (mesh, points, threads)."""
+"""Tools by name; `make(mesh, points, threads)` returns an estimator."""

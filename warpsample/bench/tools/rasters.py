@@ -1,4 +1,4 @@
-"""The visible sky in the cells of a raster by each tool: () -> (rows, columns) shares, a new estimate at each call."""
+"""Visible sky in the cells of a raster by each tool, as functions () -> (rows, columns) with a new estimate at each call."""
 
 from collections.abc import Callable
 from functools import partial
@@ -11,7 +11,7 @@ from warpsample.bench.running.turns import Tool
 
 SkyOfCells = Callable[[], np.ndarray]
 
-_NORTH_UP = (1.0, 0.0, 0.0, 0.0, -1.0, 0.0)  # cells of a metre, the first row in the north
+_NORTH_UP = (1.0, 0.0, 0.0, 0.0, -1.0, 0.0)  # cells of 1 m; the first row is the northernmost
 
 
 def _ours(heights: np.ndarray, workers: int, *, count: int, **options: Any) -> SkyOfCells:
@@ -41,12 +41,12 @@ def _xarray_spatial(heights: np.ndarray, workers: int, *, directions: int, radiu
 
 
 _RAYS = {f"warpsample, {count} rays": partial(_ours, count=count) for count in (64, 256)}
-_RAYS |= {f"all over the sky, {count} rays": partial(_ours, count=count, tracer="wide") for count in (64, 256)}
+_RAYS |= {f"warpsample without horizons, {count} rays": partial(_ours, count=count, tracer="wide") for count in (64, 256)}
 _SWEEPS = {f"{count} directions of {radius} cells": (count, radius) for count, radius in ((16, 10), (32, 100))}
 RASTER_TOOLS = {name: Tool("warpsample", make) for name, make in _RAYS.items()}
 RASTER_TOOLS |= {
-    f"{name}, {told}": Tool(library, partial(make, directions=directions, radius=radius), threaded=False)
+    f"{name}, {label}": Tool(library, partial(make, directions=directions, radius=radius), threaded=False)
     for name, library, make in (("RVT", "rvt-py", _rvt), ("xarray-spatial", "xarray-spatial", _xarray_spatial))
-    for told, (directions, radius) in _SWEEPS.items()
+    for label, (directions, radius) in _SWEEPS.items()
 }
-"""By name; each makes what says how much of the sky each cell sees, of (heights, threads)."""
+"""Tools by name; `make(heights, threads)` returns a function that computes the visible sky of each cell."""

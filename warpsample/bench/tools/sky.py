@@ -1,4 +1,4 @@
-"""Sky matrices by each tool: (rays of each point, runs) -> (runs, P, 145), each run with random numbers of its own."""
+"""Sky matrices by each tool, as functions (rays per point, runs) -> (runs, P, 145) with new random numbers for each run."""
 
 import os
 import shutil
@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 from warpsample.bench.running.turns import Tool
-from warpsample.bench.tools.mitsuba import mitsuba_scene
-from warpsample.bench.tools.numpy_rays import size_of
+from warpsample.bench.tools.mitsuba import build_mitsuba_scene
+from warpsample.bench.tools.numpy_rays import measure_size
 from warpsample.estimate.visibility import sky_view_factor
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
@@ -25,42 +25,42 @@ from warpsample.radiation.sky.sky_matrix import sky_matrix
 
 SkyTool = Callable[[int, int], np.ndarray]
 
-_RAYS_AT_A_TIME = 1 << 24  # of Mitsuba's kernel
+_RAYS_AT_A_TIME = 1 << 24  # of one launch of Mitsuba's kernel
 _OPTIONS = "-h -V+ -I+ -ab 1 -ad {} -lw 1e-8 -n 1 -fdf -e MF:1 -f reinhart.cal -b rbin -bn Nrbins -m sky"
 _SKY = "void glow sky 0 0 4 1 1 1 0\nsky source dome 0 0 4 0 0 1 180\n"
 _PATCHES = sky_patches()
-_FIRST = np.flatnonzero(np.diff(_PATCHES.rows, prepend=-1)).astype(np.int32)  # patch of each row
+_FIRST = np.flatnonzero(np.diff(_PATCHES.rows, prepend=-1)).astype(np.int32)  # first patch of each row
 _IN_ROW = np.diff(_FIRST, append=len(_PATCHES)).astype(np.int32)
 _STEP = np.radians(_PATCHES.altitudes[0, 1])
 
 
-def repeated(run: Callable[[int], np.ndarray]) -> SkyTool:
-    """A tool that runs again and again."""
+def repeat_runs(run: Callable[[int], np.ndarray]) -> SkyTool:
+    """Build a tool of several runs from a function of one run."""
     return lambda count, runs: np.stack([run(count) for _ in range(runs)])
 
 
 def _ours(call: Callable[..., Any], mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
     seeds = count_from()
-    return repeated(lambda count: call(mesh, points, count, seed=next(seeds), workers=workers).value)
+    return repeat_runs(lambda count: call(mesh, points, count, seed=next(seeds), workers=workers).value)
 
 
 def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
-    """Independent cosine directions, traced and counted by patch in one kernel."""
-    known = mitsuba_scene(mesh, points, workers)
-    dr, mi = known.dr, known.mi
+    """Trace independent cosine directions and count the free ones by patch, in one kernel."""
+    setup = build_mitsuba_scene(mesh, points, workers)
+    dr, mi = setup.dr, setup.mi
     first, in_row = mi.UInt32(_FIRST.astype(np.uint32)), mi.UInt32(_IN_ROW.astype(np.uint32))
     seeds, size = count_from(), len(points) * len(_PATCHES)
 
     def add(count: int, counts: Any) -> None:
         lane = dr.arange(mi.UInt32, len(points) * count)
         point = lane // dr.opaque(mi.UInt32, count)
-        rng = known.random(len(points) * count, next(seeds))
-        origin, normal = dr.gather(mi.Point3f, known.origins, point), dr.gather(mi.Normal3f, known.normals, point)
-        ray = known.cosine_ray(rng, origin, normal)
+        rng = setup.build_random(len(points) * count, next(seeds))
+        origin, normal = dr.gather(mi.Point3f, setup.origins, point), dr.gather(mi.Normal3f, setup.normals, point)
+        ray = setup.sample_cosine_ray(rng, origin, normal)
         d, up = ray.d, ray.d.z > 0.0
-        free = up & ~known.scene.ray_test(ray, up)
+        free = up & ~setup.scene.ray_test(ray, up)
         row = mi.UInt32(dr.asin(dr.clip(d.z, 0.0, 1.0)) * (1.0 / _STEP))
-        columns = dr.gather(mi.UInt32, in_row, row)  # unmasked: by 0 nothing is divided
+        columns = dr.gather(mi.UInt32, in_row, row)  # not masked, so that no lane divides by 0
         turns = dr.atan2(d.x, d.y) * (0.5 / np.pi)
         column = mi.UInt32(dr.round((turns + 1.0) * mi.Float(columns))) % columns
         entry = point * len(_PATCHES) + dr.gather(mi.UInt32, first, row) + column
@@ -69,26 +69,28 @@ def _mitsuba(mesh: Mesh, points: SurfacePoints, workers: int) -> SkyTool:
 
     def run(count: int) -> np.ndarray:
         counts, most = dr.zeros(mi.UInt32, size), max(1, _RAYS_AT_A_TIME // len(points))
-        for done in range(0, count, most):
-            add(min(most, count - done), counts)
+        for start in range(0, count, most):
+            add(min(most, count - start), counts)
         return np.asarray(counts).reshape(len(points), -1) / count
 
-    return repeated(run)
+    return repeat_runs(run)
 
 
 class Radiance:
-    """A program of Radiance's, a process for each thread with its part of the points: several of one call repeat numbers.
+    """Program of Radiance, with one process for each thread and its share of the points.
+
+    Several processes of one call use the same random numbers.
 
     Attributes:
-        program: its name.
-        light: the light around the mesh, as Radiance reads it.
+        program: name of the program.
+        light: light around the mesh, in Radiance's scene format.
     """
 
     program = "rcontrib"
     light = _SKY
 
     def __init__(self, mesh: Mesh, points: SurfacePoints, workers: int) -> None:
-        """Writes the scene, larger than the mesh: sensors are lifted by 1e-4."""
+        """Write the scene, scaled to a size of 100 because Radiance lifts sensors by 1e-4."""
         import pyradiance
 
         self._home = Path(pyradiance.__file__).parent
@@ -96,42 +98,44 @@ class Radiance:
         weakref.finalize(self, shutil.rmtree, folder)
         self._octree = Path(folder) / "scene.oct"
         self._environment = {**os.environ, "RAYPATH": str(self._home / "lib")}
-        scale = 100.0 / size_of(mesh)
+        scale = 100.0 / measure_size(mesh)
         scene = self._octree.with_suffix(".rad")
-        scene.write_text(_polygons(scale * mesh.vertices, mesh.faces, *self.materials(mesh)) + self.light, encoding="utf-8")
-        self._octree.write_bytes(self._out([self._home / "bin" / "oconv", scene]))
+        scene.write_text(
+            _format_polygons(scale * mesh.vertices, mesh.faces, *self.define_materials(mesh)) + self.light, encoding="utf-8"
+        )
+        self._octree.write_bytes(self._run([self._home / "bin" / "oconv", scene]))
         sensors = np.hstack([scale * points.position, points.normal]).astype(np.float64)
         self._parts = np.array_split(sensors, workers)
 
-    def materials(self, mesh: Mesh) -> tuple[str, np.ndarray]:
-        """(what defines the materials m0, m1, ..., (F,) the number of that of each face): by default black plastic."""
+    def define_materials(self, mesh: Mesh) -> tuple[str, np.ndarray]:
+        """Return (definitions of the materials m0, m1, ..., (F,) material number of each face); by default black plastic."""
         return "void plastic m0 0 0 5 0 0 0 0 0", np.zeros(len(mesh.faces), int)
 
-    def answers(self, options: str, runs: int) -> np.ndarray:
-        """(runs, P, numbers, 3) over pi; all runs in one process, which goes on with its random numbers."""
+    def run_program(self, options: str, runs: int) -> np.ndarray:
+        """Return (runs, P, values, 3) over pi; one process computes all runs with consecutive random numbers."""
         command = [self._home / "bin" / self.program, *options.split(), self._octree]
 
         def part(sensors: np.ndarray) -> np.ndarray:
-            done = self._out(command, np.tile(sensors, (runs, 1)).tobytes())
-            return np.frombuffer(done, np.float32).reshape(runs, len(sensors), -1, 3) / np.float32(np.pi)
+            output = self._run(command, np.tile(sensors, (runs, 1)).tobytes())
+            return np.frombuffer(output, np.float32).reshape(runs, len(sensors), -1, 3) / np.float32(np.pi)
 
         with ThreadPoolExecutor(len(self._parts)) as pool:
             return np.concatenate(list(pool.map(part, self._parts)), axis=1)
 
-    def _out(self, command: list[Any], given: bytes = b"") -> bytes:
-        return subprocess.run(command, input=given, capture_output=True, check=True, env=self._environment).stdout
+    def _run(self, command: list[Any], data: bytes = b"") -> bytes:
+        return subprocess.run(command, input=data, capture_output=True, check=True, env=self._environment).stdout
 
 
 class _Rcontrib(Radiance):
-    """What patches of the sky bring."""
+    """Contributions of the sky patches, by `rcontrib`."""
 
     def __call__(self, count: int, runs: int) -> np.ndarray:
-        """All runs in one process."""
-        return self.answers(_OPTIONS.format(count), runs)[:, :, 1:, 1]
+        """Compute all runs in one process."""
+        return self.run_program(_OPTIONS.format(count), runs)[:, :, 1:, 1]
 
 
-def _polygons(vertices: np.ndarray, faces: np.ndarray, materials: str, material: np.ndarray) -> str:
-    """The faces and their materials, as Radiance reads them."""
+def _format_polygons(vertices: np.ndarray, faces: np.ndarray, materials: str, material: np.ndarray) -> str:
+    """Return the faces and their materials in Radiance's scene format."""
     lines = [materials]
     for i, corners in enumerate(vertices[faces].reshape(-1, 9)):
         lines.append(f"m{material[i]} polygon f{i} 0 0 9 " + " ".join(f"{x:.9g}" for x in corners))
@@ -145,4 +149,4 @@ SKY_TOOLS = {
     "Radiance rcontrib": Tool("pyradiance", _Rcontrib),
     "Mitsuba": Tool("mitsuba", _mitsuba),
 }
-"""By name; each makes a tool of (mesh, points, threads)."""
+"""Tools by name, with `make(mesh, points, threads)`."""

@@ -1,11 +1,11 @@
-"""Which of many suns points see, by each tool: () -> (P, T) bool."""
+"""Visibility of many suns by each tool, as functions () -> (P, T) bool."""
 
 from collections.abc import Callable
 
 import numpy as np
 
 from warpsample.bench.running.turns import Tool
-from warpsample.bench.tools.mitsuba import mitsuba_scene
+from warpsample.bench.tools.mitsuba import build_mitsuba_scene
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.sun.direct_sun import direct_sun
@@ -19,25 +19,25 @@ def _ours(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> 
 
 
 def _trace(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> SunTool:
-    """A ray for each pair; averted pairs are made dark afterwards."""
+    """Trace a ray for each pair; set pairs with an averted sun to False afterwards."""
     directions = np.array(np.broadcast_to(suns, (len(points), *suns.shape)))
     facing = points.normal @ suns.T > 0.0
     return lambda: (trace(mesh, points, directions, any_hit=True, workers=workers).face < 0) & facing
 
 
 def _mitsuba(mesh: Mesh, points: SurfacePoints, suns: np.ndarray, workers: int) -> SunTool:
-    """A lane for each pair; averted ones are masked."""
-    known = mitsuba_scene(mesh, points, workers)
-    dr, mi = known.dr, known.mi
+    """Test one lane for each pair; mask pairs with an averted sun."""
+    setup = build_mitsuba_scene(mesh, points, workers)
+    dr, mi = setup.dr, setup.mi
     towards = mi.Vector3f(np.ascontiguousarray(suns.T))
 
     def work() -> np.ndarray:
         lane, columns = dr.arange(mi.UInt32, len(points) * len(suns)), dr.opaque(mi.UInt32, len(suns))
         point = lane // columns
         d = dr.gather(mi.Vector3f, towards, lane - point * columns)
-        facing = dr.dot(mi.Vector3f(dr.gather(mi.Normal3f, known.normals, point)), d) > 0.0
-        ray = mi.Ray3f(dr.gather(mi.Point3f, known.origins, point), d)
-        return np.asarray(facing & ~known.scene.ray_test(ray, facing)).reshape(len(points), len(suns))
+        facing = dr.dot(mi.Vector3f(dr.gather(mi.Normal3f, setup.normals, point)), d) > 0.0
+        ray = mi.Ray3f(dr.gather(mi.Point3f, setup.origins, point), d)
+        return np.asarray(facing & ~setup.scene.ray_test(ray, facing)).reshape(len(points), len(suns))
 
     return work
 
@@ -48,4 +48,4 @@ SUN_TOOLS = {
     TRACE: Tool("warpsample", _trace),
     "Mitsuba": Tool("mitsuba", _mitsuba),
 }
-"""By name; each makes what says who is lit, of (mesh, points, suns, threads)."""
+"""Tools by name; `make(mesh, points, suns, threads)` returns a function that computes the lit pairs."""

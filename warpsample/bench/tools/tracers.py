@@ -1,4 +1,4 @@
-"""Rays by each tool: of a mesh and its rays, what says by so many workers which of them meet something, (R,) bool."""
+"""Rays by each tool, as functions (any_hit, workers) that return the work; the work returns (R,) bool, True for a hit."""
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.bench.running.turns import Tool
-from warpsample.bench.scenes import ray_set
+from warpsample.bench.scenes import build_rays
 from warpsample.host.arrays import cpu
 from warpsample.mesh.mesh import Mesh
 from warpsample.tracing.given_rays import rays_of
@@ -22,35 +22,39 @@ from warpsample.tracing.triples import Triples
 
 Hit = Callable[[], np.ndarray]
 RayTool = Callable[[bool, int], Hit]
-"""(whether any hit is asked for, workers) -> the work."""
+"""(whether any hit is query for, workers) -> the work."""
 
-_PARTS = 8  # of the rays, for each thread of a peer that leaves threads to its caller
+_PARTS = 8  # parts of the rays per thread, for a tool without threads of its own
 
 
-def wide_tree(mesh: Mesh, kind: str, count: int) -> RayTool:
-    """Our wide tree, by `trace`."""
-    rays = ray_set(mesh, kind, count)
+def build_wide_tool(mesh: Mesh, kind: str, count: int) -> RayTool:
+    """Build the tool of warpsample's wide tree, by `trace`."""
+    rays = build_rays(mesh, kind, count)
     return lambda any_hit, workers: (
         lambda: trace(mesh, *rays, any_hit=any_hit, tracer="wide", workers=workers).face.ravel() >= 0
     )
 
 
-def visits(mesh: Mesh, kind: str, count: int, any_hit: bool) -> tuple[float, float]:
-    """(nodes, leaves) of our wide tree that a ray visits, on average."""
+def count_visits(mesh: Mesh, kind: str, count: int, any_hit: bool) -> tuple[float, float]:
+    """Return the mean number of (nodes, leaves) of the wide tree that a ray visits."""
     scene = scene_of(mesh)
-    start, way = (Triples.of(array, "rays") for array in ray_set(mesh, kind, count))
-    hits = Hits(way.empty(np.float32), way.empty(np.int32), "wide")  # named, so that it outlives the addresses in `asked`
-    asked = rays_of(placed(scene, start, np.inf), way, hits)
+    start, way = (Triples.of(array, "rays") for array in build_rays(mesh, kind, count))
+    # A name keeps the arrays alive while `query` holds their addresses.
+    hits = Hits(way.empty(np.float32), way.empty(np.int32), "wide")
+    query = rays_of(placed(scene, start, np.inf), way, hits)
     counts = np.zeros((*way.shape, 2), np.int32)
-    asked.visits = counts.ctypes.data
-    trace_rays(scene, asked, tracer=WIDE, any_hit=any_hit, device=way.device, workers=1)
+    query.visits = counts.ctypes.data
+    trace_rays(scene, query, tracer=WIDE, any_hit=any_hit, device=way.device, workers=1)
     nodes, leaves = counts.reshape(-1, 2).mean(axis=0)
     return float(nodes), float(leaves)
 
 
 def _warp_mesh(mesh: Mesh, kind: str, count: int) -> RayTool:
-    """wp.Mesh, by its nearest-hit query in `trace`; or in our kernel by its any-hit query, which tells no face."""
-    scene, rays = scene_of(mesh), ray_set(mesh, kind, count)
+    """Build the tool of wp.Mesh: the nearest-hit query by `trace`, or the any-hit query in a kernel.
+
+    The any-hit query returns no face.
+    """
+    scene, rays = scene_of(mesh), build_rays(mesh, kind, count)
 
     def hits(any_hit: bool, workers: int) -> Hit:
         if not any_hit:
@@ -70,8 +74,11 @@ def _warp_mesh(mesh: Mesh, kind: str, count: int) -> RayTool:
 
 
 def _embree(mesh: Mesh, kind: str, count: int) -> RayTool:
-    """Parts of the rays in threads by embreex, which leaves these to its caller and releases the interpreter's lock."""
-    scene, (origins, directions) = embree_scene(mesh), _flat(*ray_set(mesh, kind, count))
+    """Build the tool of embreex; threads trace parts of the rays, because embreex leaves threads to the caller.
+
+    Embreex releases the interpreter's lock.
+    """
+    scene, (origins, directions) = build_embree_scene(mesh), _flatten(*build_rays(mesh, kind, count))
 
     def hits(any_hit: bool, workers: int) -> Hit:
         query = "OCCLUDED" if any_hit else "INTERSECT"
@@ -81,16 +88,16 @@ def _embree(mesh: Mesh, kind: str, count: int) -> RayTool:
         def run(part: slice) -> np.ndarray:
             return np.asarray(scene.run(origins[part], directions[part], query=query)) >= 0
 
-        return lambda: run(parts[0]) if len(parts) == 1 else np.concatenate(list(_threads(workers).map(run, parts)))
+        return lambda: run(parts[0]) if len(parts) == 1 else np.concatenate(list(_get_threads(workers).map(run, parts)))
 
     return hits
 
 
 def _open3d(mesh: Mesh, kind: str, count: int) -> RayTool:
-    """Its RaycastingScene, which is Embree too, with a thread pool of its own."""
+    """Build the tool of Open3D's RaycastingScene, which is Embree with a thread pool."""
     import open3d
 
-    scene, rays = open3d_scene(mesh), open3d.core.Tensor(np.hstack(_flat(*ray_set(mesh, kind, count))))
+    scene, rays = build_open3d_scene(mesh), open3d.core.Tensor(np.hstack(_flatten(*build_rays(mesh, kind, count))))
     return lambda any_hit, workers: (
         (lambda: scene.test_occlusions(rays, nthreads=workers).numpy())
         if any_hit
@@ -98,8 +105,8 @@ def _open3d(mesh: Mesh, kind: str, count: int) -> RayTool:
     )
 
 
-def embree_scene(mesh: Mesh) -> Any:
-    """Embree's scene of a mesh, built: embreex commits at the first ray."""
+def build_embree_scene(mesh: Mesh) -> Any:
+    """Build Embree's scene of a mesh; tracing one ray makes embreex commit it."""
     from embreex.mesh_construction import TriangleMesh
     from embreex.rtcore_scene import EmbreeScene
 
@@ -109,14 +116,14 @@ def embree_scene(mesh: Mesh) -> Any:
     return scene
 
 
-def embree_met(mesh: Mesh) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
-    """What says of origins and directions, (R, 3) each, which rays meet something, (R,) bool."""
-    scene = embree_scene(mesh)
+def build_embree_test(mesh: Mesh) -> Callable[[np.ndarray, np.ndarray], np.ndarray]:
+    """Build a function of origins and directions, (R, 3) each, that returns (R,) bool: True for a ray with a hit."""
+    scene = build_embree_scene(mesh)
     return lambda origins, directions: np.asarray(scene.run(origins, directions, query="OCCLUDED")) >= 0
 
 
-def open3d_scene(mesh: Mesh) -> Any:
-    """Open3D's scene of a mesh, built: it commits at the first ray."""
+def build_open3d_scene(mesh: Mesh) -> Any:
+    """Build Open3D's scene of a mesh; tracing one ray makes Open3D commit it."""
     import open3d
 
     scene = open3d.t.geometry.RaycastingScene()
@@ -127,34 +134,34 @@ def open3d_scene(mesh: Mesh) -> Any:
 
 
 TRACERS = {
-    "wide": Tool("warpsample", wide_tree),
+    "wide": Tool("warpsample", build_wide_tool),
     "wp.Mesh": Tool("warp-lang", _warp_mesh),
     "Embree": Tool("embreex", _embree),
     "Open3D": Tool("open3d", _open3d),
 }
-"""By name; each is made of (mesh, kind of rays, count)."""
+"""Tools by name, with `make(mesh, kind of rays, count)`."""
 
 
-def builds(mesh: Mesh, workers: int) -> dict[str, Callable[[], object]]:
-    """Work that builds what each tool needs; ours by so many workers, the others as they are used to."""
-    known = scene_of(mesh)
-    known.tree(workers)
+def list_builds(mesh: Mesh, workers: int) -> dict[str, Callable[[], object]]:
+    """Return functions that build each tool's scene; `workers` is for warpsample, the other tools use their defaults."""
+    scene = scene_of(mesh)
+    scene.tree(workers)
     return {
         "wide": lambda: Scene(mesh).tree(workers),
-        "wide, refit": lambda: known.moved(mesh).tree(workers),
+        "wide, refit": lambda: scene.moved(mesh).tree(workers),
         "wp.Mesh": lambda: Scene(mesh).builtin(cpu()),
-        "Embree": lambda: embree_scene(mesh),
-        "Open3D": lambda: open3d_scene(mesh),
+        "Embree": lambda: build_embree_scene(mesh),
+        "Open3D": lambda: build_open3d_scene(mesh),
     }
 
 
-def _flat(origins: np.ndarray, directions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Both as (R, 3), for tools that know no n rays from a point."""
+def _flatten(origins: np.ndarray, directions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return origins and directions as (R, 3), for tools that take one direction per origin."""
     if directions.ndim == 3:
         origins = np.repeat(origins, directions.shape[1], axis=0)
     return np.array(np.broadcast_to(origins, (directions.size // 3, 3))), directions.reshape(-1, 3)
 
 
 @cache
-def _threads(workers: int) -> ThreadPoolExecutor:
+def _get_threads(workers: int) -> ThreadPoolExecutor:
     return ThreadPoolExecutor(workers)

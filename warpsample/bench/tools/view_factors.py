@@ -1,7 +1,8 @@
 """All view factors of a mesh by each tool.
 
-A tool has `run` with so many rays of each face; then `rows` (R, F) float64 of the last run, from some faces to all, and the
-mean square error that is `due` where these rows should be `right`, None without chance.
+A tool has three methods. `run(count)` estimates the factors with `count` rays per face. `rows(faces)` returns the rows
+(R, F) float64 of some faces. `due` returns the expected mean square error of these rows, None for a tool without random
+numbers.
 """
 
 from collections.abc import Callable
@@ -12,59 +13,61 @@ from typing import Any
 import numpy as np
 
 from warpsample.bench.running.turns import Tool
-from warpsample.bench.tools.numpy_rays import cosine_directions, in_parts, off_the_surface
-from warpsample.bench.tools.tracers import embree_scene
+from warpsample.bench.tools.numpy_rays import compute_cosine_directions, lift_off_surface, map_parts
+from warpsample.bench.tools.tracers import build_embree_scene
 from warpsample.mesh.mesh import Mesh
 from warpsample.radiation.exchange.view_factors import view_factors
 from warpsample.tracing.trace import trace
 
 
 class OurFactors:
-    """Our own `view_factors`, with one matrix for each run."""
+    """View factors by `view_factors`, with one matrix for each run."""
 
     def __init__(self, mesh: Mesh, workers: int, reciprocal: bool = False) -> None:
         self.call = partial(view_factors, mesh, reciprocal=reciprocal, workers=workers)
         self.seeds, self.last = count_from(), None
 
     def run(self, count: int) -> None:
-        """Makes another estimate at each call."""
+        """Compute a matrix with a new seed."""
         self.last: Any = self.call(count, seed=next(self.seeds))
 
     def rows(self, faces: np.ndarray) -> np.ndarray:
-        """Rows of the matrix."""
+        """Return rows of the matrix."""
         return self.last.matrix[faces].toarray()
 
     def due(self, right: np.ndarray, faces: np.ndarray, rays: int) -> float:
-        """The mean square of the standard errors of these rows."""
+        """Return the mean square of the rows' standard errors."""
         return float(np.mean(self.last.standard_error[faces].toarray() ** 2))
 
 
 class EmbreeFactors:
-    """Independent positions and cosine directions by NumPy, the nearest hit by embreex, counts by `np.bincount`."""
+    """View factors by independent rays: positions and directions by NumPy, nearest hits by embreex."""
 
     def __init__(self, mesh: Mesh, workers: int) -> None:
-        self.scene, self.workers, self.seeds = embree_scene(mesh), workers, count_from()
-        self.mesh, self.size, self.normals = mesh, len(mesh.faces), normals_of(mesh, np.arange(len(mesh.faces)))
+        self.scene, self.workers, self.seeds = build_embree_scene(mesh), workers, count_from()
+        self.mesh, self.size, self.normals = mesh, len(mesh.faces), compute_normals(mesh, np.arange(len(mesh.faces)))
         self.parts: list[Any] = []
         self.count = 0
 
     def run(self, count: int) -> None:
-        """Parts of the faces in threads: embreex releases the interpreter's lock."""
+        """Trace parts of the faces in threads; embreex releases the interpreter's lock."""
 
         def counts(part: slice, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
             faces = np.arange(part.start, part.stop)
-            origins, directions = rays_of(self.mesh, faces, count, rng)
+            origins, directions = sample_rays(self.mesh, faces, count, rng)
             hit = np.asarray(self.scene.run(origins, directions, query="INTERSECT"))
-            met = np.flatnonzero(hit >= 0)
-            met = met[np.einsum("rk,rk->r", directions[met], self.normals[hit[met]]) < 0.0]  # the front of a face
-            found = np.bincount((met // count) * self.size + hit[met], minlength=len(faces) * self.size)
-            entries = np.flatnonzero(found)
-            return entries + part.start * self.size, found[entries]
+            hits = np.flatnonzero(hit >= 0)
+            hits = hits[
+                np.einsum("rk,rk->r", directions[hits], self.normals[hit[hits]]) < 0.0
+            ]  # keep hits of the front of a face
+            counts_of_pairs = np.bincount((hits // count) * self.size + hit[hits], minlength=len(faces) * self.size)
+            entries = np.flatnonzero(counts_of_pairs)
+            return entries + part.start * self.size, counts_of_pairs[entries]
 
-        self.parts, self.count = in_parts(self.size, count, self.workers, next(self.seeds), counts), count
+        self.parts, self.count = map_parts(self.size, count, self.workers, next(self.seeds), counts), count
 
     def rows(self, faces: np.ndarray) -> np.ndarray:
-        """Shares of the rays."""
+        """Return the fraction of each face's rays that hits each face."""
         from scipy.sparse import csr_array
 
         entries, counts = (np.concatenate(arrays) for arrays in zip(*self.parts, strict=True))
@@ -72,12 +75,12 @@ class EmbreeFactors:
         return shares[faces].toarray()
 
     def due(self, right: np.ndarray, faces: np.ndarray, rays: int) -> float:
-        """The variance of independent rays."""
+        """Return the variance of independent rays, averaged over the rows."""
         return float(np.mean(right * (1.0 - right))) / rays
 
 
 class PyViewFactor:
-    """Its matrix by its defaults: each pair of faces by an integral, seen or not by one ray between centroids."""
+    """View factors by pyViewFactor: an integral for each pair of faces, and one ray between the centroids."""
 
     def __init__(self, mesh: Mesh, workers: int) -> None:
         import numba
@@ -89,38 +92,38 @@ class PyViewFactor:
         self.mesh, self.last = PolyData.from_regular_faces(mesh.vertices, mesh.faces), np.zeros((0, 0))
 
     def run(self, count: int) -> None:
-        """Computes the matrix; it knows no rays."""
+        """Compute the matrix; `count` is ignored, because pyViewFactor has no number of rays."""
         self.last = self.matrix_of(self.mesh)
 
     def rows(self, faces: np.ndarray) -> np.ndarray:
-        """Columns of the matrix, whose columns are where the radiation comes from."""
+        """Return columns of the matrix: pyViewFactor's columns are the faces that emit."""
         return self.last[:, faces].T
 
     def due(self, right: np.ndarray, faces: np.ndarray, rays: int) -> None:
-        """Nothing: there is no chance in it."""
+        """Return None: the method has no random numbers."""
 
 
-def trace_alone(mesh: Mesh, workers: int, faces: np.ndarray, count: int) -> Callable[[], object]:
-    """`ws.trace` alone, of as many rays from some of the faces, which are made before."""
-    return partial(trace, mesh, *rays_of(mesh, faces, count, np.random.default_rng(0)), workers=workers)
+def build_trace_alone(mesh: Mesh, workers: int, faces: np.ndarray, count: int) -> Callable[[], object]:
+    """Build a function that only traces `count` rays per face by `ws.trace`; the rays are generated beforehand."""
+    return partial(trace, mesh, *sample_rays(mesh, faces, count, np.random.default_rng(0)), workers=workers)
 
 
-def normals_of(mesh: Mesh, faces: np.ndarray) -> np.ndarray:
-    """The normals (R, 3) float32 of faces of a mesh."""
+def compute_normals(mesh: Mesh, faces: np.ndarray) -> np.ndarray:
+    """Compute the normals (R, 3) float32 of some faces of a mesh."""
     a, b, c = (mesh.vertices[mesh.faces[faces, i]] for i in range(3))
     n = np.cross(b - a, c - a)
     return (n / np.linalg.norm(n, axis=1, keepdims=True)).astype(np.float32)
 
 
-def rays_of(mesh: Mesh, faces: np.ndarray, count: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
-    """Origins and cosine directions (R x count, 3) float32 of some faces, independent, those of a face in a row."""
+def sample_rays(mesh: Mesh, faces: np.ndarray, count: int, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    """Sample independent origins and cosine directions (R x count, 3) float32 on faces; a face's rays are consecutive."""
     a, b, c = (mesh.vertices[mesh.faces[faces, i]] for i in range(3))
-    n = normals_of(mesh, faces)
-    start, first, second = (x[:, None].astype(np.float32) for x in (off_the_surface(mesh, a, n), b - a, c - a))
+    n = compute_normals(mesh, faces)
+    start, first, second = (x[:, None].astype(np.float32) for x in (lift_off_surface(mesh, a, n), b - a, c - a))
     u = rng.random((4, len(faces), count, 1), np.float32)
     root = np.sqrt(u[0])
     origins = start + (1.0 - root) * first + (root * u[1]) * second
-    return origins.reshape(-1, 3), cosine_directions(u[2:], n).reshape(-1, 3)
+    return origins.reshape(-1, 3), compute_cosine_directions(u[2:], n).reshape(-1, 3)
 
 
 OURS, EMBREE, TRACE, PAIRS = "warpsample", "embreex", "ws.trace alone", "pyViewFactor"
@@ -130,4 +133,4 @@ FACTOR_TOOLS = {
     EMBREE: Tool("embreex", EmbreeFactors),
     PAIRS: Tool("pyviewfactor", PyViewFactor),
 }
-"""By name; each makes a tool of (mesh, threads)."""
+"""Tools by name, with `make(mesh, threads)`."""
