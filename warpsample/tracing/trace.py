@@ -74,7 +74,8 @@ def trace(
         mesh: a Mesh or whatever `as_mesh` takes.
         origins: (P, 3) float32 or float64, in the coordinates of the mesh; or (3,), one for all rays; or SurfacePoints,
             which are moved off their face, to the side of each direction, by two millionths of the mesh's extent that way,
-            and at an edge or a corner towards the middle of their face, off the others (see `ambient_occlusion`). Others
+            and at an edge or a corner towards the middle of their face, off the others (see `ambient_occlusion`), or
+            straight up or down where the points are `raised`. Others
             are taken as they are; a face at distance 0 is not met, but rounding may bring it in front. From farther than
             some 10^9 times the mesh's size, float64 does not tell where a ray goes: it meets nothing.
         directions: (P, 3), one for each origin, or (P, n, 3), n for each; of any length. Arrays of other libraries count as
