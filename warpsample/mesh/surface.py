@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 class SurfacePoints:
     """Points with normals, one per row.
 
-    Arrays of other libraries (PyTorch, JAX, CuPy) become NumPy's: without a copy where they are in the CPU's memory.
+    Arrays of other libraries (Warp, PyTorch, JAX, CuPy) become NumPy's: without a copy where they are in the CPU's memory.
+    So directions, hits and numbers of these points are NumPy's, too.
 
     Attributes:
         position: (P, 3) float64 or float32, in the user's coordinates; other real numbers become float64, here as below.
