@@ -178,7 +178,10 @@ def _no_gradients(
 
 @wp.func
 def any_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32) -> bool:
-    """Whether a ray meets an opaque face of the mesh before max_distance. Under wp.Tape it is a constant.
+    """Return whether a ray meets an opaque face of the mesh before max_distance; False for an invalid ray.
+
+    A ray is invalid if its direction is zero, if its direction or origin is infinite or NaN, or if its max_distance is NaN.
+    Under wp.Tape the answer is a constant.
 
     Args:
         tree: of `warpsample.tree`.
@@ -193,7 +196,7 @@ def any_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float3
 def nearest_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32):
     """(distance, face) of the nearest opaque face before max_distance; (inf, -1) if none, (NaN, -1) for an invalid ray.
 
-    Under wp.Tape both are constants: no gradient goes through them.
+    The same rays are invalid as for `any_hit`. Under wp.Tape both are constants: no gradient goes through them.
 
     Args:
         tree: of `warpsample.tree`.
@@ -209,7 +212,8 @@ def nearest_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.fl
 def transmitted(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32) -> wp.float32:
     """The share of light that comes along a ray from max_distance: 0 behind an opaque face, NaN for an invalid ray.
 
-    It is the product of the transmittances of all faces that the ray crosses. Under wp.Tape it is a constant.
+    The same rays are invalid as for `any_hit`. It is the product of the transmittances of all faces that the ray crosses.
+    Under wp.Tape it is a constant.
 
     Args:
         tree: of `warpsample.tree`.
