@@ -247,7 +247,7 @@ def test_a_closed_body_around_all_leaves_its_numbers(call, tmp_path, options, me
     tree, data, _ = opened(output)
     assert np.array_equal(np.unique(picture(tree, data, occlusion(tree, 0)["index"])), [mean])
     assert f"'floor', set 0: 1,024 texels, mean {mean:.4f}; " in out
-    assert ("1,024 points inside of something closed that hold their numbers" in out) == (mean == 0.0)
+    assert "1,024 points inside closed bodies keep their numbers, as their whole charts are inside\n" in out
 
 
 def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
@@ -258,9 +258,24 @@ def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
     tree, data, _ = opened(output)
     image = picture(tree, data, occlusion(tree, 0)["index"])[..., 0]
     assert image.min() > 0.4  # half of the sky at the foot of a wall
-    assert "64 points inside of something closed, filled from their charts" in out  # of 2 x 2 at 4 texels a unit
+    assert "64 points inside closed bodies, filled from their charts" in out  # of 2 x 2 at 4 texels a unit
+    status, kept, _ = call("bake", path, "-o", output, "--texture", 32, *RAYS, "--inside", "keep")
+    tree, data, _ = opened(output)
+    assert (status, picture(tree, data, occlusion(tree, 0)["index"]).min(), "closed bodies" in kept) == (0, 0.0, False)
     status, _, err = call("bake", path, "-o", tmp_path / "small.glb", "--texture", 8)
     assert (status, err[:62]) == (2, "error: --texture: got 8, where 6 charts, 4 texels apart, take ")
+
+
+def test_positions_under_a_closed_body_are_its_own(call, tmp_path):
+    """They are known without rays, so that nothing of them is filled."""
+    path, output = tmp_path / "in.glb", tmp_path / "out.npz"
+    floor_and_box(path, 2)
+    for quantity in ("position", "normals"):
+        status, out, err = call("bake", path, "-o", output, "--texture", 32, "--quantity", quantity)
+        assert (status, err) == (0, "")
+        assert "closed" not in "".join(out.splitlines()[1:])  # the first line names the file
+    with np.load(output) as baked_file:
+        assert json.loads(str(baked_file["run"]))["texture_inside"] == "fill"
 
 
 @pytest.mark.parametrize(

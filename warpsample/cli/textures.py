@@ -36,6 +36,13 @@ OPTIONS: dict[str, Any] = {
     ],
     "high": Annotated[Path | None, option("A finer mesh, whose numbers are wanted at the texels of this one.")],
     "cage": Annotated[float | None, option("How far outside and inside of this mesh the finer one is looked for.")],
+    "inside": Annotated[
+        Literal["fill", "keep"] | None,
+        option(
+            "Texels inside closed bodies, as a floor under a wall: fill them from the visible part of their chart, or keep "
+            "their numbers; by default fill."
+        ),
+    ],
 }
 """The types of the options that apply to textures."""
 

@@ -173,9 +173,11 @@ def _told(found: Filled) -> Iterator[str]:
     yield f"{job.name!r}, {job.told}: {report.covered:,} texels, {numbers}"
     yield from flaws_told(job)
     if found.inside:
-        yield f"{found.inside:,} points inside of something closed, filled from their charts"
+        yield f"{found.inside:,} points inside closed bodies, filled from their charts"
     if found.enclosed:
-        yield f"{found.enclosed:,} points inside of something closed that hold their numbers, as most of their charts are"
+        yield f"{found.enclosed:,} points inside closed bodies keep their numbers, as their whole charts are inside"
+    if found.inside_rays:
+        yield f"{found.inside_rays:,} further rays cast to find points inside closed bodies"
     if found.missed:
         yield f"{found.missed:,} points that met nothing of the finer mesh within the cage, filled from their charts"
     if found.lost:

@@ -20,7 +20,8 @@ class TextureOptions:
 
     `size` is width and height in texels; `uv` of UV_CHOICES; `samples` the points of each texel; `gutter` "all" or texels;
     `depth` the bits of a number in a .png; `strict` whether flaws of the coordinates are refused; `high` a finer mesh whose
-    numbers are wanted, and `cage` how far around the coarse one it is looked for.
+    numbers are wanted, and `cage` how far around the coarse one it is looked for; `inside` is "fill" or "keep", for texels
+    inside closed bodies.
     """
 
     size: tuple[int, int]
@@ -33,6 +34,7 @@ class TextureOptions:
     strict: bool = False
     high: Path | None = None
     cage: float = 0.0
+    inside: str = "fill"
 
 
 class Texels:
