@@ -266,6 +266,26 @@ def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
     assert (status, err[:62]) == (2, "error: --texture: got 8, where 6 charts, 4 texels apart, take ")
 
 
+@pytest.mark.filterwarnings("ignore:mesh. got faces of size")  # it is of most faces; this is of the texels
+@pytest.mark.parametrize(("distance", "is_told"), [(200, False), (20_000, True)])
+def test_texels_too_small_for_float32_are_told_and_refused(call, tmp_path, distance, is_told):
+    """A crate of 5 cm and a sheet 20 km away, with a quarter of all corners: what is within 2 cm counts as touching."""
+    path, output = tmp_path / "in.glb", tmp_path / "out.glb"
+    floor_and_box(path, 0.05)
+
+    def change(tree):
+        tree["nodes"][0]["scale"] = [0.05] * 3
+        tree["meshes"].append({"primitives": [{"attributes": {"POSITION": 0}, "indices": 2}]})
+        tree["nodes"].append({"mesh": 2, "translation": [distance, 0, 0], "scale": [0.05] * 3})
+        tree["scenes"][0]["nodes"].append(2)
+
+    path.write_bytes(changed(path.read_bytes(), change))
+    _, out = baked(call, path, "--uv", "new")
+    assert ("\n  'floor': rays resolve lengths from 0.019 on, and 4,096 points have texels less than" in out) == is_told
+    status, _, err = call("bake", path, "-o", output, "--texture", 64, *RAYS, "--uv", "new", "--strict")
+    assert (status, err.startswith("error: --strict: got 'floor': rays resolve")) == ((2, True) if is_told else (0, False))
+
+
 def test_positions_under_a_closed_body_are_its_own(call, tmp_path):
     """They are known without rays, so that nothing of them is filled."""
     path, output = tmp_path / "in.glb", tmp_path / "out.npz"

@@ -15,6 +15,7 @@ from warpsample.host.device_memory import Memory
 from warpsample.host.files import check_output, complete_or_absent, to_disk, write_arrays
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.files.beside import files_beside
+from warpsample.mesh.mesh import Mesh
 from warpsample.output.baked import BakeRun
 from warpsample.output.faces_option import with_optics
 from warpsample.output.quantities import check_options, quantity_of
@@ -27,6 +28,7 @@ from warpsample.texture.materials import OCCLUSION, THICKNESS, Slot, add_texture
 from warpsample.texture.notes import left_behind, named, notes_on
 from warpsample.texture.pictures import DEPTHS, check_library, exr_of, png_of
 from warpsample.texture.primitives import primitives_of, sharing
+from warpsample.texture.resolution import describe_coarse_texels
 from warpsample.texture.sets import TextureOptions
 
 SUFFIXES = (*SCENES, ".png", ".exr", ".npz")
@@ -48,7 +50,9 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     jobs, file = jobs_of(run.mesh, mesh, how, run.output.suffix, slot)
     told = [] if file is None else _before(file, run, jobs)
     high = None if how.high is None else HighMesh.load(how.high, how.cage, how.normals)
-    closed, start = Closed(mesh if high is None else high.mesh), perf_counter()
+    traced = mesh if high is None else high.mesh
+    coarse = _coarse(jobs, traced, how)
+    closed, start = Closed(traced), perf_counter()
     found = [filled(job, run, how, closed, high) for job in jobs]
     seconds = perf_counter() - start
     if file is None:
@@ -58,9 +62,19 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
         told += _write_scene(file, run, how, found, slot)
     lines = [f"{run.output}: {quantity.title} in {_pictures(len(found))} of {how.size[0]} x {how.size[1]} texels"]
     lines += [line for one in found for line in _told(one)]
+    lines += coarse
     rays = sum(one.rays for one in found)
     lines += [f"{rays:,} rays cast in {seconds:.2f} s, {rays / max(seconds, 1e-9) / 1e6:.1f} million a second", *told]
     return "\n  ".join(lines)
+
+
+def _coarse(jobs: list[TextureJob], traced: Mesh, how: TextureOptions) -> list[str]:
+    """Return sentences on jobs with texels too small for the rays; with `--strict` raise a ValueError instead."""
+    told = [(job, describe_coarse_texels(job.points, traced)) for job in jobs]
+    found = [f"{job.name!r}: {line}" for job, line in told if line is not None]
+    if how.strict and found:
+        raise ValueError(f"--strict: got {'; '.join(found)}")
+    return found
 
 
 def _before(file: GlbFile, run: BakeRun, jobs: list[TextureJob]) -> list[str]:
