@@ -466,7 +466,7 @@ def test_strips_without_indices_in_two_places_and_glass(call, tmp_path):
         changed(content, lambda tree: [p.update(material=0) for mesh in tree["meshes"] for p in mesh["primitives"]])
     )
     output, out = baked(call, path, "--uv", "new")
-    assert "\n  of 'meshes[0]', in several places, the first one counts\n" in out
+    assert "\n  the 2 places of 'meshes[0]' share one picture\n" in out
     assert "\n  transparent materials block light as all others do: 'materials[0]'\n" in out
     assert out.endswith("\n  of materials with two sides the numbers are those of the front: 'materials[0]'\n")
     before, after = ws.load_mesh(path), ws.load_mesh(output)
