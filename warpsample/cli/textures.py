@@ -35,7 +35,8 @@ OPTIONS: dict[str, Any] = {
         bool,
         typer.Option(
             "--strict",
-            help="Refuse texture coordinates that overlap, reach out or are flat, texels too small for float32, and means.",
+            help="Refuse texture coordinates that overlap, reach out or are flat, texels too small for float32, and "
+            "--instances mean.",
         ),
     ],
     "high": Annotated[Path | None, option("A finer mesh, whose numbers are wanted at the texels of this one.")],
