@@ -92,7 +92,7 @@ def buried_of(mesh, uv, side):
     enclosed = Enclosed(Closed(mesh), t)
     for start in range(0, len(t), 300):
         part = t.take(slice(start, start + 300))
-        enclosed.add(slice(start, start + 300), part, part, None)
+        enclosed.add(start, part, part, None)
     found = np.zeros(side * side, bool)
     found[t.texel[enclosed.buried(np.ones(len(t), bool))]] = True
     return found.reshape(side, side)

@@ -67,7 +67,7 @@ def filled(job: TextureJob, run: BakeRun, how: TextureOptions, closed: Closed, h
         if high is not None:
             places, missed[rows] = high.under(part, points.mesh, workers)
         if looks:
-            bodies.add(rows, part, places, workers)
+            bodies.add(first, part, places, workers)
         found = numbers(places, 0)  # the points have ids
         return replace(found, value=told(found.value, points.face[rows], part.barycentric))
 
@@ -80,13 +80,13 @@ def filled(job: TextureJob, run: BakeRun, how: TextureOptions, closed: Closed, h
     buried = bodies.buried(np.isfinite(value.reshape(len(value), -1)).all(axis=1)) & ~missed
     within, kept_own, none = (int(np.count_nonzero(some)) for some in (buried, bodies.inside & ~buried & ~missed, missed))
     value[buried] = np.nan
-    shown = _images(job, how, value, error)
+    image, errors, mean = _images(job, how, value, error)
     counts = {"inside": within, "enclosed": kept_own, "missed": none, "lost": bad - none}
-    return Filled(job, *shown, **counts, rays=rays, inside_rays=bodies.rays)
+    return Filled(job, image, errors, mean, **counts, rays=rays, inside_rays=bodies.rays)
 
 
 def _images(job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.ndarray) -> tuple[Any, Any, float]:
-    """The images of values at points, NaN where these have none, and of their errors; the mean."""
+    """Return the images of values at points and of their errors, and the mean; NaN is a point without a number."""
     error[np.isnan(value)] = np.nan
     known = np.isfinite(value)
     mean = float(value.mean(where=known, dtype=np.float64)) if known.any() else float("nan")

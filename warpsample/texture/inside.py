@@ -17,6 +17,7 @@ from warpsample.tracing.trace_all import trace_all
 _RAYS = 3  # two, and one more where these disagree
 _SEED = seed_for("inside", 0)
 _CELLS = 64  # of the grid of bodies, along each axis: 2^18 counts
+_BLOCK = 1 << 16  # points whose hits are in memory together
 _WITHIN = 1e-6  # weight of each corner from which on a point is in its face, and not the nearest point on its edge
 
 
@@ -88,7 +89,7 @@ class Closed:
     def around(
         self, points: SurfacePoints, face: np.ndarray, workers: int | None = None
     ) -> tuple[np.ndarray, np.ndarray, int]:
-        """The number of closed bodies around points, their own left out, by the parity of crossings.
+        """Count the closed bodies around points, their own left out, by the parity of crossings.
 
         Args:
             points: P of them.
@@ -146,12 +147,17 @@ class Enclosed:
         self._closed, self._points = closed, points
         self._nested, self._source = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.bool_)
 
-    def add(self, rows: slice, texels: SurfacePoints, places: SurfacePoints, workers: int | None) -> None:
-        """Looks around `places`, whose numbers some texels get; these are the `texels` themselves without a finer mesh."""
+    def add(self, first: int, texels: SurfacePoints, places: SurfacePoints, workers: int | None) -> None:
+        """Look around `places`, whose numbers the points from `first` on get: `texels` themselves without a finer mesh."""
+        rows = slice(first, first + len(texels))
         face = self._points.face[rows] if places is texels else np.asarray(places.face)
-        nested, unsure, rays = self._closed.around(places, face, workers)
-        self._nested[rows], self.rays = nested, self.rays + rays
-        self._source[rows] = ~unsure & (np.asarray(texels.barycentric) > _WITHIN).all(axis=1)
+        self._source[rows] = (np.asarray(texels.barycentric) > _WITHIN).all(axis=1)
+        for start in range(0, len(texels), _BLOCK):
+            block = slice(start, start + _BLOCK)
+            nested, unsure, rays = self._closed.around(places.take(block), face[block], workers)
+            rows = slice(first + start, first + start + len(nested))
+            self._nested[rows], self.rays = nested, self.rays + rays
+            self._source[rows] &= ~unsure
 
     @property
     def inside(self) -> np.ndarray:
