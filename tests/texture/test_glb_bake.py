@@ -251,7 +251,7 @@ def test_a_closed_body_around_all_leaves_its_numbers(call, tmp_path, options, me
     tree, data, _ = opened(output)
     assert np.array_equal(np.unique(picture(tree, data, occlusion(tree, 0)["index"])), [mean])
     assert f"'floor', set 0: 1,024 texels, mean {mean:.4f}; " in out
-    assert ("1,024 points inside of something closed that hold their numbers" in out) == (mean == 0.0)
+    assert "1,024 points inside closed bodies keep their numbers, as their whole charts are inside\n" in out
 
 
 def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
@@ -262,9 +262,44 @@ def test_what_stands_on_a_floor_does_not_darken_it(call, tmp_path):
     tree, data, _ = opened(output)
     image = picture(tree, data, occlusion(tree, 0)["index"])[..., 0]
     assert image.min() > 0.4  # half of the sky at the foot of a wall
-    assert "64 points inside of something closed, filled from their charts" in out  # of 2 x 2 at 4 texels a unit
+    assert "64 points inside closed bodies, filled from their charts" in out  # of 2 x 2 at 4 texels a unit
+    status, kept, _ = call("bake", path, "-o", output, "--texture", 32, *RAYS, "--inside", "keep")
+    tree, data, _ = opened(output)
+    assert (status, picture(tree, data, occlusion(tree, 0)["index"]).min(), "closed bodies" in kept) == (0, 0.0, False)
     status, _, err = call("bake", path, "-o", tmp_path / "small.glb", "--texture", 8)
     assert (status, err[:62]) == (2, "error: --texture: got 8, where 6 charts, 4 texels apart, take ")
+
+
+@pytest.mark.filterwarnings("ignore:mesh. got faces of size")  # it is of most faces; this is of the texels
+@pytest.mark.parametrize(("distance", "is_told"), [(200, False), (20_000, True)])
+def test_texels_too_small_for_float32_are_told_and_refused(call, tmp_path, distance, is_told):
+    """A crate of 5 cm and a sheet 20 km away, with a quarter of all corners: what is within 2 cm counts as touching."""
+    path, output = tmp_path / "in.glb", tmp_path / "out.glb"
+    floor_and_box(path, 0.05)
+
+    def change(tree):
+        tree["nodes"][0]["scale"] = [0.05] * 3
+        tree["meshes"].append({"primitives": [{"attributes": {"POSITION": 0}, "indices": 2}]})
+        tree["nodes"].append({"mesh": 2, "translation": [distance, 0, 0], "scale": [0.05] * 3})
+        tree["scenes"][0]["nodes"].append(2)
+
+    path.write_bytes(changed(path.read_bytes(), change))
+    _, out = baked(call, path, "--uv", "new")
+    assert ("\n  'floor': rays resolve lengths from 0.019 on, and 4,096 points have texels less than" in out) == is_told
+    status, _, err = call("bake", path, "-o", output, "--texture", 64, *RAYS, "--uv", "new", "--strict")
+    assert (status, err.startswith("error: --strict: got 'floor': rays resolve")) == ((2, True) if is_told else (0, False))
+
+
+def test_positions_under_a_closed_body_are_its_own(call, tmp_path):
+    """They are known without rays, so that nothing of them is filled."""
+    path, output = tmp_path / "in.glb", tmp_path / "out.npz"
+    floor_and_box(path, 2)
+    for quantity in ("position", "normals"):
+        status, out, err = call("bake", path, "-o", output, "--texture", 32, "--quantity", quantity)
+        assert (status, err) == (0, "")
+        assert "closed" not in "".join(out.splitlines()[1:])  # the first line names the file
+    with np.load(output) as baked_file:
+        assert json.loads(str(baked_file["run"]))["texture_inside"] == "fill"
 
 
 @pytest.mark.parametrize(
@@ -444,7 +479,7 @@ def test_strips_without_indices_in_two_places_and_glass(call, tmp_path):
         changed(content, lambda tree: [p.update(material=0) for mesh in tree["meshes"] for p in mesh["primitives"]])
     )
     output, out = baked(call, path, "--uv", "new")
-    assert "\n  of 'meshes[0]', in several places, the first one counts\n" in out
+    assert "\n  the 2 places of 'meshes[0]' share one picture\n" in out
     assert "\n  of materials with two sides the numbers are those of the front: 'materials[0]'\n" in out
     said = "\n  transparent materials that block all light, as --transmittance gives them no share: 'materials[0]'\n"
     assert out.endswith(said)

@@ -5,7 +5,7 @@ import pytest
 import trimesh
 
 import warpsample as ws
-from warpsample.texture.inside import Closed
+from warpsample.texture.inside import Closed, Enclosed
 
 BALL = trimesh.creation.icosphere(2)
 
@@ -19,10 +19,15 @@ def floor_and(*bodies):
     return ws.Mesh(np.concatenate([vertices for vertices, _ in parts]), np.concatenate(faces))
 
 
+def inside(mesh, points):
+    """Whether points on the first faces of a mesh are inside a closed body."""
+    return Closed(mesh).around(points, points.face)[0][:, 0] > 0
+
+
 def around(mesh):
     """Whether points of the floor are inside, by their distance from the middle."""
     points = ws.sample_surface(ws.Mesh(mesh.vertices, mesh.faces[:2]), 2000, seed=1)
-    return Closed(mesh).around(points), np.hypot(*points.position[:, :2].T)
+    return inside(mesh, points), np.hypot(*points.position[:, :2].T)
 
 
 @pytest.mark.parametrize("shift", [0.0, 1e6])
@@ -31,7 +36,7 @@ def test_the_floor_under_a_ball_is_inside(shift):
     mesh = ws.Mesh(mesh.vertices + shift, mesh.faces)
     points = ws.sample_surface(ws.Mesh(mesh.vertices, mesh.faces[:2]), 2000, seed=1)
     distance = np.hypot(*(points.position - shift)[:, :2].T)
-    found = Closed(mesh).around(points)
+    found = inside(mesh, points)
     assert found[distance < 0.95].all()  # facets are within the ball by 0.03
     outside = distance > 1.0
     assert outside.sum() > 100
@@ -56,6 +61,102 @@ def test_each_body_is_taken_alone():
     faces = np.concatenate([BALL.faces, [[0, 0, 1]]])
     mesh = floor_and((BALL.vertices * 0.5 + np.array((2, 0, 0)), faces), (BALL.vertices, BALL.faces[3:]))
     points = ws.sample_surface(ws.Mesh(mesh.vertices, mesh.faces[:2]), 4000, seed=1)
-    found = Closed(mesh).around(points)
+    found = inside(mesh, points)
     assert found.sum() > 20
     assert np.hypot(*(points.position[found, :2] - (2, 0)).T).max() < 0.5
+
+
+def sheet(half, z=0.0):
+    """A square sheet that faces upward, and its place in the image: all of it."""
+    vertices = np.array([(-half, -half, z), (half, -half, z), (half, half, z), (-half, half, z)], float)
+    return vertices, np.array([[0, 1, 2], [0, 2, 3]])
+
+
+def box(size, centre, *, inverted=False):
+    made = trimesh.creation.box(size)
+    return made.vertices + np.array(centre), made.faces[:, ::-1] if inverted else made.faces
+
+
+def buried(*parts, side=32):
+    """Which texels of the first of some parts, a sheet, are to be filled: (H, W), rows from y = -half on."""
+    starts = np.cumsum([0] + [len(vertices) for vertices, _ in parts])
+    faces = np.concatenate([faces + start for (_, faces), start in zip(parts, starts[:-1], strict=True)])
+    mesh = ws.Mesh(np.concatenate([vertices for vertices, _ in parts]), faces)
+    uv = np.full((len(mesh.faces), 3, 2), np.nan)
+    uv[:2] = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], float)[mesh.faces[:2]]
+    return buried_of(mesh, uv, side)
+
+
+def buried_of(mesh, uv, side):
+    t = ws.texture_points(mesh, uv, side)
+    enclosed = Enclosed(Closed(mesh), t)
+    for start in range(0, len(t), 300):
+        part = t.take(slice(start, start + 300))
+        enclosed.add(start, part, part, None)
+    found = np.zeros(side * side, bool)
+    found[t.texel[enclosed.buried(np.ones(len(t), bool))]] = True
+    return found.reshape(side, side)
+
+
+def centre(half, side=32):
+    """The texels of a sheet within `half` of its middle of 8 x 8."""
+    at = np.abs((np.arange(side) + 0.5) / side * 8 - 4) < half
+    return at[:, None] & at
+
+
+CRATE = box((2, 2, 2), (0, 0, 1))  # it stands on the sheet, face on face
+
+
+@pytest.mark.parametrize("inverted", [False, True])
+@pytest.mark.parametrize("width", [8.0, 8.001, 12.0])  # a carpet from wall to wall, nearly so, and a smaller one
+def test_a_carpet_in_a_room_keeps_its_numbers(inverted, width):
+    """Whichever way its walls face; and under a crate in the room the carpet is filled all the same."""
+    room = box((width, width, 6), (0, 0, 3), inverted=inverted)
+    assert not buried(sheet(4), room).any()
+    assert np.array_equal(buried(sheet(4), room, CRATE), centre(1))
+
+
+def test_a_floor_that_a_hollow_house_stands_on_is_filled_under_its_walls_alone():
+    """Walls from 2 to 3, as two shells: the cavity is a room."""
+    house = box((6, 6, 6), (0, 0, 2)), box((4, 4, 4), (0, 0, 2), inverted=True)
+    assert np.array_equal(buried(sheet(4), *house), centre(3) & ~centre(2))
+    assert np.array_equal(buried(sheet(4), *house, CRATE), centre(3) & ~centre(2) | centre(1))
+
+
+def test_an_inside_out_crate_in_a_room_changes_nothing():
+    assert not buried(sheet(4), box((12, 12, 12), (0, 0, 3)), box((2, 2, 2), (0, 0, 1), inverted=True)).any()
+
+
+@pytest.mark.parametrize("share", [0.05, 0.5, 0.74, 0.79, 0.97])
+def test_any_share_of_a_post_in_the_ground_is_filled(share):
+    """A post's side, 8 long, stands in a closed ground up to z = 0; what is above, however little, fills it."""
+    vertices, faces = sheet(4)
+    upright = vertices[:, [2, 0, 1]] + np.array((0, 0, 4 - 8 * share))  # rows rise with z
+    found = buried((upright, faces), box((20, 20, 10), (0, 0, -5)))
+    height = (np.arange(32) + 0.5) / 4 - 8 * share
+    assert np.array_equal(found, np.repeat((height < 0)[:, None], 32, axis=1))
+
+
+def test_charts_at_one_place_of_the_image_are_looked_at_each_alone():
+    """A carpet in a closed room, and one in the open, whose texels are those at the left half of the same image."""
+    parts = [sheet(4), box((12, 12, 12), (0, 0, 3)), (sheet(4)[0] + np.array((50.0, 0, 0)), sheet(4)[1])]
+    starts = np.cumsum([0] + [len(vertices) for vertices, _ in parts])
+    faces = np.concatenate([faces + start for (_, faces), start in zip(parts, starts[:-1], strict=True)])
+    mesh = ws.Mesh(np.concatenate([vertices for vertices, _ in parts]), faces)
+    uv = np.full((len(faces), 3, 2), np.nan)
+    uv[:2] = np.array([(0, 0), (0.5, 0), (0.5, 1), (0, 1)])[mesh.faces[:2]]
+    uv[-2:] = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])[mesh.faces[:2]]
+    assert not buried_of(mesh, uv, 32).any()
+
+
+def test_rays_are_cast_only_near_other_bodies():
+    """None without closed bodies, or beside one: and two for points in a cell of the grid around it, 1/64 wide."""
+    points = ws.sample_surface(ws.Mesh(*sheet(4)), 2000, seed=1)
+    near = np.count_nonzero((np.abs(points.position[:, :2]) < 1 + 2 / 64).all(axis=1))
+    for mesh, count in ((floor_and(), 0), (floor_and(box((2, 2, 2), (0, 0, 5))), 0), (floor_and(CRATE), near)):
+        nested, _, rays = Closed(mesh).around(points, points.face)
+        assert rays <= 2 * count
+        assert nested.any() == (count > 0)
+    ball = ws.Mesh(BALL.vertices, BALL.faces)
+    points = ws.face_centers(ball)
+    assert Closed(ball).around(points, points.face)[2] == 0

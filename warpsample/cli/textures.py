@@ -32,10 +32,29 @@ OPTIONS: dict[str, Any] = {
     "strength": Annotated[float | None, option("Of the occlusion in a .glb, 0 to 1; by default 1.")],
     "depth": Annotated[Literal["8", "16"] | None, option("Bits of a number in a .png, also within a .glb; by default 8.")],
     "strict": Annotated[
-        bool, typer.Option("--strict", help="Refuse texture coordinates that overlap, reach out or are flat.")
+        bool,
+        typer.Option(
+            "--strict",
+            help="Refuse texture coordinates that overlap, reach out or are flat, texels too small for float32, and "
+            "--instances mean.",
+        ),
     ],
     "high": Annotated[Path | None, option("A finer mesh, whose numbers are wanted at the texels of this one.")],
     "cage": Annotated[float | None, option("How far outside and inside of this mesh the finer one is looked for.")],
+    "inside": Annotated[
+        Literal["fill", "keep"] | None,
+        option(
+            "Texels inside closed bodies, as a floor under a wall: fill them from the visible part of their chart, or keep "
+            "their numbers; by default fill."
+        ),
+    ],
+    "instances": Annotated[
+        Literal["split", "mean"] | None,
+        option(
+            "Meshes in several places of a .glb: split gives a place its own copy of mesh, material and picture where its "
+            "numbers differ by more than their errors; mean gives all places the mean; by default split."
+        ),
+    ],
 }
 """The types of the options that apply to textures."""
 

@@ -24,7 +24,10 @@ def told_of_kept(source: Path) -> list[str]:
     """
     file, primitives = _opened(source)
     coloured = named(one.name for one in primitives if "COLOR_0" in one.part.part("attributes"))
-    return [*([f"the colours of {coloured} are replaced"] if coloured else []), *notes_on(file.part, primitives)]
+    several = named(one.name for one in primitives if one.others)
+    told = [f"the colours of {coloured} are replaced"] if coloured else []
+    told += [f"of {several}, in several places, the first one counts"] if several else []
+    return [*told, *notes_on(file.part, primitives)]
 
 
 def write_kept(stream: BinaryIO, source: Path, columns: Mapping[str, np.ndarray]) -> None:

@@ -3,6 +3,7 @@
 import json
 from collections.abc import Iterator
 from dataclasses import fields
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import Any, BinaryIO
@@ -14,19 +15,21 @@ from warpsample.host.device_memory import Memory
 from warpsample.host.files import check_output, complete_or_absent, write_arrays
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.files.beside import files_beside
+from warpsample.mesh.mesh import Mesh
 from warpsample.output.baked import BakeRun
 from warpsample.output.data_beside import check_data_beside, write_with_data
 from warpsample.output.faces_option import with_optics
 from warpsample.output.quantities import check_options, quantity_of
 from warpsample.output.texture_images import Filled, filled
+from warpsample.output.texture_instances import Picture, describe_places, pictures_of, place_pictures
 from warpsample.texture.glb_file import GlbFile, editing
 from warpsample.texture.high import HighMesh
 from warpsample.texture.inside import Closed
 from warpsample.texture.jobs import SCENES, TextureJob, flaws_told, is_flat, jobs_of
 from warpsample.texture.materials import OCCLUSION, THICKNESS, Slot, add_texture, slot_of
-from warpsample.texture.notes import left_behind, named, notes_on, notes_on_light
+from warpsample.texture.notes import describe_coarse_texels, left_behind, named, notes_on, notes_on_light
 from warpsample.texture.pictures import DEPTHS, check_library, exr_of, png_of
-from warpsample.texture.primitives import primitives_of, sharing
+from warpsample.texture.primitives import Primitive, primitives_of, sharing
 from warpsample.texture.sets import TextureOptions
 
 SUFFIXES = (*SCENES, ".png", ".exr", ".npz")
@@ -50,41 +53,65 @@ def bake_texture(run: BakeRun, how: TextureOptions) -> str:
     slot = slot_of(quantity.name)
     jobs, file = jobs_of(run.mesh, mesh, how, run.output.suffix, slot)
     high = None if how.high is None else HighMesh.load(how.high, how.cage, how.normals)
-    told = [] if file is None else _before(file, run, jobs, has_high=high is not None)
-    closed, start = Closed(mesh if high is None else high.mesh), perf_counter()
-    found = [filled(job, run, how, closed, high) for job in jobs]
+    told = [] if file is None else _before(file, run, how, jobs)
+    traced = mesh if high is None else high.mesh
+    coarse = _coarse(jobs, traced, how)
+    closed, start = Closed(traced), perf_counter()
+    fill = partial(filled, run=run, how=how, closed=closed, high=high)
+    found = [pictures_of(job, fill, how) for job in jobs]
     seconds = perf_counter() - start
     if file is None:
         with complete_or_absent(run.output) as stream:
-            _write_image(stream, run, how, found[0])
+            _write_image(stream, run, how, found[0][0].filled)
     else:
         told += _write_scene(file, run, how, found, slot)
-    lines = [f"{run.output}: {quantity.title} in {_pictures(len(found))} of {how.size[0]} x {how.size[1]} texels"]
-    lines += [line for one in found for line in _told(one)]
-    rays = sum(one.rays for one in found)
+    count = sum(len(row) for row in found)
+    lines = [f"{run.output}: {quantity.title} in {_pictures(count)} of {how.size[0]} x {how.size[1]} texels"]
+    for row in found:
+        lines += [line for picture in row for line in _told(picture.filled)]
+        lines += describe_places(row)
+    lines += coarse
+    rays, further = (sum(picture.rays[kind] for row in found for picture in row) for kind in (0, 1))
+    lines += [f"{further:,} further rays cast to find points inside closed bodies"] if further else []
     cast = f"{rays:,} rays cast in {seconds:.2f} s, {rays / max(seconds, 1e-9) / 1e6:.1f} million a second"
     return "\n  ".join([*lines, cast if rays else f"took {seconds:.2f} s", *told])
 
 
-def _before(file: GlbFile, run: BakeRun, jobs: list[TextureJob], *, has_high: bool) -> list[str]:
+def _coarse(jobs: list[TextureJob], traced: Mesh, how: TextureOptions) -> list[str]:
+    """Return sentences on jobs with texels too small for the rays; with `--strict` raise a ValueError instead."""
+    told = [(job, describe_coarse_texels(job.points, traced)) for job in jobs]
+    found = [f"{job.name!r}: {line}" for job, line in told if line is not None]
+    if how.strict and found:
+        raise ValueError(f"--strict: got {'; '.join(found)}")
+    return found
+
+
+def _before(file: GlbFile, run: BakeRun, how: TextureOptions, jobs: list[TextureJob]) -> list[str]:
     """Checks a .glb or .gltf before anything is computed; what is to be said of it."""
     with editing(run.mesh):
         if run.output.suffix == ".gltf":
             file.check_apart()
         told = list(notes_on(file.part, [one for job in jobs for one in job.group], slot_of(run.quantity).name))
         placed = primitives_of(file.part, file.data)
-        if not has_high and run.quantity not in _WITHOUT_LIGHT:  # a finer mesh has none of these materials
+        if how.high is None and run.quantity not in _WITHOUT_LIGHT:  # a finer mesh has none of these materials
             told += notes_on_light(file.part, placed, jobs[0].points.mesh.transmittance)
         groups = sharing(placed)
+        several = named(one.name for job in jobs for one in job.group if one.others)
         flat = named(one.name for group in groups if is_flat(jobs[0].points.mesh, group) for one in group)
+    if several and how.strict and how.instances == "mean":
+        raise ValueError(f"--strict: got --instances mean for {several} in several places, want split")
     if flat:
         told.append(f"without an area, and so left without a picture: {flat}")
     return [*told, *left_behind(run.mesh, file.tree, run.output)]
 
 
-def _write_scene(file: GlbFile, run: BakeRun, how: TextureOptions, found: list[Filled], slot: Slot) -> list[str]:
+def _write_scene(file: GlbFile, run: BakeRun, how: TextureOptions, found: list[list[Picture]], slot: Slot) -> list[str]:
     """Write a .glb, or a .gltf and its data beside it, with all pictures; return sentences on what was replaced."""
-    told = [line for one in found for line in _put(file, one, slot, how)]
+    told: list[str] = []
+    for row, groups in zip(found, place_pictures(file, found), strict=True):
+        for picture, group in reversed(list(zip(row, groups, strict=True))):  # copies are of unchanged materials
+            told += _put(file, picture.filled, group, slot, how)
+    told = list(dict.fromkeys(told))
     if run.output.suffix == ".glb":
         with complete_or_absent(run.output) as stream:
             file.write(stream)
@@ -133,6 +160,8 @@ def _check_picture(run: BakeRun, quantity: Quantity, how: TextureOptions) -> Non
         raise ValueError(
             f"--quantity: got {quantity.name} for {run.output.name!r}, want .exr or .npz: a {suffix} holds 0 to 1"
         )
+    if suffix not in SCENES and how.instances != "split":
+        raise ValueError(f"--instances: got {how.instances} for {run.output.name!r}; it applies only to .glb and .gltf")
     if (suffix not in SCENES or slot is not OCCLUSION) and how.strength != 1.0:
         what = quantity.name if suffix in SCENES else repr(run.output.name)
         raise ValueError(f"--strength: got {how.strength:g} for {what}; it applies only to occlusion in a .glb")
@@ -142,14 +171,14 @@ def _check_picture(run: BakeRun, quantity: Quantity, how: TextureOptions) -> Non
         raise ValueError(f"--depth: got {how.depth} for {run.output.name!r}; it applies only to .glb and .png")
 
 
-def _put(file: GlbFile, one: Filled, slot: Slot, how: TextureOptions) -> Iterator[str]:
+def _put(file: GlbFile, one: Filled, group: list[Primitive], slot: Slot, how: TextureOptions) -> Iterator[str]:
     """Puts the picture of a job into a .glb: lengths as shares of the longest, in units of the primitives."""
     info: dict[str, Any] = {"texCoord": one.job.set} if one.job.set else {}
     info |= {"strength": how.strength} if how.strength != 1.0 else {}
     longest = float(one.value.max()) if slot is THICKNESS else 1.0
     more = {"thicknessFactor": longest} if slot is THICKNESS else {}
     png = png_of(one.value / (longest or 1.0), how.depth)
-    return add_texture(file, one.job.group, png, slot, info=info, more=more)
+    return add_texture(file, group, png, slot, info=info, more=more)
 
 
 def _write_image(stream: BinaryIO, run: BakeRun, how: TextureOptions, found: Filled) -> None:
@@ -178,9 +207,9 @@ def _told(found: Filled) -> Iterator[str]:
     yield f"{job.name!r}, {job.told}: {report.covered:,} texels, {numbers}"
     yield from flaws_told(job)
     if found.inside:
-        yield f"{found.inside:,} points inside of something closed, filled from their charts"
+        yield f"{found.inside:,} points inside closed bodies, filled from their charts"
     if found.enclosed:
-        yield f"{found.enclosed:,} points inside of something closed that hold their numbers, as most of their charts are"
+        yield f"{found.enclosed:,} points inside closed bodies keep their numbers, as their whole charts are inside"
     if found.missed:
         yield f"{found.missed:,} points that met nothing of the finer mesh within the cage, filled from their charts"
     if found.lost:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.estimate.quantities.position import OwnVectors
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.thickness import Thickness
 from warpsample.host.engine import check_workers
@@ -15,7 +16,7 @@ from warpsample.output.bake import numbers_by_parts
 from warpsample.output.baked import BakeRun
 from warpsample.output.quantities import quantity_of
 from warpsample.texture.high import HighMesh
-from warpsample.texture.inside import Closed, fillable
+from warpsample.texture.inside import Closed, Enclosed
 from warpsample.texture.jobs import SCENES, TextureJob
 from warpsample.texture.materials import slot_of
 from warpsample.texture.sets import TextureOptions
@@ -31,11 +32,12 @@ class Filled:
         value: (H, W) or (H, W, C) float32.
         error: its standard errors.
         mean: of the numbers at the points.
-        inside: how many points were inside of something closed, and are filled.
-        enclosed: how many were, and keep their numbers, as hardly any of their charts is outside.
+        inside: number of points inside closed bodies that are filled.
+        enclosed: number of points inside closed bodies that keep their numbers.
         missed: how many met nothing of a finer mesh.
         lost: how many had no number for another reason.
-        rays: how many were cast.
+        rays: how many were cast for the numbers.
+        inside_rays: how many were cast to find points inside closed bodies.
     """
 
     job: TextureJob
@@ -47,6 +49,7 @@ class Filled:
     missed: int
     lost: int
     rays: int
+    inside_rays: int
 
 
 def filled(job: TextureJob, run: BakeRun, how: TextureOptions, closed: Closed, high: HighMesh | None) -> Filled:
@@ -56,14 +59,15 @@ def filled(job: TextureJob, run: BakeRun, how: TextureOptions, closed: Closed, h
         options["samples"] = max(2, (options.get("samples") or quantity.default("samples")) // how.samples)
     numbers = quantity.numbers(points.mesh if high is None else high.mesh, len(points), options)
     workers = check_workers(options.get("workers"))
-    inside, missed = np.zeros((2, len(points)), np.bool_)
-    told = _teller(job, run, quantity)
+    missed, bodies = np.zeros(len(points), np.bool_), Enclosed(closed, points)
+    looks, told = how.inside == "fill" and quantity.result is not OwnVectors, _teller(job, run, quantity)
 
     def of_part(part: SurfacePoints, first: int) -> Any:
         rows, places = slice(first, first + len(part)), part
         if high is not None:
             places, missed[rows] = high.under(part, points.mesh, workers)
-        inside[rows] = closed.around(places, max_distance=options.get("max_distance"), workers=workers) & ~missed[rows]
+        if looks:
+            bodies.add(first, part, places, workers)
         found = numbers(places, 0)  # the points have ids
         return replace(found, value=told(found.value, points.face[rows], part.barycentric))
 
@@ -73,15 +77,22 @@ def filled(job: TextureJob, run: BakeRun, how: TextureOptions, closed: Closed, h
         rays, bad = rays + int(part.rays.sum(dtype=np.int64)), bad + int(np.count_nonzero(part.status))
     value, error = (np.concatenate(arrays) for arrays in zip(*kept, strict=True))
     del kept
-    buried = fillable(inside, points.face, points.corners)
+    buried = bodies.buried(np.isfinite(value.reshape(len(value), -1)).all(axis=1)) & ~missed
+    within, kept_own, none = (int(np.count_nonzero(some)) for some in (buried, bodies.inside & ~buried & ~missed, missed))
     value[buried] = np.nan
+    image, errors, mean = _images(job, how, value, error)
+    counts = {"inside": within, "enclosed": kept_own, "missed": none, "lost": bad - none}
+    return Filled(job, image, errors, mean, **counts, rays=rays, inside_rays=bodies.rays)
+
+
+def _images(job: TextureJob, how: TextureOptions, value: np.ndarray, error: np.ndarray) -> tuple[Any, Any, float]:
+    """Return the images of values at points and of their errors, and the mean; NaN is a point without a number."""
     error[np.isnan(value)] = np.nan
     known = np.isfinite(value)
     mean = float(value.mean(where=known, dtype=np.float64)) if known.any() else float("nan")
-    shown = points.image(value, gutter=how.gutter)
-    errors = points.image_error(SimpleNamespace(value=value, standard_error=error), gutter=how.gutter)
-    within, kept_own, none = (int(np.count_nonzero(some)) for some in (buried, inside & ~buried, missed))
-    return Filled(job, shown, errors, mean=mean, inside=within, enclosed=kept_own, missed=none, lost=bad - none, rays=rays)
+    image = job.points.image(value, gutter=how.gutter)
+    errors = job.points.image_error(SimpleNamespace(value=value, standard_error=error), gutter=how.gutter)
+    return image, errors, mean
 
 
 def _teller(job: TextureJob, run: BakeRun, quantity: Quantity) -> Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]:

@@ -112,6 +112,10 @@ class GlbFile:
         """The number of a new material."""
         return self._append("materials", material)
 
+    def copy_mesh(self, number: int) -> int:
+        """Append a copy of a mesh, which shares its data; return the number of the copy."""
+        return self._append("meshes", json.loads(json.dumps(self.tree["meshes"][number])))
+
     def write(self, file: BinaryIO) -> None:
         """Writes the whole: a length of more than 32 bits is a ValueError."""
         self._put(b"")  # a part is of whole 4 bytes

@@ -63,13 +63,51 @@ class TexelRows:
             total /= np.where(count > 0, count, np.nan)[:, None]
         return total, count
 
-    def errors(self, values: np.ndarray, own: np.ndarray) -> np.ndarray:
-        """(texels, C) float64: the standard errors of the means of values, by their differences; of one alone, its own."""
+    def errors(self, values: np.ndarray, own: np.ndarray, columns: int) -> np.ndarray:
+        """Return the standard errors (texels, C) float64 of the means of values, from the differences between these.
+
+        A texel with one value has no differences: its variance is that of the values in the texels around it, and at least
+        the square of its own error.
+
+        Args:
+            values: (P, C), of the points.
+            own: (P, C), their own standard errors.
+            columns: texels in a row of the image.
+        """
         width = values.shape[1]
         mean, count = self.means(width, lambda rows, _: values[rows])
         squares, _ = self.means(width, lambda rows, texel: np.square(values[rows] - mean[texel]))
-        alone, _ = self.means(width, lambda rows, _: own[rows])
-        return np.where((count == 1)[:, None], alone, np.sqrt(squares / np.maximum(count - 1, 1)[:, None]))
+        errors = np.sqrt(squares / np.maximum(count - 1, 1)[:, None])
+        single = np.flatnonzero(count == 1)
+        if len(single):
+            alone, _ = self.means(width, lambda rows, _: own[rows])
+            around = np.sqrt(_pooled(squares, count, single, columns))
+            errors[single] = np.fmax(alone[single], around)
+        return errors
+
+
+def _pooled(squares: np.ndarray, count: np.ndarray, texels: np.ndarray, columns: int) -> np.ndarray:
+    """Return the variance (n, C) within texels, pooled over the 3 x 3 around some; over all texels where these have none.
+
+    Args:
+        squares: (texels, C), means of the squared deviations in each texel.
+        count: (texels,), values in each.
+        texels: (n,), the numbers of those to pool around.
+        columns: texels in a row of the image.
+    """
+    row, column = np.divmod(texels, columns)
+    total, freedom = np.zeros((len(texels), squares.shape[1])), np.zeros((len(texels), 1))
+    for down in (-1, 0, 1):
+        for right in (-1, 0, 1):
+            y, x = row + down, column + right
+            good = np.flatnonzero((y >= 0) & (y < len(count) // columns) & (x >= 0) & (x < columns))
+            near = y[good] * columns + x[good]
+            good, near = good[count[near] > 1], near[count[near] > 1]
+            total[good] += squares[near] * count[near, None]
+            freedom[good] += count[near, None] - 1
+    several = count > 1
+    whole = np.einsum("tc,t->c", squares[several], count[several]) / max(1, int((count[several] - 1).sum()))
+    return np.where(freedom > 0, total / np.maximum(freedom, 1), whole)
 
 
 def filled(

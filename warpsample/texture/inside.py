@@ -1,4 +1,6 @@
-"""Points inside of something closed, as a floor has under a wall: their values would bleed into those beside them."""
+"""Points inside closed bodies, such as a floor under a wall: their values would bleed into those beside them."""
+
+from itertools import product
 
 import numpy as np
 
@@ -9,22 +11,28 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.hashing import seed_for
 from warpsample.texture.charts import charts_of
-from warpsample.tracing.trace import trace
+from warpsample.texture.texture_points import TexturePoints
+from warpsample.tracing.trace_all import trace_all
 
-_RAYS, _FIRST = 16, 4
+_RAYS = 3  # two, and one more where these disagree
 _SEED = seed_for("inside", 0)
-_LEAST = 0.25  # of a chart's points: a floor that reaches 8 % of its width beyond what stands on it has as much outside
+_CELLS = 64  # of the grid of bodies, along each axis: 2^18 counts
+_BLOCK = 1 << 16  # points whose hits are in memory together
+_WITHIN = 1e-6  # weight of each corner from which on a point is in its face, and not the nearest point on its edge
 
 
 class Closed:
-    """The closed bodies of a mesh, turned outward: at every edge their faces meet by two, one in either direction."""
+    """The closed bodies of a mesh: at every edge of a body its faces meet by two, one in either direction."""
 
     def __init__(self, mesh: Mesh) -> None:
         self.mesh = mesh
 
     @once_property
-    def faces(self) -> np.ndarray:
-        """(F,) bool: the faces of closed bodies. Vertices at the same place are one."""
+    def bodies(self) -> tuple[np.ndarray, np.ndarray]:
+        """(F,) int64, the body of each face, -1 for faces of open ones; (B,) bool, which bodies are turned outward.
+
+        Vertices at the same place are one.
+        """
         _, vertex = np.unique(self.mesh.vertices + 0.0, axis=0, return_inverse=True)  # + 0.0: -0 is 0
         faces = vertex.reshape(-1)[self.mesh.faces].astype(np.int64)
         flat = (faces == np.roll(faces, 1, axis=1)).any(axis=1)
@@ -40,49 +48,139 @@ class Closed:
         is_open = np.zeros(count, np.bool_)
         is_open[body[start[~whole]]] = True
         own = body[faces[:, 0]]
-        return ~is_open[own] & ~flat & (self._volumes(own, count)[own] > 0.0)
+        volume = self._volumes(own, count)
+        found = np.full(len(faces), -1, np.int64)
+        closed = ~is_open[own] & ~flat & (volume[own] != 0.0)
+        kept, found[closed] = np.unique(own[closed], return_inverse=True)
+        return found, volume[kept] > 0.0
 
     def _volumes(self, body: np.ndarray, count: int) -> np.ndarray:
         """Six times the volume of each body, below 0 for those that are inside out."""
         corner = self.mesh.vertices[self.mesh.faces[:, 0]] - self.mesh.bounds.mean(axis=0)
         return np.bincount(body, (corner * self.mesh.cross_products).sum(axis=1), count)
 
-    def around(self, points: SurfacePoints, *, max_distance: float | None = None, workers: int | None = None) -> np.ndarray:
-        """(P,) bool: the points more than half of whose rays first meet the back of a closed body, within a distance.
+    @once_property
+    def _grid(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Lower corner and cells per length of a grid around all bodies; how many bodies' boxes reach into each cell."""
+        body, outward = self.bodies
+        corners = self.mesh.vertices[self.mesh.faces[body >= 0]]
+        lower, upper = np.full((len(outward), 3), np.inf), np.full((len(outward), 3), -np.inf)
+        np.minimum.at(lower, body[body >= 0], corners.min(axis=1))
+        np.maximum.at(upper, body[body >= 0], corners.max(axis=1))
+        origin, cells = lower.min(axis=0), _CELLS / (upper.max(axis=0) - lower.min(axis=0))
+        ends = [_cells_of(lower, origin, cells), _cells_of(upper, origin, cells) + 1]
+        counts = np.zeros((_CELLS + 1,) * 3, np.int32)
+        for sides in product((0, 1), repeat=3):  # the corners of each box, whose sums from the first cell on are the counts
+            at = tuple(ends[side][:, axis] for axis, side in enumerate(sides))
+            np.add.at(counts, at, (-1) ** sum(sides))
+        for axis in range(3):
+            np.cumsum(counts, axis=axis, out=counts)
+        return origin, cells, counts[:-1, :-1, :-1]
 
-        Where none of the first rays does, the others are not cast.
+    def _near(self, position: np.ndarray, own: np.ndarray) -> np.ndarray:
+        """The rows of the points in a cell with another body than their own."""
+        if not len(self.bodies[1]):
+            return np.zeros(0, np.int64)
+        origin, cells, counts = self._grid
+        place = (position - origin) * cells
+        count = counts[tuple(_cells_of(position, origin, cells).T)] - (own >= 0)
+        return np.flatnonzero(((place >= -1e-6) & (place <= _CELLS + 1e-6)).all(axis=1) & (count > 0))
+
+    def around(
+        self, points: SurfacePoints, face: np.ndarray, workers: int | None = None
+    ) -> tuple[np.ndarray, np.ndarray, int]:
+        """Count the closed bodies around points, their own left out, by the parity of crossings.
+
+        Args:
+            points: P of them.
+            face: (P,) that they are on, or -1.
+            workers: threads.
+
+        Returns:
+            (P, 2) int32, how many bodies that are turned outward contain each point, and how many that are inside out;
+            (P,) bool, where two rays disagreed and a third one decided; the number of rays that were cast.
         """
-        inside = np.zeros(len(points), np.bool_)
-        if self.faces.any():
-            directions = sample_directions(points, _RAYS, seed=_SEED, sequence="sobol", workers=workers).vectors
-            first = self._backs(points, directions[:, :_FIRST], max_distance, workers)
-            rows = np.flatnonzero(first)
-            if len(rows):
-                rest = self._backs(points.take(rows), directions[rows, _FIRST:], max_distance, workers)
-                inside[rows] = first[rows] + rest > _RAYS // 2
-        return inside
+        nested, unsure = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.bool_)
+        own = np.where(face >= 0, self.bodies[0][face], -1)
+        rows = self._near(np.asarray(points.position), own)
+        if not len(rows):
+            return nested, unsure, 0
+        some, own = points.take(rows), own[rows]
+        directions = sample_directions(some, _RAYS, seed=_SEED, sequence="sobol", workers=workers).vectors
+        first, second = (self._nested(some, directions[:, ray], own, workers) for ray in (0, 1))
+        nested[rows], unsure[rows] = first, (first != second).any(axis=1)
+        doubt = np.flatnonzero(unsure[rows])
+        if len(doubt):
+            third = self._nested(some.take(doubt), directions[doubt, 2], own[doubt], workers)
+            nested[rows[doubt]] = np.median([first[doubt], second[doubt], third], axis=0)
+        return nested, unsure, 2 * len(rows) + len(doubt)
 
-    def _backs(
-        self, points: SurfacePoints, directions: np.ndarray, max_distance: float | None, workers: int | None
-    ) -> np.ndarray:
-        """(P,) how many of the rays first meet the back of a closed body."""
-        hits = trace(self.mesh, points, np.ascontiguousarray(directions), max_distance=max_distance, workers=workers)
-        normals = self.mesh.face_normals[np.maximum(hits.face, 0)]
-        behind = self.faces[hits.face] & (hits.face >= 0) & ((normals * directions).sum(axis=2) > 0.0)
-        return np.count_nonzero(behind, axis=1)
+    def _nested(self, points: SurfacePoints, way: np.ndarray, own: np.ndarray, workers: int | None) -> np.ndarray:
+        """(P, 2) how many bodies of either kind each ray leaves: it crosses their faces an odd number of times."""
+        hits = trace_all(self.mesh, points, np.ascontiguousarray(way), workers=workers)
+        body, outward = self.bodies
+        ray, met = np.repeat(np.arange(len(points)), np.diff(hits.first)), body[hits.face]
+        counted = (met >= 0) & (met != own[ray])
+        pairs, times = np.unique(ray[counted] * len(outward) + met[counted], return_counts=True)
+        ray, met = np.divmod(pairs[times % 2 == 1], len(outward))
+        kinds = (ray[outward[met]], ray[~outward[met]])
+        return np.stack([np.bincount(kind, minlength=len(points)) for kind in kinds], axis=1).astype(np.int32)
 
 
-def fillable(inside: np.ndarray, face: np.ndarray, corners: np.ndarray) -> np.ndarray:
-    """(P,) bool: those of the points inside of something whose chart has enough others to fill them from.
+def _cells_of(position: np.ndarray, origin: np.ndarray, cells: np.ndarray) -> np.ndarray:
+    """(P, 3) the cells of a grid in which points are, or to which they are nearest."""
+    return np.clip((position - origin) * cells, 0, _CELLS - 1).astype(np.int64)
 
-    Where it has hardly any, it is no floor that something stands on, but in a room: its own numbers are what is wanted.
 
-    Args:
-        inside: (P,) bool.
-        face: (P,) that the points are on.
-        corners: (F, 3, 2) float64, the texture coordinates of all faces.
+class Enclosed:
+    """How deep the points of a texture are inside closed bodies, found part by part.
+
+    Attributes:
+        rays: how many were cast to find it.
     """
-    if not inside.any():
-        return inside
-    chart = charts_of(corners)[face]
-    return inside & (np.bincount(chart, ~inside) >= _LEAST * np.bincount(chart))[chart]
+
+    rays: int
+
+    def __init__(self, closed: Closed, points: TexturePoints) -> None:
+        """Nothing is known yet of the points."""
+        self.rays = 0
+        self._closed, self._points = closed, points
+        self._nested, self._source = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.bool_)
+
+    def add(self, first: int, texels: SurfacePoints, places: SurfacePoints, workers: int | None) -> None:
+        """Look around `places`, whose numbers the points from `first` on get: `texels` themselves without a finer mesh."""
+        rows = slice(first, first + len(texels))
+        face = self._points.face[rows] if places is texels else np.asarray(places.face)
+        self._source[rows] = (np.asarray(texels.barycentric) > _WITHIN).all(axis=1)
+        for start in range(0, len(texels), _BLOCK):
+            block = slice(start, start + _BLOCK)
+            nested, unsure, rays = self._closed.around(places.take(block), face[block], workers)
+            rows = slice(first + start, first + start + len(nested))
+            self._nested[rows], self.rays = nested, self.rays + rays
+            self._source[rows] &= ~unsure
+
+    @property
+    def inside(self) -> np.ndarray:
+        """(P,) bool: the points inside a closed body."""
+        return self._nested[:, 0] > 0
+
+    def buried(self, usable: np.ndarray) -> np.ndarray:
+        """(P,) bool: the points that are inside more bodies than another point of their chart, from which they are filled.
+
+        Charts wholly inside the same bodies are in a room. A chart that a hollow body cuts is looked at in parts, one in
+        each hollow.
+
+        Args:
+            usable: (P,) bool, which points have a number. Points at the rim of a chart, where a body may just touch it, and
+                points whose rays disagree, are no sources, either.
+        """
+        if not self.inside.any():
+            return np.zeros(len(usable), np.bool_)
+        depth, hollow = self._nested.T
+        mesh, corners = self._points.mesh, self._points.corners
+        chart = charts_of(np.concatenate([corners, mesh.vertices[mesh.faces]], axis=2))  # those that overlap are apart
+        group = chart[self._points.face] * (int(hollow.max()) + 1) + hollow
+        least = np.full(int(group.max()) + 1, np.iinfo(np.int32).max, np.int32)
+        source = self._source & usable
+        np.minimum.at(least, group[source], depth[source])
+        return depth > least[group]

@@ -1,7 +1,8 @@
 """What a run bakes: an image for each group of primitives that share materials, by which texture coordinates."""
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -42,6 +43,7 @@ class TextureJob:
         set: the number of the texture coordinates that it is by; of new ones the number that they get.
         told: which coordinates these are, and which sets of the file are not taken.
         group: the primitives that it is for; none where it is for a whole file.
+        remake: makes the texels of the group's primitives at other places.
     """
 
     name: str
@@ -49,6 +51,14 @@ class TextureJob:
     set: int
     told: str
     group: list[Primitive]
+    remake: Callable[[list[Primitive]], TexturePoints] | None = None
+
+    def at_other_places(self) -> Iterator["TextureJob"]:
+        """Yield the same picture for each other place of the primitives; texels are made one place at a time."""
+        for place in range(max((len(one.others) for one in self.group), default=0)):
+            group = [one.others[place] for one in self.group if place < len(one.others)]
+            assert self.remake is not None
+            yield replace(self, name=f"{self.name}, place {place + 2}", points=self.remake(group), group=group)
 
     @property
     def rows(self) -> list[slice]:
@@ -115,14 +125,30 @@ def _glb_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) -> tuple[
             charts = charts_for(faced, mesh, square(how.size))
             with editing(path):
                 number, uv = add_uv(file, faced, charts, len(mesh.faces))
-            jobs.append(
-                TextureJob(name, texels.points(uv, rows), number, found.told(f"new coordinates, set {number}"), faced)
-            )
+            remake = partial(_points_at, texels, uv, faced)
+            told = found.told(f"new coordinates, set {number}")
+            jobs.append(TextureJob(name, texels.points(uv, rows), number, told, faced, remake))
         else:
             own = f"TEXCOORD_{found.number}"
             able = [one for one in group if own in one.part.part("attributes")]  # flat ones may have none
-            jobs.append(TextureJob(name, found.points, found.number, found.told(f"set {found.number}"), able))
+            remake = partial(_points_by, texels, found.number)
+            jobs.append(TextureJob(name, found.points, found.number, found.told(f"set {found.number}"), able, remake))
     return jobs, file
+
+
+def _points_by(texels: Texels, number: int, group: list[Primitive]) -> TexturePoints:
+    """Return the texels of primitives at some places, by a set of the file."""
+    return texels.by(number, [one.faces for one in group])
+
+
+def _points_at(texels: Texels, uv: np.ndarray, first: list[Primitive], group: list[Primitive]) -> TexturePoints:
+    """Return the texels of primitives at other places, by new coordinates of the `first` places."""
+    known = {(one.mesh, one.number): one for one in first}
+    own = np.full(uv.shape, np.nan)
+    for one in group:
+        source = known[one.mesh, one.number]
+        own[one.faces] = uv[source.faces] if one.mirrored == source.mirrored else uv[source.faces, ::-1]
+    return texels.points(own, [one.faces for one in group])
 
 
 def is_flat(mesh: Mesh, group: list[Primitive]) -> bool:

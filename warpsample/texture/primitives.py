@@ -1,8 +1,7 @@
 """What a .glb places, as its textures need it: primitives, where their faces are in the mesh, and who shares a material."""
 
-from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -29,7 +28,8 @@ class Primitive:
         mirrored: whether that order is the reverse of the file's.
         scale: of lengths at the first place, the cube root of that of volumes.
         materials: the numbers of its materials, those of its variants among them.
-        places: how many there are.
+        node: the number of the node that places it.
+        others: the same primitive at each of its other places.
     """
 
     mesh: int
@@ -42,28 +42,29 @@ class Primitive:
     mirrored: bool
     scale: float
     materials: list[int]
-    places: int
+    node: int
+    others: list["Primitive"] = field(default_factory=list)
 
 
 def primitives_of(tree: Part, data: Data) -> list[Primitive]:
     """The primitives that the scene places, each once, in the order of their first places."""
     known = tree.parts("materials")
-    placed, faces, vertices = list(placed_primitives(tree)), 0, 0
-    places = Counter((one.mesh, one.number) for one in placed)
+    faces, vertices = 0, 0
     found: dict[tuple[int, int], Primitive] = {}
-    for one in placed:
+    for one in placed_primitives(tree):
         points, triangles = surface(one.primitive, data)
         rows = slice(faces, faces + len(triangles)), slice(vertices, vertices + len(points))
         faces, vertices = rows[0].stop, rows[1].stop
-        key = one.mesh, one.number
-        if key not in found:
-            volume = float(np.linalg.det(one.matrix[:3, :3]))
-            mesh = tree.parts("meshes")[one.mesh]
-            name = mesh.text("name") if "name" in mesh else mesh.path
-            own = triangles[:, ::-1] if volume < 0.0 else triangles
-            materials = [part.index("material", known) for part in naming(one.primitive)]
-            size = {"mirrored": volume < 0.0, "scale": np.cbrt(abs(volume)), "places": places[key]}
-            found[key] = Primitive(*key, one.primitive, name, *rows, own, materials=materials, **size)
+        volume = float(np.linalg.det(one.matrix[:3, :3]))
+        mesh = tree.parts("meshes")[one.mesh]
+        name = mesh.text("name") if "name" in mesh else mesh.path
+        own = triangles[:, ::-1] if volume < 0.0 else triangles
+        materials = [part.index("material", known) for part in naming(one.primitive)]
+        size = {"mirrored": volume < 0.0, "scale": np.cbrt(abs(volume)), "node": int(one.node.path[len("nodes[") : -1])}
+        made = Primitive(one.mesh, one.number, one.primitive, name, *rows, own, materials=materials, **size)
+        first = found.setdefault((one.mesh, one.number), made)
+        if first is not made:
+            first.others.append(made)
     return list(found.values())
 
 

@@ -20,7 +20,8 @@ class TextureOptions:
 
     `size` is width and height in texels; `uv` of UV_CHOICES; `samples` the points of each texel; `gutter` "all" or texels;
     `depth` the bits of a number in a .png; `strict` whether flaws of the coordinates are refused; `high` a finer mesh whose
-    numbers are wanted, and `cage` how far around the coarse one it is looked for.
+    numbers are wanted, and `cage` how far around the coarse one it is looked for; `inside` is "fill" or "keep", for texels
+    inside closed bodies; `instances` is "split" or "mean", for meshes in several places.
     """
 
     size: tuple[int, int]
@@ -33,6 +34,8 @@ class TextureOptions:
     strict: bool = False
     high: Path | None = None
     cage: float = 0.0
+    inside: str = "fill"
+    instances: str = "split"
 
 
 @dataclass(frozen=True)
@@ -90,7 +93,7 @@ class Texels:
             number = int(self.how.uv)
             if not self._has(number, rows):
                 raise ValueError(f"--uv: got {number}, and not all faces of {name!r} have the set {number} of coordinates")
-            found = self._by(number, rows)
+            found = self.by(number, rows)
             if not len(found):
                 raise ValueError(
                     f"--uv: got {number}, by which {name!r} has no texels: its faces are flat or beyond the image"
@@ -100,7 +103,7 @@ class Texels:
         passed: list[str] = []
         for number in dict.fromkeys([*([] if first is None else [first]), *range(LAST_SET + 1)]):
             if self._has(number, rows):
-                found = self._by(number, rows)
+                found = self.by(number, rows)
                 why = self._flaw(number, rows, found, may_overlap=number == first)
                 if why is None:
                     return ChosenSet(number, found, tuple(passed))
@@ -131,7 +134,8 @@ class Texels:
         assert uv is not None
         return any((face_flaws(uv[some])["zero_area"] & (areas[some] > 0.0)).any() for some in rows)
 
-    def _by(self, number: int, rows: list[slice]) -> TexturePoints:
+    def by(self, number: int, rows: list[slice]) -> TexturePoints:
+        """The texels of some faces by a set that they have."""
         uv = self._set(number)
         assert uv is not None
         return self.points(uv, rows)

@@ -129,7 +129,7 @@ class TexturePoints(Summary):
         Args:
             errors: the `Estimate` at the points; of one sample a texel also its standard errors, (P,) or (P, C). With
                 several samples the errors are of the differences between a texel's values, and rather too large:
-                samples are stratified.
+                samples are stratified. A texel with one sample takes the differences of the texels around it.
             gutter: as of `image`.
 
         Returns:
@@ -150,7 +150,7 @@ class TexturePoints(Summary):
             made = self._texel_rows.means(flat.shape[1], lambda rows, _: flat[rows])[0]
         elif hasattr(errors, "value"):
             values = self._rows(errors.value, "errors").reshape(flat.shape)
-            made = self._texel_rows.errors(values, flat)
+            made = self._texel_rows.errors(values, flat, self.size[0])
         else:
             raise TypeError(f"errors: got {told(errors)}, want the Estimate: of {self.samples} samples the values tell")
         return self._image(made, own, gutter)

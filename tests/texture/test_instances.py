@@ -1,0 +1,88 @@
+"""Meshes in several places of a .glb: what each place shows, and what of the file is copied for it."""
+
+import numpy as np
+import pytest
+import trimesh
+from glb_files import glb
+from textured_scenes import SQUARE, TWO, changed, corner, opened, picture
+
+import warpsample as ws
+from warpsample.mesh.files.gltf import placed_primitives
+from warpsample.texture.glb_file import GlbFile
+
+RAYS = ("--texture", 64, "--samples", 64)
+
+
+def rooms(path, count=3):
+    """Sheets of a mesh of two primitives: the first in a closed box, the others in the open; the box has no material."""
+    floor = np.array([(-4, 0, 4), (4, 0, 4), (4, 0, -4), (-4, 0, -4)], np.float32)
+    box = trimesh.creation.box((64, 64, 64))
+    arrays = [floor, SQUARE, TWO, np.float32(box.vertices), np.uint16(box.faces).ravel(), floor + np.float32([0, 9, 0])]
+    sheets = [{"attributes": {"POSITION": at, "TEXCOORD_0": 1}, "indices": 2, "material": i} for i, at in enumerate((0, 5))]
+    tree = {
+        "meshes": [{"name": "sheets", "primitives": sheets}, {"primitives": [{"attributes": {"POSITION": 3}, "indices": 4}]}]
+    }
+    tree["nodes"] = [{"mesh": 0, "translation": [x, 0, 0]} for x in (0, 400, -400)[:count]] + [{"mesh": 1}]
+    tree["materials"] = [{"name": "lower", "extras": {"kept": 1}}, {"name": "upper"}]
+    path.write_bytes(glb(tree, arrays))
+    return path
+
+
+def means_of_places(path):
+    """The mean of the occlusion that each place of each primitive shows, by node and material's name."""
+    tree, data, _ = opened(path)
+    found = []
+    for one in placed_primitives(GlbFile(path).part):
+        material = tree["materials"][tree["meshes"][one.mesh]["primitives"][one.number]["material"]]
+        info = material["occlusionTexture"]
+        found.append((one.node.path, material["name"], picture(tree, data, info["index"]).mean().round(2)))
+    return found
+
+
+def test_a_place_in_the_open_does_not_get_the_0_of_its_twin_in_a_closed_box(call, tmp_path):
+    path, output = rooms(tmp_path / "in.glb"), tmp_path / "out.glb"
+    status, out, err = call("bake", path, "-o", output, *RAYS, "--strict")
+    assert (status, err) == (0, "")
+    assert "\n  the 3 places of 'sheets' show 2 pictures, by copies of meshes and materials\n" in out
+    shown = means_of_places(output)
+    assert [value for node, _, value in shown if node == "nodes[0]"] == [0.0, 0.0]
+    below = [value for node, name, value in shown if node in ("nodes[1]", "nodes[2]") and name == "lower"]
+    assert below[0] == below[1]
+    assert 0.5 < below[0] < 1.0  # beneath the upper sheet
+    assert [value for node, name, value in shown if node in ("nodes[1]", "nodes[2]") and name == "upper"] == [1.0, 1.0]
+    before, after = opened(path)[0], opened(output)[0]
+    assert [node["mesh"] for node in after["nodes"]] == [0, 2, 2, 1]
+    assert [(one["name"], one.get("extras")) for one in after["materials"]][:2] == [("lower", {"kept": 1}), ("upper", None)]
+    assert len(after["meshes"]) == 3
+    geometry = [[(one["attributes"], one["indices"]) for one in mesh["primitives"]] for mesh in after["meshes"]]
+    assert geometry[0] == geometry[2] == [(one["attributes"], one["indices"]) for one in before["meshes"][0]["primitives"]]
+    made, given = ws.load_mesh(output), ws.load_mesh(path)
+    assert np.array_equal(made.vertices[made.faces], given.vertices[given.faces])
+
+
+def test_the_mean_of_all_places_is_one_picture(call, tmp_path):
+    path, output = rooms(tmp_path / "in.glb", 2), tmp_path / "out.glb"
+    status, out, _ = call("bake", path, "-o", output, *RAYS, "--instances", "mean")
+    assert status == 0
+    assert "\n  the 2 places of 'sheets' share one picture\n" in out
+    assert {value for _, name, value in means_of_places(output) if name == "upper"} == {0.5}
+    assert len(opened(output)[0]["meshes"]) == 2
+    status, _, err = call("bake", path, "-o", output, *RAYS, "--instances", "mean", "--strict")
+    assert (status, err[:69]) == (2, "error: --strict: got --instances mean for 'sheets' in several places,")
+    status, _, err = call("bake", path, "-o", tmp_path / "out.npz", *RAYS, "--instances", "mean")
+    assert (status, "--instances: got mean for 'out.npz'; it applies only to .glb and .gltf" in err) == (2, True)
+
+
+@pytest.mark.parametrize(("uv", "texture"), [("0", 128), ("new", 512)])  # charts of 2 x 80 fill a corner of the latter
+def test_places_that_look_alike_share_a_picture(call, tmp_path, uv, texture):
+    """A floor beside a wall, and its mirror image far away: by either coordinates texels are at the same places of both."""
+    arrays = [*corner(), SQUARE, TWO]
+    meshes = [{"primitives": [{"attributes": {"POSITION": i, "TEXCOORD_0": 2}, "indices": 3} for i in (0, 1)]}]
+    tree = {"meshes": meshes, "nodes": [{"mesh": 0}, {"mesh": 0, "scale": [-1, 1, 1], "translation": [-1e3, 0, 0]}]}
+    path, output = tmp_path / "in.glb", tmp_path / "out.glb"
+    path.write_bytes(changed(glb(tree, arrays), lambda tree: tree["meshes"][0]["primitives"][1].update(material=0)))
+    path.write_bytes(changed(path.read_bytes(), lambda tree: tree.update(materials=[{}])))
+    status, out, err = call("bake", path, "-o", output, "--texture", texture, "--samples", 16, "--uv", uv)
+    assert (status, err) == (0, "")
+    assert out.count("share one picture") == 2
+    assert len(opened(output)[0]["meshes"]) == 1

@@ -1,0 +1,149 @@
+"""Pictures of meshes that a scene has in several places: one for places with the same numbers."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from warpsample.output.texture_images import Filled
+from warpsample.texture.glb_file import GlbFile
+from warpsample.texture.jobs import TextureJob
+from warpsample.texture.notes import named
+from warpsample.texture.primitives import Primitive
+from warpsample.texture.sets import TextureOptions
+
+_BLOCK = 8  # texels along a side: a shadow 1 texel wide moves the mean of a block by an eighth of its depth
+_SIGMAS = 6.0  # by chance about one block of 10^9 differs by more
+_STEP = 1 / 255  # of the largest number: differences that a picture of 8 bits does not show
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """A picture, and the places that show it.
+
+    Attributes:
+        filled: its numbers.
+        groups: the primitives of each place.
+        rays: (numbers, points inside bodies), how many were cast for all these places.
+    """
+
+    filled: Filled
+    groups: list[list[Primitive]]
+    rays: tuple[int, int]
+
+
+def pictures_of(job: TextureJob, fill: Callable[[TextureJob], Filled], how: TextureOptions) -> list[Picture]:
+    """Compute a job at all places, and return its pictures; the first one is of the first place."""
+    found = [_picture(fill(job), job)]
+    if how.instances == "mean":
+        return [_mean_of(found[0], (_picture(fill(other), other) for other in job.at_other_places()), how.gutter)]
+    for other in job.at_other_places():
+        made = _picture(fill(other), other)
+        same = next((i for i, known in enumerate(found) if not _differ(known.filled, made.filled)), None)
+        if same is None:
+            found.append(made)
+        else:
+            found[same] = _joined(found[same], made)
+    return found
+
+
+def _joined(known: Picture, other: Picture) -> Picture:
+    """Return a picture that the places of two show."""
+    rays = known.rays[0] + other.rays[0], known.rays[1] + other.rays[1]
+    return replace(known, groups=known.groups + other.groups, rays=rays)
+
+
+def _mean_of(first: Picture, others: Iterator[Picture], gutter: Any) -> Picture:
+    """Return one picture of the means over all places; the errors are not taken as independent."""
+    total, count = _sums(first.filled)
+    for other in others:
+        first = _joined(first, other)
+        more, times = _sums(other.filled)
+        total, count = total + more, count + times
+    if len(first.groups) == 1:
+        return first
+    points, old = first.filled.job.points, first.filled
+    rows = (total / np.maximum(count, 1)).reshape(2, -1, total.shape[-1])[:, points.texel]
+    value, error = (points.image(some, gutter=gutter).reshape(old.value.shape) for some in rows)
+    return replace(first, filled=replace(old, value=value, error=error, mean=float(value[points.covered].mean())))
+
+
+def _picture(filled: Filled, job: TextureJob) -> Picture:
+    return Picture(filled, [job.group], (filled.rays, filled.inside_rays))
+
+
+def _differ(known: Filled, other: Filled) -> bool:
+    """Return whether the means of two places over some block of texels differ by more than their errors.
+
+    Errors of single texels do not do: they are 0 where all rays of each stratum agree.
+    """
+    both = known.job.points.covered & other.job.points.covered
+    row, column = np.nonzero(both)
+    block = row // _BLOCK * (both.shape[1] // _BLOCK + 1) + column // _BLOCK
+    count = np.maximum(np.bincount(block), 1)
+    value, error = (
+        [getattr(one, name)[both].reshape(len(block), -1).astype(np.float64) for one in (known, other)]
+        for name in ("value", "error")
+    )
+    squares = np.square(np.nan_to_num(error)).sum(axis=0)
+    step = _STEP * float(np.abs(value).max(initial=0.0))
+    for gap, own in zip((value[1] - value[0]).T, squares.T, strict=True):
+        variance = (np.bincount(block, own) / count + own.mean()) / count
+        if (np.abs(np.bincount(block, gap)) / count > _SIGMAS * np.sqrt(variance) + step).any():
+            return True
+    return False
+
+
+def _sums(filled: Filled) -> tuple[np.ndarray, np.ndarray]:
+    """Return the (2, H, W, C) values and errors of the texels that a place covers, 0 elsewhere; and these, (H, W, 1)."""
+    covered = filled.job.points.covered[..., None]
+    both = np.stack([filled.value, filled.error]).astype(np.float64)
+    return np.where(covered, both.reshape(2, *covered.shape[:2], -1), 0.0), covered.astype(np.int64)
+
+
+def place_pictures(file: GlbFile, pictures: list[list[Picture]]) -> list[list[list[Primitive]]]:
+    """Give places their own copies of meshes in a .glb where they show other pictures than the first place.
+
+    Args:
+        file: to be edited.
+        pictures: those of each job.
+
+    Returns:
+        for each job and each of its pictures the primitives that show it, those of copies among them.
+    """
+    shown: dict[int, dict[int, int]] = {}  # node -> number of a primitive in its mesh -> number of its picture
+    for row in pictures:
+        for number, picture in enumerate(row):
+            for one in (one for group in picture.groups for one in group):
+                shown.setdefault(one.node, {})[one.number] = number
+    known: dict[Any, int] = {}  # (mesh, pictures) -> the mesh or its copy
+    found: list[list[dict[Any, Primitive]]] = [[{} for _ in row] for row in pictures]
+    for job, row in enumerate(pictures):
+        for number, picture in enumerate(row):
+            for one in (one for group in picture.groups for one in group):
+                mesh = _mesh_for(file, one, shown[one.node], known)
+                found[job][number].setdefault((mesh, one.number), replace(one, mesh=mesh))
+    return [[list(primitives.values()) for primitives in row] for row in found]
+
+
+def _mesh_for(file: GlbFile, one: Primitive, shown: dict[int, int], known: dict[Any, int]) -> int:
+    """Return the mesh of a node whose primitives show these pictures: the first ones, or a copy is made and placed."""
+    key = one.mesh, tuple(sorted(shown.items()))
+    if key not in known:
+        known[key] = file.copy_mesh(one.mesh) if any(shown.values()) else one.mesh
+    file.tree["nodes"][one.node]["mesh"] = known[key]
+    return known[key]
+
+
+def describe_places(pictures: list[Picture]) -> Iterator[str]:
+    """Yield a sentence on a picture of meshes in several places."""
+    places = sum(len(picture.groups) for picture in pictures)
+    if places > 1:
+        several = named(one.name for one in pictures[0].groups[0] if one.others)
+        shown = (
+            "share one picture"
+            if len(pictures) == 1
+            else f"show {len(pictures)} pictures, by copies of meshes and materials"
+        )
+        yield f"the {places} places of {several} {shown}"
