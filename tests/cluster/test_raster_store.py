@@ -91,7 +91,7 @@ def test_a_store_has_the_numbers_of_the_call_on_the_map(dsm, folder):
     assert said.startswith(f"{folder / 'sky.zarr'}: sky view factor of 60 x 44 cells in {TILES} tiles")
     right = rasters.sky_view_factor(dsm, RAYS, tile=15, margin=6)
     with xr.open_zarr(folder / "sky.zarr", decode_coords="all") as found:
-        for name in ("value", "standard_error", "far_error"):
+        for name in ("value", "standard_error", "half_width", "far_error"):
             assert np.array_equal(found[name], right[name], equal_nan=True), name
             assert found[name].dims == ("y", "x")
         assert np.array_equal(found.y, right.y)
@@ -108,7 +108,7 @@ def test_a_geotiff_has_bands_tags_and_the_layout(dsm, folder):
     bake(dsm, folder / "sky.tif")
     right = rasters.sky_view_factor(dsm, RAYS, tile=15, margin=6)
     with rasterio.open(folder / "sky.tif") as file:
-        assert file.descriptions == ("value", "standard_error", "far_error")
+        assert file.descriptions == ("value", "standard_error", "half_width", "far_error")
         for band, name in enumerate(file.descriptions, 1):
             assert np.array_equal(file.read(band), right[name], equal_nan=True), name
         assert (file.crs.to_epsg(), file.transform) == (3794, SLOVENIA)
@@ -118,7 +118,7 @@ def test_a_geotiff_has_bands_tags_and_the_layout(dsm, folder):
     assert [path.name for path in folder.iterdir()] == ["sky.tif"]
     bake(dsm, folder / "whole.tif", tile=None, margin=None)
     with rasterio.open(folder / "whole.tif") as file:
-        assert file.descriptions == ("value", "standard_error")
+        assert file.descriptions == ("value", "standard_error", "half_width")
 
 
 def test_what_a_virtual_raster_refers_to_is_no_output(dsm, folder):
