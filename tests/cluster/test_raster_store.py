@@ -99,6 +99,7 @@ def test_a_store_has_the_numbers_of_the_call_on_the_map(dsm, folder):
         assert found.rio.crs.to_epsg() == 3794
         assert found.rio.transform() == SLOVENIA
         assert found.attrs["definition"] == right.attrs["definition"]
+        assert np.array_equal(rasters.interval(found).upper, rasters.interval(right).upper, equal_nan=True)
         assert (found.attrs["tile"], found.attrs["margin"], found.attrs["count"]) == (15, 6, RAYS)
         assert found.value.attrs["units"] == "1"
     assert [path.name for path in folder.iterdir()] == ["sky.zarr"]

@@ -42,3 +42,21 @@ def exact_sky(heights, cells, azimuths=2048):
     angles = 2.0 * np.pi * (np.arange(azimuths) + 0.5) / azimuths
     sines = np.array([sines_of_blocks(heights, cell, angles) for cell in cells])
     return (1.0 - sines**2).mean(axis=1), (1.0 - sines).mean(axis=1)
+
+
+def hills(side=60, seed=12):
+    """(side, side) heights of terrain: waves of all lengths with random phases, and 3 cm of noise."""
+    rng = np.random.default_rng(seed)
+    row, column = np.mgrid[:side, :side] / side
+    heights = rng.normal(0.0, 0.03, (side, side))
+    for wave in range(1, 14):
+        angle, phase = rng.uniform(0.0, 2.0 * np.pi, 2)
+        heights += 7.0 / wave**1.5 * np.sin(2.0 * np.pi * wave * (np.cos(angle) * column + np.sin(angle) * row) + phase)
+    return heights
+
+
+def yard(side=21, around=4, depth=20.0):
+    """(side + 2 around,) twice, heights of a square yard."""
+    heights = np.full((side + 2 * around,) * 2, depth)
+    heights[around:-around, around:-around] = 0.0
+    return heights

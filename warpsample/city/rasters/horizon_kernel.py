@@ -33,7 +33,7 @@ _OF_JUMP = wp.constant(wp.float64(1.0 / 16.0))
 _OF_SPIKE = wp.constant(wp.float64(0.15))
 _OF_WIDTH = wp.constant(wp.float64(0.1))
 _OF_WIDTH_BY_FEW = wp.constant(wp.float64(0.5))
-_OF_UNSEEN = wp.constant(wp.float64(0.4))
+_OF_UNSEEN = wp.constant(wp.float64(0.6))
 _OF_OWN_PLANE = wp.constant(wp.float64(0.95))
 _ROUNDING = wp.constant(wp.float64(2.0**-23))
 
@@ -240,13 +240,17 @@ def _look_around(
 
 
 @wp.func
-def _variance(sums: _Sums, azimuths: wp.float64) -> wp.float64:
-    """Return the variance of the mean over the azimuths that horizons and last rays let expect; README.md explains it."""
+def _variance(sums: _Sums, azimuths: wp.float64, whole: wp.float64) -> wp.float64:
+    """Return the variance of the mean over the azimuths that horizons and last rays let expect; README.md explains it.
+
+    whole: what the receiver sees where nothing hides the sky.
+    """
     gaps = azimuths / (azimuths - ONE)  # the last azimuth is not compared with the first
     jumps = gaps * (_OF_JUMP * sums[_JUMPS] + _OF_SPIKE * sums[_SPIKES])
     widths = (_OF_WIDTH + _OF_WIDTH_BY_FEW / azimuths) * sums[_WIDTHS]
     value = sums[_SEEN] / azimuths
-    return (jumps + widths + _OF_UNSEEN * value * value / azimuths) / (azimuths * azimuths)
+    unseen = _OF_UNSEEN * value * wp.max(whole - value, ZERO) / azimuths
+    return (jumps + widths + unseen) / (azimuths * azimuths)
 
 
 @wp.func
@@ -287,7 +291,7 @@ def horizon_kernel() -> wp.Kernel:
                 sums = _look_around(rows, seen, point, local, at, sums)
             cast = wp.where(seen.starts != 0 or local != 0, rows.azimuths * rows.per_azimuth, 0)
             if near.starts != 0 or around != 0:
-                variance = _variance(sums, azimuths)
+                variance = _variance(sums, azimuths, wp.where(rows.cosine != 0, HALF + HALF * wp.float64(point.n[2]), ONE))
             if rows.cosine != 0:
                 own = _of_own_plane(point.n, azimuths)
                 variance += own * own
