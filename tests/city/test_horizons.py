@@ -31,10 +31,10 @@ def cliffs():
 @pytest.mark.parametrize("case", range(3))
 @pytest.mark.parametrize("count", [16, 100, 600])
 def test_the_mean_and_its_bar_are_right(cliffs, case, count):
-    """Over cells and seeds the error's mean is 0 within four of its own, and its square that of the bars.
+    """Over cells and seeds the error's mean is 0 within four of its own, and its square about that of the bars.
 
-    Bars are of two lattices: a square of one degree of freedom, so that the ratio of 12 x 288 of them is off by 0.05, and by
-    twice that where cells with the same walls are off together. The reference's own error is taken off.
+    Bars are what jumps between horizons let expect: their squares are 0.6 to 1.5 of the error's in all scenes that were
+    tried. The reference's own error is taken off.
     """
     mesh, cases = cliffs
     quantity, points, right = cases[case]
@@ -44,10 +44,10 @@ def test_the_mean_and_its_bar_are_right(cliffs, case, count):
     known = np.mean(right.standard_error.astype(np.float64) ** 2)
     means = off.mean(axis=1)
     assert abs(means.mean()) < 4.5 * np.hypot(means.std(ddof=1) / np.sqrt(SEEDS), np.sqrt(known / len(points)))
-    assert (off**2).mean() - known == pytest.approx((bar**2).mean(), rel=0.2)
+    assert (off**2).mean() - known == pytest.approx((bar**2).mean(), rel=0.4)
     azimuths, rays = azimuths_and_rays(count)
-    assert {int(n) for n in found[0].rays} <= {0, 2 * azimuths * rays}
-    assert 2 * azimuths * rays <= count
+    assert {int(n) for n in found[0].rays} <= {0, azimuths * rays}
+    assert azimuths * rays <= count
 
 
 def test_one_ray_an_azimuth_is_either_free_or_not(cliffs):
@@ -88,7 +88,8 @@ def test_what_is_below_a_tilted_receiver_hides_nothing_that_is_above_it():
         assert np.array_equal(skipped.standard_error, plain.standard_error)
         right = ws.sky_view_factor(made.mesh, points, 4096, max_distance=reach, seed=5)
         off = skipped.value.astype(np.float64) - right.value
-        assert (off**2).mean() == pytest.approx((skipped.standard_error.astype(np.float64) ** 2).mean(), rel=0.25)
+        bar = skipped.standard_error.astype(np.float64)
+        assert 0.15 < (off**2).mean() / (bar**2).mean() < 1.2  # smooth horizons, by 15 azimuths: the bars are too wide
 
 
 def test_open_ground_sees_all_of_the_sky():
@@ -108,18 +109,19 @@ def test_open_ground_sees_all_of_the_sky():
     assert rasters.sky_view_factor((0.05 * column, NORTH_UP, None), 64, receiver="surface").value.max() < 1.0
 
 
-def test_a_tilted_plane_has_more_than_one_by_two_rays_alone():
-    """Of one azimuth downhill; the mean over cells, whose azimuths are independent, is right, so that it is not cut off."""
+def test_a_tilted_plane_is_right_by_few_rays_and_never_above_one():
+    """The azimuths are evenly spaced, so that what one sees too much an opposite one does not see."""
     plane = np.arange(41) * np.ones((41, 1))
     made = rasters.surface((plane, NORTH_UP, None))
     points, _ = made.points("surface")
-    middle = points.take(np.arange(15 * 41, 26 * 41))
-    two, four = (sky_by_horizons(SKY, made.mesh, middle, {"count": count}).value.astype(np.float64) for count in (2, 4))
-    assert 1.2 < two.max() < 1.87
-    error = two.std() / np.sqrt(len(two))
-    assert two.mean() == pytest.approx(0.5 + np.sqrt(0.125), abs=4.0 * error)
-    assert np.minimum(two, 1.0).mean() < two.mean() - 4.0 * error
-    assert four.max() <= 1.0
+    middle = points.take((np.arange(15, 26)[:, None] * 41 + np.arange(5, 36)).ravel())
+    right = 0.5 + np.sqrt(0.125)
+    for count in (2, 3, 8, 16, 64):
+        found = sky_by_horizons(SKY, made.mesh, middle, {"count": count})
+        assert found.value.max() <= 1.0
+        off = found.value.astype(np.float64) - right
+        assert abs(off.mean()) < 4.0 * off.std() / np.sqrt(len(off)) + 1e-6  # float32
+        assert (np.abs(off) <= 3.0 * found.standard_error).all()
 
 
 def test_on_terrain_it_is_worth_many_times_as_many_rays():
@@ -164,7 +166,7 @@ def test_what_is_found_otherwise(cliffs):
 
 @pytest.mark.parametrize(
     ("count", "expected"),
-    [(2, (1, 1)), (3, (1, 1)), (8, (4, 1)), (16, (4, 2)), (64, (8, 4)), (1024, (102, 5))],
+    [(2, (2, 1)), (3, (3, 1)), (4, (3, 1)), (8, (7, 1)), (16, (7, 2)), (64, (15, 4)), (1024, (203, 5))],
 )
 def test_how_rays_are_shared_out(count, expected):
     assert azimuths_and_rays(count) == expected

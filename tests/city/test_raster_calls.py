@@ -31,8 +31,8 @@ def test_a_dataset_has_the_numbers_of_the_call_in_their_cells(path):
     made = rasters.surface(path)
     points, cell = made.points()
     right = ws.sky_view_factor(made.mesh, points, 64, seed=7, max_distance=50.0, sequence="sobol")
-    assert list(found) == ["value", "standard_error"]
-    for name in found:
+    assert list(found) == ["value", "standard_error", "half_width"]
+    for name in ("value", "standard_error"):
         assert found[name].dtype == np.float32
         assert found[name].dims == ("y", "x")
         assert np.array_equal(found[name].values.ravel()[cell], getattr(right, name))
@@ -86,7 +86,7 @@ def test_files_keep_the_numbers_and_where_they_are(path, tmp_path):
         assert again.attrs["definition"] == found.attrs["definition"]
         assert again.value.equals(found.value)
     with rasterio.open(tmp_path / "sky.tif") as file:
-        assert (file.count, file.crs.to_epsg(), file.transform) == (2, 3794, SLOVENIA)
+        assert (file.count, file.crs.to_epsg(), file.transform) == (3, 3794, SLOVENIA)
         assert np.array_equal(file.read(2), found.standard_error, equal_nan=True)
 
 

@@ -63,7 +63,7 @@ def test_a_margin_of_the_whole_raster_changes_nothing(model, holes):
     heights[20 : 20 + holes, 7] = np.nan
     right = whole(run(heights, model=model))
     found = whole(run(heights, model=model, tile=17, margin=60))
-    for name in ("value", "standard_error"):
+    for name in ("value", "standard_error", "half_width"):
         assert np.array_equal(found[name], right[name], equal_nan=True), name
     assert np.nanmax(found["far_error"]) == 0.0
     assert np.array_equal(np.isnan(right["value"]), np.isnan(heights))
@@ -252,8 +252,8 @@ def test_calls_take_trees_and_tiles():
     given = {"canopy": canopy, "transmittance": 0.2, "trunk": 0.5}
     right = ws.rasters.sky_view_factor((heights, NORTH_UP, None), 32, **given)
     found = ws.rasters.sky_view_factor((heights, NORTH_UP, None), 32, **given, tile=20, margin=60)
-    assert list(right) == ["value", "standard_error"]
-    assert list(found) == ["value", "standard_error", "far_error"]
+    assert list(right) == ["value", "standard_error", "half_width"]
+    assert list(found) == ["value", "standard_error", "half_width", "far_error"]
     assert np.array_equal(found.value, right.value)
     assert {name: found.attrs[name] for name in ("canopy", "trunk", "transmittance", "tile", "margin")} == {
         "canopy": "an array, tuple", "trunk": 0.5, "transmittance": 0.2, "tile": 20, "margin": 60,

@@ -91,7 +91,7 @@ def test_a_store_has_the_numbers_of_the_call_on_the_map(dsm, folder):
     assert said.startswith(f"{folder / 'sky.zarr'}: sky view factor of 60 x 44 cells in {TILES} tiles")
     right = rasters.sky_view_factor(dsm, RAYS, tile=15, margin=6)
     with xr.open_zarr(folder / "sky.zarr", decode_coords="all") as found:
-        for name in ("value", "standard_error", "far_error"):
+        for name in ("value", "standard_error", "half_width", "far_error"):
             assert np.array_equal(found[name], right[name], equal_nan=True), name
             assert found[name].dims == ("y", "x")
         assert np.array_equal(found.y, right.y)
@@ -99,6 +99,7 @@ def test_a_store_has_the_numbers_of_the_call_on_the_map(dsm, folder):
         assert found.rio.crs.to_epsg() == 3794
         assert found.rio.transform() == SLOVENIA
         assert found.attrs["definition"] == right.attrs["definition"]
+        assert np.array_equal(rasters.interval(found).upper, rasters.interval(right).upper, equal_nan=True)
         assert (found.attrs["tile"], found.attrs["margin"], found.attrs["count"]) == (15, 6, RAYS)
         assert found.value.attrs["units"] == "1"
     assert [path.name for path in folder.iterdir()] == ["sky.zarr"]
@@ -108,7 +109,7 @@ def test_a_geotiff_has_bands_tags_and_the_layout(dsm, folder):
     bake(dsm, folder / "sky.tif")
     right = rasters.sky_view_factor(dsm, RAYS, tile=15, margin=6)
     with rasterio.open(folder / "sky.tif") as file:
-        assert file.descriptions == ("value", "standard_error", "far_error")
+        assert file.descriptions == ("value", "standard_error", "half_width", "far_error")
         for band, name in enumerate(file.descriptions, 1):
             assert np.array_equal(file.read(band), right[name], equal_nan=True), name
         assert (file.crs.to_epsg(), file.transform) == (3794, SLOVENIA)
@@ -118,7 +119,7 @@ def test_a_geotiff_has_bands_tags_and_the_layout(dsm, folder):
     assert [path.name for path in folder.iterdir()] == ["sky.tif"]
     bake(dsm, folder / "whole.tif", tile=None, margin=None)
     with rasterio.open(folder / "whole.tif") as file:
-        assert file.descriptions == ("value", "standard_error")
+        assert file.descriptions == ("value", "standard_error", "half_width")
 
 
 def test_what_a_virtual_raster_refers_to_is_no_output(dsm, folder):
@@ -133,7 +134,7 @@ def test_a_full_disk_keeps_the_tiles(dsm, folder):
     bake(dsm, folder / "right.tif")
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     try:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, limits[1]))  # more than a tile takes, less than the GeoTIFF
+        resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, limits[1]))  # between a store's files and the GeoTIFF
         with pytest.raises(WriteError, match=r"sky.tif cannot be written: .*\.sky\.tif\.making\.zarr can be resumed$"):
             bake(dsm, folder / "sky.tif")
     finally:

@@ -11,12 +11,14 @@ from warpsample.host.making import missing
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from warpsample.city.rasters.calls import irradiation, sky_view_factor, sun_hours, visible_sky
+    from warpsample.city.rasters.intervals import interval
     from warpsample.city.rasters.raster_surface import RasterSurface, surface
 
-__all__ = ["RasterSurface", "irradiation", "sky_view_factor", "sun_hours", "surface", "visible_sky"]
+__all__ = ["RasterSurface", "interval", "irradiation", "sky_view_factor", "sun_hours", "surface", "visible_sky"]
 
 _HOMES = dict.fromkeys(("RasterSurface", "surface"), "raster_surface")
 _HOMES |= dict.fromkeys(("irradiation", "sky_view_factor", "sun_hours", "visible_sky"), "calls")
+_HOMES["interval"] = "intervals"
 
 
 def __getattr__(name: str) -> Any:

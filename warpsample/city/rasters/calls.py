@@ -81,8 +81,7 @@ def sky_view_factor(
     Args:
         source, model: see `surface`.
         count: rays of each cell.
-        receiver: "horizontal", or "surface": tilted as the cell is. By 2 or 3 rays, which look to two sides alone, a tilted
-            cell may have up to 1.9: noise about the right mean, which would be too low if it were cut off at 1.
+        receiver: "horizontal", or "surface": tilted as the cell is.
         **options: by name, `canopy`, `trunk` and `relative` as `surface` takes them; `transmittance`, the share of light
             that passes crowns, 0.03, however many; or where there is a date 12 shares, for each month, or 365, for days.
             `tile`: cells along the sides of tiles that are computed one by one, for rasters past memory, each with a
@@ -94,8 +93,9 @@ def sky_view_factor(
             tolerance, sequence, tracer, device.
 
     Returns:
-        `value` and `standard_error` (y, x), NaN where there is no height; with tiles `far_error`; and what makes them again
-        as attributes.
+        `value`, `standard_error` and `half_width` (y, x), NaN where there is no height; with tiles `far_error`; and what
+        makes them again as attributes. value -+ half_width is a 95 % confidence interval; `interval` gives those of other
+        levels. By horizons the standard error is that of the value, and the interval 2.26 of them.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
@@ -184,7 +184,7 @@ def sun_hours(source: Any, weather: Any, *, model: str = "joined", receiver: str
         **options: of trees and tiles, as of `sky_view_factor`; and period, seed and workers, as of `warpsample.irradiation`.
 
     Returns:
-        as `sky_view_factor`, in hours; the standard error is 0: nothing is drawn at random.
+        as `sky_view_factor`, in hours; the standard error and the half width are 0: nothing is drawn at random.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
@@ -234,7 +234,11 @@ def run_of(
 
 def attributes_of(name: str, quantity: Quantity) -> dict[str, str]:
     """The unit and the title of one of the arrays of a run."""
-    said = {"standard_error": "standard error of the ", "far_error": "error by pooled terrain far off of the "}
+    said = {
+        "standard_error": "standard error of the ",
+        "half_width": "half width of the 95 % confidence interval of the ",
+        "far_error": "error by pooled terrain far off of the ",
+    }
     return {"units": quantity.unit.replace("/m2", " m-2") or "1", "long_name": said.get(name, "") + quantity.title}
 
 

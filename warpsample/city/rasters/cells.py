@@ -10,8 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from warpsample.city.rasters.grid import Grid
-from warpsample.city.rasters.triangles import TOP, WALL, Triangles
+from warpsample.city.rasters.grid import TOP, WALL, Grid, Triangles
 
 STEP = 2.0 * (1.0 + 2.0**-10)
 """How far linked cells of joined surfaces differ at most, in cells: a slope of 63°, and what float32 heights round."""

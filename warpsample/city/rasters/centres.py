@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from warpsample.city.rasters.grid import Grid
-from warpsample.city.rasters.triangles import TOP, Triangles
+from warpsample.city.rasters.grid import TOP, Grid, Triangles
 
 
 def between_centres(grid: Grid) -> Triangles:

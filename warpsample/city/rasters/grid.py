@@ -1,4 +1,4 @@
-"""A raster of heights, checked: what surfaces are made of, and what results are laid out by."""
+"""A raster of heights, checked: what surfaces are made of, and what results are laid out by; and triangles of surfaces."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -9,6 +9,9 @@ import pyproj
 from affine import Affine
 
 from warpsample.city.rasters.reference import true_north
+
+TOP, WALL = 0, 1
+"""Kinds of triangles."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,3 +82,20 @@ class Grid:
         """(N, 3) float64, the middles of cells at their heights."""
         row, column = np.divmod(cells, self.height.shape[1])
         return self.places(column + 0.5, row + 0.5, self.height.ravel()[cells])
+
+
+@dataclass(frozen=True, eq=False)
+class Triangles:
+    """The triangles of a raster, tops before walls.
+
+    Attributes:
+        vertices: (V, 3) float64, on the map.
+        faces: (F, 3) int32, counter-clockwise seen from above; of a wall, from where the lower cell is.
+        kind: (F,) uint8, TOP or WALL.
+        cell: (F,) int64, row * columns + column; of a wall, of the upper cell.
+    """
+
+    vertices: np.ndarray
+    faces: np.ndarray
+    kind: np.ndarray
+    cell: np.ndarray

@@ -7,7 +7,7 @@ from warpsample.host.locks import once
 from warpsample.maths.memory import set_byte, set_float, set_int
 from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
 from warpsample.sequences.fibonacci import fibonacci_sample
-from warpsample.sequences.hashing import ONE_WORD, one_of, point_key, stream_key
+from warpsample.sequences.hashing import point_key, stream_key
 from warpsample.tracing.placement import Placement, id_of
 from warpsample.tracing.queries import CHUNK, CHUNK_FLOATS, Accelerator, set_direction
 from warpsample.tracing.sight.frontier import open_around
@@ -22,13 +22,28 @@ _LEAST = wp.constant(wp.float64(1e-30))
 _TURN = wp.constant(wp.float32(2.0 * np.pi))
 _prepare, _blocked = prepare_rays(), rays_blocked()
 
+_Sums = wp.types.vector(length=7, dtype=wp.float64)
+"""Sums over the azimuths of a point so far, and the values of the latest azimuth that the next one needs."""
+_SEEN, _JUMPS, _SPIKES, _WIDTHS = (wp.constant(wp.int32(row)) for row in range(4))
+_MIDDLE, _JUMP, _RUN = (wp.constant(wp.int32(row)) for row in range(4, 7))  # sine, last jump, azimuths of equal intervals
+
+# Factors of the terms of the variance, see README.md. Theory gives 1/12 for a jump at an unknown place of a stratum. The
+# others are measured on towns, terrain and yards (`tests/city/test_horizon_errors.py` checks them on other ones).
+_OF_JUMP = wp.constant(wp.float64(1.0 / 16.0))
+_OF_SPIKE = wp.constant(wp.float64(0.15))
+_OF_WIDTH = wp.constant(wp.float64(0.1))
+_OF_WIDTH_BY_FEW = wp.constant(wp.float64(0.5))
+_OF_UNSEEN = wp.constant(wp.float64(0.6))
+_OF_OWN_PLANE = wp.constant(wp.float64(0.95))
+_ROUNDING = wp.constant(wp.float64(2.0**-23))
+
 
 @wp.struct
 class HorizonRows:
     """Scalars and addresses of the points on a field of heights, and where their numbers go.
 
     placement: of the points, which have ids. normals: (P, 3) float32.
-    azimuths: of each of the two lattices. per_azimuth: rays of an azimuth. cosine: whether the sky counts by the cosine
+    azimuths: of a point. per_azimuth: rays of an azimuth. cosine: whether the sky counts by the cosine
     about the normal, else by its solid angle. skip: whether rays start around the point.
     value, standard_error, rays, status: (P,) float32, float32, int32, uint8, as `Seen` has them.
     """
@@ -93,17 +108,14 @@ def _as_dense(low: wp.float64, high: wp.float64, u: wp.float64, along: wp.float6
 
 @wp.func
 def _turn(rows: HorizonRows, point: ShadingPoint, at: wp.int32, length: wp.int32):
-    """Writes azimuths, both lattices one after the other, from the at-th on; horizons are above the receiver's own plane."""
+    """Write the azimuths from the at-th on; their horizons are above the receiver's own plane."""
     own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
     key = stream_key(point.key, wp.uint32(0))
-    other = stream_key(point.key, ONE_WORD)
     n = point.n
     tilt = wp.where(rows.cosine == 0, 0.0, 1.0)
     k = wp.int32(0)
     while k < length:
-        i = at + k
-        second = wp.where(i >= rows.azimuths, 1, 0)
-        u = fibonacci_sample(one_of(key, other, second), wp.uint32(i - second * rows.azimuths), wp.uint32(rows.azimuths))
+        u = fibonacci_sample(key, wp.uint32(at + k), wp.uint32(rows.azimuths))
         east = wp.cos(_TURN * u[0])
         north = wp.sin(_TURN * u[0])
         own[_LOW + k] = tilt * _plane_of(n[0] * east + n[1] * north, n[2])
@@ -160,24 +172,58 @@ def _narrow(point: ShadingPoint, length: wp.int32, blocked: wp.uint64):
 
 
 @wp.func
-def _sum(rows: HorizonRows, point: ShadingPoint, at: wp.int32, length: wp.int32, blocked: wp.uint64) -> wp.vec2d:
-    """What is seen of the azimuths of a chunk, by the last rays: of the first lattice, and of the second."""
-    own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
-    total = wp.vec2d(ZERO, ZERO)
-    for k in range(length):
-        along = wp.float64(point.n[0] * own[_EAST + k] + point.n[1] * own[_NORTH + k])
-        horizon = own[_HIGH + k]
-        if (blocked & ray_set(k)) == NO_RAYS:
-            horizon = own[_LOW + k]
-        seen = _seen_above(wp.float64(horizon), along, wp.float64(point.n[2]), rows.cosine)
-        total[wp.where(at + k < rows.azimuths, 0, 1)] += seen
-    return total
+def _add_azimuth(
+    sums: _Sums, low: wp.float64, high: wp.float64, free: wp.bool, along: wp.float64, up: wp.float64, cosine: wp.int32
+) -> _Sums:
+    """Add an azimuth whose halved interval is (low, high), and in which the last ray was free or not.
+
+    Args:
+        sums: of the azimuths before it, in their order around the point.
+        low, high: sines.
+        free: whether the last ray was.
+        along, up: components of the normal, to the azimuth and upwards.
+        cosine: whether the sky counts by the cosine about the normal.
+    """
+    middle = HALF * (low + high)
+    above_low = _seen_above(low, along, up, cosine)
+    above_high = _seen_above(high, along, up, cosine)
+    sums[_SEEN] += wp.where(free, above_low, above_high)
+    run = sums[_RUN]
+    jump = ZERO
+    if run > ZERO and (sums[_MIDDLE] < low or sums[_MIDDLE] >= high):
+        jump = _seen_above(sums[_MIDDLE], along, up, cosine) - _seen_above(middle, along, up, cosine)
+        run = ZERO
+        if jump * sums[_JUMP] < ZERO:
+            back = wp.min(wp.abs(jump), wp.abs(sums[_JUMP]))
+            sums[_SPIKES] += back * back
+    width = above_low - above_high
+    sums[_WIDTHS] += width * width * (wp.sqrt(run + ONE) - wp.sqrt(run))
+    sums[_JUMPS] += jump * jump
+    sums[_MIDDLE] = middle
+    sums[_JUMP] = jump
+    sums[_RUN] = run + ONE
+    return sums
 
 
 @wp.func
-def _look_around(rows: HorizonRows, tree: Accelerator, point: ShadingPoint, local: wp.int32, at: wp.int32) -> wp.vec2d:
-    """`_sum` of a chunk of azimuths, after all their rays."""
-    length = wp.min(CHUNK, 2 * rows.azimuths - at)
+def _add_chunk(rows: HorizonRows, point: ShadingPoint, sums: _Sums, length: wp.int32, blocked: wp.uint64) -> _Sums:
+    """Add the azimuths of a chunk, after all their rays."""
+    own = wp.array(ptr=point.own, shape=(_OWN,), dtype=wp.float32)
+    for k in range(length):
+        along = wp.float64(point.n[0] * own[_EAST + k] + point.n[1] * own[_NORTH + k])
+        free = (blocked & ray_set(k)) == NO_RAYS
+        low = wp.float64(own[_LOW + k])
+        high = wp.float64(own[_HIGH + k])
+        sums = _add_azimuth(sums, low, high, free, along, wp.float64(point.n[2]), rows.cosine)
+    return sums
+
+
+@wp.func
+def _look_around(
+    rows: HorizonRows, tree: Accelerator, point: ShadingPoint, local: wp.int32, at: wp.int32, sums: _Sums
+) -> _Sums:
+    """Cast the rays of a chunk of azimuths, and add what they see."""
+    length = wp.min(CHUNK, rows.azimuths - at)
     tilted = rows.cosine != 0 and (point.n[0] != 0.0 or point.n[1] != 0.0)
     anything = tree.starts != 0 or local != 0
     _turn(rows, point, at, whole_vectors(length))
@@ -190,7 +236,33 @@ def _look_around(rows: HorizonRows, tree: Accelerator, point: ShadingPoint, loca
             blocked = _blocked(tree, point, local, first_rays(length), length)
         if ray < rows.per_azimuth - 1:
             _narrow(point, length, blocked)
-    return _sum(rows, point, at, length, blocked)
+    return _add_chunk(rows, point, sums, length, blocked)
+
+
+@wp.func
+def _variance(sums: _Sums, azimuths: wp.float64, whole: wp.float64) -> wp.float64:
+    """Return the variance of the mean over the azimuths that horizons and last rays let expect; README.md explains it.
+
+    whole: what the receiver sees where nothing hides the sky.
+    """
+    gaps = azimuths / (azimuths - ONE)  # the last azimuth is not compared with the first
+    jumps = gaps * (_OF_JUMP * sums[_JUMPS] + _OF_SPIKE * sums[_SPIKES])
+    widths = (_OF_WIDTH + _OF_WIDTH_BY_FEW / azimuths) * sums[_WIDTHS]
+    value = sums[_SEEN] / azimuths
+    unseen = _OF_UNSEEN * value * wp.max(whole - value, ZERO) / azimuths
+    return (jumps + widths + unseen) / (azimuths * azimuths)
+
+
+@wp.func
+def _of_own_plane(n: wp.vec3, azimuths: wp.float64) -> wp.float64:
+    """Return the standard error of what a tilted receiver sees above its own plane, by evenly spaced azimuths, and rounding.
+
+    The second derivative by the azimuth jumps twice, by 2 sin(slope)^2 / cos(slope): the error is B3(x) / 6 of that.
+    """
+    level = wp.float64(n[0] * n[0] + n[1] * n[1])
+    if level == ZERO:
+        return ZERO
+    return _OF_OWN_PLANE * level / (wp.float64(n[2]) * azimuths * azimuths * azimuths) + _ROUNDING
 
 
 @once
@@ -204,19 +276,27 @@ def horizon_kernel() -> wp.Kernel:
         point = turned(point_in(memory.ptr, _OWN, CHUNK_FLOATS), rows.placement, rows.normals, wp.uint64(0), visit)
         point = standing(point, rows.placement, 1)
         point.key = point_key(rows.seed, id_of(rows.placement, wp.uint64(0), point.index))
-        total = wp.vec2d(ZERO, ZERO)
+        sums = _Sums()
+        variance = ZERO
         cast = wp.int32(0)
+        azimuths = wp.float64(rows.azimuths)
         if point.status == 0:
+            near, around, _opened = open_around(tree, point)  # also without skip: the error depends on whether it is empty
             seen = tree
             local = wp.int32(0)
             if rows.skip != 0:
-                seen, local, _opened = open_around(tree, point)
-            cast = wp.where(seen.starts == 0 and local == 0, 0, 2 * rows.azimuths * rows.per_azimuth)
-            for at in range(0, 2 * rows.azimuths, CHUNK):
-                total += _look_around(rows, seen, point, local, at)
-        scale = HALF / wp.float64(rows.azimuths)
-        set_float(rows.value, point.index, wp.float32(scale * (total[0] + total[1])))
-        set_float(rows.standard_error, point.index, wp.float32(scale * wp.abs(total[0] - total[1])))
+                seen = near
+                local = around
+            for at in range(0, rows.azimuths, CHUNK):
+                sums = _look_around(rows, seen, point, local, at, sums)
+            cast = wp.where(seen.starts != 0 or local != 0, rows.azimuths * rows.per_azimuth, 0)
+            if near.starts != 0 or around != 0:
+                variance = _variance(sums, azimuths, wp.where(rows.cosine != 0, HALF + HALF * wp.float64(point.n[2]), ONE))
+            if rows.cosine != 0:
+                own = _of_own_plane(point.n, azimuths)
+                variance += own * own
+        set_float(rows.value, point.index, wp.float32(sums[_SEEN] / azimuths))
+        set_float(rows.standard_error, point.index, wp.float32(wp.sqrt(variance)))
         set_int(rows.rays, point.index, cast)
         set_byte(rows.status, point.index, point.status)
 

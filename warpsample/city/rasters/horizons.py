@@ -2,8 +2,8 @@
 
 Where a ray above such a field is free, a steeper one of the same azimuth is: each azimuth has one horizon. Halving finds it,
 by a ray to the middle of what its sine may be, and again. A last ray, at random in what is left, makes the mean exact: it is
-free as often as what is seen is a share of that interval. Azimuths are the points of two lattices of Keinert2014, moved
-independently; half of what they differ by is the standard error.
+free as often as what is seen is a share of that interval. Azimuths are the points of one lattice of Keinert2014, moved at
+random. The standard error follows from the horizons of neighbouring azimuths: see README.md.
 """
 
 from typing import Any
@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.city.rasters.horizon_kernel import HorizonRowsArgs, horizon_kernel
+from warpsample.city.rasters.intervals import half_width_of_normal
 from warpsample.city.rasters.scenery import Seen
 from warpsample.estimate.plan import Plan, reach_of
 from warpsample.estimate.quantities.record import Quantity
@@ -27,6 +28,7 @@ from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.rays import RAY_WORK
 
 _MOST_RAYS, _MOST_OF_MANY, _MANY = 4, 5, 512  # of an azimuth, and where a point has so many: more azimuths are worth more
+_ARRAYS = {"value": np.float32, "standard_error": np.float32, "rays": np.int32, "status": np.uint8}
 _OPTIONS = ("count", "max_distance", "seed", "skip", "workers", "progress")
 
 
@@ -38,9 +40,6 @@ def finds_horizons(quantity: Quantity, options: dict[str, Any]) -> bool:
 
 def sky_by_horizons(quantity: Quantity, mesh: Mesh, points: SurfacePoints, options: dict[str, Any]) -> Seen:
     """The share of the sky above +z that points see on a mesh that is the graph of heights above the plane.
-
-    By 2 or 3 rays a lattice has one azimuth, and what a tilted point sees there may be above 1, up to 1.86 at 57 degrees: it
-    is not cut off, since the mean is right. By two azimuths or more it is at most 1 of any slope.
 
     Args:
         quantity: `sky_view_factor` or `visible_sky`.
@@ -61,9 +60,9 @@ def sky_by_horizons(quantity: Quantity, mesh: Mesh, points: SurfacePoints, optio
 
 def _look(plan: Plan, reach: float, cosine: bool) -> Seen:
     points, options = len(plan.at), plan.options
-    found = Seen(*(np.zeros(points, kind) for kind in (np.float32, np.float32, np.int32, np.uint8)))
+    found = {name: np.zeros(points, kind) for name, kind in _ARRAYS.items()}
     if not points:
-        return found
+        return _seen(found)
     placement = plan.at.facing(options, reach)
     order = plan.at.order(placement, plan.count, options.workers)
     placement.order = 0 if order is None else order.ctypes.data
@@ -75,16 +74,25 @@ def _look(plan: Plan, reach: float, cosine: bool) -> Seen:
         per_azimuth=rays,
         cosine=cosine,
         skip=options.skip,
-        **{name: array.ctypes.data for name, array in ({"normals": plan.at.normal} | vars(found)).items()},
+        **{name: array.ctypes.data for name, array in ({"normals": plan.at.normal} | found).items()},
     )
     accelerator = options.tracer.accelerator(plan.at.scene, cpu(), options.workers)
     with bar(options.progress, "casting rays", points):
         work = RAY_WORK * points * plan.count
         run(horizon_kernel(), points, [rows, accelerator], cpu(), workers=options.workers, work=work)
-    return found
+    return _seen(found)
+
+
+def _seen(found: dict[str, np.ndarray]) -> Seen:
+    return Seen(half_width=half_width_of_normal(found["standard_error"]), **found)
 
 
 def azimuths_and_rays(count: int) -> tuple[int, int]:
-    """How many azimuths each of the two lattices has, and each of these rays, for `count` rays or a few less."""
+    """Return the number of azimuths, and of rays of each, for `count` rays or a few less.
+
+    Azimuths are odd in number, where there are more than two: else opposite walls and corners, at an even distance of one
+    another, would be off by the same.
+    """
     rays = min(_MOST_RAYS if count < _MANY else _MOST_OF_MANY, max(1, count.bit_length() - 3))
-    return count // (2 * rays), rays
+    azimuths = count // rays
+    return (azimuths - 1 if azimuths > 2 and azimuths % 2 == 0 else azimuths), rays

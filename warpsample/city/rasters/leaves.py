@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from warpsample.city.rasters.intervals import half_width_of
 from warpsample.city.rasters.scenery import Scenery, Seen
 from warpsample.estimate.plan import Plan
 from warpsample.estimate.quantities.record import Quantity
@@ -88,7 +89,7 @@ def seen_of(
         light = light_of(**{name: given[name] for name in names})
         cast = RayOptions.of(len(points), seed=given["seed"], ids=points.id).by(workers=given["workers"])
         found = irradiation_through(scenery, points, light, transmittance, count=given["count"], options=cast)
-        return Seen(found.value, found.standard_error, found.rays, found.status)
+        return _dimmed(found, np.ones(()))
     weather = read_weather(given["weather"], given["period"])
     weather = weather.chosen(weather.sun_altitude > 0.0)
     frame = sky_patches(up=given["up"], north=given["north"]).frame
@@ -154,13 +155,14 @@ def _views(scenery: Scenery, shares: np.ndarray) -> tuple[tuple[Callable[[], Mes
 
 def _dimmed(found: Any, share: np.ndarray) -> Seen:
     """A share of an estimate."""
-    value, error = (np.float32(share * array.astype(np.float64)) for array in (found.value, found.standard_error))
-    return Seen(value, error, found.rays, found.status)
+    numbers = found.value, found.standard_error, half_width_of(found)
+    value, error, half = (np.float32(share * array.astype(np.float64)) for array in numbers)
+    return Seen(value, error, half, found.rays, found.status)
 
 
 def _joined(kind: type[Any], parts: list[Any]) -> Any:
     """The sum of results; what is no number of light is the first's."""
-    summed = ("value", "standard_error", "direct", "diffuse", "ground", "rays")
+    summed = ("value", "standard_error", "half_width", "direct", "diffuse", "ground", "rays")
     names = [item.name for item in fields(kind) if item.name in summed]
     sums = {name: sum(getattr(part, name) for part in parts[1:]) for name in names}
     return replace(parts[0], **{name: getattr(parts[0], name) + more for name, more in sums.items()})

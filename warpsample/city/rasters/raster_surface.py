@@ -10,10 +10,9 @@ import xarray as xr
 from warpsample.city.rasters.canopy import TRUNK, Canopy, Crowns, prisms
 from warpsample.city.rasters.cells import STEP, joined_cells
 from warpsample.city.rasters.centres import between_centres
-from warpsample.city.rasters.grid import Grid
+from warpsample.city.rasters.grid import TOP, Grid
 from warpsample.city.rasters.reading import ground_of, with_heights
 from warpsample.city.rasters.scenery import Scenery, joined
-from warpsample.city.rasters.triangles import TOP
 from warpsample.host.arguments import check_choice
 from warpsample.host.arrays import as_real
 from warpsample.host.summary import Summary

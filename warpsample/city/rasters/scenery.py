@@ -61,12 +61,14 @@ class Seen:
     Attributes:
         value: (P,) float32.
         standard_error: (P,) float32, at most so much.
+        half_width: (P,) float32, half of the 95 % confidence interval, at most so much.
         rays: (P,) int32, in all runs.
         status: (P,) uint8, a `PointStatus`.
     """
 
     value: np.ndarray
     standard_error: np.ndarray
+    half_width: np.ndarray
     rays: np.ndarray
     status: np.ndarray
 

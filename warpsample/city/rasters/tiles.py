@@ -149,7 +149,7 @@ class RasterRun:
     @property
     def names(self) -> tuple[str, ...]:
         """What there is in each cell."""
-        return ("value", "standard_error", *(("far_error",) if self.far else ()))
+        return ("value", "standard_error", "half_width", *(("far_error",) if self.far else ()))
 
     @property
     def grid(self) -> tuple[int, int]:
@@ -232,11 +232,7 @@ class RasterRun:
 
 def _bounded(found: list[Seen]) -> dict[str, np.ndarray]:
     """The middle of what is seen with the upper and with the lower columns, by the same rays, and half of its width."""
-    upper, lower = found[0], found[-1]
-    value, error = ((a.astype(np.float64) + b) / 2.0 for a, b in _pairs(upper, lower))
-    return {"value": value, "standard_error": error, "far_error": np.abs(lower.value.astype(np.float64) - upper.value) / 2.0}
-
-
-def _pairs(one: Seen, other: Seen) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Values and errors of both."""
-    return ((getattr(one, name), getattr(other, name)) for name in ("value", "standard_error"))
+    upper, lower = (vars(seen) for seen in (found[0], found[-1]))
+    names = ("value", "standard_error", "half_width")
+    means = {name: (upper[name].astype(np.float64) + lower[name]) / 2.0 for name in names}
+    return means | {"far_error": np.abs(lower["value"].astype(np.float64) - upper["value"]) / 2.0}

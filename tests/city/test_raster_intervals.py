@@ -1,0 +1,89 @@
+"""Confidence intervals of rasters: those of the estimates where rays go all over the sky, and from files again."""
+
+import numpy as np
+import pytest
+from horizon_cases import blocks
+from raster_cases import ON_A_MAP
+
+import warpsample as ws
+from warpsample import rasters
+
+rioxarray = pytest.importorskip("rioxarray")
+xr = pytest.importorskip("xarray")
+
+TOWN = blocks(16, 6, seed=3), ON_A_MAP, "EPSG:3794"
+
+
+@pytest.fixture(scope="module")
+def sky():
+    return rasters.sky_view_factor(TOWN, 64)
+
+
+def test_by_rays_it_is_the_interval_of_the_estimate():
+    """To float32's rounding: the half width is stored, and added to the value."""
+    found = rasters.sky_view_factor(TOWN, 64, sequence="sobol", seed=2)
+    made = rasters.surface(TOWN)
+    points, _ = made.points()
+    right = ws.sky_view_factor(made.mesh, points, 64, sequence="sobol", seed=2).interval(0.95)
+    ends = rasters.interval(found, 0.95)
+    for end, wanted in zip((ends.lower, ends.upper), right, strict=True):
+        assert end.dtype == np.float32
+        assert np.allclose(end.values.ravel(), wanted, atol=1e-6)
+
+
+def test_its_ends_are_the_half_width_off_and_possible(sky):
+    narrow, usual, wide = (rasters.interval(sky, level) for level in (0.9, 0.95, 0.99))
+    width, inside = usual.upper - usual.lower, (usual.lower > 0.0) & (usual.upper < 1.0)
+    assert inside.mean() > 0.5
+    assert np.allclose(width.where(inside, 0.0), 2.0 * sky.half_width.where(inside, 0.0), atol=1e-6)
+    for inner, outer in ((narrow, usual), (usual, wide)):
+        assert (outer.lower <= inner.lower).all()
+        assert (inner.upper <= outer.upper).all()
+    assert float(wide.lower.min()) >= 0.0
+    assert float(wide.upper.max()) == 1.0
+    assert wide.lower.attrs["units"] == "1"
+    assert wide.lower.attrs["long_name"] == "lower end of the 99 % confidence interval"
+    assert wide.attrs["level"] == 0.99
+
+
+def test_what_is_far_off_makes_it_wider():
+    found = rasters.sky_view_factor(TOWN, 64, tile=8, margin=2)
+    assert float(found.far_error.max()) > 0.001
+    ends = rasters.interval(found)
+    assert np.allclose(ends.lower, (found.value - found.half_width - found.far_error).clip(0.0), atol=1e-6)
+
+
+def test_crowns_scale_it_with_the_standard_error():
+    """A result is a share of one run and the rest of another, and so is its half width, as if both errors went together."""
+    canopy = np.where(np.eye(16) > 0.0, 5.0, 0.0), ON_A_MAP, "EPSG:3794"
+    clear, half, opaque = (
+        rasters.sky_view_factor(TOWN, 64, canopy=canopy, transmittance=share).half_width for share in (1.0, 0.5, 0.0)
+    )
+    assert np.allclose(half, 0.5 * clear + 0.5 * opaque, rtol=1e-5)
+
+
+def test_files_give_the_same_interval(sky, tmp_path):
+    right = rasters.interval(sky)
+    sky.to_netcdf(tmp_path / "sky.nc")
+    sky.to_array("band").rio.to_raster(tmp_path / "sky.tif")
+    with xr.open_dataset(tmp_path / "sky.nc", decode_coords="all") as again:
+        assert rasters.interval(again).upper.equals(right.upper)
+    bands = {f"band_{number}": name for number, name in enumerate(sky, 1)}
+    with rioxarray.open_rasterio(tmp_path / "sky.tif", band_as_variable=True) as again:
+        ends = rasters.interval(again.rename(bands).assign_attrs(quantity="sky"))
+        assert np.array_equal(ends.lower, right.lower)
+
+
+@pytest.mark.parametrize(
+    ("dataset", "level", "error", "message"),
+    [
+        (np.zeros(3), 0.95, TypeError, "^dataset: got a NumPy array, want an xarray.Dataset"),
+        (xr.Dataset({"value": 1.0}), 0.95, ValueError, "^dataset: got one of value, want value and half_width"),
+        (xr.Dataset(), 0.95, ValueError, "^dataset: got one of nothing, want value and half_width"),
+        (xr.Dataset({"value": 1.0, "half_width": 1.0}), 1.0, ValueError, "^level: got 1"),
+        (xr.Dataset({"value": 1.0, "half_width": 1.0}), "wide", TypeError, "^level: got 'wide'"),
+    ],
+)
+def test_what_has_no_interval_is_refused(dataset, level, error, message):
+    with pytest.raises(error, match=message):
+        rasters.interval(dataset, level)

@@ -1,0 +1,72 @@
+"""Confidence intervals of rasters: arrays of their half widths at 95 %, from which those of other levels follow."""
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from warpsample.estimate.intervals import interval_of
+from warpsample.estimate.result import Estimate
+from warpsample.host.arguments import check_number
+from warpsample.host.neighbours import kind_told
+
+_LEVEL = 0.95
+_DEGREES = np.float64(9.0)
+"""Degrees of freedom of the t distribution that intervals of other levels follow: those of `estimate.intervals`."""
+
+_SHARES = ("ao", "sky", "visible-sky")
+
+
+def half_width_of(found: Any) -> np.ndarray:
+    """Return half of the 95 % interval of each point of a result, (P,) float32, in its unit."""
+    if isinstance(found, Estimate):
+        return interval_of(np.float32(0.0), found.spread, found.degrees_of_freedom, _LEVEL).upper
+    return half_width_of_normal(found.standard_error)
+
+
+def half_width_of_normal(standard_error: np.ndarray) -> np.ndarray:
+    """Return half of the 95 % interval that standard errors of many parts give, of their shape, float32."""
+    return interval_of(np.float32(0.0), standard_error, _DEGREES, _LEVEL).upper
+
+
+def interval(dataset: xr.Dataset, level: float = _LEVEL) -> xr.Dataset:
+    """Return the confidence interval of each cell.
+
+    The interval is value -+ half_width at a level of 0.95. At other levels the half width changes as the quantile of a t
+    distribution with 9 degrees of freedom does. A `far_error` is added on both sides. Shares end at 0 and 1, other numbers
+    at 0.
+
+    Args:
+        dataset: a result of a call of `rasters`, or of `warpsample bake`, opened again. Bands of a GeoTIFF need their names:
+            `rioxarray.open_rasterio(path, band_as_variable=True)`, then `dataset.rename(band_1="value",
+            band_2="standard_error", band_3="half_width")`.
+        level: share of the cells whose interval contains the true value, 0.01 to 0.9999.
+
+    Returns:
+        `lower` and `upper` (y, x), float32, in the unit of `value`; NaN in cells without a height.
+
+    Raises:
+        TypeError: no Dataset, or no number.
+        ValueError: a dataset without `value` or `half_width`, or a level out of range.
+
+    Example:
+        >>> from affine import Affine
+        >>> street = np.zeros((60, 60)); street[:, :20] = street[:, 40:] = 20.0
+        >>> found = ws.rasters.sky_view_factor((street, Affine(1, 0, 0, 0, -1, 0), None), 1024)
+        >>> ends = ws.rasters.interval(found, 0.95)
+        >>> print(bool((ends.lower <= found.value).all()), bool((found.value <= ends.upper).all()))
+        True True
+    """
+    if not isinstance(dataset, xr.Dataset):
+        raise TypeError(f"dataset: got {kind_told(dataset)}, want an xarray.Dataset of warpsample.rasters")
+    if not {"value", "half_width"} <= set(dataset):
+        raise ValueError(f"dataset: got one of {', '.join(map(str, dataset)) or 'nothing'}, want value and half_width")
+    level = check_number(level, "level", 0.01, 0.9999)
+    one, wanted = (float(interval_of(np.float64(0.0), 1.0, _DEGREES, at).upper) for at in (_LEVEL, level))
+    half = dataset.half_width * np.float32(wanted / one) + dataset.get("far_error", np.float32(0.0))
+    greatest = np.float32(1.0 if dataset.attrs.get("quantity") in _SHARES else np.inf)
+    ends = {"lower": dataset.value - half, "upper": dataset.value + half}
+    cut = xr.Dataset(ends, attrs=dataset.attrs | {"level": level}).clip(np.float32(0.0), greatest, keep_attrs=True)
+    for name, end in cut.items():
+        end.attrs = dataset.value.attrs | {"long_name": f"{name} end of the {100.0 * level:g} % confidence interval"}
+    return cut
