@@ -1,4 +1,4 @@
-"""How much sky, sun and light each place of a 3D model gets: rays of proven samplers, NVIDIA Warp's kernels, error bars."""
+"""Directions at surface points of triangle meshes, with proven densities, and numbers with error bars from their rays."""
 
 from importlib import import_module
 

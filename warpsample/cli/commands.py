@@ -43,7 +43,7 @@ def warpsample_command(
         bool, typer.Option("--version", help="Say the version and exit.", callback=_say_version, is_eager=True)
     ] = False,
 ) -> None:
-    """How much sky, sun and light each place of a 3D model gets, by rays of proven samplers, with error bars."""
+    """Sample directions at points of 3D models, and compute sky, sun and light there, with error bars."""
 
 
 @app.command()
