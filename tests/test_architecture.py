@@ -1,6 +1,7 @@
 """The map of the house: a room imports only from rooms below it in this list, and importing the package is light.
 
-- `__init__.py`: the public names; `funcs.py`: the public `wp.func`s and structs of the kernel API; neither defines any
+- `__init__.py`: the public names; `funcs.py`: the public `wp.func`s and structs of the kernel API; neither defines any;
+  `rasters.py`: another name of `city/rasters`
 - `cli`: the `warpsample` command
 - `viewer`: the window and the PyVista accessor
 - `bench`: run time against error, and other tools side by side
@@ -47,6 +48,7 @@ ROOMS = [
     "radiation",
     "texture",
     "city",
+    "rasters",
     "output",
     "cluster",
     "bench",

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from warpsample.estimate.integrate import integrate
     from warpsample.estimate.intervals import Interval
     from warpsample.estimate.quantities.mean_distance import MeanDistance, mean_distance
+    from warpsample.estimate.quantities.thickness import Thickness, thickness
     from warpsample.estimate.quantities.visible_sky import visible_sky
     from warpsample.estimate.result import Estimate, PointStatus, Skipped
     from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
@@ -89,6 +90,7 @@ __all__ = [
     "SurfacePoints",
     "TexturePoints",
     "TextureReport",
+    "Thickness",
     "UniformCone",
     "UniformDisk",
     "UniformHemisphere",
@@ -122,6 +124,7 @@ __all__ = [
     "sky_view_factor",
     "sun_hours",
     "texture_points",
+    "thickness",
     "to_frame",
     "trace",
     "trace_all",
@@ -140,6 +143,7 @@ _HOMES = {
     "estimate.integrate": ("integrate",),
     "estimate.intervals": ("Interval",),
     "estimate.quantities.mean_distance": ("MeanDistance", "mean_distance"),
+    "estimate.quantities.thickness": ("Thickness", "thickness"),
     "estimate.quantities.visible_sky": ("visible_sky",),
     "estimate.result": ("Estimate", "PointStatus", "Skipped"),
     "estimate.visibility": ("SkyView", "ambient_occlusion", "bent_normals", "sky_view_factor"),

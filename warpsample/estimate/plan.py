@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from math import inf
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from warpsample.distributions import as_spatial
 from warpsample.distributions.record import Distribution
@@ -11,8 +11,12 @@ from warpsample.estimate.result import Estimate
 from warpsample.estimate.strata import POLAR_COSINE
 from warpsample.host.arguments import check_integer, check_number
 from warpsample.host.engine import check_memory
+from warpsample.host.options import RayKeywords
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 _MOST_RAYS = 2**24  # of a point: hits are counted in float64 and rays in int32, and one point is one task
 _BYTES_PER_POINT = 132
@@ -75,6 +79,18 @@ class Plan:
             None if tolerance is None else check_number(tolerance, "tolerance", 1e-12, 1e12),
             as_spatial(distribution),
         )
+
+
+def plan_of(at: PlacedPoints, count: Any, *, distribution: Any = POLAR_COSINE, **options: "Unpack[RayKeywords]") -> Plan:
+    """Make the plan of a call with its options as they are given.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free.
+    """
+    tolerance = options.pop("tolerance", None)
+    checked = RayOptions.of(len(at), ids=at.id, **options)
+    return Plan.of(at, count, checked, tolerance=tolerance, distribution=distribution)
 
 
 def reach_of(max_distance: Any) -> float:

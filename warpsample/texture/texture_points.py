@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from warpsample.host.arguments import check_choice, check_integer, told
 from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property
-from warpsample.host.options import CallOptions, explained_by
+from warpsample.host.options import CallOptions
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.texture.charts import charts_of
@@ -176,7 +176,6 @@ class TexturePoints:
         return charts
 
 
-@explained_by(CallOptions)
 def texture_points(
     mesh: Any,
     uv: Any,
@@ -206,7 +205,8 @@ def texture_points(
         normals: "face" for the normals of the faces; "smooth" for those of their corners, interpolated, by which dark bands
             appear where the faces are few; "lifted" for the same at points moved to where the smooth surface would be.
         corner_normals: (F, 3, 3) of the corners of faces, of any length; by default those of the vertices.
-        device, workers: see `CallOptions`.
+        device: Warp device, such as "cuda:0", which computes in parts and returns NumPy arrays. Default: None, the CPU.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
     Returns:
         the points, and what makes images of numbers at them.

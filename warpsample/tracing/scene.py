@@ -210,7 +210,7 @@ def refit(mesh: Any, vertices: Any, *, workers: int | None = None) -> Mesh:
     Args:
         mesh: a Mesh or whatever `as_mesh` takes; a tree that it has is used, one that it has not is built.
         vertices: (V, 3), as many as before.
-        workers: threads, all cores by default.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
     Returns:
         the moved mesh; the one that was given stays as it is.

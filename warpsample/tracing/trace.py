@@ -14,7 +14,6 @@ from warpsample.host.arrays import Array, Floats
 from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_memory
 from warpsample.host.neighbours import address_of
-from warpsample.host.options import explained_by
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import as_mesh
 from warpsample.tracing.given_rays import GivenRays
@@ -51,7 +50,6 @@ class Hits:
         return int(np.count_nonzero(np.isnan(distance)))
 
 
-@explained_by(RayOptions)
 def trace(
     mesh: Any,
     origins: Any,
@@ -79,11 +77,13 @@ def trace(
             some 10^9 times the mesh's size, float64 does not tell where a ray goes: it meets nothing.
         directions: (P, 3), one for each origin, or (P, n, 3), n for each; of any length. Arrays of other libraries count as
             NumPy's in the CPU's memory and as wp.arrays on a CUDA device.
-        max_distance: meets only what is nearer, in units of the coordinates; in any case than float32 has distances, 3e38.
-            Both are compared in float32, from where a ray that starts far away comes near the mesh.
-        any_hit: whether some face is enough: up to twice as fast.
-        device: where to trace, by default where the rays are; NumPy's go to a CUDA device in parts, and hits come back.
-        tracer, workers, progress: see `RayOptions`.
+        max_distance: Distance from which on hits are ignored, a float in mesh units, compared in float32 from where a ray
+            that starts far away comes near the mesh. Default: None, 3e38, the limit of float32.
+        any_hit: Whether to find any face in place of the nearest, up to twice as fast. Default: False.
+        tracer: Tracer, "wide", "warp" (`wp.Mesh`, skips no rays) or "auto": wide on the CPU, warp on CUDA. Default: "auto".
+        device: Warp device, such as "cuda:0", which takes NumPy arrays in parts. Default: None, that of the rays.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
         distance, at least 0, inf where nothing is met and NaN for an invalid ray, and face, -1 for both; of the directions'
@@ -104,9 +104,8 @@ def trace(
     given = GivenRays.of(mesh, origins, directions)
     way, rays = given.way, given.count
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
-    options = RayOptions.of(rays).by(
-        tracer=tracer, device=device, workers=workers, progress=progress, given=way.owner, argument="directions"
-    )
+    how = {"device": device, "workers": workers, "progress": progress, "given": way.owner, "argument": "directions"}
+    options = RayOptions.of(rays, tracer=tracer, **how)
     if way.device.is_cpu:
         check_memory(8 * rays, f"the hits of {rays:,} rays", "trace them in parts")
     if mesh.transmits:

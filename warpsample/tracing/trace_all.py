@@ -52,7 +52,7 @@ def trace_all(
         origins: as of `trace`, in the CPU's memory: (P, 3), or (3,), or SurfacePoints, which are moved off their face.
         directions: (P, 3) or (P, n, 3), of any length.
         max_distance: meets only what is nearer, in units of the coordinates.
-        workers: threads, all cores by default.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
     Returns:
         the hits of each ray, sorted by distance and face.
@@ -75,7 +75,7 @@ def trace_all(
             f"directions: got an array on {where}, want one in the CPU's memory: no other tracer finds all hits"
         )
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
-    options = RayOptions.of(rays).by(tracer="wide", workers=workers)
+    options = RayOptions.of(rays, tracer="wide", workers=workers)
     check_memory(16 * rays, f"the numbers of hits of {rays:,} rays", "trace them in parts")
     found = _hits(given, options, reach)
     if not isinstance(owner, wp.array):

@@ -21,7 +21,7 @@ def tree(mesh: Any, *, device: Any = None, workers: int | None = None) -> Any:
     Args:
         mesh: a Mesh or whatever `as_mesh` takes; the tree that a Mesh has is used.
         device: where the kernel runs, the CPU by default.
-        workers: threads that build the tree, all cores by default.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
     Returns:
         a `funcs.Tree`.

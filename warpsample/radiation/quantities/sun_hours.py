@@ -55,12 +55,12 @@ def sun_hours(
         mesh: a Mesh or whatever `as_mesh` takes.
         points: P of them, as for `ambient_occlusion`.
         weather: whose place and hours count: an EPW file, or "athens", an example.
-        period: as for `irradiation`; by default the year.
-        up: (3,), of any length.
-        north: (3,), of any length, not along `up`.
-        seed: changes nothing, as nothing is drawn at random; other calls take one.
-        first_point: likewise.
-        workers: threads, by default as many as there are cores.
+        period: First and last day, both included, as for `irradiation`. Default: None, the year.
+        up: (3,) vector of any length towards the zenith. Default: (0.0, 0.0, 1.0).
+        north: (3,) vector of any length, not along `up`. Default: (0.0, 1.0, 0.0).
+        seed: Random seed, an integer of 64 bits. Default: 0. Has no effect: nothing is random.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0. Has no effect: nothing is random.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
     Returns:
         value (P,), the hours, and for each point a status.

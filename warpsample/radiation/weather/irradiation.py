@@ -2,16 +2,16 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from warpsample.estimate.plan import Plan
+from warpsample.estimate.plan import Plan, plan_of
 from warpsample.estimate.result import PointResult, PointStatus, has_status
 from warpsample.host.arguments import check_flag
 from warpsample.host.engine import check_memory
-from warpsample.host.options import explained_by
+from warpsample.host.options import CastPointKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.reflection.patches import patches_of
 from warpsample.radiation.reflection.reflections import Reflected, Reflections, reflections_of
@@ -20,8 +20,10 @@ from warpsample.radiation.sky.sky_matrix import sky_seen
 from warpsample.radiation.weather.afar import WeatherAfar, direct_light, summed
 from warpsample.radiation.weather.light import Light, light_of
 from warpsample.sequences.hashing import seed_for
-from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 _BYTES = 5 * 4 + 5 * 8  # of each point and hour: five results, and what they are made of in float64
 
@@ -63,7 +65,7 @@ class Irradiation(PointResult):
         return {"hour": self.hours} if self.value.ndim == 2 else {}
 
 
-@explained_by(RayOptions)
+@with_options(CastPointKeywords)
 def irradiation(
     mesh: Any,
     points: SurfacePoints,
@@ -77,12 +79,7 @@ def irradiation(
     north: Any = (0.0, 1.0, 0.0),
     series: bool = False,
     refine: float | None = None,
-    seed: int = 0,
-    first_point: int = 0,
-    active: Any = None,
-    skip: bool = True,
-    workers: int | None = None,
-    progress: bool = False,
+    **options: "Unpack[CastPointKeywords]",
 ) -> Irradiation:
     """The irradiation of a year, or the irradiance hour by hour, of a mesh in the weather of a file.
 
@@ -101,24 +98,29 @@ def irradiation(
     ground beyond the mesh stays as it is. Faces without are black: a wall above such a ground gets nothing from there.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        points: P of them; as for `ambient_occlusion`.
+        mesh: Mesh or anything that `as_mesh` accepts.
+        points: P SurfacePoints, as for `ambient_occlusion`.
         weather: an EPW file of 8,760 hours: its place, its direct normal and its diffuse horizontal radiation are used;
             "athens", where no file is called that, is an example: a cloudless year.
-        ground_albedo: 0 to 1.
-        period: two texts, the first and the last day, both included, as ("06-01", "08-31"); or with the hour at which it
-            begins or ends in local standard time, ("03-21T09", "03-21T15"). If the first is later, the period goes on over
-            New Year. By default the year.
-        patches: of the sky, "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305).
-        count: rays of each point to the sky, and as many to the ground; as for `sky_matrix`.
-        up: (3,), of any length.
-        north: (3,), of any length, not along `up`; of it the part across `up` counts. East is north x up.
-        series: whether to give each hour of the period.
-        refine: the longest edge, in the mesh's unit, of the parts of faces that each send back the same all over, inf for
-            whole faces. By default the faces with the longest edges are cut into 8,192 parts more than there are sides.
-            In a street, parts of a quarter of its width leave 0.05 % of the irradiance under an even sky, and 1.7 % in its
-            edges; where half of the floor lies in the sun 1 % and 17 % of what is reflected.
-        seed, first_point, active, skip, workers, progress: see `RayOptions`.
+        ground_albedo: Albedo of the ground, a float from 0 to 1. Default: 0.2.
+        period: First and last day, both included, as ("06-01", "08-31"); or with the hours of local standard time at which
+            the period begins and ends, ("03-21T09", "03-21T15"). A later first day is in the year before. Default: None, the
+            year.
+        patches: Patches of the sky, "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305). Default: "reinhart2".
+        count: Number of rays per point to the sky, and the same number to the ground, 2 to 2^24. Default: 1024.
+        up: (3,) vector of any length towards the zenith. Default: (0.0, 0.0, 1.0).
+        north: (3,) vector of any length, not along `up`; its part across `up` counts. Default: (0.0, 1.0, 0.0).
+        series: Whether to return each hour of the period. Default: False.
+        refine: Longest edge of the parts of faces that each reflect evenly, a float in mesh units, inf for whole faces. In a
+            street, parts of a quarter of its width leave an error of 0.05 % under an even sky, and 1.7 % in its edges;
+            where half of the floor lies in the sun 1 % and 17 % of the reflected part. Default: None: the faces with the
+            longest edges are cut into 8,192 parts more than there are sides.
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
+        active: (P,) bool. Inactive points get 0 and a status, and cast no rays. Default: None, all points are active.
+        skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
         value (P,) in kWh/m² of the period, or with `series` (P, T) in W/m²; its standard error, its parts, and for each
@@ -137,8 +139,7 @@ def irradiation(
         (2080,) 270 kWh/m2
     """
     at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), seed=seed, first_point=first_point, ids=at.id, active=active)
-    plan = Plan.of(at, count, options.by(skip=skip, tracer="wide", workers=workers, progress=progress))
+    plan = plan_of(at, count, tracer="wide", **options)
     series = check_flag(series, "series")
     parts = patches_of(at.mesh, refine)
     light = light_of(weather, period=period, ground_albedo=ground_albedo, patches=patches, up=up, north=north)
