@@ -137,11 +137,9 @@ def test_wrong_options_are_named_before_anything_is_read():
         rasters.sky_view_factor((HEIGHTS, NORTH_UP, None), 1)
 
 
-def test_what_is_missing_is_told_with_the_extra(child_environment):
-    code = (
-        "import sys; sys.modules['rioxarray'] = None; from warpsample import rasters; "
-        "print(type(rasters).__name__); rasters.sky_view_factor"
-    )
+@pytest.mark.parametrize("line", ["from warpsample import rasters", "import warpsample.rasters as rasters"])
+def test_what_is_missing_is_told_with_the_extra(child_environment, line):
+    code = f"import sys; sys.modules['rioxarray'] = None; {line}; print(type(rasters).__name__); rasters.sky_view_factor"
     done = subprocess.run([sys.executable, "-c", code], env=child_environment, capture_output=True, text=True, check=False)
     assert done.stdout == "module\n"
     wanted = "ModuleNotFoundError: warpsample.rasters needs rioxarray: pip install 'warpsample[city]'"

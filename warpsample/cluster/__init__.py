@@ -8,48 +8,6 @@ from typing import Any
 
 from warpsample.host.making import imported, missing
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:  # with the calls of quantities, which `calls.call_of` makes
-    from typing_extensions import Unpack
-    from xarray import Dataset
-
-    from warpsample.cluster.baking import bake
-    from warpsample.cluster.calls import ChunkKeywords, LazyKeywords, integrate, sample_directions, trace
-
-    def ambient_occlusion(
-        mesh: Any, points: Any, count: int = 256, *, falloff: float | None = None, **options: Unpack[LazyKeywords]
-    ) -> Dataset:
-        """Compute `warpsample.ambient_occlusion` lazily over Dask."""
-
-    def bent_normals(mesh: Any, points: Any, count: int = 256, **options: Unpack[LazyKeywords]) -> Dataset:
-        """Compute `warpsample.bent_normals` lazily over Dask."""
-
-    def irradiance(
-        mesh: Any,
-        points: Any,
-        radiance: Any,
-        count: int = 256,
-        *,
-        up: Any = (0, 0, 1),
-        refine: Any = None,
-        **options: Unpack[ChunkKeywords],
-    ) -> Dataset:
-        """Compute `warpsample.irradiance` lazily over Dask."""
-
-    def mean_distance(mesh: Any, points: Any, count: int = 256, **options: Unpack[LazyKeywords]) -> Dataset:
-        """Compute `warpsample.mean_distance` lazily over Dask."""
-
-    def sky_view_factor(
-        mesh: Any, points: Any, count: int = 256, *, up: Any = (0, 0, 1), **options: Unpack[LazyKeywords]
-    ) -> Dataset:
-        """Compute `warpsample.sky_view_factor` lazily over Dask."""
-
-    def visible_sky(
-        mesh: Any, points: Any, count: int = 256, *, up: Any = (0, 0, 1), **options: Unpack[LazyKeywords]
-    ) -> Dataset:
-        """Compute `warpsample.visible_sky` lazily over Dask."""
-
-
 __all__ = ["bake", "integrate", "sample_directions", "trace"]
 
 

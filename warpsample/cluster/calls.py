@@ -1,9 +1,10 @@
 """The calls of `warpsample`, lazily, over chunks of points."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import xarray as xr
+from typing_extensions import Unpack
 
 from warpsample.cluster.arrays import dataset_of
 from warpsample.cluster.chunks import CALLS
@@ -11,9 +12,6 @@ from warpsample.cluster.job import CHUNK, job_of
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.host.options import PointKeywords, RayKeywords, SeedKeywords
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
 
 
 class ChunkKeywords(RayKeywords, total=False):
@@ -40,7 +38,7 @@ class DirectionKeywords(SeedKeywords, PointKeywords, total=False):
 
 
 def call_of(name: str) -> Callable[..., xr.Dataset]:
-    """The call of a quantity over Dask.
+    """Make the call of a quantity over Dask.
 
     Raises:
         AttributeError: no quantity has a call of that name.
@@ -59,11 +57,10 @@ def call_of(name: str) -> Callable[..., xr.Dataset]:
 _GIVEN = {"irradiance": "10**6, np.ones((16, 32, 3)), 64"}
 """What stands in a call's example, if not a number of points and one of rays."""
 
-_DOCUMENTATION = """`warpsample.{name}` over Dask: the same arguments, and the same bits when it is computed.
+_DOCUMENTATION = """Compute `warpsample.{name}` lazily over Dask, with the same bits.
 
-    Each process builds one tree, and each task is done by one thread: Dask runs as many at once as it has threads. With a
-    Client the mesh is sent now, once, and it is the one to compute with; it gives it again to workers that lost it. So is a
-    picture; a file of one is read here. A wp.func is as for `integrate`.
+    Each process builds one tree, and each task has one thread. A Client gets the mesh, or a picture, now, and computes with
+    it; it sends either again to workers that lost it. A wp.func is as for `integrate`.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.
@@ -97,12 +94,12 @@ def integrate(
     data: Any = None,
     distribution: Distribution | str = CosineHemisphere(),
     mesh: Any = None,
-    **options: "Unpack[LazyKeywords]",
+    **options: Unpack[LazyKeywords],
 ) -> xr.Dataset:
-    """`warpsample.integrate` over Dask; points and chunk as for `ambient_occlusion`.
+    """Compute `warpsample.integrate` lazily over Dask.
 
-    A wp.func goes to other processes by its name: it must stand at the top of a module that they can import, and take no
-    `data`. Dask's threads run any. `lobe.row` is the row in a chunk, `lobe.point` the id among all points.
+    Other processes import a wp.func by its name, from the top of a module, without `data`; Dask's threads run any function.
+    `lobe.row` is the row in a chunk, `lobe.point` the id among all points.
 
     Args:
         points: As for `ambient_occlusion`.
@@ -138,9 +135,7 @@ def trace(
     workers: int | None = None,
     chunk: int = CHUNK,
 ) -> xr.Dataset:
-    """`warpsample.trace` over Dask; origins as the points of `ambient_occlusion`, or an array as there.
-
-    Arrays may be Dask's or xarray's, such as the vectors of `sample_directions`.
+    """Trace rays as `warpsample.trace`, lazily over Dask; arrays may be of Dask or xarray.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.
@@ -174,9 +169,9 @@ def sample_directions(
     pdf: bool = False,
     mesh: Any = None,
     chunk: int = CHUNK,
-    **options: "Unpack[DirectionKeywords]",
+    **options: Unpack[DirectionKeywords],
 ) -> xr.Dataset:
-    """`warpsample.sample_directions` over Dask; normals as the points of `ambient_occlusion`, or an array as there.
+    """Sample directions as `warpsample.sample_directions`, lazily over Dask.
 
     Args:
         normals: (P, 3) array of NumPy or Dask, or as the points of `ambient_occlusion`.

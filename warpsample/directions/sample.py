@@ -124,17 +124,15 @@ def sample_directions(
     workers: int | None = None,
     progress: bool = False,
 ) -> Directions:
-    """`count` directions about each normal.
+    """Sample `count` directions about each normal.
 
-    The bits are a pure function of (seed, first_point + row, sample, count): chunks, threads and which points are active
-    do not change them. The first kernel of a process takes about 1.5 s to compile; compiled ones are cached on disk.
+    The bits are a pure function of (seed, first_point + row, sample, count). A new kernel compiles for about 1.5 s.
 
     Args:
-        normals: (P, 3) float32 or float64, of any length above 0; or SurfacePoints. NumPy in, NumPy out; wp.array in,
-            wp.array out on its device. Arrays of other libraries (PyTorch, JAX, CuPy) are taken without a copy: as NumPy's
-            in the CPU's memory, as a wp.array on a CUDA device. A zero or non-finite normal gives zero vectors, pdf 0 and
-            a status.
-        count: directions per point, n, 1 to 2^31 - 1.
+        normals: (P, 3) float32 or float64, of any length above 0, or SurfacePoints. NumPy gives NumPy, a wp.array gives a
+            wp.array on its device. Arrays of other libraries (PyTorch, JAX, CuPy) are not copied: they count as NumPy arrays
+            in the CPU's memory, and as wp.arrays on CUDA. A zero or non-finite normal gives zero vectors and a status.
+        count: Number of directions per point, n, 1 to 2^31 - 1.
         distribution: Distribution of the directions, or its name. Default: CosineHemisphere(method="polar").
         sequence: Sequence of the points of the square, a name in `warpsample.sequences.names()`. Default: "sobol".
         seed: Random seed, an integer of 64 bits. Default: 0.
@@ -188,7 +186,7 @@ def sample_directions(
 
 
 def sample_square(sequence: str, points: int, count: int, *, seed: int = 0, first_point: int = 0) -> np.ndarray:
-    """The points of the square that `sample_directions` maps to directions.
+    """Return the points of the square that `sample_directions` maps to directions.
 
     Args:
         sequence: Name in `warpsample.sequences.names()`.

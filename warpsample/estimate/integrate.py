@@ -1,9 +1,10 @@
 """The general estimate: the mean over a lobe of a function of the user's."""
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from typing_extensions import Unpack
 
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
@@ -19,9 +20,6 @@ from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.triples import Triples
 
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
-
 _FEW_POINTS, _FEW_RAYS = 64, 64
 
 
@@ -35,7 +33,7 @@ def integrate(
     distribution: Distribution | str = CosineHemisphere(),
     mesh: Any = None,
     max_distance: float | None = None,
-    **options: "Unpack[RayKeywords]",
+    **options: Unpack[RayKeywords],
 ) -> Estimate:
     """Compute the mean of a function over the directions of a lobe about each normal, without storing directions.
 

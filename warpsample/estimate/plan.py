@@ -2,7 +2,9 @@
 
 from dataclasses import dataclass
 from math import inf
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from typing_extensions import Unpack
 
 from warpsample.distributions import as_spatial
 from warpsample.distributions.record import Distribution
@@ -14,9 +16,6 @@ from warpsample.host.engine import check_memory
 from warpsample.host.options import RayKeywords
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
 
 _MOST_RAYS = 2**24  # of a point: hits are counted in float64 and rays in int32, and one point is one task
 _BYTES_PER_POINT = 132
@@ -81,13 +80,8 @@ class Plan:
         )
 
 
-def plan_of(at: PlacedPoints, count: Any, *, distribution: Any = POLAR_COSINE, **options: "Unpack[RayKeywords]") -> Plan:
-    """Make the plan of a call with its options as they are given.
-
-    Raises:
-        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
-        MemoryError: more than is free.
-    """
+def plan_of(at: PlacedPoints, count: Any, *, distribution: Any = POLAR_COSINE, **options: Unpack[RayKeywords]) -> Plan:
+    """Check the options of a call, and return its plan; errors are those of `Plan.of`."""
     tolerance = options.pop("tolerance", None)
     checked = RayOptions.of(len(at), ids=at.id, **options)
     return Plan.of(at, count, checked, tolerance=tolerance, distribution=distribution)

@@ -2,10 +2,11 @@
 
 from dataclasses import dataclass, fields
 from math import inf
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import Unpack
 
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.plan import RaySum, plan_of, reach_of
@@ -17,9 +18,6 @@ from warpsample.host.options import RayKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.placed_points import PlacedPoints
 
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
-
 
 @with_options(RayKeywords)
 def ambient_occlusion(
@@ -29,22 +27,20 @@ def ambient_occlusion(
     *,
     max_distance: float | None = None,
     falloff: float | None = None,
-    **options: "Unpack[RayKeywords]",
+    **options: Unpack[RayKeywords],
 ) -> Estimate:
     """Compute ambient occlusion: the share of cosine-weighted rays that hit nothing, 1 where a point is open.
 
-    Behind a face with a transmittance (see `Mesh`) a ray continues with that share of its weight.
-    The bits depend on (mesh, point, first_point + row, seed, count, sequence) alone: not on threads, on which points are
-    together or active, nor on `skip`; a CUDA device has other roundings. Memory is that of the points. The first call ever
-    compiles for about 8 s. Without `skip` it takes up to 1.5 times as long (`warpsample bench visibility`).
+    Behind a face with a transmittance (see `Mesh`) a ray continues with that share of its weight. The bits depend on (mesh,
+    point, first_point + row, seed, count, sequence) alone; a CUDA device has other roundings. Memory is proportional to the
+    points. The first call compiles for about 8 s.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts. A Mesh keeps its tree from call to call.
-        points: P SurfacePoints. The lobe is about the normal, of any length; rays start a millionth of the mesh's size above
-            the face, on the normal's side, and what goes into the face is blocked by it. A point on an edge or a corner sees
-            what points of its own face just beside it see: at the foot of a wall half of the sky, in a closed room none. If
-            no face is given, that is the one of those at the point that faces the normal best. On a wall's foot in the
-            middle of a floor, off its edges, a point is in front of the wall.
+        points: P SurfacePoints. The lobe is about the normal, of any length. Rays start a millionth of the mesh's size above
+            the face, on the normal's side; rays into the face are blocked. A point on an edge or a corner sees the same as
+            its face just beside it: at the foot of a wall half of the sky, in a closed room none. Without `face`, that is
+            the face at the point that fits the normal best. A point of a floor at a wall's foot is in front of the wall.
         count: Number of rays per point, 2 to 2^24. Rounded down, so that all strata have the same number: to a multiple of
             2, from 32 on of 8, from 256 of 16, from 448 of 64, from 4,096 of 128, from 16,384 of 256. Default: 256.
         max_distance: Distance from which on hits are ignored, a float in mesh units. Default: None, no limit.
@@ -107,7 +103,7 @@ def sky_view_factor(
     *,
     up: Any = (0.0, 0.0, 1.0),
     max_distance: float | None = None,
-    **options: "Unpack[RayKeywords]",
+    **options: Unpack[RayKeywords],
 ) -> SkyView:
     """Compute the cosine-weighted share of the sky: the irradiance under a uniform sky, relative to open ground.
 
@@ -162,7 +158,7 @@ def bent_normals(
     count: int = 256,
     *,
     max_distance: float | None = None,
-    **options: "Unpack[RayKeywords]",
+    **options: Unpack[RayKeywords],
 ) -> Estimate:
     """Compute the cosine-weighted mean of the unoccluded directions: 2/3 of the normal at an open point.
 

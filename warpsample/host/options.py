@@ -80,24 +80,18 @@ class RayKeywords(EstimateKeywords, PointKeywords, total=False):
 
 
 def with_options(keywords: type, defaults: Mapping[str, Any] = DEFAULTS) -> Callable[[Call], Call]:
-    """Decorate a function of `**options` to refuse unknown options, and to show all of them in its signature.
+    """Decorate a function of `**options` to raise a TypeError for others than its signature shows.
 
     Args:
         keywords: TypedDict of the options.
-        defaults: default of each option, in the order of the signature; other entries are left out.
-
-    Returns:
-        a decorator. Its function raises a TypeError for an option that is not in its signature.
+        defaults: Default of each option, in the order of the signature. Other entries are ignored.
     """
 
     def decorate(function: Call) -> Call:
-        plain, types = inspect.signature(function), keywords.__annotations__
+        plain, types, kind = inspect.signature(function), keywords.__annotations__, inspect.Parameter.KEYWORD_ONLY
         *own, _options = plain.parameters.values()
-        shared = [
-            inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=types[name])
-            for name, default in defaults.items()
-            if name in types
-        ]
+        known = ((name, default, types[name]) for name, default in defaults.items() if name in types)
+        shared = (inspect.Parameter(name, kind, default=default, annotation=type) for name, default, type in known)
         signature = plain.replace(parameters=[*own, *shared])
 
         @wraps(function)
@@ -115,16 +109,12 @@ def with_options(keywords: type, defaults: Mapping[str, Any] = DEFAULTS) -> Call
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class CallOptions:
-    """Checked options of a call over points.
+    """Checked options of a call over points, see `SeedKeywords`, `CastKeywords` and `PointKeywords`.
 
     Attributes:
-        seed: of 64 bits.
-        first_point: the global id of row 0.
-        ids: (P,) uint64, the global ids of all rows; None if they are counted from the first.
-        active: (P,) uint8, not 0 where a point counts; None if all do.
-        memory: where kernels run.
-        workers: threads on the CPU.
-        progress: whether to show a bar.
+        ids: (P,) uint64, the global ids of all rows; None if they are counted from `first_point`.
+        active: (P,) uint8, not 0 where a point is active; None if all are.
+        memory: Memory of the device that kernels run on.
     """
 
     seed: int
@@ -139,11 +129,7 @@ class CallOptions:
     def of(
         cls, points: int, *, seed: Any = 0, first_point: Any = 0, ids: Any = None, active: Any = None, **how: Any
     ) -> "CallOptions":
-        """Check the options of a call over `points` points; `ids` are those of SurfacePoints, `how` is as for `by`.
-
-        Raises:
-            TypeError, ValueError: an option that cannot be used; names it, what it got and what it wants.
-        """
+        """Check the options of a call over `points` points; `ids` are those of SurfacePoints, `how` is as for `by`."""
         return cls(
             seed=check_seed(seed),
             first_point=check_first_point(first_point, points, ids),
@@ -153,12 +139,9 @@ class CallOptions:
         )
 
     def by(self: Options, **how: Any) -> Options:
-        """Return a copy with another `device`, `workers` and `progress`.
+        """Check `device`, `workers` and `progress`, and return a copy with them.
 
         A wp.array `given` to the call, as the argument of the name `argument`, is computed with on its own device.
-
-        Raises:
-            TypeError, ValueError: an option that cannot be used; names it, what it got and what it wants.
         """
         return replace(self, **_ways(**how))
 

@@ -12,13 +12,7 @@ from warpsample.tracing.tracers import WIDE, Tracer, tracer_of
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class RayOptions(CallOptions):
-    """What calls that cast rays have in common, checked; with the fields of `CallOptions`.
-
-    Attributes:
-        sequence: of the rays.
-        skip: whether rays are left out whose answer is known.
-        tracer: which answers for the others.
-    """
+    """Checked options of a call that casts rays, see `RayKeywords` and `CallOptions`."""
 
     sequence: Sequence
     skip: bool = True
@@ -33,20 +27,12 @@ class RayOptions(CallOptions):
     def of(
         cls, points: int, *, sequence: str = "fibonacci", skip: bool = True, tracer: str = "auto", **shared: Any
     ) -> "RayOptions":
-        """Check the options of rays from `points` points, see `RayKeywords`; `shared` is as for `CallOptions.of`.
-
-        Raises:
-            TypeError, ValueError: an option that cannot be used; names it, what it got and what it wants.
-        """
+        """Check the options of rays from `points` points, see `RayKeywords`; `shared` is as for `CallOptions.of`."""
         options = CallOptions.of(points, **shared)
         return cls(**vars(options), sequence=sequences.get(sequence))._by_tracer(skip, tracer)
 
     def by(self, *, skip: bool = True, tracer: str = "auto", **how: Any) -> "RayOptions":
-        """Return a copy with other options of how rays are cast; `how` is as for `CallOptions.by`.
-
-        Raises:
-            TypeError, ValueError: an option that cannot be used; names it, what it got and what it wants.
-        """
+        """Check options of how rays are cast, and return a copy with them; `how` is as for `CallOptions.by`."""
         return super().by(**how)._by_tracer(skip, tracer)
 
     def _by_tracer(self, skip: bool, tracer: str) -> "RayOptions":

@@ -39,19 +39,18 @@ class AllHits:
 def trace_all(
     mesh: Any, origins: Any, directions: Any, *, max_distance: float | None = None, workers: int | None = None
 ) -> AllHits:
-    """Every face that rays cross, from either side, however many there are.
+    """Find every face that each ray crosses, from either side.
 
-    No ray stops and starts again, so none misses what is near to another hit, or finds it twice. A ray at an edge or a
-    corner that faces share crosses one of them, as a ray just beside it does, whether they share vertices or have some of
-    their own there; where the surface turns back, seen along the ray, it crosses two or none. So out of a closed mesh the
-    number is odd, and through it even. Faces that coincide are all met. Each ray is followed twice, to count and to write;
-    how many threads there are changes no bit. A transmittance of the mesh plays no part.
+    No ray stops and starts again, so none misses a hit near another one or finds it twice. A ray at an edge or a corner
+    crosses one of its faces, as a ray just beside it does; where the surface turns back along the ray, two or none. So rays
+    out of a closed mesh cross an odd number of faces, and rays through it an even one. Faces that coincide are all crossed.
+    The number of threads changes no bit. A transmittance of the mesh has no effect.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        origins: as of `trace`, in the CPU's memory: (P, 3), or (3,), or SurfacePoints, which are moved off their face.
+        mesh: Mesh or anything that `as_mesh` accepts.
+        origins: As for `trace`, in the CPU's memory: (P, 3), (3,) or SurfacePoints, which start off their face.
         directions: (P, 3) or (P, n, 3), of any length.
-        max_distance: meets only what is nearer, in units of the coordinates.
+        max_distance: Distance from which on hits are ignored, a float in mesh units. Default: None, no limit.
         workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
     Returns:

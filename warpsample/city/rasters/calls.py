@@ -4,10 +4,11 @@ from collections.abc import Mapping
 from importlib.metadata import version
 from numbers import Real
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import xarray as xr
+from typing_extensions import Unpack
 
 from warpsample.city.keywords import IrradiationKeywords, SkyKeywords, SunHoursKeywords
 from warpsample.city.rasters.canopy import TRUNK
@@ -20,9 +21,6 @@ from warpsample.estimate.quantities.visible_sky import RECORD as VISIBLE_SKY
 from warpsample.host.options import with_options
 from warpsample.radiation.quantities.irradiation import RECORD as IRRADIATION
 from warpsample.radiation.quantities.sun_hours import RECORD as SUN_HOURS
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
 
 _SET_HERE = ("up", "north", "first_point", "active", "series")
 """Options of the calls that the raster decides, or whose results are no raster."""
@@ -80,7 +78,7 @@ def sky_view_factor(
     *,
     model: str = "joined",
     receiver: str = "horizontal",
-    **options: "Unpack[SkyKeywords]",
+    **options: Unpack[SkyKeywords],
 ) -> xr.Dataset:
     """Compute the cosine-weighted share of the sky that each cell sees, the SVF of SOLWEIG and UMEP.
 
@@ -89,8 +87,7 @@ def sky_view_factor(
     trees take rays all over the sky. With tiles or distant terrain the Earth is round outside the margin.
 
     Args:
-        source: Path of a raster with one band that GDAL reads, an xarray.DataArray with `rio.crs`, or (array, affine, CRS or
-            None), as for `surface`.
+        source: Raster of heights: a path, an xarray.DataArray with `rio.crs`, or (array, affine, CRS), see `surface`.
         count: Number of rays per cell. Default: 256.
         model: Surface of the heights, "joined", "block" or "tin", see `surface`. Default: "joined".
         receiver: "horizontal", or "surface" for the tilt of the cell, where 2 or 3 rays may give up to 1.9, noise about the
@@ -131,14 +128,13 @@ def sky_view_factor(
 
 
 @with_options(SkyKeywords, VISIBLE_SKY.parameters | TREES_AND_TILES)
-def visible_sky(source: Any, count: int = 256, *, model: str = "joined", **options: "Unpack[SkyKeywords]") -> xr.Dataset:
+def visible_sky(source: Any, count: int = 256, *, model: str = "joined", **options: Unpack[SkyKeywords]) -> xr.Dataset:
     """Compute the share of the sky's solid angle that each cell sees, for a receiver of any tilt.
 
     RVT, xarray-spatial, GRASS r.skyview and WhiteboxTools call this share sky view factor.
 
     Args:
-        source: Path of a raster with one band that GDAL reads, an xarray.DataArray with `rio.crs`, or (array, affine, CRS or
-            None), as for `surface`.
+        source: Raster of heights: a path, an xarray.DataArray with `rio.crs`, or (array, affine, CRS), see `surface`.
         count: Number of rays per cell. Default: 256.
         model: Surface of the heights, "joined", "block" or "tin", see `surface`. Default: "joined".
         max_distance: Distance from which on hits are ignored, a float in map units. Default: None, no limit.
@@ -182,15 +178,14 @@ def irradiation(
     *,
     model: str = "joined",
     receiver: str = "surface",
-    **options: "Unpack[IrradiationKeywords]",
+    **options: Unpack[IrradiationKeywords],
 ) -> xr.Dataset:
     """Compute the irradiation of each cell in kWh/m² from the sun and the sky of a year, or of a period.
 
     The sun follows true north, along the meridian at the middle of the raster.
 
     Args:
-        source: Path of a raster with one band that GDAL reads, an xarray.DataArray with `rio.crs`, or (array, affine, CRS or
-            None), as for `surface`.
+        source: Raster of heights: a path, an xarray.DataArray with `rio.crs`, or (array, affine, CRS), see `surface`.
         weather: Path of an EPW file of 8,760 hours, or "athens", an example.
         model: Surface of the heights, "joined", "block" or "tin", see `surface`. Default: "joined".
         receiver: "surface" for each m² of the tilted cell, whose area is its plan area over the cosine of its slope; or
@@ -238,13 +233,12 @@ def sun_hours(
     *,
     model: str = "joined",
     receiver: str = "surface",
-    **options: "Unpack[SunHoursKeywords]",
+    **options: Unpack[SunHoursKeywords],
 ) -> xr.Dataset:
     """Count the hours of a year, or of a period, in which each cell sees the sun.
 
     Args:
-        source: Path of a raster with one band that GDAL reads, an xarray.DataArray with `rio.crs`, or (array, affine, CRS or
-            None), as for `surface`.
+        source: Raster of heights: a path, an xarray.DataArray with `rio.crs`, or (array, affine, CRS), see `surface`.
         weather: Path of an EPW file of 8,760 hours, or "athens", an example.
         model: Surface of the heights, "joined", "block" or "tin", see `surface`. Default: "joined".
         receiver: "surface", which does not see the sun behind its own plane, or "horizontal". Default: "surface".

@@ -2,7 +2,9 @@
 
 from dataclasses import dataclass, fields
 from math import inf
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from typing_extensions import Unpack
 
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.plan import RaySum, plan_of, reach_of
@@ -13,9 +15,6 @@ from warpsample.host.arguments import check_number
 from warpsample.host.options import RayKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.placed_points import PlacedPoints
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
 
 _LEAST, _MOST = 1e-30, 1e30  # of a limit: its float32 and those of the errors are neither 0 nor infinite
 
@@ -43,7 +42,7 @@ def mean_distance(
     count: int = 256,
     *,
     max_distance: float | None = None,
-    **options: "Unpack[RayKeywords]",
+    **options: Unpack[RayKeywords],
 ) -> MeanDistance:
     """Compute the mean distance of cosine-weighted rays to their first hit, at most `max_distance` for each ray.
 
@@ -55,9 +54,8 @@ def mean_distance(
         mesh: Mesh or anything that `as_mesh` accepts.
         points: P SurfacePoints, as for `ambient_occlusion`.
         count: Number of rays per point, 2 to 2^24, rounded down as for `ambient_occlusion`. Default: 256.
-        max_distance: Distance that farther hits and rays without a hit count as, a float above 0 in mesh units. Each ray
-            adds a float32 share of it, with an error of up to 6e-8 of it. Default: None, the diagonal of the mesh's box,
-            which cuts no distance within a closed body.
+        max_distance: Distance that farther hits and rays without a hit count as, a float above 0 in mesh units. Default:
+            None, the diagonal of the mesh's box, which cuts no distance within a closed body.
         sequence: Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci".
         seed: Random seed, an integer of 64 bits. Default: 0.
         first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.

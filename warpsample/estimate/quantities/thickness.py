@@ -4,31 +4,18 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from warpsample.estimate.plan import reach_of
 from warpsample.estimate.quantities.record import Quantity
-from warpsample.estimate.result import PointResult, PointStatus, status_of
+from warpsample.estimate.result import ExactResult, PointStatus, status_of
 from warpsample.host.vectors import as_directions
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.trace import trace
 
 
 @dataclass(frozen=True, eq=False)
-class Thickness(PointResult):
-    """Thickness of a body at P points.
-
-    Attributes:
-        value: (P,) float32, in units of the coordinates; 0 where nothing is beneath, and where the status is not 0.
-        standard_error: (P,) float32, 0: nothing is drawn at random.
-        rays: (P,) int32, 1, or 0 where the status is not 0.
-        status: (P,) uint8, a `PointStatus`.
-    """
-
-    value: NDArray[np.float32]
-    standard_error: NDArray[np.float32]
-    rays: NDArray[np.int32]
-    status: NDArray[np.uint8]
+class Thickness(ExactResult):
+    """Thickness of a body at P points in mesh units: `value` (P,), and (P,) `standard_error` 0, `rays` and `status`."""
 
 
 def thickness(

@@ -1,6 +1,8 @@
 """The visible share of the sky's solid angle, which terrain and archaeology people call sky view factor as well."""
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from typing_extensions import Unpack
 
 from warpsample.distributions.uniform_hemisphere import UniformHemisphere
 from warpsample.estimate.estimating import estimate
@@ -13,9 +15,6 @@ from warpsample.host.options import RayKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.placed_points import PlacedPoints
 
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
-
 
 @with_options(RayKeywords)
 def visible_sky(
@@ -25,13 +24,12 @@ def visible_sky(
     *,
     up: Any = (0.0, 0.0, 1.0),
     max_distance: float | None = None,
-    **options: "Unpack[RayKeywords]",
+    **options: Unpack[RayKeywords],
 ) -> Share:
     """Compute the share of the sky's solid angle that a point sees: all directions above the horizon have equal weight.
 
-    Relief visualisation and GIS call this share sky view factor. The `sky_view_factor` of radiation weights directions by
-    the cosine. With one horizon h per azimuth, the share is 1 - mean of sin(h). In the middle of an endless street as wide
-    as it is high, the share is 0.295 and the sky view factor 0.447. A point does not see the sky behind its own face.
+    GIS calls this share sky view factor, but `sky_view_factor` weights directions by the cosine. With one horizon h per
+    azimuth, the share is 1 - mean of sin(h). A point does not see the sky behind its own face.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.

@@ -1,9 +1,10 @@
 """View factors between the faces of a mesh, what is in the way included, by rays."""
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from typing_extensions import Unpack
 
 from warpsample.estimate.result import PointStatus, Skipped, has_status
 from warpsample.host.arguments import check_flag, check_integer
@@ -18,9 +19,6 @@ from warpsample.radiation.exchange.row_factors import RowFactors, factors_of, ma
 from warpsample.radiation.exchange.surfaces import Surfaces, check_groups, surfaces_of
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.scene import check_opaque
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
 
 _MOST_RAYS = 2**24  # of a face: a replicate is one task
 _MOST_REPLICATES = 64
@@ -37,32 +35,27 @@ def view_factors(
     up: Any = None,
     first_face: int = 0,
     active: Any = None,
-    **options: "Unpack[CastKeywords]",
+    **options: Unpack[CastKeywords],
 ) -> ViewFactors:
-    """The share of the diffuse radiation of each face's front that first meets each other's front, by rays.
+    """Compute the share of the diffuse radiation of each face's front that first hits each other's front.
 
-    Places and directions of a face's rays come from one lattice in four dimensions: 4,096 are as good as 10,000 to 15,000
-    independent ones. The bits of a row depend on (mesh, seed, first_face + face, count, replicates) alone: not on threads,
-    nor on which other faces are active, nor on `skip`. Those of errors depend on other rows, too: how much less than that
-    of independent rays the hits of a number vary is told by the replicates of all numbers of as many hits. Memory: 40 bytes
-    of each entry and 8 of each of its replicates.
+    A face's rays come from one lattice in four dimensions: 4,096 are as good as 10,000 to 15,000 independent ones. The bits
+    of a row depend on (mesh, seed, first_face + face, count, replicates) alone; those of its errors on the replicates of
+    other rows, too. Memory: 40 bytes per entry and 8 per replicate of an entry.
 
-    Where faces have a transmittance (see `Mesh`), what leaves a front ends at the first opaque face: the factor is the share
-    of it that gets there, and `absorbed` what is lost on the way, so that rows add up to 1. A face that light goes through
-    has a row, and is no column.
+    Radiation passes faces with a transmittance (see `Mesh`) up to the first opaque face. The factor is the share that
+    arrives, and `absorbed` the share that is lost on the way. A face with a transmittance has a row, and no column.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts. The front of a face is the side from which its corners run
-            counter-clockwise. Where two faces coincide back to back, rays meet the one that is turned to them; of
-            two that are turned the same way, one. Rays start two millionths of the mesh's extent in front of their face, at
-            its edges four times that inside: a gap between faces at less than 14 degrees may leak as much.
+            counter-clockwise. Of faces that coincide, rays hit one whose front they see. Rays start two millionths of the
+            mesh's extent in front of their face, so that a gap between faces at less than 14 degrees may leak.
         count: Number of rays per face, from `replicates` to 2^24, rounded down to a multiple of it. Default: 4096.
         groups: (F,) numbers of surfaces from 0 on, (F,) names of surfaces, or "part" for the named parts of the mesh. Rows
             and columns are then surfaces: a row is the mean over the surface's faces by area, with the error of the sum,
             and `names` has the names. Default: None, a surface per face.
-        reciprocal: Whether to pool both directions of each pair and adjust them, so that areas[i] matrix[i, j] equals
-            areas[j] matrix[j, i] and all rows close to 1e-7. Reduces errors, but not where faces lie on one another. Not
-            for a mesh with a transmittance, whose pairs have one direction. Default: False.
+        reciprocal: Whether to adjust both directions of each pair, so that areas[i] matrix[i, j] is areas[j] matrix[j, i]
+            and rows close to 1e-7, with smaller errors unless faces coincide; not with a transmittance. Default: False.
         replicates: Number of independent parts of each face's rays, whose differences give the errors, 1 to 64. More parts
             give larger errors that are known better. One part gives upper bounds of the errors. Default: 4.
         up: (3,) vector of any length that divides `outside` into `sky` and `ground`. Default: None, `outside` alone.

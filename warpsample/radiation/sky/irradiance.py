@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import warp as wp
 from numpy.typing import NDArray
+from typing_extensions import Unpack
 
 from warpsample.estimate.along import along
 from warpsample.estimate.estimating import estimate
@@ -30,7 +31,6 @@ from warpsample.tracing.placed_points import PlacedPoints
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
-    from typing_extensions import Unpack
 
 _BRIGHTEST = 1e37  # of a picture: pi times that is a float32
 
@@ -58,21 +58,19 @@ def irradiance(
     *,
     up: Any = (0.0, 0.0, 1.0),
     refine: float | None = None,
-    **options: "Unpack[RayKeywords]",
+    **options: Unpack[RayKeywords],
 ) -> Irradiance:
     """Compute the irradiance of distant light that the mesh does not block, and of light that faces reflect.
 
-    An open point under a radiance of 1 gets pi. Faces with a reflectance (see `Mesh`) reflect that share of the light that
-    they receive, on either side and evenly in all directions, any number of times. The CPU computes reflections, with rays
-    of their own and without a `tolerance`; `irradiation` describes how, and how precise they are.
+    An open point under a radiance of 1 gets pi; a small bright sun takes many rays. Faces with a reflectance (see `Mesh`)
+    reflect as for `irradiation`, with rays of their own on the CPU, and without a `tolerance`.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.
         points: P SurfacePoints, as for `ambient_occlusion`.
-        radiance: an equirectangular picture, (H, W) or (H, W, 3), numbers from 0 to 1e37, or the path of an .hdr or .npy
-            file: row 0 is about `up`, columns go round it, counter-clockwise seen from there, for up = (0, 0, 1) from x
-            towards y; read off bilinearly. Or a wp.func (direction: wp.vec3) -> float or wp.vec3, in the mesh's
-            coordinates. A small bright sun takes many rays: they are spread by the cosine alone.
+        radiance: Equirectangular picture, (H, W) or (H, W, 3), numbers from 0 to 1e37, or the path of an .hdr or .npy file:
+            row 0 is about `up`, columns go round it counter-clockwise, for up = (0, 0, 1) from x towards y. Or a wp.func
+            (direction: wp.vec3) -> float or wp.vec3 in mesh coordinates.
         count: Number of rays per point, 2 to 2^24; none is cast where the radiance is 0. Default: 256.
         up: (3,) vector of any length towards row 0 of a picture. Default: (0.0, 0.0, 1.0).
         refine: Longest edge of the parts of faces that each reflect evenly, a float in mesh units, see `irradiation`.

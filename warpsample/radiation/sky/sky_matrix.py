@@ -1,9 +1,10 @@
 """The sky as points see it: of each patch, the share of their lobe that it lights."""
 
 from math import prod
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from typing_extensions import Unpack
 
 from warpsample.estimate.plan import Plan, plan_of
 from warpsample.estimate.result import PointStatus, has_status
@@ -22,9 +23,6 @@ from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.rays import RAY_WORK
 
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
-
 _BLOCK_BYTES = 1 << 25  # of the rows that stand at a time where they are folded
 _BYTES_OF_NUMBER = 8  # a value and its error
 
@@ -39,17 +37,15 @@ def sky_matrix(
     up: Any = (0.0, 0.0, 1.0),
     north: Any = (0.0, 1.0, 0.0),
     fold: Any = None,
-    **options: "Unpack[CastPointKeywords]",
+    **options: Unpack[CastPointKeywords],
 ) -> SkyMatrix:
-    """The share of its lobe that each patch of the sky lights at each point: daylight coefficients of the direct view.
+    """Compute the share of the lobe that each patch of the sky lights at each point: direct daylight coefficients.
 
-    A patch that nothing is in has its exact share, and costs no ray; one that a single triangle fills, 0, and none. Rays go
-    into the others alone: of `count`, as many as the patch's share of the open sky, but at least 2; where less than a
-    quarter of the lobe is sky, `count` is that much less. How many does not depend on what is found of other patches, so
-    that turning all does not change them. They are spread as the cosine is, and share out the patch's exact share.
+    An empty patch has its exact share and costs no ray, as does a patch that a single triangle fills, with 0. Each other
+    patch gets its share of `count` rays, but at least 2; fewer where less than a quarter of the lobe is sky. Rays of a patch
+    do not depend on other patches, and are distributed as the cosine.
 
-    The bits depend on (mesh, point, first_point + row, seed, count, patches, up, north) alone: not on threads, on which
-    points are together or active, nor on `skip`. On the CPU; the first call ever compiles for about 8 s.
+    The bits depend on (mesh, point, first_point + row, seed, count, patches, up, north) alone. The call runs on the CPU.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.

@@ -2,10 +2,11 @@
 
 from dataclasses import dataclass
 from math import radians, sin
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import warp as wp
+from typing_extensions import Unpack
 
 from warpsample.host.arguments import check_flag, check_number
 from warpsample.host.arrays import as_real, cpu
@@ -25,9 +26,6 @@ from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.placement import MOST_DISTANCE, PlacementArgs, unit_in_double, vector_in_double
 from warpsample.tracing.rays import RAY_WORK
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
 
 _MOST_DISC = 45.0  # degrees: the shaft about it is still a narrow one
 _MOST_SUNS = 2**24
@@ -115,13 +113,12 @@ def direct_sun(
     weights: Any = None,
     disc: float = 0.0,
     cosine: bool = False,
-    **options: "Unpack[CastPointKeywords]",
+    **options: Unpack[CastPointKeywords],
 ) -> np.ndarray:
-    """Which sun positions each point sees, or, with weights, what these add up to: sun hours, direct irradiation.
+    """Find the sun positions that each point sees, or their weighted sum, such as sun hours or direct irradiation.
 
-    A point sees a sun in front of it, n.s > 0, if the ray towards it meets nothing: the same rays from the same starts as
-    those of `trace` from SurfacePoints. Most pairs need no ray: a sun behind, a group of up to 16 neighbours whose shaft
-    meets nothing or is covered by one triangle, a triangle that blocked another sun.
+    A point sees a sun in front of it, n.s > 0, if the ray of `trace` towards the sun hits nothing. Most pairs need no
+    ray: a sun behind, up to 16 suns whose shaft is empty or covered by one triangle, a triangle that blocked another sun.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts. A Mesh keeps its tree from call to call.

@@ -2,10 +2,11 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import Unpack
 
 from warpsample.estimate.plan import Plan, plan_of
 from warpsample.estimate.result import PointResult, PointStatus, has_status
@@ -22,9 +23,6 @@ from warpsample.radiation.weather.light import Light, light_of
 from warpsample.sequences.hashing import seed_for
 from warpsample.tracing.placed_points import PlacedPoints
 
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
-
 _BYTES = 5 * 4 + 5 * 8  # of each point and hour: five results, and what they are made of in float64
 
 
@@ -33,9 +31,8 @@ class Irradiation(PointResult):
     """What each of P points receives on its surface: in a period (P,), in kWh/m²; or in each of T hours (P, T), in W/m².
 
     Attributes:
-        value: float32, the sum of the three parts, and of what faces reflect; 0 where the status is not 0.
-        standard_error: of the same shape and unit, of the sky's, the ground's and the reflected part. The sun's has none: it
-            is exact for the sun's centre at the middle of each hour.
+        value: float32, the sum of all parts; 0 where the status is not 0.
+        standard_error: of the same shape and unit, of all parts but the sun's, which is exact for the sun's centre.
         direct: of the same shape and unit, from the sun.
         diffuse: from the sky.
         ground: from the ground beyond the mesh.
@@ -79,42 +76,34 @@ def irradiation(
     north: Any = (0.0, 1.0, 0.0),
     series: bool = False,
     refine: float | None = None,
-    **options: "Unpack[CastPointKeywords]",
+    **options: Unpack[CastPointKeywords],
 ) -> Irradiation:
-    """The irradiation of a year, or the irradiance hour by hour, of a mesh in the weather of a file.
+    """Compute the irradiation of a year, or the irradiance in each hour, with the weather of a file.
 
-    Three parts. The sun: its direct normal radiation from where it stands at the middle of each hour, with refraction, if
-    its centre is above the horizon and nothing is before it. The sky: the patches' shares of the lobe, times the radiance
-    that the model of Perez1993 (Radiance's gendaymtx) has for the hour, scaled so that an open horizontal plane receives
-    the file's diffuse horizontal radiation. The ground: what of the lobe points below the horizon and meets nothing
-    sees a plane that sends back `ground_albedo` of all that sun and sky bring to open ground, evenly.
+    The sun adds its direct normal radiation, if its centre in the middle of the hour is above the horizon, with refraction,
+    and not hidden. The sky adds the patches' shares of the lobe, times their radiance by Perez1993 (Radiance's gendaymtx),
+    scaled to the file's diffuse horizontal radiation. Directions below the horizon that hit nothing add a plane that
+    reflects `ground_albedo` of the light on open ground. A face with a transmittance (see `Mesh`) transmits that share.
 
-    Faces with a transmittance (see `Mesh`) let that share of all three through, at each crossing.
-
-    Faces with a reflectance send back that share of all that they receive, that of other faces too, from either side and
-    evenly in all directions: a fourth part. It is the mean of eight runs, by whose differences its error is told; each finds
-    what faces send back by sun, sky and other faces at random places on them, and then casts an eighth of the points' rays.
-    Each part of a face is taken to send back the same all over it, see `refine`; no error bar contains what that leaves. The
-    ground beyond the mesh stays as it is. Faces without are black: a wall above such a ground gets nothing from there.
+    A face with a reflectance reflects that share of its light, from either side and evenly in all directions; other faces
+    are black. The reflected part is the mean of eight runs, whose differences give its error. Each part of a face is taken
+    to reflect evenly, see `refine`; error bars do not contain the error of that. Terrain outside the mesh is not changed.
 
     Args:
         mesh: Mesh or anything that `as_mesh` accepts.
         points: P SurfacePoints, as for `ambient_occlusion`.
-        weather: an EPW file of 8,760 hours: its place, its direct normal and its diffuse horizontal radiation are used;
-            "athens", where no file is called that, is an example: a cloudless year.
+        weather: Path of an EPW file of 8,760 hours, or "athens", an example: a cloudless year.
         ground_albedo: Albedo of the ground, a float from 0 to 1. Default: 0.2.
         period: First and last day, both included, as ("06-01", "08-31"); or with the hours of local standard time at which
-            the period begins and ends, ("03-21T09", "03-21T15"). A later first day is in the year before. Default: None, the
-            year.
+            the period begins and ends, ("03-21T09", "03-21T15"). It may span New Year. Default: None, the year.
         patches: Patches of the sky, "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305). Default: "reinhart2".
         count: Number of rays per point to the sky, and the same number to the ground, 2 to 2^24. Default: 1024.
         up: (3,) vector of any length towards the zenith. Default: (0.0, 0.0, 1.0).
         north: (3,) vector of any length, not along `up`; its part across `up` counts. Default: (0.0, 1.0, 0.0).
         series: Whether to return each hour of the period. Default: False.
         refine: Longest edge of the parts of faces that each reflect evenly, a float in mesh units, inf for whole faces. In a
-            street, parts of a quarter of its width leave an error of 0.05 % under an even sky, and 1.7 % in its edges;
-            where half of the floor lies in the sun 1 % and 17 % of the reflected part. Default: None: the faces with the
-            longest edges are cut into 8,192 parts more than there are sides.
+            street, parts of a quarter of its width leave an error of 0.05 % under an even sky, and 1.7 % in its edges; with
+            half of the floor in the sun 1 % and 17 % of the reflected part. Default: None, 8,192 parts more than sides.
         seed: Random seed, an integer of 64 bits. Default: 0.
         first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
         active: (P,) bool. Inactive points get 0 and a status, and cast no rays. Default: None, all points are active.
