@@ -4,8 +4,4 @@ import sys
 
 from warpsample.city import rasters
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from warpsample.city.rasters import *  # noqa: F403
-
 sys.modules[__name__] = rasters
