@@ -1,6 +1,7 @@
 """The map of the house: a room imports only from rooms below it in this list, and importing the package is light.
 
-- `__init__.py`: the public names; `funcs.py`: the public `wp.func`s and structs of the kernel API; neither defines any
+- `__init__.py`: the public names; `funcs.py`: the public `wp.func`s and structs of the kernel API; neither defines any;
+  `rasters.py`: another name of `city/rasters`
 - `cli`: the `warpsample` command
 - `viewer`: the window and the PyVista accessor
 - `bench`: run time against error, and other tools side by side
@@ -47,6 +48,7 @@ ROOMS = [
     "radiation",
     "texture",
     "city",
+    "rasters",
     "output",
     "cluster",
     "bench",
@@ -215,6 +217,19 @@ def test_nothing_is_called_utils(repository):
         assert path.stem not in ("utils", "common", "misc", "helpers")
 
 
+def test_modules_of_calls_are_imported_by_their_names_and_lazily(child_environment):
+    """`import warpsample.rasters` gives the object of `from warpsample import rasters`, and no heavy library."""
+    code = (
+        "import sys, warpsample.rasters, warpsample.cluster; heavy = {'xarray', 'rasterio', 'dask', 'warp'}; "
+        "print(sorted(heavy & set(sys.modules))); import warpsample.funcs; from warpsample import cluster, funcs, rasters; "
+        "from warpsample.rasters import surface; modules = (cluster, funcs, rasters); import warpsample.city.rasters; "
+        "print(all(m is sys.modules['warpsample.' + m.__name__.rpartition('.')[2]] for m in modules), "
+        "rasters is warpsample.rasters is warpsample.city.rasters, rasters.surface is surface)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], env=child_environment, capture_output=True, text=True, check=True)
+    assert (done.stdout, done.stderr) == ("[]\nTrue True True\n", "")
+
+
 def test_import_compiles_nothing_and_touches_no_file(tmp_path, child_environment):
     code = (
         "import sys, warpsample; heavy = {'pyvista', 'matplotlib', 'scipy', 'trimesh', 'pxr', 'typer', 'dask'}; "
@@ -240,8 +255,8 @@ def test_the_command_line_hears_signals_before_it_imports_anything(child_environ
 def test_public_names_come_from_where_type_checkers_see_them(repository):
     import warpsample as ws
 
-    block = next(n for n in ast.parse((repository / "warpsample/__init__.py").read_text()).body if isinstance(n, ast.If))
-    seen = {alias.name: node.module for node in block.body for alias in node.names}
+    nodes = ast.parse((repository / "warpsample/__init__.pyi").read_text()).body
+    seen = {alias.asname: node.module for node in nodes if isinstance(node, ast.ImportFrom) for alias in node.names}
     assert sorted(seen) == sorted(ws.__all__)
     for name, home in seen.items():
         assert getattr(importlib.import_module(home), name) is getattr(ws, name)

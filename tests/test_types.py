@@ -1,24 +1,32 @@
 """Types: a user's script is clean by the strictest checker, and nearly all of the package has known types."""
 
 import json
+import re
 import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 KNOWN = 0.98
 """The share of names whose types pyright knows for sure; what is left are private to a room: viewers, charts, benchmarks."""
 
+WRONG = ["call-arg", "call-arg", "arg-type", *["call-arg"] * 5]
+"""What mypy calls the errors in `wrong_client.py`, line by line."""
+
 
 @pytest.mark.thorough
-def test_a_users_script_is_clean_by_mypy_strict(repository, tmp_path):
+def test_a_users_script_is_clean_by_mypy_strict_and_wrong_options_are_errors(repository, tmp_path):
+    """Both scripts in one run, since reading the package takes most of the time."""
     pytest.importorskip("mypy")
-    script = shutil.copy(repository / "tests/support/typed_client.py", tmp_path)
+    right, wrong = (shutil.copy(repository / f"tests/support/{name}_client.py", tmp_path) for name in ("typed", "wrong"))
     environment = {"MYPYPATH": str(repository), "MYPY_CACHE_DIR": str(tmp_path / "cache"), "PATH": ""}
-    command = [sys.executable, "-m", "mypy", "--strict", "--follow-imports=silent", script]
+    command = [sys.executable, "-m", "mypy", "--strict", "--follow-imports=silent", right, wrong]
     done = subprocess.run(command, env=environment, cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
+    found = re.findall(r"^(\w+)\.py:(\d+): error: .*\[([\w-]+)\]$", done.stdout, re.MULTILINE)
+    calls = [i for i, line in enumerate(Path(wrong).read_text().splitlines(), 1) if line.startswith(("ws.", "warpsample."))]
+    assert found == [("wrong_client", str(line), kind) for line, kind in zip(calls, WRONG, strict=True)], done.stdout
 
 
 @pytest.mark.thorough

@@ -2,137 +2,6 @@
 
 from importlib import import_module
 
-TYPE_CHECKING = False  # importing it from `typing` takes as long as all else here
-if TYPE_CHECKING:
-    from warpsample import distributions, sequences
-    from warpsample.city import rasters
-    from warpsample.city.cityjson.city import City, load_city
-    from warpsample.city.cityjson.surfaces import CitySurfaces
-    from warpsample.directions.sample import Directions, Status, sample_directions, sample_square
-    from warpsample.distributions.beckmann import Beckmann
-    from warpsample.distributions.cosine_hemisphere import CosineHemisphere
-    from warpsample.distributions.ggx import GGX
-    from warpsample.distributions.offset_ball import OffsetBall
-    from warpsample.distributions.offset_circle import OffsetCircle
-    from warpsample.distributions.offset_disk import OffsetDisk
-    from warpsample.distributions.offset_sphere import OffsetSphere
-    from warpsample.distributions.power_cosine import PowerCosine
-    from warpsample.distributions.uniform_cone import UniformCone
-    from warpsample.distributions.uniform_disk import UniformDisk
-    from warpsample.distributions.uniform_hemisphere import UniformHemisphere
-    from warpsample.distributions.uniform_sphere import UniformSphere
-    from warpsample.distributions.visible_beckmann import VisibleBeckmann
-    from warpsample.distributions.visible_ggx import VisibleGGX
-    from warpsample.distributions.von_mises_fisher import VonMisesFisher
-    from warpsample.estimate.integrate import integrate
-    from warpsample.estimate.intervals import Interval
-    from warpsample.estimate.quantities.mean_distance import MeanDistance, mean_distance
-    from warpsample.estimate.quantities.visible_sky import visible_sky
-    from warpsample.estimate.result import Estimate, PointStatus, Skipped
-    from warpsample.estimate.visibility import SkyView, ambient_occlusion, bent_normals, sky_view_factor
-    from warpsample.mesh.files import load_mesh
-    from warpsample.mesh.files.uv import load_uv
-    from warpsample.mesh.mesh import Mesh, as_mesh
-    from warpsample.mesh.points.grid_points import grid_points
-    from warpsample.mesh.points.sampling import sample_surface
-    from warpsample.mesh.report import MeshReport
-    from warpsample.mesh.surface import SurfacePoints, face_centers, vertex_points
-    from warpsample.output.frame import to_frame
-    from warpsample.radiation.exchange.net_radiation import NetRadiation
-    from warpsample.radiation.exchange.result import ViewFactors
-    from warpsample.radiation.exchange.view_factors import view_factors
-    from warpsample.radiation.quantities.sun_hours import SunHours, sun_hours
-    from warpsample.radiation.sky.irradiance import Irradiance, irradiance
-    from warpsample.radiation.sky.patches import SkyPatches, sky_patches
-    from warpsample.radiation.sky.result import SkyMatrix, SkySkipped
-    from warpsample.radiation.sky.sky_matrix import sky_matrix
-    from warpsample.radiation.sun.direct_sun import direct_sun
-    from warpsample.radiation.weather.irradiation import Irradiation, irradiation
-    from warpsample.texture.report import TextureReport
-    from warpsample.texture.texture_points import TexturePoints, texture_points
-    from warpsample.texture.unwrapping import unwrap
-    from warpsample.tracing.scene import refit
-    from warpsample.tracing.trace import Hits, trace
-    from warpsample.tracing.trace_all import AllHits, trace_all
-    from warpsample.tracing.tree import tree
-
-__all__ = [
-    "GGX",
-    "AllHits",
-    "Beckmann",
-    "City",
-    "CitySurfaces",
-    "CosineHemisphere",
-    "Directions",
-    "Estimate",
-    "Hits",
-    "Interval",
-    "Irradiance",
-    "Irradiation",
-    "MeanDistance",
-    "Mesh",
-    "MeshReport",
-    "NetRadiation",
-    "OffsetBall",
-    "OffsetCircle",
-    "OffsetDisk",
-    "OffsetSphere",
-    "PointStatus",
-    "PowerCosine",
-    "Skipped",
-    "SkyMatrix",
-    "SkyPatches",
-    "SkySkipped",
-    "SkyView",
-    "Status",
-    "SunHours",
-    "SurfacePoints",
-    "TexturePoints",
-    "TextureReport",
-    "UniformCone",
-    "UniformDisk",
-    "UniformHemisphere",
-    "UniformSphere",
-    "ViewFactors",
-    "VisibleBeckmann",
-    "VisibleGGX",
-    "VonMisesFisher",
-    "ambient_occlusion",
-    "as_mesh",
-    "bent_normals",
-    "direct_sun",
-    "distributions",
-    "face_centers",
-    "grid_points",
-    "integrate",
-    "irradiance",
-    "irradiation",
-    "load_city",
-    "load_mesh",
-    "load_uv",
-    "mean_distance",
-    "rasters",
-    "refit",
-    "sample_directions",
-    "sample_square",
-    "sample_surface",
-    "sequences",
-    "sky_matrix",
-    "sky_patches",
-    "sky_view_factor",
-    "sun_hours",
-    "texture_points",
-    "to_frame",
-    "trace",
-    "trace_all",
-    "tree",
-    "unwrap",
-    "vertex_points",
-    "view_factors",
-    "visible_sky",
-]
-
-# Distributions are not listed: they are found by their records.
 _HOMES = {
     "city.cityjson.city": ("City", "load_city"),
     "city.cityjson.surfaces": ("CitySurfaces",),
@@ -140,6 +9,7 @@ _HOMES = {
     "estimate.integrate": ("integrate",),
     "estimate.intervals": ("Interval",),
     "estimate.quantities.mean_distance": ("MeanDistance", "mean_distance"),
+    "estimate.quantities.thickness": ("Thickness", "thickness"),
     "estimate.quantities.visible_sky": ("visible_sky",),
     "estimate.result": ("Estimate", "PointStatus", "Skipped"),
     "estimate.visibility": ("SkyView", "ambient_occlusion", "bent_normals", "sky_view_factor"),
@@ -170,6 +40,25 @@ _HOMES = {
     "tracing.tree": ("tree",),
 }
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
+_LOBES = (
+    "Beckmann",
+    "CosineHemisphere",
+    "GGX",
+    "OffsetBall",
+    "OffsetCircle",
+    "OffsetDisk",
+    "OffsetSphere",
+    "PowerCosine",
+    "UniformCone",
+    "UniformDisk",
+    "UniformHemisphere",
+    "UniformSphere",
+    "VisibleBeckmann",
+    "VisibleGGX",
+    "VonMisesFisher",
+)
+__all__ = ["distributions", "rasters", "sequences"]
+__all__.extend((*_HOME, *_LOBES))
 
 
 def __getattr__(name: str) -> object:

@@ -120,14 +120,14 @@ def sun_hours_of():
 
 def test_wrong_options_are_named_before_anything_is_read():
     for call, given, kind, message in (
-        (rasters.sky_view_factor, {"up": (0, 0, 1)}, TypeError, "up: got it for sky view factor of a raster, want one of"),
+        (rasters.sky_view_factor, {"up": (0, 0, 1)}, TypeError, "up: got it for sky_view_factor, want one of"),
         (
             rasters.sky_view_factor,
             {"rays": 3},
             TypeError,
-            "rays: got it for sky view factor of a raster, want one of count",
+            "rays: got it for sky_view_factor, want one of source, count",
         ),
-        (rasters.visible_sky, {"receiver": "surface"}, TypeError, "receiver: got it for visible sky of a raster"),
+        (rasters.visible_sky, {"receiver": "surface"}, TypeError, "receiver: got it for visible_sky, want one of"),
         (rasters.sky_view_factor, {"model": "mesh"}, ValueError, "model: got 'mesh', want one of joined, block, tin"),
         (rasters.sky_view_factor, {"receiver": "tilted"}, ValueError, "receiver: got 'tilted', want one of horizontal"),
     ):
@@ -137,11 +137,9 @@ def test_wrong_options_are_named_before_anything_is_read():
         rasters.sky_view_factor((HEIGHTS, NORTH_UP, None), 1)
 
 
-def test_what_is_missing_is_told_with_the_extra(child_environment):
-    code = (
-        "import sys; sys.modules['rioxarray'] = None; from warpsample import rasters; "
-        "print(type(rasters).__name__); rasters.sky_view_factor"
-    )
+@pytest.mark.parametrize("line", ["from warpsample import rasters", "import warpsample.rasters as rasters"])
+def test_what_is_missing_is_told_with_the_extra(child_environment, line):
+    code = f"import sys; sys.modules['rioxarray'] = None; {line}; print(type(rasters).__name__); rasters.sky_view_factor"
     done = subprocess.run([sys.executable, "-c", code], env=child_environment, capture_output=True, text=True, check=False)
     assert done.stdout == "module\n"
     wanted = "ModuleNotFoundError: warpsample.rasters needs rioxarray: pip install '.[city]'"

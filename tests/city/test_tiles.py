@@ -262,7 +262,7 @@ def test_calls_take_trees_and_tiles():
     assert found.far_error.attrs["long_name"] == "error by pooled terrain far off of the sky view factor"
     bare = ws.rasters.sky_view_factor((heights, NORTH_UP, None), 32)
     assert (right.value < bare.value).mean() > 0.5
-    with pytest.raises(TypeError, match="^crowns: got it for sky view factor of a raster, want one of .*canopy, trunk"):
+    with pytest.raises(TypeError, match="^crowns: got it for sky_view_factor, want one of .*canopy, trunk"):
         ws.rasters.sky_view_factor((heights, NORTH_UP, None), 32, crowns=canopy)
 
 

@@ -1,5 +1,7 @@
 """The calls over Dask: lazy, checked at once, each chunk computed once, and the bits of one call."""
 
+import ast
+import inspect
 import pickle
 import subprocess
 import sys
@@ -249,6 +251,23 @@ def test_ids_and_raised_points_go_with_the_points(mesh, points):
     assert_same(cluster.sample_directions(owned, 8, mesh=mesh, seed=SEED, chunk=33), directions)
     with pytest.raises(ValueError, match=r"^first_point: got 7, want 0 for points that have ids of their own, `id`$"):
         cluster.ambient_occlusion(mesh, owned, RAYS, first_point=7)
+
+
+def test_types_show_each_call_with_the_options_of_its_quantity(repository):
+    """A call has its own parameters, `chunk` and the fields of its TypedDict, with the defaults of the quantity."""
+    nodes = ast.parse((repository / "warpsample/cluster/__init__.pyi").read_text()).body
+    stubs = {node.name: node.args for node in nodes if isinstance(node, ast.FunctionDef)}
+    assert set(stubs) == set(chunks.CALLS)
+    for name, taken in stubs.items():
+        keywords = getattr(import_module("warpsample.cluster.calls"), taken.kwarg.annotation.slice.id).__annotations__
+        own = {arg.arg for arg in (*taken.args, *taken.kwonlyargs)}
+        parameters = inspect.signature(chunks.CALLS[name].call).parameters
+        assert own | set(keywords) == set(parameters) | {"chunk"}, name
+        defaults = [
+            *zip(taken.args[::-1], taken.defaults[::-1], strict=False),
+            *zip(taken.kwonlyargs, taken.kw_defaults, strict=True),
+        ]
+        assert all(ast.literal_eval(default) == parameters[arg.arg].default for arg, default in defaults), name
 
 
 @pytest.mark.parametrize("name", ["ambient_occlusion", *cluster.__all__])

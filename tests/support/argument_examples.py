@@ -137,6 +137,7 @@ KINDS = {
     "any_hit": kind(False, *FLAG),
     "skip": kind(False, *FLAG),
     "progress": kind(False, *FLAG),
+    "raised": kind(np.array([True, False, True, True]), "bool"),
     "active": kind(np.array([True, False, True, True]), "bool"),
     "distribution": kind("cosine_hemisphere", wrong=(ws.GGX, "ggx(alpha=\0)", "ggx(alpha=" + "(" * 1000)),
     "sequence": kind("fibonacci"),

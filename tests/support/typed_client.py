@@ -6,6 +6,7 @@ import warp as wp
 from numpy.typing import NDArray
 
 import warpsample as ws
+import warpsample.rasters
 from warpsample import cluster, funcs, rasters
 
 
@@ -46,3 +47,11 @@ t = ws.texture_points(mesh, ws.load_uv("a.glb"), 64)
 print(t.image(year.value).shape, t.report.overlapped)
 print(rasters.sky_view_factor("dsm.tif").value, cluster.ambient_occlusion(mesh, 100).value)
 print(ws.tree(mesh), funcs.sobol, wp.__name__, made.n_points, ws.sky_matrix(mesh, eyes).patches.directions)
+print(
+    ws.thickness(mesh, eyes, max_distance=3.0).value,
+    warpsample.rasters.sun_hours("dsm.tif", "athens", tile=512, seed=1).value,
+)
+print(rasters.irradiation("dsm.tif", "athens", canopy="trees.tif", patches="tregenza", progress=True).value)
+print(cluster.sky_view_factor(mesh, 100, 64, up=(0, 0, 1), seed=1, chunk=50).value)
+print(cluster.integrate(eyes, funcs.square_to_cosine_hemisphere_pdf, 64, mesh=mesh, max_distance=3.0, chunk=50).value)
+print(cluster.sample_directions(eyes, 64, pdf=True, seed=1).pdf, cluster.trace(mesh, 100, d.vectors, any_hit=True).distance)

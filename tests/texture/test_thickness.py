@@ -9,7 +9,6 @@ from glb_files import glb
 from textured_scenes import SQUARE, TWO, opened, picture
 
 import warpsample as ws
-from warpsample.estimate.quantities.thickness import thickness
 from warpsample.estimate.result import PointStatus
 
 
@@ -17,17 +16,34 @@ def test_balls_and_sheets_and_points_without_a_normal():
     """A ball of radius 2: 4 at its middle, up to what its facets are off; above a sheet there is nothing to go through."""
     ball = ws.as_mesh(trimesh.creation.icosphere(4, radius=2.0))
     points = ws.face_centers(ball)
-    found = thickness(ball, points)
+    found = ws.thickness(ball, points)
     assert np.abs(found.value - 4.0).max() < 0.02  # the sagitta of facets of 0.15 on either side, and their tilt
-    assert thickness(ball, points, max_distance=1.0).value.max() == 1.0
+    assert ws.thickness(ball, points, max_distance=1.0).value.max() == 1.0
     normal = points.normal.copy()
     normal[:2] = [0.0, 0.0, 0.0], [np.nan, 0.0, 0.0]
-    bad = thickness(ball, ws.SurfacePoints(points.position, normal, points.face))
+    bad = ws.thickness(ball, ws.SurfacePoints(points.position, normal, points.face))
     assert bad.status[:3].tolist() == [PointStatus.ZERO_NORMAL, PointStatus.NONFINITE_NORMAL, PointStatus.OK]
     assert (bad.value[:2].tolist(), bad.rays[:3].tolist()) == ([0.0, 0.0], [0, 0, 1])
     assert np.array_equal(bad.value[2:], found.value[2:])
     sheet = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
-    assert thickness(sheet, ws.face_centers(sheet)).value.tolist() == [0.0]
+    assert ws.thickness(sheet, ws.face_centers(sheet)).value.tolist() == [0.0]
+    assert found.counts() == {PointStatus.OK: len(points)}
+    assert np.array_equal(found.to_polydata(ball)["value"], found.value)
+
+
+@pytest.mark.parametrize(
+    ("options", "error", "message"),
+    [
+        ({"max_distance": -1.0}, ValueError, "max_distance: got -1.0, want a number from 0"),
+        ({"max_distance": "1"}, TypeError, "max_distance: got '1'"),
+        ({"workers": 0}, ValueError, "workers: got 0"),
+        ({"count": 3}, TypeError, r"thickness\(\) got an unexpected keyword argument 'count'"),
+    ],
+)
+def test_arguments_that_cannot_be_used(options, error, message):
+    sheet = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    with pytest.raises(error, match=f"^{message}"):
+        ws.thickness(sheet, ws.face_centers(sheet), **options)
 
 
 def boxes(path, extensions):

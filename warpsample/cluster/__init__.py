@@ -8,11 +8,6 @@ from typing import Any
 
 from warpsample.host.making import imported, missing
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from warpsample.cluster.baking import bake
-    from warpsample.cluster.calls import integrate, sample_directions, trace
-
 __all__ = ["bake", "integrate", "sample_directions", "trace"]
 
 

@@ -27,18 +27,17 @@ DONE = np.dtype([("points", np.int64), ("rays", np.int64), ("squared_error", np.
 
 
 def bake(path: Any, call: str, *arguments: Any, chunk: int = CHUNK, resume: bool = False, **options: Any) -> xr.Dataset:
-    """Computes a call into a Zarr store, chunk by chunk; what is interrupted goes on where it was.
+    """Compute a call into a Zarr store, chunk by chunk, with the Client or the configured scheduler of Dask.
 
-    By the Client that is there, else by Dask's threads or the scheduler that is configured. A chunk is written once, whole,
-    with a checksum, by the worker that has computed it: all workers must reach the path. Little comes back here.
+    The worker of a chunk writes it once, whole, with a checksum: all workers must reach the path.
 
     Args:
-        path: of a folder that ends in .zarr.
-        call: "ambient_occlusion" or another of this room.
-        *arguments: as the call takes them.
-        chunk: points of a task, and of the store's files.
-        resume: whether to go on with a store of the same arguments, if there is one.
-        **options: as the call takes them, by name.
+        path: Path of a folder that ends in .zarr.
+        call: Name of a call of this module, such as "ambient_occlusion".
+        *arguments: Arguments of the call.
+        chunk: Number of points of a task, and of the store's files. Default: 65536.
+        resume: Whether to continue a store of the same arguments, if there is one. Default: False.
+        **options: Options of the call.
 
     Returns:
         what is in the store, lazily, as `xarray.open_zarr` has it.

@@ -4,14 +4,41 @@ from collections.abc import Callable
 from typing import Any
 
 import xarray as xr
+from typing_extensions import Unpack
 
 from warpsample.cluster.arrays import dataset_of
 from warpsample.cluster.chunks import CALLS
 from warpsample.cluster.job import CHUNK, job_of
+from warpsample.distributions.cosine_hemisphere import CosineHemisphere
+from warpsample.distributions.record import Distribution
+from warpsample.host.options import PointKeywords, RayKeywords, SeedKeywords
+
+
+class ChunkKeywords(RayKeywords, total=False):
+    """Options of a call over chunks of points."""
+
+    chunk: int
+    """Number of points of a task, an integer that changes no bit. Default: 65536."""
+
+
+class LazyKeywords(ChunkKeywords, total=False):
+    """Options of a call over chunks with rays of limited length."""
+
+    max_distance: float | None
+    """Distance from which on hits are ignored, a float in mesh units. Default: None, no limit."""
+
+
+class DirectionKeywords(SeedKeywords, PointKeywords, total=False):
+    """Options of `sample_directions` over chunks."""
+
+    sequence: str
+    """Sequence of the points of the square, a name in `warpsample.sequences.names()`. Default: "sobol"."""
+    device: Any
+    """Warp device of the workers, such as "cuda:0". Default: None, the CPU."""
 
 
 def call_of(name: str) -> Callable[..., xr.Dataset]:
-    """The call of a quantity over Dask.
+    """Make the call of a quantity over Dask.
 
     Raises:
         AttributeError: no quantity has a call of that name.
@@ -30,19 +57,18 @@ def call_of(name: str) -> Callable[..., xr.Dataset]:
 _GIVEN = {"irradiance": "10**6, np.ones((16, 32, 3)), 64"}
 """What stands in a call's example, if not a number of points and one of rays."""
 
-_DOCUMENTATION = """`warpsample.{name}` over Dask: the same arguments, and the same bits when it is computed.
+_DOCUMENTATION = """Compute `warpsample.{name}` lazily over Dask, with the same bits.
 
-    Each process builds one tree, and each task is done by one thread: Dask runs as many at once as it has threads. With a
-    Client the mesh is sent now, once, and it is the one to compute with; it gives it again to workers that lost it. So is a
-    picture; a file of one is read here. A wp.func is as for `integrate`.
+    Each process builds one tree, and each task has one thread. A Client gets the mesh, or a picture, now, and computes with
+    it; it sends either again to workers that lost it. A wp.func is as for `integrate`.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        points: SurfacePoints; or so many, uniform by area, by the call's `seed`; or "faces" or "vertices" of the mesh. All
-            but the first are made by the workers, and never stand in this process.
-        *arguments: as there.
-        chunk: points of a task, by which no bit changes.
-        **options: as there, by name; `workers` are the threads of one task.
+        mesh: Mesh or anything that `as_mesh` accepts.
+        points: SurfacePoints; or a number of points, uniform by area, that `seed` places; or "faces" or "vertices" of the
+            mesh. The workers make all but SurfacePoints.
+        *arguments: Other arguments of `warpsample.{name}` by position, such as `count`.
+        chunk: Number of points of a task, an integer that changes no bit. Default: 65536.
+        **options: Options of `warpsample.{name}`. `workers` is the number of threads per task, 1 by default.
 
     Returns:
         lazy arrays by the names of an Estimate's; `position`, `normal` and `face` of the points as coordinates; and what
@@ -60,18 +86,29 @@ _DOCUMENTATION = """`warpsample.{name}` over Dask: the same arguments, and the s
     """
 
 
-def integrate(points: Any, integrand: Any, *arguments: Any, chunk: int = CHUNK, **options: Any) -> xr.Dataset:
-    """`warpsample.integrate` over Dask; points and chunk as for `ambient_occlusion`.
+def integrate(
+    points: Any,
+    integrand: Any,
+    count: int = 256,
+    *,
+    data: Any = None,
+    distribution: Distribution | str = CosineHemisphere(),
+    mesh: Any = None,
+    **options: Unpack[LazyKeywords],
+) -> xr.Dataset:
+    """Compute `warpsample.integrate` lazily over Dask.
 
-    A wp.func goes to other processes by its name: it must stand at the top of a module that they can import, and take no
-    `data`. Dask's threads run any. `lobe.row` is the row in a chunk, `lobe.point` the id among all points.
+    Other processes import a wp.func by its name, from the top of a module, without `data`; Dask's threads run any function.
+    `lobe.row` is the row in a chunk, `lobe.point` the id among all points.
 
     Args:
-        points: as for `ambient_occlusion`.
-        integrand: a `wp.func`, as `warpsample.integrate` takes it.
-        *arguments: as there.
-        chunk: points of a task.
-        **options: as there, by name, `mesh` among them.
+        points: As for `ambient_occlusion`.
+        integrand: A `wp.func`, as for `warpsample.integrate`.
+        count: Number of directions per point. Default: 256.
+        data: Instance of a wp.struct, for Dask's threads. Default: None.
+        distribution: Distribution of the directions, or its name. Default: CosineHemisphere(method="polar").
+        mesh: Mesh, or anything that `as_mesh` accepts, that blocks directions. Default: None, nothing is blocked.
+        **options: `chunk`, `max_distance` and the options from `sequence` to `workers`, as for `warpsample.integrate`.
 
     Returns:
         lazy arrays, as of `ambient_occlusion`.
@@ -82,21 +119,34 @@ def integrate(points: Any, integrand: Any, *arguments: Any, chunk: int = CHUNK, 
         >>> print(cluster.integrate(ws.face_centers(mesh), upward, 64, mesh=mesh, chunk=1000).value.chunks)
         ((1000, 1000, 80),)
     """
-    return dataset_of(job_of("integrate", (points, integrand, *arguments), options, chunk))
+    chunk, own = options.pop("chunk", CHUNK), {"data": data, "distribution": distribution, "mesh": mesh}
+    return dataset_of(job_of("integrate", (points, integrand, count), own | options, chunk))
 
 
-def trace(mesh: Any, origins: Any, directions: Any, *arguments: Any, chunk: int = CHUNK, **options: Any) -> xr.Dataset:
-    """`warpsample.trace` over Dask; origins as the points of `ambient_occlusion`, or an array as there.
-
-    Arrays may be Dask's or xarray's, such as the vectors of `sample_directions`.
+def trace(
+    mesh: Any,
+    origins: Any,
+    directions: Any,
+    *,
+    max_distance: float | None = None,
+    any_hit: bool = False,
+    tracer: str = "auto",
+    device: Any = None,
+    workers: int | None = None,
+    chunk: int = CHUNK,
+) -> xr.Dataset:
+    """Trace rays as `warpsample.trace`, lazily over Dask; arrays may be of Dask or xarray.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        origins: as the points of `ambient_occlusion`, or (P, 3).
+        mesh: Mesh or anything that `as_mesh` accepts.
+        origins: As the points of `ambient_occlusion`, or (P, 3).
         directions: (P, 3) or (P, n, 3).
-        *arguments: as there.
-        chunk: points of a task.
-        **options: as there, by name.
+        max_distance: Distance from which on hits are ignored, a float in mesh units. Default: None, no limit.
+        any_hit: Whether to find any face in place of the nearest. Default: False.
+        tracer: Tracer, "wide", "warp" (`wp.Mesh`, skips no rays) or "auto": wide on the CPU, warp on CUDA. Default: "auto".
+        device: Warp device of the workers, such as "cuda:0". Default: None, the CPU.
+        workers: Number of threads of a task. Default: None, 1.
+        chunk: Number of points of a task. Default: 65536.
 
     Returns:
         lazy arrays `distance`, `face` and, of a mesh that light goes through, `transmitted`.
@@ -107,21 +157,30 @@ def trace(mesh: Any, origins: Any, directions: Any, *arguments: Any, chunk: int 
         >>> print(sorted(cluster.trace(ws.load_mesh("courtyard"), *rays, chunk=300).data_vars))
         ['distance', 'face']
     """
-    return dataset_of(job_of("trace", (mesh, origins, directions, *arguments), options, chunk))
+    how = {"max_distance": max_distance, "any_hit": any_hit, "tracer": tracer, "device": device, "workers": workers}
+    return dataset_of(job_of("trace", (mesh, origins, directions), how, chunk))
 
 
 def sample_directions(
-    normals: Any, count: int, *arguments: Any, mesh: Any = None, chunk: int = CHUNK, **options: Any
+    normals: Any,
+    count: int,
+    *,
+    distribution: Distribution | str = CosineHemisphere(),
+    pdf: bool = False,
+    mesh: Any = None,
+    chunk: int = CHUNK,
+    **options: Unpack[DirectionKeywords],
 ) -> xr.Dataset:
-    """`warpsample.sample_directions` over Dask; normals as the points of `ambient_occlusion`, or an array as there.
+    """Sample directions as `warpsample.sample_directions`, lazily over Dask.
 
     Args:
-        normals: (P, 3), NumPy's or Dask's, or what `points` may be.
-        count: directions per point.
-        *arguments: as there.
-        mesh: what points are on that the workers make.
-        chunk: points of a task.
-        **options: as there, by name, but `out`.
+        normals: (P, 3) array of NumPy or Dask, or as the points of `ambient_occlusion`.
+        count: Number of directions per point.
+        distribution: Distribution of the directions, or its name. Default: CosineHemisphere(method="polar").
+        pdf: Whether to return the density of each direction. Default: False.
+        mesh: Mesh of points that the workers make. Default: None.
+        chunk: Number of points of a task. Default: 65536.
+        **options: `sequence`, `seed`, `first_point`, `active`, `device`, `workers`, as for `warpsample.sample_directions`.
 
     Returns:
         lazy arrays `vectors`, `status` and, if asked for, `pdf`.
@@ -131,4 +190,5 @@ def sample_directions(
         >>> print(cluster.sample_directions(np.ones((1000, 3)), 16, chunk=300).vectors.shape)
         (1000, 16, 3)
     """
-    return dataset_of(job_of("sample_directions", (normals, count, *arguments), options, chunk, mesh))
+    how = {"distribution": distribution, "pdf": pdf, **options}
+    return dataset_of(job_of("sample_directions", (normals, count), how, chunk, mesh))

@@ -19,7 +19,7 @@ from warpsample.distributions.record import Distribution
 from warpsample.host.arguments import check_flag, check_integer, check_scale, told
 from warpsample.host.arrays import Array, Floats, cpu
 from warpsample.host.engine import check_memory, run
-from warpsample.host.options import CallOptions, explained_by
+from warpsample.host.options import CallOptions
 from warpsample.host.progress import bar
 from warpsample.host.summary import Summary
 from warpsample.host.vectors import as_vectors, check_out, new_vectors
@@ -110,7 +110,6 @@ class Directions(Summary):
         )
 
 
-@explained_by(CallOptions)
 def sample_directions(
     normals: Any,
     count: int,
@@ -126,25 +125,26 @@ def sample_directions(
     workers: int | None = None,
     progress: bool = False,
 ) -> Directions:
-    """`count` directions about each normal.
+    """Sample `count` directions about each normal.
 
-    The bits are a pure function of (seed, first_point + row, sample, count): chunks, threads and which points are active
-    do not change them. The first kernel of a process takes about 1.5 s to compile; compiled ones are cached on disk.
+    The bits are a pure function of (seed, first_point + row, sample, count). A new kernel compiles for about 1.5 s.
 
     Args:
-        normals: (P, 3) float32 or float64, of any length above 0; or SurfacePoints. NumPy in, NumPy out; wp.array in,
-            wp.array out on its device. Arrays of other libraries (PyTorch, JAX, CuPy) are taken without a copy: as NumPy's
-            in the CPU's memory, as a wp.array on a CUDA device. A zero or non-finite normal gives zero vectors, pdf 0 and
-            a status.
-        count: directions per point, n, 1 to 2^31 - 1.
-        distribution: an instance, or a name for one with its defaults.
-        sequence: a name of `warpsample.sequences.names()`.
-        pdf: whether to return the density of each direction.
-        active: (P,) bool; rows that are False give zero vectors and cost next to nothing.
-        out: a float32 array of shape (P, n, 3) to write into, of the same kind as the normals; another library's is written
-            in place too, and `vectors` is a NumPy array or wp.array of its memory.
-        device: where to compute, by default where the normals are; NumPy arrays go to a CUDA device in parts and back.
-        seed, first_point, workers, progress: see `CallOptions`.
+        normals: (P, 3) float32 or float64, of any length above 0, or SurfacePoints. NumPy gives NumPy, a wp.array gives a
+            wp.array on its device. Arrays of other libraries (PyTorch, JAX, CuPy) are not copied: they count as NumPy arrays
+            in the CPU's memory, and as wp.arrays on CUDA. A zero or non-finite normal gives zero vectors and a status.
+        count: Number of directions per point, n, 1 to 2^31 - 1.
+        distribution: Distribution of the directions, or its name. Default: CosineHemisphere(method="polar").
+        sequence: Sequence of the points of the square, a name in `warpsample.sequences.names()`. Default: "sobol".
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
+        pdf: Whether to return the density of each direction. Default: False.
+        active: (P,) bool. Inactive rows give zero vectors and cost next to nothing. Default: None, all rows are active.
+        out: (P, n, 3) float32 array to write into, of the same kind as the normals, or of another library, whose memory
+            `vectors` then is. Default: None, a new array.
+        device: Warp device, such as "cuda:0", which takes NumPy arrays in parts. Default: None, that of the normals.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
         vectors (P, n, 3) of unit length in world coordinates, pdf (P, n) if asked for, and a status per point.
@@ -186,15 +186,15 @@ def sample_directions(
     return Directions(vectors.owner, densities and densities.owner, status)
 
 
-@explained_by(CallOptions)
 def sample_square(sequence: str, points: int, count: int, *, seed: int = 0, first_point: int = 0) -> np.ndarray:
-    """The points of the square that `sample_directions` maps to directions.
+    """Return the points of the square that `sample_directions` maps to directions.
 
     Args:
-        sequence: a name of `warpsample.sequences.names()`.
-        points: how many surface points, P.
-        count: points of the square for each, n, 1 to 2^31 - 1.
-        seed, first_point: see `CallOptions`.
+        sequence: Name in `warpsample.sequences.names()`.
+        points: Number of surface points, P.
+        count: Number of points of the square for each surface point, n, 1 to 2^31 - 1.
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
 
     Returns:
         (P, n, 2) float32, multiples of 2^-24 in [0, 1).

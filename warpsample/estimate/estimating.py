@@ -28,7 +28,7 @@ def estimate(plan: Plan, summed: RaySum) -> Estimate:
         if count == plan.count and error_of(main, main.status == 0) > _MISSED * plan.tolerance:
             warnings.warn(
                 f"tolerance: got {plan.tolerance:g}, which {count:,} rays of each point do not reach, the most by count",
-                stacklevel=3,
+                stacklevel=4,
             )
     saved = strata_of(plan.count, traced=traced).rays - strata_of(count, traced=traced).rays
     unneeded = saved * np.count_nonzero(main.status == 0) - int(trial.sum(dtype=np.int64))

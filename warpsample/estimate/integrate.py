@@ -4,27 +4,26 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from typing_extensions import Unpack
 
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.record import Distribution
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.integrand import integrand_of
-from warpsample.estimate.plan import Plan, RaySum, reach_of
+from warpsample.estimate.plan import Plan, RaySum, plan_of, reach_of
 from warpsample.estimate.result import Estimate, PointStatus, has_status
 from warpsample.estimate.source.definitions import naming_function
-from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.host.arguments import told
-from warpsample.host.options import explained_by
+from warpsample.host.options import RayKeywords, with_options
 from warpsample.host.vectors import as_directions
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.triples import Triples
 
 _FEW_POINTS, _FEW_RAYS = 64, 64
 
 
-@explained_by(RayOptions, ambient_occlusion)
+@with_options(RayKeywords)
 def integrate(
     points: Any,
     integrand: Any,
@@ -34,33 +33,33 @@ def integrate(
     distribution: Distribution | str = CosineHemisphere(),
     mesh: Any = None,
     max_distance: float | None = None,
-    sequence: str = "fibonacci",
-    seed: int = 0,
-    first_point: int = 0,
-    active: Any = None,
-    tolerance: float | None = None,
-    skip: bool = True,
-    tracer: str = "auto",
-    device: Any = None,
-    workers: int | None = None,
-    progress: bool = False,
+    **options: Unpack[RayKeywords],
 ) -> Estimate:
-    """The mean of a function over the directions of a lobe about each normal; no direction reaches memory.
+    """Compute the mean of a function over the directions of a lobe about each normal, without storing directions.
 
-    It is the expectation under the distribution's density, not divided by it: over the cosine lobe, pi times the mean of a
-    radiance is the irradiance. The first call with a function compiles for about 8 s with a mesh, 4 s without.
+    The mean is the expectation under the distribution's density, not divided by it: over the cosine lobe, pi times the mean
+    of a radiance is the irradiance. The first call with a function compiles for about 8 s with a mesh, 4 s without.
 
     Args:
         points: SurfacePoints; without a mesh also normals, (P, 3) of any length.
         integrand: a wp.func (w: wp.vec3, lobe: funcs.Lobe, data: the type of `data`) -> float or wp.vec3, annotated; the
             last arguments may be left out; what it names counts as it is now. `w` is a unit direction in world coordinates,
             `lobe` has the unit normal, the row in this call and the global id of the point.
-        count: directions of each point, 2 to 2^24; rounded down as for `ambient_occlusion`.
-        data: an instance of a wp.struct, which may hold arrays on the CPU or the device; a wp.Mesh's id only of one there.
-        distribution: of the directions, an instance or a name for one with its defaults.
-        mesh: if given, a direction counts 0 where a ray along it meets the mesh; rays where the function is 0 are not cast.
-        max_distance, tolerance: see `ambient_occlusion`.
-        sequence, seed, first_point, active, skip, tracer, device, workers, progress: see `RayOptions`.
+        count: Number of directions per point, 2 to 2^24, rounded down as for `ambient_occlusion`. Default: 256.
+        data: Instance of a wp.struct, with arrays on the CPU or the device, or the id of a wp.Mesh there. Default: None.
+        distribution: Distribution of the directions, or its name. Default: CosineHemisphere(method="polar").
+        mesh: Mesh, or anything that `as_mesh` accepts, that blocks directions. Default: None, nothing is blocked.
+        max_distance: Distance from which on hits are ignored, a float in mesh units. Default: None, no limit.
+        sequence: Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci".
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
+        active: (P,) bool. Inactive points get 0 and a status, and cast no rays. Default: None, all points are active.
+        tolerance: Root mean square of the standard errors to reach, in the result's unit. Default: None, all `count` rays.
+        skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
+        tracer: Tracer, "wide", "warp" (`wp.Mesh`, skips no rays) or "auto": wide on the CPU, warp on CUDA. Default: "auto".
+        device: Warp device, such as "cuda:0", which computes in parts and returns NumPy arrays. Default: None, the CPU.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
         value (P,), or (P, 3) for a function that gives a vec3, its standard error, and for each point the rays cast
@@ -80,11 +79,8 @@ def integrate(
         0.67
     """
     at = _without_mesh(points) if mesh is None else PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, ids=at.id, active=active).by(
-        skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
-    )
-    plan = Plan.of(at, count, options, tolerance=tolerance, distribution=distribution)
-    summed = RaySum(integrand_of(integrand, data, device=options.memory.device), reach=reach_of(max_distance))
+    plan = plan_of(at, count, distribution=distribution, **options)
+    summed = RaySum(integrand_of(integrand, data, device=plan.options.memory.device), reach=reach_of(max_distance))
     if mesh is None and max_distance is not None:
         raise ValueError(f"max_distance: got {told(max_distance)} without a mesh, want it with one")
     first = _first_of(plan)

@@ -4,6 +4,8 @@ from dataclasses import dataclass
 from math import inf
 from typing import Any
 
+from typing_extensions import Unpack
+
 from warpsample.distributions import as_spatial
 from warpsample.distributions.record import Distribution
 from warpsample.estimate.integrand import Integrand
@@ -11,6 +13,7 @@ from warpsample.estimate.result import Estimate
 from warpsample.estimate.strata import POLAR_COSINE
 from warpsample.host.arguments import check_integer, check_number
 from warpsample.host.engine import check_memory
+from warpsample.host.options import RayKeywords
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
 
@@ -75,6 +78,13 @@ class Plan:
             None if tolerance is None else check_number(tolerance, "tolerance", 1e-12, 1e12),
             as_spatial(distribution),
         )
+
+
+def plan_of(at: PlacedPoints, count: Any, *, distribution: Any = POLAR_COSINE, **options: Unpack[RayKeywords]) -> Plan:
+    """Check the options of a call, and return its plan; errors are those of `Plan.of`."""
+    tolerance = options.pop("tolerance", None)
+    checked = RayOptions.of(len(at), ids=at.id, **options)
+    return Plan.of(at, count, checked, tolerance=tolerance, distribution=distribution)
 
 
 def reach_of(max_distance: Any) -> float:

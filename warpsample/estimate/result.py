@@ -181,17 +181,31 @@ class PointResult(Summary):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
+class ExactResult(PointResult):
+    """Numbers of P points that rays of no random direction give.
+
+    Attributes:
+        value: (P,) or (P, 3) float32; 0 where the status is not 0.
+        standard_error: float32, 0, of the same shape.
+        rays: (P,) int32, the rays cast that are counted.
+        status: (P,) uint8, a `PointStatus`.
+    """
+
+    value: NDArray[np.float32]
+    standard_error: NDArray[np.float32]
+    rays: NDArray[np.int32]
+    status: NDArray[np.uint8]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Estimate(PointResult):
     """A number for each of P points.
 
     Attributes:
         value: (P,) float32, or (P, 3); 0 where the status is not 0.
-        standard_error: of the same shape and unit. Each stratum of the lobe has two independent randomisations of its rays;
-            the squares of their differences add up to an unbiased estimate of the variance, whatever the sequence. Below 32
-            rays there is one stratum, so one difference, then 4 strata, 8 from 256 rays on, 32 from 448. 0 where all rays
-            agree. So it is right on average, not at each point. Of the points that are not proven open what is right is
-            within one of them at 44 % on the bunny and 62 % in the city by 64 rays, 52 and 66 % by 256; within two at 58 and
-            82 %, 70 and 89 %. `interval` is for that.
+        standard_error: of the same shape and unit, 0 where all rays agree. Its square is an unbiased estimate of the
+            variance, from two independent randomisations of the rays of each stratum, of which there are few. For the range
+            of the right value at a point see `interval`.
         spread: of the same shape and unit, the scale of the t distribution by which `interval` goes; never 0 where there is
             a number, but under no light.
         degrees_of_freedom: of the same shape, those of that distribution, float32: at least 1, or 0 without a number.
@@ -214,21 +228,10 @@ class Estimate(PointResult):
     def interval(self, level: float = 0.95) -> Interval:
         """Where the right number of each point lies: between the two in a share of about `level` of all estimates.
 
-        value -+ spread * (the quantile of t), see `estimate.intervals`, and not beyond what is possible: 0 to 1 for
-        occlusion and sky view. Held by intervals of 0.95, at points that are not proven open, in 200 runs at 120 points,
-        from 32 to 4,096 rays by any sequence: 95 to 99 % on bunny and city, and on the floors and walls of streets, of which
-        95 to 98 % where the value is from 0.2 to 0.8; nearer to 0 and 1 what no ray has met widens them. Under a small
-        opening, or a small thing before the sky, about as wide as long, of which 0.1 to 30 rays are expected: at least 93 %;
-        by `r2` as few as 87 % where it lies around the normal, since its edge then runs along the rows of that sequence.
-        Of thin slits 97 % in the mean over all, but as few as 77 % where one lies along a row of the Fibonacci lattice; by
-        `independent` rays 95 %. Other quantities have as many, but for a short `max_distance` and `falloff` on the bunny (up
-        to 98 %), and for a picture with a bright part that few rays meet: what none has met is in no interval. Among leaves,
-        many edges to a stratum, they are 88 to 94 %. Below 32 rays nothing is promised. Measured again by `pytest -m slow
-        tests/estimate/test_intervals.py`.
-
-        A pure function of the numbers above, so that `skip` changes none of its bits: a point that is proven open has the
-        interval of any point all of whose rays agree, from which up to 3.7 rays may differ by chance, at a level of 0.95.
-        (value, value) where the status is not 0.
+        value -+ spread * (the quantile of t), see `estimate.intervals`, clipped to the possible values: 0 to 1 for occlusion
+        and sky view. From 32 rays on, 95 to 99 % of the intervals of 0.95 contain the right value on bunny and city, where
+        points are not proven open; the room's README has other scenes. A picture's bright part that no ray has hit is in no
+        interval. The interval is (value, value) where the status is not 0.
 
         Args:
             level: 0.01 to 0.9999.

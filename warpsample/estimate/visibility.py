@@ -6,20 +6,20 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import Unpack
 
 from warpsample.estimate.estimating import estimate
-from warpsample.estimate.plan import Plan, RaySum, reach_of
+from warpsample.estimate.plan import RaySum, plan_of, reach_of
 from warpsample.estimate.result import Estimate, Share
 from warpsample.estimate.weights import DIRECTION, OPEN, above_plane
 from warpsample.host.arguments import check_number
 from warpsample.host.arrays import as_unit
-from warpsample.host.options import explained_by
+from warpsample.host.options import RayKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
 
 
-@explained_by(RayOptions)
+@with_options(RayKeywords)
 def ambient_occlusion(
     mesh: Any,
     points: SurfacePoints,
@@ -27,42 +27,37 @@ def ambient_occlusion(
     *,
     max_distance: float | None = None,
     falloff: float | None = None,
-    sequence: str = "fibonacci",
-    seed: int = 0,
-    first_point: int = 0,
-    active: Any = None,
-    tolerance: float | None = None,
-    skip: bool = True,
-    tracer: str = "auto",
-    device: Any = None,
-    workers: int | None = None,
-    progress: bool = False,
+    **options: Unpack[RayKeywords],
 ) -> Estimate:
-    """The share of cosine-weighted rays that get away: 1 where a point is open, 0 where it is closed in.
+    """Compute ambient occlusion: the share of cosine-weighted rays that hit nothing, 1 where a point is open.
 
-    Behind a face with a transmittance (see `Mesh`) a ray goes on with that share of its weight.
-    The bits depend on (mesh, point, first_point + row, seed, count, sequence) alone: not on threads, on which points are
-    together or active, nor on `skip`; a CUDA device has other roundings. Memory is that of the points. The first call ever
-    compiles for about 8 s. Without `skip` it takes up to 1.5 times as long (`warpsample bench visibility`).
+    Behind a face with a transmittance (see `Mesh`) a ray continues with that share of its weight. The bits depend on (mesh,
+    point, first_point + row, seed, count, sequence) alone; a CUDA device has other roundings. Memory is proportional to the
+    points. The first call compiles for about 8 s.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes; pass a Mesh to keep its tree from call to call.
-        points: P of them. The lobe is about the normal, of any length; rays leave from a millionth of the mesh's size above
-            the face, on the normal's side, and what goes into the face is blocked by it. A point on an edge or a corner sees
-            what points of its own face just beside it see: at the foot of a wall half of the sky, in a closed room none. If
-            no face is given, that is the one of those at the point that faces the normal best. On a wall's foot in the
-            middle of a floor, off its edges, a point is in front of the wall.
-        count: rays of each point, 2 to 2^24. Rounded down, so that all strata have as many: to a multiple of 2, from 32 on
-            of 8, from 256 of 16, from 448 of 64, from 4,096 of 128, from 16,384 of 256.
-        max_distance: hits at or beyond this distance are ignored, in units of the coordinates; by default there is no limit.
-        falloff: a hit at a distance t occludes by (1 - t / max_distance)^falloff, so that there is no edge at
-            max_distance: ambient obscurance (Zhukov1998). 1 is a straight line. A face with a transmittance occludes so by
-            the share that it stops of the light that gets to it.
-        tolerance: the standard error to reach, of each component in the result's unit and in the root mean square over the
-            points: by how many of `count` rays from each, a trial of one in twelve points or fewer says. Its rays are
-            forgotten, which keeps the result unbiased. A warning tells where `count` does not reach it. The count
-            depends on all points of the call, so another choice of points or parts gives other last digits.
-        sequence, seed, first_point, active, skip, tracer, device, workers, progress: see `RayOptions`.
+        mesh: Mesh or anything that `as_mesh` accepts. A Mesh keeps its tree from call to call.
+        points: P SurfacePoints. The lobe is about the normal, of any length. Rays start a millionth of the mesh's size above
+            the face, on the normal's side; rays into the face are blocked. A point on an edge or a corner sees the same as
+            its face just beside it: at the foot of a wall half of the sky, in a closed room none. Without `face`, that is
+            the face at the point that fits the normal best. A point of a floor at a wall's foot is in front of the wall.
+        count: Number of rays per point, 2 to 2^24. Rounded down, so that all strata have the same number: to a multiple of
+            2, from 32 on of 8, from 256 of 16, from 448 of 64, from 4,096 of 128, from 16,384 of 256. Default: 256.
+        max_distance: Distance from which on hits are ignored, a float in mesh units. Default: None, no limit.
+        falloff: Exponent of ambient obscurance (Zhukov1998), a float: a hit at distance t occludes by
+            (1 - t / max_distance)^falloff of the light that it stops. Default: None, every hit occludes fully.
+        sequence: Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci".
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
+        active: (P,) bool. Inactive points get 0 and a status, and cast no rays. Default: None, all points are active.
+        skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
+        tracer: Tracer, "wide", "warp" (`wp.Mesh`, skips no rays) or "auto": wide on the CPU, warp on CUDA. Default: "auto".
+        device: Warp device, such as "cuda:0", which computes in parts and returns NumPy arrays. Default: None, the CPU.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
+        tolerance: Root mean square of the standard errors to reach, in the result's unit. Default: None, all `count` rays. A
+            trial at one in twelve points or fewer finds the number of rays for all points, so other points give other last
+            digits. A warning reports a tolerance that `count` rays do not reach.
 
     Returns:
         value (P,) from 0 to 1, its standard error, and for each point the rays cast and a status.
@@ -80,11 +75,7 @@ def ambient_occlusion(
         >>> print(open_share.value.shape, f"{open_share.value.mean():.1f}")
         (100,) 0.7
     """
-    at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, ids=at.id, active=active).by(
-        skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
-    )
-    plan = Plan.of(at, count, options, tolerance=tolerance)
+    plan = plan_of(PlacedPoints.of(mesh, points), count, **options)
     reach = reach_of(max_distance)
     if falloff is not None:
         falloff = check_number(falloff, "falloff", 0.0, 1000.0)
@@ -104,7 +95,7 @@ class SkyView(Share):
     below_horizon: NDArray[np.float32]
 
 
-@explained_by(RayOptions, ambient_occlusion)
+@with_options(RayKeywords)
 def sky_view_factor(
     mesh: Any,
     points: SurfacePoints,
@@ -112,28 +103,28 @@ def sky_view_factor(
     *,
     up: Any = (0.0, 0.0, 1.0),
     max_distance: float | None = None,
-    sequence: str = "fibonacci",
-    seed: int = 0,
-    first_point: int = 0,
-    active: Any = None,
-    tolerance: float | None = None,
-    skip: bool = True,
-    tracer: str = "auto",
-    device: Any = None,
-    workers: int | None = None,
-    progress: bool = False,
+    **options: Unpack[RayKeywords],
 ) -> SkyView:
-    """The cosine-weighted share of rays that escape upward: the irradiance under a uniform sky, over that of open ground.
+    """Compute the cosine-weighted share of the sky: the irradiance under a uniform sky, relative to open ground.
 
     An upright wall that sees nothing but the sky has 1/2: the other half of its lobe points below the horizon.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        points: P of them; as for `ambient_occlusion`.
-        count: rays of each point.
-        up: (3,), of any length; rays below the plane across it do not see the sky, whatever they meet, and are not cast.
-        max_distance, tolerance: see `ambient_occlusion`.
-        sequence, seed, first_point, active, skip, tracer, device, workers, progress: see `RayOptions`.
+        mesh: Mesh or anything that `as_mesh` accepts.
+        points: P SurfacePoints, as for `ambient_occlusion`.
+        count: Number of rays per point, 2 to 2^24, rounded down as for `ambient_occlusion`. Default: 256.
+        up: (3,) vector of any length towards the zenith. Rays below its plane are not cast. Default: (0.0, 0.0, 1.0).
+        max_distance: Distance from which on hits are ignored, a float in mesh units. Default: None, no limit.
+        sequence: Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci".
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
+        active: (P,) bool. Inactive points get 0 and a status, and cast no rays. Default: None, all points are active.
+        tolerance: Root mean square of the standard errors to reach, in the result's unit. Default: None, all `count` rays.
+        skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
+        tracer: Tracer, "wide", "warp" (`wp.Mesh`, skips no rays) or "auto": wide on the CPU, warp on CUDA. Default: "auto".
+        device: Warp device, such as "cuda:0", which computes in parts and returns NumPy arrays. Default: None, the CPU.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
         value (P,) from 0 to 1, its standard error, the share of the lobe below the horizon, and for each point the rays
@@ -149,11 +140,7 @@ def sky_view_factor(
         >>> print(sky.value.shape, f"{sky.value.max():.2f}", f"{sky.below_horizon.max():.2f}")  # a roof; an upright wall
         (2080,) 1.00 0.50
     """
-    at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, ids=at.id, active=active).by(
-        skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
-    )
-    plan = Plan.of(at, count, options, tolerance=tolerance)
+    plan = plan_of(PlacedPoints.of(mesh, points), count, **options)
     reach = reach_of(max_distance)
     axis = as_unit(up, "up")
     found = estimate(plan, RaySum(above_plane(axis), reach=reach, result=Share))
@@ -164,34 +151,34 @@ def sky_view_factor(
     return SkyView(**{item.name: getattr(found, item.name) for item in fields(found)}, below_horizon=below)
 
 
-@explained_by(RayOptions, ambient_occlusion)
+@with_options(RayKeywords)
 def bent_normals(
     mesh: Any,
     points: SurfacePoints,
     count: int = 256,
     *,
     max_distance: float | None = None,
-    sequence: str = "fibonacci",
-    seed: int = 0,
-    first_point: int = 0,
-    active: Any = None,
-    tolerance: float | None = None,
-    skip: bool = True,
-    tracer: str = "auto",
-    device: Any = None,
-    workers: int | None = None,
-    progress: bool = False,
+    **options: Unpack[RayKeywords],
 ) -> Estimate:
-    """The mean of the directions that get away, cosine-weighted, (P, 3): of length 2/3 along the normal where it is open.
+    """Compute the cosine-weighted mean of the unoccluded directions: 2/3 of the normal at an open point.
 
-    Divided by its length it is the bent normal (Landis2002). Its product with the normal is the mean cosine of those rays.
+    Divided by its length, the mean is the bent normal (Landis2002). Its product with the normal is the mean cosine.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        points: P of them; as for `ambient_occlusion`.
-        count: rays of each point.
-        max_distance, tolerance: see `ambient_occlusion`.
-        sequence, seed, first_point, active, skip, tracer, device, workers, progress: see `RayOptions`.
+        mesh: Mesh or anything that `as_mesh` accepts.
+        points: P SurfacePoints, as for `ambient_occlusion`.
+        count: Number of rays per point, 2 to 2^24, rounded down as for `ambient_occlusion`. Default: 256.
+        max_distance: Distance from which on hits are ignored, a float in mesh units. Default: None, no limit.
+        sequence: Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci".
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
+        active: (P,) bool. Inactive points get 0 and a status, and cast no rays. Default: None, all points are active.
+        tolerance: Root mean square of the standard errors to reach, in the result's unit. Default: None, all `count` rays.
+        skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
+        tracer: Tracer, "wide", "warp" (`wp.Mesh`, skips no rays) or "auto": wide on the CPU, warp on CUDA. Default: "auto".
+        device: Warp device, such as "cuda:0", which computes in parts and returns NumPy arrays. Default: None, the CPU.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
         value (P, 3), vectors in world coordinates, of length 0 where all is closed to about 2/3 where all is open; the
@@ -207,9 +194,5 @@ def bent_normals(
         >>> print(bent.value.shape, f"{np.linalg.norm(bent.value, axis=1).max():.1f}")
         (100, 3) 0.7
     """
-    at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, ids=at.id, active=active).by(
-        skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
-    )
-    plan = Plan.of(at, count, options, tolerance=tolerance)
+    plan = plan_of(PlacedPoints.of(mesh, points), count, **options)
     return estimate(plan, RaySum(DIRECTION, reach=reach_of(max_distance)))

@@ -1,10 +1,10 @@
-"""The options that calls share, said and checked once: what a call over points is told besides its own subject."""
+"""Options that calls share: their types, texts and defaults, once, and the record of the checked ones."""
 
 import inspect
-import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, TypeVar
+from functools import wraps
+from typing import Any, TypedDict, TypeVar
 
 import numpy as np
 
@@ -13,52 +13,108 @@ from warpsample.host.arrays import Array, check_active
 from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_workers
 
-_ARGUMENT = re.compile(r"^    (\w+): .*\n(?:        .*\n)*", re.MULTILINE)
-_POINTER = re.compile(r"^    (\w+(?:, \w+)*): see `([\w.]+)`\.$\n?", re.MULTILINE)
-
 Call = TypeVar("Call", bound=Callable[..., Any])
 Options = TypeVar("Options", bound="CallOptions")
 
+DEFAULTS: dict[str, Any] = {
+    "sequence": "fibonacci",
+    "seed": 0,
+    "first_point": 0,
+    "active": None,
+    "tolerance": None,
+    "skip": True,
+    "tracer": "auto",
+    "device": None,
+    "workers": None,
+    "progress": False,
+}
+"""Default of each option that calls share, in the order of signatures."""
 
-def explained_by(*sources: Any) -> Callable[[Call], Call]:
-    """A decorator for functions whose docstrings point to what others say of the arguments that they share.
 
-    A line "seed, workers: see `Name`." under "Args:" becomes what the source of that name says of each: a function, or a
-    class, whose methods say it.
+class SeedKeywords(TypedDict, total=False):
+    """Options of calls that may draw random numbers."""
+
+    seed: int
+    """Random seed, an integer of 64 bits. Default: 0."""
+    workers: int | None
+    """Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores."""
+
+
+class CastKeywords(SeedKeywords, total=False):
+    """Options of calls that cast rays."""
+
+    skip: bool
+    """Whether to leave out rays whose answer is known. Changes no value. Default: True."""
+    progress: bool
+    """Whether to show a progress bar on a terminal or in a notebook. Default: False."""
+
+
+class EstimateKeywords(CastKeywords, total=False):
+    """Options of calls that estimate a mean over directions."""
+
+    sequence: str
+    """Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci"."""
+    tolerance: float | None
+    """Root mean square of the standard errors to reach, in the result's unit. Default: None, all `count` rays."""
+    tracer: str
+    """Tracer, "wide", "warp" (`wp.Mesh`, skips no rays) or "auto": wide on the CPU, warp on CUDA. Default: "auto"."""
+    device: Any
+    """Warp device, such as "cuda:0", which computes in parts and returns NumPy arrays. Default: None, the CPU."""
+
+
+class PointKeywords(TypedDict, total=False):
+    """Options of calls with a row for each point."""
+
+    first_point: int
+    """Global id of row 0, an integer; 0 for points with an `id`. Default: 0."""
+    active: Any
+    """(P,) bool. Inactive points get 0 and a status, and cast no rays. Default: None, all points are active."""
+
+
+class CastPointKeywords(CastKeywords, PointKeywords, total=False):
+    """Options of calls that cast rays from points."""
+
+
+class RayKeywords(EstimateKeywords, PointKeywords, total=False):
+    """Options of calls that estimate a mean over directions at each point."""
+
+
+def with_options(keywords: type, defaults: Mapping[str, Any] = DEFAULTS) -> Callable[[Call], Call]:
+    """Decorate a function of `**options` to raise a TypeError for others than its signature shows.
+
+    Args:
+        keywords: TypedDict of the options.
+        defaults: Default of each option, in the order of the signature. Other entries are ignored.
     """
-    texts = {source.__name__: _texts_of(source) for source in sources}
 
-    def explained(pointer: re.Match[str]) -> str:
-        return "".join(texts[pointer[2]][name] for name in pointer[1].split(", "))
+    def decorate(function: Call) -> Call:
+        plain, types, kind = inspect.signature(function), keywords.__annotations__, inspect.Parameter.KEYWORD_ONLY
+        *own, _options = plain.parameters.values()
+        known = ((name, default, types[name]) for name, default in defaults.items() if name in types)
+        shared = (inspect.Parameter(name, kind, default=default, annotation=type) for name, default, type in known)
+        signature = plain.replace(parameters=[*own, *shared])
 
-    def explain(function: Call) -> Call:
-        if function.__doc__:  # Python keeps none by -OO
-            function.__doc__ = _POINTER.sub(explained, inspect.cleandoc(function.__doc__))
-        return function
+        @wraps(function)
+        def call(*arguments: Any, **options: Any) -> Any:
+            for name in options:
+                if name not in signature.parameters:
+                    raise TypeError(f"{name}: got it for {function.__name__}, want one of {', '.join(signature.parameters)}")
+            return function(*arguments, **options)
 
-    return explain
+        call.__signature__ = signature  # type: ignore[attr-defined]
+        return call  # type: ignore[return-value]
 
-
-def _texts_of(source: Any) -> dict[str, str]:
-    """What docstrings say of each argument, whole lines by the argument's name."""
-    owners = reversed(source.__mro__[:-1]) if inspect.isclass(source) else ()
-    functions = [getattr(owner, name) for owner in owners for name in vars(owner) if not name.startswith("_")] or [source]
-    arguments = ((inspect.getdoc(function) or "").partition("Args:\n")[2].partition("\n\n")[0] for function in functions)
-    return {found[1]: found[0] for text in arguments for found in _ARGUMENT.finditer(f"{text}\n")}
+    return decorate
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class CallOptions:
-    """What calls over points have in common, checked: whose random numbers are drawn, and how they are computed.
+    """Checked options of a call over points, see `SeedKeywords`, `CastKeywords` and `PointKeywords`.
 
     Attributes:
-        seed: of 64 bits.
-        first_point: the global id of row 0.
-        ids: (P,) uint64, the global ids of all rows; None if they are counted from the first.
-        active: (P,) uint8, not 0 where a point counts; None if all do.
-        memory: where kernels run.
-        workers: threads on the CPU.
-        progress: whether to show a bar.
+        ids: (P,) uint64, the global ids of all rows; None if they are counted from `first_point`.
+        active: (P,) uint8, not 0 where a point is active; None if all are.
+        memory: Memory of the device that kernels run on.
     """
 
     seed: int
@@ -71,28 +127,9 @@ class CallOptions:
 
     @classmethod
     def of(
-        cls,
-        points: int,
-        *,
-        seed: Any = 0,
-        first_point: Any = 0,
-        ids: np.ndarray | None = None,
-        active: Any = None,
-        **how: Any,
+        cls, points: int, *, seed: Any = 0, first_point: Any = 0, ids: Any = None, active: Any = None, **how: Any
     ) -> "CallOptions":
-        """The options of a call over so many points.
-
-        Args:
-            points: how many.
-            seed: of 64 bits.
-            first_point: the global id of row 0; 0 if the points have their own, `SurfacePoints.id`.
-            ids: (P,) uint64, those of `SurfacePoints`.
-            active: (P,) bool; other points get 0 and a status, and cost next to nothing.
-            how: what `by` takes; by default computed on the CPU by all cores.
-
-        Raises:
-            TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
-        """
+        """Check the options of a call over `points` points; `ids` are those of SurfacePoints, `how` is as for `by`."""
         return cls(
             seed=check_seed(seed),
             first_point=check_first_point(first_point, points, ids),
@@ -102,17 +139,9 @@ class CallOptions:
         )
 
     def by(self: Options, **how: Any) -> Options:
-        """A copy of the options that are computed in another way.
+        """Check `device`, `workers` and `progress`, and return a copy with them.
 
-        Args:
-            device: where to compute, the CPU by default; on a CUDA device in parts, which come back as NumPy's arrays.
-            workers: threads on the CPU, by default as many as WARPSAMPLE_WORKERS says, or as there are cores.
-            progress: whether to show a bar, on a terminal or in a notebook; changes no bit.
-            given: an array that the call was given, on whose device a wp.array is computed with.
-            argument: what that array is called.
-
-        Raises:
-            TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
+        A wp.array `given` to the call, as the argument of the name `argument`, is computed with on its own device.
         """
         return replace(self, **_ways(**how))
 
@@ -125,7 +154,7 @@ def _ways(
     given: Array | None = None,
     argument: str = "",
 ) -> dict[str, Any]:
-    """The fields that say how a call is computed, by the arguments of `CallOptions.by`."""
+    """Check where and how a call is computed; return the fields of `CallOptions`."""
     return {
         "memory": Memory.of(device, given, argument),
         "workers": check_workers(workers),

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from warpsample.host.arguments import check_choice, check_integer, told
 from warpsample.host.arrays import as_real
 from warpsample.host.locks import once_property
-from warpsample.host.options import CallOptions, explained_by
+from warpsample.host.options import CallOptions
 from warpsample.host.summary import Summary
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
@@ -98,14 +98,13 @@ class TexturePoints(Summary):
         return SurfacePoints(position, normal, on, weights, id)
 
     def image(self, values: Any, *, gutter: Any = "all") -> np.ndarray:
-        """The image of numbers at the points: of each texel the mean of its points.
+        """Return the image of numbers at the points: the mean over the points of each texel.
 
-        Texels none of whose points has a finite number are filled from the nearest texel of the same chart that has one.
+        Texels without a finite number are filled from the nearest texel of the same chart with one.
 
         Args:
-            values: (P,) or (P, C) numbers, NaN of points that have none.
-            gutter: how far from the texels that faces reach the others are filled from the nearest one of these: "all", or
-                a whole number of texels. What is left is 0.
+            values: (P,) or (P, C) numbers, NaN for points without.
+            gutter: Distance in texels up to which other texels are filled, or "all". The rest is 0. Default: "all".
 
         Returns:
             (H, W) or (H, W, C) float32, the first row at v = 0.
@@ -127,10 +126,10 @@ class TexturePoints(Summary):
         """The image of the standard errors of what `image` shows.
 
         Args:
-            errors: the `Estimate` at the points; of one sample a texel also its standard errors, (P,) or (P, C). With
-                several samples the errors are of the differences between a texel's values, and rather too large:
-                samples are stratified. A texel with one sample takes the differences of the texels around it.
-            gutter: as of `image`.
+            errors: `Estimate` at the points, or with one sample per texel its standard errors, (P,) or (P, C). With several
+                samples errors follow from the differences in a texel, and are rather too large. A texel
+                with a single sample takes the differences of the texels around it.
+            gutter: As for `image`. Default: "all".
 
         Returns:
             (H, W) or (H, W, C) float32; a texel that is filled has the error of the one it is filled from.
@@ -177,7 +176,6 @@ class TexturePoints(Summary):
         return charts
 
 
-@explained_by(CallOptions)
 def texture_points(
     mesh: Any,
     uv: Any,
@@ -189,25 +187,24 @@ def texture_points(
     device: Any = None,
     workers: int | None = None,
 ) -> TexturePoints:
-    """The texels of a texture as points on a mesh, at which everything that takes points is computed.
+    """Place the texels of a texture as points on a mesh.
 
-    A texel gets a point if a bilinear lookup on the surface reads it: if its centre is nearer than 1 texel to a face, along
-    either axis. The point is where the centre is, or, if that is outside, the nearest point of a face; of several faces at
-    the same distance the one of the lowest number has it. The id of a point is a number of its texel, so that the random
-    numbers of a texel depend on nothing else.
+    A texel gets a point if a bilinear lookup on the surface reads the texel: its centre is nearer than 1 texel to a face
+    along either axis. The point is at the centre, or else at the nearest point of a face; the face of the lowest number has
+    it. The id of a point follows from its texel, so that the random numbers of a texel depend on nothing else.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        uv: (F, 3, 2) texture coordinates of the corners of its faces, u to the right and v down from the upper left corner
-            of the image, as `load_uv` gives them; NaN of faces that have none.
-        size: width and height of the image in texels, or one number for both.
-        samples: how many points a texel gets. Of one, values are those at its centre; of several, means over the part of it
-            that faces cover: they are stratified over the texel, and those outside of all faces are left out. Rays of
-            each point are by as many fewer, for the same work.
-        normals: "face" for the normals of the faces; "smooth" for those of their corners, interpolated, by which dark bands
-            appear where the faces are few; "lifted" for the same at points moved to where the smooth surface would be.
-        corner_normals: (F, 3, 3) of the corners of faces, of any length; by default those of the vertices.
-        device, workers: see `CallOptions`.
+        mesh: Mesh or anything that `as_mesh` accepts.
+        uv: (F, 3, 2) texture coordinates of the corners of faces, u to the right and v down from the upper left corner of
+            the image, as from `load_uv`; NaN for faces without.
+        size: Width and height of the image in texels, or one number for both.
+        samples: Number of points per texel: one at its centre, or several, stratified over the part that faces cover, for
+            means over that part. Default: 1.
+        normals: "face" for face normals, "smooth" for interpolated corner normals, which give dark bands on coarse meshes,
+            or "lifted" for these at points moved to the smooth surface. Default: "face".
+        corner_normals: (F, 3, 3) normals of the corners of faces, of any length. Default: None, those of the vertices.
+        device: Warp device, such as "cuda:0", which computes in parts and returns NumPy arrays. Default: None, the CPU.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
     Returns:
         the points, and what makes images of numbers at them.

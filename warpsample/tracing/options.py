@@ -12,13 +12,7 @@ from warpsample.tracing.tracers import WIDE, Tracer, tracer_of
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class RayOptions(CallOptions):
-    """What calls that cast rays have in common, checked; with the fields of `CallOptions`.
-
-    Attributes:
-        sequence: of the rays.
-        skip: whether rays are left out whose answer is known.
-        tracer: which answers for the others.
-    """
+    """Checked options of a call that casts rays, see `RayKeywords` and `CallOptions`."""
 
     sequence: Sequence
     skip: bool = True
@@ -30,30 +24,16 @@ class RayOptions(CallOptions):
             raise ValueError(f"tracer: got {self.tracer.name!r} for a mesh that light goes through, want 'wide', on the CPU")
 
     @classmethod
-    def of(cls, points: int, *, sequence: str = "fibonacci", **drawn: Any) -> "RayOptions":
-        """The options of rays from so many points, cast on the CPU by all cores.
-
-        Args:
-            points: how many.
-            sequence: of the rays, a name of `warpsample.sequences.names()`.
-            drawn: `seed`, `first_point`, `ids` and `active` as `CallOptions.of` takes them.
-
-        Raises:
-            TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
-        """
-        return cls(**vars(CallOptions.of(points, **drawn)), sequence=sequences.get(sequence))
+    def of(
+        cls, points: int, *, sequence: str = "fibonacci", skip: bool = True, tracer: str = "auto", **shared: Any
+    ) -> "RayOptions":
+        """Check the options of rays from `points` points, see `RayKeywords`; `shared` is as for `CallOptions.of`."""
+        options = CallOptions.of(points, **shared)
+        return cls(**vars(options), sequence=sequences.get(sequence))._by_tracer(skip, tracer)
 
     def by(self, *, skip: bool = True, tracer: str = "auto", **how: Any) -> "RayOptions":
-        """A copy of the options of which one says how the rays are cast.
+        """Check options of how rays are cast, and return a copy with them; `how` is as for `CallOptions.by`."""
+        return super().by(**how)._by_tracer(skip, tracer)
 
-        Args:
-            skip: whether to leave out rays whose answer is known: parts of the mesh below a point's horizon are not looked
-                at, nor directions in which nothing is to be met; changes no bit.
-            tracer: "wide", "warp" (wp.Mesh, without skipping) or "auto": wide on the CPU, wp.Mesh on a CUDA device.
-            how: `device`, `workers`, `progress`, `given` and `argument` as `CallOptions.by` takes them.
-
-        Raises:
-            TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
-        """
-        options = super().by(**how)
-        return replace(options, skip=check_flag(skip, "skip"), tracer=tracer_of(tracer, options.memory.device))
+    def _by_tracer(self, skip: bool, tracer: str) -> "RayOptions":
+        return replace(self, skip=check_flag(skip, "skip"), tracer=tracer_of(tracer, self.memory.device))

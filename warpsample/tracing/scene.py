@@ -201,16 +201,15 @@ def coarseness_of(scene: Scene, double: bool) -> float:
 
 
 def refit(mesh: Any, vertices: Any, *, workers: int | None = None) -> Mesh:
-    """The mesh with its vertices moved, ready to be traced: several times as fast as building its tree anew.
+    """Return the mesh with moved vertices, several times as fast as a new tree takes.
 
-    Rays get the same answers as from a new tree, but for which of several faces at one distance is named. They get them more
-    slowly the further the vertices have moved: a tree keeps those triangles together that were near to each other when it
-    was built.
+    Rays get the same answers as from a new tree, except for the choice among faces at the same distance. They are slower the
+    further the vertices have moved, since the tree keeps its groups of triangles.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes; a tree that it has is used, one that it has not is built.
-        vertices: (V, 3), as many as before.
-        workers: threads, all cores by default.
+        mesh: Mesh or anything that `as_mesh` accepts; its tree is used, or built.
+        vertices: (V, 3), the same number of vertices.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
     Returns:
         the moved mesh; the one that was given stays as it is.

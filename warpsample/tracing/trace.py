@@ -14,7 +14,6 @@ from warpsample.host.arrays import Array, Floats
 from warpsample.host.device_memory import Memory
 from warpsample.host.engine import check_memory
 from warpsample.host.neighbours import address_of
-from warpsample.host.options import explained_by
 from warpsample.host.progress import bar
 from warpsample.host.summary import Summary
 from warpsample.mesh.mesh import as_mesh
@@ -52,7 +51,6 @@ class Hits(Summary):
         return int(np.count_nonzero(np.isnan(distance)))
 
 
-@explained_by(RayOptions)
 def trace(
     mesh: Any,
     origins: Any,
@@ -65,34 +63,32 @@ def trace(
     workers: int | None = None,
     progress: bool = False,
 ) -> Hits:
-    """The faces that rays meet, seen from either side; those that light goes through are not met, but dim the ray.
+    """Find the first face that each ray hits, from either side; faces with a transmittance dim the ray.
 
-    A ray on an edge meets at least one of the faces there. Which rays are together and how many threads there are changes no
-    bit of the answers. The tree is built at the first call and kept while the Mesh lives: to trace again, pass a Mesh (see
-    `as_mesh`), not vertices and faces. The first call ever compiles for about 6 s; compiled kernels are cached on disk.
+    A ray on an edge hits at least one of the faces there. Other rays and the number of threads change no bit. A Mesh keeps
+    the tree that its first call builds. The first call compiles for about 6 s; compiled kernels are cached on disk.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        origins: (P, 3) float32 or float64, in the coordinates of the mesh; or (3,), one for all rays; or SurfacePoints,
-            which are moved off their face, to the side of each direction, by two millionths of the mesh's extent that way,
-            and at an edge or a corner towards the middle of their face, off the others (see `ambient_occlusion`), or
-            straight up or down where the points are `raised`. Others are taken as they are; a face at distance 0 is not
-            met, but rounding may bring it in front. From farther than some 10^9 times the mesh's size, float64 does not
-            tell where a ray goes: it meets nothing.
-        directions: (P, 3), one for each origin, or (P, n, 3), n for each; of any length that their type holds, but 0.
-            A ray is invalid if its direction is zero, or if its direction or origin is infinite or NaN: no error is raised,
-            its distance is NaN, and `invalid` of the result counts it. Arrays of other libraries count as NumPy's in the
-            CPU's memory and as wp.arrays on a CUDA device.
-        max_distance: meets only what is nearer, in units of the coordinates; in any case than float32 has distances, 3e38.
-            Both are compared in float32, from where a ray that starts far away comes near the mesh.
-        any_hit: whether some face is enough: up to twice as fast.
-        device: where to trace, by default where the rays are; NumPy's go to a CUDA device in parts, and hits come back.
-        tracer, workers, progress: see `RayOptions`.
+        mesh: Mesh or anything that `as_mesh` accepts.
+        origins: (P, 3) float32 or float64 in mesh coordinates, (3,) for all rays, or SurfacePoints, which start two
+            millionths of the mesh's extent off their face, to the side of each direction, or straight up or down where the
+            points are `raised`. A ray does not hit a face at
+            distance 0, but rounding may bring it in front. A ray from 10^9 times the mesh's size or farther hits nothing.
+        directions: (P, 3), one per origin, or (P, n, 3), n per origin, of any length but 0. A ray is invalid with a zero,
+            infinite or NaN direction, or an infinite or NaN origin: its distance is NaN, and `invalid` of the result
+            counts it. Arrays of other libraries count as NumPy arrays in the CPU's memory and as wp.arrays on a CUDA
+            device.
+        max_distance: Distance from which on hits are ignored, a float in mesh units, compared in float32 from where a ray
+            that starts far away comes near the mesh. Default: None, 3e38, the limit of float32.
+        any_hit: Whether to find any face in place of the nearest, up to twice as fast. Default: False.
+        tracer: Tracer, "wide", "warp" (`wp.Mesh`, skips no rays) or "auto": wide on the CPU, warp on CUDA. Default: "auto".
+        device: Warp device, such as "cuda:0", which takes NumPy arrays in parts. Default: None, that of the rays.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
-        distance, at least 0, inf where nothing is met and NaN for an invalid ray, and face, -1 for both; of the directions'
-        shape without the last axis. Of a mesh that light goes through they are those of opaque faces, and there is
-        `transmitted`.
+        distance, at least 0, inf without a hit and NaN for an invalid ray, and face, -1 for both, with the directions' shape
+        without the last axis. With a transmittance they are of opaque faces, and there is `transmitted`.
 
     Raises:
         TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
@@ -108,9 +104,8 @@ def trace(
     given = GivenRays.of(mesh, origins, directions)
     way, rays = given.way, given.count
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
-    options = RayOptions.of(rays).by(
-        tracer=tracer, device=device, workers=workers, progress=progress, given=way.owner, argument="directions"
-    )
+    how = {"device": device, "workers": workers, "progress": progress, "given": way.owner, "argument": "directions"}
+    options = RayOptions.of(rays, tracer=tracer, **how)
     if way.device.is_cpu:
         check_memory(8 * rays, f"the hits of {rays:,} rays", "trace them in parts")
     if mesh.transmits:

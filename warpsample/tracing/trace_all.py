@@ -40,21 +40,20 @@ class AllHits(Summary):
 def trace_all(
     mesh: Any, origins: Any, directions: Any, *, max_distance: float | None = None, workers: int | None = None
 ) -> AllHits:
-    """Every face that rays cross, from either side, however many there are.
+    """Find every face that each ray crosses, from either side.
 
-    No ray stops and starts again, so none misses what is near to another hit, or finds it twice. A ray at an edge or a
-    corner that faces share crosses one of them, as a ray just beside it does, whether they share vertices or have some of
-    their own there; where the surface turns back, seen along the ray, it crosses two or none. So out of a closed mesh the
-    number is odd, and through it even. Faces that coincide are all met. Each ray is followed twice, to count and to write;
-    how many threads there are changes no bit. A transmittance of the mesh plays no part.
+    No ray stops and starts again, so none misses a hit near another one or finds it twice. A ray at an edge or a corner
+    crosses one of its faces, as a ray just beside it does; where the surface turns back along the ray, two or none. So rays
+    out of a closed mesh cross an odd number of faces, and rays through it an even one. Faces that coincide are all crossed.
+    The number of threads changes no bit. A transmittance of the mesh has no effect.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        origins: as of `trace`, in the CPU's memory: (P, 3), or (3,), or SurfacePoints, which are moved off their face.
+        mesh: Mesh or anything that `as_mesh` accepts.
+        origins: As for `trace`, in the CPU's memory: (P, 3), (3,) or SurfacePoints, which start off their face.
         directions: (P, 3) or (P, n, 3), of any length but 0. A ray is invalid if its direction is zero, or if its
             direction or origin is infinite or NaN: it has no hits, and `invalid` of the result counts it.
-        max_distance: meets only what is nearer, in units of the coordinates.
-        workers: threads, all cores by default.
+        max_distance: Distance from which on hits are ignored, a float in mesh units. Default: None, no limit.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
     Returns:
         the hits of each ray, sorted by distance and face.
@@ -77,7 +76,7 @@ def trace_all(
             f"directions: got an array on {where}, want one in the CPU's memory: no other tracer finds all hits"
         )
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
-    options = RayOptions.of(rays).by(tracer="wide", workers=workers)
+    options = RayOptions.of(rays, tracer="wide", workers=workers)
     check_memory(16 * rays, f"the numbers of hits of {rays:,} rays", "trace them in parts")
     found = _hits(given, options, reach)
     if not isinstance(owner, wp.array):

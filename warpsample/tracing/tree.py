@@ -13,15 +13,14 @@ from warpsample.tracing.scene import GLASS, coarseness_of, scene_of
 
 
 def tree(mesh: Any, *, device: Any = None, workers: int | None = None) -> Any:
-    """A mesh as an argument of a kernel of your own, for `funcs.any_hit`, `funcs.nearest_hit` and `funcs.transmitted`.
+    """Return a mesh as a kernel argument, for `funcs.any_hit`, `funcs.nearest_hit` and `funcs.transmitted`.
 
-    It keeps alive what it needs: the mesh may go. On the CPU rays walk the 16-wide tree of `trace`, and get its answers bit
-    for bit; elsewhere they are traced by wp.Mesh.
+    The mesh may be deleted. On the CPU rays get the answers of `trace` bit for bit, elsewhere those of wp.Mesh.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes; the tree that a Mesh has is used.
-        device: where the kernel runs, the CPU by default.
-        workers: threads that build the tree, all cores by default.
+        mesh: Mesh or anything that `as_mesh` accepts; the tree of a Mesh is used.
+        device: Warp device of the kernel, such as "cuda:0". Default: None, the CPU.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
     Returns:
         a `funcs.Tree`.

@@ -48,19 +48,18 @@ class WarpsampleAccessor:
         seed: int = 0,
         **options: Any,
     ) -> pv.PolyData:
-        """A cloud of `count` directions about each normal.
+        """Return a cloud of `count` directions about each normal.
 
         Args:
-            count: directions at each point.
-            distribution: an instance or a name.
-            points: so many points, uniform by area; by default the dataset's own, with their area-weighted normals.
-            scale: length of a direction in the cloud, in the dataset's unit; by default 5 % of its diagonal.
-            seed: of points and directions.
-            **options: as `warpsample.sample_directions` takes them: sequence, pdf, active, workers, progress.
+            count: Number of directions per point.
+            distribution: Distribution of the directions, or its name. Default: CosineHemisphere(method="polar").
+            points: Number of points, uniform by area. Default: None, the dataset's points with area-weighted normals.
+            scale: Length of a direction in the cloud, in the dataset's unit. Default: None, 5 % of its diagonal.
+            seed: Random seed of points and directions. Default: 0.
+            **options: `sequence`, `pdf`, `active`, `workers` and `progress`, as for `warpsample.sample_directions`.
 
         Returns:
-            a point at position + scale * direction for each direction, with "Normals" (the direction), "point" (the row of
-            its point) and, by `pdf=True`, "pdf". Points without a normal have none.
+            points at position + scale * direction, with "Normals" (the direction), "point" (the row) and with `pdf` "pdf".
 
         Raises:
             TypeError, ValueError: an argument that cannot be used; names it.

@@ -8,15 +8,17 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
+from typing_extensions import Unpack
 
+from warpsample.city.keywords import IrradiationKeywords, SkyKeywords, SunHoursKeywords
 from warpsample.city.rasters.canopy import TRUNK
 from warpsample.city.rasters.leaves import TRANSMITTANCE
-from warpsample.city.rasters.raster_surface import on_map, surface
+from warpsample.city.rasters.raster_surface import on_map
 from warpsample.city.rasters.tiles import RasterRun
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.sky_view_factor import RECORD as SKY
 from warpsample.estimate.quantities.visible_sky import RECORD as VISIBLE_SKY
-from warpsample.host.options import explained_by
+from warpsample.host.options import with_options
 from warpsample.radiation.quantities.irradiation import RECORD as IRRADIATION
 from warpsample.radiation.quantities.sun_hours import RECORD as SUN_HOURS
 
@@ -69,33 +71,48 @@ _OF_THE_REST = {
 }
 
 
-@explained_by(surface)
+@with_options(SkyKeywords, SKY.parameters | TREES_AND_TILES)
 def sky_view_factor(
-    source: Any, count: int = 256, *, model: str = "joined", receiver: str = "horizontal", **options: Any
+    source: Any,
+    count: int = 256,
+    *,
+    model: str = "joined",
+    receiver: str = "horizontal",
+    **options: Unpack[SkyKeywords],
 ) -> xr.Dataset:
-    """The cosine-weighted share of the sky that each cell sees, as `warpsample.sky_view_factor` has it.
+    """Compute the cosine-weighted share of the sky that each cell sees, the SVF of SOLWEIG and UMEP.
 
-    Times the diffuse irradiance of open ground it is that of the cell, under an even sky. It is the SVF of SOLWEIG and UMEP.
-    Rays look for the horizon to each azimuth, unless there are crowns, or an option that is about rays all over the sky.
+    The share times the diffuse irradiance of open ground is the irradiance of the cell under a uniform sky. Rays find the
+    horizon in each azimuth, without trees and without `sequence`, `tolerance`, `tracer` and `device`. Those options and
+    trees take rays all over the sky. With tiles or distant terrain the Earth is round outside the margin.
 
     Args:
-        source, model: see `surface`.
-        count: rays of each cell.
-        receiver: "horizontal", or "surface": tilted as the cell is.
-        **options: by name, `canopy`, `trunk` and `relative` as `surface` takes them; `transmittance`, the share of light
-            that passes crowns, 0.03, however many; or where there is a date 12 shares, for each month, or 365, for days.
-            `tile`: cells along the sides of tiles that are computed one by one, for rasters past memory, each with a
-            `margin` of 256 cells around it as they are. What is beyond that is pooled, and `far_error` is how much farther
-            off than by the standard error a value may be for it; but for rays that get below the surface through a hole.
-            `far`: another raster of the same map, as `source`, of the terrain beyond the edges; with it or with tiles the
-            Earth is round beyond the margin.
-            And those of `warpsample.sky_view_factor`, as max_distance, seed, workers, progress; of rays all over the sky
-            tolerance, sequence, tracer, device.
+        source: Raster of heights: a path, an xarray.DataArray with `rio.crs`, or (array, affine, CRS), see `surface`.
+        count: Number of rays per cell. Default: 256.
+        model: Surface of the heights, "joined", "block" or "tin", see `surface`. Default: "joined".
+        receiver: "horizontal", or "surface" for the tilt of the cell, where 2 or 3 rays may give up to 1.9, noise about the
+            right mean. Default: "horizontal".
+        max_distance: Distance from which on hits are ignored, a float in map units. Default: None, no limit.
+        sequence: Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci".
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        tolerance: Root mean square of the standard errors to reach, in the result's unit. Default: None, all `count` rays.
+        skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
+        tracer: Tracer, "wide", "warp" (`wp.Mesh`, skips no rays) or "auto": wide on the CPU, warp on CUDA. Default: "auto".
+        device: Warp device, such as "cuda:0", which computes in parts and returns NumPy arrays. Default: None, the CPU.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
+        canopy: Raster of the heights of tree crowns, as `source`, on the same cells; 0 is no tree. Default: None, no trees.
+        trunk: Underside of the crowns, a share of their height from 0 to 1, or another raster. Default: 0.25.
+        relative: Whether `canopy` and `trunk` are heights above the ground; False for elevations. Default: True.
+        transmittance: Share of light that crowns transmit; with dates 12 shares for months or 365 for days. Default: 0.03.
+        tile: Number of cells along each side of a tile, for rasters that exceed memory. Default: None, a single tile.
+        margin: Number of full-resolution cells around a tile; cells outside are pooled, see `far_error`. Default: None, 256.
+        far: Raster of the terrain around `source`, as `source`. Default: None, no terrain around it.
 
     Returns:
-        `value`, `standard_error` and `half_width` (y, x), NaN where there is no height; with tiles `far_error`; and what
-        makes them again as attributes. value -+ half_width is a 95 % confidence interval; `interval` gives those of other
-        levels. By horizons the standard error is that of the value, and the interval 2.26 of them.
+        `value`, `standard_error` and `half_width` (y, x), NaN in cells without height, and the options as attributes.
+        value -+ half_width is a 95 % confidence interval; `interval` gives other levels. With tiles also `far_error`, a
+        bound of the error by pooled terrain, except for rays that pass below the surface through a hole.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
@@ -111,19 +128,35 @@ def sky_view_factor(
     return _laid(SKY, source, {"count": count, **options}, model=model, receiver=receiver)
 
 
-@explained_by(surface, sky_view_factor)
-def visible_sky(source: Any, count: int = 256, *, model: str = "joined", **options: Any) -> xr.Dataset:
-    """The share of the sky's solid angle that each cell sees, as `warpsample.visible_sky` has it.
+@with_options(SkyKeywords, VISIBLE_SKY.parameters | TREES_AND_TILES)
+def visible_sky(source: Any, count: int = 256, *, model: str = "joined", **options: Unpack[SkyKeywords]) -> xr.Dataset:
+    """Compute the share of the sky's solid angle that each cell sees, for a receiver of any tilt.
 
-    It is the sky view factor of RVT, xarray-spatial, GRASS r.skyview and WhiteboxTools, whichever way a receiver is tilted.
+    RVT, xarray-spatial, GRASS r.skyview and WhiteboxTools call this share sky view factor.
 
     Args:
-        source, model: see `surface`.
-        count: rays of each cell.
-        **options: as of `sky_view_factor`.
+        source: Raster of heights: a path, an xarray.DataArray with `rio.crs`, or (array, affine, CRS), see `surface`.
+        count: Number of rays per cell. Default: 256.
+        model: Surface of the heights, "joined", "block" or "tin", see `surface`. Default: "joined".
+        max_distance: Distance from which on hits are ignored, a float in map units. Default: None, no limit.
+        sequence: Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci".
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        tolerance: Root mean square of the standard errors to reach, in the result's unit. Default: None, all `count` rays.
+        skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
+        tracer: Tracer, "wide", "warp" (`wp.Mesh`, skips no rays) or "auto": wide on the CPU, warp on CUDA. Default: "auto".
+        device: Warp device, such as "cuda:0", which computes in parts and returns NumPy arrays. Default: None, the CPU.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
+        canopy: Raster of the heights of tree crowns, as `source`, on the same cells; 0 is no tree. Default: None, no trees.
+        trunk: Underside of the crowns, a share of their height from 0 to 1, or another raster. Default: 0.25.
+        relative: Whether `canopy` and `trunk` are heights above the ground; False for elevations. Default: True.
+        transmittance: Share of light that crowns transmit; with dates 12 shares for months or 365 for days. Default: 0.03.
+        tile: Number of cells along each side of a tile, for rasters that exceed memory. Default: None, a single tile.
+        margin: Number of full-resolution cells around a tile; cells outside are pooled, see `far_error`. Default: None, 256.
+        far: Raster of the terrain around `source`, as `source`. Default: None, no terrain around it.
 
     Returns:
-        as `sky_view_factor`.
+        arrays as of `sky_view_factor`.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
@@ -139,24 +172,45 @@ def visible_sky(source: Any, count: int = 256, *, model: str = "joined", **optio
     return _laid(VISIBLE_SKY, source, {"count": count, **options}, model=model, receiver="horizontal")
 
 
-@explained_by(surface, sky_view_factor)
+@with_options(IrradiationKeywords, IRRADIATION.parameters | TREES_AND_TILES)
 def irradiation(
-    source: Any, weather: Any, *, model: str = "joined", receiver: str = "surface", **options: Any
+    source: Any,
+    weather: Any,
+    *,
+    model: str = "joined",
+    receiver: str = "surface",
+    **options: Unpack[IrradiationKeywords],
 ) -> xr.Dataset:
-    """What a year's sun and sky bring to each cell in kWh/m², as `warpsample.irradiation` has it.
+    """Compute the irradiation of each cell in kWh/m² from the sun and the sky of a year, or of a period.
 
-    The sun stands by true north, which is not the raster's: the meridian at its middle tells.
+    The sun follows true north, along the meridian at the middle of the raster.
 
     Args:
-        source, model: see `surface`.
-        weather: an EPW file of 8,760 hours; "athens", where no file is called that, is an example.
-        receiver: "surface": for each m² of the cell as it is tilted, of which it has its plan area over the cosine of its
-            slope; or "horizontal".
-        **options: of trees and tiles, as of `sky_view_factor`; and those of `warpsample.irradiation`, as period,
-            ground_albedo, patches, count, seed, workers, progress.
+        source: Raster of heights: a path, an xarray.DataArray with `rio.crs`, or (array, affine, CRS), see `surface`.
+        weather: Path of an EPW file of 8,760 hours, or "athens", an example.
+        model: Surface of the heights, "joined", "block" or "tin", see `surface`. Default: "joined".
+        receiver: "surface" for each m² of the tilted cell, whose area is its plan area over the cosine of its slope; or
+            "horizontal". Default: "surface".
+        ground_albedo: Albedo of the ground around the raster, a float from 0 to 1. Default: 0.2.
+        period: First and last day, both included, as ("06-01", "08-31"), as for `warpsample.irradiation`. Default: None, the
+            year.
+        patches: Patches of the sky, "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305). Default: "reinhart2".
+        count: Number of rays per cell to the sky, and the same number to the ground, 2 to 2^24. Default: 1024.
+        refine: Longest edge of the parts of faces that each reflect evenly, a float in map units. Default: None.
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
+        canopy: Raster of the heights of tree crowns, as `source`, on the same cells; 0 is no tree. Default: None, no trees.
+        trunk: Underside of the crowns, a share of their height from 0 to 1, or another raster. Default: 0.25.
+        relative: Whether `canopy` and `trunk` are heights above the ground; False for elevations. Default: True.
+        transmittance: Share of light that crowns transmit; with dates 12 shares for months or 365 for days. Default: 0.03.
+        tile: Number of cells along each side of a tile, for rasters that exceed memory. Default: None, a single tile.
+        margin: Number of full-resolution cells around a tile; cells outside are pooled, see `far_error`. Default: None, 256.
+        far: Raster of the terrain around `source`, as `source`. Default: None, no terrain around it.
 
     Returns:
-        as `sky_view_factor`, in kWh/m².
+        arrays as of `sky_view_factor`, in kWh/m².
 
     Raises:
         TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.
@@ -173,18 +227,36 @@ def irradiation(
     return _laid(IRRADIATION, source, {"weather": weather, **options}, model=model, receiver=receiver)
 
 
-@explained_by(surface, sky_view_factor, irradiation)
-def sun_hours(source: Any, weather: Any, *, model: str = "joined", receiver: str = "surface", **options: Any) -> xr.Dataset:
-    """In how many hours of a year or a period each cell sees the sun.
+@with_options(SunHoursKeywords, SUN_HOURS.parameters | TREES_AND_TILES)
+def sun_hours(
+    source: Any,
+    weather: Any,
+    *,
+    model: str = "joined",
+    receiver: str = "surface",
+    **options: Unpack[SunHoursKeywords],
+) -> xr.Dataset:
+    """Count the hours of a year, or of a period, in which each cell sees the sun.
 
     Args:
-        source, model: see `surface`.
-        weather: see `irradiation`.
-        receiver: "surface": a cell does not see the sun behind its own plane; or "horizontal".
-        **options: of trees and tiles, as of `sky_view_factor`; and period, seed and workers, as of `warpsample.irradiation`.
+        source: Raster of heights: a path, an xarray.DataArray with `rio.crs`, or (array, affine, CRS), see `surface`.
+        weather: Path of an EPW file of 8,760 hours, or "athens", an example.
+        model: Surface of the heights, "joined", "block" or "tin", see `surface`. Default: "joined".
+        receiver: "surface", which does not see the sun behind its own plane, or "horizontal". Default: "surface".
+        period: First and last day, both included, as ("06-01", "08-31"), as for `warpsample.irradiation`. Default: None, the
+            year.
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        canopy: Raster of the heights of tree crowns, as `source`, on the same cells; 0 is no tree. Default: None, no trees.
+        trunk: Underside of the crowns, a share of their height from 0 to 1, or another raster. Default: 0.25.
+        relative: Whether `canopy` and `trunk` are heights above the ground; False for elevations. Default: True.
+        transmittance: Share of light that crowns transmit; with dates 12 shares for months or 365 for days. Default: 0.03.
+        tile: Number of cells along each side of a tile, for rasters that exceed memory. Default: None, a single tile.
+        margin: Number of full-resolution cells around a tile; cells outside are pooled, see `far_error`. Default: None, 256.
+        far: Raster of the terrain around `source`, as `source`. Default: None, no terrain around it.
 
     Returns:
-        as `sky_view_factor`, in hours; the standard error and the half width are 0: nothing is drawn at random.
+        arrays as of `sky_view_factor`, in hours; the standard error and the half width are 0, since nothing is random.
 
     Raises:
         TypeError, ValueError, FileNotFoundError: an argument that cannot be used; names it, what it got and what it wants.

@@ -4,15 +4,16 @@ from dataclasses import dataclass, fields
 from math import inf
 from typing import Any
 
+from typing_extensions import Unpack
+
 from warpsample.estimate.estimating import estimate
-from warpsample.estimate.plan import Plan, RaySum, reach_of
+from warpsample.estimate.plan import RaySum, plan_of, reach_of
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import Estimate
 from warpsample.estimate.weights import OPEN
 from warpsample.host.arguments import check_number
-from warpsample.host.options import explained_by
+from warpsample.host.options import RayKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
 
 _LEAST, _MOST = 1e-30, 1e30  # of a limit: its float32 and those of the errors are neither 0 nor infinite
@@ -34,42 +35,37 @@ class MeanDistance(Estimate):
         return 0.0, self.max_distance
 
 
-@explained_by(RayOptions)
+@with_options(RayKeywords)
 def mean_distance(
     mesh: Any,
     points: SurfacePoints,
     count: int = 256,
     *,
     max_distance: float | None = None,
-    sequence: str = "fibonacci",
-    seed: int = 0,
-    first_point: int = 0,
-    active: Any = None,
-    tolerance: float | None = None,
-    skip: bool = True,
-    tracer: str = "auto",
-    device: Any = None,
-    workers: int | None = None,
-    progress: bool = False,
+    **options: Unpack[RayKeywords],
 ) -> MeanDistance:
-    """The mean distance of cosine-weighted rays to what they meet first, of each at most `max_distance`.
+    """Compute the mean distance of cosine-weighted rays to their first hit, at most `max_distance` for each ray.
 
-    With normals outward it says how open a place is, with normals turned inward how thick a body is there. It is
-    `max_distance` times the ambient occlusion with a `falloff` of 1, whose kernel it shares: a ray that meets something at
-    a distance t, or nothing, adds min(t, max_distance). At faces with a transmittance a part of the ray ends, and the rest
-    goes on: what is added is the mean over its parts.
+    With normals outward the mean shows how open a point is, with normals inward how thick the body is. It is
+    `max_distance` times the ambient occlusion with a `falloff` of 1. At a face with a transmittance a part of the ray ends
+    and the rest continues: the ray adds the mean over its parts.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        points: P of them; as for `ambient_occlusion`.
-        count: rays of each point.
-        max_distance: what farther hits and rays that meet nothing count as, in units of the coordinates, above 0. By
-            default, and if it is infinite, the diagonal of the mesh's box: from a point of the mesh nothing of it is
-            farther, so that within a closed body no distance is cut. Each ray adds a float32 share of it, and so errs by up
-            to 6e-8 of it.
-        tolerance: the standard error to reach, in units of the coordinates, as the root mean square over the points, by at
-            most `count` rays; as for `ambient_occlusion`.
-        sequence, seed, first_point, active, skip, tracer, device, workers, progress: see `RayOptions`.
+        mesh: Mesh or anything that `as_mesh` accepts.
+        points: P SurfacePoints, as for `ambient_occlusion`.
+        count: Number of rays per point, 2 to 2^24, rounded down as for `ambient_occlusion`. Default: 256.
+        max_distance: Distance that farther hits and rays without a hit count as, a float above 0 in mesh units. Default:
+            None, the diagonal of the mesh's box, which cuts no distance within a closed body.
+        sequence: Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci".
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
+        active: (P,) bool. Inactive points get 0 and a status, and cast no rays. Default: None, all points are active.
+        tolerance: Root mean square of the standard errors to reach, in the result's unit. Default: None, all `count` rays.
+        skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
+        tracer: Tracer, "wide", "warp" (`wp.Mesh`, skips no rays) or "auto": wide on the CPU, warp on CUDA. Default: "auto".
+        device: Warp device, such as "cuda:0", which computes in parts and returns NumPy arrays. Default: None, the CPU.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
         value (P,) from 0 to `max_distance`, in units of the coordinates, its standard error, and for each point the rays
@@ -87,10 +83,7 @@ def mean_distance(
         16 of 20
     """
     at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, ids=at.id, active=active).by(
-        skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
-    )
-    plan = Plan.of(at, count, options, tolerance=tolerance)
+    plan = plan_of(at, count, **options)
     limit = reach_of(max_distance)
     limit = at.mesh.diagonal if limit == inf else check_number(limit, "max_distance", _LEAST, _MOST)
     found = estimate(plan, RaySum(OPEN, reach=limit, unit=limit, falloff=1.0))

@@ -2,18 +2,19 @@
 
 import numpy as np
 
-from warpsample.estimate.quantities.position import OwnVectors
+from warpsample.estimate.quantities.position import vectors_of
 from warpsample.estimate.quantities.record import Quantity
+from warpsample.estimate.result import ExactResult
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 
 
 def surface_normals(
     mesh: Mesh, points: SurfacePoints, *, seed: int = 0, first_point: int = 0, workers: int | None = None
-) -> OwnVectors:
+) -> ExactResult:
     """The unit normal of each point, in the coordinates of the mesh."""
     del mesh, seed, first_point, workers  # nothing is computed
-    return OwnVectors.of(points, np.asarray(points.normal))
+    return vectors_of(points, np.asarray(points.normal))
 
 
 RECORD = Quantity(
@@ -21,7 +22,7 @@ RECORD = Quantity(
     call=surface_normals,
     title="normals",
     value="which way it faces; in a .glb, the normal map of a finer mesh",
-    result=OwnVectors,
+    result=ExactResult,
     shared=(),
     channels="xyz",
     black=-1.0,

@@ -1,39 +1,25 @@
-"""How thick a body is beneath a surface, as a quantity: what glTF's KHR_materials_volume is told."""
+"""The thickness of a body beneath its surface, which glTF's KHR_materials_volume takes."""
 
 from dataclasses import dataclass
-from math import inf
+from typing import Any
 
 import numpy as np
 
+from warpsample.estimate.plan import reach_of
 from warpsample.estimate.quantities.record import Quantity
-from warpsample.estimate.result import PointStatus, status_of
-from warpsample.host.arguments import check_number
-from warpsample.host.summary import Summary
+from warpsample.estimate.result import ExactResult, PointStatus, status_of
 from warpsample.host.vectors import as_directions
-from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.trace import trace
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Thickness(Summary):
-    """How far it is through a body at P points.
-
-    Attributes:
-        value: (P,) float32, in units of the coordinates; 0 where nothing is beneath, and where the status is not 0.
-        standard_error: (P,) float32, 0: nothing is drawn at random.
-        rays: (P,) int32, 1, or 0 where the status is not 0.
-        status: (P,) uint8, a `PointStatus`.
-    """
-
-    value: np.ndarray
-    standard_error: np.ndarray
-    rays: np.ndarray
-    status: np.ndarray
+class Thickness(ExactResult):
+    """Thickness of a body at P points in mesh units: `value` (P,), and (P,) `standard_error` 0, `rays` and `status`."""
 
 
 def thickness(
-    mesh: Mesh,
+    mesh: Any,
     points: SurfacePoints,
     *,
     max_distance: float | None = None,
@@ -41,13 +27,32 @@ def thickness(
     first_point: int = 0,
     workers: int | None = None,
 ) -> Thickness:
-    """How far it is to the face that a ray against the normal meets first, at most `max_distance`.
+    """Measure the distance through a body, from each point to the first face against the normal.
 
-    A ray that meets nothing at all has nothing to go through: there the thickness is 0.
+    `mean_distance` with normals inward is the mean over a lobe in place of this single ray.
+
+    Args:
+        mesh: Mesh or anything that `as_mesh` accepts.
+        points: P SurfacePoints.
+        max_distance: Largest thickness to return, a float in mesh units. Default: None, no limit.
+        seed: Random seed, an integer of 64 bits. Default: 0. Has no effect: nothing is random.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0. Has no effect: nothing is random.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+
+    Returns:
+        value (P,) from 0 to `max_distance` in mesh units, 0 where the ray hits nothing, and a status for each point.
+
+    Raises:
+        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
+        MemoryError: more than is free.
+
+    Example:
+        >>> slab = ws.Mesh([[0, 0, 0], [3, 0, 0], [0, 3, 0], [0, 0, 2], [3, 0, 2], [0, 3, 2]], [[0, 2, 1], [3, 4, 5]])
+        >>> print(ws.thickness(slab, ws.face_centers(slab)).value.round(3))
+        [2. 2.]
     """
     del seed, first_point  # nothing is random
-    most = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
-    status = status_of(points)
+    most, status = reach_of(max_distance), status_of(points)
     good = status == int(PointStatus.OK)
     inward = np.where(good[:, None], -as_directions(points.normal), (0.0, 0.0, 1.0)).astype(np.float32)
     distance = trace(mesh, points, inward, workers=workers).distance
@@ -59,7 +64,7 @@ RECORD = Quantity(
     name="thickness",
     call=thickness,
     title="thickness",
-    value="how far it is through the body, against the normal",
+    value="the distance through the body, against the normal",
     result=Thickness,
     shared=(),
     unit="mesh units",

@@ -2,21 +2,21 @@
 
 from typing import Any
 
+from typing_extensions import Unpack
+
 from warpsample.distributions.uniform_hemisphere import UniformHemisphere
 from warpsample.estimate.estimating import estimate
-from warpsample.estimate.plan import Plan, RaySum, reach_of
+from warpsample.estimate.plan import RaySum, plan_of, reach_of
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import Share
-from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.estimate.weights import above_plane
 from warpsample.host.arrays import as_unit
-from warpsample.host.options import explained_by
+from warpsample.host.options import RayKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
 
 
-@explained_by(RayOptions, ambient_occlusion)
+@with_options(RayKeywords)
 def visible_sky(
     mesh: Any,
     points: SurfacePoints,
@@ -24,31 +24,29 @@ def visible_sky(
     *,
     up: Any = (0.0, 0.0, 1.0),
     max_distance: float | None = None,
-    sequence: str = "fibonacci",
-    seed: int = 0,
-    first_point: int = 0,
-    active: Any = None,
-    tolerance: float | None = None,
-    skip: bool = True,
-    tracer: str = "auto",
-    device: Any = None,
-    workers: int | None = None,
-    progress: bool = False,
+    **options: Unpack[RayKeywords],
 ) -> Share:
-    """The share of the sky's solid angle that a point sees: each direction above the horizon counts the same.
+    """Compute the share of the sky's solid angle that a point sees: all directions above the horizon have equal weight.
 
-    Relief visualisation and GIS call it sky view factor, as `sky_view_factor` is called where radiation is computed: that
-    one weighs directions by the cosine. With one horizon h to each azimuth this is 1 - mean of sin(h). In the middle of an
-    endless street as wide as it is high it is 0.295, and the other 0.447. Rays go all around the point's normal, evenly:
-    what is behind its face is not seen.
+    GIS calls this share sky view factor, but `sky_view_factor` weights directions by the cosine. With one horizon h per
+    azimuth, the share is 1 - mean of sin(h). A point does not see the sky behind its own face.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        points: P of them; as for `ambient_occlusion`.
-        count: rays of each point.
-        up: (3,), of any length; rays below the plane across it do not see the sky, whatever they meet, and are not cast.
-        max_distance, tolerance: see `ambient_occlusion`.
-        sequence, seed, first_point, active, skip, tracer, device, workers, progress: see `RayOptions`.
+        mesh: Mesh or anything that `as_mesh` accepts.
+        points: P SurfacePoints, as for `ambient_occlusion`.
+        count: Number of rays per point, 2 to 2^24, rounded down as for `ambient_occlusion`. Default: 256.
+        up: (3,) vector of any length towards the zenith. Rays below its plane are not cast. Default: (0.0, 0.0, 1.0).
+        max_distance: Distance from which on hits are ignored, a float in mesh units. Default: None, no limit.
+        sequence: Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci".
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
+        active: (P,) bool. Inactive points get 0 and a status, and cast no rays. Default: None, all points are active.
+        tolerance: Root mean square of the standard errors to reach, in the result's unit. Default: None, all `count` rays.
+        skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
+        tracer: Tracer, "wide", "warp" (`wp.Mesh`, skips no rays) or "auto": wide on the CPU, warp on CUDA. Default: "auto".
+        device: Warp device, such as "cuda:0", which computes in parts and returns NumPy arrays. Default: None, the CPU.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
         value (P,) from 0 to 1, its standard error, and for each point the rays cast and a status.
@@ -63,10 +61,7 @@ def visible_sky(
         >>> print(f"{ws.visible_sky(mesh, yard, 4096).value[0]:.2f}, {ws.sky_view_factor(mesh, yard, 4096).value[0]:.2f}")
         0.23, 0.36
     """
-    at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, active=active, ids=at.id)
-    options = options.by(skip=skip, tracer=tracer, device=device, workers=workers, progress=progress)
-    plan = Plan.of(at, count, options, tolerance=tolerance, distribution=UniformHemisphere())
+    plan = plan_of(PlacedPoints.of(mesh, points), count, distribution=UniformHemisphere(), **options)
     reach = reach_of(max_distance)
     return estimate(plan, RaySum(above_plane(as_unit(up, "up")), reach=reach, result=Share))  # type: ignore[return-value]
 

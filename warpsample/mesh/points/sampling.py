@@ -6,7 +6,7 @@ import numpy as np
 
 from warpsample.host.arguments import check_choice, check_flag, check_integer, check_number
 from warpsample.host.engine import check_memory, run
-from warpsample.host.options import CallOptions, explained_by
+from warpsample.host.options import CallOptions
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.placing import BLOCK, guide_to, place_points
 from warpsample.mesh.points.thinning import darts_for, thinned
@@ -18,7 +18,6 @@ BYTES_PER_POINT = 24 + 12 + 4
 SPACINGS = ("random", "blue")
 
 
-@explained_by(CallOptions)
 def sample_surface(
     mesh: Any,
     count: int | None = None,
@@ -31,23 +30,23 @@ def sample_surface(
     device: Any = None,
     workers: int | None = None,
 ) -> SurfacePoints:
-    """Points uniform by area: a face by its share of the area, then a uniform point of that triangle.
+    """Sample points on the surface, uniform by area.
 
-    Row i is a pure function of (mesh, seed, first_point + i), so a run can be split anywhere. The areas are summed in
-    float64 and drawn from with 64 bits: 10^7 faces keep their shares, where float32 gives 1.7 % of all points to the last.
-
-    With `spacing="blue"` the points keep a distance, as Poisson-disk points do: of sixteen times as many random ones, in
-    their order, each stays that is not within it of one before. All rows then depend on (mesh, seed, count, radius).
+    Row i is a pure function of (mesh, seed, first_point + i), so a run can be split anywhere. Areas are summed in float64
+    and drawn with 64 bits, which keeps the shares of 10^7 faces. `spacing="blue"` thins sixteen times as many random
+    points to Poisson-disk points; all rows then depend on (mesh, seed, count, radius).
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes. Degenerate faces get no points.
-        count: how many, 1 to 2^31 - 1.
-        spacing: "random": independent points; "blue": Poisson-disk points.
-        radius: in place of count, for "blue": the distance, straight through space, that two points are never within whose
-            normals are less than 120 degrees apart; both sides of a sheet have points of their own. By a count it is found:
-            about 0.76 of the root of the area for each point, or 0.71 of what the densest pattern has.
-        barycentric: whether to keep the weights of the corners.
-        seed, first_point, device, workers: see `CallOptions`.
+        mesh: Mesh or anything that `as_mesh` accepts. Degenerate faces get no points.
+        count: Number of points, 1 to 2^31 - 1. Default: None, as many as `radius` allows.
+        spacing: "random" for independent points, "blue" for Poisson-disk points. Default: "random".
+        radius: Least distance of "blue" points in space, a float in mesh units, where normals differ by less than 120
+            degrees, so that both sides of a sheet have points. Default: None, about 0.76 of the root of the area per point.
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
+        barycentric: Whether to return the weights of the corners. Default: False.
+        device: Warp device, such as "cuda:0", which computes in parts and returns NumPy arrays. Default: None, the CPU.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
     Returns:
         position float64, normal float32 (of the face), face; barycentric if asked for.
@@ -79,7 +78,7 @@ def sample_surface(
         raise ValueError(f"first_point: got {first_point!r} with spacing='blue', want 0: its rows depend on each other")
     drawn = darts_for(count, radius, float(mesh.face_areas.sum())) if blue else count
     drawn = check_integer(drawn, "count", 1, 2**31 - 1)
-    options = CallOptions.of(drawn, seed=seed, first_point=first_point).by(device=device, workers=workers)
+    options = CallOptions.of(drawn, seed=seed, first_point=first_point, device=device, workers=workers)
     points = _random_points(mesh, drawn, options, barycentric)
     if not blue:
         return points

@@ -75,7 +75,7 @@ def closure_of(pairs: "csr_array", areas: np.ndarray, lost: np.ndarray, densitie
             return best
         step = found.step(gap)
         shifts += step / max(1.0, np.max(np.abs(step) / own))
-    warnings.warn(f"view_factors: rows close to {worst:.1g} only; more rays will help", stacklevel=4)
+    warnings.warn(f"view_factors: rows close to {worst:.1g} only; more rays will help", stacklevel=5)
     return best
 
 

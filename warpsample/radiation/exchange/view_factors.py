@@ -4,11 +4,12 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from typing_extensions import Unpack
 
 from warpsample.estimate.result import PointStatus, Skipped, has_status
 from warpsample.host.arguments import check_flag, check_integer
 from warpsample.host.arrays import as_unit
-from warpsample.host.options import explained_by
+from warpsample.host.options import CastKeywords, with_options
 from warpsample.host.progress import bar
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.radiation.exchange.casting import Casting
@@ -23,7 +24,7 @@ _MOST_RAYS = 2**24  # of a face: a replicate is one task
 _MOST_REPLICATES = 64
 
 
-@explained_by(RayOptions)
+@with_options(CastKeywords)
 def view_factors(
     mesh: Any,
     count: int = 4096,
@@ -31,46 +32,39 @@ def view_factors(
     groups: Any = None,
     reciprocal: bool = False,
     replicates: int = 4,
-    seed: int = 0,
     up: Any = None,
     first_face: int = 0,
     active: Any = None,
-    skip: bool = True,
-    workers: int | None = None,
-    progress: bool = False,
+    **options: Unpack[CastKeywords],
 ) -> ViewFactors:
-    """The share of the diffuse radiation of each face's front that first meets each other's front, by rays.
+    """Compute the share of the diffuse radiation of each face's front that first hits each other's front.
 
-    Places and directions of a face's rays come from one lattice in four dimensions: 4,096 are as good as 10,000 to 15,000
-    independent ones. The bits of a row depend on (mesh, seed, first_face + face, count, replicates) alone: not on threads,
-    nor on which other faces are active, nor on `skip`. Those of errors depend on other rows, too: how much less than that
-    of independent rays the hits of a number vary is told by the replicates of all numbers of as many hits. Memory: 40 bytes
-    of each entry and 8 of each of its replicates.
+    A face's rays come from one lattice in four dimensions: 4,096 are as good as 10,000 to 15,000 independent ones. The bits
+    of a row depend on (mesh, seed, first_face + face, count, replicates) alone; those of its errors on the replicates of
+    other rows, too. Memory: 40 bytes per entry and 8 per replicate of an entry.
 
-    Where faces have a transmittance (see `Mesh`), what leaves a front ends at the first opaque face: the factor is the share
-    of it that gets there, and `absorbed` what is lost on the way, so that rows add up to 1. A face that light goes through
-    has a row, and is no column.
+    Radiation passes faces with a transmittance (see `Mesh`) up to the first opaque face. The factor is the share that
+    arrives, and `absorbed` the share that is lost on the way. A face with a transmittance has a row, and no column.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes. The front of a face is the side from which its corners run
-            counter-clockwise. Where two faces coincide back to back, rays meet the one that is turned to them; of
-            two that are turned the same way, one. Rays start two millionths of the mesh's extent in front of their face, at
-            its edges four times that inside: a gap between faces at less than 14 degrees may leak as much.
-        count: rays of each face, from `replicates` to 2^24; rounded down to a multiple of it.
-        groups: (F,) whole numbers from 0 on, the surface that each face is part of: rows and columns are then surfaces, up
-            to the largest number, a row the mean of those of its faces, by area. Errors are those of the sums. Or (F,)
-            names, or "part" for the named parts of the mesh ("" for faces without one): `names` then says what rows are.
-        reciprocal: whether to pool both directions of each pair and adjust them, so that areas[i] matrix[i, j] equals
-            areas[j] matrix[j, i] and all rows close to 1e-7. More precise, too; but not where faces lie on one another, nor
-            of a mesh that light goes through, where pairs have one direction.
-        replicates: independent parts of each face's rays, by whose differences errors are told, 1 to 64; with more of them
-            the errors are told better, and are larger. One has none to differ from: errors are then told too large, by how
-            much at least such a lattice is better than independent rays.
-        up: (3,), of any length, parts `outside` into `sky` and `ground`.
-        first_face: the global id of face 0.
-        active: (F,) bool; other faces are met, but their own rows stay empty. Not with `reciprocal`.
-        skip: whether to cast no rays of faces that nothing stands above; changes no bit but of `rays` and `skipped`.
-        seed, workers, progress: see `RayOptions`.
+        mesh: Mesh or anything that `as_mesh` accepts. The front of a face is the side from which its corners run
+            counter-clockwise. Of faces that coincide, rays hit one whose front they see. Rays start two millionths of the
+            mesh's extent in front of their face, so that a gap between faces at less than 14 degrees may leak.
+        count: Number of rays per face, from `replicates` to 2^24, rounded down to a multiple of it. Default: 4096.
+        groups: (F,) numbers of surfaces from 0 on, (F,) names of surfaces, or "part" for the named parts of the mesh. Rows
+            and columns are then surfaces: a row is the mean over the surface's faces by area, with the error of the sum,
+            and `names` has the names. Default: None, a surface per face.
+        reciprocal: Whether to adjust both directions of each pair, so that areas[i] matrix[i, j] is areas[j] matrix[j, i]
+            and rows close to 1e-7, with smaller errors unless faces coincide; not with a transmittance. Default: False.
+        replicates: Number of independent parts of each face's rays, whose differences give the errors, 1 to 64. More parts
+            give larger errors that are known better. One part gives upper bounds of the errors. Default: 4.
+        up: (3,) vector of any length that divides `outside` into `sky` and `ground`. Default: None, `outside` alone.
+        first_face: Global id of face 0, an integer. Default: 0.
+        active: (F,) bool. Inactive faces block rays, but have empty rows. Not with `reciprocal`. Default: None, all faces.
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
         the matrix, its errors, what meets nothing, and what was done.
@@ -97,24 +91,24 @@ def view_factors(
     rays = check_integer(count, "count", replicates, _MOST_RAYS, wants) // replicates
     groups, names = check_groups(groups, mesh)
     reciprocal = check_flag(reciprocal, "reciprocal")
-    options = RayOptions.of(faces, seed=seed, active=active).by(skip=skip, workers=workers, progress=progress)
+    checked = RayOptions.of(faces, active=active, **options)
     casting = Casting(
         mesh,
         rays,
         replicates,
-        options.seed,
+        checked.seed,
         None if up is None else as_unit(up, "up"),
         check_integer(first_face, "first_face", 0, 2**64 // replicates - faces),
-        options.skip,
-        options.workers,
+        checked.skip,
+        checked.workers,
     )
-    status = _status(mesh, options.active)
+    status = _status(mesh, checked.active)
     is_good = has_status(status, PointStatus.OK)
     if active is not None and reciprocal:
         raise ValueError("active: got a mask with reciprocal=True, want None: that takes the rays of both faces of a pair")
     if reciprocal:
         check_opaque(mesh, "reciprocal")
-    with bar(options.progress, "casting rays"):
+    with bar(checked.progress, "casting rays"):
         counts, cast = casting.counts(np.flatnonzero(is_good).astype(np.int32), groups)
     surfaces = surfaces_of(mesh.face_areas, is_good, groups)
     factors = factors_of(counts, casting.rays, casting.upward(), surfaces)

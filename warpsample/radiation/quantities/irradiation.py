@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from warpsample.estimate.plan import Plan
+from warpsample.estimate.plan import plan_of
 from warpsample.estimate.quantities.record import Numbers, Quantity
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
@@ -25,13 +25,13 @@ def _prepare(mesh: Mesh, _total: int, *, count: int, seed: int, workers: int | N
     parts = patches_of(mesh, refine)
     light = light_of(**{name: given[name] for name in _OF_THE_LIGHT})
     afar = WeatherAfar(light, series=False)
-    how = RayOptions.of(0, seed=seed).by(workers=workers)
+    how = RayOptions.of(0, seed=seed, workers=workers)
     reflections = None if parts is None else reflections_of(parts, afar, count, how)
 
     def numbers(points: SurfacePoints, first: int) -> Irradiation:
         at = PlacedPoints.of(mesh, points)
-        options = RayOptions.of(len(at), seed=seed, first_point=first, ids=at.id).by(workers=workers)
-        return received(Plan.of(at, count, options), light, series=False, reflections=reflections)
+        plan = plan_of(at, count, seed=seed, first_point=first, workers=workers)
+        return received(plan, light, series=False, reflections=reflections)
 
     return numbers
 

@@ -5,10 +5,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from warpsample.estimate.quantities.record import Numbers, Quantity
-from warpsample.estimate.result import PointResult, status_of
+from warpsample.estimate.result import ExactResult, status_of
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.quantities.irradiation import WEATHER
@@ -20,21 +19,11 @@ from warpsample.tracing.placed_points import PlacedPoints
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class SunHours(PointResult):
-    """In how many hours P points see the sun.
+class SunHours(ExactResult):
+    """Number of hours in which P points see the sun: `value` (P,), and (P,) `standard_error` 0, `rays` 0 and `status`.
 
-    Attributes:
-        value: (P,) float32, hours in whose middle the sun's centre is above the horizon, in front of the point and not
-            hidden by the mesh; 0 where the status is not 0.
-        standard_error: (P,) float32, 0: nothing is drawn at random.
-        rays: (P,) int32, 0: those to the sun are not counted.
-        status: (P,) uint8, a `PointStatus`.
+    An hour counts if in its middle the sun's centre is above the horizon, in front of the point and not hidden by the mesh.
     """
-
-    value: NDArray[np.float32]
-    standard_error: NDArray[np.float32]
-    rays: NDArray[np.int32]
-    status: NDArray[np.uint8]
 
 
 def sun_hours(
@@ -49,18 +38,18 @@ def sun_hours(
     first_point: int = 0,
     workers: int | None = None,
 ) -> SunHours:
-    """In how many hours of a period each point sees the sun, from where it stands at the middle of each hour.
+    """Count the hours of a period in which each point sees the sun, at its position in the middle of each hour.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        points: P of them, as for `ambient_occlusion`.
-        weather: whose place and hours count: an EPW file, or "athens", an example.
-        period: as for `irradiation`; by default the year.
-        up: (3,), of any length.
-        north: (3,), of any length, not along `up`.
-        seed: changes nothing, as nothing is drawn at random; other calls take one.
-        first_point: likewise.
-        workers: threads, by default as many as there are cores.
+        mesh: Mesh or anything that `as_mesh` accepts.
+        points: P SurfacePoints, as for `ambient_occlusion`.
+        weather: Path of an EPW file, for its place and hours, or "athens", an example.
+        period: First and last day, both included, as for `irradiation`. Default: None, the year.
+        up: (3,) vector of any length towards the zenith. Default: (0.0, 0.0, 1.0).
+        north: (3,) vector of any length, not along `up`. Default: (0.0, 1.0, 0.0).
+        seed: Random seed, an integer of 64 bits. Default: 0. Has no effect: nothing is random.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0. Has no effect: nothing is random.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
     Returns:
         value (P,), the hours, and for each point a status.

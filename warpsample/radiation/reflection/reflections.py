@@ -145,7 +145,7 @@ def reflections_of(patches: Patches, afar: Afar, count: int, options: RayOptions
     check_memory(size, what, "take a shorter period, fewer rays, or a larger refine=")
     runs = []
     for number in range(REPLICATES):
-        own = RayOptions.of(0, seed=_seed("reflections", number, options.seed)).by(workers=options.workers)
+        own = RayOptions.of(0, seed=_seed("reflections", number, options.seed), workers=options.workers)
         runs.append(_leaving(patches, afar, count, own))
     return Reflections(patches, tuple(runs))
 

@@ -9,25 +9,24 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import warp as wp
 from numpy.typing import NDArray
+from typing_extensions import Unpack
 
 from warpsample.estimate.along import along
 from warpsample.estimate.estimating import estimate
 from warpsample.estimate.integrand import integrand_of
-from warpsample.estimate.plan import Plan, RaySum
+from warpsample.estimate.plan import Plan, RaySum, plan_of
 from warpsample.estimate.result import Estimate, PointStatus, has_status
 from warpsample.estimate.source.definitions import naming_function
-from warpsample.estimate.visibility import ambient_occlusion
 from warpsample.estimate.weights import seen_in
 from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real, as_unit
 from warpsample.host.making import imported
-from warpsample.host.options import explained_by
+from warpsample.host.options import RayKeywords, with_options
 from warpsample.host.picture import read_picture
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.reflection.lobes_seen import Targets
 from warpsample.radiation.reflection.patches import Patches, patches_of
 from warpsample.radiation.reflection.reflections import REPLICATES, Probes, Reflected, kept_on, reflections_of
-from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
 
 if TYPE_CHECKING:
@@ -50,7 +49,7 @@ class Irradiance(Estimate):
     reflected_error: NDArray[np.float32] | None = None
 
 
-@explained_by(RayOptions, ambient_occlusion)
+@with_options(RayKeywords)
 def irradiance(
     mesh: Any,
     points: SurfacePoints,
@@ -59,36 +58,33 @@ def irradiance(
     *,
     up: Any = (0.0, 0.0, 1.0),
     refine: float | None = None,
-    sequence: str = "fibonacci",
-    seed: int = 0,
-    first_point: int = 0,
-    active: Any = None,
-    tolerance: float | None = None,
-    skip: bool = True,
-    tracer: str = "auto",
-    device: Any = None,
-    workers: int | None = None,
-    progress: bool = False,
+    **options: Unpack[RayKeywords],
 ) -> Irradiance:
-    """The irradiance of light from afar that the mesh does not block, and of what faces reflect. pi under a radiance of 1.
+    """Compute the irradiance of distant light that the mesh does not block, and of light that faces reflect.
 
-    Faces with a reflectance (see `Mesh`) send back that share of what they receive, from afar and from other faces, on
-    either side, and evenly in all directions, again and again. It is found by the CPU, by rays of its own, and without a
-    `tolerance`; `irradiation` says how, and how precise it is.
+    An open point under a radiance of 1 gets pi; a small bright sun takes many rays. Faces with a reflectance (see `Mesh`)
+    reflect as for `irradiation`, with rays of their own on the CPU, and without a `tolerance`.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        points: P of them; as for `ambient_occlusion`.
-        radiance: an equirectangular picture, (H, W) or (H, W, 3), numbers from 0 to 1e37, or the path of an .hdr or .npy
-            file: row 0 is about `up`, columns go round it, counter-clockwise seen from there, for up = (0, 0, 1) from x
-            towards y; read off bilinearly. Or a wp.func (direction: wp.vec3) -> float or wp.vec3, in the mesh's
-            coordinates. A small bright sun takes many rays: they are spread by the cosine alone.
-        count: rays of each point; none is cast where the radiance is 0.
-        up: (3,), of any length; only for a picture.
-        refine: the longest edge, in the mesh's unit, of the parts of faces that each send back the same all over; see
-            `irradiation`, by what is left.
-        tolerance: see `ambient_occlusion`.
-        sequence, seed, first_point, active, skip, tracer, device, workers, progress: see `RayOptions`.
+        mesh: Mesh or anything that `as_mesh` accepts.
+        points: P SurfacePoints, as for `ambient_occlusion`.
+        radiance: Equirectangular picture, (H, W) or (H, W, 3), numbers from 0 to 1e37, or the path of an .hdr or .npy file:
+            row 0 is about `up`, columns go round it counter-clockwise, for up = (0, 0, 1) from x towards y. Or a wp.func
+            (direction: wp.vec3) -> float or wp.vec3 in mesh coordinates.
+        count: Number of rays per point, 2 to 2^24; none is cast where the radiance is 0. Default: 256.
+        up: (3,) vector of any length towards row 0 of a picture. Default: (0.0, 0.0, 1.0).
+        refine: Longest edge of the parts of faces that each reflect evenly, a float in mesh units, see `irradiation`.
+            Default: None, 8,192 parts more than there are sides.
+        sequence: Sequence of the rays, a name in `warpsample.sequences.names()`. Default: "fibonacci".
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
+        active: (P,) bool. Inactive points get 0 and a status, and cast no rays. Default: None, all points are active.
+        tolerance: Root mean square of the standard errors to reach, in the result's unit. Default: None, all `count` rays.
+        skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
+        tracer: Tracer, "wide", "warp" (`wp.Mesh`, skips no rays) or "auto": wide on the CPU, warp on CUDA. Default: "auto".
+        device: Warp device, such as "cuda:0", which computes in parts and returns NumPy arrays. Default: None, the CPU.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
         value (P,), or (P, 3) for a radiance of three numbers, in the radiance's unit times steradian, at least 0 where
@@ -105,16 +101,13 @@ def irradiance(
         (100,) True
     """
     at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), sequence=sequence, seed=seed, first_point=first_point, ids=at.id, active=active).by(
-        skip=skip, tracer=tracer, device=device, workers=workers, progress=progress
-    )
-    plan = Plan.of(at, count, options, tolerance=tolerance)
+    plan = plan_of(at, count, **options)
     axis, patches = as_unit(up, "up"), patches_of(at.mesh, refine)
-    if patches is not None and tolerance is not None:
-        raise ValueError(f"tolerance: got {told(tolerance)} for a mesh that reflects, want None")
+    if patches is not None and plan.tolerance is not None:
+        raise ValueError(f"tolerance: got {told(plan.tolerance)} for a mesh that reflects, want None")
     if isinstance(radiance, wp.Function):
         with naming_function("radiance"):
-            integrand = integrand_of(radiance, argument="radiance", device=options.memory.device)
+            integrand = integrand_of(radiance, argument="radiance", device=plan.options.memory.device)
             light = _Shining(RaySum(integrand, unit=pi, result=Irradiance), integrand.channels)
             found = light.at(plan)
     else:

@@ -4,12 +4,13 @@ from math import prod
 from typing import Any
 
 import numpy as np
+from typing_extensions import Unpack
 
-from warpsample.estimate.plan import Plan
+from warpsample.estimate.plan import Plan, plan_of
 from warpsample.estimate.result import PointStatus, has_status
 from warpsample.host.arrays import as_real, cpu
 from warpsample.host.engine import check_memory, run
-from warpsample.host.options import explained_by
+from warpsample.host.options import CastPointKeywords, with_options
 from warpsample.host.progress import bar
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.sky.folding import fold_rows
@@ -19,7 +20,6 @@ from warpsample.radiation.sky.patches import SkyPatches, sky_patches
 from warpsample.radiation.sky.prepared import prepared
 from warpsample.radiation.sky.result import SkyMatrix, SkySkipped
 from warpsample.sequences.hashing import seed_for
-from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.rays import RAY_WORK
 
@@ -27,7 +27,7 @@ _BLOCK_BYTES = 1 << 25  # of the rows that stand at a time where they are folded
 _BYTES_OF_NUMBER = 8  # a value and its error
 
 
-@explained_by(RayOptions)
+@with_options(CastPointKeywords)
 def sky_matrix(
     mesh: Any,
     points: SurfacePoints,
@@ -37,32 +37,30 @@ def sky_matrix(
     up: Any = (0.0, 0.0, 1.0),
     north: Any = (0.0, 1.0, 0.0),
     fold: Any = None,
-    seed: int = 0,
-    first_point: int = 0,
-    active: Any = None,
-    skip: bool = True,
-    workers: int | None = None,
-    progress: bool = False,
+    **options: Unpack[CastPointKeywords],
 ) -> SkyMatrix:
-    """The share of its lobe that each patch of the sky lights at each point: daylight coefficients of the direct view.
+    """Compute the share of the lobe that each patch of the sky lights at each point: direct daylight coefficients.
 
-    A patch that nothing is in has its exact share, and costs no ray; one that a single triangle fills, 0, and none. Rays go
-    into the others alone: of `count`, as many as the patch's share of the open sky, but at least 2; where less than a
-    quarter of the lobe is sky, `count` is that much less. How many does not depend on what is found of other patches, so
-    that turning all does not change them. They are spread as the cosine is, and share out the patch's exact share.
+    An empty patch has its exact share and costs no ray, as does a patch that a single triangle fills, with 0. Each other
+    patch gets its share of `count` rays, but at least 2; fewer where less than a quarter of the lobe is sky. Rays of a patch
+    do not depend on other patches, and are distributed as the cosine.
 
-    The bits depend on (mesh, point, first_point + row, seed, count, patches, up, north) alone: not on threads, on which
-    points are together or active, nor on `skip`. On the CPU; the first call ever compiles for about 8 s.
+    The bits depend on (mesh, point, first_point + row, seed, count, patches, up, north) alone. The call runs on the CPU.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        points: P of them; as for `ambient_occlusion`.
-        count: rays of each point, 2 to 2^24: as many as are cast if no patch is known, but for the 2 that each has at least.
-        patches: "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305); numbered as `sky_patches` does.
-        up: (3,), towards the zenith, of any length.
-        north: (3,), of any length; what of it is along up is left out.
-        fold: (K,) or (K, T), skies: the result is the matrix times these, summed in float64, and never stands whole.
-        seed, first_point, active, skip, workers, progress: see `RayOptions`.
+        mesh: Mesh or anything that `as_mesh` accepts.
+        points: P SurfacePoints, as for `ambient_occlusion`.
+        count: Number of rays per point, 2 to 2^24, if no patch is known without rays. Default: 1024.
+        patches: Patches of the sky, "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305). Default: "tregenza".
+        up: (3,) vector of any length towards the zenith. Default: (0.0, 0.0, 1.0).
+        north: (3,) vector of any length, not along `up`; its part across `up` counts. Default: (0.0, 1.0, 0.0).
+        fold: (K,) or (K, T) skies to multiply the matrix with, in float64 and part by part. Default: None, the matrix.
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
+        active: (P,) bool. Inactive points get 0 and a status, and cast no rays. Default: None, all points are active.
+        skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
         value (P, K), or (P,) or (P, T), its standard error, the patches, and for each point the rays cast and a status.
@@ -79,9 +77,7 @@ def sky_matrix(
         >>> print(seen.value.shape, f"{seen.value.sum(axis=1).mean():.1f} {view.value.mean():.1f}")
         (100, 145) 0.6 0.6
     """
-    at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), seed=seed, first_point=first_point, ids=at.id, active=active)
-    plan = Plan.of(at, count, options.by(skip=skip, tracer="wide", workers=workers, progress=progress))
+    plan = plan_of(PlacedPoints.of(mesh, points), count, tracer="wide", **options)
     sky = sky_patches(patches, up=up, north=north)
     return sky_seen(plan, sky, None if fold is None else _check_fold(fold, len(sky)))
 

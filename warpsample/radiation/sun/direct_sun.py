@@ -6,12 +6,13 @@ from typing import Any
 
 import numpy as np
 import warp as wp
+from typing_extensions import Unpack
 
 from warpsample.host.arguments import check_flag, check_number
 from warpsample.host.arrays import as_real, cpu
 from warpsample.host.engine import check_memory, run
 from warpsample.host.locks import once
-from warpsample.host.options import explained_by
+from warpsample.host.options import CastPointKeywords, with_options
 from warpsample.host.progress import bar
 from warpsample.maths.memory import set_vec3
 from warpsample.maths.numerics import scaled_to_unit
@@ -103,7 +104,7 @@ class SunCall:
         )
 
 
-@explained_by(RayOptions)
+@with_options(CastPointKeywords)
 def direct_sun(
     mesh: Any,
     points: SurfacePoints,
@@ -111,33 +112,30 @@ def direct_sun(
     *,
     weights: Any = None,
     disc: float = 0.0,
-    seed: int = 0,
-    first_point: int = 0,
-    active: Any = None,
-    skip: bool = True,
-    workers: int | None = None,
-    progress: bool = False,
     cosine: bool = False,
+    **options: Unpack[CastPointKeywords],
 ) -> np.ndarray:
-    """Which sun positions each point sees, or, with weights, what these add up to: sun hours, direct irradiation.
+    """Find the sun positions that each point sees, or their weighted sum, such as sun hours or direct irradiation.
 
-    A point sees a sun in front of it, n.s > 0, if the ray towards it meets nothing: the same rays from the same starts as
-    those of `trace` from SurfacePoints. Most pairs need no ray: a sun behind, a group of up to 16 neighbours whose shaft
-    meets nothing or is covered by one triangle, a triangle that blocked another sun.
+    A point sees a sun in front of it, n.s > 0, if the ray of `trace` towards the sun hits nothing. Most pairs need no
+    ray: a sun behind, up to 16 suns whose shaft is empty or covered by one triangle, a triangle that blocked another sun.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes; pass a Mesh to keep its tree from call to call.
+        mesh: Mesh or anything that `as_mesh` accepts. A Mesh keeps its tree from call to call.
         points: P of them, as for `ambient_occlusion`.
         directions: (T, 3) towards the sun, at least one, of any length above 0.
-        weights: (T,) or (T, M) finite numbers, as 1 for hours or W/m2 of direct normal irradiance, to be summed over the
-            suns in float64, times the lit share. The array (P, T) is then never made.
-        disc: the sun's angular diameter in degrees, 0 to 45; it is 0.533. A disc that is neither proven lit nor proven dark
-            takes 16 rays, evenly spread over its solid angle: an error of 0.04 (RMS) where an edge passes through it, at
-            about one of a hundred suns. What of it is below the point's horizon is dark; a sun whose centre is has 0.
-        seed: of 64 bits, of the discs' rays.
-        active: (P,) bool; other points get 0.
-        first_point, skip, workers, progress: see `RayOptions`.
-        cosine: whether the weights are also multiplied by n.s: the irradiance on the surface, not across the ray.
+        weights: (T,) or (T, M) finite numbers to sum over the suns in float64, times the lit share, such as 1 for hours or
+            the direct normal irradiance in W/m2. Default: None, the array (P, T).
+        disc: Angular diameter of the sun in degrees, a float from 0 to 45; 0.533 is the real one. A disc that is neither
+            proven lit nor proven dark takes 16 rays: an error of 0.04 (RMS) where an edge passes through the disc, at about
+            one of a hundred suns. The part below the point's horizon is dark; a centre below it gives 0. Default: 0.0.
+        cosine: Whether to multiply the weights by n.s, for the irradiance on the surface. Default: False.
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
+        active: (P,) bool. Inactive points get 0 and a status, and cast no rays. Default: None, all points are active.
+        skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
         (P, T), bool, or with a disc float32, the share of it that is seen; float32 also for a mesh that light goes through,
@@ -154,14 +152,13 @@ def direct_sun(
         [[ True False False]]
     """
     at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), seed=seed, first_point=first_point, ids=at.id, active=active)
-    options = options.by(skip=skip, tracer="wide", workers=workers, progress=progress)
+    checked = RayOptions.of(len(at), ids=at.id, tracer="wide", **options)
     towards = _check_directions(directions)
     weights = None if weights is None else _check_weights(weights, len(towards))
     cosine = check_flag(cosine, "cosine")
     if cosine and weights is None:
         raise ValueError("cosine: got True without weights, want weights, which it multiplies")
-    return SunCall(at, towards, weights, options, check_number(disc, "disc", 0.0, _MOST_DISC), cosine).answer()
+    return SunCall(at, towards, weights, checked, check_number(disc, "disc", 0.0, _MOST_DISC), cosine).answer()
 
 
 def _check_directions(value: Any) -> np.ndarray:

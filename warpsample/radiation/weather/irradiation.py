@@ -6,12 +6,13 @@ from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import Unpack
 
-from warpsample.estimate.plan import Plan
+from warpsample.estimate.plan import Plan, plan_of
 from warpsample.estimate.result import PointResult, PointStatus, has_status
 from warpsample.host.arguments import check_flag
 from warpsample.host.engine import check_memory
-from warpsample.host.options import explained_by
+from warpsample.host.options import CastPointKeywords, with_options
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.reflection.patches import patches_of
 from warpsample.radiation.reflection.reflections import Reflected, Reflections, reflections_of
@@ -20,7 +21,6 @@ from warpsample.radiation.sky.sky_matrix import sky_seen
 from warpsample.radiation.weather.afar import WeatherAfar, direct_light, summed
 from warpsample.radiation.weather.light import Light, light_of
 from warpsample.sequences.hashing import seed_for
-from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
 
 _BYTES = 5 * 4 + 5 * 8  # of each point and hour: five results, and what they are made of in float64
@@ -31,9 +31,8 @@ class Irradiation(PointResult):
     """What each of P points receives on its surface: in a period (P,), in kWh/m²; or in each of T hours (P, T), in W/m².
 
     Attributes:
-        value: float32, the sum of the three parts, and of what faces reflect; 0 where the status is not 0.
-        standard_error: of the same shape and unit, of the sky's, the ground's and the reflected part. The sun's has none: it
-            is exact for the sun's centre at the middle of each hour.
+        value: float32, the sum of all parts; 0 where the status is not 0.
+        standard_error: of the same shape and unit, of all parts but the sun's, which is exact for the sun's centre.
         direct: of the same shape and unit, from the sun.
         diffuse: from the sky.
         ground: from the ground beyond the mesh.
@@ -63,7 +62,7 @@ class Irradiation(PointResult):
         return {"hour": self.hours} if self.value.ndim == 2 else {}
 
 
-@explained_by(RayOptions)
+@with_options(CastPointKeywords)
 def irradiation(
     mesh: Any,
     points: SurfacePoints,
@@ -77,48 +76,40 @@ def irradiation(
     north: Any = (0.0, 1.0, 0.0),
     series: bool = False,
     refine: float | None = None,
-    seed: int = 0,
-    first_point: int = 0,
-    active: Any = None,
-    skip: bool = True,
-    workers: int | None = None,
-    progress: bool = False,
+    **options: Unpack[CastPointKeywords],
 ) -> Irradiation:
-    """The irradiation of a year, or the irradiance hour by hour, of a mesh in the weather of a file.
+    """Compute the irradiation of a year, or the irradiance in each hour, with the weather of a file.
 
-    Three parts. The sun: its direct normal radiation from where it stands at the middle of each hour, with refraction, if
-    its centre is above the horizon and nothing is before it. The sky: the patches' shares of the lobe, times the radiance
-    that the model of Perez1993 (Radiance's gendaymtx) has for the hour, scaled so that an open horizontal plane receives
-    the file's diffuse horizontal radiation. The ground: what of the lobe points below the horizon and meets nothing
-    sees a plane that sends back `ground_albedo` of all that sun and sky bring to open ground, evenly.
+    The sun adds its direct normal radiation, if its centre in the middle of the hour is above the horizon, with refraction,
+    and not hidden. The sky adds the patches' shares of the lobe, times their radiance by Perez1993 (Radiance's gendaymtx),
+    scaled to the file's diffuse horizontal radiation. Directions below the horizon that hit nothing add a plane that
+    reflects `ground_albedo` of the light on open ground. A face with a transmittance (see `Mesh`) transmits that share.
 
-    Faces with a transmittance (see `Mesh`) let that share of all three through, at each crossing.
-
-    Faces with a reflectance send back that share of all that they receive, that of other faces too, from either side and
-    evenly in all directions: a fourth part. It is the mean of eight runs, by whose differences its error is told; each finds
-    what faces send back by sun, sky and other faces at random places on them, and then casts an eighth of the points' rays.
-    Each part of a face is taken to send back the same all over it, see `refine`; no error bar contains what that leaves. The
-    ground beyond the mesh stays as it is. Faces without are black: a wall above such a ground gets nothing from there.
+    A face with a reflectance reflects that share of its light, from either side and evenly in all directions; other faces
+    are black. The reflected part is the mean of eight runs, whose differences give its error. Each part of a face is taken
+    to reflect evenly, see `refine`; error bars do not contain the error of that. Terrain outside the mesh is not changed.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        points: P of them; as for `ambient_occlusion`.
-        weather: an EPW file of 8,760 hours: its place, its direct normal and its diffuse horizontal radiation are used;
-            "athens", where no file is called that, is an example: a cloudless year.
-        ground_albedo: 0 to 1.
-        period: two texts, the first and the last day, both included, as ("06-01", "08-31"); or with the hour at which it
-            begins or ends in local standard time, ("03-21T09", "03-21T15"). If the first is later, the period goes on over
-            New Year. By default the year.
-        patches: of the sky, "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305).
-        count: rays of each point to the sky, and as many to the ground; as for `sky_matrix`.
-        up: (3,), of any length.
-        north: (3,), of any length, not along `up`; of it the part across `up` counts. East is north x up.
-        series: whether to give each hour of the period.
-        refine: the longest edge, in the mesh's unit, of the parts of faces that each send back the same all over, inf for
-            whole faces. By default the faces with the longest edges are cut into 8,192 parts more than there are sides.
-            In a street, parts of a quarter of its width leave 0.05 % of the irradiance under an even sky, and 1.7 % in its
-            edges; where half of the floor lies in the sun 1 % and 17 % of what is reflected.
-        seed, first_point, active, skip, workers, progress: see `RayOptions`.
+        mesh: Mesh or anything that `as_mesh` accepts.
+        points: P SurfacePoints, as for `ambient_occlusion`.
+        weather: Path of an EPW file of 8,760 hours, or "athens", an example: a cloudless year.
+        ground_albedo: Albedo of the ground, a float from 0 to 1. Default: 0.2.
+        period: First and last day, both included, as ("06-01", "08-31"); or with the hours of local standard time at which
+            the period begins and ends, ("03-21T09", "03-21T15"). It may span New Year. Default: None, the year.
+        patches: Patches of the sky, "tregenza" (145), "reinhart2" (577) or "reinhart4" (2,305). Default: "reinhart2".
+        count: Number of rays per point to the sky, and the same number to the ground, 2 to 2^24. Default: 1024.
+        up: (3,) vector of any length towards the zenith. Default: (0.0, 0.0, 1.0).
+        north: (3,) vector of any length, not along `up`; its part across `up` counts. Default: (0.0, 1.0, 0.0).
+        series: Whether to return each hour of the period. Default: False.
+        refine: Longest edge of the parts of faces that each reflect evenly, a float in mesh units, inf for whole faces. In a
+            street, parts of a quarter of its width leave an error of 0.05 % under an even sky, and 1.7 % in its edges; with
+            half of the floor in the sun 1 % and 17 % of the reflected part. Default: None, 8,192 parts more than sides.
+        seed: Random seed, an integer of 64 bits. Default: 0.
+        first_point: Global id of row 0, an integer; 0 for points with an `id`. Default: 0.
+        active: (P,) bool. Inactive points get 0 and a status, and cast no rays. Default: None, all points are active.
+        skip: Whether to leave out rays whose answer is known. Changes no value. Default: True.
+        workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
+        progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
         value (P,) in kWh/m² of the period, or with `series` (P, T) in W/m²; its standard error, its parts, and for each
@@ -137,8 +128,7 @@ def irradiation(
         (2080,) 270 kWh/m2
     """
     at = PlacedPoints.of(mesh, points)
-    options = RayOptions.of(len(at), seed=seed, first_point=first_point, ids=at.id, active=active)
-    plan = Plan.of(at, count, options.by(skip=skip, tracer="wide", workers=workers, progress=progress))
+    plan = plan_of(at, count, tracer="wide", **options)
     series = check_flag(series, "series")
     parts = patches_of(at.mesh, refine)
     light = light_of(weather, period=period, ground_albedo=ground_albedo, patches=patches, up=up, north=north)

@@ -1,0 +1,3 @@
+"""Types of `warpsample.city.rasters`, of which this is another name."""
+
+from warpsample.city.rasters import *
