@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.estimate.quantities.position import OwnVectors
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.quantities.thickness import Thickness
+from warpsample.estimate.result import ExactResult
 from warpsample.host.engine import check_workers
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.output.bake import numbers_by_parts
@@ -60,7 +60,7 @@ def filled(job: TextureJob, run: BakeRun, how: TextureOptions, closed: Closed, h
     numbers = quantity.numbers(points.mesh if high is None else high.mesh, len(points), options)
     workers = check_workers(options.get("workers"))
     missed, bodies = np.zeros(len(points), np.bool_), Enclosed(closed, points)
-    looks, told = how.inside == "fill" and quantity.result is not OwnVectors, _teller(job, run, quantity)
+    looks, told = how.inside == "fill" and quantity.result is not ExactResult, _teller(job, run, quantity)
 
     def of_part(part: SurfacePoints, first: int) -> Any:
         rows, places = slice(first, first + len(part)), part
