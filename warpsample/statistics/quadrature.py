@@ -42,7 +42,7 @@ def _masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int, node
     chart = chart_of(sampler)
     panels, owner = _panels(edges)
     t, gauss = np.polynomial.legendre.leggauss(nodes)
-    # With a = low + length sin^2(pi (t + 1) / 4) an inverse root at either end becomes smooth, as at an offset sphere's edge.
+    # With a = low + length sin^2(pi (t + 1) / 4) an inverse root at either end is smooth, as at an offset sphere's edge.
     angle = np.pi * (t + 1.0) / 4.0
     length = np.diff(panels)[:, None]
     a = panels[:-1, None] + length * np.sin(angle) ** 2
