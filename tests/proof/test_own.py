@@ -7,7 +7,7 @@ import sys
 import pytest
 
 import warpsample as ws
-from warpsample.distributions.own import registered
+from warpsample.distributions.own import user_distributions
 from warpsample.proof import run
 from warpsample.proof.advice import advice
 from warpsample.proof.verify import Verdict, cases
@@ -19,7 +19,7 @@ NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e-\d\d)?")
 def alone():
     """Leaves no distribution behind."""
     yield
-    registered.clear()
+    user_distributions.clear()
 
 
 def subclass(name="my_ggx", of=ws.GGX, **more):
@@ -83,7 +83,7 @@ def test_a_class_goes_by_its_name(alone):
 def test_what_a_class_lacks_is_told(kind, error, match, alone):
     with pytest.raises(error, match=match):
         ws.distributions.register(kind)
-    assert registered == {}
+    assert user_distributions == {}
 
 
 def test_a_twin_is_two_functions(alone):

@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.directions.samples import Samples, accessors, normal_status, unit_normals
+from warpsample.directions.samples import Samples, build_unit_writer, normal_status, select_accessors
 from warpsample.directions.variates import LANES
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.host.locks import once
@@ -14,11 +14,11 @@ _STRIDE = FLAT_BLOCK + LANES
 
 
 @once
-def _mender(
+def _build_mender(
     sequence: Sequence, about: wp.Function, *, redraw: wp.Function | None, redraw_below: float, with_pdf: bool, masked: bool
 ) -> wp.Function:
     """A function that clears what has no direction, says why, and redraws; scalar, for the few blocks with such a pair."""
-    (store, weigh), redraws = accessors(with_pdf, masked), redraw is not None
+    (store, weigh), redraws = select_accessors(with_pdf, masked), redraw is not None
     key_of, sample_of = sequence.key, sequence.sample
 
     @wp.func
@@ -51,7 +51,7 @@ def _mender(
 
 
 @once
-def _block_variates(sequence: Sequence, one_sample: bool) -> wp.Function:
+def _build_block_variates(sequence: Sequence, one_sample: bool) -> wp.Function:
     """A function that writes the variates of a block: u[0] of each pair, then, from FLAT_BLOCK on, u[1]."""
     key_of, sample_of = sequence.key, sequence.sample
 
@@ -81,7 +81,7 @@ def _block_variates(sequence: Sequence, one_sample: bool) -> wp.Function:
 
 
 @wp.func
-def _repeat(
+def _repeat_normals(
     units: wp.array[wp.float32],
     points: wp.int32,
     count: wp.int32,
@@ -119,9 +119,9 @@ def direction_blocks(
     Unit normals and variates first, as there. Unless each point has one sample, the normals are then repeated, pair by pair:
     a gather from an array that the stores might alias would keep the loop scalar.
     """
-    (store, _), redraws = accessors(with_pdf, masked), redraw is not None
-    mend = _mender(sequence, about, redraw=redraw, redraw_below=redraw_below, with_pdf=with_pdf, masked=masked)
-    write_units, fill = unit_normals(masked, _STRIDE, False), _block_variates(sequence, one_sample)
+    (store, _), redraws = select_accessors(with_pdf, masked), redraw is not None
+    mend = _build_mender(sequence, about, redraw=redraw, redraw_below=redraw_below, with_pdf=with_pdf, masked=masked)
+    write_units, fill = build_unit_writer(masked, _STRIDE, False), _build_block_variates(sequence, one_sample)
     floats = 2 * FLAT_BLOCK + (3 if one_sample else 6) * _STRIDE
     repeated_at = 4 * (floats - 3 * _STRIDE)  # bytes; where each point has one sample, that is where the units are
 
@@ -144,7 +144,7 @@ def direction_blocks(
         rare = write_units(normals, active, span, units)
         fill(samples, point, start, length, u)
         if wp.static(not one_sample):
-            _repeat(units, span, count, start, length, repeated)
+            _repeat_normals(units, span, count, start, length, repeated)
         j = wp.int32(0)
         while j < length:
             n = wp.vec3(repeated[j], repeated[_STRIDE + j], repeated[2 * _STRIDE + j])

@@ -38,7 +38,7 @@ class DirectionPlan:
 
     def fill(self, normals: Vectors, vectors: Vectors, pdf: Vectors | None) -> Array:
         """Writes vectors and pdf, all arrays of one kind and on one device, and returns the status."""
-        memory, active = self.options.memory, _beside(normals, self.options.active)
+        memory, active = self.options.memory, _copy_mask(normals, self.options.active)
         on_host, points = isinstance(normals.owner, np.ndarray), normals.count
         status = np.zeros(points, np.uint8) if on_host else wp.zeros(points, wp.uint8, memory.device)
         for rows in memory.parts(points, 16 * self.count + 14):
@@ -59,7 +59,7 @@ class DirectionPlan:
 
     def _run(self, whole: SamplesArgs, device: wp.Device, first_point: int, points: int) -> None:
         """Runs the kernel on arrays of the device that have a row for each point."""
-        for start, end in same_high_word(first_point, points):
+        for start, end in split_at_high_word(first_point, points):
             args = whole
             if start:
                 args = SamplesArgs.from_buffer_copy(whole)
@@ -70,7 +70,7 @@ class DirectionPlan:
                 args.ids += 8 * start if whole.ids else 0
                 args.active += start if whole.active else 0
             high, args.first_point = divmod(first_point + start, 2**32)
-            args.run = _run_words(self.sequence, self.options.seed, high)
+            args.run = _pack_run_words(self.sequence, self.options.seed, high)
             args.points = end - start
             kernel, tasks, args.segment, args.rows = self.kernel(
                 device, args.points, masked=whole.active != 0, own_ids=whole.ids != 0
@@ -82,20 +82,20 @@ class DirectionPlan:
 
         Points with ids of their own come by rows, too: pairs in blocks have keys in which one word alone differs.
         """
-        of_kind = partial(_kernel, self.distribution, self.sequence, self.pdf, masked)
+        build = partial(_build_kernel, self.distribution, self.sequence, self.pdf, masked)
         if not at_home(device):
-            return of_kind(own_ids=own_ids, chunk=1), points * self.count, 1, 1
+            return build(own_ids=own_ids, chunk=1), points * self.count, 1, 1
         if self.count >= _ROW or own_ids:
             segment = min(self.count, _SEGMENT)
             rows = min(max(1, _TASK // self.count), MOST_ROWS) if segment == self.count else 1
             tasks = -(-points * -(-self.count // segment) // rows)
-            return of_kind(own_ids=own_ids, chunk=CHUNK), tasks, segment, rows
-        kernel = of_kind(one_sample=self.count == 1)
+            return build(own_ids=own_ids, chunk=CHUNK), tasks, segment, rows
+        kernel = build(one_sample=self.count == 1)
         return kernel, -(-points * self.count // _TASK), FLAT_BLOCK, _TASK // FLAT_BLOCK
 
 
 @lru_cache(maxsize=256)
-def _kernel(distribution: Distribution, sequence: Sequence, pdf: bool, masked: bool, **shape: Any) -> wp.Kernel:
+def _build_kernel(distribution: Distribution, sequence: Sequence, pdf: bool, masked: bool, **shape: Any) -> wp.Kernel:
     """The kernel for rows, or with `one_sample` for blocks; its maps are looked up for the first call of a distribution."""
     maps = distribution.maps
     make = direction_blocks if "one_sample" in shape else direction_rows
@@ -104,19 +104,19 @@ def _kernel(distribution: Distribution, sequence: Sequence, pdf: bool, masked: b
 
 
 @lru_cache(maxsize=1024)
-def _run_words(sequence: Sequence, seed: int, high: int) -> wp.vec4ui:
+def _pack_run_words(sequence: Sequence, seed: int, high: int) -> wp.vec4ui:
     """The words of a run as a struct takes them in a tenth of the time."""
     return wp.vec4ui(*sequence.run_words(seed, high))
 
 
-def _beside(normals: Vectors, active: np.ndarray | None) -> Array | None:
+def _copy_mask(normals: Vectors, active: np.ndarray | None) -> Array | None:
     """The mask of a call where its normals lie."""
     if active is None or isinstance(normals.owner, np.ndarray):
         return active
     return wp.array(active, dtype=wp.uint8, device=normals.device)
 
 
-def same_high_word(first_point: int, points: int) -> list[tuple[int, int]]:
+def split_at_high_word(first_point: int, points: int) -> list[tuple[int, int]]:
     """Rows [start, end) between which the global id does not cross a multiple of 2^32."""
     if first_point % 2**32 + points <= 2**32:
         return [(0, points)]

@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsample.directions.samples import Samples, accessors, normal_status, unit_normals
+from warpsample.directions.samples import Samples, build_unit_writer, normal_status, select_accessors
 from warpsample.directions.variates import LANES, fill_variates
 from warpsample.host.locks import once
 from warpsample.maths.memory import address_at
@@ -14,7 +14,7 @@ MOST_ROWS = 128
 
 
 @once
-def _mover(with_pdf: bool) -> wp.Function:
+def _build_mover(with_pdf: bool) -> wp.Function:
     """A function that moves the first directions of a padded chunk into the output."""
 
     @wp.func
@@ -37,9 +37,9 @@ def _mover(with_pdf: bool) -> wp.Function:
 
 
 @once
-def _clearer(with_pdf: bool, masked: bool) -> wp.Function:
+def _build_clearer(with_pdf: bool, masked: bool) -> wp.Function:
     """A function that writes zeros for a point without directions, and why."""
-    store, weigh = accessors(with_pdf, masked)
+    store, weigh = select_accessors(with_pdf, masked)
 
     @wp.func
     def clear(samples: Samples, point: wp.int64, start: wp.int32, end: wp.int32):
@@ -58,11 +58,11 @@ def _clearer(with_pdf: bool, masked: bool) -> wp.Function:
 
 
 @once
-def _chunk_filler(
+def _build_chunk_filler(
     sequence: Sequence, about: wp.Function, *, redraw: wp.Function | None, redraw_below: float, with_pdf: bool, chunk: int
 ) -> wp.Function:
     """A function that writes the directions of a chunk; what `redraw` is for, in a second pass, as it is rare."""
-    fill, (store, _), redraws = fill_variates(sequence, chunk), accessors(with_pdf, False), redraw is not None
+    fill, (store, _), redraws = fill_variates(sequence, chunk), select_accessors(with_pdf, False), redraw is not None
 
     @wp.func
     def fill_chunk(
@@ -100,7 +100,7 @@ def _chunk_filler(
 
 
 @once
-def _keys_of(sequence: Sequence, own_ids: bool) -> wp.Function:
+def _build_key_function(sequence: Sequence, own_ids: bool) -> wp.Function:
     """A function that gives the key of a point, by an id of its own or one that is counted from the first."""
     key_of, run_with = sequence.key, sequence.run
     if own_ids:
@@ -137,10 +137,12 @@ def direction_rows(
     it loses its digits there. As many samples as are in a `chunk`, CHUNK or 1, have their variates computed ahead. With
     `own_ids` points have those of the samples' `ids`.
     """
-    move, clear = _mover(with_pdf), _clearer(with_pdf, masked)
-    fill_chunk = _chunk_filler(sequence, about, redraw=redraw, redraw_below=redraw_below, with_pdf=with_pdf, chunk=chunk)
-    key_of, lanes, most_rows = _keys_of(sequence, own_ids), min(LANES, chunk), MOST_ROWS if chunk > 1 else 1
-    write_units, floats = unit_normals(masked, most_rows, True), 6 * chunk + 4 * most_rows
+    move, clear = _build_mover(with_pdf), _build_clearer(with_pdf, masked)
+    fill_chunk = _build_chunk_filler(
+        sequence, about, redraw=redraw, redraw_below=redraw_below, with_pdf=with_pdf, chunk=chunk
+    )
+    key_of, lanes, most_rows = _build_key_function(sequence, own_ids), min(LANES, chunk), MOST_ROWS if chunk > 1 else 1
+    write_units, floats = build_unit_writer(masked, most_rows, True), 6 * chunk + 4 * most_rows
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def direction_rows(samples: Samples, first_task: wp.int64):

@@ -10,7 +10,7 @@ import warp as wp
 
 from warpsample import sequences
 from warpsample.directions import samples
-from warpsample.directions.plan import DirectionPlan, same_high_word
+from warpsample.directions.plan import DirectionPlan, split_at_high_word
 from warpsample.directions.square import square_blocks
 from warpsample.distributions import as_spatial
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
@@ -214,7 +214,7 @@ def sample_square(sequence: str, points: int, count: int, *, seed: int = 0, firs
     total = points * count
     check_memory(8 * total, f"{total:,} points of the square", "take them in parts with first_point")
     square = np.empty((points, count, 2), np.float32)
-    for start, end in same_high_word(options.first_point, points):
+    for start, end in split_at_high_word(options.first_point, points):
         pairs = (end - start) * count
         inputs = [pairs, FLAT_BLOCK, count, options.seed, options.first_point + start, square[start:].ctypes.data]
         run(square_blocks(record), -(-pairs // FLAT_BLOCK), inputs, cpu(), workers=options.workers, work=pairs)

@@ -54,7 +54,7 @@ def weigh_all(active: wp.array[wp.uint8], i: wp.int32) -> wp.float32:
     return 1.0
 
 
-def accessors(with_pdf: bool, masked: bool) -> tuple[wp.Function, wp.Function]:
+def select_accessors(with_pdf: bool, masked: bool) -> tuple[wp.Function, wp.Function]:
     """(store, weigh) of a kernel that stores the density or does not, reads the mask or does not."""
     return store_direction_and_pdf if with_pdf else store_direction, weigh_by_mask if masked else weigh_all
 
@@ -89,7 +89,7 @@ SamplesArgs = type(Samples().__ctype__())
 
 
 @once
-def unit_normals(masked: bool, stride: int, with_check: bool) -> wp.Function:
+def build_unit_writer(masked: bool, stride: int, with_check: bool) -> wp.Function:
     """A function that writes unit normals: x of all rows from 0 on, y from stride, z from 2 stride; the check from 3 stride.
 
     A normal that is not active becomes 0. The check, if it is asked for, is below 0.1 where a normal has a direction.

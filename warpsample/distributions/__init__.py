@@ -6,7 +6,7 @@ from dataclasses import fields
 from functools import cache
 from typing import Any
 
-from warpsample.distributions.own import OwnDistribution, Twin, check_kind, check_twin, is_same, registered
+from warpsample.distributions.own import Twin, UserDistribution, check_kind, check_twin, is_same_class, user_distributions
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.host.arguments import told
 from warpsample.host.registry import look_up, records_of
@@ -15,20 +15,20 @@ __all__ = ["Distribution", "Maps", "as_distribution", "as_spatial", "classes", "
 
 
 @cache
-def _shipped() -> dict[str, type[Distribution]]:
+def _find_package_distributions() -> dict[str, type[Distribution]]:
     """By name. Found when first asked for: reading all files takes as long as half of `import warp`."""
     return records_of(sys.modules[__name__])
 
 
-def _known() -> dict[str, type[Distribution]]:
+def _find_distributions() -> dict[str, type[Distribution]]:
     """Those of the package, and users' own."""
-    return _shipped() | {name: entry.kind for name, entry in registered.items()}
+    return _find_package_distributions() | {name: entry.kind for name, entry in user_distributions.items()}
 
 
 def register(kind: type[Distribution], *, twin: Twin | None = None) -> type[Distribution]:
     """Lets a distribution of your own go by its name, as those of the package, and `warpsample verify --only` judge it.
 
-    An instance is taken wherever a distribution is, registered or not.
+    An instance is taken wherever a distribution is, user_distributions or not.
 
     Args:
         kind: a subclass of `ws.distributions.Distribution`, a frozen dataclass of its parameters that has `name`, `density`,
@@ -37,7 +37,7 @@ def register(kind: type[Distribution], *, twin: Twin | None = None) -> type[Dist
             (..., 3) and (distribution, w (..., 3)) -> (...); the laws need it, nothing else does.
 
     Returns:
-        the class. Where it is registered again, as by a cell of a notebook, the newest counts.
+        the class. Where it is user_distributions again, as by a cell of a notebook, the newest counts.
 
     Raises:
         TypeError: no such class, or something it lacks.
@@ -48,11 +48,11 @@ def register(kind: type[Distribution], *, twin: Twin | None = None) -> type[Dist
         ggx
     """
     kind, twin = check_kind(kind), check_twin(twin)
-    other = _known().get(kind.name)
-    if other is not None and not is_same(kind, other):
+    other = _find_distributions().get(kind.name)
+    if other is not None and not is_same_class(kind, other):
         raise ValueError(f"kind: got {kind.__name__} with name = {kind.name!r}, which {other.__name__} has, want another")
-    if kind.name not in _shipped():
-        registered[kind.name] = OwnDistribution(kind, twin)
+    if kind.name not in _find_package_distributions():
+        user_distributions[kind.name] = UserDistribution(kind, twin)
     return kind
 
 
@@ -66,7 +66,7 @@ def names() -> list[str]:
         >>> print(ws.distributions.names()[:3])
         ['beckmann', 'cosine_hemisphere', 'ggx']
     """
-    return sorted(_known())
+    return sorted(_find_distributions())
 
 
 def classes() -> dict[str, type[Distribution]]:
@@ -79,7 +79,7 @@ def classes() -> dict[str, type[Distribution]]:
         >>> print(ws.distributions.classes()["GGX"].density)
         α²cosθ/(π(sin²θ+α²cos²θ)²)
     """
-    return {kind.__name__: kind for kind in _known().values()}
+    return {kind.__name__: kind for kind in _find_distributions().values()}
 
 
 def get(name: str) -> type[Distribution]:
@@ -100,7 +100,7 @@ def get(name: str) -> type[Distribution]:
         >>> print(kind(alpha=0.1), kind.measure)
         Beckmann(alpha=0.1) per steradian
     """
-    return look_up(_known(), name, "distribution")
+    return look_up(_find_distributions(), name, "distribution")
 
 
 def as_distribution(value: Any) -> Distribution:
@@ -131,7 +131,7 @@ def as_distribution(value: Any) -> Distribution:
     try:
         if opened and not inside.endswith(")"):
             raise SyntaxError
-        return kind(**_keywords(inside.removesuffix(")")))
+        return kind(**_parse_keywords(inside.removesuffix(")")))
     except (TypeError, SyntaxError) as error:
         example = f"{name}({', '.join(f'{field.name}=...' for field in fields(kind))})"
         reason = "" if "__init__()" in str(error) or isinstance(error, SyntaxError) else f" ({error})"
@@ -161,7 +161,7 @@ def as_spatial(value: Any) -> Distribution:
     return distribution
 
 
-def _keywords(text: str) -> dict[str, Any]:
+def _parse_keywords(text: str) -> dict[str, Any]:
     try:
         call = ast.parse(f"_({text})", mode="eval").body
     except (ValueError, RecursionError, MemoryError) as error:  # zero bytes, or more nested brackets than the parser allows

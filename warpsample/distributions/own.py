@@ -18,18 +18,18 @@ _MEASURES = ("per steradian", "per unit area", "per radian")
 
 
 @dataclass(frozen=True)
-class OwnDistribution:
-    """What was registered: the class, and its twin, if there is one."""
+class UserDistribution:
+    """What was user_distributions: the class, and its twin, if there is one."""
 
     kind: type[Distribution]
     twin: Twin | None = None
 
 
-registered: dict[str, OwnDistribution] = {}
+user_distributions: dict[str, UserDistribution] = {}
 """By name."""
 
 
-def is_same(one: type, other: type) -> bool:
+def is_same_class(one: type, other: type) -> bool:
     """Whether two classes are one, or come of the same lines: a cell of a notebook that is run again makes a new class."""
     return one is other or (one.__module__, one.__qualname__) == (other.__module__, other.__qualname__)
 

@@ -24,7 +24,7 @@ class Parameters:
 
 
 @lru_cache(maxsize=256)
-def packed(values: tuple[Any, ...]) -> Any:
+def pack_parameters(values: tuple[Any, ...]) -> Any:
     """A scalar, or a scalar and a vector, as kernels take them; zeros where there are none."""
     parameters = Parameters()
     for field, value in zip(("scalar", "x", "y", "z"), np.hstack(values or (0.0,)), strict=False):
@@ -33,7 +33,7 @@ def packed(values: tuple[Any, ...]) -> Any:
 
 
 @once
-def with_parameters(func: wp.Function, argument: type, count: int) -> wp.Function:
+def bind_parameters(func: wp.Function, argument: type, count: int) -> wp.Function:
     """`func(x)`, `func(x, scalar)` or `func(x, scalar, vector)`, by `count`, as a wp.func of (x: argument, Parameters)."""
     if count == 0:
 
@@ -60,7 +60,7 @@ def with_parameters(func: wp.Function, argument: type, count: int) -> wp.Functio
 
 
 @once
-def about_frame(sample: wp.Function, pdf: wp.Function) -> wp.Function:
+def build_about(sample: wp.Function, pdf: wp.Function) -> wp.Function:
     """A local map (u, Parameters) and its density as a map about a unit normal, (n, u, Parameters) -> (direction, pdf)."""
 
     @wp.func

@@ -8,7 +8,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
-from warpsample.distributions.parameters import about_frame, packed, with_parameters
+from warpsample.distributions.parameters import bind_parameters, build_about, pack_parameters
 from warpsample.host.arguments import check_number
 from warpsample.host.arrays import Array, Floats, as_real, as_square
 from warpsample.host.engine import check_workers, run
@@ -175,7 +175,7 @@ class Distribution:
         """
         u = from_cuda(u, "u")
         u = u if isinstance(u, wp.array) else as_square(u, "u")
-        return self._map(self.maps.sample, u, width=2, out_width=self.width, argument="u")
+        return self._apply(self.maps.sample, u, width=2, out_width=self.width, argument="u")
 
     def pdf(self, w: Any) -> Floats:
         """Density at unit directions, in the distribution's measure.
@@ -193,7 +193,7 @@ class Distribution:
             >>> print(ws.CosineHemisphere().pdf(np.array([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])).round(4))  # 1 / pi; below: 0
             [0.3183 0.    ]
         """
-        return self._map(self.maps.pdf, w, width=self.width, out_width=1, argument="w")
+        return self._apply(self.maps.pdf, w, width=self.width, out_width=1, argument="w")
 
     def invert(self, w: Any) -> Floats:
         """The points of the square that `sample` sends to the directions w.
@@ -215,7 +215,7 @@ class Distribution:
         """
         if self.maps.invert is None:
             raise NotImplementedError(f"{self!r}: sample sends several u to one w, or its Maps name no invert")
-        return self._map(self.maps.invert, w, width=self.width, out_width=2, argument="w")
+        return self._apply(self.maps.invert, w, width=self.width, out_width=2, argument="w")
 
     def kernel_parameters(self) -> Any:
         """This instance's scalars as the kernels take them.
@@ -227,7 +227,7 @@ class Distribution:
             >>> print(ws.GGX(alpha=0.5).kernel_parameters().scalar)
             0.5
         """
-        return packed(tuple(getattr(self, name) for name in self.parameters))
+        return pack_parameters(tuple(getattr(self, name) for name in self.parameters))
 
     def about(self) -> wp.Function:
         """The map about a normal, for kernels; there is none for what lies in a plane.
@@ -243,12 +243,12 @@ class Distribution:
         if maps.about is not None:
             return maps.about
         count = len(self.parameters)
-        return about_frame(with_parameters(maps.sample, wp.vec2, count), with_parameters(maps.pdf, wp.vec3, count))
+        return build_about(bind_parameters(maps.sample, wp.vec2, count), bind_parameters(maps.pdf, wp.vec3, count))
 
-    def _map(self, func: wp.Function, x: Any, *, width: int, out_width: int, argument: str) -> Array:
+    def _apply(self, func: wp.Function, x: Any, *, width: int, out_width: int, argument: str) -> Array:
         source = as_vectors(x, width, argument)
         target = new_vectors(source, source.shape, out_width)
-        bound = with_parameters(func, _VECTORS[width], len(self.parameters))
+        bound = bind_parameters(func, _VECTORS[width], len(self.parameters))
         block = FLAT_BLOCK if source.device.is_cpu else 1
         inputs = [source.count, block, source.address, target.address, self.kernel_parameters()]
         if source.count:

@@ -44,7 +44,7 @@ def visible_share_above(x: wp.float64, a: wp.float64) -> wp.float64:
 
 
 @wp.func
-def _closer(x: wp.float64, target: wp.float64, a: wp.float64) -> wp.float64:
+def _refine_slope(x: wp.float64, target: wp.float64, a: wp.float64) -> wp.float64:
     """A slope closer to that above which the view sees the target: a step of Householder's method, of fourth order."""
     tail = erfc_double(x)
     s = a + x
@@ -73,7 +73,7 @@ def slope_along_view(rest: wp.float64, a: wp.float64) -> wp.float64:
     above = a + normal
     normal += _MOVED * above / (above * above + ONE)
     x = wp.max(wp.max(normal, rayleigh), rise / (ONE + _BENT * lowest * rise) - lowest)
-    return _closer(_closer(x, rest * all, a), rest * all, a)
+    return _refine_slope(_refine_slope(x, rest * all, a), rest * all, a)
 
 
 @wp.func_grad(slope_along_view)
@@ -90,7 +90,7 @@ def _adj_slope_along_view(rest: wp.float64, a: wp.float64, adj_ret: wp.float64):
 def gaussian_slope(v: wp.float32) -> wp.float64:
     """The slope below which lies the share v (at its cell's middle) of e^(-s^2) / sqrt(pi), as seen from above."""
     rest = ONE - wp.float64(v) - _HALF_CELL
-    return _closer(wp.float64(erfc_inverse_roughly(TWO * rest)), rest * _FROM_ABOVE, _FROM_ABOVE)
+    return _refine_slope(wp.float64(erfc_inverse_roughly(TWO * rest)), rest * _FROM_ABOVE, _FROM_ABOVE)
 
 
 @wp.func_grad(gaussian_slope)

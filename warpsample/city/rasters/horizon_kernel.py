@@ -7,7 +7,7 @@ from warpsample.host.locks import once
 from warpsample.maths.memory import set_byte, set_float, set_int
 from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
 from warpsample.sequences.fibonacci import fibonacci_sample
-from warpsample.sequences.hashing import ONE_WORD, one_of, point_key, stream_key
+from warpsample.sequences.hashing import ONE_WORD, point_key, select_key, stream_key
 from warpsample.tracing.placement import Placement, id_of
 from warpsample.tracing.queries import CHUNK, CHUNK_FLOATS, Accelerator, set_direction
 from warpsample.tracing.sight.frontier import open_around
@@ -103,7 +103,7 @@ def _turn(rows: HorizonRows, point: ShadingPoint, at: wp.int32, length: wp.int32
     while k < length:
         i = at + k
         second = wp.where(i >= rows.azimuths, 1, 0)
-        u = fibonacci_sample(one_of(key, other, second), wp.uint32(i - second * rows.azimuths), wp.uint32(rows.azimuths))
+        u = fibonacci_sample(select_key(key, other, second), wp.uint32(i - second * rows.azimuths), wp.uint32(rows.azimuths))
         east = wp.cos(_TURN * u[0])
         north = wp.sin(_TURN * u[0])
         own[_LOW + k] = tilt * _plane_of(n[0] * east + n[1] * north, n[2])
