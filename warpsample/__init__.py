@@ -1,4 +1,4 @@
-"""How much sky, sun and light each place of a 3D model gets: rays of proven samplers, NVIDIA Warp's kernels, error bars."""
+"""Sky view, sunlight, occlusion and irradiation at points of 3D models, by ray tracing with NVIDIA Warp, with error bars."""
 
 from importlib import import_module
 
