@@ -79,7 +79,7 @@ class DirectionPlan:
             run(kernel, tasks, [args], device, workers=self.options.workers, work=args.points * self.count)
 
     def kernel(self, device: wp.Device, points: int, masked: bool, own_ids: bool = False) -> tuple[wp.Kernel, int, int, int]:
-        """Return (kernel, number of tasks, samples of a segment, rows or blocks of a task).
+        """Choose the kernel; return (kernel, number of tasks, samples of a segment, rows or blocks of a task).
 
         Rows serve CUDA, points with user-defined ids, and counts that fill a SIMD vector. Blocks serve smaller counts, but
         not user-defined ids, because the keys of a block must differ in one word only.
@@ -107,7 +107,7 @@ def _build_kernel(distribution: Distribution, sequence: Sequence, pdf: bool, mas
 
 @lru_cache(maxsize=1024)
 def _pack_run_words(sequence: Sequence, seed: int, high: int) -> wp.vec4ui:
-    """Return the words of `Sequence.run` as a vec4ui, which a struct accepts ten times as fast as a tuple."""
+    """Convert the words of `Sequence.run` to a vec4ui, which a struct accepts ten times as fast as a tuple."""
     return wp.vec4ui(*sequence.run_words(seed, high))
 
 

@@ -125,7 +125,7 @@ def sample_directions(
     workers: int | None = None,
     progress: bool = False,
 ) -> Directions:
-    """Sample `count` directions about each normal from a distribution.
+    """Sample `count` directions about each normal from a distribution such as the cosine lobe.
 
     Each direction is a pure function of (seed, first_point + row, sample, count): threads, parts and the mask `active`
     do not change a bit. Compiling the first kernel takes about 1.5 s; compiled kernels are cached on disk.

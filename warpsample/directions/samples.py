@@ -44,18 +44,18 @@ def store_direction_and_pdf(vectors: wp.array[wp.float32], pdf: wp.array[wp.floa
 
 @wp.func
 def weigh_by_mask(active: wp.array[wp.uint8], i: wp.int32) -> wp.float32:
-    """Return the factor of a normal: 0 where the mask is 0, else 1."""
+    """Return the factor that excludes a normal: 0 where the mask is 0, else 1."""
     return wp.where(active[i] == wp.uint8(0), 0.0, 1.0)
 
 
 @wp.func
 def weigh_all(active: wp.array[wp.uint8], i: wp.int32) -> wp.float32:
-    """Return the factor 1 of every normal, for calls without a mask."""
+    """Return 1, the factor that keeps a normal, for calls without a mask."""
     return 1.0
 
 
 def select_accessors(with_pdf: bool, masked: bool) -> tuple[wp.Function, wp.Function]:
-    """Return the wp.funcs (store, weigh) for a kernel with or without densities, and with or without a mask."""
+    """Return two wp.funcs, `store` with or without densities and `weigh` with or without a mask."""
     return store_direction_and_pdf if with_pdf else store_direction, weigh_by_mask if masked else weigh_all
 
 

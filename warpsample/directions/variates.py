@@ -18,8 +18,9 @@ LANES = 8
 
 @once
 def fill_variates(sequence: Sequence, chunk: int) -> wp.Function:
-    """Build the wp.func fill(key, start, length, count, u) that writes the points of samples start, start + 1, ... to u.
+    """Build the wp.func fill(key, start, length, count, u) that writes the points of `length` samples to u.
 
+    The samples have the numbers start, start + 1, and so on.
     u has 2 * chunk floats: u[0] of all samples, then u[1]. `start` must be even if `chunk` is above 1, and `length` at most
     `chunk`. The function may write a few samples more than `length`.
     """

@@ -69,7 +69,7 @@ class Beckmann(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_beckmann, square_to_beckmann_pdf, beckmann_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return 1 - exp(-tan^2 theta / alpha^2). See `Distribution.cdf`."""
+        """Return the cdf of the angle, 1 - exp(-tan^2 theta / alpha^2). See `Distribution.cdf`."""
         return -np.expm1(-((np.tan(np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) / self.alpha) ** 2))
 
 

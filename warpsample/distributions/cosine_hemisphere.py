@@ -181,7 +181,7 @@ class CosineHemisphere(Distribution):
         return _MAPS[self.method]
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return sin^2 theta. See `Distribution.cdf`."""
+        """Return the cdf of the angle, sin^2 theta. See `Distribution.cdf`."""
         return np.sin(np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) ** 2
 
 

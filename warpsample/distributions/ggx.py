@@ -67,7 +67,7 @@ class GGX(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_ggx, square_to_ggx_pdf, ggx_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return sin^2 theta / (sin^2 theta + alpha^2 cos^2 theta). See `Distribution.cdf`."""
+        """Return the cdf of the angle, sin^2 theta / (sin^2 theta + alpha^2 cos^2 theta). See `Distribution.cdf`."""
         theta = np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)
         sine, cosine = np.sin(theta), np.cos(theta)
         return sine**2 / (sine**2 + (self.alpha * cosine) ** 2)

@@ -124,11 +124,17 @@ class OffsetSphere(Distribution):
 
     @property
     def thinnest_tail(self) -> float:
-        """Smallest tail probability for statistical tests; 1e-2 for a cone, whose clamp moves half of 7e-4 past the edge."""
+        """Smallest tail probability for statistical tests: 1e-2 for a cone, else 1e-5.
+
+        7e-4 of the directions are within the clamped edge, half of which the clamped density places past the edge.
+        """
         return 1e-2 if self.support == "cone" else super().thinnest_tail
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the fraction of the sphere that appears within theta of the normal. See `Distribution.cdf`."""
+        """Return the cdf of the angle: the fraction of the sphere that appears within theta of the normal.
+
+        See `Distribution.cdf`.
+        """
         theta = np.clip(theta, 0.0, self.largest_angle, dtype=np.float64)
         beyond = np.arcsin(np.clip(np.sin(theta) / self.rho, -1.0, 1.0))
         far = np.sin(0.5 * (theta + beyond)) ** 2

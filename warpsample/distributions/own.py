@@ -19,7 +19,7 @@ _MEASURES = ("per steradian", "per unit area", "per radian")
 
 @dataclass(frozen=True)
 class UserDistribution:
-    """Registered user-defined distribution.
+    """User-defined distribution that is registered under its name.
 
     Attributes:
         kind: the class.

@@ -121,7 +121,7 @@ class UniformDisk(Distribution):
         return 1.0
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """Return the square of the radius. See `Distribution.cdf`."""
+        """Return the cdf of the radius, the square of the radius. See `Distribution.cdf`."""
         return np.clip(theta, 0.0, 1.0, dtype=np.float64) ** 2
 
 

@@ -24,7 +24,7 @@ _TINY = wp.constant(wp.float64(1e-12))
 
 @wp.func
 def slope_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4d:
-    """Return (a, alpha sin v, cos phi, sin phi) of the view, with a = cot v / alpha, angle v to +z and azimuth phi.
+    """Return (a, alpha sin v, cos phi, sin phi) for a view at the angle v to +z and the azimuth phi, with a = cot v / alpha.
 
     Normals with a slope below -a along the view, in units of alpha, face away. A view along +z has no azimuth; the gradient
     with respect to the view's x and y is 0 there.
@@ -89,9 +89,9 @@ def _adj_slope_along_view(rest: wp.float64, a: wp.float64, adj_ret: wp.float64):
 
 @wp.func
 def gaussian_slope(v: wp.float32) -> wp.float64:
-    """Return the slope below which the fraction v + 2^-25 of the density e^(-s^2) / sqrt(pi) lies.
+    """Return the quantile of the density e^(-s^2) / sqrt(pi) at the probability v + 2^-25.
 
-    v + 2^-25 is the middle of the cell of the variate v.
+    v is a multiple of 2^-24, and v + 2^-25 the middle of the cell that v represents.
     """
     rest = ONE - wp.float64(v) - _HALF_CELL
     return _refine_slope(wp.float64(erfc_inverse_roughly(TWO * rest)), rest * _FROM_ABOVE, _FROM_ABOVE)

@@ -16,7 +16,7 @@ _TINY = wp.constant(wp.float32(1e-30))
 
 @wp.func
 def stretched_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4:
-    """Return (sin v, cos v, cos phi, sin phi) of the view, after x and y are scaled by alpha.
+    """Return (sin v, cos v, cos phi, sin phi) of the view direction after x and y are multiplied by alpha.
 
     The scaling turns the ellipsoid of the normals into a sphere; v is the angle to +z and phi the azimuth of the scaled
     view. A view along +z has no azimuth; the gradient with respect to the view's x and y is 0 there.
@@ -35,7 +35,7 @@ def stretched_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4:
 
 @wp.func
 def blurred_facing(m: wp.vec3, view: wp.vec3) -> wp.float32:
-    """Return the cosine v.m of normal m and view v, raised to its rounding error where v.m is close to 0.
+    """Return the cosine v.m of normal m and view v, but at least the rounding error of v.m where v.m is close to 0.
 
     Below minus the rounding error of the three products, the value and the gradient are 0.
     """

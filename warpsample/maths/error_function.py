@@ -51,7 +51,7 @@ def _adj_erfc_double(x: wp.float64, adj_ret: wp.vec2d):
 
 @wp.func
 def erfc_inverse_roughly(share: wp.float64) -> wp.float32:
-    """Return x with erfc(x) = share, for a share in (0, 2), to a relative error of 0.003: a start for iterations.
+    """Return x with erfc(x) = share, to a relative error of 0.003, for a share in (0, 2); a starting value for iterations.
 
     Winitzki2008, equation 7, rearranged so that no difference cancels.
     """

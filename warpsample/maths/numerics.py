@@ -58,18 +58,18 @@ def fma(a: wp.float32, b: wp.float32, c: wp.float32) -> wp.float32:
 
 @wp.func_native(snippet=_FMA.format(""), adj_snippet=_FMA_ADJOINT)
 def fma_double(a: wp.float64, b: wp.float64, c: wp.float64) -> wp.float64:
-    """Return a * b + c in float64, rounded once; native for the reason given at `fma`."""
+    """Return a * b + c in float64, rounded once; native for the same reason as `fma`."""
 
 
 @wp.func
 def low_word(x: wp.uint64) -> wp.uint32:
-    """Return the low 32 bits."""
+    """Return the low 32 bits of x."""
     return wp.uint32(x)
 
 
 @wp.func
 def high_word(x: wp.uint64) -> wp.uint32:
-    """Return the high 32 bits."""
+    """Return the high 32 bits of x."""
     return wp.uint32(x >> wp.uint64(32))
 
 
@@ -103,7 +103,10 @@ def reverse_bits(x: wp.uint32) -> wp.uint32:
 
 @wp.func
 def weyl(index: wp.uint32, step: wp.uint64) -> wp.uint32:
-    """Return the top 32 bits of the fraction of index * step / 2^64: a rotation by step, exact to 2^-32 for any index."""
+    """Return the top 32 bits of the fractional part of index * step / 2^64, exact to 2^-32 for any index.
+
+    Consecutive indices give a rotation of the unit interval by step / 2^64.
+    """
     carry = high_word(wp.uint64(index) * wp.uint64(low_word(step)))
     return index * high_word(step) + carry
 
@@ -171,7 +174,7 @@ def polish(v: wp.vec3) -> wp.vec3:
 
 @wp.func
 def scaled_to_unit(v: wp.vec3) -> wp.vec4:
-    """Return (v / abs(v), error) for a finite v of length 1e-45 to 3e38, for which abs(error) is below 0.1.
+    """Normalise a finite vector v of length 1e-45 to 3e38: return (v / abs(v), error), with abs(error) below 0.1.
 
     The error is 1/2 for a zero vector and NaN for a vector that is not finite; the direction is then meaningless. An exact
     scaling by a power of two brings the largest component to about 1, so that no square underflows or overflows. The
@@ -200,10 +203,10 @@ def scaled_to_unit(v: wp.vec3) -> wp.vec4:
 
 @wp.func
 def direction_to_unit(v: wp.vec3) -> wp.vec4:
-    """Return (v / abs(v), error) like `scaled_to_unit`, faster for a v that is already of unit length but for rounding.
+    """Normalise a vector v whose length is 1 up to rounding: return (v / abs(v), error), faster than `scaled_to_unit`.
 
-    For such a v one Newton step is enough and leaves an error of 2^-39. The latency is a third of that of
-    `scaled_to_unit`, which counts for rays that are made one by one.
+    One Newton step is enough for such a vector and leaves an error of 2^-39. The latency is a third of that of
+    `scaled_to_unit`, which matters for rays that are prepared one at a time.
     """
     half_error = fma(-0.5 * v[0], v[0], fma(-0.5 * v[1], v[1], fma(-0.5 * v[2], v[2], 0.5)))
     if wp.abs(half_error) < _ALMOST_UNIT:

@@ -122,7 +122,7 @@ def swap_halves(word: wp.uint32) -> wp.uint32:
 
 @wp.func
 def premixed_key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
-    """Return the partly mixed key of a point, for sequences that hash the key again at each sample.
+    """Return the partly mixed key of a surface point, for sequences that hash the key again at each sample.
 
     Word 0 differs between any two ids with the same upper half.
     """
@@ -151,7 +151,10 @@ def stream_key(key: wp.vec4ui, stream: wp.uint32) -> wp.vec4ui:
 
 @wp.func
 def select_key(first: wp.vec4ui, second: wp.vec4ui, which: wp.int32) -> wp.vec4ui:
-    """Return the first key if `which` is 0, the second if `which` is 1; masks, because a select prevents vectorisation."""
+    """Return the first key if `which` is 0, the second key if `which` is 1.
+
+    Bit masks are used because a select would prevent vectorisation.
+    """
     mask = ZERO_WORD - wp.uint32(which)
     return wp.vec4ui(
         first[0] ^ ((first[0] ^ second[0]) & mask),

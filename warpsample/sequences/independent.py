@@ -21,7 +21,7 @@ _MURMUR_SHIFT = wp.constant(wp.uint32(13))
 
 @wp.func
 def _words(key: wp.vec4ui, half: wp.uint32) -> wp.vec4ui:
-    """Return the four random words that hold samples 2 half and 2 half + 1."""
+    """Return the four random words that hold samples 2 * half and 2 * half + 1."""
     # The first half of the finaliser of Appleby2016. Apart from one shift, pcg4d carries bits only to higher bits. Without
     # the finaliser, a bit of the sample number could cancel a bit of the point's word.
     half = (half ^ (half >> _HALF_WORD)) * _MURMUR
@@ -37,7 +37,7 @@ def independent_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> w
 
 @wp.func
 def independent_pair(key: wp.vec4ui, half: wp.uint32, count: wp.uint32) -> wp.vec4:
-    """Return the points (x0, y0, x1, y1) of samples 2 half and 2 half + 1, at the cost of one hash."""
+    """Return the points (x0, y0, x1, y1) of samples 2 * half and 2 * half + 1, at the cost of one hash."""
     return points_from_words(_words(key, half))
 
 

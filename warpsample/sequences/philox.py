@@ -9,7 +9,7 @@ from warpsample.sequences.record import Sequence
 
 @wp.func
 def _run(seed: wp.uint64, high: wp.uint32) -> wp.vec4ui:
-    """Return the unmixed words of seed and id: Philox itself mixes all bits of its counter and its key."""
+    """Return the words of seed and id without mixing, since Philox itself mixes all bits of its counter and its key."""
     return wp.vec4ui(ZERO_WORD, high, low_word(seed), high_word(seed))
 
 
@@ -26,7 +26,7 @@ def _key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
 
 @wp.func
 def _words(key: wp.vec4ui, half: wp.uint32) -> wp.vec4ui:
-    """Return the four random words that hold samples 2 half and 2 half + 1."""
+    """Return the four random words that hold samples 2 * half and 2 * half + 1."""
     return philox4x32_10(wp.vec4ui(half, key[0], key[1], ZERO_WORD), key[2], key[3])
 
 
@@ -38,7 +38,7 @@ def philox_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp.vec
 
 @wp.func
 def philox_pair(key: wp.vec4ui, half: wp.uint32, count: wp.uint32) -> wp.vec4:
-    """Return the points (x0, y0, x1, y1) of samples 2 half and 2 half + 1, at the cost of one block of Philox."""
+    """Return the points (x0, y0, x1, y1) of samples 2 * half and 2 * half + 1, at the cost of one block of Philox."""
     return points_from_words(_words(key, half))
 
 

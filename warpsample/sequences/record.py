@@ -28,8 +28,8 @@ class Sequence:
         run_words: function (seed, high) that computes the words of `run` on the host.
         key: `wp.func` (run: vec4ui, low: uint32) -> vec4ui, the key of the surface point whose id has the lower half `low`.
             `hashing.stream_key` derives keys of further streams of a point.
-        pair: `wp.func` (key, half: uint32, count) -> vec4, the points of samples 2 half and 2 half + 1; None if computing
-            both at once saves nothing.
+        pair: `wp.func` (key, half: uint32, count) -> vec4, the points of samples 2 * half and 2 * half + 1; None if
+            computing both at once saves nothing.
         rate: rate of convergence: for a step function such as visibility, the root mean square error of n samples is about
             proportional to n^-rate.
         edge: exponent of the variance at an edge. Where an edge crosses the square, the numbers of samples on one side of

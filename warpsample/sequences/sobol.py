@@ -59,7 +59,7 @@ def sobol_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp.vec2
 
 @wp.func
 def sobol_pair(key: wp.vec4ui, half: wp.uint32, count: wp.uint32) -> wp.vec4:
-    """Return the points (x0, y0, x1, y1) of samples 2 half and 2 half + 1, with one shuffle for both.
+    """Return the points (x0, y0, x1, y1) of samples 2 * half and 2 * half + 1, with one shuffle for both.
 
     The two bit-reversed indices differ only in the top bit, on which no other bit of the scramble depends. So the two
     shuffled indices differ only in the last bit, and so do the two second coordinates.

@@ -7,7 +7,7 @@ import numpy as np
 
 
 class Sampler(Protocol):
-    """Interface of a sampler, correct or wrong, that laws test; see `distributions.record.Distribution` for each member."""
+    """Interface of a sampler, correct or not, to be tested; `distributions.record.Distribution` describes each member."""
 
     measure: str
     symmetric: bool
