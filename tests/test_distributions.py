@@ -112,7 +112,7 @@ def test_chances_are_0_below_all_angles_and_1_above(case):
 
 def test_cdf_that_is_not_closed_says_so():
     with pytest.raises(
-        NotImplementedError, match=r"VisibleGGX\(alpha=0.5.*: its density does not depend on the angle alone"
+        NotImplementedError, match=r"VisibleGGX\(alpha=0.5.*: there is no cdf of the angle, as the density depends on"
     ):
         ws.VisibleGGX(0.5).cdf(0.1)
 
@@ -186,7 +186,11 @@ def test_bad_warp_arrays_are_named():
         (lambda: ws.VonMisesFisher(0.0), ValueError, "kappa: got 0.0, want a number from 1e-06 to 1e[+]12"),
         (lambda: ws.UniformCone(1.0), ValueError, "cos_angle: got 1.0, want a number from -1 to below 1"),
         (ws.UniformCone, TypeError, "cos_angle: got None, want a number from -1 to below 1, or one_minus_cos"),
-        (lambda: ws.UniformCone(0.5, 0.1), TypeError, "cos_angle: got 0.5 beside one_minus_cos, want one of the two"),
+        (
+            lambda: ws.UniformCone(0.5, 0.1),
+            TypeError,
+            "cos_angle: got 0.5 together with one_minus_cos, want only one of the two",
+        ),
         (lambda: ws.UniformCone(one_minus_cos=3), ValueError, "one_minus_cos: got 3, want a number from 1e-24 to 2"),
         (
             lambda: ws.VisibleGGX(0.1, (0, 0, -1)),
@@ -198,12 +202,12 @@ def test_bad_warp_arrays_are_named():
         (
             lambda: ws.OffsetDisk().invert([[0.0, 1.0]]),
             NotImplementedError,
-            r"OffsetDisk\(\): sample sends several u to one w",
+            r"OffsetDisk\(\): there is no inverse, as sample maps several u to one w",
         ),
         (
             lambda: ws.OffsetSphere(0.5).invert([[0.0, 0.0, 1.0]]),
             NotImplementedError,
-            r"OffsetSphere\(rho=0.5\): sample sends",
+            r"OffsetSphere\(rho=0.5\): there is no inverse",
         ),
         (lambda: as_distribution("cosin"), ValueError, "distribution: got 'cosin', want one of beckmann, cosine_hemisphere"),
         (lambda: as_distribution(3), TypeError, "distribution: got 3, want a name or an instance"),
@@ -213,8 +217,8 @@ def test_bad_warp_arrays_are_named():
             TypeError,
             "distribution: got 'uniform_cone', .*cos_angle: got None",
         ),
-        (lambda: as_distribution("ggx(0.1)"), TypeError, r"distribution: got 'ggx\(0.1\)', want .*parameters go by name"),
-        (lambda: as_distribution("ggx(alpha=x)"), TypeError, "distribution: got .*parameters are plain numbers"),
+        (lambda: as_distribution("ggx(0.1)"), TypeError, r"distribution: got 'ggx\(0.1\)', want .*give parameters by name"),
+        (lambda: as_distribution("ggx(alpha=x)"), TypeError, "distribution: got .*parameters must be plain numbers"),
         (lambda: as_distribution("ggx(alpha="), TypeError, r"distribution: got 'ggx\(alpha=', want ggx\(alpha=...\)"),
         (lambda: as_distribution("ggx(alpha=0.1"), TypeError, r"distribution: got 'ggx\(alpha=0.1', want ggx\(alpha=...\)$"),
         (lambda: as_distribution("ggx(beta=1)"), TypeError, r"distribution: got 'ggx\(beta=1\)', want ggx\(alpha=...\)$"),
@@ -222,7 +226,7 @@ def test_bad_warp_arrays_are_named():
         (
             lambda: ws.sample_directions(np.ones((1, 3), np.float32), 4, distribution=ws.OffsetDisk()),
             TypeError,
-            r"distribution: got OffsetDisk\(\), which lies in a plane, want one of directions in space",
+            r"distribution: got OffsetDisk\(\), which is planar, want a distribution of directions in space",
         ),
     ],
 )

@@ -204,5 +204,7 @@ def test_bad_arguments_are_named(arguments, message):
 
 
 def test_too_many_points_are_refused_with_a_way_out():
-    with pytest.raises(MemoryError, match=r"points of the square need [\d.]+ GB and [\d.]+ GB are free; take them in parts"):
+    with pytest.raises(
+        MemoryError, match=r"points of the square need [\d.]+ GB and [\d.]+ GB are free; compute them in parts"
+    ):
         ws.sample_square("sobol", 10**9, 10**6)

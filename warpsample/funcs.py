@@ -1,14 +1,16 @@
-"""The kernel API: every `wp.func` for kernels of your own, under its field's name.
+"""Functions (`wp.func`) and structs for user-defined Warp kernels: sampling, densities, sequences, frames and rays.
 
-- `square_to_X(u, ...)` is a direction about +z of a point u of the unit square, `square_to_X_pdf(w, ...)` its density (per
-  steradian, or as the catalogue says), `X_to_square(w, ...)` the way back; parameters follow as float32.
-- `sobol`, `fibonacci`, `r2`, `stratified`, `independent`, `philox` (seed: uint64, point: uint64, sample, count: uint32)
-  are points of the unit square, a pure function of their arguments.
-- `any_hit(tree, origin, direction, max_distance)`, `nearest_hit`, which gives (distance, face), and `transmitted`, the share
-  of light that comes through, ask a mesh for a ray; `Tree` is what `warpsample.tree(mesh)` makes, a kernel's argument;
-  `offset_origin(tree, position, normal)` moves a point off its face.
-- `Lobe` is the second argument of a function that `warpsample.integrate` takes.
-- `frame_about(n)` is an orthonormal frame whose z is the unit normal n, `to_world` and `to_local` go there and back.
+- `square_to_X(u, ...)` maps a point u of the unit square to a direction about +z. `square_to_X_pdf(w, ...)` returns the
+  density of a direction w, per steradian unless the distribution lies in a plane. `X_to_square(w, ...)` is the inverse of
+  `square_to_X`. Parameters, as float32, come last.
+- `sobol`, `fibonacci`, `r2`, `stratified`, `independent` and `philox` return a point of the unit square, a pure function of
+  (seed: uint64, point: uint64, sample: uint32, count: uint32).
+- `any_hit(tree, origin, direction, max_distance)` tests if a ray hits the mesh. `nearest_hit` returns (distance, face), and
+  `transmitted` the fraction of light that the mesh transmits along the ray. `Tree` is the type of `warpsample.tree(mesh)`, a
+  kernel argument. `offset_origin(tree, position, normal)` moves a ray's origin off the face.
+- `Lobe` is the type of the second argument of functions passed to `warpsample.integrate`.
+- `frame_about(n)` returns an orthonormal frame whose z axis is the unit normal n. `to_world` and `to_local` convert
+  directions between the frame and world coordinates.
 """
 
 from warpsample.distributions.beckmann import beckmann_to_square, square_to_beckmann, square_to_beckmann_pdf

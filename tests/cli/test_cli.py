@@ -96,7 +96,7 @@ def test_an_interrupted_run_leaves_the_old_file_and_no_half_one(call, cube, tmp_
         ),
         (
             ["directions", "CUBE", "-o", "d.npz", "--distribution", "offset_disk"],
-            "error: --distribution: got OffsetDisk(), which lies in a plane, want one of directions in space",
+            "error: --distribution: got OffsetDisk(), which is planar, want a distribution of directions in space",
         ),
         (
             ["directions", "CUBE", "-o", "d.npz", "--distribution", "x"],

@@ -87,6 +87,6 @@ def test_nothing_is_written_when_an_argument_is_bad(normals):
 
 def test_more_than_memory_is_refused_with_a_way_out(normals):
     with pytest.raises(
-        MemoryError, match=r"1,000,000,000,000 directions need 12000\.0 GB and .* are free; stream them: slices"
+        MemoryError, match=r"1,000,000,000,000 directions need 12000\.0 GB and .* are free; compute them in parts"
     ):
         ws.sample_directions(normals, 10**9)

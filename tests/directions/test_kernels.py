@@ -14,7 +14,7 @@ from warpsample.directions.blocks import direction_blocks
 from warpsample.directions.rows import direction_rows
 from warpsample.directions.square import square_blocks
 from warpsample.distributions.elementwise import elementwise
-from warpsample.distributions.parameters import with_parameters
+from warpsample.distributions.parameters import bind_parameters
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.mesh.placing import place_points
 
@@ -111,7 +111,7 @@ def all_kernels():
             maps = maps[2:]
         for func, width, out in maps:
             if func is not None:
-                bound = with_parameters(func, wp.vec2 if width == 2 else wp.vec3, len(case.parameters))
+                bound = bind_parameters(func, wp.vec2 if width == 2 else wp.vec3, len(case.parameters))
                 yield f"{func.key} {case}", elementwise(bound, width, out)
 
 

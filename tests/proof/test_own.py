@@ -7,7 +7,7 @@ import sys
 import pytest
 
 import warpsample as ws
-from warpsample.distributions.own import registered
+from warpsample.distributions.own import user_distributions
 from warpsample.proof import run
 from warpsample.proof.advice import advise
 from warpsample.proof.verify import Verdict, cases
@@ -19,7 +19,7 @@ NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e-\d\d)?")
 def alone():
     """Leaves no distribution behind."""
     yield
-    registered.clear()
+    user_distributions.clear()
 
 
 def subclass(name="my_ggx", of=ws.GGX, **more):
@@ -71,19 +71,19 @@ def test_a_class_goes_by_its_name(alone):
     ("kind", "error", "match"),
     [
         (3, TypeError, "kind: got 3, want a subclass of warpsample.distributions.Distribution"),
-        (subclass("ggx"), ValueError, "kind: got MyGGX with name = 'ggx', which GGX has, want another"),
+        (subclass("ggx"), ValueError, "kind: got MyGGX with name = 'ggx', the name of GGX, want another name"),
         (subclass("my ggx"), ValueError, "kind: got MyGGX with name = 'my ggx', want letters"),
-        (subclass(density=None), TypeError, "kind: got MyGGX with density = None, want a text"),
+        (subclass(density=None), TypeError, "kind: got MyGGX with density = None, want a string"),
         (subclass(measure="per turn"), ValueError, "kind: got MyGGX with measure = 'per turn', want one of per steradian, "),
         (subclass(maps=None), TypeError, "kind: got MyGGX with maps = None, want Maps"),
         (subclass(_cdf=ws.distributions.Distribution._cdf), TypeError, "kind: got MyGGX without _cdf, want"),
-        (type("Bare", (ws.distributions.Distribution,), {}), TypeError, "kind: got Bare with name = None, want a text"),
+        (type("Bare", (ws.distributions.Distribution,), {}), TypeError, "kind: got Bare with name = None, want a string"),
     ],
 )
 def test_what_a_class_lacks_is_told(kind, error, match, alone):
     with pytest.raises(error, match=match):
         ws.distributions.register(kind)
-    assert registered == {}
+    assert user_distributions == {}
 
 
 def test_a_twin_is_two_functions(alone):

@@ -1,6 +1,10 @@
-"""Directions at points: the call and its kernels.
+"""Directions at points: the public functions and the kernels.
 
-A *row* is all samples of one point, a *segment* some consecutive ones of a row, a *block* consecutive (point, sample) pairs
-of many rows. A *chunk* is what a kernel holds in local memory at a time: at most CHUNK samples, or rays. A *task* is what
-one thread of a kernel computes: some rows, one segment or one block; a *part* some points of a call that is taken in parts.
+Terms:
+    row: all samples of one point.
+    segment: consecutive samples of one row.
+    block: consecutive (point, sample) pairs, from one or more rows.
+    chunk: samples, at most CHUNK, that a kernel holds in local memory at a time.
+    task: work of one thread of a kernel: some rows, one segment or some blocks.
+    part: consecutive points of a call that does not fit into the device's memory as a whole.
 """

@@ -1,8 +1,8 @@
-"""Directions by blocks of pairs: see `samples`."""
+"""Kernel that computes directions block by block, for few samples per point on the CPU; see `samples`."""
 
 import warp as wp
 
-from warpsample.directions.samples import Samples, accessors, normal_status, unit_normals
+from warpsample.directions.samples import Samples, build_unit_writer, normal_status, select_accessors
 from warpsample.directions.variates import LANES
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.host.locks import once
@@ -14,11 +14,14 @@ _STRIDE = FLAT_BLOCK + LANES
 
 
 @once
-def _mender(
+def _build_mender(
     sequence: Sequence, about: wp.Function, *, redraw: wp.Function | None, redraw_below: float, with_pdf: bool, masked: bool
 ) -> wp.Function:
-    """A function that clears what has no direction, says why, and redraws; scalar, for the few blocks with such a pair."""
-    (store, weigh), redraws = accessors(with_pdf, masked), redraw is not None
+    """Build the wp.func that corrects the rare pairs of a block that the vectorised loop cannot handle.
+
+    The function writes zeros and a status where a point has no direction, and applies `redraw` where `about` is imprecise.
+    """
+    (store, weigh), redraws = select_accessors(with_pdf, masked), redraw is not None
     key_of, sample_of = sequence.key, sequence.sample
 
     @wp.func
@@ -34,14 +37,14 @@ def _mender(
     ):
         for i in range(length):
             q = (start + i) / samples.count
-            given = wp.vec3(normals[3 * q], normals[3 * q + 1], normals[3 * q + 2])
-            code = normal_status(given, weigh(active, q))
+            normal = wp.vec3(normals[3 * q], normals[3 * q + 1], normals[3 * q + 2])
+            code = normal_status(normal, weigh(active, q))
             if code != 0:
                 status = wp.array(ptr=samples.status + wp.uint64(point) + wp.uint64(q), shape=(1,), dtype=wp.uint8)
                 status[0] = wp.uint8(code)
                 store(vectors, pdf, i, wp.vec4(0.0))
             elif wp.static(redraws):
-                n = normalize(given)
+                n = normalize(normal)
                 key = key_of(samples.run, samples.first_point + wp.uint32(point) + wp.uint32(q))
                 u = sample_of(key, wp.uint32(start + i - q * samples.count), wp.uint32(samples.count))
                 if about(n, u, samples.parameters)[3] < redraw_below:
@@ -51,8 +54,8 @@ def _mender(
 
 
 @once
-def _block_variates(sequence: Sequence, one_sample: bool) -> wp.Function:
-    """A function that writes the variates of a block: u[0] of each pair, then, from FLAT_BLOCK on, u[1]."""
+def _build_block_variates(sequence: Sequence, one_sample: bool) -> wp.Function:
+    """Build the wp.func that writes the points u of a block: u[0] of all pairs, then u[1] from index FLAT_BLOCK on."""
     key_of, sample_of = sequence.key, sequence.sample
 
     @wp.func
@@ -69,7 +72,7 @@ def _block_variates(sequence: Sequence, one_sample: bool) -> wp.Function:
             q = i
             sample = wp.uint32(0)
             if wp.static(not one_sample):
-                # Exact: the half keeps the quotient off the integers by more than float32 errs below 2^13.
+                # Exact: the half keeps the quotient away from integers by more than the error of float32 below 2^13.
                 q = wp.int32((wp.float32(start + i) + 0.5) * per_count)
                 sample = wp.uint32(start + i - q * count)
             v = sample_of(key_of(run, low + wp.uint32(q)), sample, total)
@@ -81,7 +84,7 @@ def _block_variates(sequence: Sequence, one_sample: bool) -> wp.Function:
 
 
 @wp.func
-def _repeat(
+def _repeat_normals(
     units: wp.array[wp.float32],
     points: wp.int32,
     count: wp.int32,
@@ -89,12 +92,12 @@ def _repeat(
     length: wp.int32,
     repeated: wp.array[wp.float32],
 ):
-    """Repeats unit normals, pair by pair."""
+    """Write the unit normal of each pair of a block, by repeating the unit normals of the points."""
     for p in range(points):
         x = units[p]
         y = units[_STRIDE + p]
         z = units[2 * _STRIDE + p]
-        # A vector at a time, over what the next point overwrites and the rim of the buffer.
+        # Whole SIMD vectors: the next point overwrites the surplus, and the buffer has room for the last surplus.
         for m in range(wp.max(p * count - start, 0), wp.min((p + 1) * count - start, length), LANES):
             at = wp.array(ptr=repeated.ptr + wp.uint64(4 * m), shape=(3 * _STRIDE,), dtype=wp.float32)
             for k in range(LANES):
@@ -114,16 +117,16 @@ def direction_blocks(
     masked: bool,
     one_sample: bool,
 ) -> wp.Kernel:
-    """A kernel over tasks of `rows` blocks of FLAT_BLOCK consecutive pairs; bit for bit the results of `direction_rows`.
+    """Build the kernel that computes directions in tasks of `rows` blocks, bit for bit as `direction_rows` does.
 
-    Unit normals and variates first, as there. Unless each point has one sample, the normals are then repeated, pair by pair:
-    a gather from an array that the stores might alias would keep the loop scalar.
+    A block computes unit normals and points u first. If points have several samples, it then copies the normal of each pair
+    to a buffer, because a gather from an array that the stores might alias would prevent vectorisation.
     """
-    (store, _), redraws = accessors(with_pdf, masked), redraw is not None
-    mend = _mender(sequence, about, redraw=redraw, redraw_below=redraw_below, with_pdf=with_pdf, masked=masked)
-    write_units, fill = unit_normals(masked, _STRIDE, False), _block_variates(sequence, one_sample)
+    (store, _), redraws = select_accessors(with_pdf, masked), redraw is not None
+    mend = _build_mender(sequence, about, redraw=redraw, redraw_below=redraw_below, with_pdf=with_pdf, masked=masked)
+    write_units, fill = build_unit_writer(masked, _STRIDE, False), _build_block_variates(sequence, one_sample)
     floats = 2 * FLAT_BLOCK + (3 if one_sample else 6) * _STRIDE
-    repeated_at = 4 * (floats - 3 * _STRIDE)  # bytes; where each point has one sample, that is where the units are
+    repeated_at = 4 * (floats - 3 * _STRIDE)  # bytes; for one sample per point, the address of the unit normals
 
     @wp.func
     def fill_block(samples: Samples, first: wp.int64, buffer: wp.uint64):
@@ -144,7 +147,7 @@ def direction_blocks(
         rare = write_units(normals, active, span, units)
         fill(samples, point, start, length, u)
         if wp.static(not one_sample):
-            _repeat(units, span, count, start, length, repeated)
+            _repeat_normals(units, span, count, start, length, repeated)
         j = wp.int32(0)
         while j < length:
             n = wp.vec3(repeated[j], repeated[_STRIDE + j], repeated[2 * _STRIDE + j])

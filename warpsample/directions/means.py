@@ -1,4 +1,4 @@
-"""Means of a function over the directions of a point; directions never reach memory."""
+"""Kernel for the mean of a function over sampled directions, without storing the directions."""
 
 import warp as wp
 
@@ -13,9 +13,9 @@ _Z = wp.constant(wp.vec3(0.0, 0.0, 1.0))
 
 @once
 def direction_means(sequence: Sequence, about: wp.Function, function: wp.Function) -> wp.Kernel:
-    """A kernel with a task for each point: the mean of function(direction), in float64, over `count` directions about +z.
+    """Build the kernel that computes, for each point, the float64 mean of function(w) over `count` directions w about +z.
 
-    `about` is (unit normal, u, Parameters) -> (direction, pdf), and `function` (w: vec3) -> float32.
+    `about` is a wp.func (unit normal, u, Parameters) -> (direction, pdf), and `function` a wp.func (w: vec3) -> float32.
     """
     fill, run_of, key_of = fill_variates(sequence, CHUNK), sequence.run, sequence.key
     variates = 2 * CHUNK
@@ -32,7 +32,7 @@ def direction_means(sequence: Sequence, about: wp.Function, function: wp.Functio
         point = wp.uint64(first_task) + wp.uint64(wp.tid())
         buffer = wp.zeros(shape=(variates,), dtype=wp.float32)
         u = wp.array(ptr=buffer.ptr, shape=(variates,), dtype=wp.float32)
-        # A sum for each index in the chunk: one for all would be added up in order, a sample at a time.
+        # One sum for each index in the chunk, so that the loop vectorises: a single sum would be added up in order.
         lanes = wp.zeros(shape=(CHUNK,), dtype=wp.float64)
         sums = wp.array(ptr=lanes.ptr, shape=(CHUNK,), dtype=wp.float64)
         id = first_point + point

@@ -1,4 +1,4 @@
-"""How a checked call of `sample_directions` is run: which kernel, in which parts, on which device."""
+"""Plan of a `sample_directions` call: the choice of the kernel, of the parts and of the sizes of tasks."""
 
 from dataclasses import dataclass
 from functools import lru_cache, partial
@@ -21,14 +21,15 @@ from warpsample.host.options import CallOptions
 from warpsample.host.vectors import Vectors
 from warpsample.sequences.record import Sequence
 
-_SEGMENT = 1 << 14  # samples of one row that a task takes: enough to share out one point's million samples
-_TASK = 1 << 12  # samples of short rows, or of blocks, that a task takes: the memory that it clears is a tenth of these
-_ROW = 20  # samples from which rows are faster than blocks of pairs: 12 with 8 lanes, 24 with 16, to which rows are padded
+_SEGMENT = 1 << 14  # most samples of a segment, so that the million samples of a single point are shared between threads
+_TASK = 1 << 12  # samples of a task of short rows or blocks; the local memory that a task clears is a tenth of the size
+# Samples per point from which rows are faster than blocks: 12 with SIMD vectors of 8 lanes, 24 with 16. Rows are padded.
+_ROW = 20
 
 
 @dataclass(frozen=True)
 class DirectionPlan:
-    """A checked call of `sample_directions`, but for its arrays."""
+    """Checked arguments of a `sample_directions` call, without the arrays."""
 
     distribution: Distribution
     sequence: Sequence
@@ -37,8 +38,8 @@ class DirectionPlan:
     options: CallOptions
 
     def fill(self, normals: Vectors, vectors: Vectors, pdf: Vectors | None) -> Array:
-        """Writes vectors and pdf, all arrays of one kind and on one device, and returns the status."""
-        memory, active = self.options.memory, _beside(normals, self.options.active)
+        """Write vectors and pdf, arrays of the same type and device as the normals, and return the status of each point."""
+        memory, active = self.options.memory, _copy_mask(normals, self.options.active)
         on_host, points = isinstance(normals.owner, np.ndarray), normals.count
         status = np.zeros(points, np.uint8) if on_host else wp.zeros(points, wp.uint8, memory.device)
         for rows in memory.parts(points, 16 * self.count + 14):
@@ -58,8 +59,8 @@ class DirectionPlan:
         return status
 
     def _run(self, whole: SamplesArgs, device: wp.Device, first_point: int, points: int) -> None:
-        """Runs the kernel on arrays of the device that have a row for each point."""
-        for start, end in same_high_word(first_point, points):
+        """Run the kernel on arrays in the device's memory, once for each upper half of the point ids."""
+        for start, end in split_at_high_word(first_point, points):
             args = whole
             if start:
                 args = SamplesArgs.from_buffer_copy(whole)
@@ -70,7 +71,7 @@ class DirectionPlan:
                 args.ids += 8 * start if whole.ids else 0
                 args.active += start if whole.active else 0
             high, args.first_point = divmod(first_point + start, 2**32)
-            args.run = _run_words(self.sequence, self.options.seed, high)
+            args.run = _pack_run_words(self.sequence, self.options.seed, high)
             args.points = end - start
             kernel, tasks, args.segment, args.rows = self.kernel(
                 device, args.points, masked=whole.active != 0, own_ids=whole.ids != 0
@@ -78,25 +79,26 @@ class DirectionPlan:
             run(kernel, tasks, [args], device, workers=self.options.workers, work=args.points * self.count)
 
     def kernel(self, device: wp.Device, points: int, masked: bool, own_ids: bool = False) -> tuple[wp.Kernel, int, int, int]:
-        """(kernel, tasks, samples of a segment, rows of a task): rows where one fills the vector lanes, and on CUDA.
+        """Choose the kernel; return (kernel, number of tasks, samples of a segment, rows or blocks of a task).
 
-        Points with ids of their own come by rows, too: pairs in blocks have keys in which one word alone differs.
+        Rows serve CUDA, points with user-defined ids, and counts that fill a SIMD vector. Blocks serve smaller counts, but
+        not user-defined ids, because the keys of a block must differ in one word only.
         """
-        of_kind = partial(_kernel, self.distribution, self.sequence, self.pdf, masked)
+        build = partial(_build_kernel, self.distribution, self.sequence, self.pdf, masked)
         if not at_home(device):
-            return of_kind(own_ids=own_ids, chunk=1), points * self.count, 1, 1
+            return build(own_ids=own_ids, chunk=1), points * self.count, 1, 1
         if self.count >= _ROW or own_ids:
             segment = min(self.count, _SEGMENT)
             rows = min(max(1, _TASK // self.count), MOST_ROWS) if segment == self.count else 1
             tasks = -(-points * -(-self.count // segment) // rows)
-            return of_kind(own_ids=own_ids, chunk=CHUNK), tasks, segment, rows
-        kernel = of_kind(one_sample=self.count == 1)
+            return build(own_ids=own_ids, chunk=CHUNK), tasks, segment, rows
+        kernel = build(one_sample=self.count == 1)
         return kernel, -(-points * self.count // _TASK), FLAT_BLOCK, _TASK // FLAT_BLOCK
 
 
 @lru_cache(maxsize=256)
-def _kernel(distribution: Distribution, sequence: Sequence, pdf: bool, masked: bool, **shape: Any) -> wp.Kernel:
-    """The kernel for rows, or with `one_sample` for blocks; its maps are looked up for the first call of a distribution."""
+def _build_kernel(distribution: Distribution, sequence: Sequence, pdf: bool, masked: bool, **shape: Any) -> wp.Kernel:
+    """Build the kernel for rows, or, if `shape` has the key `one_sample`, the kernel for blocks."""
     maps = distribution.maps
     make = direction_blocks if "one_sample" in shape else direction_rows
     how = {"redraw": maps.redraw, "redraw_below": maps.redraw_below, "with_pdf": pdf, "masked": masked}
@@ -104,20 +106,20 @@ def _kernel(distribution: Distribution, sequence: Sequence, pdf: bool, masked: b
 
 
 @lru_cache(maxsize=1024)
-def _run_words(sequence: Sequence, seed: int, high: int) -> wp.vec4ui:
-    """The words of a run as a struct takes them in a tenth of the time."""
+def _pack_run_words(sequence: Sequence, seed: int, high: int) -> wp.vec4ui:
+    """Convert the words of `Sequence.run` to a vec4ui, which a struct accepts ten times as fast as a tuple."""
     return wp.vec4ui(*sequence.run_words(seed, high))
 
 
-def _beside(normals: Vectors, active: np.ndarray | None) -> Array | None:
-    """The mask of a call where its normals lie."""
+def _copy_mask(normals: Vectors, active: np.ndarray | None) -> Array | None:
+    """Copy the mask to the device of the normals, if the normals are a wp.array."""
     if active is None or isinstance(normals.owner, np.ndarray):
         return active
     return wp.array(active, dtype=wp.uint8, device=normals.device)
 
 
-def same_high_word(first_point: int, points: int) -> list[tuple[int, int]]:
-    """Rows [start, end) between which the global id does not cross a multiple of 2^32."""
+def split_at_high_word(first_point: int, points: int) -> list[tuple[int, int]]:
+    """Split rows into ranges [start, end) in which all global ids have the same upper 32 bits."""
     if first_point % 2**32 + points <= 2**32:
         return [(0, points)]
     crossings = range(-first_point % 2**32 or 2**32, points, 2**32)

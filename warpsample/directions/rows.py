@@ -1,8 +1,8 @@
-"""Directions row by row: see `samples`."""
+"""Kernel that computes directions row by row, for many samples per point and for CUDA; see `samples`."""
 
 import warp as wp
 
-from warpsample.directions.samples import Samples, accessors, normal_status, unit_normals
+from warpsample.directions.samples import Samples, build_unit_writer, normal_status, select_accessors
 from warpsample.directions.variates import LANES, fill_variates
 from warpsample.host.locks import once
 from warpsample.maths.memory import address_at
@@ -10,12 +10,12 @@ from warpsample.maths.numerics import high_word, low_word
 from warpsample.sequences.record import Sequence
 
 MOST_ROWS = 128
-"""Of a task, whose loops set up their constants once; one on CUDA."""
+"""Largest number of rows in a CPU task, which share the setup of the loops; a task on CUDA has one row."""
 
 
 @once
-def _mover(with_pdf: bool) -> wp.Function:
-    """A function that moves the first directions of a padded chunk into the output."""
+def _build_mover(with_pdf: bool) -> wp.Function:
+    """Build the wp.func that copies the first `length` directions of a padded chunk to the output."""
 
     @wp.func
     def move(samples: Samples, at: wp.uint64, length: wp.int32, source: wp.uint64, source_pdf: wp.uint64):
@@ -37,9 +37,9 @@ def _mover(with_pdf: bool) -> wp.Function:
 
 
 @once
-def _clearer(with_pdf: bool, masked: bool) -> wp.Function:
-    """A function that writes zeros for a point without directions, and why."""
-    store, weigh = accessors(with_pdf, masked)
+def _build_clearer(with_pdf: bool, masked: bool) -> wp.Function:
+    """Build the wp.func that writes zero vectors and a status for a point without directions."""
+    store, weigh = select_accessors(with_pdf, masked)
 
     @wp.func
     def clear(samples: Samples, point: wp.int64, start: wp.int32, end: wp.int32):
@@ -58,11 +58,14 @@ def _clearer(with_pdf: bool, masked: bool) -> wp.Function:
 
 
 @once
-def _chunk_filler(
+def _build_chunk_filler(
     sequence: Sequence, about: wp.Function, *, redraw: wp.Function | None, redraw_below: float, with_pdf: bool, chunk: int
 ) -> wp.Function:
-    """A function that writes the directions of a chunk; what `redraw` is for, in a second pass, as it is rare."""
-    fill, (store, _), redraws = fill_variates(sequence, chunk), accessors(with_pdf, False), redraw is not None
+    """Build the wp.func that writes the directions of a chunk.
+
+    Directions that need `redraw` are rare and are replaced in a second pass.
+    """
+    fill, (store, _), redraws = fill_variates(sequence, chunk), select_accessors(with_pdf, False), redraw is not None
 
     @wp.func
     def fill_chunk(
@@ -83,7 +86,7 @@ def _chunk_filler(
         rare = wp.int32(0)
         j = wp.int32(0)
         while j < padded:
-            # Adding 0 keeps LLVM from one short load of both.
+            # The sum with 0 stops LLVM from joining the two loads, which would prevent vectorisation.
             d = about(n, wp.vec2(u[j] + 0.0, u[chunk + j] + 0.0), samples.parameters)
             store(vectors, pdf, j, d)
             if wp.static(redraws):
@@ -100,8 +103,8 @@ def _chunk_filler(
 
 
 @once
-def _keys_of(sequence: Sequence, own_ids: bool) -> wp.Function:
-    """A function that gives the key of a point, by an id of its own or one that is counted from the first."""
+def _build_key_function(sequence: Sequence, own_ids: bool) -> wp.Function:
+    """Build the wp.func that returns the key of a point, from the array of ids or from first_point + row."""
     key_of, run_with = sequence.key, sequence.run
     if own_ids:
 
@@ -131,20 +134,31 @@ def direction_rows(
     own_ids: bool = False,
     chunk: int,
 ) -> wp.Kernel:
-    """A kernel over tasks of `rows` points with `segment` samples each, which are all of `count` where rows is above 1.
+    """Build the kernel that computes directions in tasks of `rows` points with `segment` samples each.
 
-    `redraw` replaces `about`, (unit normal, u, Parameters) -> (direction, pdf), where its pdf is below `redraw_below`, since
-    it loses its digits there. As many samples as are in a `chunk`, CHUNK or 1, have their variates computed ahead. With
-    `own_ids` points have those of the samples' `ids`.
+    Tasks of several points hold all `count` samples of each point.
+
+    Args:
+        sequence: sequence of the points u.
+        about: wp.func (unit normal, u, Parameters) -> (direction, pdf).
+        redraw: replacement for `about`, with the same signature, where the pdf is below `redraw_below` and `about` is
+            imprecise; None if not needed.
+        redraw_below: pdf below which `redraw` replaces `about`.
+        with_pdf: whether to store the pdf.
+        masked: whether to read the mask `active`.
+        own_ids: whether the points have user-defined ids, `Samples.ids`.
+        chunk: number of samples whose points u are computed ahead of the directions, CHUNK or 1.
     """
-    move, clear = _mover(with_pdf), _clearer(with_pdf, masked)
-    fill_chunk = _chunk_filler(sequence, about, redraw=redraw, redraw_below=redraw_below, with_pdf=with_pdf, chunk=chunk)
-    key_of, lanes, most_rows = _keys_of(sequence, own_ids), min(LANES, chunk), MOST_ROWS if chunk > 1 else 1
-    write_units, floats = unit_normals(masked, most_rows, True), 6 * chunk + 4 * most_rows
+    move, clear = _build_mover(with_pdf), _build_clearer(with_pdf, masked)
+    fill_chunk = _build_chunk_filler(
+        sequence, about, redraw=redraw, redraw_below=redraw_below, with_pdf=with_pdf, chunk=chunk
+    )
+    key_of, lanes, most_rows = _build_key_function(sequence, own_ids), min(LANES, chunk), MOST_ROWS if chunk > 1 else 1
+    write_units, floats = build_unit_writer(masked, most_rows, True), 6 * chunk + 4 * most_rows
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def direction_rows(samples: Samples, first_task: wp.int64):
-        # Views, since a local array keeps its address in memory that the compiler thinks the loops may write to.
+        # Views instead of local arrays: the compiler assumes that the loops may overwrite the address of a local array.
         buffer = wp.zeros(shape=(floats,), dtype=wp.float32)
         spare = buffer.ptr + wp.uint64(8 * chunk)
         units = wp.array(ptr=buffer.ptr + wp.uint64(24 * chunk), shape=(4 * most_rows,), dtype=wp.float32)

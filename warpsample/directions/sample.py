@@ -1,4 +1,4 @@
-"""Directions at points, and the points of the square that they come from."""
+"""Public functions that sample directions at points, and points of the unit square."""
 
 from collections import Counter
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ import warp as wp
 
 from warpsample import sequences
 from warpsample.directions import samples
-from warpsample.directions.plan import DirectionPlan, same_high_word
+from warpsample.directions.plan import DirectionPlan, split_at_high_word
 from warpsample.directions.square import square_blocks
 from warpsample.distributions import as_spatial
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
@@ -29,11 +29,11 @@ from warpsample.mesh.surface import SurfacePoints
 if TYPE_CHECKING:
     from pyvista import PolyData
 
-_STREAM_HINT = "stream them: slices of the normals with first_point=, or `warpsample directions`"
+_STREAM_HINT = "compute them in parts: pass slices of the normals with first_point=, or use `warpsample directions`"
 
 
 class Status(IntEnum):
-    """Why a point has directions or not."""
+    """Status of a point: OK, or the reason for which the point has no directions."""
 
     OK = samples.OK
     INACTIVE = samples.INACTIVE
@@ -43,13 +43,13 @@ class Status(IntEnum):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Directions(Summary):
-    """Directions at P points, n each; NumPy or Warp arrays, as the normals were.
+    """Directions at P points, n at each point, in NumPy arrays or wp.arrays, like the normals.
 
     Attributes:
         vectors: (P, n, 3) float32 (as a wp.array: (P, n) of vec3), unit length, world frame, pointing away from the
             surface; zero vectors where the status is not 0.
-        pdf: (P, n) float32, in the distribution's measure, 0 where the status is not 0; None unless asked for.
-        status: (P,) uint8, a `Status`.
+        pdf: (P, n) float32, density in the distribution's measure, 0 where the status is not 0; None without `pdf=True`.
+        status: (P,) uint8, values of `Status`.
     """
 
     vectors: Floats
@@ -57,10 +57,10 @@ class Directions(Summary):
     status: Array
 
     def counts(self) -> dict[Status, int]:
-        """How many points have each status; those that occur.
+        """Count the points with each status.
 
         Returns:
-            {status: number of points, at least 1}.
+            {status: number of points}, without a status that no point has.
 
         Example:
             >>> found = ws.sample_directions(np.array([[0.0, 0.0, 1.0], [0.0, 0.0, 0.0]]), 16)
@@ -71,20 +71,20 @@ class Directions(Summary):
         return {Status(code): int(n) for code, n in sorted(Counter(status.tolist()).items())}
 
     def to_polydata(self, points: SurfacePoints | None = None, scale: float = 1.0) -> "PolyData":
-        """The cloud as PyVista's PolyData: a point at position + scale * direction for each direction.
+        """Convert the directions to a PyVista point cloud, with a point at position + scale * direction for each direction.
 
         Args:
-            points: what the directions are at, in the same rows; by default all start at the origin.
-            scale: of a direction, in the unit of the positions; at most 1e30.
+            points: the points of the directions, in the same order; by default all directions start at the origin.
+            scale: length of a direction, in the unit of the positions; at most 1e30.
 
         Returns:
-            "Normals" (the directions, which .ply keeps too), "point" (the row) and, where it is kept, "pdf". Rows whose
-            status is not 0 have no directions and are left out.
+            PolyData with the arrays "Normals" (the directions, which .ply files also store), "point" (the row) and, if
+            present, "pdf". Points whose status is not 0 have no directions and are left out.
 
         Raises:
-            ModuleNotFoundError: PyVista is missing.
-            TypeError: not SurfacePoints, or a scale that is no number.
-            ValueError: another number of points, or a scale that is too large.
+            ModuleNotFoundError: PyVista is not installed.
+            TypeError: points are not SurfacePoints, or the scale is not a number.
+            ValueError: the number of points differs from the number of rows, or the scale is out of range.
 
         Example:
             >>> mesh = ws.load_mesh("courtyard")
@@ -97,15 +97,15 @@ class Directions(Summary):
         vectors, pdf, status = (a.numpy() if isinstance(a, wp.array) else a for a in (self.vectors, self.pdf, self.status))
         rows = np.flatnonzero(status == 0)
         if not isinstance(points, SurfacePoints | None):
-            raise TypeError(f"points: got {told(points)}, want SurfacePoints, as sample_surface gives them")
+            raise TypeError(f"points: got {told(points)}, want SurfacePoints, such as sample_surface returns")
         if points is not None and len(points) != len(status):
-            raise ValueError(f"points: got {len(points)} points, want {len(status)}, one for each row of directions")
+            raise ValueError(f"points: got {len(points)} points, want {len(status)}, one for each row of the directions")
         start = np.zeros((1, 1, 3)) if points is None else points.position[rows, None].astype(np.float64)
-        ways = vectors[rows]
+        directions = vectors[rows]
         return cloud(
-            (start + scale * ways).reshape(-1, 3),
-            ways.reshape(-1, 3),
-            point=np.repeat(rows, ways.shape[1]),
+            (start + scale * directions).reshape(-1, 3),
+            directions.reshape(-1, 3),
+            point=np.repeat(rows, directions.shape[1]),
             pdf=None if pdf is None else pdf[rows].ravel(),
         )
 
@@ -125,9 +125,10 @@ def sample_directions(
     workers: int | None = None,
     progress: bool = False,
 ) -> Directions:
-    """Sample `count` directions about each normal.
+    """Sample `count` directions about each normal from a distribution such as the cosine lobe.
 
-    The bits are a pure function of (seed, first_point + row, sample, count). A new kernel compiles for about 1.5 s.
+    Each direction is a pure function of (seed, first_point + row, sample, count): threads, parts and the mask `active`
+    do not change a bit. Compiling the first kernel takes about 1.5 s; compiled kernels are cached on disk.
 
     Args:
         normals: (P, 3) float32 or float64, of any length above 0, or SurfacePoints. NumPy gives NumPy, a wp.array gives a
@@ -147,11 +148,11 @@ def sample_directions(
         progress: Whether to show a progress bar on a terminal or in a notebook. Default: False.
 
     Returns:
-        vectors (P, n, 3) of unit length in world coordinates, pdf (P, n) if asked for, and a status per point.
+        vectors (P, n, 3) of unit length in world coordinates, pdf (P, n) if `pdf` is True, and a status per point.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
-        MemoryError: more than is free; says how much and how to stream.
+        TypeError, ValueError: an argument is invalid; the message names the argument and the expected values.
+        MemoryError: the results need more memory than is free; the message states the size and how to compute in parts.
 
     Example:
         >>> points = ws.sample_surface(ws.load_mesh("courtyard"), 100)
@@ -159,14 +160,20 @@ def sample_directions(
         >>> print(d.vectors.shape, d.pdf.shape, (d.pdf > 0.0).all())
         (100, 16, 3) (100, 16) True
     """
-    given = as_vectors(normals.normal if isinstance(normals, SurfacePoints) else normals, 3, "normals", "(P, {})")
-    if len(given.shape) != 1 or given.shape == (0,):
-        raise ValueError(f"normals: got shape {(*given.shape, 3)}, want (P, 3) with P of at least 1")
-    points, count = given.shape[0], check_integer(count, "count", 1, 2**31 - 1)
+    normals_in = as_vectors(normals.normal if isinstance(normals, SurfacePoints) else normals, 3, "normals", "(P, {})")
+    if len(normals_in.shape) != 1 or normals_in.shape == (0,):
+        raise ValueError(f"normals: got shape {(*normals_in.shape, 3)}, want (P, 3) with P of at least 1")
+    points, count = normals_in.shape[0], check_integer(count, "count", 1, 2**31 - 1)
     ids = normals.id if isinstance(normals, SurfacePoints) else None
-    drawn = {"seed": seed, "first_point": first_point, "ids": ids, "active": active}
-    how = {"device": device, "workers": workers, "progress": progress, "given": given.owner, "argument": "normals"}
-    options = CallOptions.of(points, **drawn, **how)
+    random = {"seed": seed, "first_point": first_point, "ids": ids, "active": active}
+    computing = {
+        "device": device,
+        "workers": workers,
+        "progress": progress,
+        "given": normals_in.owner,
+        "argument": "normals",
+    }
+    options = CallOptions.of(points, **random, **computing)
     sampling = DirectionPlan(
         as_spatial(distribution),
         sequences.get(sequence),
@@ -175,14 +182,14 @@ def sample_directions(
         options,
     )
     shape, total = (points, count), points * count
-    vectors = None if out is None else check_out(out, given, shape)
+    vectors = None if out is None else check_out(out, normals_in, shape)
     size = total * ((12 if out is None else 0) + (4 if sampling.pdf else 0)) + points
-    if given.device.is_cpu:
+    if normals_in.device.is_cpu:
         check_memory(size, f"{total:,} directions", _STREAM_HINT)
-    vectors = vectors or new_vectors(given, shape, 3)
-    densities = new_vectors(given, shape, 1) if sampling.pdf else None
+    vectors = vectors or new_vectors(normals_in, shape, 3)
+    densities = new_vectors(normals_in, shape, 1) if sampling.pdf else None
     with bar(options.progress, "sampling directions"):
-        status = sampling.fill(given, vectors, densities)
+        status = sampling.fill(normals_in, vectors, densities)
     return Directions(vectors.owner, densities and densities.owner, status)
 
 
@@ -200,8 +207,8 @@ def sample_square(sequence: str, points: int, count: int, *, seed: int = 0, firs
         (P, n, 2) float32, multiples of 2^-24 in [0, 1).
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; names it.
-        MemoryError: more than is free.
+        TypeError, ValueError: an argument is invalid; the message names the argument.
+        MemoryError: the results need more memory than is free.
 
     Example:
         >>> u = ws.sample_square("sobol", points=2, count=256)
@@ -213,9 +220,9 @@ def sample_square(sequence: str, points: int, count: int, *, seed: int = 0, firs
     count = check_integer(count, "count", 1, 2**31 - 1)
     options = CallOptions.of(points, seed=seed, first_point=first_point)
     total = points * count
-    check_memory(8 * total, f"{total:,} points of the square", "take them in parts with first_point")
+    check_memory(8 * total, f"{total:,} points of the square", "compute them in parts with first_point=")
     square = np.empty((points, count, 2), np.float32)
-    for start, end in same_high_word(options.first_point, points):
+    for start, end in split_at_high_word(options.first_point, points):
         pairs = (end - start) * count
         inputs = [pairs, FLAT_BLOCK, count, options.seed, options.first_point + start, square[start:].ctypes.data]
         run(square_blocks(record), -(-pairs // FLAT_BLOCK), inputs, cpu(), workers=options.workers, work=pairs)

@@ -1,9 +1,9 @@
-"""What the two kernels for directions share; their loops differ in shape, their results in no bit.
+"""Struct, constants and functions shared by the two kernels for directions, which give the same bits.
 
-*Rows* (`rows`) walk the samples of one point, so all that depends on the point alone (frame, scramble keys) is
-computed once: for many samples on the CPU. In segments of one sample they serve CUDA, where neighbouring threads then store
-side by side. *Blocks* (`blocks`) walk consecutive (point, sample) pairs: for few samples on the CPU, where a row
-would not fill a vector.
+The kernel for rows (`rows.py`) loops over the samples of one point and computes the frame and the key of the point once.
+Rows are best for many samples on the CPU. With segments of one sample, rows serve CUDA, where neighbouring threads
+then store to neighbouring addresses. The kernel for blocks (`blocks.py`) loops over consecutive (point, sample) pairs.
+Blocks are best for few samples on the CPU, where one row would not fill a SIMD vector.
 """
 
 import warp as wp
@@ -20,7 +20,7 @@ NONFINITE_NORMAL = 3
 
 @wp.func
 def normal_status(n: wp.vec3, weight: wp.float32) -> wp.int32:
-    """INACTIVE where the weight is 0, else OK, ZERO_NORMAL or NONFINITE_NORMAL."""
+    """Return the status of a point: INACTIVE for a weight of 0, else OK, ZERO_NORMAL or NONFINITE_NORMAL."""
     finite = (n[0] - n[0]) + (n[1] - n[1]) + (n[2] - n[2]) == 0.0
     zero = wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]) == 0.0
     code = wp.where(finite, wp.where(zero, ZERO_NORMAL, 0), NONFINITE_NORMAL)
@@ -29,7 +29,7 @@ def normal_status(n: wp.vec3, weight: wp.float32) -> wp.int32:
 
 @wp.func
 def store_direction(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.int32, d: wp.vec4):
-    """Writes the direction in d at index i."""
+    """Write the direction d[0:3] at index i."""
     vectors[3 * i] = d[0]
     vectors[3 * i + 1] = d[1]
     vectors[3 * i + 2] = d[2]
@@ -37,35 +37,44 @@ def store_direction(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i:
 
 @wp.func
 def store_direction_and_pdf(vectors: wp.array[wp.float32], pdf: wp.array[wp.float32], i: wp.int32, d: wp.vec4):
-    """The direction and its density, d[3]."""
+    """Write the direction d[0:3] and the density d[3] at index i."""
     store_direction(vectors, pdf, i, d)
     pdf[i] = d[3]
 
 
 @wp.func
 def weigh_by_mask(active: wp.array[wp.uint8], i: wp.int32) -> wp.float32:
-    """0 where the mask is, else 1: what the normal is multiplied by."""
+    """Return the factor that excludes a normal: 0 where the mask is 0, else 1."""
     return wp.where(active[i] == wp.uint8(0), 0.0, 1.0)
 
 
 @wp.func
 def weigh_all(active: wp.array[wp.uint8], i: wp.int32) -> wp.float32:
-    """1, without a mask."""
+    """Return 1, the factor that keeps a normal, for calls without a mask."""
     return 1.0
 
 
-def accessors(with_pdf: bool, masked: bool) -> tuple[wp.Function, wp.Function]:
-    """(store, weigh) of a kernel that stores the density or does not, reads the mask or does not."""
+def select_accessors(with_pdf: bool, masked: bool) -> tuple[wp.Function, wp.Function]:
+    """Return two wp.funcs, `store` with or without densities and `weigh` with or without a mask."""
     return store_direction_and_pdf if with_pdf else store_direction, weigh_by_mask if masked else weigh_all
 
 
 @wp.struct
 class Samples:
-    """Scalars and addresses: normals (P, 3), vectors (P, count, 3), pdf (P, count) float32; status, active (P,) uint8.
+    """Arguments of the kernels for directions: scalars and addresses of arrays.
 
-    The ids of all points have the same high word, which went into the run, what their keys have in common; the low ones
-    begin with first_point. Or they are `ids`, (P,) uint64, else 0, of a run by the seed. A task is `rows` rows or
-    blocks, or one segment, if `segment` samples are fewer than `count`.
+    Attributes:
+        run: words of `Sequence.run`, for the upper half that the ids of all points share.
+        first_point: lower half of the id of row 0, if ids are consecutive.
+        seed: seed, used with `ids`.
+        ids: address of (P,) uint64 user-defined ids, or 0.
+        points: number of points, P.
+        count: samples per point.
+        segment: samples of a segment; below `count`, a task is one segment.
+        rows: number of rows or blocks in a task.
+        normals, vectors, pdf: addresses of (P, 3), (P, count, 3) and (P, count) float32.
+        status, active: addresses of (P,) uint8; `active` is 0 without a mask.
+        parameters: parameters of the distribution.
     """
 
     run: wp.vec4ui
@@ -85,20 +94,21 @@ class Samples:
 
 
 SamplesArgs = type(Samples().__ctype__())
-"""As ctypes takes it: made in 2 us, where setting the fields of `Samples` one by one takes 50."""
+"""The ctypes structure of `Samples`: creating one takes 2 us, setting the fields of a `Samples` takes 50 us."""
 
 
 @once
-def unit_normals(masked: bool, stride: int, with_check: bool) -> wp.Function:
-    """A function that writes unit normals: x of all rows from 0 on, y from stride, z from 2 stride; the check from 3 stride.
+def build_unit_writer(masked: bool, stride: int, with_check: bool) -> wp.Function:
+    """Build the wp.func that writes unit normals as three consecutive arrays x, y and z of `stride` numbers.
 
-    A normal that is not active becomes 0. The check, if it is asked for, is below 0.1 where a normal has a direction.
+    Inactive normals become 0. With `with_check`, a fourth array holds a number below 0.1 in magnitude where a normal has a
+    direction.
     """
     weigh = weigh_by_mask if masked else weigh_all
 
     @wp.func
     def write_units(normals: wp.array[wp.float32], active: wp.array[wp.uint8], rows: wp.int32, units: wp.array[wp.float32]):
-        """1 if some normal has no direction, else 0."""
+        """Write the unit normals; return 1 if a normal is inactive, zero or not finite, else 0."""
         rare = wp.int32(0)
         r = wp.int32(0)
         while r < rows:

@@ -1,4 +1,4 @@
-"""The points of a sequence alone."""
+"""Kernel that writes the points of a sequence without mapping the points to directions."""
 
 import warp as wp
 
@@ -9,7 +9,7 @@ from warpsample.sequences.record import Sequence
 
 @once
 def square_blocks(sequence: Sequence) -> wp.Kernel:
-    """A kernel over blocks of consecutive (point, sample) pairs of a sequence alone; all ids have the same high word."""
+    """Build the kernel that writes points of a sequence, for ids with the same upper half, in tasks of one block."""
     run_of, key_of, sample_of = sequence.run, sequence.key, sequence.sample
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
@@ -33,7 +33,7 @@ def square_blocks(sequence: Sequence) -> wp.Kernel:
         low = low_word(first_point) + wp.uint32(point)
         i = wp.int32(0)
         while i < length:
-            # The half keeps the quotient off the integers by more than float64 errs below 2^52.
+            # The half keeps the quotient away from integers by more than the error of float64 below 2^52.
             q = wp.int32((middle + wp.float64(i)) * per_count)
             sample = start + wp.uint32(i) - wp.uint32(q) * wp.uint32(count)
             u = sample_of(key_of(run, low + wp.uint32(q)), sample, wp.uint32(count))

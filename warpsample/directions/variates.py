@@ -1,7 +1,8 @@
-"""The variates of consecutive samples of one point, written to a local buffer by a loop of their own.
+"""Function that writes the points u of consecutive samples of one surface point to a local buffer.
 
-Sequence and map in one loop are a chain of 150 cycles through 100 instructions: longer than a processor looks ahead, so
-its units idle. Apart they run 1.1 to 1.3 times faster, and a sequence that makes two points at a time can.
+A single loop over sequence and map is a dependency chain of 150 cycles and 100 instructions, longer than the reorder window
+of a processor, whose units then idle. Two loops run 1.1 to 1.3 times as fast, and allow a sequence to compute two points at
+once.
 """
 
 import warp as wp
@@ -10,16 +11,18 @@ from warpsample.host.locks import once
 from warpsample.sequences.record import Sequence
 
 CHUNK = 64
-"""Samples in the buffer: a multiple of 2 * LANES."""
+"""Number of samples in the buffer, a multiple of 2 * LANES."""
 LANES = 8
-"""Of AVX2. Loops run over multiples of it, since a scalar remainder costs as much as a row."""
+"""Float32 lanes of an AVX2 vector; loops run over multiples, since a scalar remainder costs as much as a whole row."""
 
 
 @once
 def fill_variates(sequence: Sequence, chunk: int) -> wp.Function:
-    """A `wp.func` (key, start, length, count, u) that fills u, 2 * chunk floats: u[0] of each sample, then u[1].
+    """Build the wp.func fill(key, start, length, count, u) that writes the points of `length` samples to u.
 
-    `start` is even where `chunk` is above 1; `length` is at most `chunk`. Samples past it are filled too.
+    The samples have the numbers start, start + 1, and so on.
+    u has 2 * chunk floats: u[0] of all samples, then u[1]. `start` must be even if `chunk` is above 1, and `length` at most
+    `chunk`. The function may write a few samples more than `length`.
     """
     sample, pair = sequence.sample, sequence.pair
     if pair is None or chunk == 1:

@@ -1,4 +1,4 @@
-"""From the square to directions: distributions, a file each."""
+"""Distributions that map points of the unit square to directions; each is defined in a file of its own."""
 
 import ast
 import sys
@@ -6,7 +6,7 @@ from dataclasses import fields
 from functools import cache
 from typing import Any
 
-from warpsample.distributions.own import OwnDistribution, Twin, check_kind, check_twin, is_same, registered
+from warpsample.distributions.own import Twin, UserDistribution, check_kind, check_twin, is_same_class, user_distributions
 from warpsample.distributions.record import Distribution, Maps
 from warpsample.host.arguments import told
 from warpsample.host.registry import look_up, records_of
@@ -15,62 +15,65 @@ __all__ = ["Distribution", "Maps", "as_distribution", "as_spatial", "classes", "
 
 
 @cache
-def _shipped() -> dict[str, type[Distribution]]:
-    """By name. Found when first asked for: reading all files takes as long as half of `import warp`."""
+def _find_package_distributions() -> dict[str, type[Distribution]]:
+    """Import and return the distributions of the package, name -> class; the import takes half as long as `import warp`."""
     return records_of(sys.modules[__name__])
 
 
-def _known() -> dict[str, type[Distribution]]:
-    """Those of the package, and users' own."""
-    return _shipped() | {name: entry.kind for name, entry in registered.items()}
+def _find_distributions() -> dict[str, type[Distribution]]:
+    """Return all distributions, of the package and of users: name -> class."""
+    return _find_package_distributions() | {name: entry.kind for name, entry in user_distributions.items()}
 
 
 def register(kind: type[Distribution], *, twin: Twin | None = None) -> type[Distribution]:
-    """Lets a distribution of your own go by its name, as those of the package, and `warpsample verify --only` judge it.
+    """Register a user-defined distribution, so that calls accept its name and `warpsample verify --only` can test it.
 
-    An instance is taken wherever a distribution is, registered or not.
+    Calls accept an instance of any distribution, also of one that is not registered.
 
     Args:
-        kind: a subclass of `ws.distributions.Distribution`, a frozen dataclass of its parameters that has `name`, `density`,
-            `support`, `source` and `maps`, and `_cdf` unless it is not `symmetric`.
-        twin: (directions, density), a second implementation in float64 NumPy, of (distribution, u (..., 2)) ->
-            (..., 3) and (distribution, w (..., 3)) -> (...); the laws need it, nothing else does.
+        kind: a subclass of `ws.distributions.Distribution`: a frozen dataclass of its parameters with the attributes `name`,
+            `density`, `support`, `source` and `maps`, and with `_cdf` unless `symmetric` is False.
+        twin: (directions, density), a second implementation in float64 NumPy that only `warpsample verify` uses. The first
+            function maps (distribution, u (..., 2)) to directions (..., 3), the second (distribution, w (..., 3)) to
+            densities (...).
 
     Returns:
-        the class. Where it is registered again, as by a cell of a notebook, the newest counts.
+        the class. A class that is registered again, as when a cell of a notebook runs twice, replaces the older one.
 
     Raises:
-        TypeError: no such class, or something it lacks.
-        ValueError: a name or a measure that cannot be, or a name that another distribution has.
+        TypeError: `kind` is not a subclass of Distribution, or an attribute is missing or has a wrong type.
+        ValueError: the name or the measure is invalid, or another distribution has the name.
 
     Example:
-        >>> print(ws.distributions.register(ws.GGX).name)  # known already; the room's README has one that is new
+        >>> print(ws.distributions.register(ws.GGX).name)  # GGX is registered already; the README has a new distribution
         ggx
     """
     kind, twin = check_kind(kind), check_twin(twin)
-    other = _known().get(kind.name)
-    if other is not None and not is_same(kind, other):
-        raise ValueError(f"kind: got {kind.__name__} with name = {kind.name!r}, which {other.__name__} has, want another")
-    if kind.name not in _shipped():
-        registered[kind.name] = OwnDistribution(kind, twin)
+    other = _find_distributions().get(kind.name)
+    if other is not None and not is_same_class(kind, other):
+        raise ValueError(
+            f"kind: got {kind.__name__} with name = {kind.name!r}, the name of {other.__name__}, want another name"
+        )
+    if kind.name not in _find_package_distributions():
+        user_distributions[kind.name] = UserDistribution(kind, twin)
     return kind
 
 
 def names() -> list[str]:
-    """Names of all distributions.
+    """Return the names of all distributions.
 
     Returns:
-        the names, sorted; what `distribution=` takes.
+        the names, sorted; each is a value for the argument `distribution`.
 
     Example:
         >>> print(ws.distributions.names()[:3])
         ['beckmann', 'cosine_hemisphere', 'ggx']
     """
-    return sorted(_known())
+    return sorted(_find_distributions())
 
 
 def classes() -> dict[str, type[Distribution]]:
-    """All distributions, by the names of their classes.
+    """Return all distributions, keyed by the names of the classes.
 
     Returns:
         class name -> class.
@@ -79,11 +82,11 @@ def classes() -> dict[str, type[Distribution]]:
         >>> print(ws.distributions.classes()["GGX"].density)
         α²cosθ/(π(sin²θ+α²cos²θ)²)
     """
-    return {kind.__name__: kind for kind in _known().values()}
+    return {kind.__name__: kind for kind in _find_distributions().values()}
 
 
 def get(name: str) -> type[Distribution]:
-    """The class of a distribution; calling it with the parameters makes one.
+    """Return the class of a distribution; call the class with parameters to create an instance.
 
     Args:
         name: one of `names()`.
@@ -92,29 +95,30 @@ def get(name: str) -> type[Distribution]:
         the class, not an instance.
 
     Raises:
-        TypeError: not a string.
-        ValueError: the name is not known; the message lists those that are.
+        TypeError: the name is not a string.
+        ValueError: the name is unknown; the message lists the known names.
 
     Example:
         >>> kind = ws.distributions.get("beckmann")
         >>> print(kind(alpha=0.1), kind.measure)
         Beckmann(alpha=0.1) per steradian
     """
-    return look_up(_known(), name, "distribution")
+    return look_up(_find_distributions(), name, "distribution")
 
 
 def as_distribution(value: Any) -> Distribution:
-    """The distribution that an argument of that name stands for.
+    """Convert a value of the argument `distribution`, such as the text "beckmann(alpha=0.1)", to an instance.
 
     Args:
-        value: an instance as it is; a name with its defaults; or a name with parameters, as "beckmann(alpha=0.1)".
+        value: an instance, which is returned unchanged; a name, for the default parameters; or a name with parameters, such
+            as "beckmann(alpha=0.1)".
 
     Returns:
         an instance.
 
     Raises:
-        ValueError: an unknown name, or a value that the distribution refuses.
-        TypeError: neither a string nor an instance, or parameters that are missing, unknown or not literals.
+        ValueError: the name is unknown, or a parameter is outside its range.
+        TypeError: the value is neither a string nor an instance, or parameters are missing, unknown or not literals.
 
     Example:
         >>> print(ws.distributions.as_distribution("offset_disk"))
@@ -131,7 +135,7 @@ def as_distribution(value: Any) -> Distribution:
     try:
         if opened and not inside.endswith(")"):
             raise SyntaxError
-        return kind(**_keywords(inside.removesuffix(")")))
+        return kind(**_parse_keywords(inside.removesuffix(")")))
     except (TypeError, SyntaxError) as error:
         example = f"{name}({', '.join(f'{field.name}=...' for field in fields(kind))})"
         reason = "" if "__init__()" in str(error) or isinstance(error, SyntaxError) else f" ({error})"
@@ -139,7 +143,7 @@ def as_distribution(value: Any) -> Distribution:
 
 
 def as_spatial(value: Any) -> Distribution:
-    """Like `as_distribution`, for directions in space.
+    """Convert a value of the argument `distribution` to an instance, and refuse distributions in the plane.
 
     Args:
         value: an instance, a name, or a name with parameters.
@@ -148,8 +152,8 @@ def as_spatial(value: Any) -> Distribution:
         an instance whose directions have three components.
 
     Raises:
-        ValueError: an unknown name, or a value that the distribution refuses.
-        TypeError: neither a string nor an instance, wrong parameters, or a distribution that lies in a plane.
+        ValueError: the name is unknown, or a parameter is outside its range.
+        TypeError: the value is neither a string nor an instance, parameters are wrong, or the distribution is planar.
 
     Example:
         >>> print(ws.distributions.as_spatial("ggx(alpha=0.5)").width)
@@ -157,18 +161,19 @@ def as_spatial(value: Any) -> Distribution:
     """
     distribution = as_distribution(value)
     if distribution.width != 3:
-        raise TypeError(f"distribution: got {distribution!r}, which lies in a plane, want one of directions in space")
+        raise TypeError(f"distribution: got {distribution!r}, which is planar, want a distribution of directions in space")
     return distribution
 
 
-def _keywords(text: str) -> dict[str, Any]:
+def _parse_keywords(text: str) -> dict[str, Any]:
+    """Parse the text between the parentheses of a call, such as "alpha=0.1", to keyword arguments."""
     try:
         call = ast.parse(f"_({text})", mode="eval").body
     except (ValueError, RecursionError, MemoryError) as error:  # zero bytes, or more nested brackets than the parser allows
         raise SyntaxError from error
     if not isinstance(call, ast.Call) or call.args or any(keyword.arg is None for keyword in call.keywords):
-        raise TypeError("parameters go by name")
+        raise TypeError("give parameters by name")
     try:
         return {str(keyword.arg): ast.literal_eval(keyword.value) for keyword in call.keywords}
     except ValueError:
-        raise TypeError("parameters are plain numbers, strings or tuples") from None
+        raise TypeError("parameters must be plain numbers, strings or tuples") from None

@@ -1,4 +1,4 @@
-"""Normals of a rough surface whose slopes are Gaussian."""
+"""Beckmann distribution of microfacet normals: a rough surface with Gaussian slopes."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -14,7 +14,10 @@ from warpsample.maths.numerics import INV_PI_DOUBLE, ONE, clamp_uniform, root, s
 
 @wp.func
 def square_to_beckmann(u: wp.vec2, alpha: wp.float32) -> wp.vec3:
-    """tan^2 theta = -alpha^2 log(1 - u[0]), azimuth 2 pi u[1]; sine and cosine from the tangent stay precise."""
+    """Map a point of the unit square to a Beckmann microfacet normal about +z.
+
+    tan^2 theta = -alpha^2 log(1 - u[0]), azimuth 2 pi u[1]. Sine and cosine are computed from the tangent, for precision.
+    """
     t = -(alpha * alpha) * log1p(-u[0])
     inverse = 1.0 / (1.0 + t)
     r = root(t * inverse)
@@ -24,7 +27,10 @@ def square_to_beckmann(u: wp.vec2, alpha: wp.float32) -> wp.vec3:
 
 @wp.func
 def square_to_beckmann_pdf(w: wp.vec3, alpha: wp.float32) -> wp.float32:
-    """e^(-tan^2 theta / alpha^2) / (pi alpha^2 cos^3 theta) per steradian above the surface, else 0."""
+    """Return the Beckmann density of a normal w, per steradian; 0 below the surface.
+
+    The density is e^(-tan^2 theta / alpha^2) / (pi alpha^2 cos^3 theta), with theta the angle between w and +z.
+    """
     t = tan_squared(w)
     square = wp.float64(alpha) * wp.float64(alpha)
     secant_squared = ONE + t
@@ -34,17 +40,20 @@ def square_to_beckmann_pdf(w: wp.vec3, alpha: wp.float32) -> wp.float32:
 
 @wp.func
 def beckmann_to_square(w: wp.vec3, alpha: wp.float32) -> wp.vec2:
-    """1 - e^(-tan^2 theta / alpha^2), and the azimuth in turns."""
+    """Return the point u of the unit square that `square_to_beckmann` maps to the direction w.
+
+    u[0] = 1 - e^(-tan^2 theta / alpha^2), u[1] the azimuth in turns.
+    """
     square = wp.float64(alpha) * wp.float64(alpha)
     return wp.vec2(clamp_uniform(-wp.float32(exp_double(-tan_squared(w) / square)[0])), turns_of(w[0], w[1]))
 
 
 @dataclass(frozen=True)
 class Beckmann(Distribution):
-    """Beckmann's microfacet normals about the normal: exp(−tan²θ/α²) / (πα²cos³θ) per steradian, which is D(m) cosθ.
+    """Beckmann distribution of microfacet normals m, with density D(m) cosθ = exp(−tan²θ/α²) / (πα²cos³θ) per steradian.
 
     Attributes:
-        alpha: roughness, root mean square slope times sqrt(2), from 1e-6 to 1.
+        alpha: roughness, sqrt(2) times the root mean square slope, from 1e-6 to 1.
     """
 
     alpha: float
@@ -56,11 +65,11 @@ class Beckmann(Distribution):
     shown: ClassVar[Range] = (0.01, 1.0)
     bounds: ClassVar[Range] = (1e-6, 1.0)
     source = "Nori2025, Beckmann; Walter2007, equations 25, 28 and 29"
-    case_values: ClassVar[Cases] = ((1e-6,), (1e-3,), (0.01,), (0.1,), (0.5,), (1.0,))  # from a mirror's polish to chalk
+    case_values: ClassVar[Cases] = ((1e-6,), (1e-3,), (0.01,), (0.1,), (0.5,), (1.0,))  # from a mirror to chalk
     maps: ClassVar[Maps] = Maps(square_to_beckmann, square_to_beckmann_pdf, beckmann_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """1 - exp(-tan^2 theta / alpha^2). See `Distribution.cdf`."""
+        """Return the cdf of the angle, 1 - exp(-tan^2 theta / alpha^2). See `Distribution.cdf`."""
         return -np.expm1(-((np.tan(np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) / self.alpha) ** 2))
 
 

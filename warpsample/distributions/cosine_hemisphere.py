@@ -1,4 +1,4 @@
-"""The cosine lobe by four methods with one density: cos(theta) / pi per steradian above the surface."""
+"""Cosine lobe, by four methods that all have the density cos(theta) / pi per steradian above the surface."""
 
 from dataclasses import dataclass
 from typing import ClassVar, Literal, get_args
@@ -20,15 +20,16 @@ Method = Literal["polar", "concentric", "inversion", "offset"]
 
 _GRID_SIZE = wp.constant(wp.float32(GRID))
 _HALF_RIM = wp.constant(wp.float32(2.0**-7))
-_RIM_PDF = 2.0**-6 * 0.15915494309189535  # abs(n + s) = 2^-6
+_RIM_PDF = 2.0**-6 * 0.15915494309189535  # the pdf where abs(n + s) = 2^-6
 _STEP = wp.constant(wp.float32(2.0**-23))
 
 
 @wp.func
 def square_to_cosine_hemisphere(u: wp.vec2) -> wp.vec3:
-    """Malley's method, polar: a uniform point of the disk at radius sqrt(u[0]), lifted to the hemisphere.
+    """Map a point of the unit square to a cosine-distributed direction about +z, by Malley's method with a polar disk.
 
-    cos theta is sqrt(1 - u[0]), exact to an ulp and never 0 on the grid; sqrt(1 - x^2 - y^2) is 73 % wrong at the horizon.
+    A uniform point of the disk, of radius sqrt(u[0]), is lifted to the hemisphere. cos theta = sqrt(1 - u[0]) is exact to
+    one unit in the last place and above 0 for every u; sqrt(1 - x^2 - y^2) would be 73 % wrong at the horizon.
     """
     r = root(u[0])
     cs = sincos_turns(u[1])
@@ -37,35 +38,42 @@ def square_to_cosine_hemisphere(u: wp.vec2) -> wp.vec3:
 
 @wp.func
 def square_to_cosine_hemisphere_pdf(w: wp.vec3) -> wp.float32:
-    """cos(theta) / pi per steradian above the surface, else 0. Cranberry2020, equation 5."""
+    """Return the density cos(theta) / pi per steradian above the surface, else 0. Cranberry2020, equation 5."""
     return wp.where(w[2] > 0.0, w[2] * INV_PI, 0.0)
 
 
 @wp.func
 def cosine_hemisphere_to_square(w: wp.vec3) -> wp.vec2:
-    """u[0] = sin^2 theta = 1 - cos^2 theta, from the smaller of the two; u[1] the azimuth in turns."""
+    """Return the point u of the unit square that `square_to_cosine_hemisphere` maps to the direction w.
+
+    u[0] = sin^2 theta = 1 - cos^2 theta, computed from the smaller square; u[1] the azimuth in turns.
+    """
     small = w[0] * w[0] + w[1] * w[1]
     return wp.vec2(clamp_uniform(wp.where(small < 0.5, small, 1.0 - w[2] * w[2])), turns_of(w[0], w[1]))
 
 
 @wp.func
 def square_to_cosine_hemisphere_concentric(u: wp.vec2) -> wp.vec3:
-    """Malley's method over the concentric disk; its radius is below 1, so cos theta = sqrt((1 - r)(1 + r)) is above 0."""
+    """Map a point of the unit square to a cosine-distributed direction about +z, by Malley's method with a concentric disk.
+
+    The radius r of the disk is below 1, so cos theta = sqrt((1 - r)(1 + r)) is above 0.
+    """
     p = square_to_concentric_disk(u)
     return wp.vec3(p[0], p[1], wp.sqrt((1.0 - p[2]) * (1.0 + p[2])))
 
 
 @wp.func
 def cosine_hemisphere_to_square_concentric(w: wp.vec3) -> wp.vec2:
-    """The inverse of the concentric disk."""
+    """Return the point u of the unit square that `square_to_cosine_hemisphere_concentric` maps to the direction w."""
     return uniform_disk_to_square_concentric(wp.vec2(w[0], w[1]))
 
 
 @wp.func
 def square_to_cosine_hemisphere_inversion(u: wp.vec2) -> wp.vec3:
-    """theta = acos(1 - 2 u[0]) / 2 (Cranberry2020, equation 7), by the half-angle formulas.
+    """Map a point of the unit square to a cosine-distributed direction about +z, by inversion of the cdf.
 
-    With cos 2 theta = 1 - 2 u[0], exact on the grid, cos(acos(.)/2) is a root, which is more precise than acos.
+    theta = acos(1 - 2 u[0]) / 2 (Cranberry2020, equation 7). cos 2 theta = 1 - 2 u[0] is exact, and the half-angle formulas
+    give cos theta and sin theta as square roots, which are more precise than acos.
     """
     cos_double = 1.0 - 2.0 * u[0]
     r = root(0.5 * (1.0 - cos_double))
@@ -75,9 +83,10 @@ def square_to_cosine_hemisphere_inversion(u: wp.vec2) -> wp.vec3:
 
 @wp.func
 def square_to_cosine_hemisphere_offset(u: wp.vec2) -> wp.vec3:
-    """Shirley's trick in the local frame: a uniform point of the sphere plus the normal, normalised.
+    """Map a point of the unit square to a cosine-distributed direction about +z, by Shirley's trick.
 
-    Here 1 + z = 2 - 2 u[0] is exact, so the sum is precise down to the horizon.
+    A uniform point of the unit sphere plus +z is normalised. 1 + z = 2 - 2 u[0] is exact, so the sum is precise down to the
+    horizon.
     """
     s = square_to_uniform_sphere(u)
     z = 2.0 - 2.0 * u[0]
@@ -87,10 +96,11 @@ def square_to_cosine_hemisphere_offset(u: wp.vec2) -> wp.vec3:
 
 @wp.func
 def cosine_offset_about(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.vec4:
-    """Shirley's trick about any unit normal, without a tangent frame: (normalize(n + s), pdf).
+    """Sample a cosine-distributed direction about any unit normal n by Shirley's trick, without a tangent frame.
 
-    abs(n + s) = 2 cos theta (ShirleyTrick, figure 1: theta of s is twice that of the sum), so pdf = abs(n + s) / (2 pi).
-    Where the sum is short, n and s cancel: see `cosine_offset_redraw`.
+    Returns (normalize(n + s), pdf) for a uniform point s of the unit sphere. abs(n + s) = 2 cos theta, since the angle of s
+    is twice that of the sum (ShirleyTrick, figure 1), so pdf = abs(n + s) / (2 pi). Where the sum is short, n and s cancel:
+    see `cosine_offset_redraw`.
     """
     s = square_to_uniform_sphere(u)
     x = n[0] + s[0]
@@ -103,10 +113,10 @@ def cosine_offset_about(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.ve
 
 @wp.func
 def cosine_offset_redraw(n: wp.vec3, u: wp.vec2, parameters: Parameters) -> wp.vec4:
-    """A direction in the rim of the lobe, abs(n + s) < 2^-6 (6 draws in 10^5), drawn again from a hash of u.
+    """Sample a direction near the horizon, where abs(n + s) < 2^-6, again, from a hash of u.
 
-    P(abs(n + s) < r) = r^2 / 4, so cos theta = 2^-7 sqrt(u') for a fresh u' keeps the law exact. The published remedy,
-    scaling the sphere by 0.99999, never samples 2e-5 of the lobe.
+    This replaces 6 of 10^5 directions. P(abs(n + s) < r) = r^2 / 4, so cos theta = 2^-7 sqrt(u') for a new variate u' keeps
+    the distribution exact. The published remedy, scaling the sphere by 0.99999, never samples 2e-5 of the lobe.
     """
     bits = pcg4d(wp.uint32(u[0] * _GRID_SIZE), wp.uint32(u[1] * _GRID_SIZE), wp.uint32(0), wp.uint32(0))
     fresh = (wp.float32(wp.int32(bits[0] >> wp.uint32(9))) + 0.5) * _STEP
@@ -138,12 +148,13 @@ _MAPS = {
 
 @dataclass(frozen=True)
 class CosineHemisphere(Distribution):
-    """The cosine lobe about the normal: cos(theta) / pi per steradian.
+    """Cosine lobe about the normal, with density cos(theta) / pi per steradian.
 
     Attributes:
-        method: "polar" (Malley's disk, lifted), "concentric" (the disk of Shirley1997, lifted), "inversion"
-            (theta = acos(1 - 2u) / 2) or "offset" (sphere point + normal, normalised; no tangent frame). All have
-            the same density; they differ in cost, in where neighbouring u go, and "offset" in `cosine_offset_redraw`.
+        method: "polar" (uniform polar disk, lifted to the hemisphere), "concentric" (concentric disk of Shirley1997,
+            lifted), "inversion" (theta = acos(1 - 2 u[0]) / 2) or "offset" (uniform point of the sphere plus the normal,
+            normalised, without a tangent frame). All methods have the same density. They differ in cost and in the mapping
+            of neighbouring u; "offset" samples 6 of 10^5 directions again, from a hash of u.
     """
 
     method: Method = "polar"
@@ -152,25 +163,25 @@ class CosineHemisphere(Distribution):
     density = "cosθ/π"
     support = "hemisphere"
     source = "Nori2025, Malley; Cranberry2020, equations 5 and 7; ShirleyTrick, equation 6; Chizhov2019, section 4.3"
-    limits = "offset adds float32 vectors about a normal: near the horizon its angle and pdf have errors up to 1.3e-5"
+    limits = "the method offset adds float32 vectors, so that angle and pdf have errors up to 1.3e-5 near the horizon"
     case_values: ClassVar[Cases] = tuple((method,) for method in get_args(Method))
 
     def __post_init__(self) -> None:
-        """Checks the method's name."""
+        """Check the name of the method."""
         check_choice(self.method, "method", get_args(Method))
 
     @property
     def polar(self) -> bool:
-        """The others map the square by a disk, or about an axis of their own."""
+        """True if u[0] is the cdf of the angle and u[1] the azimuth in turns: for the methods "polar" and "inversion"."""
         return self.method in ("polar", "inversion")
 
     @property
     def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
+        """Functions (`wp.func`) of the distribution, for use in kernels."""
         return _MAPS[self.method]
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """sin^2 theta. See `Distribution.cdf`."""
+        """Return the cdf of the angle, sin^2 theta. See `Distribution.cdf`."""
         return np.sin(np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) ** 2
 
 

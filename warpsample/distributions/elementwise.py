@@ -1,4 +1,4 @@
-"""A kernel that applies a function to each element of a flat array."""
+"""Kernel that applies a function to each vector of a flat array."""
 
 import warp as wp
 
@@ -6,34 +6,39 @@ from warpsample.distributions.parameters import Parameters
 from warpsample.host.locks import once
 
 FLAT_BLOCK = 256
-"""Elements of one task on the CPU: enough to hide its setup, few enough that a rare redraw repeats little."""
+"""Number of vectors in one CPU task: enough to hide the setup, few enough that a rare redraw repeats little work."""
 
 
 @wp.func
 def _read_2(x: wp.array[wp.float32], i: wp.int32) -> wp.vec2:
-    # Adding 0 changes nothing but -0.0. Without it LLVM joins the two loads into a short vector, and then cannot vectorise
-    # the loop.
+    """Read vector i of two components."""
+    # Adding 0 changes only -0.0. Without the sum LLVM joins the two loads into a short vector and does not vectorise the
+    # loop.
     return wp.vec2(x[2 * i] + 0.0, x[2 * i + 1] + 0.0)
 
 
 @wp.func
 def _read_3(x: wp.array[wp.float32], i: wp.int32) -> wp.vec3:
+    """Read vector i of three components."""
     return wp.vec3(x[3 * i], x[3 * i + 1], x[3 * i + 2])
 
 
 @wp.func
 def _write_1(y: wp.array[wp.float32], i: wp.int32, value: wp.float32):
+    """Write number i."""
     y[i] = value
 
 
 @wp.func
 def _write_2(y: wp.array[wp.float32], i: wp.int32, value: wp.vec2):
+    """Write vector i of two components."""
     y[2 * i] = value[0]
     y[2 * i + 1] = value[1]
 
 
 @wp.func
 def _write_3(y: wp.array[wp.float32], i: wp.int32, value: wp.vec3):
+    """Write vector i of three components."""
     y[3 * i] = value[0]
     y[3 * i + 1] = value[1]
     y[3 * i + 2] = value[2]
@@ -45,7 +50,7 @@ _WRITE = {1: _write_1, 2: _write_2, 3: _write_3}
 
 @once
 def elementwise(func: wp.Function, width: int, out_width: int) -> wp.Kernel:
-    """A kernel over blocks of a flat array: y = func(x, Parameters) for each of `total` vectors."""
+    """Build the kernel that computes y = func(x, Parameters) for each of `total` vectors, in tasks of `block` vectors."""
     read = _READ[width]
     write = _WRITE[out_width]
 
@@ -58,7 +63,7 @@ def elementwise(func: wp.Function, width: int, out_width: int) -> wp.Kernel:
         parameters: Parameters,
         first_task: wp.int64,
     ):
-        """One block of the array."""
+        """Apply the function to one block of the array."""
         first = (first_task + wp.int64(wp.tid())) * wp.int64(block)
         length = wp.int32(wp.min(wp.int64(block), total - first))
         x = wp.array(ptr=source + wp.uint64(first * wp.int64(4 * width)), shape=(width * length,), dtype=wp.float32)

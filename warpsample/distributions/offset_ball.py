@@ -1,4 +1,4 @@
-"""A uniform point of the ball that touches the surface point from above, seen from there: density cosine cubed."""
+"""Direction to a random point in the unit ball that touches the surface from above: density 2 cos^3(theta) / pi."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -13,7 +13,11 @@ from warpsample.maths.numerics import TWO_OVER_PI, clamp_uniform, root, sincos_t
 
 @wp.func
 def square_to_offset_ball(u: wp.vec2) -> wp.vec3:
-    """cos theta = (1 - u[0])^(1/4); sin theta = sqrt(u / (1 + sqrt(1 - u))), where sqrt(1 - cos^2) cancels."""
+    """Map a point of the unit square to a direction about +z with density 2 cos^3(theta) / pi per steradian.
+
+    cos theta = (1 - u[0])^(1/4), azimuth 2 pi u[1]. sin theta = sqrt(u[0] / (1 + sqrt(1 - u[0]))), since
+    sqrt(1 - cos^2 theta) would cancel.
+    """
     above = wp.sqrt(1.0 - u[0])
     r = root(u[0] / (1.0 + above))
     cs = sincos_turns(u[1])
@@ -22,22 +26,26 @@ def square_to_offset_ball(u: wp.vec2) -> wp.vec3:
 
 @wp.func
 def square_to_offset_ball_pdf(w: wp.vec3) -> wp.float32:
-    """2 cos^3 theta / pi per steradian above the surface, else 0. Chizhov2019, section 4.1."""
+    """Return the density 2 cos^3(theta) / pi per steradian above the surface, else 0. Chizhov2019, section 4.1."""
     return wp.where(w[2] > 0.0, TWO_OVER_PI * (w[2] * w[2] * w[2]), 0.0)
 
 
 @wp.func
 def offset_ball_to_square(w: wp.vec3) -> wp.vec2:
-    """1 - cos^4 theta = sin^2 theta (1 + cos^2 theta), and the azimuth in turns."""
+    """Return the point u of the unit square that `square_to_offset_ball` maps to the direction w.
+
+    u[0] = 1 - cos^4 theta = sin^2 theta (1 + cos^2 theta), u[1] the azimuth in turns.
+    """
     small = w[0] * w[0] + w[1] * w[1]
     return wp.vec2(clamp_uniform(small * (1.0 + w[2] * w[2])), turns_of(w[0], w[1]))
 
 
 @dataclass(frozen=True)
 class OffsetBall(Distribution):
-    """A uniform point of the unit ball plus the normal, normalised: 2 cos³θ / π per steradian.
+    """Direction of the normal plus a random point in the unit ball, with density 2 cos³θ / π per steradian.
 
-    For a cosine integrand the weight cos / pdf is proportional to 1 / cos², unbounded at the horizon: use the cosine lobe.
+    Use the cosine lobe instead for a cosine integrand: the weight cosθ / pdf is proportional to 1 / cos²θ, which is
+    unbounded at the horizon.
     """
 
     name = "offset_ball"
@@ -47,7 +55,7 @@ class OffsetBall(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_offset_ball, square_to_offset_ball_pdf, offset_ball_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """1 - cos^4 theta. See `Distribution.cdf`."""
+        """Return the cdf of the angle, 1 - cos^4 theta. See `Distribution.cdf`."""
         sin_squared = np.sin(np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) ** 2
         return sin_squared * (2.0 - sin_squared)
 

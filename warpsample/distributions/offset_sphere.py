@@ -1,4 +1,4 @@
-"""The normal plus a sphere's point of any radius, normalised: Shirley's trick with its radius as a parameter."""
+"""Direction of the normal plus a random point on a sphere of any radius: Shirley's trick with the radius as a parameter."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -16,9 +16,9 @@ _INV_FOUR_PI = wp.constant(wp.float64(0.07957747154594767))
 
 @wp.func
 def square_to_offset_sphere(u: wp.vec2, rho: wp.float32) -> wp.vec3:
-    """normalize((0, 0, 1) + rho s), s uniform on the sphere.
+    """Map a point of the unit square to the direction of (0, 0, 1) + rho s, with s uniform on the unit sphere.
 
-    Its z, 1 + rho (1 - 2 u), is computed as (1 - rho) + 2 rho (1 - u), which is exact where the sum is short.
+    z = 1 + rho (1 - 2 u[0]) is computed as (1 - rho) + 2 rho (1 - u[0]), which is exact where the sum is short.
     """
     r = 2.0 * rho * root(u[0] * (1.0 - u[0]))
     cs = sincos_turns(u[1])
@@ -29,11 +29,12 @@ def square_to_offset_sphere(u: wp.vec2, rho: wp.float32) -> wp.vec3:
 
 @wp.func
 def square_to_offset_sphere_pdf(w: wp.vec3, rho: wp.float32) -> wp.float32:
-    """Per steradian, by the one or two points t w of the sphere about the normal: the sum of t^2 / (4 pi rho sqrt(D)).
+    """Return the density of a direction w per steradian: the sum of t^2 / (4 pi rho sqrt(D)) over one or two distances t.
 
-    D = rho^2 - sin^2 theta and t = cos theta -+ sqrt(D). Below rho = 1 the density is infinite at the edge sin theta = rho:
-    D is clamped within 5e-7 on either side of it, so that the mass stays 1 and no sampled direction has density 0. There the
-    gradient is that of the clamped density.
+    The direction w hits the sphere about the tip of the normal at the distances t = cos theta -+ sqrt(D), with
+    D = rho^2 - sin^2 theta. For rho < 1 the density is infinite at the edge sin theta = rho. D is clamped within 5e-7 on
+    both sides of the edge, so that the density still integrates to 1 and no sampled direction has density 0. The gradient
+    there is that of the clamped density.
     """
     radius = wp.float64(rho)
     square = radius * radius
@@ -54,9 +55,11 @@ def square_to_offset_sphere_pdf(w: wp.vec3, rho: wp.float32) -> wp.float32:
 
 @wp.func
 def offset_sphere_to_square(w: wp.vec3, rho: wp.float32) -> wp.vec2:
-    """(1 - s.z) / 2 of the far point s, and the azimuth in turns; for rho >= 1, where there is only one point.
+    """Return the point u of the unit square that `square_to_offset_sphere` maps to the direction w; only for rho >= 1.
 
-    1 - s.z = 1 - (t cos theta - 1) / rho = sin^2 theta' / (1 + s.z), by the form that cancels less.
+    u[0] = (1 - s.z) / 2 for the point s of the sphere, u[1] the azimuth in turns.
+    1 - s.z = 1 - (t cos theta - 1) / rho = sin^2 theta' / (1 + s.z), with the angle theta' of s; the form that cancels less
+    is used.
     """
     radius = wp.float64(rho)
     sine_squared = sin_squared(w)
@@ -73,7 +76,9 @@ def offset_sphere_to_square(w: wp.vec3, rho: wp.float32) -> wp.vec2:
 
 @dataclass(frozen=True)
 class OffsetSphere(Distribution):
-    """normalize(n + ρs), s uniform on the unit sphere: a cone below ρ = 1, the cosine lobe at 1, towards uniform above.
+    """Direction of the normal plus a random point on a sphere of radius ρ.
+
+    Directions fill a cone for ρ < 1, form the cosine lobe for ρ = 1, and approach the uniform sphere for large ρ.
 
     Attributes:
         rho: radius of the sphere about the tip of the normal, from 1e-15 to 1e15.
@@ -86,44 +91,50 @@ class OffsetSphere(Distribution):
     parameters: ClassVar[tuple[str, ...]] = ("rho",)
     shown: ClassVar[Range] = (0.2, 5.0)
     bounds: ClassVar[Range] = (1e-15, 1e15)
-    source = "Chizhov2019, sections 4.3 and 4.4, for ρ = 1; our change of variables for any other"
+    source = "Chizhov2019, sections 4.3 and 4.4, for ρ = 1; own derivation for other ρ"
     limits = (
-        "for ρ < 1 the density is infinite at the edge sinθ = ρ and clamped within 5e-7 of it; "
-        "two u give a direction, so there is no inverse"
+        "for ρ < 1 the density is infinite at the edge sinθ = ρ and is clamped within 5e-7 of the edge; "
+        "for ρ < 1 there is no inverse, because two points u map to the same direction"
     )
-    # A narrow cone, both sides of the cosine lobe, and almost uniform.
+    # A narrow cone, values on both sides of the cosine lobe, and almost uniform.
     case_values: ClassVar[Cases] = ((1e-15,), (0.5,), (1.0 - 2.0**-24,), (1.0,), (1.0 + 2.0**-23,), (1.5,), (1e15,))
 
     @property
     def polar(self) -> bool:
-        """Not for rho below 1, where two u go to one direction."""
+        """True for rho >= 1; below, two points u map to the same direction."""
         return self.rho >= 1.0
 
     @property
     def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
+        """Functions (`wp.func`) of the distribution, for use in kernels."""
         invert = None if self.support == "cone" else offset_sphere_to_square
         return Maps(square_to_offset_sphere, square_to_offset_sphere_pdf, invert)
 
     @property
     def support(self) -> str:
-        """Cone, hemisphere or sphere, by rho."""
-        rho = np.float32(self.rho)  # as the kernels take it
+        """Name of the support: "cone" for rho < 1, "hemisphere" for rho = 1, "sphere" for rho > 1."""
+        rho = np.float32(self.rho)  # kernels round rho to float32
         return "cone" if rho < 1.0 else "hemisphere" if rho == 1.0 else "sphere"
 
     @property
     def largest_angle(self) -> float:
-        """Below rho = 1 the edge, asin(rho), with the width in which the density is clamped."""
+        """Largest angle to +z in radians: for rho < 1 that of the edge, asin(rho), plus the width of the clamp."""
         edge = min(1.0, self.rho * np.sqrt(1.0 + float(_BLUR)))
         return float(np.arcsin(edge)) if self.support == "cone" else super().largest_angle
 
     @property
     def thinnest_tail(self) -> float:
-        """Half of 7e-4 of the directions are within the clamped edge."""
+        """Smallest tail probability for statistical tests: 1e-2 for a cone, else 1e-5.
+
+        7e-4 of the directions are within the clamped edge, half of which the clamped density places past the edge.
+        """
         return 1e-2 if self.support == "cone" else super().thinnest_tail
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """From the angles on the sphere of the one or two points seen at theta. See `Distribution.cdf`."""
+        """Return the cdf of the angle: the fraction of the sphere that appears within theta of the normal.
+
+        See `Distribution.cdf`.
+        """
         theta = np.clip(theta, 0.0, self.largest_angle, dtype=np.float64)
         beyond = np.arcsin(np.clip(np.sin(theta) / self.rho, -1.0, 1.0))
         far = np.sin(0.5 * (theta + beyond)) ** 2

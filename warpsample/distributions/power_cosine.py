@@ -1,4 +1,4 @@
-"""Powers of the cosine: Phong's lobe about the normal."""
+"""Power cosine lobe (Phong's lobe about the normal): density proportional to cos^n(theta)."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -14,9 +14,10 @@ from warpsample.maths.numerics import HALF, INV_TWO_PI_DOUBLE, ONE, clamp_unifor
 
 @wp.func
 def square_to_power_cosine(u: wp.vec2, exponent: wp.float32) -> wp.vec3:
-    """cos theta = (1 - u[0])^(1 / (exponent + 1)) = e^s; sin^2 theta = (1 - e^s)(1 + e^s).
+    """Map a point of the unit square to a direction about +z with density proportional to cos^exponent(theta).
 
-    1 - e^s is precise, as narrow lobes need. Exponent 1 is the cosine lobe, 0 the uniform hemisphere.
+    cos theta = (1 - u[0])^(1 / (exponent + 1)) = e^s, sin^2 theta = (1 - e^s)(1 + e^s), azimuth 2 pi u[1]. Narrow lobes need
+    the precise 1 - e^s. Exponent 1 gives the cosine lobe, 0 the uniform hemisphere.
     """
     power = exp_double(log1p_double(-wp.float64(u[0])) * (ONE / (wp.float64(exponent) + ONE)))
     r = wp.float32(root_double(-power[0] * (ONE + power[1])))
@@ -26,7 +27,7 @@ def square_to_power_cosine(u: wp.vec2, exponent: wp.float32) -> wp.vec3:
 
 @wp.func
 def square_to_power_cosine_pdf(w: wp.vec3, exponent: wp.float32) -> wp.float32:
-    """(exponent + 1) / (2 pi) cos^exponent theta per steradian above the surface, else 0."""
+    """Return the density (exponent + 1) / (2 pi) cos^exponent(theta) per steradian above the surface, else 0."""
     n = wp.float64(exponent)
     power = exp_double(-HALF * n * log1p_double(tan_squared(w)))
     return wp.where(w[2] > 0.0, wp.float32((n + ONE) * INV_TWO_PI_DOUBLE * power[1]), 0.0)
@@ -34,17 +35,20 @@ def square_to_power_cosine_pdf(w: wp.vec3, exponent: wp.float32) -> wp.float32:
 
 @wp.func
 def power_cosine_to_square(w: wp.vec3, exponent: wp.float32) -> wp.vec2:
-    """1 - cos^(exponent + 1) theta, and the azimuth in turns."""
+    """Return the point u of the unit square that `square_to_power_cosine` maps to the direction w.
+
+    u[0] = 1 - cos^(exponent + 1)(theta), u[1] the azimuth in turns.
+    """
     power = exp_double(-HALF * (wp.float64(exponent) + ONE) * log1p_double(tan_squared(w)))
     return wp.vec2(clamp_uniform(-wp.float32(power[0])), turns_of(w[0], w[1]))
 
 
 @dataclass(frozen=True)
 class PowerCosine(Distribution):
-    """A power of the cosine about the normal: (n + 1) cosⁿθ / (2π) per steradian.
+    """Power cosine lobe about the normal, with density (n + 1) cosⁿθ / (2π) per steradian.
 
     Attributes:
-        exponent: n, from 0 (the uniform hemisphere) to 1e9; 1 is the cosine lobe.
+        exponent: exponent n, from 0 (uniform hemisphere) to 1e9; 1 gives the cosine lobe.
     """
 
     exponent: float
@@ -66,7 +70,7 @@ class PowerCosine(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_power_cosine, square_to_power_cosine_pdf, power_cosine_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """1 - cos^(n + 1) theta. See `Distribution.cdf`."""
+        """Return the cdf of the angle, 1 - cos^(n + 1)(theta). See `Distribution.cdf`."""
         # log cos = log1p(-2 sin^2(theta / 2)), which stays precise for narrow lobes.
         with np.errstate(divide="ignore"):
             log_cos = np.log1p(-2.0 * np.sin(0.5 * np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) ** 2)

@@ -1,4 +1,4 @@
-"""The record of a distribution: its properties, and its maps applied to arrays."""
+"""Base class of all distributions: properties for tests and tables, and methods that apply the maps to arrays."""
 
 from dataclasses import dataclass
 from math import pi
@@ -8,7 +8,7 @@ import numpy as np
 import warp as wp
 
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
-from warpsample.distributions.parameters import about_frame, packed, with_parameters
+from warpsample.distributions.parameters import bind_parameters, build_about, pack_parameters
 from warpsample.host.arguments import check_number
 from warpsample.host.arrays import Array, Floats, as_real, as_square
 from warpsample.host.engine import check_workers, run
@@ -23,15 +23,17 @@ _VECTORS = {2: wp.vec2, 3: wp.vec3}
 
 @dataclass(frozen=True)
 class Maps:
-    """The `wp.func`s of a distribution. Those that take its parameters take them after the first argument.
+    """Functions (`wp.func`) of a distribution for kernels; `sample`, `pdf` and `invert` take the parameters last.
 
     Attributes:
-        sample: u (vec2 in [0, 1)^2) -> w (vec3, unit length, local frame, +z the normal; planar ones vec2).
-        pdf: w -> density in the distribution's measure; 0 outside the support.
-        invert: w -> u, the way back of `sample`; None where several u go to one w.
-        about: (unit normal n, u, Parameters) -> (world direction, pdf), where a way without a tangent frame exists.
-        redraw: what replaces `about` where its pdf is below `redraw_below`, should it lose its digits there.
-        redraw_below: that pdf.
+        sample: map of u (vec2 in [0, 1)^2) to a direction w about +z (vec3 of unit length; in the plane, vec2 about +y).
+        pdf: density of w in the distribution's measure; 0 outside the support.
+        invert: inverse of `sample`, from w to u; None if `sample` maps several u to one w.
+        about: (unit normal n, u, Parameters) -> (world direction, pdf), for a method that needs no tangent frame; None
+            otherwise.
+        redraw: replacement for `about`, with the same signature, where the pdf from `about` is below `redraw_below` and
+            `about` is imprecise; None if never needed.
+        redraw_below: pdf below which `redraw` replaces `about`.
     """
 
     sample: wp.Function
@@ -44,28 +46,29 @@ class Maps:
 
 @dataclass(frozen=True)
 class Distribution:
-    """A density of directions about a normal. Subclasses are frozen dataclasses of its parameters.
+    """Probability density of directions about a normal; subclasses are frozen dataclasses of the parameters.
 
     Attributes:
-        maps: the `wp.func`s to use in kernels of your own.
-        case_values: of the fields, those of `cases`, in tuples.
-        name: what users call it by.
-        density: the formula of the pdf, for tables.
-        measure: what the pdf is per: "per steradian", "per unit area" or "per radian".
-        support: where the pdf is above 0, in words.
-        parameters: names of the fields that travel to the kernels, where they are float32: a scalar, then a vector.
-        bounds: least and greatest value of the scalar.
-        shown: what of the scalar is worth looking at, from above 0; for sliders, which span it by its logarithm.
-        width: components of w, 3, or 2 for what lies in a plane.
-        variates: coordinates of u that the map uses.
-        symmetric: whether the density is one of the angle to +z alone.
-        polar: whether u[0] is its cdf, too, and u[1] the azimuth in turns.
-        source: where the formulas come from.
-        worst_unit_length: abs(abs(w) - 1) of `sample` over the whole grid of u.
-        worst_angle: radians between `sample` and its float64 twin; for points of a disk, their distance.
-        worst_pdf: relative error of `pdf` at exact directions.
-        worst_round_trip: error of u, there and back, away from `seam`.
-        limits: where an error is worse than those, or the density is not the formula, and why; for tables.
+        maps: `wp.func`s of the distribution, for use in kernels.
+        case_values: parameters of the instances that tests use, one tuple for each instance.
+        name: value for the argument `distribution`.
+        density: formula of the pdf, for tables.
+        measure: unit of the pdf: "per steradian", "per unit area" or "per radian".
+        support: name of the set where the pdf is above 0, such as "hemisphere".
+        parameters: names of the fields that kernels receive as float32: none, a scalar, or a scalar and a vector.
+        bounds: smallest and largest value of the scalar; None for no check.
+        shown: range of the scalar for logarithmic sliders, above 0; None for no slider.
+        width: number of components of w: 3, or 2 in the plane.
+        variates: number of coordinates of u that the map uses.
+        symmetric: whether the density depends only on the angle to +z.
+        polar: whether u[0] is the cdf of the angle and u[1] the azimuth in turns.
+        source: source of the formulas.
+        worst_unit_length: bound of abs(abs(w) - 1) for `sample`, over all u.
+        worst_angle: bound of the angle in radians between `sample` and the float64 twin; for points of a disk, of the
+            distance.
+        worst_pdf: bound of the relative error of `pdf` at exact directions.
+        worst_round_trip: bound of the error of u after `sample` and `invert`, outside `seam`.
+        limits: exceptions to the bounds and to the formula of the density, with reasons, for tables.
     """
 
     maps: ClassVar[Maps]
@@ -89,14 +92,14 @@ class Distribution:
     limits: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
-        """Checks a scalar that has bounds, and keeps it as a float."""
+        """Check that the scalar is within its bounds, and store it as a float."""
         if self.bounds is not None:
             name = self.parameters[0]
             object.__setattr__(self, name, check_number(getattr(self, name), name, *self.bounds))
 
     @classmethod
     def cases(cls) -> tuple["Distribution", ...]:
-        """Instances that every law is proven for, from ordinary to extreme.
+        """Return the instances that `warpsample verify` tests, from ordinary to extreme parameters.
 
         Returns:
             at least one instance.
@@ -109,26 +112,26 @@ class Distribution:
 
     @property
     def largest_angle(self) -> float:
-        """The support's greatest angle to +z in radians; for points of a disk its radius."""
+        """Largest angle to +z of the support in radians; for points of a disk, the radius."""
         return pi if self.support == "sphere" else pi / 2.0
 
     @property
     def thinnest_tail(self) -> float:
-        """Probability of the thinnest tail that float32 directions resolve: for tests."""
+        """Smallest tail probability that float32 directions resolve, for statistical tests."""
         return 1e-5
 
     def cdf(self, theta: Any) -> np.ndarray:
-        """Chance of an angle to +z of at most theta.
+        """Return the cumulative distribution function: the probability of an angle to +z of at most theta.
 
         Args:
-            theta: (...) radians, in [0, pi]; with a sign for directions in the plane; for points of a disk the radius.
+            theta: (...) radians, in [0, pi]; signed for directions in the plane; for points of a disk, the radius.
 
         Returns:
             (...) float64 in [0, 1]; 0 below that range and 1 above it.
 
         Raises:
-            TypeError: theta is not real numbers.
-            NotImplementedError: no closed form is known.
+            TypeError: theta is not real.
+            NotImplementedError: the density depends on more than the angle, as for VisibleGGX.
 
         Example:
             >>> print(ws.CosineHemisphere().cdf(np.radians([0.0, 30.0, 45.0, 90.0])).round(2))
@@ -137,11 +140,11 @@ class Distribution:
         return self._cdf(np.clip(as_real(theta, "theta").astype(np.float64), 0.0 if self.width == 3 else -pi, pi))
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """`cdf` of float64 angles that can be."""
-        raise NotImplementedError(f"{self!r}: its density does not depend on the angle alone")
+        """Return the cdf at float64 angles, clipped to [0, pi], or to [-pi, pi] for a `width` of 2."""
+        raise NotImplementedError(f"{self!r}: there is no cdf of the angle, as the density depends on the azimuth, too")
 
     def seam(self, u: np.ndarray) -> np.ndarray:
-        """Which u `invert` cannot give back to float32 accuracy: by default those of the pole, which has no azimuth.
+        """Return the mask of points u that `invert` cannot recover precisely: by default the pole, which has no azimuth.
 
         Args:
             u: (..., 2) float, in [0, 1).
@@ -156,14 +159,14 @@ class Distribution:
         return u[..., 0] == 0.0
 
     def sample(self, u: Any) -> Floats:
-        """Directions of points of the square.
+        """Map points of the unit square to directions about +z.
 
         Args:
             u: (..., 2) float, in [0, 1).
 
         Returns:
-            (..., 3) float32, unit length, local frame with +z the normal; planar ones (..., 2), with +y the normal.
-            NumPy for NumPy and what else is in the CPU's memory, wp.array for wp.array and what else is on a CUDA device.
+            (..., 3) float32, unit length, local frame with +z the normal; in the plane (..., 2), with +y the normal.
+            The result is a wp.array if u is a wp.array or an array of another library on a CUDA device, else a NumPy array.
 
         Raises:
             TypeError, ValueError: u is not floating-point, its last axis is not 2, or a value is outside [0, 1).
@@ -175,13 +178,13 @@ class Distribution:
         """
         u = from_cuda(u, "u")
         u = u if isinstance(u, wp.array) else as_square(u, "u")
-        return self._map(self.maps.sample, u, width=2, out_width=self.width, argument="u")
+        return self._apply(self.maps.sample, u, width=2, out_width=self.width, argument="u")
 
     def pdf(self, w: Any) -> Floats:
-        """Density at unit directions, in the distribution's measure.
+        """Return the probability density at unit directions, in the distribution's measure.
 
         Args:
-            w: (..., 3) float, unit length, local frame; planar ones (..., 2).
+            w: (..., 3) float, unit length, local frame; in the plane (..., 2).
 
         Returns:
             (...) float32, at least 0; 0 outside the support and where w is NaN.
@@ -193,20 +196,20 @@ class Distribution:
             >>> print(ws.CosineHemisphere().pdf(np.array([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])).round(4))  # 1 / pi; below: 0
             [0.3183 0.    ]
         """
-        return self._map(self.maps.pdf, w, width=self.width, out_width=1, argument="w")
+        return self._apply(self.maps.pdf, w, width=self.width, out_width=1, argument="w")
 
     def invert(self, w: Any) -> Floats:
-        """The points of the square that `sample` sends to the directions w.
+        """Return the points of the unit square that `sample` maps to the directions w.
 
         Args:
-            w: (..., 3) float, unit length, local frame, in the support; planar ones (..., 2).
+            w: (..., 3) float, unit length, local frame, in the support; in the plane (..., 2).
 
         Returns:
             (..., 2) float32 in [0, 1).
 
         Raises:
             TypeError, ValueError: w is not floating-point, or its last axis has another length.
-            NotImplementedError: `sample` sends several u to one w, or `maps` name no inverse.
+            NotImplementedError: `sample` maps several u to one w, or `maps` has no function `invert`.
 
         Example:
             >>> lobe = ws.GGX(alpha=0.3)
@@ -214,23 +217,25 @@ class Distribution:
             [[0.25 0.75]]
         """
         if self.maps.invert is None:
-            raise NotImplementedError(f"{self!r}: sample sends several u to one w, or its Maps name no invert")
-        return self._map(self.maps.invert, w, width=self.width, out_width=2, argument="w")
+            raise NotImplementedError(
+                f"{self!r}: there is no inverse, as sample maps several u to one w, or Maps has no invert"
+            )
+        return self._apply(self.maps.invert, w, width=self.width, out_width=2, argument="w")
 
     def kernel_parameters(self) -> Any:
-        """This instance's scalars as the kernels take them.
+        """Return the parameters as the struct that kernels take as an argument.
 
         Returns:
-            a struct of float32, a kernel's argument: another value compiles nothing.
+            a `Parameters` struct of float32; new values do not recompile a kernel.
 
         Example:
             >>> print(ws.GGX(alpha=0.5).kernel_parameters().scalar)
             0.5
         """
-        return packed(tuple(getattr(self, name) for name in self.parameters))
+        return pack_parameters(tuple(getattr(self, name) for name in self.parameters))
 
     def about(self) -> wp.Function:
-        """The map about a normal, for kernels; there is none for what lies in a plane.
+        """Return the function that samples directions about any normal, for kernels; only for directions in space.
 
         Returns:
             a `wp.func` (unit normal, u, Parameters) -> (world direction, pdf).
@@ -243,12 +248,13 @@ class Distribution:
         if maps.about is not None:
             return maps.about
         count = len(self.parameters)
-        return about_frame(with_parameters(maps.sample, wp.vec2, count), with_parameters(maps.pdf, wp.vec3, count))
+        return build_about(bind_parameters(maps.sample, wp.vec2, count), bind_parameters(maps.pdf, wp.vec3, count))
 
-    def _map(self, func: wp.Function, x: Any, *, width: int, out_width: int, argument: str) -> Array:
+    def _apply(self, func: wp.Function, x: Any, *, width: int, out_width: int, argument: str) -> Array:
+        """Apply a wp.func of the distribution to each vector of `width` components; return an array like x."""
         source = as_vectors(x, width, argument)
         target = new_vectors(source, source.shape, out_width)
-        bound = with_parameters(func, _VECTORS[width], len(self.parameters))
+        bound = bind_parameters(func, _VECTORS[width], len(self.parameters))
         block = FLAT_BLOCK if source.device.is_cpu else 1
         inputs = [source.count, block, source.address, target.address, self.kernel_parameters()]
         if source.count:

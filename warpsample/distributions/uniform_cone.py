@@ -1,4 +1,4 @@
-"""Directions within an angle of the normal, all equally likely."""
+"""Uniform distribution of directions in a cone about the normal."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -17,9 +17,10 @@ _LEAST = 1e-24
 
 @wp.func
 def square_to_uniform_cone(u: wp.vec2, one_minus_cos: wp.float32) -> wp.vec3:
-    """1 - cos theta = u[0] (1 - cos of the cone's angle), and sin theta from it, which is precise for narrow cones.
+    """Map a point of the unit square to a uniform direction in the cone 1 - cos theta < one_minus_cos about +z.
 
-    Its complement to 2 is a sum of two positive terms, so the whole sphere is precise at the far pole too.
+    h = 1 - cos theta = u[0] one_minus_cos, azimuth 2 pi u[1]. sin theta = sqrt(h (2 - h)) is precise for narrow cones. 2 - h
+    is a sum of two positive terms, so that a cone of the whole sphere is precise at the far pole, too.
     """
     h = u[0] * one_minus_cos
     rest = (2.0 - one_minus_cos) + (1.0 - u[0]) * one_minus_cos
@@ -30,25 +31,30 @@ def square_to_uniform_cone(u: wp.vec2, one_minus_cos: wp.float32) -> wp.vec3:
 
 @wp.func
 def square_to_uniform_cone_pdf(w: wp.vec3, one_minus_cos: wp.float32) -> wp.float32:
-    """1 / (2 pi (1 - cos of the cone's angle)) per steradian inside the cone, else 0."""
+    """Return the density 1 / (2 pi one_minus_cos) per steradian inside the cone, else 0."""
     edge = wp.float64(one_minus_cos)
     return wp.where(versine(w) <= edge + _RIM * wp.min(edge, TWO - edge), INV_TWO_PI / one_minus_cos, 0.0)
 
 
 @wp.func
 def uniform_cone_to_square(w: wp.vec3, one_minus_cos: wp.float32) -> wp.vec2:
-    """The share of the cone's 1 - cos, and the azimuth in turns."""
+    """Return the point u of the unit square that `square_to_uniform_cone` maps to the direction w.
+
+    u[0] = (1 - cos theta) / one_minus_cos, u[1] the azimuth in turns.
+    """
     return wp.vec2(clamp_uniform(wp.float32(versine(w) / wp.float64(one_minus_cos))), turns_of(w[0], w[1]))
 
 
 @dataclass(frozen=True)
 class UniformCone(Distribution):
-    """Uniform within an angle of the normal: 1 / (2π(1 − cos)) per steradian. Give one of its two attributes.
+    """Uniform distribution in a cone of half angle θₘ about the normal: 1 / (2π(1 − cosθₘ)) per steradian.
+
+    Give one of the two attributes.
 
     Attributes:
-        cos_angle: cosine of the angle between the axis and the edge, in [-1, 1).
-        one_minus_cos: 1 - cos_angle, in [1e-24, 2], for narrow cones: 1 - cos of 1e-6 rad is 5e-13, of which
-            cos_angle itself keeps only four digits.
+        cos_angle: cosine of the half angle θₘ between axis and edge, in [-1, 1).
+        one_minus_cos: 1 - cos_angle, in [1e-24, 2], for narrow cones: a half angle of 1e-6 rad gives 5e-13, of which
+            cos_angle keeps only four digits.
     """
 
     cos_angle: float | None = None
@@ -60,12 +66,12 @@ class UniformCone(Distribution):
     parameters: ClassVar[tuple[str, ...]] = ("one_minus_cos",)
     shown: ClassVar[Range] = (1e-4, 2.0)
     source = "Pharr2023, section A.5.4"
-    # By one_minus_cos, from the whole sphere to the sun's disk and beyond.
+    # Values of one_minus_cos from the whole sphere to the sun's disk (1.08e-5) and narrower.
     case_values: ClassVar[Cases] = ((None, 2.0), (None, 1.999), (None, 1.0), (None, 0.25), (None, 1.08e-5), (None, 1e-24))
     maps: ClassVar[Maps] = Maps(square_to_uniform_cone, square_to_uniform_cone_pdf, uniform_cone_to_square)
 
     def __post_init__(self) -> None:
-        """Checks that one of the two is given, and derives the other."""
+        """Check that one attribute is given, or two that agree, and compute the other attribute."""
         if self.one_minus_cos is None:
             if self.cos_angle is None:
                 raise TypeError("cos_angle: got None, want a number from -1 to below 1, or one_minus_cos instead")
@@ -75,18 +81,18 @@ class UniformCone(Distribution):
             object.__setattr__(self, "one_minus_cos", 1.0 - cosine)
         else:
             object.__setattr__(self, "one_minus_cos", check_number(self.one_minus_cos, "one_minus_cos", _LEAST, 2.0))
-            beside = None if self.cos_angle is None else check_number(self.cos_angle, "cos_angle", -1.0, 1.0)
-            if beside not in (None, 1.0 - self.one_minus_cos):
-                raise TypeError(f"cos_angle: got {beside!r} beside one_minus_cos, want one of the two")
+            cos_angle = None if self.cos_angle is None else check_number(self.cos_angle, "cos_angle", -1.0, 1.0)
+            if cos_angle not in (None, 1.0 - self.one_minus_cos):
+                raise TypeError(f"cos_angle: got {cos_angle!r} together with one_minus_cos, want only one of the two")
         object.__setattr__(self, "cos_angle", 1.0 - self.one_minus_cos)
 
     @property
     def largest_angle(self) -> float:
-        """The angle between axis and edge."""
+        """Half angle of the cone, between axis and edge, in radians."""
         return float(2.0 * np.arcsin(np.sqrt(0.5 * self.one_minus_cos)))
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """The share of the cone's 1 - cos. See `Distribution.cdf`."""
+        """Return the cdf of the angle, (1 - cos theta) / one_minus_cos, at most 1. See `Distribution.cdf`."""
         return np.minimum(2.0 * np.sin(0.5 * theta) ** 2 / self.one_minus_cos, 1.0)
 
 

@@ -1,4 +1,4 @@
-"""The unit disk, by two maps of the square that preserve area: the basis of the cosine lobe, and for lenses."""
+"""Uniform distribution on the unit disk, by two area-preserving maps of the unit square."""
 
 from dataclasses import dataclass
 from typing import ClassVar, Literal, get_args
@@ -19,7 +19,10 @@ _RIM = wp.constant(wp.float32(1.0 + 5e-7))  # points within rounding of the edge
 
 @wp.func
 def square_to_uniform_disk(u: wp.vec2) -> wp.vec2:
-    """Radius sqrt(u[0]), azimuth 2 pi u[1]. Cranberry2020, Nori2025; Chizhov2019, section 3.2."""
+    """Map a point of the unit square to a uniform point of the unit disk, with polar coordinates.
+
+    Radius sqrt(u[0]), azimuth 2 pi u[1]. Cranberry2020; Nori2025; Chizhov2019, section 3.2.
+    """
     r = root(u[0])
     cs = sincos_turns(u[1])
     return wp.vec2(r * cs[0], r * cs[1])
@@ -27,16 +30,17 @@ def square_to_uniform_disk(u: wp.vec2) -> wp.vec2:
 
 @wp.func
 def uniform_disk_to_square(p: wp.vec2) -> wp.vec2:
-    """Squared radius and azimuth in turns."""
+    """Return the point (squared radius, azimuth in turns) that `square_to_uniform_disk` maps to the point p."""
     return wp.vec2(clamp_uniform(p[0] * p[0] + p[1] * p[1]), turns_of(p[0], p[1]))
 
 
 @wp.func
 def square_to_concentric_disk(u: wp.vec2) -> wp.vec3:
-    """(x, y, radius) by Shirley1997: squares become rings, so neighbours stay neighbours.
+    """Map a point of the unit square to (x, y, radius) of a uniform point of the unit disk, by the concentric map.
 
-    The grid is shifted exactly to the middles of its cells, so that the radius stays below 1. Not differentiable by u on the
-    diagonals, where its gradient is that of one side.
+    Shirley1997 maps squares to rings, so that neighbours stay neighbours. The multiples of 2^-24 are shifted to the middles
+    of their cells, exactly, so that the radius stays below 1. The map is not differentiable on the diagonals of the square;
+    the gradient there is that of one side.
     """
     a = (2.0 * u[0] - 1.0) + _HALF_CELL
     b = (2.0 * u[1] - 1.0) + _HALF_CELL
@@ -49,18 +53,19 @@ def square_to_concentric_disk(u: wp.vec2) -> wp.vec3:
 
 @wp.func
 def square_to_uniform_disk_concentric(u: wp.vec2) -> wp.vec2:
-    """The point of `square_to_concentric_disk`, without the radius."""
+    """Map a point of the unit square to a uniform point (x, y) of the unit disk, by the concentric map of Shirley1997."""
     p = square_to_concentric_disk(u)
     return wp.vec2(p[0], p[1])
 
 
 @wp.func
 def uniform_disk_to_square_concentric(p: wp.vec2) -> wp.vec2:
-    """The inverse: the radius is the longer coordinate, the angle in the octant the ratio of the two.
+    """Return the point u of the unit square that `square_to_uniform_disk_concentric` maps to the point p.
 
-    Not differentiable on the diagonals, where its gradient is finite, and at the centre, where it is 0.
+    The radius is the longer coordinate; the angle within the octant is the ratio of the coordinates. The inverse is not
+    differentiable on the diagonals, where the gradient is finite, and at the centre, where the gradient is 0.
     """
-    # Unlike that of wp.abs, the gradient of this knows -0.0, so it undoes that of the copysign below.
+    # The gradient of copysign, unlike that of wp.abs, handles -0.0 and so cancels the gradient of the copysign below.
     ax = wp.copysign(p[0], 1.0)
     ay = wp.copysign(p[1], 1.0)
     longer = root(ax * ax + ay * ay)
@@ -72,7 +77,7 @@ def uniform_disk_to_square_concentric(p: wp.vec2) -> wp.vec2:
 
 @wp.func
 def square_to_uniform_disk_pdf(p: wp.vec2) -> wp.float32:
-    """1 / pi per unit area inside the unit circle, else 0."""
+    """Return the density 1 / pi per unit area inside the unit circle, else 0."""
     return wp.where(p[0] * p[0] + p[1] * p[1] <= _RIM, INV_PI, 0.0)
 
 
@@ -84,10 +89,11 @@ _MAPS = {
 
 @dataclass(frozen=True)
 class UniformDisk(Distribution):
-    """Points (x, y) uniform on the unit disk: 1 / pi per unit area.
+    """Uniform distribution of points (x, y) on the unit disk, with density 1 / pi per unit area.
 
     Attributes:
-        method: "polar" (radius sqrt(u), azimuth 2 pi v) or "concentric" (Shirley1997; less distortion).
+        method: map of the square: "polar" (radius sqrt(u[0]), azimuth 2 pi u[1]) or "concentric" (Shirley1997; less
+            distortion).
     """
 
     method: Method = "polar"
@@ -101,21 +107,21 @@ class UniformDisk(Distribution):
     case_values: ClassVar[Cases] = tuple((method,) for method in get_args(Method))
 
     def __post_init__(self) -> None:
-        """Checks the method's name."""
+        """Check the name of the method."""
         check_choice(self.method, "method", get_args(Method))
 
     @property
     def maps(self) -> Maps:
-        """The `wp.func`s to use in kernels of your own."""
+        """Functions (`wp.func`) of the distribution, for use in kernels."""
         return _MAPS[self.method]
 
     @property
     def largest_angle(self) -> float:
-        """The radius of the unit disk, in place of an angle."""
+        """Radius of the unit disk, in place of an angle."""
         return 1.0
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """The square of the radius. See `Distribution.cdf`."""
+        """Return the cdf of the radius, the square of the radius. See `Distribution.cdf`."""
         return np.clip(theta, 0.0, 1.0, dtype=np.float64) ** 2
 
 

@@ -1,4 +1,4 @@
-"""All directions above the surface, equally likely."""
+"""Uniform distribution of directions on the hemisphere about the normal."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -13,7 +13,10 @@ from warpsample.maths.numerics import INV_TWO_PI, clamp_uniform, root, sincos_tu
 
 @wp.func
 def square_to_uniform_hemisphere(u: wp.vec2) -> wp.vec3:
-    """z = 1 - u[0], azimuth 2 pi u[1]; sin theta as sqrt(u (2 - u)), where sqrt(1 - z^2) loses 4e-5 near the pole."""
+    """Map a point of the unit square to a uniform direction on the hemisphere about +z.
+
+    z = 1 - u[0], azimuth 2 pi u[1]. sin theta = sqrt(u[0] (2 - u[0])); sqrt(1 - z^2) would be wrong by 4e-5 near the pole.
+    """
     r = root(u[0] * (2.0 - u[0]))
     cs = sincos_turns(u[1])
     return wp.vec3(r * cs[0], r * cs[1], 1.0 - u[0])
@@ -21,19 +24,22 @@ def square_to_uniform_hemisphere(u: wp.vec2) -> wp.vec3:
 
 @wp.func
 def square_to_uniform_hemisphere_pdf(w: wp.vec3) -> wp.float32:
-    """1 / (2 pi) per steradian where z >= 0, else 0."""
+    """Return the density 1 / (2 pi) per steradian where z >= 0, else 0."""
     return wp.where(w[2] >= 0.0, INV_TWO_PI, 0.0)
 
 
 @wp.func
 def uniform_hemisphere_to_square(w: wp.vec3) -> wp.vec2:
-    """1 - z, from sin^2 theta, which does not cancel near the pole."""
+    """Return the point u of the unit square that `square_to_uniform_hemisphere` maps to the direction w.
+
+    u[0] = 1 - z = sin^2 theta / (1 + z), which does not cancel near the pole; u[1] the azimuth in turns.
+    """
     return wp.vec2(clamp_uniform((w[0] * w[0] + w[1] * w[1]) / wp.max(1.0 + w[2], 1.0e-30)), turns_of(w[0], w[1]))
 
 
 @dataclass(frozen=True)
 class UniformHemisphere(Distribution):
-    """Uniform on the hemisphere about the normal: 1 / (2 pi) per steradian."""
+    """Uniform distribution on the hemisphere about the normal, with density 1 / (2 pi) per steradian."""
 
     name = "uniform_hemisphere"
     density = "1/(2π)"
@@ -42,7 +48,7 @@ class UniformHemisphere(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_uniform_hemisphere, square_to_uniform_hemisphere_pdf, uniform_hemisphere_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """1 - cos theta. See `Distribution.cdf`."""
+        """Return the cdf of the angle, 1 - cos theta. See `Distribution.cdf`."""
         return 2.0 * np.sin(0.5 * np.clip(theta, 0.0, np.pi / 2.0, dtype=np.float64)) ** 2
 
 

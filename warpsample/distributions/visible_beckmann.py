@@ -1,4 +1,4 @@
-"""Beckmann normals as a viewer sees them: weighted by the area that each shows to the view."""
+"""Distribution of visible Beckmann normals: each microfacet is weighted by the area that it shows to the viewer."""
 
 from typing import ClassVar
 
@@ -13,10 +13,10 @@ from warpsample.maths.numerics import GRID, HALF, INV_PI_DOUBLE, ONE, TWO, ZERO,
 _ROOT_PI = wp.constant(wp.float64(1.7724538509055160))
 _HALF_INV_ROOT_PI = wp.constant(wp.float64(0.28209479177387814))
 _HALF_CELL = wp.constant(wp.float64(0.5 / GRID))
-_STEEPEST = wp.constant(wp.float64(6.0))  # no slope of the grid's variates is steeper, in units of alpha
+_STEEPEST = wp.constant(wp.float64(6.0))  # largest slope in units of alpha that a variate below 1 can give
 _FROM_ABOVE = wp.constant(wp.float64(1e12))
 _SIXTH = wp.constant(wp.float64(1.0 / 6.0))
-# Of the start of `slope_along_view`: by trial over all views, so that two steps suffice for every variate.
+# Constants of the first approximation in `slope_along_view`, found by trial: two steps suffice for all views and variates.
 _MOVED = wp.constant(wp.float64(0.45))
 _BENT = wp.constant(wp.float64(0.6))
 _TINY = wp.constant(wp.float64(1e-12))
@@ -24,9 +24,10 @@ _TINY = wp.constant(wp.float64(1e-12))
 
 @wp.func
 def slope_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4d:
-    """(cos v / (alpha sin v), the slope at which normals face away; alpha sin v; cosine and sine of the azimuth).
+    """Return (a, alpha sin v, cos phi, sin phi) for a view at the angle v to +z and the azimuth phi, with a = cot v / alpha.
 
-    A view along +z has no azimuth; by the view's x and y the gradient there is 0.
+    Normals with a slope below -a along the view, in units of alpha, face away. A view along +z has no azimuth; the gradient
+    with respect to the view's x and y is 0 there.
     """
     x = wp.float64(view[0])
     y = wp.float64(view[1])
@@ -38,31 +39,31 @@ def slope_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4d:
 
 @wp.func
 def visible_share_above(x: wp.float64, a: wp.float64) -> wp.float64:
-    """The integral from x to infinity of (a + s) e^(-s^2) / sqrt(pi): what the view sees of slopes above x."""
+    """Integrate (a + s) e^(-s^2) / sqrt(pi) over s from x to infinity: the visible area of slopes above x."""
     tail = erfc_double(x)
     return HALF * a * tail[0] + _HALF_INV_ROOT_PI * tail[1]
 
 
 @wp.func
-def _closer(x: wp.float64, target: wp.float64, a: wp.float64) -> wp.float64:
-    """A slope closer to that above which the view sees the target: a step of Householder's method, of fourth order."""
+def _refine_slope(x: wp.float64, target: wp.float64, a: wp.float64) -> wp.float64:
+    """Refine a slope x towards visible_share_above(x, a) = target by one fourth-order step of Householder's method."""
     tail = erfc_double(x)
     s = a + x
     excess = HALF * a * tail[0] + _HALF_INV_ROOT_PI * tail[1] - target
-    q = excess * _ROOT_PI / (s * s * tail[1])  # Newton's step by s
-    bend = ONE - TWO * x * s  # s p' / p of the density p(x) = s e^(-x^2)
+    q = excess * _ROOT_PI / (s * s * tail[1])  # Newton's step divided by s
+    bend = ONE - TWO * x * s  # s p' / p for the density p(x) = s e^(-x^2)
     curl = bend * bend - ONE - TWO * s * s  # s^2 p'' / p
     return x + s * q * (ONE + HALF * q * bend) / (ONE + q * (bend + _SIXTH * q * curl))
 
 
 @wp.func
 def slope_along_view(rest: wp.float64, a: wp.float64) -> wp.float64:
-    """The slope above which the view sees the share `rest`.
+    """Return the slope along the view, in units of alpha, above which the fraction `rest` of the visible area lies.
 
-    Two steps from the greatest of three slopes, each near the answer elsewhere: that of a normal distribution, moved as the
-    weight a + s moves it, for a steep view; that of Rayleigh's, for a flat one; and a root's series where the lowest visible
-    slopes begin. It is off by a third of a + s at most, and after the steps by 1e-8 of it. Roots and logarithms are precise
-    enough in float32, and no branch is taken, so that loops vectorise.
+    Two Householder steps refine the largest of three approximations: the quantile of a normal distribution, shifted for the
+    weight a + s (views from above); the quantile of a Rayleigh distribution (grazing views); and a square-root series (the
+    lowest visible slopes). The approximation is wrong by at most a third of a + s, the result by 1e-8 of a + s. Float32 is
+    precise enough for roots and logarithms. There are no branches, so that loops vectorise.
     """
     lowest = wp.min(a, _STEEPEST)
     all = visible_share_above(-lowest, a)
@@ -73,12 +74,12 @@ def slope_along_view(rest: wp.float64, a: wp.float64) -> wp.float64:
     above = a + normal
     normal += _MOVED * above / (above * above + ONE)
     x = wp.max(wp.max(normal, rayleigh), rise / (ONE + _BENT * lowest * rise) - lowest)
-    return _closer(_closer(x, rest * all, a), rest * all, a)
+    return _refine_slope(_refine_slope(x, rest * all, a), rest * all, a)
 
 
 @wp.func_grad(slope_along_view)
 def _adj_slope_along_view(rest: wp.float64, a: wp.float64, adj_ret: wp.float64):
-    # Of share above x = rest * share above the lowest slope, which does not depend on the way there.
+    # Derivative of the equation visible_share_above(x, a) = rest * visible_share_above(low, a), not of the iteration.
     x = slope_along_view(rest, a)
     low = -wp.min(a, _STEEPEST)
     per_share = adj_ret * _ROOT_PI * wp.exp(x * x) / wp.max(a + x, _TINY)
@@ -88,9 +89,12 @@ def _adj_slope_along_view(rest: wp.float64, a: wp.float64, adj_ret: wp.float64):
 
 @wp.func
 def gaussian_slope(v: wp.float32) -> wp.float64:
-    """The slope below which lies the share v (at its cell's middle) of e^(-s^2) / sqrt(pi), as seen from above."""
+    """Return the quantile of the density e^(-s^2) / sqrt(pi) at the probability v + 2^-25.
+
+    v is a multiple of 2^-24, and v + 2^-25 the middle of the cell that v represents.
+    """
     rest = ONE - wp.float64(v) - _HALF_CELL
-    return _closer(wp.float64(erfc_inverse_roughly(TWO * rest)), rest * _FROM_ABOVE, _FROM_ABOVE)
+    return _refine_slope(wp.float64(erfc_inverse_roughly(TWO * rest)), rest * _FROM_ABOVE, _FROM_ABOVE)
 
 
 @wp.func_grad(gaussian_slope)
@@ -101,7 +105,10 @@ def _adj_gaussian_slope(v: wp.float32, adj_ret: wp.float64):
 
 @wp.func
 def square_to_visible_beckmann(u: wp.vec2, alpha: wp.float32, view: wp.vec3) -> wp.vec3:
-    """Slopes along and across the view, scaled back by alpha."""
+    """Map a point of the unit square to a Beckmann normal about +z that is visible from the direction `view`.
+
+    u[0] gives the slope along the view, u[1] the slope across the view, both in units of alpha.
+    """
     v = slope_view(alpha, view)
     along = slope_along_view(ONE - wp.float64(u[0]) - _HALF_CELL, v[0]) * wp.float64(alpha)
     aside = gaussian_slope(u[1]) * wp.float64(alpha)
@@ -115,9 +122,10 @@ def square_to_visible_beckmann(u: wp.vec2, alpha: wp.float32, view: wp.vec3) -> 
 
 @wp.func
 def square_to_visible_beckmann_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> wp.float32:
-    """(v.m) D(m) / area per steradian where v.m > 0 and m above the surface, else 0; the horizon as for GGX.
+    """Return the density of the visible Beckmann normal m = w, per steradian; 0 where m faces away or is below the surface.
 
-    The visible area is that of slopes above -a, times alpha sin v.
+    The density is (v.m) D(m) / area for the view v. The visible area is that of slopes above -a, times alpha sin v. The
+    horizon of the view, v.m = 0, is blurred as in `square_to_visible_ggx_pdf`.
     """
     v = slope_view(alpha, view)
     x = wp.float64(w[0])
@@ -134,7 +142,10 @@ def square_to_visible_beckmann_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3)
 
 @wp.func
 def visible_beckmann_to_square(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> wp.vec2:
-    """The shares of slopes below, along and across the view."""
+    """Return the point u of the unit square that `square_to_visible_beckmann` maps to the direction w.
+
+    u[0] is the fraction of the visible area with smaller slopes along the view, u[1] of the slopes across the view.
+    """
     v = slope_view(alpha, view)
     per_z = ONE / (wp.float64(alpha) * wp.max(wp.float64(w[2]), _TINY))
     along = (wp.float64(w[0]) * v[2] + wp.float64(w[1]) * v[3]) * per_z
@@ -147,18 +158,20 @@ def visible_beckmann_to_square(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> 
 
 
 class VisibleBeckmann(VisibleNormals):
-    """Beckmann normals visible from a direction: D(m) max(0, v·m) / σ(v) per steradian, σ the area that the view sees.
+    """Distribution of Beckmann normals m visible from a direction v, with density D(m) max(0, v·m) / σ(v) per steradian.
+
+    σ(v) is the projected area of the visible surface.
 
     Attributes:
         alpha: roughness, from 1e-6 to 1.
-        view: direction to the viewer in the local frame, at or above the surface, of any length; kept as a unit vector.
+        view: direction v to the viewer in the local frame, at or above the surface, of any length; stored as a unit vector.
     """
 
     name = "visible_beckmann"
     density = "D(m)max(0,v·m)/σ(v), σ=(v_z(1+erf a)+α sinθᵥ e^(−a²)/√π)/2, a=cotθᵥ/α"
     source = "HeitzDEon2014, section 5; Walter2007, equation 25"
-    limits = "the horizon of the view is blurred by rounding"
-    # From above, from the side, from the horizon.
+    limits = "the density is blurred by rounding at the horizon of the view, v·m = 0"
+    # Views from above, from the side and from the horizon.
     case_values: ClassVar[Cases] = (
         (0.5, (0.0, 0.0, 1.0)),
         (0.3, (0.6, -0.64, 0.48)),

@@ -1,4 +1,4 @@
-"""GGX normals as a viewer sees them: weighted by the area that each shows to the view."""
+"""Distribution of visible GGX normals: each microfacet is weighted by the area that it shows to the viewer."""
 
 from dataclasses import dataclass
 from typing import Any, ClassVar
@@ -16,9 +16,10 @@ _TINY = wp.constant(wp.float32(1e-30))
 
 @wp.func
 def stretched_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4:
-    """(sine, cosine of the angle to +z; cosine, sine of the azimuth) of the view, the surface stretched to a sphere.
+    """Return (sin v, cos v, cos phi, sin phi) of the view direction after x and y are multiplied by alpha.
 
-    A view along +z has no azimuth; by the view's x and y the gradient there is 0.
+    The scaling turns the ellipsoid of the normals into a sphere; v is the angle to +z and phi the azimuth of the scaled
+    view. A view along +z has no azimuth; the gradient with respect to the view's x and y is 0 there.
     """
     across = root(fma(view[0], view[0], view[1] * view[1]))
     inverse = 1.0 / wp.sqrt(fma(alpha * across, alpha * across, view[2] * view[2]))
@@ -34,7 +35,10 @@ def stretched_view(alpha: wp.float32, view: wp.vec3) -> wp.vec4:
 
 @wp.func
 def blurred_facing(m: wp.vec3, view: wp.vec3) -> wp.float32:
-    """v.m, at least the rounding error of its three terms; 0 where it is below minus that. So is its gradient."""
+    """Return the cosine v.m of normal m and view v, but at least the rounding error of v.m where v.m is close to 0.
+
+    Below minus the rounding error of the three products, the value and the gradient are 0.
+    """
     x = wp.float64(m[0]) * wp.float64(view[0])
     y = wp.float64(m[1]) * wp.float64(view[1])
     z = wp.float64(m[2]) * wp.float64(view[2])
@@ -45,11 +49,12 @@ def blurred_facing(m: wp.vec3, view: wp.vec3) -> wp.float32:
 
 @wp.func
 def square_to_visible_ggx(u: wp.vec2, alpha: wp.float32, view: wp.vec3) -> wp.vec3:
-    """The cap of the sphere above -v.z, plus the view v, unstretched: Dupuy2023, listing 3.
+    """Map a point of the unit square to a GGX normal about +z that is visible from the direction `view`.
 
-    Like the sphere plus the normal, it cancels where the sum h is short. With c the cap's point,
-    h.z = (1 - u[0]) (1 + v.z) is exact, sin c - sin v = h.z (2 v.z - h.z) / (sin c + sin v), and 1 + cos phi is
-    2 cos^2(phi / 2) for phi = 2 pi u[1] from the view's azimuth; so the result is precise.
+    Dupuy2023, listing 3: a uniform point c of the spherical cap above -v.z, plus the scaled view v, gives the scaled normal
+    h. The sum would cancel where h is short. Three identities keep the result precise: h.z = (1 - u[0]) (1 + v.z) is exact,
+    sin c - sin v = h.z (2 v.z - h.z) / (sin c + sin v), and 1 + cos phi = 2 cos^2(phi / 2) for phi = 2 pi u[1], counted from
+    the azimuth of the view.
     """
     v = stretched_view(alpha, view)
     sin_v = v[0]
@@ -69,9 +74,10 @@ def square_to_visible_ggx(u: wp.vec2, alpha: wp.float32, view: wp.vec3) -> wp.ve
 
 @wp.func
 def square_to_visible_ggx_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> wp.float32:
-    """2 (v.m) D(m) / (cos v + sqrt(cos^2 v + alpha^2 sin^2 v)) per steradian where v.m > 0 and m above the surface, else 0.
+    """Return the density of the visible GGX normal m = w, per steradian; 0 where m faces away or is below the surface.
 
-    The view's horizon, v.m = 0, is blurred by the rounding error of the sum, so that no sampled direction has density 0.
+    The density is 2 (v.m) D(m) / (cos v + sqrt(cos^2 v + alpha^2 sin^2 v)) for the view v. The horizon of the view, v.m = 0,
+    is blurred by the rounding error of v.m, so that no sampled normal has density 0.
     """
     across = fma(w[0], w[0], w[1] * w[1])
     ratio = alpha / fma(alpha * w[2], alpha * w[2], across)
@@ -83,7 +89,10 @@ def square_to_visible_ggx_pdf(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> w
 
 @wp.func
 def visible_ggx_to_square(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> wp.vec2:
-    """The cap's point is the view reflected about the stretched normal."""
+    """Return the point u of the unit square that `square_to_visible_ggx` maps to the direction w.
+
+    The scaled view, reflected about the scaled normal, is the point of the cap.
+    """
     v = stretched_view(alpha, view)
     x = fma(w[0], v[2], w[1] * v[3])
     y = fma(w[1], v[2], -w[0] * v[3])
@@ -98,7 +107,7 @@ def visible_ggx_to_square(w: wp.vec3, alpha: wp.float32, view: wp.vec3) -> wp.ve
 
 @dataclass(frozen=True)
 class VisibleNormals(Distribution):
-    """Normals of a rough surface that are visible from a direction; not one distribution, but what they have in common."""
+    """Base class of the distributions of visible normals, with the parameters `alpha` and `view`."""
 
     alpha: float
     view: tuple[float, float, float] = (0.0, 0.0, 1.0)
@@ -110,27 +119,29 @@ class VisibleNormals(Distribution):
     symmetric = False
 
     def __post_init__(self) -> None:
-        """Checks the roughness and the view."""
+        """Check the roughness and the view, and normalise the view."""
         super().__post_init__()
         object.__setattr__(self, "view", as_view(self.view, "view"))
 
 
 class VisibleGGX(VisibleNormals):
-    """GGX normals visible from a direction: D(m) max(0, v·m) / σ(v) per steradian, σ the area that the view sees.
+    """Distribution of GGX normals m visible from a direction v, with density D(m) max(0, v·m) / σ(v) per steradian.
+
+    σ(v) is the projected area of the visible surface.
 
     Attributes:
         alpha: roughness, from 1e-6 to 1.
-        view: direction to the viewer in the local frame, at or above the surface, of any length; kept as a unit vector.
+        view: direction v to the viewer in the local frame, at or above the surface, of any length; stored as a unit vector.
     """
 
     name = "visible_ggx"
     density = "D(m)max(0,v·m)/σ(v), σ=(v_z+√(v_z²+α²(1−v_z²)))/2"
     source = "Heitz2014, equation 3; sampled as in Dupuy2023, section 3"
     limits = (
-        "the horizon of the view is blurred by rounding; "
-        "the error of the inverse holds off the cap's poles, for u[0] from 0.06 to 0.94"
+        "the density is blurred by rounding at the horizon of the view, v·m = 0; "
+        "the error of the inverse is measured for u[0] from 0.06 to 0.94, away from the poles of the spherical cap"
     )
-    # From above, from the side, from the horizon.
+    # Views from above, from the side and from the horizon.
     case_values: ClassVar[Cases] = (
         (1.0, (0.0, 0.0, 1.0)),
         (0.3, (0.6, -0.64, 0.48)),
@@ -141,7 +152,7 @@ class VisibleGGX(VisibleNormals):
     maps: ClassVar[Maps] = Maps(square_to_visible_ggx, square_to_visible_ggx_pdf, visible_ggx_to_square)
 
     def seam(self, u: Any) -> Any:
-        """The cap's poles. See `Distribution.seam`."""
+        """Return the mask of points u near the poles of the spherical cap. See `Distribution.seam`."""
         return abs(u[..., 0] - 0.5) > 0.44
 
 

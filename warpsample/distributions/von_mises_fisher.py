@@ -1,4 +1,4 @@
-"""The von Mises-Fisher lobe, the counterpart of a Gaussian on the sphere."""
+"""Von Mises-Fisher distribution, the counterpart of a Gaussian on the sphere."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -11,15 +11,16 @@ from warpsample.maths.angles import turns_of, versine
 from warpsample.maths.exponentials import exp_double, log1p_double
 from warpsample.maths.numerics import INV_TWO_PI_DOUBLE, ONE, TWO, clamp_uniform, root_double, sincos_turns
 
-# Above this kappa no variate of the grid reaches the lower hemisphere, and e^(2 kappa) could overflow.
+# Above this kappa no point of the unit square maps to the lower hemisphere, and e^(2 kappa) could overflow.
 _NO_BACK = wp.constant(wp.float64(20.0))
 
 
 @wp.func
 def square_to_von_mises_fisher(u: wp.vec2, kappa: wp.float32) -> wp.vec3:
-    """1 - cos theta = -log(1 - u[0] (1 - e^(-2 kappa))) / kappa, azimuth 2 pi u[1].
+    """Map a point of the unit square to a direction of the von Mises-Fisher distribution about +z.
 
-    Below the equator, for precision: 1 + cos theta = log(1 + (1 - u[0]) (e^(2 kappa) - 1)) / kappa.
+    1 - cos theta = -log(1 - u[0] (1 - e^(-2 kappa))) / kappa, azimuth 2 pi u[1]. Below the equator, for precision,
+    1 + cos theta = log(1 + (1 - u[0]) (e^(2 kappa) - 1)) / kappa.
     """
     k = wp.float64(kappa)
     x = wp.float64(u[0])
@@ -35,7 +36,10 @@ def square_to_von_mises_fisher(u: wp.vec2, kappa: wp.float32) -> wp.vec3:
 
 @wp.func
 def square_to_von_mises_fisher_pdf(w: wp.vec3, kappa: wp.float32) -> wp.float32:
-    """kappa e^(-kappa (1 - cos theta)) / (2 pi (1 - e^(-2 kappa))) per steradian."""
+    """Return the von Mises-Fisher density of a direction w, per steradian; 0 where w is NaN.
+
+    The density is kappa e^(-kappa (1 - cos theta)) / (2 pi (1 - e^(-2 kappa))), with theta the angle between w and +z.
+    """
     k = wp.float64(kappa)
     density = k * INV_TWO_PI_DOUBLE * exp_double(-k * versine(w))[1] / -exp_double(-TWO * k)[0]
     return wp.where(w[2] == w[2], wp.float32(density), 0.0)
@@ -43,7 +47,10 @@ def square_to_von_mises_fisher_pdf(w: wp.vec3, kappa: wp.float32) -> wp.float32:
 
 @wp.func
 def von_mises_fisher_to_square(w: wp.vec3, kappa: wp.float32) -> wp.vec2:
-    """(1 - e^(-kappa (1 - cos theta))) / (1 - e^(-2 kappa)), and the azimuth in turns."""
+    """Return the point u of the unit square that `square_to_von_mises_fisher` maps to the direction w.
+
+    u[0] = (1 - e^(-kappa (1 - cos theta))) / (1 - e^(-2 kappa)), u[1] the azimuth in turns.
+    """
     k = wp.float64(kappa)
     share = exp_double(-k * versine(w))[0] / exp_double(-TWO * k)[0]
     return wp.vec2(clamp_uniform(wp.float32(share)), turns_of(w[0], w[1]))
@@ -51,7 +58,7 @@ def von_mises_fisher_to_square(w: wp.vec3, kappa: wp.float32) -> wp.vec2:
 
 @dataclass(frozen=True)
 class VonMisesFisher(Distribution):
-    """The von Mises-Fisher lobe about the normal: κ exp(κ(cosθ−1)) / (2π(1−e^(−2κ))) per steradian, on the whole sphere.
+    """Von Mises-Fisher distribution about the normal: κ exp(κ(cosθ−1)) / (2π(1−e^(−2κ))) per steradian on the sphere.
 
     Attributes:
         kappa: concentration, from 1e-6 (almost uniform) to 1e12.
@@ -77,7 +84,7 @@ class VonMisesFisher(Distribution):
     maps: ClassVar[Maps] = Maps(square_to_von_mises_fisher, square_to_von_mises_fisher_pdf, von_mises_fisher_to_square)
 
     def _cdf(self, theta: np.ndarray) -> np.ndarray:
-        """The share of e^(kappa cos theta) within theta. See `Distribution.cdf`."""
+        """Return the cdf of the angle, (1 - e^(-kappa (1 - cos theta))) / (1 - e^(-2 kappa)). See `Distribution.cdf`."""
         versine = 2.0 * np.sin(0.5 * theta) ** 2
         return np.expm1(-self.kappa * versine) / np.expm1(-2.0 * self.kappa)
 

@@ -5,7 +5,7 @@ import warp as wp
 from warpsample.estimate.lobes import Lobes
 from warpsample.estimate.slots import Slots
 from warpsample.host.locks import once
-from warpsample.sequences.hashing import ONE_WORD, one_of, stream_key
+from warpsample.sequences.hashing import ONE_WORD, select_key, stream_key
 from warpsample.tracing.queries import CHUNK, set_direction
 from warpsample.tracing.sight.point import ShadingPoint
 
@@ -40,7 +40,7 @@ def spread_of(slots: Slots) -> wp.Function:
         while k < length:
             i = first + k
             second = wp.where(i >= samples, 1, 0)
-            p = sample(one_of(key, other, second), wp.uint32(i - second * samples), wp.uint32(samples))
+            p = sample(select_key(key, other, second), wp.uint32(i - second * samples), wp.uint32(samples))
             x = (p[0] + band) * band_size
             y = (p[1] + wp.float32(sector)) * sector_size
             u[k] = wp.where(x < LAST_UNIFORM, x, LAST_UNIFORM)  # where the sum is rounded up to the next stratum

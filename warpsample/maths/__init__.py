@@ -1,1 +1,1 @@
-"""Float32 building blocks that the compiler vectorises: nothing but `wp.func`s."""
+"""Mathematical `wp.func`s, mostly float32, that the compiler turns into vector instructions."""

@@ -1,19 +1,20 @@
-"""The angles of a direction: its azimuth, and functions of its angle to +z."""
+"""Angles of a direction: the azimuth, and functions of the angle to +z."""
 
 import warp as wp
 
 from warpsample.maths.numerics import INV_TWO_PI_DOUBLE, TWO, ZERO
 
-_POLE = wp.constant(wp.float32(1e-30))  # nearer to it the azimuth's gradient does not fit into float32
+_POLE = wp.constant(wp.float32(1e-30))  # closer to the pole the azimuth's gradient overflows float32
 _TINY = wp.constant(wp.float64(1e-90))
 _LARGEST_TAN_SQUARED = wp.constant(wp.float64(1e37))
 
 
 @wp.func
 def turns_of(x: wp.float32, y: wp.float32) -> wp.float32:
-    """The azimuth of (x, y) in turns, in [0, 1); 0 for the origin, where its gradient is 0 too. Worst absolute error 6e-8.
+    """Return the azimuth of (x, y) in turns, in [0, 1); worst absolute error 6e-8.
 
-    atan2 without branches: reduced to an octant, then to [0, tan(pi/8)], where the polynomial is that of Cephes' atanf.
+    At the origin the azimuth and its gradient are 0. The method is atan2 without branches: the angle is reduced
+    to an octant, then to [0, tan(pi/8)], where the polynomial of Cephes' atanf is used.
     """
     ax = wp.abs(x)
     ay = wp.abs(y)
@@ -32,7 +33,7 @@ def turns_of(x: wp.float32, y: wp.float32) -> wp.float32:
 
 @wp.func_grad(turns_of)
 def _adj_turns_of(x: wp.float32, y: wp.float32, adj_ret: wp.float32):
-    # Of the azimuth itself: the octants' polynomial has a worse derivative, and none on their borders.
+    # The derivative of the azimuth itself. The polynomial's derivative is less precise, and undefined between octants.
     dx, dy = wp.float64(x), wp.float64(y)
     turn = INV_TWO_PI_DOUBLE * wp.float64(adj_ret) / (dx * dx + dy * dy)
     if wp.max(wp.abs(x), wp.abs(y)) > _POLE:
@@ -42,7 +43,7 @@ def _adj_turns_of(x: wp.float32, y: wp.float32, adj_ret: wp.float32):
 
 @wp.func
 def sin_squared(w: wp.vec3) -> wp.float64:
-    """sin^2 of the angle between w and +z, for w of any length. Float64 keeps the precision of w."""
+    """Return sin^2 of the angle between w and +z, for w of any length, in float64 to keep the precision of w."""
     x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
     across = x * x + y * y
     return across / (across + z * z)
@@ -50,14 +51,14 @@ def sin_squared(w: wp.vec3) -> wp.float64:
 
 @wp.func
 def tan_squared(w: wp.vec3) -> wp.float64:
-    """tan^2 of the angle between w and +z, at most 1e37. 1 / z^2 - 1 would lose precision near the pole."""
+    """Return tan^2 of the angle between w and +z, at most 1e37; 1 / z^2 - 1 would lose precision near the pole."""
     x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
     return wp.min((x * x + y * y) / wp.max(z * z, _TINY), _LARGEST_TAN_SQUARED)
 
 
 @wp.func
 def versine(w: wp.vec3) -> wp.float64:
-    """1 - cos of the angle between w and +z, precise near both poles."""
+    """Return 1 - cos of the angle between w and +z, precise near both poles."""
     x, y, z = wp.float64(w[0]), wp.float64(w[1]), wp.float64(w[2])
     across = x * x + y * y
     length = wp.sqrt(across + z * z)

@@ -1,4 +1,4 @@
-"""The complementary error function and the way back, in plain arithmetic that vectorises; float64 at half the lanes."""
+"""Complementary error function and a rough inverse, in plain arithmetic that vectorises; float64 uses half the lanes."""
 
 from math import pi
 
@@ -8,7 +8,7 @@ from warpsample.maths.exponentials import exp_double, logarithm
 from warpsample.maths.numerics import ONE, TWO, ZERO, fma_double
 
 BEYOND = 6.5
-"""Further from 0 than this the error function is taken to be at its limit: there it is 4e-20 from it."""
+"""Magnitude from which the error function is taken to have reached its limit, from which it then differs by 4e-20."""
 
 _BEYOND = wp.constant(wp.float64(BEYOND))
 _MIDDLE = wp.constant(wp.float64(3.75))
@@ -26,9 +26,9 @@ _TWO_BY_PI_A = wp.constant(wp.float32(2.0 / (pi * 0.147)))
 
 @wp.func
 def erfc_double(x: wp.float64) -> wp.vec2d:
-    """(erfc(x), e^(-x^2)) of x, of which what is beyond 6.5 counts as 6.5. Worst relative error 2e-14.
+    """Return (erfc(x), e^(-x^2)) for x clamped to [-6.5, 6.5]; worst relative error 2e-14.
 
-    The variable is that of Shepherd1981, in which the first factor is almost straight.
+    The polynomial is in the variable of Shepherd1981, in which erfc(x) e^(x^2) is almost linear.
     """
     x = wp.clamp(x, -_BEYOND, _BEYOND)
     y = wp.abs(x)
@@ -51,9 +51,9 @@ def _adj_erfc_double(x: wp.float64, adj_ret: wp.vec2d):
 
 @wp.func
 def erfc_inverse_roughly(share: wp.float64) -> wp.float32:
-    """x with erfc(x) near a share of (0, 2), to 0.003 of x, for iterations to start from.
+    """Return x with erfc(x) = share, to a relative error of 0.003, for a share in (0, 2); a starting value for iterations.
 
-    Winitzki2008, equation 7, rearranged so that nothing cancels.
+    Winitzki2008, equation 7, rearranged so that no difference cancels.
     """
     tail = wp.float32(wp.min(share, TWO - share))
     depth = -logarithm(tail * (2.0 - tail))

@@ -1,7 +1,7 @@
 """Logarithm and exponential that vectorise, in float32 and, for densities, in float64.
 
-A density e^-s at the grid's last variate has s = 17: its relative error is 17 times that of s, too large in float32. The
-float64 forms are plain arithmetic too, at half the lanes.
+A density e^-s at the largest variate below 1 has s = 17. The relative error of the density is 17 times that of s, too large
+in float32. The float64 forms are plain arithmetic, too, and use half the lanes.
 """
 
 from math import factorial
@@ -20,14 +20,14 @@ _LEAST_EXPONENT = wp.constant(wp.float64(-170.0))
 
 @wp.func
 def _split(x: wp.float32):
-    """(k, mantissa) with x = 2^k mantissa and the mantissa in [sqrt(1/2), sqrt(2)), of a normal x above 0."""
+    """Split a normal x above 0 into (k, mantissa) with x = 2^k mantissa and the mantissa in [sqrt(1/2), sqrt(2))."""
     bits = wp.cast(x, wp.int32) + _ONE_BITS - _SQRT_HALF_BITS
     return wp.float32((bits >> 23) - 127), wp.cast((bits & _MANTISSA_MASK) + _SQRT_HALF_BITS, wp.float32)
 
 
 @wp.func
 def _log_of(k: wp.float32, f: wp.float32, c: wp.float32) -> wp.float32:
-    """log(2^k (1 + f)), with what f lacks in c."""
+    """Return log(2^k (1 + f)), where c corrects the rounding error of f."""
     s = f / (2.0 + f)
     z = s * s
     r = z * (0.6666666 + z * (0.40000972 + z * (0.28498787 + z * 0.24279079)))
@@ -37,17 +37,17 @@ def _log_of(k: wp.float32, f: wp.float32, c: wp.float32) -> wp.float32:
 
 @wp.func
 def logarithm(x: wp.float32) -> wp.float32:
-    """log(x) of a normal x above 0, as in `log1p`."""
+    """Return log(x) of a normal x above 0, by the polynomial of `log1p`."""
     k, mantissa = _split(x)
     return _log_of(k, mantissa - 1.0, 0.0)
 
 
 @wp.func
 def log1p(x: wp.float32) -> wp.float32:
-    """log(1 + x) for x > -1. Worst relative error 8.1e-8, also for the smallest x.
+    """Return log(1 + x) for x > -1; worst relative error 8.1e-8, also for the smallest x.
 
-    s_log1pf.c of FreeBSD's msun, with selects for its branches: 1 + x = 2^k (1 + f) with 1 + f in [sqrt(1/2), sqrt(2)),
-    and c restores what the sum 1 + x rounded away.
+    The method is s_log1pf.c of FreeBSD's msun, with selects in place of branches: 1 + x = 2^k (1 + f) with 1 + f in
+    [sqrt(1/2), sqrt(2)), and c corrects the rounding error of the sum 1 + x.
     """
     one_plus_x = 1.0 + x
     near = wp.abs(x) < 0.29
@@ -58,15 +58,16 @@ def log1p(x: wp.float32) -> wp.float32:
 
 @wp.func_grad(log1p)
 def _adj_log1p(x: wp.float32, adj_ret: wp.float32):
-    # The mantissa is read from the bits, which have no gradient.
+    # The forward function reads the mantissa from the bits, which have no gradient.
     wp.adjoint[x] += adj_ret / (1.0 + x)
 
 
 @wp.func
 def log1p_double(x: wp.float64) -> wp.float64:
-    """log(1 + x) for 1 + x in [1e-37, 1e38]. Worst relative error 2e-15 above, 1e-13 below the smallest normal float32.
+    """Return log(1 + x) for 1 + x in [1e-37, 1e38], in float64.
 
-    1 + x = 2^k (1 + f), where the exponent k is that of the sum rounded to float32; 2 atanh(f / (2 + f)) by its series.
+    1 + x = 2^k (1 + f), where k is the exponent of the sum rounded to float32; log(1 + f) = 2 atanh(f / (2 + f)) by its
+    series. Worst relative error 2e-15, and 1e-13 where abs(x) is below the smallest normal float32.
     """
     sum = ONE + x
     bits = wp.cast(wp.float32(sum), wp.int32) + _ONE_BITS - _SQRT_HALF_BITS
@@ -87,9 +88,10 @@ def _adj_log1p_double(x: wp.float64, adj_ret: wp.float64):
 
 @wp.func
 def exp_double(x: wp.float64) -> wp.vec2d:
-    """(e^x - 1, e^x) for x <= 175; below -170 it is that of -170, which is 0 in float32. Worst relative error 2e-14.
+    """Return (e^x - 1, e^x) for x <= 175 in float64; worst relative error 2e-14.
 
-    x = k ln 2 + r, e^r - 1 by its Taylor series; both results keep their digits, the first one near 0 too.
+    Below -170, x counts as -170, for which e^x is 0 in float32. x = k ln 2 + r, and e^r - 1 is a Taylor series, so that
+    e^x - 1 keeps its digits near 0.
     """
     x = wp.max(x, _LEAST_EXPONENT)
     k = wp.floor(x * _LOG2_E + HALF)

@@ -1,4 +1,4 @@
-"""An orthonormal frame about a normal, and the change between local and world coordinates. Local +z is the normal."""
+"""Orthonormal frame about a normal, and the change between local and world coordinates; local +z is the normal."""
 
 import warp as wp
 
@@ -7,10 +7,11 @@ from warpsample.maths.numerics import fma
 
 @wp.func
 def frame_about(n: wp.vec3) -> wp.mat33:
-    """Columns (tangent, bitangent, n) for a unit normal n; right-handed, orthonormal to 1.6e-7 for every direction.
+    """Return the right-handed frame with columns (tangent, bitangent, n) for a unit normal n.
 
-    Duff2017, listing 3: the sign of n.z, -0.0 included, keeps the divisor at least 1 in magnitude, where Frisvad2012 loses
-    0.3 near -z. Where n.z changes sign the frame jumps; the gradient there is that of the sign's side.
+    The frame is orthonormal to 1.6e-7 for every n. Duff2017, listing 3: the sign of n.z, -0.0 included, keeps the divisor
+    at least 1 in magnitude, while Frisvad2012 is wrong by up to 0.3 near -z. The frame jumps where n.z changes sign; the
+    gradient there is that of the side of the sign.
     """
     sign = wp.copysign(1.0, n[2])
     a = -1.0 / (sign + n[2])
@@ -25,7 +26,7 @@ def frame_about(n: wp.vec3) -> wp.mat33:
 
 @wp.func
 def to_world(frame: wp.mat33, w: wp.vec3) -> wp.vec3:
-    """A local direction in world coordinates."""
+    """Return a local direction in world coordinates."""
     return wp.vec3(
         fma(frame[0, 0], w[0], fma(frame[0, 1], w[1], frame[0, 2] * w[2])),
         fma(frame[1, 0], w[0], fma(frame[1, 1], w[1], frame[1, 2] * w[2])),
@@ -35,5 +36,5 @@ def to_world(frame: wp.mat33, w: wp.vec3) -> wp.vec3:
 
 @wp.func
 def to_local(frame: wp.mat33, w: wp.vec3) -> wp.vec3:
-    """A world direction in the frame's coordinates."""
+    """Return a world direction in the coordinates of the frame."""
     return to_world(wp.transpose(frame), w)

@@ -1,6 +1,6 @@
-"""One number or vector at an address: what kernels read and write without a view of a whole array.
+"""Functions that read or write one number or vector at an address, without a view of a whole array.
 
-Loops that are to vectorise open a view, `wp.array(ptr=...)`, and index that. An index is of any integer type, from 0 on.
+Loops that must vectorise open a view, `wp.array(ptr=...)`, and index that view instead. An index may have any integer type.
 """
 
 from typing import Any
@@ -9,7 +9,7 @@ import warp as wp
 
 
 def _reader(kind: Any) -> wp.Function:
-    """A function (address, i) -> the i-th number or vector of a kind."""
+    """Build the Warp function that reads the i-th number or vector of a type at an address."""
     size = wp.types.type_size_in_bytes(kind)
 
     @wp.func
@@ -20,7 +20,7 @@ def _reader(kind: Any) -> wp.Function:
 
 
 def _writer(kind: Any) -> wp.Function:
-    """A function (address, i, x) that writes the i-th number or vector of a kind."""
+    """Build the Warp function that writes the i-th number or vector of a type at an address."""
     size = wp.types.type_size_in_bytes(kind)
 
     @wp.func
@@ -48,6 +48,6 @@ set_vec4i: wp.Function = _writer(wp.vec4i)
 
 @wp.func
 def set_byte(address: wp.uint64, i: Any, x: wp.int32):
-    """Writes the i-th uint8."""
+    """Write x as the i-th uint8 at an address."""
     view = wp.array(ptr=address + wp.uint64(i), shape=(1,), dtype=wp.uint8)
     view[0] = wp.uint8(x)

@@ -1,42 +1,42 @@
-"""Sequences of points in the unit square, a file each."""
+"""Sequences of sample points in the unit square; each sequence is defined in a file of its own."""
 
 import sys
 
 from warpsample.host.registry import look_up, records_of
 from warpsample.sequences.record import Sequence
 
-_KNOWN = records_of(sys.modules[__name__])
+_RECORDS = records_of(sys.modules[__name__])
 
 
 def names() -> list[str]:
-    """Names of all sequences.
+    """Return the names of all sequences.
 
     Returns:
-        the names, sorted; what `sequence=` takes.
+        the names, sorted; each is a value for the argument `sequence`.
 
     Example:
         >>> print(ws.sequences.names())
         ['fibonacci', 'independent', 'philox', 'r2', 'sobol', 'stratified']
     """
-    return sorted(_KNOWN)
+    return sorted(_RECORDS)
 
 
 def get(name: str) -> Sequence:
-    """The record of a sequence.
+    """Return the record that describes a sequence.
 
     Args:
         name: one of `names()`.
 
     Returns:
-        its `wp.func`, what it promises and where it comes from.
+        the record, with the `wp.func` of the sequence, its properties and its source.
 
     Raises:
-        TypeError: not a string.
-        ValueError: the name is not known; the message lists those that are.
+        TypeError: the name is not a string.
+        ValueError: the name is unknown; the message lists the known names.
 
     Example:
         >>> record = ws.sequences.get("sobol")
         >>> print(record.summary, record.progressive)
         Owen-scrambled Sobol', the best for smooth integrands True
     """
-    return look_up(_KNOWN, name, "sequence")
+    return look_up(_RECORDS, name, "sequence")

@@ -1,9 +1,10 @@
-"""How a seed, a point and a stream become random words: a key once for each point, and pcg4d from there on.
+"""Hash functions that turn a seed, a point id and a stream number into random 32-bit words.
 
-All 64 bits of the seed, and the upper 32 of the point's id, pass a block of Philox, which is the same for all points of a
-call, or nearly so. The lower 32 bits of the id pass a finaliser, and all of it together pcg4d. So each bit of either
-changes about half of the bits of a key, while a point costs one hash and a sample none. What varies goes into several of
-pcg4d's words: with one alone the lowest bits of its answers are uneven, and badly where a constant word is even many times.
+A key is four random words for one surface point. One block of Philox mixes the seed with the upper 32 bits of the point's
+id; the result is the same for all, or nearly all, points of a call. A finaliser mixes the lower 32 bits of the id, and pcg4d
+mixes both results. So each bit of the seed and of the id changes about half of the bits of the key, at the cost of one hash
+for each point and none for each sample. The varying word enters several arguments of pcg4d: if only one argument varies, the
+lowest bits of the output are uneven, and badly so where a constant argument is divisible by a high power of 2.
 """
 
 from functools import lru_cache
@@ -23,25 +24,27 @@ _PHILOX_0 = wp.constant(wp.uint32(0xD2511F53))
 _PHILOX_1 = wp.constant(wp.uint32(0xCD9E8D57))
 _WEYL_0 = wp.constant(wp.uint32(0x9E3779B9))
 _WEYL_1 = wp.constant(wp.uint32(0xBB67AE85))
-_KEYS = wp.constant(wp.uint32(2))  # the fourth word of Philox's counter; directions use 0, points of a surface 1
+# Fourth word of Philox's counter: 0 in the sequence `philox`, 1 for points on surfaces, 2 for keys, so that no two overlap.
+_KEYS = wp.constant(wp.uint32(2))
 _WORD = 2**32 - 1
 ZERO_WORD: wp.uint32 = wp.constant(wp.uint32(0))
 ONE_WORD: wp.uint32 = wp.constant(wp.uint32(1))
 
 
 def seed_for(purpose: str, seed: int) -> int:
-    """A seed of 64 bits for random numbers that a call takes besides its own, such as those of a trial.
+    """Derive a 64-bit seed for additional random numbers of a call, such as the rays of a trial run.
 
-    It is a cryptographic hash of both: no seed that a user is likely to choose gives the same numbers.
+    The derived seed is a cryptographic hash of the purpose and the call's seed. No seed that a user is likely to choose
+    gives the same numbers.
     """
     return int.from_bytes(blake2b(f"{purpose} {seed}".encode(), digest_size=8).digest(), "little")
 
 
 @wp.func
 def philox4x32_10(counter: wp.vec4ui, key_0: wp.uint32, key_1: wp.uint32) -> wp.vec4ui:
-    """Four random words: a keyed bijection of the 128-bit counter.
+    """Return four random words by Philox4x32-10, a bijection of the 128-bit counter for each key.
 
-    Salmon2011, section 4.4; test vectors in Random123.
+    Salmon2011, section 4.4; the library Random123 has test vectors.
     """
     x0 = counter[0]
     x1 = counter[1]
@@ -61,10 +64,10 @@ def philox4x32_10(counter: wp.vec4ui, key_0: wp.uint32, key_1: wp.uint32) -> wp.
 
 @wp.func
 def pcg4d(x: wp.uint32, y: wp.uint32, z: wp.uint32, w: wp.uint32) -> wp.vec4ui:
-    """Four random words: a bijection of 128 bits, so different arguments never give the same four words.
+    """Return four random words by PCG4D, a bijection of 128 bits: different arguments never give the same four words.
 
-    Jarzynski2020, listing 13. What differs in high bits alone, or in one word, gives dependent words, so only mixed words
-    may come here, in two places or more.
+    Jarzynski2020, listing 13. Arguments that differ in high bits alone, or in one word alone, give dependent results.
+    Callers must mix the varying word first and pass the mixed word in at least two of the arguments.
     """
     x = x * _MULTIPLIER + _INCREMENT
     y = y * _MULTIPLIER + _INCREMENT
@@ -86,8 +89,8 @@ def pcg4d(x: wp.uint32, y: wp.uint32, z: wp.uint32, w: wp.uint32) -> wp.vec4ui:
 
 
 @wp.func
-def finalised(word: wp.uint32) -> wp.uint32:
-    """A bijection of 32 bits in which each bit changes about half of the others: the finaliser of Appleby2016."""
+def finalise(word: wp.uint32) -> wp.uint32:
+    """Mix a word with the 32-bit finaliser of Appleby2016, a bijection: each input bit changes about half of the output."""
     word = (word ^ (word >> _SHIFT)) * _MURMUR_1
     word = (word ^ (word >> _MURMUR_SHIFT)) * _MURMUR_2
     return word ^ (word >> _SHIFT)
@@ -95,13 +98,13 @@ def finalised(word: wp.uint32) -> wp.uint32:
 
 @wp.func
 def run_key(seed: wp.uint64, high: wp.uint32) -> wp.vec4ui:
-    """Four random words for all points whose ids have the same upper half: kernels compute them once."""
+    """Return four random words shared by all points whose ids have the same upper half; kernels compute the words once."""
     return philox4x32_10(wp.vec4ui(high, ZERO_WORD, ZERO_WORD, _KEYS), low_word(seed), high_word(seed))
 
 
 @lru_cache(maxsize=1024)
 def run_words(seed: int, high: int) -> tuple[int, int, int, int]:
-    """The words of `run_key`, on the host: kernels for directions would spend a tenth of their time on it."""
+    """Compute the words of `run_key` on the host, which saves kernels for directions a tenth of their time."""
     x = [high, 0, 0, 2]
     key = [seed & _WORD, seed >> 32]
     for _ in range(10):
@@ -112,40 +115,46 @@ def run_words(seed: int, high: int) -> tuple[int, int, int, int]:
 
 
 @wp.func
-def halves_swapped(word: wp.uint32) -> wp.uint32:
-    """A word turned by half of its bits."""
+def swap_halves(word: wp.uint32) -> wp.uint32:
+    """Swap the upper and lower 16 bits of a word."""
     return (word << _SHIFT) | (word >> _SHIFT)
 
 
 @wp.func
 def premixed_key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
-    """Four words for one point; the first is another one for each lower half of an id."""
-    word = finalised(low ^ run[0])
-    return wp.vec4ui(word, run[1] + halves_swapped(word), run[2] + word, run[3])
+    """Return the partly mixed key of a surface point, for sequences that hash the key again at each sample.
+
+    Word 0 differs between any two ids with the same upper half.
+    """
+    word = finalise(low ^ run[0])
+    return wp.vec4ui(word, run[1] + swap_halves(word), run[2] + word, run[3])
 
 
 @wp.func
 def mixed_key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
-    """Four random words for one point, by which a sequence scrambles or shifts its points."""
+    """Return the key of a point: four random words with which a sequence scrambles or shifts its points."""
     key = premixed_key(run, low)
     return pcg4d(key[0], key[1], key[2], key[3])
 
 
 @wp.func
 def point_key(seed: wp.uint64, point: wp.uint64) -> wp.vec4ui:
-    """The `mixed_key` of a point."""
+    """Return the `mixed_key` of a surface point, from the seed and the 64-bit id."""
     return mixed_key(run_key(seed, high_word(point)), low_word(point))
 
 
 @wp.func
 def stream_key(key: wp.vec4ui, stream: wp.uint32) -> wp.vec4ui:
-    """The key of one of a point's streams, from its `point_key`: those of different streams are independent."""
+    """Return the key of one random stream of a point, from its `point_key`; keys of different streams are independent."""
     return mixed_key(key, stream)
 
 
 @wp.func
-def one_of(first: wp.vec4ui, second: wp.vec4ui, which: wp.int32) -> wp.vec4ui:
-    """The first of two keys if `which` is 0, the second if it is 1. By masks: a select would prevent vectorisation."""
+def select_key(first: wp.vec4ui, second: wp.vec4ui, which: wp.int32) -> wp.vec4ui:
+    """Return the first key if `which` is 0, the second key if `which` is 1.
+
+    Bit masks are used because a select would prevent vectorisation.
+    """
     mask = ZERO_WORD - wp.uint32(which)
     return wp.vec4ui(
         first[0] ^ ((first[0] ^ second[0]) & mask),
@@ -156,16 +165,19 @@ def one_of(first: wp.vec4ui, second: wp.vec4ui, which: wp.int32) -> wp.vec4ui:
 
 
 @wp.func
-def two_points(words: wp.vec4ui) -> wp.vec4:
-    """Two points of the square from four random words."""
+def points_from_words(words: wp.vec4ui) -> wp.vec4:
+    """Convert four random words to two points (x0, y0, x1, y1) of the unit square."""
     return wp.vec4(
         uniform_from_bits(words[0]), uniform_from_bits(words[1]), uniform_from_bits(words[2]), uniform_from_bits(words[3])
     )
 
 
 @wp.func
-def point_of_two(words: wp.vec4ui, sample: wp.uint32) -> wp.vec2:
-    """The first of `two_points` for an even sample, else the second. By masks: a select would prevent vectorisation."""
+def point_from_words(words: wp.vec4ui, sample: wp.uint32) -> wp.vec2:
+    """Convert two of four random words to a point of the unit square: words 0 and 1 for an even sample, else 2 and 3.
+
+    Masks are used because a select would prevent vectorisation.
+    """
     odd = ZERO_WORD - (sample & ONE_WORD)
     return wp.vec2(
         uniform_from_bits(words[0] ^ ((words[0] ^ words[2]) & odd)),

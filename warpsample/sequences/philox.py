@@ -1,47 +1,53 @@
-"""Independent uniform points from Philox4x32-10: slower than pcg4d, with published test vectors and no shared streams."""
+"""Independent uniform points from Philox4x32-10, a slower generator than PCG4D, with published test vectors."""
 
 import warp as wp
 
 from warpsample.maths.numerics import high_word, low_word
-from warpsample.sequences.hashing import ONE_WORD, ZERO_WORD, philox4x32_10, point_of_two, two_points
+from warpsample.sequences.hashing import ONE_WORD, ZERO_WORD, philox4x32_10, point_from_words, points_from_words
 from warpsample.sequences.record import Sequence
 
 
 @wp.func
 def _run(seed: wp.uint64, high: wp.uint32) -> wp.vec4ui:
-    """The words as they are: Philox mixes all bits of its counter and its key."""
+    """Return the words of seed and id without mixing, since Philox itself mixes all bits of its counter and its key."""
     return wp.vec4ui(ZERO_WORD, high, low_word(seed), high_word(seed))
 
 
 def _run_words(seed: int, high: int) -> tuple[int, int, int, int]:
+    """Return the words of `_run` on the host."""
     return 0, high, seed % 2**32, seed >> 32
 
 
 @wp.func
 def _key(run: wp.vec4ui, low: wp.uint32) -> wp.vec4ui:
+    """Return the key of a point: the two halves of the point's id, then the two halves of the seed."""
     return wp.vec4ui(low, run[1], run[2], run[3])
 
 
 @wp.func
 def _words(key: wp.vec4ui, half: wp.uint32) -> wp.vec4ui:
+    """Return the four random words that hold samples 2 * half and 2 * half + 1."""
     return philox4x32_10(wp.vec4ui(half, key[0], key[1], ZERO_WORD), key[2], key[3])
 
 
 @wp.func
 def philox_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """Two of the four words of counter (sample / 2, point, 0) under the seed as key."""
-    return point_of_two(_words(key, sample >> ONE_WORD), sample)
+    """Return an independent point of the unit square: two of Philox's four words for the counter (sample / 2, id, 0)."""
+    return point_from_words(_words(key, sample >> ONE_WORD), sample)
 
 
 @wp.func
 def philox_pair(key: wp.vec4ui, half: wp.uint32, count: wp.uint32) -> wp.vec4:
-    """The points of samples 2 half and 2 half + 1, at the cost of one."""
-    return two_points(_words(key, half))
+    """Return the points (x0, y0, x1, y1) of samples 2 * half and 2 * half + 1, at the cost of one block of Philox."""
+    return points_from_words(_words(key, half))
 
 
 @wp.func
 def philox(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """An independent point of the square; different arguments never share random words."""
+    """Return an independent uniform point of the unit square, from Philox4x32-10.
+
+    Different points and samples under one seed never share random words.
+    """
     return philox_sample(_key(_run(seed, high_word(point)), low_word(point)), sample, count)
 
 

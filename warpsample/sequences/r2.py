@@ -1,4 +1,4 @@
-"""The R2 sequence: a rotation by the plastic number's powers, shifted at random at every surface point."""
+"""R2 sequence: multiples of powers of the plastic number modulo 1, with a random shift at every surface point."""
 
 import warp as wp
 
@@ -6,20 +6,23 @@ from warpsample.maths.numerics import uniform_from_bits, weyl
 from warpsample.sequences.hashing import point_key
 from warpsample.sequences.record import Sequence
 
-# 2^64 / g and 2^64 / g^2 for the root g of g^3 = g + 1, rounded to odd.
+# 2^64 / g and 2^64 / g^2, rounded to odd integers, for the plastic number g, the real root of g^3 = g + 1.
 _STEP_X = wp.constant(wp.uint64(0xC13FA9A902A6328F))
 _STEP_Y = wp.constant(wp.uint64(0x91E10DA5C79E7B1D))
 
 
 @wp.func
 def r2_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """(sample / g, sample / g^2) mod 1, shifted by this point's own random vector. Exact for any sample."""
+    """Return the point (sample / g, sample / g^2) + shift modulo 1, with the plastic number g and a shift from the key.
+
+    The result is exact for any sample.
+    """
     return wp.vec2(uniform_from_bits(weyl(sample, _STEP_X) + key[0]), uniform_from_bits(weyl(sample, _STEP_Y) + key[1]))
 
 
 @wp.func
 def r2(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """The sample-th point of the sequence, shifted at random at each surface point."""
+    """Return point number `sample` of the R2 sequence in the unit square, with a random shift at each surface point."""
     return r2_sample(point_key(seed, point), sample, count)
 
 

@@ -1,4 +1,4 @@
-"""The record of a sequence."""
+"""Record that describes one sequence: its functions for kernels and its statistical properties."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,39 +9,43 @@ import warp as wp
 from warpsample.sequences.hashing import mixed_key, run_key, run_words
 
 STREAMS = 4
-"""The number of the definition of all random streams: it grows when the same seed gives other numbers."""
+"""Version number of all random streams; a release in which a seed gives different numbers increases it."""
 
 
 @dataclass(frozen=True, eq=False)
 class Sequence:
-    """Points of the unit square, as a pure function of seed, surface point and sample.
+    """Sequence of sample points in the unit square, a pure function of seed, surface point and sample number.
+
+    A key is four random words for one surface point. Means over the samples of one key are unbiased, and means of different
+    keys are independent. Sequences differ in the evenness with which the samples of one key cover the square.
 
     Attributes:
-        name: the name that users give.
-        sample: `wp.func` (key: vec4ui, sample: uint32, count: uint32) -> vec2 on the 2^-24 grid of [0, 1): the sample-th of
-            count points under that key, most often that of the surface point with a global id. Averages over the count
-            points are unbiased, and independent between keys; the sequences differ in how evenly the points under one key
-            cover the square.
-        run: `wp.func` (seed: uint64, high: uint32) -> vec4ui, what the keys of all surface points have in common whose ids
-            have that upper half.
-        run_words: the same four words on the host, a function (seed, high).
-        key: `wp.func` (run: vec4ui, low: uint32) -> vec4ui, the key of a surface point, from the lower half of its id.
-            Streams of a point have a `stream_key`.
-        pair: `wp.func` (key, half: uint32, count) -> vec4, the points of samples 2 half and 2 half + 1, if one evaluation
-            gives both.
-        rate: the RMSE of n samples of a step function, such as visibility, falls about as n to the power of -rate.
-        edge: if an edge crosses the square, the numbers of samples on one side of it, in two sets of n, differ with a
-            variance of about half of n to the power of `edge`, for n from 4 to 64. Independent samples have 1.
-        unseen: the variance, in samples squared, that is to be added where few samples are on one side of an edge, so that
-            intervals hold what is expected there. Independent samples take 1.55, by the bounds of Clopper1934.
+        name: value for the argument `sequence`.
+        sample: `wp.func` (key: vec4ui, sample: uint32, count: uint32) -> vec2 that returns point number `sample` of `count`
+            points, with coordinates that are multiples of 2^-24 in [0, 1).
+        run: `wp.func` (seed: uint64, high: uint32) -> vec4ui, random words shared by the keys of all surface points whose
+            ids have the upper half `high`.
+        run_words: function (seed, high) that computes the words of `run` on the host.
+        key: `wp.func` (run: vec4ui, low: uint32) -> vec4ui, the key of the surface point whose id has the lower half `low`.
+            `hashing.stream_key` derives keys of further streams of a point.
+        pair: `wp.func` (key, half: uint32, count) -> vec4, the points of samples 2 * half and 2 * half + 1; None if
+            computing both at once saves nothing.
+        rate: rate of convergence: for a step function such as visibility, the root mean square error of n samples is about
+            proportional to n^-rate.
+        edge: exponent of the variance at an edge. Where an edge crosses the square, the numbers of samples on one side of
+            the edge, in two sets of n samples, differ with a variance of about n^edge / 2, for n from 4 to 64. Independent
+            samples have 1.
+        unseen: variance, in samples squared, to add where few samples lie on one side of an edge, so that confidence
+            intervals keep their nominal coverage. Independent samples need 1.55, by the bounds of Clopper1934.
         progressive: whether the first m points are the same for every count.
-        nets: whether sets of a power of two are so much more even than others that no other count should be chosen.
-        wraps: whether its points go round the square, so that one that leaves at an end comes in at the other: lattices.
-        random: whether the points of one surface point are independent of each other, too.
-        cells_off: by how many cells of 2^-24 the integer twin may differ, because a quotient of float64s is rounded.
-        colour: of its curves, as "#rrggbb".
-        marker: of its points in matplotlib.
-        summary: one line for tables.
+        nets: whether a power of two samples covers the square so much more evenly that callers should use no other count.
+        wraps: whether the points are even on the torus, with opposite sides of the square joined, as lattices are.
+        random: whether the samples of one surface point are independent of each other.
+        cells_off: largest difference to the proof's implementation in exact integers, in steps of 2^-24; not 0 where a
+            float64 quotient is rounded.
+        colour: colour of the sequence's curves, as "#rrggbb".
+        marker: matplotlib marker of the sequence's points.
+        summary: description of one line, for tables.
         source: keys of SOURCES.md.
     """
 
@@ -65,5 +69,5 @@ class Sequence:
     cells_off: int = 0
 
     def edge_variance(self, count: int) -> float:
-        """Variance of the difference described under `edge`, for sets of `count` samples."""
+        """Return the variance n^edge / 2 that the attribute `edge` describes, for sets of n = `count` samples."""
         return 0.5 * float(np.float_power(count, self.edge))

@@ -1,4 +1,4 @@
-"""Owen-scrambled Sobol' points: a (0, m, 2)-net at every power of two, randomised independently at every surface point."""
+"""Owen-scrambled Sobol' sequence: a (0, m, 2)-net at every power of two, with a new scramble at every surface point."""
 
 import warp as wp
 
@@ -13,9 +13,9 @@ _HASH_3 = wp.constant(wp.uint32(0x53A22864))
 
 @wp.func
 def laine_karras(x: wp.uint32, key: wp.uint32) -> wp.uint32:
-    """Owen's nested uniform scramble of bit-reversed x: each bit is flipped by a hash of the bits below it.
+    """Scramble bit-reversed x by Owen's nested uniform scrambling: a hash of all lower bits decides whether a bit flips.
 
-    Vegdahl2021, which improves the hash of Laine2011.
+    The hash is that of Vegdahl2021, which improves on Laine2011.
     """
     x = x ^ (x * _HASH_1)
     x = x + key
@@ -26,7 +26,10 @@ def laine_karras(x: wp.uint32, key: wp.uint32) -> wp.uint32:
 
 @wp.func
 def sobol_second(index: wp.uint32) -> wp.uint32:
-    """The second Sobol' coordinate of index, bit-reversed: times Pascal's triangle mod 2, in five steps."""
+    """Return the bit-reversed second Sobol' coordinate of an index.
+
+    The bits are multiplied by Pascal's triangle modulo 2, in five steps.
+    """
     x = index
     x = x ^ ((x >> wp.uint32(1)) & EVEN_BITS)
     x = x ^ ((x >> wp.uint32(2)) & EVEN_PAIRS)
@@ -36,7 +39,8 @@ def sobol_second(index: wp.uint32) -> wp.uint32:
 
 
 @wp.func
-def _scrambled(index: wp.uint32, second: wp.uint32, key: wp.vec4ui) -> wp.vec2:
+def _scramble(index: wp.uint32, second: wp.uint32, key: wp.vec4ui) -> wp.vec2:
+    """Scramble both bit-reversed coordinates with the key and return the point of the unit square."""
     x = laine_karras(index, key[1])
     y = laine_karras(second, key[2])
     return wp.vec2(uniform_from_bits(reverse_bits(x)), uniform_from_bits(reverse_bits(y)))
@@ -44,32 +48,32 @@ def _scrambled(index: wp.uint32, second: wp.uint32, key: wp.vec4ui) -> wp.vec2:
 
 @wp.func
 def sobol_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """The sample-th point of the Sobol' sequence at this surface point, shuffled and scrambled by its own keys.
+    """Return point number `sample` of the Sobol' sequence, shuffled and scrambled with the key of the surface point.
 
-    The first coordinate is the index with its bits reversed, which is what the scramble takes. As the index is shuffled,
-    two calls with different seeds can be paired sample by sample.
+    The index itself is the bit-reversed first coordinate, the input that the scramble needs. The shuffle makes samples of
+    equal number independent between two seeds.
     """
     index = reverse_bits(laine_karras(reverse_bits(sample), key[0]))
-    return _scrambled(index, sobol_second(index), key)
+    return _scramble(index, sobol_second(index), key)
 
 
 @wp.func
 def sobol_pair(key: wp.vec4ui, half: wp.uint32, count: wp.uint32) -> wp.vec4:
-    """The points of samples 2 half and 2 half + 1, shuffled together.
+    """Return the points (x0, y0, x1, y1) of samples 2 * half and 2 * half + 1, with one shuffle for both.
 
-    Their reversed indices differ only in the top bit, on which no other bit of the scramble depends. So the shuffled
-    indices, and the second coordinates, differ only in the last bit.
+    The two bit-reversed indices differ only in the top bit, on which no other bit of the scramble depends. So the two
+    shuffled indices differ only in the last bit, and so do the two second coordinates.
     """
     index = reverse_bits(laine_karras(reverse_bits(half + half), key[0]))
     second = sobol_second(index)
-    p = _scrambled(index, second, key)
-    q = _scrambled(index ^ ONE_WORD, second ^ ONE_WORD, key)
+    p = _scramble(index, second, key)
+    q = _scramble(index ^ ONE_WORD, second ^ ONE_WORD, key)
     return wp.vec4(p[0], p[1], q[0], q[1])
 
 
 @wp.func
 def sobol(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """The sample-th point of the sequence, shuffled and scrambled at random at each surface point."""
+    """Return point number `sample` of the Sobol' sequence, shuffled and Owen-scrambled at random at each surface point."""
     return sobol_sample(point_key(seed, point), sample, count)
 
 

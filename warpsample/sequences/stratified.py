@@ -1,4 +1,4 @@
-"""Jittered points: one in each of `count` strata of equal area, for any count."""
+"""Stratified points: one random point in each of `count` strata of equal area, for any count."""
 
 import warp as wp
 
@@ -10,10 +10,11 @@ from warpsample.sequences.record import Sequence
 
 @wp.func
 def stratified_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """An independent point of the sample-th of `count` strata of area 1/count.
+    """Return a random point in stratum number `sample` of `count` strata, each of area 1/count.
 
-    There are floor(sqrt(count)) rows of strata. If they do not divide count, the first rows hold one stratum more and are
-    higher by as much, so all strata have equal area. They are filled in order: to pair two calls, shuffle one.
+    The strata lie in floor(sqrt(count)) rows. If the number of rows does not divide count, the first rows hold one stratum
+    more and are higher in proportion, so that all strata have the same area. Samples follow the order of the strata: to pair
+    two calls sample by sample, shuffle one of the calls.
     """
     n = wp.float64(count)
     rows = wp.floor(wp.sqrt(n))
@@ -21,7 +22,7 @@ def stratified_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp
     long_rows = n - rows * short_length
     j = wp.float64(wp.int32(sample))
     is_long = j < long_rows * (short_length + wp.float64(1.0))
-    # Counted from the first long or the first short row, all rows have one length.
+    # Rows have one length when counted from the first long row, or from the first short row.
     skipped = wp.where(is_long, wp.float64(0.0), long_rows)
     length = wp.where(is_long, short_length + wp.float64(1.0), short_length)
     row = wp.floor((j - skipped + wp.float64(0.5)) / length)
@@ -35,7 +36,7 @@ def stratified_sample(key: wp.vec4ui, sample: wp.uint32, count: wp.uint32) -> wp
 
 @wp.func
 def stratified(seed: wp.uint64, point: wp.uint64, sample: wp.uint32, count: wp.uint32) -> wp.vec2:
-    """An independent point of the sample-th of `count` strata of area 1/count."""
+    """Return a random point in stratum number `sample` of `count` strata of the unit square, each of area 1/count."""
     return stratified_sample(premixed_key(run_key(seed, high_word(point)), low_word(point)), sample, count)
 
 
@@ -50,5 +51,5 @@ RECORD = Sequence(
     marker="D",
     cells_off=1,
     summary="one jittered point in each stratum of an equal-area grid",
-    source="Pharr2023, section 8.5, with rows of two lengths for any count",
+    source="Pharr2023, section 8.5; rows of two lengths allow any count",
 )

@@ -1,1 +1,1 @@
-"""Charts, histograms and quadrature that proof and pictures share."""
+"""Coordinates, histograms and quadrature, shared by the tests of samplers and the pictures."""

@@ -1,4 +1,4 @@
-"""Tests of counts in cells against the counts that a density predicts."""
+"""Chi-square tests of counts in cells against the counts that a density predicts."""
 
 from dataclasses import dataclass
 
@@ -6,15 +6,20 @@ import numpy as np
 
 from warpsample.host.making import imported
 
-_LEAST_EXPECTED = 5.0  # a smaller count is not close enough to normal for chi-square (Cochran1954)
+_LEAST_EXPECTED = 5.0  # below this a count is too far from normal for chi-square (Cochran1954)
 
 
 @dataclass(frozen=True, eq=False)
 class HistogramTest:
-    """Pearson's test of one histogram: (K,) counts that were observed, and that are expected under the density.
+    """Result of Pearson's test of one histogram of K cells.
 
-    The residuals, observed - expected, are in standard deviations of a binomial count; the p-value is the probability of at
-    least this chi-square, with so many degrees of freedom, under the density.
+    Attributes:
+        observed: (K,) observed counts.
+        expected: (K,) counts expected under the density.
+        residuals: (K,) observed - expected, in standard deviations of a binomial count.
+        chi_square: the statistic.
+        dof: degrees of freedom.
+        p_value: probability of at least this chi-square under the density.
     """
 
     observed: np.ndarray
@@ -26,15 +31,16 @@ class HistogramTest:
 
     @property
     def largest_residual(self) -> float:
-        """The largest of the residuals, whatever their sign."""
+        """Largest absolute residual."""
         return float(np.abs(self.residuals).max())
 
 
 def histogram_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest:
-    """Pearson's chi-square test of independent draws, all of which fell into the cells: (K,) counts.
+    """Test (K,) observed counts of independent draws against (K,) expected counts, by Pearson's chi-square.
 
-    An expected count below 5, or sums that differ by more than 1e-3 of a count per count, are a ValueError: then the
-    expectation is not integrated finely enough, and the test would reject a correct sampler.
+    Raises:
+        ValueError: an expected count is below 5, or the sums differ by more than 1e-3 of the total. The expectation is then
+            not integrated precisely enough, and the test would reject a correct sampler.
     """
     observed, expected = np.asarray(observed, np.float64), np.asarray(expected, np.float64)
     if not expected.min() >= _LEAST_EXPECTED:
@@ -53,7 +59,7 @@ def histogram_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest:
 
 
 def joined_test(observed: np.ndarray, expected: np.ndarray) -> HistogramTest | None:
-    """`histogram_test` with neighbouring cells joined until each expects enough; None if fewer than two remain."""
+    """Test counts after joining neighbouring cells until each expects at least 5; None if fewer than two cells remain."""
     starts, waiting = [0], 0.0
     for cell, count in enumerate(expected[:-1]):
         waiting += count

@@ -7,15 +7,24 @@ import numpy as np
 from warpsample.statistics.charts import Sampler, chart_of
 
 _COARSEST, _FINEST = 8, 256
-_TOLERANCE = 5e-5  # change of the whole between two refinements; 2^20 directions resolve 1e-3
-_LONGEST_PANEL = 4.0  # ratio of the ends of an interval for one rule: lobes span ten powers of ten
+_TOLERANCE = 5e-5  # relative change between two refinements; 2^20 directions resolve 1e-3
+_LONGEST_PANEL = 4.0  # largest ratio of the ends of one panel: lobes span ten powers of ten
 
 
 def cell_masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int = 0) -> np.ndarray:
-    """(rows, columns): the integral of pdf * a^weight over each cell of the chart.
+    """Integrate pdf * a^weight over each cell of the sampler's chart.
 
-    The edges, (rows + 1,), are ascending values of the coordinate a; columns are of equal azimuth. If it does not converge,
-    it is a ValueError; a test based on it could reject a correct sampler or pass an incorrect one.
+    Args:
+        sampler: its pdf is integrated.
+        edges: (rows + 1,) ascending values of the coordinate a.
+        columns: number of cells of equal azimuth in a row.
+        weight: exponent of a.
+
+    Returns:
+        (rows, columns) float64.
+
+    Raises:
+        ValueError: the integral does not converge; a test based on it could reject a correct sampler.
     """
     before = _masses(sampler, edges, columns, weight, _COARSEST)
     nodes = 2 * _COARSEST
@@ -29,15 +38,16 @@ def cell_masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int =
 
 
 def _masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int, nodes: int) -> np.ndarray:
+    """Integrate pdf * a^weight over each cell, by Gauss-Legendre rules of `nodes` nodes a panel."""
     chart = chart_of(sampler)
     panels, owner = _panels(edges)
     t, gauss = np.polynomial.legendre.leggauss(nodes)
-    # a = low + length sin^2(pi (t + 1) / 4): an inverse root at either end, as at an offset sphere's edge, becomes smooth.
+    # With a = low + length sin^2(pi (t + 1) / 4) an inverse root at either end is smooth, as at an offset sphere's edge.
     angle = np.pi * (t + 1.0) / 4.0
     length = np.diff(panels)[:, None]
     a = panels[:-1, None] + length * np.sin(angle) ** 2
     step = length * np.sin(2.0 * angle) * gauss * np.pi / 4.0
-    # The density is smooth in azimuth, if it depends on it at all: a few midpoints are enough.
+    # The density is smooth in azimuth, so a few midpoints are enough.
     fine = 1 if sampler.symmetric else max(1, nodes // 4)
     turns = (np.arange(columns * fine) + 0.5) / (columns * fine)
     density = sampler.pdf(chart.point(a[..., None], turns).astype(np.float32)).astype(np.float64)
@@ -47,7 +57,7 @@ def _masses(sampler: Sampler, edges: np.ndarray, columns: int, weight: int, node
 
 
 def _panels(edges: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Edges with long cells divided geometrically, and the cell of each panel."""
+    """Divide long cells geometrically; return the edges of the panels and the cell of each panel."""
     panels, owner = [edges[0]], []
     for cell, (low, high) in enumerate(pairwise(edges)):
         pieces = max(1, int(np.ceil(np.log(high / low) / np.log(_LONGEST_PANEL)))) if low > 0.0 else 1

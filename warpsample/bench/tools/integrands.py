@@ -19,7 +19,7 @@ from warpsample.bench.record import SEED
 from warpsample.directions.means import direction_means
 from warpsample.distributions.cosine_hemisphere import CosineHemisphere
 from warpsample.distributions.elementwise import FLAT_BLOCK, elementwise
-from warpsample.distributions.parameters import with_parameters
+from warpsample.distributions.parameters import bind_parameters
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import check_workers, run
 from warpsample.host.vectors import as_vectors, new_vectors
@@ -130,7 +130,7 @@ def evaluate(integrand: KnownIntegral, w: np.ndarray) -> np.ndarray:
     """Evaluate an integrand at unit directions (..., 3) in the local frame; return (...) float32."""
     source = as_vectors(w, 3, "w")
     target = new_vectors(source, source.shape, 1)
-    kernel = elementwise(with_parameters(integrand.function, wp.vec3, 0), 3, 1)
+    kernel = elementwise(bind_parameters(integrand.function, wp.vec3, 0), 3, 1)
     inputs = [source.count, FLAT_BLOCK, source.address, target.address, CosineHemisphere().kernel_parameters()]
     run(kernel, -(-source.count // FLAT_BLOCK), inputs, source.device, workers=check_workers(None), work=source.count)
     return target.owner

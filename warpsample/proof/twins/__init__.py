@@ -6,7 +6,7 @@ float32, as the kernels take them. The twins of the sequences, in exact integers
 
 import numpy as np
 
-from warpsample.distributions.own import Twin, registered
+from warpsample.distributions.own import Twin, user_distributions
 from warpsample.distributions.record import Distribution
 from warpsample.proof.twins import microfacets, shapes
 from warpsample.proof.twins.angles import frames, polar_angle, spherical
@@ -19,8 +19,8 @@ _TWINS = {**shapes.TWINS, **microfacets.TWINS}
 def check_twin(distribution: Distribution) -> Twin:
     """The functions (directions, density) of a distribution; a NotImplementedError says where to put them."""
     found = _TWINS.get(distribution.name)
-    if found is None and distribution.name in registered:
-        found = registered[distribution.name].twin
+    if found is None and distribution.name in user_distributions:
+        found = user_distributions[distribution.name].twin
     if found is None:
         raise NotImplementedError(
             f"distribution: got {distribution!r}, which has no twin to be judged by; write a second implementation in "

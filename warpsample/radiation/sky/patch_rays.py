@@ -8,7 +8,7 @@ from warpsample.maths.numerics import ONE, TWO, ZERO, greater, lesser
 from warpsample.radiation.sky.form_factors import FAINT, Patch, highest
 from warpsample.radiation.sky.spreading import LEAST, Slope, column_at, cube_root, slope_of, turned_by, weight_of
 from warpsample.sequences.fibonacci import fibonacci_sample
-from warpsample.sequences.hashing import ONE_WORD, one_of, stream_key
+from warpsample.sequences.hashing import ONE_WORD, select_key, stream_key
 from warpsample.tracing.placement import Placement
 from warpsample.tracing.queries import CHUNK, Accelerator, Glass, set_direction
 from warpsample.tracing.sight.packets import NO_RAYS, ray_set, set_size
@@ -88,7 +88,7 @@ def _spread(
     while i < length:
         j = at + i
         second = wp.where(j >= per_replicate, 1, 0)
-        u = fibonacci_sample(one_of(key, other, second), wp.uint32(j - second * per_replicate), wp.uint32(per_replicate))
+        u = fibonacci_sample(select_key(key, other, second), wp.uint32(j - second * per_replicate), wp.uint32(per_replicate))
         height = cube_root(cubes + more * u[0] + _LEAST_CUBE)
         share = wp.where(even, u[0], lesser(greater((height - slope.start) * inverse, 0.0), 1.0))
         root = slope.start + steeper * share
