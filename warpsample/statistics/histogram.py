@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 
 _LEAST_EXPECTED = 5.0  # a smaller count is not close enough to normal for chi-square (Cochran1954)
 
