@@ -65,7 +65,8 @@ def __getattr__(name: str) -> object:
     """Imports a name when it is first used: Warp takes a second, in which the command line must react to Ctrl-C."""
     if name not in __all__ and name != "__version__":
         raise AttributeError(f"module 'warpsample' has no attribute {name!r}")
-    from warpsample.host.making import imported, uninterrupted
+    from warpsample.host.interrupts import uninterrupted
+    from warpsample.host.locks import imported
 
     if name in ("distributions", "sequences"):  # also by the package's own imports, which may not wait for another thread's
         return uninterrupted(lambda: import_module(f"warpsample.{name}"))

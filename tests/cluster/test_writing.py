@@ -180,9 +180,8 @@ def test_what_a_handler_raises_while_a_store_is_made_comes_out_and_nothing_is_le
 
 
 @pytest.mark.parametrize(("home", "name"), [(holdings, "crc32"), (metadata.xr, "open_zarr"), (holdings.zarr, "open_group")])
-def test_what_a_handler_raises_while_a_store_is_read_says_nothing_of_the_store(
-    path, a_job, monkeypatch, interrupt, home, name
-):
+@pytest.mark.parametrize("interrupt", [KeyboardInterrupt], indirect=True)
+def test_an_interrupt_while_a_store_is_read_says_nothing_of_the_store(path, a_job, monkeypatch, interrupt, home, name):
     store.begin(path, a_job, False, "path")
     with writing.writing(path) as folder:
         for start in (0, 10, 20):

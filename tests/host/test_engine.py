@@ -62,9 +62,11 @@ def test_a_cuda_device_gets_tasks_enough_at_a_time(monkeypatch):
     monkeypatch.setattr(engine, "_idle", defaultdict(list))
     monkeypatch.setattr(engine, "_take", lambda *_: commands.append(0))
     for rays, least, most in ((256, 1 << 18, 1 << 22), (1 << 24, 1, 1 << 5)):
-        monkeypatch.setattr(
-            engine, "_share", lambda _, batch, *__, found=(least, most): commands.append(found[0] <= batch <= found[1])
-        )
+
+        def look(parts, _, found=(least, most)):
+            commands.append(found[0] <= parts[0].keywords["batch"] <= found[1])
+
+        monkeypatch.setattr(engine, "share", look)
         engine.run(_count, 10**6, [], device, workers=8, work=64 * rays * 10**6)
     assert commands == [0, True, 0, True]  # one command each: launches queue up
 

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from warpsample.host.making import EXTRAS, missing
+from warpsample.host.extras import EXTRAS, missing
 
 CALLS = {
     "mesh.to_polydata()": "viz",

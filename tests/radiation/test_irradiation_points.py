@@ -9,7 +9,7 @@ import trimesh
 from irradiation_cases import BEHIND, DAY, PARTS, points
 
 import warpsample as ws
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 
 pytestmark = pytest.mark.slow  # seconds each, and kernels to compile; .ci/run runs them too
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from weather_files import ATHENS, COLUMNS, header, rows, sun_altitude, write_epw
 
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 from warpsample.radiation.weather.epw import YEAR
 from warpsample.radiation.weather.weather import hours_of, read_weather
 

@@ -89,7 +89,7 @@ def test_new_coordinates_are_in_an_npz(call, tmp_path):
 
 @pytest.mark.parametrize("library", ["PIL.Image", "OpenEXR", "xatlas"])
 def test_what_is_missing_is_named_before_the_work(call, floor, tmp_path, library, monkeypatch):
-    from warpsample.host.making import imported
+    from warpsample.host.locks import imported
 
     monkeypatch.setitem(sys.modules, library, None)
     imported.cache_clear()

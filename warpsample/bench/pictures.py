@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 from warpsample import sequences
 from warpsample.bench.rows import Spread, format_field, get_columns
 from warpsample.bench.tables import format_named, group_rows
+from warpsample.host.extras import missing
 from warpsample.host.files import write_bytes
-from warpsample.host.making import missing
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

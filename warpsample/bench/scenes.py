@@ -10,7 +10,7 @@ import warp as wp
 from warpsample.bench.record import SEED
 from warpsample.directions.sample import sample_directions
 from warpsample.distributions.uniform_sphere import UniformSphere
-from warpsample.host.making import missing
+from warpsample.host.extras import missing
 from warpsample.host.registry import look_up
 from warpsample.mesh.files import load_mesh
 from warpsample.mesh.mesh import Mesh, as_mesh

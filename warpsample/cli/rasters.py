@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 from warpsample.cli.terminal import option
 from warpsample.estimate.quantities.record import ARGUMENTS
 from warpsample.host.arguments import check_choice
-from warpsample.host.making import missing
+from warpsample.host.extras import missing
 from warpsample.output.baked import BakeRun
 from warpsample.output.quantities import check_options, quantity_of
 

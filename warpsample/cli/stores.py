@@ -7,7 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from warpsample.cli.terminal import option, output_file, working
-from warpsample.host.making import missing
+from warpsample.host.extras import missing
 from warpsample.output.baked import BakeRun
 
 SUFFIX = ".zarr"

@@ -15,6 +15,7 @@ from typing import Annotated, Any, Literal
 import typer
 
 from warpsample.cli import signals
+from warpsample.cli.streams import discard_output, print_error
 from warpsample.host.files import WriteError
 
 
@@ -104,13 +105,13 @@ def _fail(error: Exception, options: dict[str, str]) -> None:
     try:
         sys.stdout.flush()
     except OSError as flaw:  # a full disk, or a closed pipe
-        signals.forget(sys.stdout)
+        discard_output(sys.stdout)
         if type(error) is OSError and error.errno == flaw.errno and error.filename is None:
             error = WriteError(f"standard output cannot be written: {flaw.strerror}")
     if isinstance(error, BrokenPipeError):
         raise SystemExit(_OF_SIGPIPE) from None
     message = re.sub(r"^\w+(?=: )", lambda name: options.get(name[0], name[0]), str(error) or type(error).__name__)
-    signals.say(f"error: {message}")
+    print_error(f"error: {message}")
     raise SystemExit(1 if isinstance(error, WriteError) else 2) from error
 
 
@@ -141,7 +142,7 @@ codecs.register_error("warpsample", _spell)
 @contextmanager
 def working(what: str) -> Iterator[None]:
     """Names on stderr, if it is a terminal, a step that takes longer than a second."""
-    timer = threading.Timer(_SILENCE, signals.say, [f"{what} ..."])
+    timer = threading.Timer(_SILENCE, print_error, [f"{what} ..."])
     timer.daemon = True
     if sys.stderr.isatty():
         timer.start()

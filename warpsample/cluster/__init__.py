@@ -6,7 +6,8 @@ Each quantity that has `in_stores` in its record has its call here.
 
 from typing import Any
 
-from warpsample.host.making import imported, missing
+from warpsample.host.extras import missing
+from warpsample.host.locks import imported
 
 __all__ = ["bake", "integrate", "sample_directions", "trace"]
 

@@ -10,7 +10,6 @@ from dask.array import Array
 from dask.sizeof import sizeof
 
 from warpsample.cluster.job import Job
-from warpsample.host.interrupts import handled, raised_by_a_handler
 
 AT_A_TIME = 1 << 12
 """Tasks of a graph: a scheduler takes 2 KB for each, and a thread finds the next one in 0.1 ms."""
@@ -39,7 +38,7 @@ def finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks:
     from distributed.comm import CommClosedError
     from distributed.scheduler import KilledWorker
 
-    left, tries, before = dict.fromkeys(chunks), _TRIES, handled()
+    left, tries = dict.fromkeys(chunks), _TRIES
     while left:
         try:
             for chunk, told in _finished(client, job, tasks, list(left)):
@@ -50,11 +49,11 @@ def finished(client: Any, job: Job, tasks: Callable[[list[int]], Array], chunks:
             _check_size([error.last_worker], job)
             raise ConnectionError(str(error).splitlines()[0]) from error
         except (CancelledError, CommClosedError, TimeoutError) as error:
-            if own := raised_by_a_handler(error, before):  # as of a deadline, which says nothing of the scheduler
-                raise own from None
-            tries -= 1
             if client.status != "running":
                 raise ConnectionError("the scheduler is gone") from error
+            if isinstance(error, TimeoutError):  # of a user's deadline: the scheduler is there
+                raise
+            tries -= 1
             if not tries:
                 raise ConnectionError(f"the scheduler forgets its tasks ({error})") from error
 

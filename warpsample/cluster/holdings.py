@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Iterable
-from functools import partial
 from math import prod
 from pathlib import Path
 from typing import Any
@@ -10,8 +9,6 @@ from zlib import crc32
 
 import numpy as np
 import zarr
-
-from warpsample.host.interrupts import uninterrupted
 
 RECORDS = ".run"
 """The folder of a store that is no array: of each chunk the checksums of its files, with its index."""
@@ -42,19 +39,14 @@ def record_of(chunk: int) -> str:
 
 
 def _opened(path: Path, argument: str) -> Any:
-    def read() -> Any:
-        for metadata in (path / "zarr.json", *path.glob("*/zarr.json")):
-            if metadata.exists() and not metadata.is_file():  # a pipe would wait for who writes to it
-                raise ValueError(
-                    f"{argument}: got {str(path)!r}, whose {metadata.relative_to(path)} is not an ordinary file"
-                )
-        try:
-            return zarr.open_group(path, mode="r", use_consolidated=False)
-        except Exception as error:  # a file that holds anything fails in any way
-            reason = " ".join(str(error).split())
-            raise ValueError(f"{argument}: got {str(path)!r}, whose zarr.json cannot be read: {reason}") from None
-
-    return uninterrupted(read)  # what a signal's handler raises says nothing of the file
+    for metadata in (path / "zarr.json", *path.glob("*/zarr.json")):
+        if metadata.exists() and not metadata.is_file():  # a pipe would wait for who writes to it
+            raise ValueError(f"{argument}: got {str(path)!r}, whose {metadata.relative_to(path)} is not an ordinary file")
+    try:
+        return zarr.open_group(path, mode="r", use_consolidated=False)
+    except Exception as error:  # a file that holds anything fails in any way
+        reason = " ".join(str(error).split())
+        raise ValueError(f"{argument}: got {str(path)!r}, whose zarr.json cannot be read: {reason}") from None
 
 
 def arrays_of(path: Path, names: Iterable[str], argument: str) -> dict[str, Any]:
@@ -64,7 +56,7 @@ def arrays_of(path: Path, names: Iterable[str], argument: str) -> dict[str, Any]
         ValueError: one of these is not there, or cannot be read; names it.
     """
     group = _opened(path, argument)
-    return {name: uninterrupted(partial(_array, group, name, f"{argument}: got {str(path)!r}")) for name in names}
+    return {name: _array(group, name, f"{argument}: got {str(path)!r}") for name in names}
 
 
 def _array(group: Any, name: str, got: str) -> Any:
@@ -85,7 +77,7 @@ def whole_chunks(path: Path, names: Iterable[str], argument: str = "path") -> np
     arrays = arrays_of(path, names, argument)
     first = next(iter(arrays.values()))
     chunks = range(prod(_grid_of(first)))
-    return np.array([uninterrupted(partial(_is_whole, path, arrays, i)) for i in chunks], np.bool_)
+    return np.array([_is_whole(path, arrays, i) for i in chunks], np.bool_)
 
 
 def _grid_of(array: Any) -> tuple[int, ...]:

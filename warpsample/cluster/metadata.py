@@ -2,7 +2,6 @@
 
 import json
 import warnings
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -15,8 +14,7 @@ from zarr.storage import MemoryStore
 from warpsample.cluster.arrays import dimensions, point_arrays_of
 from warpsample.cluster.holdings import RECORDS, arrays_of
 from warpsample.cluster.job import Job
-from warpsample.host.interrupts import uninterrupted
-from warpsample.host.making import making
+from warpsample.host.locks import making
 
 _FILE = "zarr.json"
 _ABSENT = {"f": float("nan"), "i": -2, "u": 255}  # what is read where no chunk is
@@ -73,7 +71,7 @@ def check_metadata(path: Path, job: Job, argument: str) -> None:
             raise ValueError(f"{got}, whose {file} {flaw}; bake it anew")
     if flaw := _flaw(_read((path / _FILE).read_bytes()), wanted[_FILE]):
         raise ValueError(f"{got}, whose {_FILE} {flaw}; bake it anew")
-    if flaw := uninterrupted(partial(_unreadable, path)):
+    if flaw := _unreadable(path):
         raise ValueError(f"{got}, whose {_FILE} cannot be read: {flaw}; bake it anew")
 
 

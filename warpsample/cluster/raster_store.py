@@ -18,7 +18,6 @@ from warpsample.cluster.holdings import arrays_of, whole_chunks
 from warpsample.cluster.metadata import contents_of
 from warpsample.cluster.store import check_same, make_store
 from warpsample.cluster.writing import put_encoded
-from warpsample.host.interrupts import uninterrupted
 from warpsample.host.space import check_space
 
 _MAP = "spatial_ref"
@@ -44,7 +43,7 @@ def begin_raster(path: Path, run: RasterRun, about: Mapping[str, Any], argument:
         whole = whole_chunks(path, run.names, argument)
     check_space(path, int(cells * (1.0 - whole.mean())) * 4 * len(run.names), f"{cells:,} cells")
     if not path.exists():
-        uninterrupted(partial(make_store, path, partial(_metadata, run, about)))
+        make_store(path, partial(_metadata, run, about))
     return whole
 
 

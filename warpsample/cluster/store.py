@@ -67,7 +67,7 @@ def begin(path: Path, job: Job, resume: bool, argument: str) -> np.ndarray:
         return whole
     _check_space(path, job, job.count)
     job.check_count()
-    uninterrupted(partial(make_store, path, partial(metadata_of, job)))
+    make_store(path, partial(metadata_of, job))
     return np.zeros(job.count, np.bool_)
 
 
@@ -106,11 +106,15 @@ def check_same(path: Path, about: dict[str, Any], argument: str) -> None:
 
 
 def make_store(path: Path, metadata: Callable[[], dict[str, bytes]]) -> None:
-    """Writes the metadata of a store, contents by their paths within it; complete or absent.
+    """Writes the metadata of a store, contents by their paths within it; complete or absent, also after an interrupt.
 
     Raises:
         WriteError: they cannot be written.
     """
+    uninterrupted(partial(_make_store, path, metadata))
+
+
+def _make_store(path: Path, metadata: Callable[[], dict[str, bytes]]) -> None:
     try:
         with TemporaryDirectory(prefix=f".{path.name}.", suffix=".part", dir=path.parent) as folder:
             part = Path(folder) / path.name  # in it: such a folder is its user's alone, which the store need not be

@@ -111,17 +111,13 @@ def put(folder: Path, start: int, chunk: int, arrays: dict[str, np.ndarray]) -> 
     Raises:
         WriteError: it cannot be written, or the call has ended.
     """
-    uninterrupted(partial(_put, folder, start, chunk, arrays))
-
-
-def _put(folder: Path, start: int, chunk: int, arrays: dict[str, np.ndarray]) -> None:
     files = {}
     for name, rows in arrays.items():
         file = file_of(name, start // chunk, rows.ndim)
         encoder, encoded = _encoder(folder, name, rows.dtype, rows.shape[1:], chunk)
         encoder[start : start + len(rows)] = rows
         files[name] = file, encoded.pop(file).to_bytes() if len(rows) else b""
-    _put_encoded(folder, start // chunk, files)
+    put_encoded(folder, start // chunk, files)
 
 
 def put_encoded(folder: Path, index: int, files: dict[str, tuple[str, bytes]]) -> None:

@@ -15,7 +15,6 @@ from warpsample.estimate.source.definitions import NUMBERS, latest, names_in, na
 from warpsample.host.arguments import told
 from warpsample.host.arrays import cpu
 from warpsample.host.device_memory import Loan, at_home
-from warpsample.host.interrupts import handlers_first
 from warpsample.host.locks import once
 from warpsample.host.neighbours import kind_told
 
@@ -157,7 +156,6 @@ def with_arrays(data: Any, take: Callable[[wp.array], wp.array]) -> Any:
     return made
 
 
-@handlers_first()
 def _returns_colour(function: wp.Function, argument: str) -> bool:
     """Whether a function gives a vec3, and not a number."""
     kind = returned(function)

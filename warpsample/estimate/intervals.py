@@ -19,7 +19,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 from warpsample.maths.numerics import ONE, TWO, ZERO
 
 _HALF_A_RAY, _IF_ALL_AGREE, _IF_ONE_DIFFERS = 0.25, 1.64**2, 3.85  # variances of what no ray has met, in rays squared

@@ -12,7 +12,7 @@ from warpsample.directions.sample import Status
 from warpsample.estimate.intervals import Interval, interval_of
 from warpsample.estimate.lobes import NONFINITE_VALUE
 from warpsample.host.arguments import check_choice, check_number
-from warpsample.host.making import missing
+from warpsample.host.extras import missing
 from warpsample.host.neighbours import kind_told
 from warpsample.host.summary import Summary
 from warpsample.host.vectors import as_directions

@@ -11,20 +11,15 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.interrupts import handled, handlers_first, raised_by_a_handler, to_its_end
-
 _LONGEST = 80  # characters of a value in a message
 _FLAGS = (bool, np.bool_)
 
 
 def told(value: Any) -> str:
     """`value` as a message shows it: short, on one line, and without an error of its own."""
-    before = handled()
     try:
         text = repr(value)
-    except Exception as error:  # whatever the value's own code raises; Python itself refuses to print ints of 5,000 digits
-        if raised_by_a_handler(error, before):
-            raise
+    except Exception:  # whatever the value's own code raises; Python itself refuses to print ints of 5,000 digits
         return f"a value of type {type(value).__name__}"
     text = " ".join(text.splitlines())
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
@@ -58,7 +53,6 @@ def check_file(value: Any, argument: str, wants: str) -> Path:
     return path
 
 
-@to_its_end
 def _flaw(path: Path) -> str:
     try:
         return "" if path.is_file() else "a folder" if path.is_dir() else "no ordinary file" if path.exists() else "missing"
@@ -70,20 +64,19 @@ def _flaw(path: Path) -> str:
 def naming_file(argument: str, path: Path, wants: str) -> Iterator[None]:
     """Wraps the reader of a file: whatever it raises on a damaged file becomes one ValueError that names the file.
 
-    ModuleNotFoundError, MemoryError, and what a signal's handler raises come as they are.
+    ModuleNotFoundError, MemoryError and TimeoutError, as of a user's deadline, come as they are.
     """
-    with handlers_first():
-        try:
-            if not path.stat().st_size:
-                raise ValueError("it is empty")
-            yield
-        except (ModuleNotFoundError, MemoryError):
-            raise
-        except Exception as error:
-            reason = (str(error).strip().splitlines() or [""])[0]
-            if not isinstance(error, ValueError) or not reason:
-                reason = f"{reason} ({type(error).__name__})".strip()
-            raise ValueError(f"{argument}: got {str(path)!r}, which cannot be read as {wants}: {reason}") from error
+    try:
+        if not path.stat().st_size:
+            raise ValueError("it is empty")
+        yield
+    except (ModuleNotFoundError, MemoryError, TimeoutError):
+        raise
+    except Exception as error:
+        reason = (str(error).strip().splitlines() or [""])[0]
+        if not isinstance(error, ValueError) or not reason:
+            reason = f"{reason} ({type(error).__name__})".strip()
+        raise ValueError(f"{argument}: got {str(path)!r}, which cannot be read as {wants}: {reason}") from error
 
 
 def check_integer(value: Any, argument: str, low: int, high: int, wants: str | None = None) -> int:

@@ -8,7 +8,6 @@ import warp as wp
 from numpy.typing import NDArray
 
 from warpsample.host.arguments import told
-from warpsample.host.interrupts import handlers_first
 from warpsample.host.kernel_cache import start
 from warpsample.host.locks import once
 from warpsample.host.neighbours import as_ndarray
@@ -33,7 +32,6 @@ def check_device(device: Any, default: wp.Device) -> wp.Device:
     return _device(device)
 
 
-@handlers_first()
 def _device(device: Any) -> wp.Device:
     known = ", ".join(str(d) for d in wp.get_devices())
     if not isinstance(device, str | wp.Device):

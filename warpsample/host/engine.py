@@ -10,9 +10,9 @@ from typing import Any
 import warp as wp
 
 from warpsample.host.arguments import check_integer
-from warpsample.host.interrupts import handled, handlers_first, raised_by_a_handler
+from warpsample.host.interrupts import uninterrupted
 from warpsample.host.kernel_cache import load
-from warpsample.host.making import imported, make
+from warpsample.host.locks import imported, make
 from warpsample.host.progress import begin
 from warpsample.host.sharing import share
 
@@ -73,30 +73,22 @@ def run(kernel: wp.Kernel, tasks: int, inputs: list[Any], device: wp.Device, *, 
     shares = workers * each if workers > 1 else 1
     most = MOST_WORK if device.is_cpu else _MOST_ON_DEVICE
     batch = min(-(-tasks // shares), max(1, most * tasks // work), MOST_TASKS)
-    with handlers_first():  # Warp makes a RuntimeError of an argument of whatever is raised as it packs it
+    starts, done = iter(range(0, tasks, batch)), begin(tasks, work)
+    stop = partial(deque, starts, maxlen=0)
+
+    def run_all() -> None:
         commands = [_take(kernel, inputs, device) for _ in range(workers)]
-    _share(commands, batch, tasks, begin(tasks, work))
-    _idle[kernel, device.alias].extend(commands)  # not after an interrupt, which may have left one half-changed
+        share([partial(_run_batches, command, starts, batch=batch, tasks=tasks, done=done) for command in commands], stop)
+        _idle[kernel, device.alias].extend(commands)  # not after an error, which may have left one half-changed
 
-
-def _share(commands: list[wp.Launch], batch: int, tasks: int, done: Callable[[int], None] | None) -> None:
-    """Runs all tasks in batches, a thread for each command."""
-    starts = iter(range(0, tasks, batch))
-    parts = [partial(_run_batches, command, starts, batch, tasks, done) for command in commands]
-    if len(parts) == 1:
-        parts[0]()
-    else:
-        share(parts, stop=partial(deque, starts, maxlen=0))
+    uninterrupted(run_all, stop)
 
 
 def _take(kernel: wp.Kernel, inputs: list[Any], device: wp.Device) -> wp.Launch:
     """A recorded launch that no other thread uses, with these inputs: 4 us where a new launch takes 60."""
-    before = handled()
     try:
         command = _idle[kernel, device.alias].pop()
-    except IndexError as error:
-        if raised_by_a_handler(error, before):
-            raise
+    except IndexError:
         load(kernel, device.alias)
         command = make(partial(_record, kernel, inputs, device))
     for index, value in enumerate(inputs):

@@ -14,6 +14,7 @@ import stat
 import zipfile
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
+from functools import partial
 from glob import escape
 from io import BufferedWriter, FileIO
 from math import prod
@@ -22,7 +23,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from warpsample.host.interrupts import handlers_first, to_its_end
+from warpsample.host.interrupts import uninterrupted
 
 try:
     import fcntl
@@ -67,7 +68,7 @@ def complete_or_absent(path: Path) -> Iterator[BinaryIO]:
     is a link, its target is replaced. Remains of killed processes that wrote the same file are removed first. What cannot be
     written is a WriteError.
     """
-    with handlers_first(), part_of(path, _target(path)) as raw:
+    with part_of(path, _target(path)) as raw:
         stream = BufferedWriter(raw, _BUFFER)
         yield stream
         to_disk(stream)
@@ -102,7 +103,7 @@ class _Archive(zipfile.ZipFile):
 @contextmanager
 def new_archive(stream: BinaryIO, compression: int = zipfile.ZIP_STORED) -> Iterator[zipfile.ZipFile]:
     """An .npz file to add arrays to, complete at the end and useless after an error."""
-    archive = to_its_end(_Archive)(stream, "w", compression)
+    archive = _Archive(stream, "w", compression)
     yield archive
     archive.close()
 
@@ -116,11 +117,11 @@ def write_arrays(stream: BinaryIO, arrays: Mapping[str, np.ndarray], compression
 
 def write_array(archive: zipfile.ZipFile, name: str, array: np.ndarray) -> None:
     """Adds an array to an open .npz file."""
-    member = to_its_end(archive.open)(f"{name}.npy", "w", force_zip64=True)
+    member = archive.open(f"{name}.npy", "w", force_zip64=True)
     try:
         np.lib.format.write_array(member, array, allow_pickle=False)
     finally:
-        to_its_end(member.close)()  # half closed, it would complain when it is forgotten
+        uninterrupted(member.close)  # half closed, it would complain when it is forgotten
 
 
 def read_array(path: Path) -> np.ndarray:
@@ -170,32 +171,34 @@ def part_of(path: Path, target: Path) -> Iterator[_Part]:
     """
     _remove_orphans(target)
     part = target.with_name(f"{_prefix(target)}{os.getpid()}.{secrets.token_hex(4)}.part")
-    raw = None
+    opened: list[_Part] = []
     try:  # starts here, because an interrupt may come as soon as the file exists
-        with _told(path):
-            while not part.exists():  # again, if another run took it for an orphan before it was locked
-                if raw is not None:
-                    raw.close()
-                raw = _Part(part, path)
-                _lock(raw)
-            if mode := _mode(target):
-                part.chmod(mode & 0o777)
-        yield raw
+        uninterrupted(partial(_open, part, path, target, opened))
+        yield opened[-1]
     finally:
-        try:
-            if raw is not None:
-                raw.close()  # the raw file, so that nothing more is written to a full disk
-        finally:
-            _remove(part)
+        uninterrupted(partial(_discard, part, opened))
 
 
-@to_its_end
-def _remove(part: Path) -> None:
-    with suppress(OSError):
-        part.unlink(missing_ok=True)
+def _open(part: Path, path: Path, target: Path, opened: list[_Part]) -> None:
+    """Make and lock the part, and put it into a list."""
+    with _told(path):
+        while not part.exists():  # again, if another run took it for an orphan before it was locked
+            opened.append(_Part(part, path))
+            _lock(opened[-1])
+        if mode := _mode(target):
+            part.chmod(mode & 0o777)
 
 
-@to_its_end
+def _discard(part: Path, opened: list[_Part]) -> None:
+    """Close the raw files, so that nothing more is written to a full disk, and remove the part."""
+    try:
+        for raw in opened:
+            raw.close()
+    finally:
+        with suppress(OSError):
+            part.unlink(missing_ok=True)
+
+
 def _remove_orphans(target: Path) -> None:
     """Removes the parts of `target` that killed processes left: those of this machine that are not locked.
 
@@ -220,7 +223,6 @@ def _remove_if_dead(orphan: Path) -> None:
         orphan.unlink()  # while it is locked, see part_of
 
 
-@to_its_end
 def _lock(file: Any) -> None:
     """Locks a file until it is closed or its process ends."""
     if fcntl is not None:
@@ -233,7 +235,6 @@ def _prefix(target: Path) -> str:
     return f".{target.name[:_LONGEST]}.{re.sub(r'[^A-Za-z0-9-]', '-', platform.node())[-_LONGEST:]}."
 
 
-@to_its_end
 def _target(path: Path) -> Path:
     """The file itself, or the target of a link."""
     return Path(os.path.realpath(path))
@@ -247,7 +248,6 @@ def _mode(target: Path) -> int:
         return 0
 
 
-@to_its_end
 def _flaw(path: Path, inputs: list[Path]) -> str:
     """Why an output cannot be written; empty if it can."""
     try:

@@ -1,19 +1,58 @@
 """Values that a process makes once: by one thread at a time, visible when complete, never half-made in a forked child."""
 
+import os
+import threading
 from collections.abc import Callable
-from functools import partial, wraps
+from functools import cache, partial, wraps
+from importlib import import_module
+from types import ModuleType
 from typing import Any, Generic, TypeVar
 
-import numpy as np
-
-from warpsample.host.making import make, making
+from warpsample.host.interrupts import uninterrupted
 
 T = TypeVar("T")
 _UNKNOWN: Any = object()
 
+making = threading.RLock()
+"""Held while a kernel is built or loaded, a launch recorded, a tree or another cache made: Warp does not allow two threads
+there. A fork waits for the lock, so that the child finds each of these either complete or not begun."""
+
+_importing = threading.RLock()  # held while parts of this package are imported, which make things: taken before `making`
+
+
+def _hold() -> None:
+    _importing.acquire()
+    making.acquire()
+
+
+def _let_go() -> None:
+    making.release()
+    _importing.release()
+
+
+import_module("logging")  # has a lock that a fork takes, too, and imports need: what is registered last is taken first
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(before=_hold, after_in_parent=_let_go, after_in_child=_let_go)
+
+
+def make(work: Callable[[], T], lock: Any = making) -> T:
+    """Call `work` while no other thread makes anything, and defer interrupts until the end: Warp expects both."""
+
+    def work_alone() -> T:
+        with lock:
+            return work()
+
+    return uninterrupted(work_alone)
+
+
+@cache
+def imported(name: str) -> ModuleType:
+    """Import a module at its first use, with interrupts deferred: NumPy and Warp cannot be imported again after one."""
+    return make(partial(import_module, name), _importing if name.startswith("warpsample.") else making)
+
 
 def once(factory: Callable[..., T]) -> Callable[..., T]:
-    """Like `functools.cache`, but two threads never make the same value; known values are found without the lock."""
+    """Decorate a function like `functools.cache`, but two threads never make the same value. A known value needs no lock."""
     known: dict[tuple[Any, ...], T] = {}
 
     @wraps(factory)
@@ -32,27 +71,27 @@ def once(factory: Callable[..., T]) -> Callable[..., T]:
 
 
 class once_property(Generic[T]):  # noqa: N801  (used as a decorator, like `functools.cached_property`)
-    """Like `functools.cached_property`, but two threads never make the same value; an array is kept read-only."""
+    """Property like `functools.cached_property`, but two threads never make the same value; an array is kept read-only."""
 
     def __init__(self, make: Callable[[Any], T]) -> None:
         self.make = make
         self.__doc__ = make.__doc__
 
     def __set_name__(self, owner: type, name: str) -> None:
-        """The name under which instances keep the value."""
+        """Keep the name under which instances keep the value."""
         self.name = name
 
     def __get__(self, instance: Any, owner: type | None = None) -> T:
-        """Makes the value; afterwards Python finds the instance's own attribute first."""
+        """Return the value, made at the first use; afterwards Python finds the instance's own attribute first."""
         if instance is None:
             return self  # type: ignore[return-value]
         with making:
             if self.name not in instance.__dict__:
                 value = self.make(instance)
-                instance.__dict__[self.name] = read_only(value) if isinstance(value, np.ndarray) else value
+                instance.__dict__[self.name] = read_only(value) if isinstance(value, imported("numpy").ndarray) else value
             return instance.__dict__[self.name]
 
 
-def read_only(array: np.ndarray) -> np.ndarray:
-    """A copy in immutable memory, which cannot be made writeable again."""
-    return np.ndarray(array.shape, array.dtype, array.tobytes())
+def read_only(array: Any) -> Any:
+    """Copy a NumPy array to immutable memory, which cannot be made writeable again."""
+    return imported("numpy").ndarray(array.shape, array.dtype, array.tobytes())

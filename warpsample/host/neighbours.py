@@ -4,6 +4,7 @@ In the CPU's memory they become NumPy's (`__array_interface__`, `__array__`, `__
 (`__dlpack__`, `__cuda_array_interface__`).
 """
 
+from contextlib import suppress
 from ctypes import addressof, c_char
 from typing import Any
 
@@ -11,7 +12,6 @@ import numpy as np
 import warp as wp
 
 from warpsample.host.arguments import told
-from warpsample.host.interrupts import handled, handlers_first, raised_by_a_handler
 from warpsample.host.kernel_cache import start
 
 _NUMPY_KNOWS = ("__array__", "__array_interface__", "__array_struct__")
@@ -23,13 +23,9 @@ def address_of(array: Any) -> int:
     """Address of the first element, on the array's device."""
     if isinstance(array, wp.array):
         return array.ptr or 0
-    before = handled()
-    try:
+    with suppress(TypeError, ValueError, BufferError):  # it is not contiguous, empty, or of a type that no buffer has
         if array.flags.writeable:
             return addressof(c_char.from_buffer(array))  # in a third of the time
-    except (TypeError, ValueError, BufferError) as error:  # it is not contiguous, empty, or of a type that no buffer has
-        if raised_by_a_handler(error, before):
-            raise
     return array.__array_interface__["data"][0]
 
 
@@ -48,7 +44,6 @@ def from_cuda(value: Any, argument: str) -> Any:
     return value if isinstance(value, _ARRAYS) else _from_cuda(value, argument)
 
 
-@handlers_first()
 def _from_cuda(value: Any, argument: str) -> Any:
     try:
         if not _on_cuda(value):
@@ -66,12 +61,9 @@ def _from_cuda(value: Any, argument: str) -> Any:
 
 
 def _on_cuda(value: Any) -> bool:
-    before = handled()
     try:
         return value.__dlpack_device__()[0] == _DLPACK_CUDA
-    except Exception as error:  # it has no such method, or is where DLPack has no number for
-        if raised_by_a_handler(error, before):
-            raise
+    except Exception:  # it has no such method, or is where DLPack has no number for
         return getattr(value, "__cuda_array_interface__", None) is not None
 
 
@@ -83,7 +75,6 @@ def as_ndarray(value: Any, argument: str, wants: str = "an array") -> np.ndarray
     return value if type(value) is np.ndarray else _to_ndarray(value, argument, wants)
 
 
-@handlers_first()
 def _to_ndarray(value: Any, argument: str, wants: str) -> np.ndarray:
     if _has_mask(value):
         raise TypeError(f"{argument}: got a masked array, want {wants} without a mask, as numpy.ma.filled gives")

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 from warpsample.mesh.mesh import Mesh
 
 _ALIKE = 1.0 - 1.5e-6  # cosine: 0.1 degrees

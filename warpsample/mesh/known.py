@@ -8,7 +8,7 @@ from weakref import WeakValueDictionary
 
 import numpy as np
 
-from warpsample.host.making import making
+from warpsample.host.locks import making
 
 _KEPT = 4  # of those that arrived, between tasks that nothing else keeps them for
 

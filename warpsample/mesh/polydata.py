@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.making import missing
+from warpsample.host.extras import missing
 
 
 def pyvista() -> Any:

@@ -17,7 +17,7 @@ from time import sleep
 from typing import BinaryIO
 
 from warpsample.host.files import WriteError, is_same, part_of, to_disk, write_bytes
-from warpsample.host.interrupts import handlers_first, to_its_end, uninterrupted
+from warpsample.host.interrupts import uninterrupted
 
 try:
     import fcntl
@@ -27,7 +27,6 @@ except ModuleNotFoundError:  # Windows
 _BEAT, _PATIENCE = 0.01, 60.0  # seconds between two tries to lock a folder, and in all; a run holds the lock for moments
 
 
-@to_its_end
 def check_data_beside(path: Path, suffix: str, argument: str) -> None:
     """Refuse a path beside which no file of data can be made.
 
@@ -67,7 +66,7 @@ def write_with_data(
     Raises:
         WriteError: the files cannot be written; the old ones are unchanged.
     """
-    with handlers_first(), part_of(path, path.with_suffix(suffix)) as raw:
+    with part_of(path, path.with_suffix(suffix)) as raw:
         stream = BufferedWriter(raw)
         write_data(stream)
         to_disk(stream)

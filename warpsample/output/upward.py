@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.estimate.quantities.record import Quantity
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 from warpsample.mesh.files.usd import read_up_axis
 
 _GLTF = (".glb", ".gltf")

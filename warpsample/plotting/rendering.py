@@ -16,7 +16,7 @@ import numpy as np
 
 from warpsample.host import files
 from warpsample.host.engine import check_memory
-from warpsample.host.making import missing
+from warpsample.host.extras import missing
 
 if TYPE_CHECKING:
     import pyvista

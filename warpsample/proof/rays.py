@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 
 from warpsample.directions.sample import sample_directions
-from warpsample.host.making import missing
+from warpsample.host.extras import missing
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.points.sampling import sample_surface
 from warpsample.proof.verify import LEVEL, Verdict

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 
 _LEAST_EXPECTED = 5.0  # below this a count is too far from normal for chi-square (Cochran1954)
 

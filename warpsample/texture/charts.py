@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 
 
 def charts_of(corners: np.ndarray) -> np.ndarray:

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.host.arguments import check_integer
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 
 _MOST_GUTTER = 1 << 20
 _BLOCK = 1 << 22  # points that are summed at a time

@@ -5,8 +5,7 @@ from itertools import product
 import numpy as np
 
 from warpsample.directions.sample import sample_directions
-from warpsample.host.locks import once_property
-from warpsample.host.making import imported
+from warpsample.host.locks import imported, once_property
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.hashing import seed_for

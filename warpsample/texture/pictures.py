@@ -8,8 +8,9 @@ from types import ModuleType
 
 import numpy as np
 
+from warpsample.host.extras import missing
 from warpsample.host.files import WriteError
-from warpsample.host.making import imported, missing
+from warpsample.host.locks import imported
 
 _WHITE = {8: (255.0, np.uint8), 16: (65535.0, np.uint16)}
 DEPTHS = tuple(_WHITE)

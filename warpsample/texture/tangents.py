@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 from warpsample.mesh.files.gltf import read_corners
 from warpsample.mesh.mesh import Mesh, unit_or_zero
 from warpsample.texture.shading import corner_normals_of

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from warpsample.host.arguments import check_integer
-from warpsample.host.making import missing
+from warpsample.host.extras import missing
 from warpsample.mesh.apart import REFUSED, answer_of
 from warpsample.mesh.mesh import Mesh, as_mesh
 

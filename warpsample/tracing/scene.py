@@ -12,8 +12,7 @@ import warp as wp
 
 from warpsample.host.arrays import as_real
 from warpsample.host.engine import check_workers
-from warpsample.host.locks import read_only
-from warpsample.host.making import make, making
+from warpsample.host.locks import make, making, read_only
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.tracing.queries import AcceleratorArgs, GlassArgs
 from warpsample.tracing.wide.boxes import WideTree, fill

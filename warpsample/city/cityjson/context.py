@@ -6,7 +6,7 @@ import numpy as np
 
 from warpsample.city.cityjson.units import Units
 from warpsample.host.arguments import told
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 from warpsample.mesh.mesh import mesh_of
 
 GROUND_PLANE = "ground"

@@ -8,8 +8,9 @@ from warnings import warn
 import numpy as np
 
 from warpsample.host.arguments import told
+from warpsample.host.extras import missing
 from warpsample.host.json_tree import Part
-from warpsample.host.making import imported, missing
+from warpsample.host.locks import imported
 
 _KEY = "referenceSystem"
 _STEEP = 500.0  # heights over the diagonal of the plan; a guyed mast alone has 300, a house in degrees 50,000

@@ -6,7 +6,7 @@
 from importlib import import_module
 from typing import Any
 
-from warpsample.host.making import missing
+from warpsample.host.extras import missing
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from typing import Any
 
 import warp as wp
 
-from warpsample.host.making import make
+from warpsample.host.locks import make
 
 NUMBERS = (float, int, wp.float16, wp.float32, wp.float64, wp.int8, wp.int16, wp.int32, wp.int64)
 NUMBERS += (wp.uint8, wp.uint16, wp.uint32, wp.uint64)

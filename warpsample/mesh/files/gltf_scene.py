@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from warpsample.host.json_tree import Part
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 from warpsample.mesh.files.skins import Skin
 
 _AFFINE = 1e-6  # of a matrix' last row (0, 0, 0, 1): some float32 roundings, nothing that a perspective would need

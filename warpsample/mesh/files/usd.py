@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from warpsample.host.making import missing
+from warpsample.host.extras import missing
 from warpsample.mesh.apart import REFUSED, answer_of
 from warpsample.mesh.joining import joined_corners, joined_parts
 from warpsample.mesh.parts import Named

@@ -13,7 +13,6 @@ import warp as wp
 
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import check_memory, run
-from warpsample.host.interrupts import to_its_end
 from warpsample.host.locks import once
 
 if TYPE_CHECKING:
@@ -82,7 +81,6 @@ def _stay(points: "SurfacePoints", distance: float, workers: int) -> np.ndarray:
     return found
 
 
-@to_its_end  # Warp turns what a handler raises here into an error of its own
 def _array(values: np.ndarray, kind: Any) -> wp.array:
     return wp.array(values, dtype=kind, device=cpu(), copy=False)
 

@@ -1,6 +1,8 @@
 """Casts the rays of faces, block by block on worker threads, and counts what they meet."""
 
+import threading
 from collections import deque
+from collections.abc import Callable
 from contextvars import Context
 from dataclasses import dataclass
 from functools import partial
@@ -10,8 +12,9 @@ import warp as wp
 
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
+from warpsample.host.interrupts import uninterrupted
 from warpsample.host.progress import begin
-from warpsample.host.sharing import InOrder, share
+from warpsample.host.sharing import share
 from warpsample.mesh.mesh import Mesh
 from warpsample.radiation.exchange.coincident import coincident_kernel
 from warpsample.radiation.exchange.face_kernel import face_kernel
@@ -26,6 +29,24 @@ from warpsample.tracing.tracers import WIDE
 
 _BLOCK = 256  # faces whose rays are kept at a time, as long as they are fewer than
 _BLOCK_RAYS = 1 << 22
+
+
+class InOrder:
+    """Blocks that threads put in any order, and that a function takes one at a time in the order of their numbers."""
+
+    def __init__(self, take: Callable[[Block], None]) -> None:
+        self._take = take
+        self._next = 0
+        self._early: dict[int, Block] = {}
+        self._taking = threading.Lock()
+
+    def put(self, number: int, block: Block) -> None:
+        """Add a block, and let the function take all blocks that are next; numbers count from 0."""
+        with self._taking:
+            self._early[number] = block
+            while self._next in self._early:
+                self._take(self._early.pop(self._next))
+                self._next += 1
 
 
 @dataclass(frozen=True)
@@ -92,7 +113,7 @@ class Casting:
         *,
         rows: np.ndarray,
         surfaces: np.ndarray | None,
-        blocks: InOrder[Block],
+        blocks: InOrder,
     ) -> None:
         """Casts and counts the rays of rows in blocks, each by one thread, so that none waits for the others."""
         size = max(1, min(_BLOCK, _BLOCK_RAYS // self.rays, -(-len(rows) // (4 * self.workers))))
@@ -105,7 +126,8 @@ class Casting:
         if size >= len(rows):
             part()
         else:  # away from the caller's context, where a block would show a bar of its own in place of that of all
-            share([partial(Context().run, part) for _ in range(self.workers)], stop=partial(deque, firsts, maxlen=0))
+            parts, stop = [partial(Context().run, part) for _ in range(self.workers)], partial(deque, firsts, maxlen=0)
+            uninterrupted(partial(share, parts, stop), stop)
 
     def _rays(self, scene: Scene) -> FaceRaysArgs:
         """The rays of a scene; it holds addresses of the scene's arrays, which live as long as the mesh."""

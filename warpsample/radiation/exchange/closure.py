@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array

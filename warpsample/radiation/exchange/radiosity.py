@@ -7,7 +7,7 @@ import numpy as np
 
 from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 
 if TYPE_CHECKING:
     from scipy.sparse import csr_array

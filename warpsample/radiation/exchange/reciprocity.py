@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 from warpsample.radiation.exchange.closure import Closure, closure_of, rows_of
 from warpsample.radiation.exchange.error_draws import ErrorDraws
 from warpsample.radiation.exchange.row_factors import RowFactors

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 from warpsample.radiation.exchange.design_effects import factors_and_variances
 from warpsample.radiation.exchange.hits_to_matrix import Counts
 from warpsample.radiation.exchange.surfaces import Surfaces

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from warpsample.directions.sample import sample_directions
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.reflection.patches import Patches
 from warpsample.tracing.trace import trace

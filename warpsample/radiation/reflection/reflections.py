@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 
 from warpsample.host.engine import check_memory
-from warpsample.host.making import imported, making
+from warpsample.host.locks import imported, making
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.radiation.exchange.radiosity import followed

@@ -20,7 +20,7 @@ from warpsample.estimate.source.definitions import naming_function
 from warpsample.estimate.weights import seen_in
 from warpsample.host.arguments import told
 from warpsample.host.arrays import as_real, as_unit
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 from warpsample.host.options import RayKeywords, with_options
 from warpsample.host.picture import read_picture
 from warpsample.mesh.surface import SurfacePoints

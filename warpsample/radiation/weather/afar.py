@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from warpsample.host.making import imported
+from warpsample.host.locks import imported
 from warpsample.radiation.reflection.lobes_seen import Targets
 from warpsample.radiation.reflection.patches import Patches
 from warpsample.radiation.reflection.reflections import Probes

@@ -5,7 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from warpsample.host.making import imported, missing
+from warpsample.host.extras import missing
+from warpsample.host.locks import imported
 from warpsample.radiation.exchange.matrix_files import read_matrix
 from warpsample.radiation.sky.patches import MULTIPLES, SkyPatches, sky_patches
 from warpsample.radiation.weather.weather import Weather

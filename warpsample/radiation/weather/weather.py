@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 
 from warpsample.host.arguments import check_file, naming_file, told
-from warpsample.host.making import imported, missing
+from warpsample.host.extras import missing
+from warpsample.host.locks import imported
 from warpsample.host.summary import Summary
 from warpsample.mesh.known import digest_of
 from warpsample.radiation.weather.epw import YEAR, checked_text, radiation
