@@ -8,8 +8,11 @@ import numpy as np
 from warpsample.estimate.plan import reach_of
 from warpsample.estimate.quantities.record import Quantity
 from warpsample.estimate.result import ExactResult, PointStatus, status_of
+from warpsample.host.options import CallOptions
 from warpsample.host.vectors import as_directions
+from warpsample.mesh.mesh import as_mesh
 from warpsample.mesh.surface import SurfacePoints
+from warpsample.tracing.placed_points import PlacedPoints
 from warpsample.tracing.trace import trace
 
 
@@ -51,7 +54,8 @@ def thickness(
         >>> print(ws.thickness(slab, ws.face_centers(slab)).value.round(3))
         [2. 2.]
     """
-    del seed, first_point  # nothing is random
+    mesh = as_mesh(mesh)
+    CallOptions.of(len(PlacedPoints.of(mesh, points)), seed=seed, first_point=first_point)  # checks them: nothing is random
     most, status = reach_of(max_distance), status_of(points)
     good = status == int(PointStatus.OK)
     inward = np.where(good[:, None], -as_directions(points.normal), (0.0, 0.0, 1.0)).astype(np.float32)
