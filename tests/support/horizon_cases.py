@@ -51,7 +51,8 @@ def hills(side=60, seed=12):
     heights = rng.normal(0.0, 0.03, (side, side))
     for wave in range(1, 14):
         angle, phase = rng.uniform(0.0, 2.0 * np.pi, 2)
-        heights += 7.0 / np.float_power(wave, 1.5) * np.sin(2.0 * np.pi * wave * (np.cos(angle) * column + np.sin(angle) * row) + phase)
+        direction = np.cos(angle) * column + np.sin(angle) * row
+        heights += 7.0 / np.float_power(wave, 1.5) * np.sin(2.0 * np.pi * wave * direction + phase)
     return heights
 
 
