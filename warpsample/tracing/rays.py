@@ -1,4 +1,4 @@
-"""The user's rays: brought into the scene's own float32 coordinates, traced, and answered in the user's coordinates."""
+"""Rays of the user: conversion to the scene's float32 coordinates, tracing, and conversion of hits to the user's units."""
 
 import warp as wp
 
@@ -38,16 +38,27 @@ from warpsample.tracing.wide.query import wide_query
 from warpsample.tracing.wide.through import share_through
 
 RAY_WORK = 64
-"""Directions that take as long to sample as a ray to trace."""
+"""Cost of tracing a ray, in sampled directions."""
 
 
 @wp.struct
 class Rays:
-    """Scalars and addresses of `count` directions (P, count, 3) from each placed point: float32, or float64 as it says.
+    """Scalars and addresses of `count` directions (P, count, 3) for each point of a placement.
 
-    A task is `per_task` consecutive rays, at most CHUNK. distance, face (P, count): float32, int32. Optional, else 0: visits
-    (P, count, 2) int32, nodes and leaves; first (P, count) int64, where in distance and face the hits of a ray start;
-    transmitted (P, count) float32, by the faces of `glass`.
+    Addresses of optional arrays are 0 where the array is missing.
+
+    Attributes:
+        placement: origins of the rays.
+        count: number of rays per point.
+        per_task: number of consecutive rays in a task, at most CHUNK.
+        double_directions: 1 for float64 directions, 0 for float32.
+        directions: address of the directions.
+        distance: address of (P, count) float32 distances.
+        face: address of (P, count) int32 faces.
+        visits: optional address of (P, count, 2) int32, numbers of nodes and leaves visited.
+        first: optional address of (P, count) int64, index in distance and face of each ray's first hit.
+        transmitted: optional address of (P, count) float32, transmittance of the faces of `glass` along each ray.
+        glass: translucent faces.
     """
 
     placement: Placement
@@ -68,7 +79,7 @@ RaysArgs = type(Rays().__ctype__())
 
 @wp.func
 def _direction(rays: Rays, ray: wp.int64) -> wp.vec3:
-    """The direction of a ray; one of float64 is brought to unit length."""
+    """Return the direction of a ray in float32; float64 directions are scaled to unit length first."""
     if rays.double_directions == 0:
         return vec3_at(rays.directions, ray)
     return wp.vec3(unit_in_double(vector_in_double(rays.directions, 1, ray), 1))
@@ -76,13 +87,13 @@ def _direction(rays: Rays, ray: wp.int64) -> wp.vec3:
 
 @wp.func
 def _read(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.uint64):
-    """A ray from o into its column."""
+    """Write a ray from the origin o to its column of a chunk."""
     d = _direction(rays, ray)
     ahead = ZERO
     if far_off(o):
         unit = unit_in_double(vector_in_double(rays.directions, rays.double_directions, ray), rays.double_directions)
         ahead = way_to_scene(o, unit)
-        o = wp.where(ahead < ZERO, o - o, o + ahead * unit)  # of a ray that misses: 0, and NaN where that is not finite
+        o = wp.where(ahead < ZERO, o - o, o + ahead * unit)  # for a ray that misses: 0, or NaN if not finite
     start = wp.vec3(o)
     if rays.placement.normals != wp.uint64(0) and ahead == ZERO:
         n = vec3_at(rays.placement.normals, point)
@@ -99,7 +110,7 @@ def _read(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.ui
 
 @wp.func
 def _normalize(chunk: wp.uint64, length: wp.int64):
-    """Unit directions; NaN as the reach of an invalid ray."""
+    """Scale the directions of a chunk to unit length, and set the reach of invalid rays to NaN."""
     rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
     while k < wp.int32(length):
@@ -116,13 +127,17 @@ def _normalize(chunk: wp.uint64, length: wp.int64):
 
 @wp.func
 def in_units(rays: Rays, column: wp.uint64, near: wp.float32) -> wp.float32:
-    """A distance along a ray in the user's units, from where the user lets it start."""
+    """Convert a distance along a ray to the user's units, measured from the user's origin of the ray."""
     return wp.float32((wp.float64(near) + wp.float64(float_at(column, AHEAD))) * rays.placement.unit)
 
 
 @once
 def hit_of(query: wp.Function) -> wp.Function:
-    """A function (rays, accelerator, column, ray, scratch) that writes what a prepared ray meets, by a tracer's query."""
+    """Build a function (rays, accelerator, column, ray, scratch) that traces a prepared ray and writes its hit.
+
+    Args:
+        query: `face_query` of a `Tracer` with any_hit applied.
+    """
 
     @wp.func
     def write_hit(rays: Rays, accelerator: Accelerator, column: wp.uint64, ray: wp.int64, scratch: wp.uint64):
@@ -145,9 +160,9 @@ def hit_of(query: wp.Function) -> wp.Function:
 
 @once
 def hit_through_glass(any_hit: bool) -> wp.Function:
-    """What `hit_of` makes for the tree of the opaque faces, which also writes what the others let through up to the hit.
+    """Build a function like `build_hit_writer` that also writes the transmittance of translucent faces up to the hit.
 
-    With any_hit it is 0 where there is a hit: what comes from anywhere behind.
+    The hits are those of the opaque faces. With any_hit the transmittance is 0 where there is a hit.
     """
     query = wide_query(any_hit)
 
@@ -176,11 +191,12 @@ def hit_through_glass(any_hit: bool) -> wp.Function:
 
 @once
 def ray_kernel(prepare: wp.Function, answer: wp.Function, size: int = CHUNK_FLOATS) -> wp.Kernel:
-    """A kernel over tasks of consecutive rays, in the placement's order; size: floats of a chunk.
+    """Build a kernel over tasks of consecutive rays, in the order of the placement.
 
     Args:
-        prepare: of a `Tracer`.
-        answer: (rays, accelerator, column, ray, scratch), as `hit_of` makes it: writes what a ray finds.
+        prepare: `prepare` of a `Tracer`.
+        answer: function (rays, accelerator, column, ray, scratch) that writes the result of a ray; see `build_hit_writer`.
+        size: number of float32 in a chunk.
     """
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
@@ -218,9 +234,10 @@ def ray_kernel(prepare: wp.Function, answer: wp.Function, size: int = CHUNK_FLOA
 
 
 def trace_rays(scene: Scene, rays: RaysArgs, *, tracer: Tracer, any_hit: bool, device: wp.Device, workers: int) -> None:
-    """Traces rays, placed in a scene and without order, in the order that suits it; counts visits if they say where.
+    """Trace rays placed in a scene and write their hits, after setting the order of the points.
 
-    With a place for what is transmitted, which only the wide tree tells, the hits are those of opaque faces.
+    It counts visits if `rays.visits` is set. If `rays.transmitted` is set, which only the wide tree supports, hits are those
+    of opaque faces.
     """
     order = order_of(scene, rays.placement, rays.count, workers) if at_home(device) else None
     rays.placement.order = 0 if order is None else order.ctypes.data
@@ -233,7 +250,7 @@ def trace_rays(scene: Scene, rays: RaysArgs, *, tracer: Tracer, any_hit: bool, d
 
 
 def launch_rays(kernel: wp.Kernel, accelerator: AcceleratorArgs, rays: RaysArgs, device: wp.Device, workers: int) -> None:
-    """Runs rays through a kernel of `ray_kernel`."""
+    """Launch a kernel built by `ray_kernel` on all rays."""
     total = rays.placement.points * rays.count
     rays.per_task = CHUNK if at_home(device) else 1  # on CUDA neighbouring threads then trace neighbouring rays
     run(kernel, -(-total // rays.per_task), [rays, accelerator], device, workers=workers, work=RAY_WORK * total)

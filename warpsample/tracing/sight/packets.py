@@ -1,8 +1,8 @@
-"""The rays of one point all together against the tree: which of them meet anything.
+"""Any-hit queries for all rays of one point together: which of the rays hit anything.
 
-They leave from one origin, so that the planes through the origin and the sides of a triangle serve all of them: a leaf is
-opened once for all rays that meet its box. What float32 does not decide is decided as for single rays: no ray gets another
-answer. A set of rays is a mask of 64 bits, one for each ray of a chunk.
+All rays of a packet leave from one origin. So the planes through the origin and the sides of a triangle are the same for
+all rays, and each leaf is opened once for all rays that hit its box. Where float32 does not decide, the test of single rays
+does: no ray gets a different answer. A set of rays is a mask of 64 bits, one for each ray of a chunk.
 """
 
 import warp as wp
@@ -23,7 +23,7 @@ from warpsample.tracing.wide.triangle import between_edges, plane_distance
 _ROW = wp.constant(wp.uint64(4 * WIDTH))
 _ALL = wp.constant(wp.int32(2**WIDTH - 1))
 _ENTRY = wp.constant(wp.uint64(16))
-"""Bytes of what waits on the stack: the address of a node, and the rays that meet its box."""
+"""Bytes of one stack entry: the address of a node, and the set of rays that hit its box."""
 
 NO_RAYS: wp.uint64 = wp.constant(wp.uint64(0))
 _ONE = wp.constant(wp.uint64(1))
@@ -31,31 +31,31 @@ _ONE = wp.constant(wp.uint64(1))
 
 @wp.func
 def first_rays(length: wp.int32) -> wp.uint64:
-    """The set of the first rays of a chunk."""
+    """Return the set of the first `length` rays of a chunk."""
     return wp.where(length > 0, (~NO_RAYS) >> wp.uint64((CHUNK - length) % CHUNK), NO_RAYS)
 
 
 @wp.func
 def set_size(rays: wp.uint64) -> wp.int32:
-    """How many rays a set has."""
+    """Return the number of rays in a set."""
     return wp.int32(wp.bit_count(rays))
 
 
 @wp.func
 def ray_set(k: wp.int32) -> wp.uint64:
-    """The set of the k-th ray."""
+    """Return the set that holds only the k-th ray."""
     return _ONE << wp.uint64(k)
 
 
 @wp.func
 def lowest_ray(rays: wp.uint64) -> wp.int32:
-    """The first ray of a set that has some."""
+    """Return the index of the first ray in a non-empty set."""
     return wp.int32(wp.bit_count((rays & (~rays + _ONE)) - _ONE))
 
 
 @wp.func
 def _meets(leaf: wp.uint64, triangles: wp.int32, column: wp.uint64, reach: wp.float32) -> wp.bool:
-    """Whether a ray meets one of these triangles, as single rays decide it."""
+    """Return whether a ray hits one of a leaf's triangles in a mask, by the test of single rays."""
     met = wp.bool(False)
     ray = ray_in(column)
     while triangles != 0 and not met:
@@ -70,7 +70,7 @@ def _meets(leaf: wp.uint64, triangles: wp.int32, column: wp.uint64, reach: wp.fl
 def _past_triangles(
     leaf: wp.uint64, triangles: wp.int32, point: ShadingPoint, alive: wp.uint64, blocks: wp.int32
 ) -> wp.uint64:
-    """The rays alive that pass these triangles of a leaf; rays in lanes."""
+    """Return the rays of `alive` that miss the triangles of a mask; vector lanes hold rays."""
     open_leaf(leaf, point.o, point.reach, point.sides)
     while triangles != 0:
         t = lowest_bit(triangles)
@@ -91,7 +91,10 @@ def _past_triangles(
 
 @wp.func
 def _past_leaf(leaf: wp.uint64, edge: wp.float32, point: ShadingPoint, rays: wp.uint64, alive: wp.uint64) -> wp.uint64:
-    """The rays alive without those of `rays` that a leaf stops; triangles in lanes. To open it does not pay for one ray."""
+    """Return `alive` without the rays of `rays` that hit a triangle of a leaf; vector lanes hold triangles.
+
+    A single ray is tested without opening the leaf, which would not pay.
+    """
     if (rays & (rays - _ONE)) == NO_RAYS:
         _reach, triangle = any_of(leaf, _ALL, ray_in(column_of(point.chunk, lowest_ray(rays))), point.reach, edge)
         return wp.where(triangle >= 0, alive & (~rays), alive)
@@ -109,7 +112,10 @@ def _past_leaf(leaf: wp.uint64, edge: wp.float32, point: ShadingPoint, rays: wp.
 
 @wp.func
 def _children_met(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.int32:
-    """Mask of the children whose boxes some of these rays meet; in `scratch`, two words for each child: which of them."""
+    """Return a mask of a node's children whose boxes some rays of a set hit.
+
+    Two words per child in `scratch` receive the set of rays that hit the child's box.
+    """
     reach = point.reach
     low = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
     high = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
@@ -138,14 +144,14 @@ def _children_met(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.i
 
 @wp.func
 def _rays_of(point: ShadingPoint, child: wp.int32) -> wp.uint64:
-    """The rays that were found at a child."""
+    """Return the set of rays that hit a child's box, as `_children_hit` stored it."""
     words = wp.array(ptr=point.scratch, shape=(2 * WIDTH,), dtype=wp.uint32)
     return (wp.uint64(words[WIDTH + child]) << wp.uint64(32)) | wp.uint64(words[child])
 
 
 @wp.func
 def _put(top: wp.uint64, node: wp.uint64, rays: wp.uint64) -> wp.uint64:
-    """The new top of the stack, with a node that some rays are to look into."""
+    """Push a node and the set of rays that hit its box onto the stack; return the new top."""
     set_address(top, 0, node)
     set_address(top, 1, rays)
     return top + _ENTRY
@@ -153,7 +159,7 @@ def _put(top: wp.uint64, node: wp.uint64, rays: wp.uint64) -> wp.uint64:
 
 @wp.func
 def _past_tree(tree: Accelerator, point: ShadingPoint, alive: wp.uint64) -> wp.uint64:
-    """The rays alive that meet nothing from the nodes on from which they start."""
+    """Return the rays of `alive` that hit nothing in the tree."""
     top = point.waiting
     for start in range(tree.starts):
         top = _put(top, tree.start + wp.uint64(start) * wp.uint64(NODE_BYTES), alive)
@@ -178,9 +184,9 @@ def _past_tree(tree: Accelerator, point: ShadingPoint, alive: wp.uint64) -> wp.u
 def blocked_together(
     tree: Accelerator, point: ShadingPoint, local: wp.int32, rays: wp.uint64, length: wp.int32
 ) -> wp.uint64:
-    """Those of a set of the first rays of a prepared chunk that meet something; `local` as for `first_hit`.
+    """Return the rays of a set that hit anything; the set holds some of the first `length` rays of a prepared chunk.
 
-    Rays of a point that is far off start here and there, with reaches of their own: they are sets of one.
+    `local` is that of `first_hit`. The rays of a distant point have separate origins and reaches, and are traced one by one.
     """
     alive = rays
     if local != 0:
