@@ -232,7 +232,7 @@ def test_the_room_opens_without_dask_and_says_what_it_needs(child_environment):
     assert done.stderr.rstrip().endswith("pip install 'warpsample[cluster]'")
 
 
-def test_ids_go_with_the_points(mesh, points):
+def test_ids_and_raised_points_go_with_the_points(mesh, points):
     """Also through chunks, and into the name of the run; a first id beside them is refused before anything runs."""
     ids = (np.arange(POINTS, dtype=np.uint64) * np.uint64(2**31))[::-1]
     owned = ws.SurfacePoints(points.position, points.normal, points.face, id=ids)
@@ -241,6 +241,10 @@ def test_ids_go_with_the_points(mesh, points):
     assert np.array_equal(assert_same(lazy, right).id, ids)
     assert lazy.attrs["id"] != cluster.ambient_occlusion(mesh, owned.take(slice(None, None, -1)), RAYS).attrs["id"]
     assert "id" not in cluster.ambient_occlusion(mesh, points, RAYS).attrs
+    raised = ws.vertex_points(mesh).take(slice(0, POINTS))
+    raised = ws.SurfacePoints(raised.position, raised.normal, raised=np.arange(POINTS) % 2 > 0)
+    right = ws.ambient_occlusion(mesh, raised, RAYS, seed=SEED)
+    assert_same(cluster.ambient_occlusion(mesh, raised, RAYS, seed=SEED, chunk=33), right)
     directions = ws.sample_directions(owned, 8, seed=SEED)
     assert_same(cluster.sample_directions(owned, 8, mesh=mesh, seed=SEED, chunk=33), directions)
     with pytest.raises(ValueError, match=r"^first_point: got 7, want 0 for points that have ids of their own, `id`$"):

@@ -168,6 +168,24 @@ def test_a_tensor_that_numpy_makes_nothing_of_is_named(make, reason):
         assert re.fullmatch(said, str(raised.value))
 
 
+def test_points_of_warps_arrays_are_numpys_and_so_are_their_numbers():
+    """Rays and normals of Warp's arrays are answered by Warp's; an array with points that are NumPy's is refused."""
+    corners = np.float32([(0, 0, 0), (2, 0, 0), (0, 2, 0)])
+    mesh, up = ws.as_mesh((corners, [(0, 1, 2)])), np.tile(np.float32([0.0, 0.0, 1.0]), (3, 1))
+    positions, normals = (wp.array(array, dtype=wp.vec3, device="cpu") for array in (corners, up))
+    points = ws.SurfacePoints(positions, normals)
+    assert type(points.position) is type(points.normal) is np.ndarray
+    for call in (ws.ambient_occlusion, ws.sky_view_factor, ws.bent_normals):
+        found = call(mesh, points, 16)
+        assert {type(getattr(found, name)) for name in ("value", "standard_error", "rays", "status")} == {np.ndarray}
+        assert np.array_equal(found.value, call(mesh, ws.SurfacePoints(corners, up), 16).value)
+    assert type(ws.sample_directions(points, 4).vectors) is np.ndarray
+    ways = ws.sample_directions(normals, 4).vectors
+    assert type(ways) is type(ws.trace(mesh, positions, ways).distance) is wp.array
+    with pytest.raises(ValueError, match="^directions: got a wp.array on cpu, want a NumPy array on cpu"):
+        ws.trace(mesh, points, ways)
+
+
 def test_half_precision_is_as_numpys_is():
     with pytest.raises(TypeError, match=r"^normals: got dtype float16, want float32 \(or float64"):
         ws.sample_directions(torch_of(NORMALS).half(), COUNT)

@@ -97,12 +97,14 @@ def test_own_points():
 
 def test_some_points_keep_what_belongs_to_them():
     points = ws.sample_surface(CUBE, 10, barycentric=True)
-    owned = ws.SurfacePoints(points.position, points.normal, points.face, points.barycentric, np.arange(10) + 2**40)
+    id, raised = np.arange(10) + 2**40, np.arange(10) % 3 > 0
+    owned = ws.SurfacePoints(points.position, points.normal, points.face, points.barycentric, id, raised)
     assert owned.id.dtype == np.uint64
     for rows in ([7, 2, 2], slice(None, None, -3), np.arange(10) % 4 == 1):
-        for name in ("position", "normal", "face", "barycentric", "id"):
+        for name in ("position", "normal", "face", "barycentric", "id", "raised"):
             assert np.array_equal(getattr(owned.take(rows), name), getattr(owned, name)[rows]), name
     assert points.take([3]).id is None
+    assert points.take([3]).raised is None
     assert np.array_equal(owned.take(np.arange(10) % 2 == 0).to_polydata().point_data["id"], owned.id[::2])
 
 
@@ -118,6 +120,7 @@ def test_some_points_keep_what_belongs_to_them():
         ),
         ((np.zeros((2, 3)), np.zeros((2, 3)), None, None, [1]), r"id: got shape \(1,\), want \(2,\)"),
         ((np.zeros((2, 3)), np.zeros((2, 3)), None, None, [1, -1]), "id: got -1, want whole numbers from 0 on"),
+        ((np.zeros((2, 3)), np.zeros((2, 3)), None, None, None, [True]), r"raised: got shape \(1,\), want \(2,\)"),
     ],
 )
 def test_bad_own_points_are_named(arguments, message):
@@ -152,3 +155,5 @@ def test_no_rows_are_no_points_and_ids_that_round_are_refused_with_what_to_give(
             ws.SurfacePoints(np.eye(3), np.eye(3), id=ids)
     with pytest.raises(TypeError, match="^id: got a masked array, want an array without a mask"):
         ws.SurfacePoints(np.eye(3), np.eye(3), id=np.ma.array([1, 2, 3], mask=[0, 1, 0]))
+    with pytest.raises(TypeError, match="^raised: got dtype int64, want bool"):
+        ws.SurfacePoints(np.eye(3), np.eye(3), raised=np.array([1, 0, 1], np.int64))

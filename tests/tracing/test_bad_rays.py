@@ -26,6 +26,35 @@ def test_invalid_rays_are_counted(tracer, any_hit):
         assert hits.invalid == 5
 
 
+SHORT_AND_LONG = [0.0, -0.0, 5e-324, 1e-300, 1e-45, 1e-40, 1e-30, 1.0, 3e38, 1e300, np.inf, np.nan]
+"""Lengths of directions: float32 has those from 1e-45 to 3e38."""
+
+
+@pytest.mark.parametrize("away", [3.0, 1e8], ids=["near", "far off"])
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_a_direction_of_no_length_or_an_infinite_one_is_invalid_and_others_are_not(dtype, away):
+    with np.errstate(over="ignore", under="ignore"):
+        length = np.array(SHORT_AND_LONG).astype(dtype)
+    directions = np.stack([0.0 * np.nan_to_num(length), 0.0 * np.nan_to_num(length), -length], axis=1).astype(dtype)
+    invalid = ~(np.isfinite(length) & (length != 0.0))
+    origins = np.tile(np.array([0.5, 0.5, away], dtype), (len(length), 1))
+    kind = {np.float32: wp.vec3, np.float64: wp.vec3d}[dtype]
+    on_warp = [wp.array(array, dtype=kind, device="cpu") for array in (origins, directions)]
+    for any_hit in (False, True):
+        for given in ((origins, directions), (origins[0], directions), on_warp):
+            hits = ws.trace(TRIANGLE, *given, any_hit=any_hit)
+            distance, face = (array.numpy() if given is on_warp else array for array in (hits.distance, hits.face))
+            assert np.array_equal(np.isnan(distance), invalid)
+            assert np.array_equal(face, np.where(invalid, -1, 0))
+            assert hits.invalid == invalid.sum()
+    found = ws.trace_all(TRIANGLE, origins, directions)
+    assert np.array_equal(np.diff(found.first), np.where(invalid, 0, 1))
+    assert found.invalid == invalid.sum()
+    foot = ws.SurfacePoints(origins * [1.0, 1.0, 0.0], np.tile(np.float32([0.0, 0.0, 1.0]), (len(length), 1)))
+    hits = ws.trace(TRIANGLE, foot, directions)
+    assert np.array_equal(np.isnan(hits.distance), invalid)
+
+
 def test_no_rays_at_all():
     hits = ws.trace(TRIANGLE, np.empty((0, 3)), np.empty((0, 3)))
     assert (hits.distance.shape, hits.face.shape, hits.invalid) == ((0,), (0,), 0)

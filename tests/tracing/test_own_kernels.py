@@ -88,6 +88,10 @@ def test_invalid_rays(bunny):
     assert np.isnan(distance).all()
     assert face.tolist() == [-1] * 4
     assert met.tolist() == [0] * 4
+    triangle = ws.as_mesh(([(0, 0, 0), (2, 0, 0), (0, 2, 0)], [(0, 1, 2)]))
+    shortest = np.float32([(0, 0, -1e-45), (0, 0, -1e-40), (0, 0, -3e38)])
+    distance, face, met = asked(ws.tree(triangle), np.float64([(0.5, 0.5, 3.0)] * 3), shortest)
+    assert (distance.tolist(), face.tolist(), met.tolist()) == ([3.0] * 3, [0] * 3, [1] * 3)
 
 
 def test_the_tree_keeps_its_memory(bunny):

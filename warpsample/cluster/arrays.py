@@ -21,7 +21,7 @@ POINT_ARRAYS: dict[str, Any] = {
 }
 """(type, shape of a row) of points that workers make."""
 
-GIVEN_ARRAYS: dict[str, Any] = {**POINT_ARRAYS, "id": (np.dtype(np.uint64), ())}
+GIVEN_ARRAYS: dict[str, Any] = {**POINT_ARRAYS, "id": (np.dtype(np.uint64), ()), "raised": (np.dtype(bool), ())}
 """The same of all that points may have which the caller gives."""
 
 _SAMPLES = {"pdf", "distance", "face", "vectors"}

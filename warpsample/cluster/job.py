@@ -154,7 +154,7 @@ def _shared(taken: dict[str, Any], on: Any) -> dict[str, Any]:
 def _place(points: Any, at: str, mesh: Mesh | None) -> tuple[str | None, int, dict[str, Any]]:
     """Where SurfacePoints are, how many, and their arrays if they are given; None for what is no SurfacePoints."""
     if isinstance(points, SurfacePoints):
-        given = {name: getattr(points, name) for name in ("position", "normal", "face", "id")}
+        given = {name: getattr(points, name) for name in ("position", "normal", "face", "id", "raised")}
         return "given", len(points), {name: array for name, array in given.items() if array is not None}
     named = isinstance(points, str)
     if at == "points" and not named and mesh is not None and not _whole(points):

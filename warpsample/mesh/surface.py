@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 class SurfacePoints(Summary):
     """Points with normals, one per row.
 
-    Arrays of other libraries (PyTorch, JAX, CuPy) become NumPy's: without a copy where they are in the CPU's memory.
+    Arrays of other libraries (Warp, PyTorch, JAX, CuPy) become NumPy's: without a copy where they are in the CPU's memory.
+    So directions, hits and numbers of these points are NumPy's, too.
 
     Attributes:
         position: (P, 3) float64 or float32, in the user's coordinates; other real numbers become float64, here as below.
@@ -30,9 +31,12 @@ class SurfacePoints(Summary):
         barycentric: (P, 3) float64 weights of the face's corners, or None.
         id: (P,) uint64, global ids, by which random numbers are drawn, so that points in another order, or some of them,
             have the same; or None: row i has the id first_point + i.
+        raised: (P,) bool, whether the rays of a point start straight above it, or straight below it where its normal points
+            down, along z, however steep the faces are that touch it. Only right at vertices of a mesh that has one height
+            at each (x, y), as those of `rasters.surface` with model "tin". None: at no point.
 
     Raises:
-        TypeError: not real numbers, or faces or ids that are not whole ones.
+        TypeError: not real numbers, faces or ids that are not whole ones, or `raised` that is not bool.
         ValueError: shapes that do not agree, faces below -1, or ids below 0.
 
     Example:
@@ -47,6 +51,7 @@ class SurfacePoints(Summary):
     face: Array | None = None
     barycentric: Array | None = None
     id: Array | None = None
+    raised: Array | None = None
 
     def __post_init__(self) -> None:
         """Checks types and shapes and fills in the faces."""
@@ -57,8 +62,10 @@ class SurfacePoints(Summary):
         face = np.full(points, -1, np.int32) if self.face is None else _check_face(self.face)
         barycentric = None if self.barycentric is None else as_real(self.barycentric, "barycentric")
         id = None if self.id is None else _check_id(self.id)
-        arrays = {"position": position, "normal": normal, "face": face, "barycentric": barycentric, "id": id}
-        shapes = {"normal": (points, 3), "face": (points,), "barycentric": (points, 3), "id": (points,)}
+        raised = None if self.raised is None else _check_raised(self.raised)
+        arrays = {"position": position, "normal": normal, "face": face}
+        arrays |= {"barycentric": barycentric, "id": id, "raised": raised}
+        shapes = {"normal": (points, 3), "barycentric": (points, 3)} | dict.fromkeys(("face", "id", "raised"), (points,))
         for name, array in arrays.items():
             if array is not None and array.shape != shapes.get(name, array.shape):
                 raise ValueError(f"{name}: got shape {array.shape}, want {shapes[name]}, a row for each position")
@@ -183,3 +190,10 @@ def _check_id(value: Any) -> np.ndarray:
     if id.size and id.min() < 0:
         raise ValueError(f"id: got {id.min()}, want whole numbers from 0 on")
     return np.ascontiguousarray(id, np.uint64)
+
+
+def _check_raised(value: Any) -> np.ndarray:
+    raised = as_ndarray(value, "raised")
+    if raised.dtype != bool:
+        raise TypeError(f"raised: got {f'dtype {raised.dtype}' if raised.ndim else told(value)}, want bool")
+    return np.ascontiguousarray(raised)

@@ -199,7 +199,10 @@ def _no_gradients(
 
 @wp.func
 def any_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32) -> bool:
-    """Return whether a ray hits an opaque face of the mesh before max_distance; a constant under wp.Tape.
+    """Return whether a ray hits an opaque face of the mesh before max_distance; False for an invalid ray.
+
+    A ray is invalid if its direction is zero, if its direction or origin is infinite or NaN, or if its max_distance is NaN.
+    Under wp.Tape the result is a constant.
 
     Args:
         tree: result of `warpsample.tree`.
@@ -214,7 +217,7 @@ def any_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float3
 def nearest_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32):
     """Return (distance, face) of the nearest opaque face before max_distance; (inf, -1) without a hit.
 
-    An invalid ray gives (NaN, -1). Under wp.Tape both are constants: they have no gradient.
+    An invalid ray (see `any_hit`) gives (NaN, -1). Under wp.Tape both are constants, without a gradient.
 
     Args:
         tree: result of `warpsample.tree`.
@@ -230,8 +233,8 @@ def nearest_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.fl
 def transmitted(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32) -> wp.float32:
     """Return the fraction of light transmitted along a ray up to max_distance: 0 behind an opaque face.
 
-    It is the product of the transmittances of all faces that the ray crosses; NaN for an invalid ray. Under wp.Tape it is a
-    constant.
+    It is the product of the transmittances of all faces that the ray crosses; NaN for an invalid ray (see `any_hit`). Under
+    wp.Tape it is a constant.
 
     Args:
         tree: result of `warpsample.tree`.

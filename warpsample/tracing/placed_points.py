@@ -84,7 +84,13 @@ class PlacedPoints:
             placement.normals = self.side.ctypes.data
             placement.ids = 0 if self.id is None else self.id.ctypes.data
             starts = set_starts(
-                self.scene, placement, self.face, towards=towards, tracer=options.tracer, workers=options.workers
+                self.scene,
+                placement,
+                self.face,
+                towards=towards,
+                raised=self.points.raised,
+                tracer=options.tracer,
+                workers=options.workers,
             )
             self._known[key] = placement, starts
         placement = PlacementArgs.from_buffer_copy(self._known[key][0])

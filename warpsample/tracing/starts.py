@@ -3,6 +3,8 @@
 What lies on an edge or a corner sees what points of its own face just beside it see. So of the faces that touch a point,
 those that rise above its own are looked at: the start moves towards the middle of its own face, as little as brings it to
 that side of them. A face that stands across the point's own, as a wall in the middle of a floor, has the point on its front.
+The vertices of a field of heights are raised instead: beside a face as steep as a wall, a move towards the middle of another
+steep face leads down along it, and behind the others.
 """
 
 import numpy as np
@@ -11,14 +13,14 @@ import warp as wp
 from warpsample.host.arrays import cpu
 from warpsample.host.engine import run
 from warpsample.host.locks import once
-from warpsample.maths.memory import int_at, set_vec3, vec3_at
+from warpsample.maths.memory import byte_at, int_at, set_vec3, vec3_at
 from warpsample.maths.numerics import ZERO, normalize
 from warpsample.mesh.mesh import Mesh, unit_or_zero
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.placement import PlacementArgs, in_double, local_origin
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.scene import Scene
-from warpsample.tracing.sight.contacts import FaceContact, look_around, own_face, standing_off, start_of
+from warpsample.tracing.sight.contacts import FaceContact, look_around, own_face, standing_off, start_above, start_of
 from warpsample.tracing.sight.facets import Contacts, ContactsArgs, corners_of, facet_of, with_normal
 from warpsample.tracing.tracers import Tracer
 from warpsample.tracing.wide.layout import SCRATCH
@@ -45,7 +47,14 @@ def faces_and_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origin
 
 
 def set_starts(
-    scene: Scene, placement: PlacementArgs, face: np.ndarray, *, towards: np.ndarray | None, tracer: Tracer, workers: int
+    scene: Scene,
+    placement: PlacementArgs,
+    face: np.ndarray,
+    *,
+    towards: np.ndarray | None,
+    raised: np.ndarray | None,
+    tracer: Tracer,
+    workers: int,
 ) -> np.ndarray | None:
     """Tells a placement of points on faces where rays start; gives the starts (P, sides, 3) float32, for the caller to keep.
 
@@ -57,6 +66,7 @@ def set_starts(
         placement: their positions, and in `normals` the unit normals of their faces, their own where they lie on none.
         face: (P,) int32, -1 where it is not known: then of those that touch a point the one that faces its normal best.
         towards: (P, 3) float32, to which side of its face each looks; None for both, that of the normal first.
+        raised: (P,) bool, contiguous, as `SurfacePoints` has it, or None.
         tracer: of the rays.
         workers: threads.
     """
@@ -70,10 +80,24 @@ def set_starts(
     )
     contacts.vertices, contacts.triangles = scene.vertices.ctypes.data, scene.faces.ctypes.data
     contacts.spread, contacts.starts, contacts.sides = wp.vec3(*scene.spread), starts.ctypes.data, sides
+    contacts.raised = 0 if raised is None else raised.ctypes.data
     tree = scene.tree(workers).accelerator()  # of all faces: on which a point stands is no matter of light
     run(_start_kernel(), placement.points, [contacts, tree], cpu(), workers=workers, work=16 * placement.points)
     placement.starts = starts.ctypes.data
     return starts
+
+
+@wp.func
+def _is_raised(contacts: Contacts, i: wp.int64) -> wp.bool:
+    raised = wp.bool(False)
+    if contacts.raised != wp.uint64(0):
+        raised = byte_at(contacts.raised, i) != wp.uint8(0)
+    return raised
+
+
+@wp.func
+def _set_start(contacts: Contacts, i: wp.int64, side: wp.int32, start: wp.vec3):
+    set_vec3(contacts.starts, i * wp.int64(contacts.sides) + wp.int64(side), start)
 
 
 @once
@@ -94,6 +118,11 @@ def _start_kernel() -> wp.Kernel:
         look = in_double(normal)
         if contacts.sides == 1:
             look = in_double(normalize(vec3_at(contacts.towards, i)))
+        if _is_raised(contacts, i):
+            for side in range(contacts.sides):
+                _set_start(contacts, i, side, start_above(contacts, contact.p, look))
+                look = -look
+            return
         known = contact.own >= 0
         if known:
             # The normal is from before the corners were rounded.
@@ -110,9 +139,7 @@ def _start_kernel() -> wp.Kernel:
                 if contact.own >= 0:
                     contact.facet = facet_of(contacts, contact.own)
             else:
-                set_vec3(
-                    contacts.starts, i * wp.int64(contacts.sides) + wp.int64(step - 1), start_of(contacts, contact, look)
-                )
+                _set_start(contacts, i, step - 1, start_of(contacts, contact, look))
                 look = -look
 
     return find_starts

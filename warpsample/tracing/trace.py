@@ -75,11 +75,14 @@ def trace(
         mesh: a Mesh or whatever `as_mesh` takes.
         origins: (P, 3) float32 or float64, in the coordinates of the mesh; or (3,), one for all rays; or SurfacePoints,
             which are moved off their face, to the side of each direction, by two millionths of the mesh's extent that way,
-            and at an edge or a corner towards the middle of their face, off the others (see `ambient_occlusion`). Others
-            are taken as they are; a face at distance 0 is not met, but rounding may bring it in front. From farther than
-            some 10^9 times the mesh's size, float64 does not tell where a ray goes: it meets nothing.
-        directions: (P, 3), one for each origin, or (P, n, 3), n for each; of any length. Arrays of other libraries count as
-            NumPy's in the CPU's memory and as wp.arrays on a CUDA device.
+            and at an edge or a corner towards the middle of their face, off the others (see `ambient_occlusion`), or
+            straight up or down where the points are `raised`. Others are taken as they are; a face at distance 0 is not
+            met, but rounding may bring it in front. From farther than some 10^9 times the mesh's size, float64 does not
+            tell where a ray goes: it meets nothing.
+        directions: (P, 3), one for each origin, or (P, n, 3), n for each; of any length that their type holds, but 0.
+            A ray is invalid if its direction is zero, or if its direction or origin is infinite or NaN: no error is raised,
+            its distance is NaN, and `invalid` of the result counts it. Arrays of other libraries count as NumPy's in the
+            CPU's memory and as wp.arrays on a CUDA device.
         max_distance: meets only what is nearer, in units of the coordinates; in any case than float32 has distances, 3e38.
             Both are compared in float32, from where a ray that starts far away comes near the mesh.
         any_hit: whether some face is enough: up to twice as fast.

@@ -51,7 +51,8 @@ def trace_all(
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
         origins: as of `trace`, in the CPU's memory: (P, 3), or (3,), or SurfacePoints, which are moved off their face.
-        directions: (P, 3) or (P, n, 3), of any length.
+        directions: (P, 3) or (P, n, 3), of any length but 0. A ray is invalid if its direction is zero, or if its
+            direction or origin is infinite or NaN: it has no hits, and `invalid` of the result counts it.
         max_distance: meets only what is nearer, in units of the coordinates.
         workers: threads, all cores by default.
 

@@ -83,7 +83,8 @@ class RasterSurface(Summary):
             top = self.kind == TOP
             crosses, place = self.mesh.cross_products[top].T, np.searchsorted(cells, self.cell[top])
             normal = unit_or_zero(np.stack([np.bincount(place, axis, len(cells)) for axis in crosses], axis=1))
-        return SurfacePoints(self.grid.centres(cells), normal, id=cells.astype(np.uint64)), cells
+        raised = np.ones(len(cells), bool) if self.model == "tin" else None  # where points are vertices without walls
+        return SurfacePoints(self.grid.centres(cells), normal, id=cells.astype(np.uint64), raised=raised), cells
 
     def to_raster(self, values: Any, cell: np.ndarray) -> xr.DataArray:
         """Numbers of cells, laid out as the raster is.

@@ -10,6 +10,7 @@ from warpsample.tracing.sight.touching import faces_touching
 
 _TWICE = wp.constant(wp.float32(2.0 * OFFSET))
 _THIRD = wp.constant(wp.float64(1.0 / 3.0))
+_RAISED = wp.constant(wp.float64(OFFSET))
 _TENTH = wp.constant(wp.float64(0.1))
 _SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # cosine of two normals that are one, rounded to float32
 _THIN = wp.constant(wp.int32(-2))  # the face of a point that lies on none but those without a normal
@@ -167,6 +168,18 @@ def standing_off(contacts: Contacts, contact: FaceContact, look: wp.vec3d, known
     contact.o = contact.p + away * way
     contact.moved = away
     return contact
+
+
+@wp.func
+def start_above(contacts: Contacts, p: wp.vec3d, look: wp.vec3d) -> wp.vec3:
+    """Return the start straight above a vertex p of a field of heights, or straight below if `look` points down.
+
+    It keeps x and y, which round as those of the vertex in the mesh, and is farther above the vertex than z rounds. So it is
+    above all faces of the vertex, even those as steep as a wall: `plane_distance` decides that in float64.
+    """
+    most = wp.max(wp.abs(p[2]), wp.float64(contacts.spread[2]))
+    height = wp.float64(contacts.placement.coarseness) + _RAISED * most
+    return wp.vec3(wp.vec3d(p[0], p[1], p[2] + wp.copysign(height, look[2])))
 
 
 @wp.func

@@ -19,12 +19,14 @@ class Contacts:
     towards: (P, 3) float32, directions to the side of the face from which a point looks; 0: both sides, `normals` first.
     face: (P,) int32, -1 where it is not known.
     vertices, triangles: (V, 3) float32 and (F, 3) int32 of the scene. spread: its extent without parts that are far apart.
+    raised: (P,) bool, points whose rays start straight above or below them, as `SurfacePoints` has it; 0: none.
     starts: (P, sides, 3) float32, where rays start; in the scene's coordinates. sides: 1 or 2.
     """
 
     placement: Placement
     towards: wp.uint64
     face: wp.uint64
+    raised: wp.uint64
     vertices: wp.uint64
     triangles: wp.uint64
     spread: wp.vec3

@@ -1,0 +1,121 @@
+"""Cells of model "tin" beside faces as steep as a wall see what a point just above their vertex sees.
+
+Of the judges in float64 one looks from 1 µm above the vertex, the other from 100 µm: where they differ, a value hangs on how
+far above the surface a point is.
+"""
+
+import numpy as np
+import pytest
+from affine import Affine
+from raster_cases import NORTH_UP
+from steep_terrain import AZIMUTHS, SIDE, blocked, horizons, sky_of, steep_heights
+
+pytest.importorskip("rasterio")
+pytest.importorskip("rioxarray")
+
+import warpsample as ws
+from warpsample import rasters
+from warpsample.radiation.sky.patches import patches_at, sky_patches
+from warpsample.radiation.weather.light import light_of, sun_directions
+from warpsample.radiation.weather.weather import read_weather
+
+FAR = Affine(1.0, 0.0, 5000000.3, 0.0, -1.0, 5000000.7)
+NAMES = ["cliff 85", "canyon 89", "spikes 89", "steps 85", "cliff 89.99"]
+LIFTS = np.array([[0.0, 0.0, 1e-6], [0.0, 0.0, 1e-4]])
+COUNT = 8192
+
+
+def check(name, found, errors, low, high, lift=0.0):
+    """Checks values where the judges agree to 0.01: to 0.003 and five standard errors, which one in 10^6 cells exceeds.
+
+    `lift` is the height in cells at which rays start: a value may be off by that where neighbours are 0.3 cells high.
+    """
+    agree = np.abs(low - high) < 0.01
+    off = np.abs(found - low)
+    assert agree.mean() > 0.9
+    assert (off <= 0.003 + lift + 5.0 * errors)[agree].all(), f"{name}: off by up to {off[agree].max():.4f}"
+
+
+def numbers(made):
+    return made.value.values.ravel(), made.standard_error.values.ravel()
+
+
+@pytest.mark.parametrize(
+    ("name", "transform"),
+    [
+        pytest.param(name, transform, marks=() if (name, transform) == ("steps 85", FAR) else pytest.mark.slow)
+        for name in NAMES
+        for transform in (NORTH_UP, FAR)
+    ],
+)
+def test_the_sky_above_steep_terrain_is_that_of_the_vertex(name, transform):
+    source = steep_heights(name), transform, None
+    made = rasters.surface(source, model="tin")
+    position = made.points()[0].position
+    lift = 2.0**-19 * 0.5 * np.ptp(position[:, 2])  # 5 mm beside a cliff of 5.7 km, else less than 0.2 mm
+    slopes = [horizons(made.mesh, position + above) for above in LIFTS]
+    for receiver in ("horizontal", "surface"):
+        points, _ = made.points(receiver)
+        sky, visible, ambient = zip(*(sky_of(points.normal, slope) for slope in slopes), strict=True)
+        for how in ({}, {"sequence": "sobol"}, {"tile": 5, "margin": SIDE}):
+            found = rasters.sky_view_factor(source, COUNT, model="tin", receiver=receiver, **how)
+            check(f"sky {how}, {receiver}", *numbers(found), *sky, lift)
+        found = ws.ambient_occlusion(made.mesh, points, COUNT)
+        check(f"ao, {receiver}", found.value, found.standard_error, *ambient, lift)
+    check("visible sky", *numbers(rasters.visible_sky(source, COUNT, model="tin")), *visible, lift)
+
+
+def sun_seen(made, points, suns):
+    """For both judges, (P, S) the cosines to the suns that each point sees, else 0."""
+    cosines = np.maximum(points.normal.astype(np.float64) @ suns.T, 0.0)
+    return [np.where(blocked(made.mesh, points.position + above, suns), 0.0, cosines) for above in LIFTS]
+
+
+@pytest.mark.parametrize("receiver", ["horizontal", "surface"])
+@pytest.mark.parametrize("name", [pytest.param(n, marks=() if n == "steps 85" else pytest.mark.slow) for n in NAMES])
+def test_the_hours_of_sun_on_steep_terrain_are_those_of_the_vertex(name, receiver):
+    pytest.importorskip("pvlib")
+    source, period = (steep_heights(name), FAR, None), ("06-20", "06-21")
+    made = rasters.surface(source, model="tin")
+    points, _ = made.points(receiver)
+    weather = read_weather("athens", period)
+    suns = sun_directions(weather.chosen(weather.sun_altitude > 0.0), sky_patches().frame)
+    low, high = ((cosines > 0.0).sum(axis=1) for cosines in sun_seen(made, points, suns))
+    for tiles in ({}, {"tile": 5, "margin": SIDE}):
+        found = rasters.sun_hours(source, "athens", model="tin", receiver=receiver, period=period, **tiles)
+        check(f"sun hours {tiles}", *numbers(found), low, high)
+    met = ws.trace(made.mesh, points, np.tile(suns, (len(points), 1, 1)), any_hit=True).face >= 0
+    front = points.normal.astype(np.float64) @ suns.T > 0.0
+    check("rays of trace", (front & ~met).sum(axis=1), np.zeros(len(points)), low, high)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("receiver", ["horizontal", "surface"])
+@pytest.mark.parametrize("name", NAMES)
+def test_the_irradiation_of_steep_terrain_is_that_of_the_vertex(name, receiver):
+    """Shares of what a day brings to open level ground; directions of the sky are a degree apart, its patches twelve."""
+    pytest.importorskip("pvlib")
+    pytest.importorskip("pyradiance")
+    source, period = (steep_heights(name), NORTH_UP, None), ("06-21", "06-21")
+    made = rasters.surface(source, model="tin")
+    points, _ = made.points(receiver)
+    options = {"period": period, "patches": "tregenza"}
+    light = light_of("athens", ground_albedo=0.2, up=(0.0, 0.0, 1.0), north=(0.0, 1.0, 0.0), **options)
+    height = np.radians(np.arange(-89.5, 90.0))
+    level = np.stack([np.cos(AZIMUTHS), np.sin(AZIMUTHS), 0.0 * AZIMUTHS], axis=1)
+    sky = np.cos(height)[:, None] * level[:, None] + np.sin(height)[:, None] * np.array([0.0, 0.0, 1.0])
+    patch = patches_at(light.sky, sky.reshape(-1, 3)).reshape(sky.shape[:2])
+    bright = np.where(patch < 0, light.ground.sum() / np.pi, light.radiance.sum(axis=1)[patch])
+    bright *= np.cos(height) * np.radians(1.0) * (2.0 * np.pi / len(AZIMUTHS))
+    judges = []
+    for cosines, above in zip(sun_seen(made, points, light.sun), LIFTS, strict=True):
+        horizon = np.arctan(horizons(made.mesh, points.position + above))
+        total = cosines @ light.direct
+        for point, normal in enumerate(points.normal):
+            free = bright * (height > horizon[point, :, None])
+            total[point] += (free * np.maximum(sky @ normal, 0.0)).sum()
+        judges.append(total / 1000.0)
+    open_ground = ((light.sun[:, 2] * light.direct).sum() + (bright * np.maximum(sky[..., 2], 0.0)).sum()) / 1000.0
+    found = rasters.irradiation(source, "athens", model="tin", receiver=receiver, count=COUNT, **options)
+    shares = [array / open_ground for array in (*numbers(found), *judges)]
+    check("irradiation", *shares, 2.0**-19 * 0.5 * np.ptp(points.position[:, 2]))
