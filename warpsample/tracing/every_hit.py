@@ -6,10 +6,10 @@ from warpsample.host.locks import once
 from warpsample.maths.memory import float_at, int_at, long_at, set_float, set_int
 from warpsample.maths.numerics import lowest_bit
 from warpsample.tracing.queries import REACH, Accelerator
-from warpsample.tracing.rays import Rays, in_units, ray_kernel
+from warpsample.tracing.rays import Rays, ray_kernel, user_distance
 from warpsample.tracing.wide.layout import face_in
 from warpsample.tracing.wide.prepare import Ray, prepare_wide, ray_in
-from warpsample.tracing.wide.through import crossed, through_walk
+from warpsample.tracing.wide.through import crossed_triangles, through_walk
 from warpsample.tracing.wide.triangle import plane_distance
 
 INVALID: wp.int32 = wp.constant(wp.int32(-1))
@@ -17,7 +17,7 @@ INVALID: wp.int32 = wp.constant(wp.int32(-1))
 
 
 @wp.struct
-class Written:
+class HitList:
     """Addresses of a ray's distances (in the scene's coordinates) and faces, and the number of hits written so far."""
 
     distance: wp.uint64
@@ -28,13 +28,13 @@ class Written:
 @wp.func
 def _count(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: wp.int32):
     """Add the number of a leaf's triangles that a ray crosses to the number found so far."""
-    return found + wp.bit_count(crossed(leaf, ray, reach, edge))
+    return found + wp.bit_count(crossed_triangles(leaf, ray, reach, edge))
 
 
 @wp.func
-def _write(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Written):
+def _write(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: HitList):
     """Append the crossings of a ray with the triangles of a leaf to the ray's hits."""
-    mask = crossed(leaf, ray, reach, edge)
+    mask = crossed_triangles(leaf, ray, reach, edge)
     while mask != 0:
         k = lowest_bit(mask)
         mask = mask & (mask - 1)
@@ -45,18 +45,18 @@ def _write(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found
 
 
 _walk_to_count = through_walk(_count, wp.int32)
-_walk_to_write = through_walk(_write, Written)
+_walk_to_write = through_walk(_write, HitList)
 
 
 @wp.func
-def _after(hits: Written, i: wp.int32, distance: wp.float32, face: wp.int32) -> wp.bool:
+def _is_after(hits: HitList, i: wp.int32, distance: wp.float32, face: wp.int32) -> wp.bool:
     """Return whether the i-th hit belongs behind a hit at the given distance on the given face."""
     other = float_at(hits.distance, i)
     return other > distance or (other == distance and int_at(hits.face, i) > face)
 
 
 @wp.func
-def _sort(hits: Written):
+def _sort(hits: HitList):
     """Sort hits in place by distance, and at equal distance by face, with Shell's sort."""
     gap = wp.int32(1)
     while gap < hits.count / 3:
@@ -66,7 +66,7 @@ def _sort(hits: Written):
             distance = float_at(hits.distance, i)
             face = int_at(hits.face, i)
             j = i
-            while j >= gap and _after(hits, wp.max(j - gap, 0), distance, face):
+            while j >= gap and _is_after(hits, wp.max(j - gap, 0), distance, face):
                 set_float(hits.distance, j, float_at(hits.distance, j - gap))
                 set_int(hits.face, j, int_at(hits.face, j - gap))
                 j -= gap
@@ -93,12 +93,12 @@ def _write_hits(rays: Rays, accelerator: Accelerator, column: wp.uint64, ray: wp
     reach = float_at(column, REACH)
     if reach > 0.0:
         first = wp.uint64(long_at(rays.first, ray)) * wp.uint64(4)
-        hits = Written()
+        hits = HitList()
         hits.distance = rays.distance + first
         hits.face = rays.face + first
         hits = _walk_to_write(accelerator, ray_in(column), reach, hits, scratch)
         for i in range(hits.count):  # in the user's units, so that distances equal to the user are ordered by face
-            set_float(hits.distance, i, in_units(rays, column, float_at(hits.distance, i)))
+            set_float(hits.distance, i, user_distance(rays, column, float_at(hits.distance, i)))
         _sort(hits)
 
 

@@ -11,7 +11,7 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
-from warpsample.tracing.placement import MOST_DISTANCE, PlacementArgs, placed
+from warpsample.tracing.placement import MOST_DISTANCE, PlacementArgs, make_placement
 from warpsample.tracing.rays import RaysArgs
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.triples import Triples
@@ -23,15 +23,15 @@ class GivenRays:
 
     Attributes:
         mesh: mesh to trace against.
-        at: surface points that the rays leave; None for free origins.
-        start: origins; of shape (3,) where all rays share one.
-        way: directions.
+        points: surface points that the rays leave; None for free origins.
+        origins: origins; of shape (3,) where all rays share one.
+        directions: directions.
     """
 
     mesh: Mesh
-    at: PlacedPoints | None
-    start: Triples
-    way: Triples
+    points: PlacedPoints | None
+    origins: Triples
+    directions: Triples
 
     @classmethod
     def of(cls, mesh: Mesh, origins: Any, directions: Any) -> "GivenRays":
@@ -40,26 +40,28 @@ class GivenRays:
         Raises:
             TypeError, ValueError: an argument of a wrong type or shape; the message names it.
         """
-        at = PlacedPoints(origins, mesh, "origins") if isinstance(origins, SurfacePoints) else None
-        start = Triples.of(origins, "origins", "(P, 3) or (3,)") if at is None else at.position
+        points = PlacedPoints(origins, mesh, "origins") if isinstance(origins, SurfacePoints) else None
+        checked = Triples.of(origins, "origins", "(P, 3) or (3,)") if points is None else points.position
         way = Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
-        _check_pair(start, way)
-        return cls(mesh, at, start, way)
+        _check_pair(checked, way)
+        return cls(mesh, points, checked, way)
 
     @property
     def count(self) -> int:
         """Number of rays."""
-        return prod(self.way.shape)
+        return prod(self.directions.shape)
 
-    def placed(self, options: RayOptions, reach: float, hits: Any = None) -> RaysArgs:
+    def place(self, options: RayOptions, reach: float, hits: Any = None) -> RaysArgs:
         """Return the rays in the scene of the mesh; there must be at least one ray. `hits` is that of `rays_of`.
 
         `reach` is the largest distance of a hit, in the user's units.
         """
         reach = min(reach, MOST_DISTANCE)
         scene = scene_of(self.mesh, through=True)
-        placement = placed(scene, self.start, reach) if self.at is None else self.at.two_sided(options, reach)
-        return rays_of(placement, self.way, hits)
+        placement = (
+            make_placement(scene, self.origins, reach) if self.points is None else self.points.two_sided(options, reach)
+        )
+        return rays_of(placement, self.directions, hits)
 
 
 def rays_of(placement: PlacementArgs, directions: Triples, hits: Any = None) -> RaysArgs:

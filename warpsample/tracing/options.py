@@ -1,4 +1,4 @@
-"""The options of calls that cast rays from points, checked once and passed as one record."""
+"""Options of calls that cast rays from points, checked once and passed as one record."""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -12,12 +12,12 @@ from warpsample.tracing.tracers import WIDE, Tracer, tracer_of
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class RayOptions(CallOptions):
-    """What calls that cast rays have in common, checked; with the fields of `CallOptions`.
+    """Checked options shared by calls that cast rays, in addition to the fields of `CallOptions`.
 
     Attributes:
-        sequence: of the rays.
-        skip: whether rays are left out whose answer is known.
-        tracer: which answers for the others.
+        sequence: low-discrepancy or random sequence of the rays.
+        skip: whether to leave out rays whose result is known beforehand.
+        tracer: tracer of the remaining rays.
     """
 
     sequence: Sequence
@@ -25,9 +25,9 @@ class RayOptions(CallOptions):
     tracer: Tracer = WIDE
 
     def check_through_glass(self) -> None:
-        """Refuses, by a ValueError, a tracer that does not know of light through faces."""
+        """Raise ValueError if the tracer does not support translucent faces."""
         if self.tracer is not WIDE:
-            raise ValueError(f"tracer: got {self.tracer.name!r} for a mesh that light goes through, want 'wide', on the CPU")
+            raise ValueError(f"tracer: got {self.tracer.name!r} for a mesh that transmits light, want 'wide' on the CPU")
 
     @classmethod
     def of(cls, points: int, *, sequence: str = "fibonacci", **drawn: Any) -> "RayOptions":

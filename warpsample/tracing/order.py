@@ -21,7 +21,7 @@ _LAST_CELL = wp.constant(wp.int32(_CELLS - 1))
 _HALF_CELLS = wp.constant(wp.float32(_CELLS / 2))
 
 
-def order_of(scene: Scene, placement: PlacementArgs, count: int, workers: int) -> np.ndarray | None:
+def visiting_order(scene: Scene, placement: PlacementArgs, count: int, workers: int) -> np.ndarray | None:
     """Return the order of points by their cells, (P,) int64; None where sorting does not pay or their order is coherent.
 
     `count` is the number of rays per point.

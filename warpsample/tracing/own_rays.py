@@ -5,12 +5,12 @@ from typing import Any
 import warp as wp
 
 from warpsample.maths.numerics import ONE, ZERO, direction_to_unit
-from warpsample.tracing.placement import MOST_DISTANCE, far_off, in_double, offset_within, way_to_scene
+from warpsample.tracing.placement import MOST_DISTANCE, distance_to_scene, in_double, is_far_off, offset_within
 from warpsample.tracing.queries import Accelerator, Glass
 from warpsample.tracing.wide.layout import SCRATCH
 from warpsample.tracing.wide.prepare import RAY_WORKSPACE, ray_of
 from warpsample.tracing.wide.query import wide_walk
-from warpsample.tracing.wide.through import share_through
+from warpsample.tracing.wide.through import path_transmittance
 
 _MOST_DISTANCE = wp.constant(wp.float32(MOST_DISTANCE))
 _walk_to_any = wide_walk(True)
@@ -50,7 +50,7 @@ class Tree:
 
 @wp.struct
 class Local:
-    """Ray in the tree's coordinates.
+    """Ray in the tree's coordinates, where the mesh is within 1 of 0.
 
     Attributes:
         o: origin.
@@ -77,10 +77,10 @@ def _local(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.fl
     ray.d = wp.vec3(unit[0], unit[1], unit[2])
     reach = wp.float64(wp.where(max_distance > _MOST_DISTANCE, _MOST_DISTANCE, max_distance)) * tree.scale  # NaN stays
     ahead = ZERO
-    if far_off(o):
+    if is_far_off(o):
         w = in_double(direction)
         w = (ONE / wp.sqrt(wp.dot(w, w))) * w
-        ahead = way_to_scene(o, w)
+        ahead = distance_to_scene(o, w)
         o = wp.where(ahead < ZERO, o - o, o + ahead * w)
     ray.o = wp.vec3(o)
     ray.reach = wp.where(ahead < ZERO, -1.0, wp.float32(reach - ahead))
@@ -145,7 +145,7 @@ def _transmitted(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance:
             if face >= 0:
                 share = 0.0
             elif tree.transmittance.shape[0] > 0:
-                share = share_through(_glass(tree), to, ray.reach, words.ptr)
+                share = path_transmittance(_glass(tree), to, ray.reach, words.ptr)
     elif not (ray.reach <= 0.0):
         share = wp.float32(wp.NAN)
     return share

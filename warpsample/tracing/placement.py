@@ -72,7 +72,7 @@ class Placement:
 PlacementArgs: Any = type(Placement().__ctype__())
 
 
-def placed(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:
+def make_placement(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:
     """Return the placement of origins in a scene, without normals, starts and order; the caller must keep the array.
 
     `reach` is in the user's units.
@@ -139,7 +139,10 @@ def local_origin(placement: Placement, point: wp.int64) -> wp.vec3d:
 
 @wp.func
 def extent_along(extent: wp.vec3, n: wp.vec3) -> wp.float32:
-    """Return an upper bound on the coordinate along a normal within an extent; rounding along it is 2^-24 of this bound."""
+    """Return an upper bound on the coordinate along a normal n of points within an extent.
+
+    Rounding along the normal is 2^-24 of this bound.
+    """
     return wp.abs(n[0]) * extent[0] + wp.abs(n[1]) * extent[1] + wp.abs(n[2]) * extent[2]
 
 
@@ -162,13 +165,13 @@ def origin_offset(placement: Placement, n: wp.vec3) -> wp.float32:
 
 
 @wp.func
-def far_off(o: wp.vec3d) -> wp.bool:
+def is_far_off(o: wp.vec3d) -> wp.bool:
     """Return whether an origin is so far from the mesh that its rays must first advance towards the mesh in float64."""
     return wp.max(wp.max(wp.abs(o[0]), wp.abs(o[1])), wp.abs(o[2])) > _FURTHEST
 
 
 @wp.func
-def way_to_scene(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
+def distance_to_scene(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
     """Return the distance along a ray from an origin outside to a cube around the scene; -1 where the ray misses the cube.
 
     It is -1, too, where the origin is so far away that float64 cannot resolve the cube.
@@ -181,4 +184,4 @@ def way_to_scene(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
         half = wp.abs(_ENTRY * inverse)
         enter = wp.max(enter, middle - half)
         leave = wp.min(leave, middle + half)
-    return wp.where(enter < leave and not far_off(o + enter * d), enter, -ONE)
+    return wp.where(enter < leave and not is_far_off(o + enter * d), enter, -ONE)

@@ -49,25 +49,25 @@ GlassArgs = type(Glass().__ctype__())
 
 @wp.func
 def column_of(chunk: wp.uint64, k: wp.int32) -> wp.uint64:
-    """Return the address of the k-th ray's column."""
+    """Return the address of the k-th ray's column in a chunk of rays."""
     return chunk + wp.uint64(4 * k)
 
 
 @wp.func
 def vector_in(column: wp.uint64, row: wp.int32) -> wp.vec3:
-    """Return the vector in three consecutive rows of a ray's column, from the row at `row` on."""
+    """Return the vector in the three rows from `row` on of a ray's column."""
     return wp.vec3(float_at(column, row), float_at(column, row + CHUNK), float_at(column, row + 2 * CHUNK))
 
 
 @wp.func
 def direction_of(chunk: wp.uint64, k: wp.int32) -> wp.vec3:
-    """Return the direction of the k-th ray."""
+    """Return the unit direction of the k-th ray of a chunk."""
     return vector_in(column_of(chunk, k), DIRECTION)
 
 
 @wp.func
 def set_direction(chunk: wp.uint64, k: wp.int32, d: wp.vec3):
-    """Write the direction of the k-th ray."""
+    """Write the direction of the k-th ray of a chunk."""
     rows = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     rows[DIRECTION + k] = d[0]
     rows[DIRECTION + CHUNK + k] = d[1]
@@ -76,7 +76,7 @@ def set_direction(chunk: wp.uint64, k: wp.int32, d: wp.vec3):
 
 @wp.func
 def set_origin(chunk: wp.uint64, k: wp.int32, o: wp.vec3):
-    """Write the origin of the k-th ray."""
+    """Write the origin of the k-th ray of a chunk."""
     rows = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     rows[ORIGIN + k] = o[0]
     rows[ORIGIN + CHUNK + k] = o[1]

@@ -7,16 +7,16 @@ from warpsample.host.engine import run
 from warpsample.host.locks import once
 from warpsample.maths.memory import float_at, set_float, set_int, vec3_at
 from warpsample.maths.numerics import ZERO, direction_to_unit
-from warpsample.tracing.order import order_of
+from warpsample.tracing.order import visiting_order
 from warpsample.tracing.placement import (
     Placement,
-    far_off,
+    distance_to_scene,
+    is_far_off,
     local_origin,
     origin_offset,
     point_of,
     unit_in_double,
     vector_in_double,
-    way_to_scene,
 )
 from warpsample.tracing.queries import (
     AHEAD,
@@ -35,7 +35,7 @@ from warpsample.tracing.tracers import Tracer
 from warpsample.tracing.wide.layout import SCRATCH
 from warpsample.tracing.wide.prepare import prepare_wide, ray_in
 from warpsample.tracing.wide.query import wide_query
-from warpsample.tracing.wide.through import share_through
+from warpsample.tracing.wide.through import path_transmittance
 
 RAY_WORK = 64
 """Cost of tracing a ray, in sampled directions."""
@@ -86,13 +86,13 @@ def _direction(rays: Rays, ray: wp.int64) -> wp.vec3:
 
 
 @wp.func
-def _read(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.uint64):
+def _load_ray(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.uint64):
     """Write a ray from the origin o to its column of a chunk."""
     d = _direction(rays, ray)
     ahead = ZERO
-    if far_off(o):
+    if is_far_off(o):
         unit = unit_in_double(vector_in_double(rays.directions, rays.double_directions, ray), rays.double_directions)
-        ahead = way_to_scene(o, unit)
+        ahead = distance_to_scene(o, unit)
         o = wp.where(ahead < ZERO, o - o, o + ahead * unit)  # for a ray that misses: 0, or NaN if not finite
     start = wp.vec3(o)
     if rays.placement.normals != wp.uint64(0) and ahead == ZERO:
@@ -126,13 +126,13 @@ def _normalize(chunk: wp.uint64, length: wp.int64):
 
 
 @wp.func
-def in_units(rays: Rays, column: wp.uint64, near: wp.float32) -> wp.float32:
+def user_distance(rays: Rays, column: wp.uint64, near: wp.float32) -> wp.float32:
     """Convert a distance along a ray to the user's units, measured from the user's origin of the ray."""
     return wp.float32((wp.float64(near) + wp.float64(float_at(column, AHEAD))) * rays.placement.unit)
 
 
 @once
-def hit_of(query: wp.Function) -> wp.Function:
+def build_hit_writer(query: wp.Function) -> wp.Function:
     """Build a function (rays, accelerator, column, ray, scratch) that traces a prepared ray and writes its hit.
 
     Args:
@@ -146,7 +146,7 @@ def hit_of(query: wp.Function) -> wp.Function:
         reach = float_at(column, REACH)
         if reach > 0.0:
             near, face, nodes, leaves = query(accelerator, column, reach, scratch)
-            distance = in_units(rays, column, near)
+            distance = user_distance(rays, column, near)
             if rays.visits != wp.uint64(0):
                 set_int(rays.visits, wp.int64(2) * ray, nodes)
                 set_int(rays.visits, wp.int64(2) * ray + wp.int64(1), leaves)
@@ -159,7 +159,7 @@ def hit_of(query: wp.Function) -> wp.Function:
 
 
 @once
-def hit_through_glass(any_hit: bool) -> wp.Function:
+def build_glass_hit_writer(any_hit: bool) -> wp.Function:
     """Build a function like `build_hit_writer` that also writes the transmittance of translucent faces up to the hit.
 
     The hits are those of the opaque faces. With any_hit the transmittance is 0 where there is a hit.
@@ -174,11 +174,11 @@ def hit_through_glass(any_hit: bool) -> wp.Function:
         reach = float_at(column, REACH)
         if reach > 0.0:
             near, face, _nodes, _leaves = query(accelerator, column, reach, scratch)
-            distance = in_units(rays, column, near)
+            distance = user_distance(rays, column, near)
             if wp.static(any_hit) and face >= 0:
                 share = 0.0
             else:
-                share = share_through(rays.glass, ray_in(column), wp.min(reach, near), scratch)
+                share = path_transmittance(rays.glass, ray_in(column), wp.min(reach, near), scratch)
         elif not (reach <= 0.0):
             distance = wp.float32(wp.NAN)
             share = wp.float32(wp.NAN)
@@ -213,7 +213,7 @@ def ray_kernel(prepare: wp.Function, answer: wp.Function, size: int = CHUNK_FLOA
             if j == wp.int64(0):
                 point = point_of(rays.placement, row)
                 o = local_origin(rays.placement, point)
-            _read(rays, point, o, point * rays.count + j, floats.ptr + wp.uint64(4 * k))
+            _load_ray(rays, point, o, point * rays.count + j, floats.ptr + wp.uint64(4 * k))
             j += wp.int64(1)
             if j == rays.count:
                 j = wp.int64(0)
@@ -239,13 +239,13 @@ def trace_rays(scene: Scene, rays: RaysArgs, *, tracer: Tracer, any_hit: bool, d
     It counts visits if `rays.visits` is set. If `rays.transmitted` is set, which only the wide tree supports, hits are those
     of opaque faces.
     """
-    order = order_of(scene, rays.placement, rays.count, workers) if at_home(device) else None
+    order = visiting_order(scene, rays.placement, rays.count, workers) if at_home(device) else None
     rays.placement.order = 0 if order is None else order.ctypes.data
     if rays.transmitted:
-        kernel = ray_kernel(prepare_wide, hit_through_glass(any_hit))
+        kernel = ray_kernel(prepare_wide, build_glass_hit_writer(any_hit))
         rays.glass = scene.glass(workers)
     else:
-        kernel = ray_kernel(tracer.prepare, hit_of(tracer.face_query(any_hit)), tracer.floats)
+        kernel = ray_kernel(tracer.prepare, build_hit_writer(tracer.face_query(any_hit)), tracer.floats)
     launch_rays(kernel, tracer.accelerator(scene, device, workers), rays, device, workers)
 
 

@@ -1,4 +1,4 @@
-"""Choice of the tracer, and all functions that depend on the tracer."""
+"""Choice between the tracers, the 16-wide tree and wp.Mesh, and the functions that each tracer provides."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from warpsample.tracing.wide.query import wide_query
 
 @dataclass(frozen=True)
 class Tracer:
-    """Method to trace rays: its queries, and the layout and preparation of the data that they read.
+    """Method to trace rays: query functions, and functions that prepare the data for the queries.
 
     Attributes:
         name: name in the public argument `tracer`.

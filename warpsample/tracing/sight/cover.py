@@ -22,8 +22,8 @@ def _least(e: wp.vec3, p: wp.vec3, q: wp.vec3, r: wp.vec3, s: wp.vec3, sign: wp.
 
 
 @wp.func
-def covering(leaf: wp.uint64, vectors: wp.uint64, o: wp.vec3, margin: wp.float32) -> wp.int32:
-    """Return a mask of a leaf's triangles that each ray of a shaft from o hits, despite all rounding errors.
+def covering_triangles(leaf: wp.uint64, vectors: wp.uint64, o: wp.vec3, margin: wp.float32) -> wp.int32:
+    """Return a mask of a leaf's triangles that all rays of a shaft (pyramid of directions) from o hit, despite rounding.
 
     The directions of the corners, and so all directions between them, are sums of the directions of the triangle's corners
     with positive weights. `margin` is the angle in radians by which the shaft must be inside the triangle. It must be at

@@ -9,9 +9,9 @@ gets a different answer.
 import warp as wp
 
 from warpsample.maths.numerics import fma, greater, lowest_bit
-from warpsample.tracing.placement import far_off
+from warpsample.tracing.placement import is_far_off
 from warpsample.tracing.queries import Accelerator
-from warpsample.tracing.sight.leaves import clear_leaf, copy_triangle, lengthen
+from warpsample.tracing.sight.leaves import clear_leaf, copy_triangle, raise_extent
 from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint
 from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.layout import (
@@ -37,26 +37,26 @@ _ANYWHERE = wp.constant(wp.float32(wp.INF))
 
 
 @wp.func
-def _beyond(low: wp.float32, high: wp.float32, x: wp.float32) -> wp.float32:
+def _distance_to_interval(low: wp.float32, high: wp.float32, x: wp.float32) -> wp.float32:
     """Return the distance from x to the interval from low to high; 0 inside."""
     return greater(greater(low - x, x - high), 0.0)
 
 
 @wp.func
 def limit_of_boxes(limit: wp.float32, n: wp.vec3) -> wp.float32:
-    """Return the limit along a normal for padded boxes, from the limit for the triangles inside the boxes."""
+    """Return the limit along a normal for padded boxes that is equivalent to a limit for the triangles inside."""
     return limit + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
 
 
 @wp.func
-def visible(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: wp.float32):
+def visible_children(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: wp.float32):
     """Return (mask of the children above the horizon and within reach, mask of the children whose boxes contain the origin).
 
     A child is above the horizon if its box has a point x with x n of at least `limit`.
     """
     rows = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
     links = wp.array(ptr=node + wp.uint64(4 * LINKS), shape=(WIDTH,), dtype=wp.int32)
-    visible = wp.int32(0)
+    visible_children = wp.int32(0)
     around = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
@@ -64,19 +64,19 @@ def visible(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: w
         y = wp.where(n[1] > 0.0, rows[4 * WIDTH + k], rows[WIDTH + k])
         z = wp.where(n[2] > 0.0, rows[5 * WIDTH + k], rows[2 * WIDTH + k])
         above = wp.where(fma(x, n[0], fma(y, n[1], z * n[2])) >= limit, 1, 0)
-        dx = _beyond(rows[k], rows[3 * WIDTH + k], o[0])
-        dy = _beyond(rows[WIDTH + k], rows[4 * WIDTH + k], o[1])
-        dz = _beyond(rows[2 * WIDTH + k], rows[5 * WIDTH + k], o[2])
+        dx = _distance_to_interval(rows[k], rows[3 * WIDTH + k], o[0])
+        dy = _distance_to_interval(rows[WIDTH + k], rows[4 * WIDTH + k], o[1])
+        dz = _distance_to_interval(rows[2 * WIDTH + k], rows[5 * WIDTH + k], o[2])
         apart = wp.sqrt(fma(dx, dx, fma(dy, dy, dz * dz)))
-        visible = visible | ((above & wp.where(apart < reach, 1, 0) & wp.where(links[k] != 0, 1, 0)) << k)
+        visible_children = visible_children | ((above & wp.where(apart < reach, 1, 0) & wp.where(links[k] != 0, 1, 0)) << k)
         around = around | (wp.where(apart == 0.0, 1, 0) << k)
         k += 1
-    return visible, around
+    return visible_children, around
 
 
 @wp.func
 def triangles_above(leaf: wp.uint64, n: wp.vec3, limit: wp.float32) -> wp.int32:
-    """Return a mask of a leaf's triangles that have a corner x with x n of at least `limit`: above the horizon."""
+    """Return a mask of a leaf's triangles with a corner above the horizon: its dot product with n is at least `limit`."""
     mask = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
@@ -86,7 +86,7 @@ def triangles_above(leaf: wp.uint64, n: wp.vec3, limit: wp.float32) -> wp.int32:
 
 
 @wp.func
-def _take_over(node: wp.uint64, child: wp.int32, nodes: wp.uint64, entry: wp.int32):
+def _copy_child(node: wp.uint64, child: wp.int32, nodes: wp.uint64, entry: wp.int32):
     """Copy a child of a node to the entry with the given number among the point's start nodes."""
     source = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
     target = wp.array(ptr=nodes + wp.uint64(entry / WIDTH) * wp.uint64(NODE_BYTES), shape=(_NODE_FLOATS,), dtype=wp.float32)
@@ -100,7 +100,7 @@ def _take_over(node: wp.uint64, child: wp.int32, nodes: wp.uint64, entry: wp.int
 
 
 @wp.func
-def _take_apart(
+def _copy_to_local_leaf(
     leaf: wp.uint64, n: wp.vec3, limit: wp.float32, edge: wp.float32, local: wp.uint64, triangles: wp.int32
 ) -> wp.int32:
     """Copy a leaf's triangles above the horizon to the local leaf; return the new number of triangles there.
@@ -112,7 +112,7 @@ def _take_apart(
     if triangles + count > WIDTH:
         return -1
     if count > 0:
-        lengthen(local, edge)
+        raise_extent(local, edge)
     for _ in range(count):
         copy_triangle(leaf, lowest_bit(met), local, triangles)
         met = met & (met - 1)
@@ -142,7 +142,7 @@ def _frontier(tree: Accelerator, point: ShadingPoint):
         if waits > 0:
             waits -= 1
             node = node_at(tree, waiting[waits])
-            seen, around = visible(node, point.o, n, box_limit, point.reach)
+            seen, around = visible_children(node, point.o, n, box_limit, point.reach)
             for _ in range(wp.bit_count(seen)):
                 child = lowest_bit(seen)
                 seen = seen & (seen - 1)
@@ -151,7 +151,7 @@ def _frontier(tree: Accelerator, point: ShadingPoint):
                 if ((around >> child) & 1) != 0:
                     if link < 0:
                         leaf = leaf_at(tree, ~link)
-                        apart = _take_apart(leaf, n, limit, edge_in(node, child), local, triangles)
+                        apart = _copy_to_local_leaf(leaf, n, limit, edge_in(node, child), local, triangles)
                         triangles = wp.max(triangles, apart)
                     elif waits < WIDTH:
                         waiting[waits] = link
@@ -159,7 +159,7 @@ def _frontier(tree: Accelerator, point: ShadingPoint):
                         apart = 0
                 if apart < 0:
                     if entries < _MOST_ENTRIES:
-                        _take_over(node, child, point.opened, entries)
+                        _copy_child(node, child, point.opened, entries)
                     entries += 1
     starts = (entries + WIDTH - 1) / WIDTH
     if entries > _MOST_ENTRIES or waits > 0:
@@ -175,7 +175,7 @@ def open_around(tree: Accelerator, point: ShadingPoint):
     """
     local = wp.int32(0)
     opened = wp.bool(False)
-    if not far_off(point.position):
+    if not is_far_off(point.position):
         starts, around = _frontier(tree, point)
         opened = starts >= 0
         if opened:
@@ -186,37 +186,37 @@ def open_around(tree: Accelerator, point: ShadingPoint):
 
 
 @wp.struct
-class Above:
-    """Half-space of the points x with x n of at least `limit`."""
+class HalfSpace:
+    """Half-space of all points whose dot product with n is at least `limit`."""
 
     n: wp.vec3
     limit: wp.float32
 
 
 @wp.func
-def _enter(node: wp.uint64, plane: Above):
+def _enter(node: wp.uint64, plane: HalfSpace):
     """Return a mask of the children whose boxes reach into the half-space."""
-    mask, _around = visible(node, wp.vec3(0.0), plane.n, limit_of_boxes(plane.limit, plane.n), _ANYWHERE)
+    mask, _around = visible_children(node, wp.vec3(0.0), plane.n, limit_of_boxes(plane.limit, plane.n), _ANYWHERE)
     return mask
 
 
 @wp.func
-def _look(leaf: wp.uint64, plane: Above, found: wp.bool):
+def _look(leaf: wp.uint64, plane: HalfSpace, found: wp.bool):
     """Return whether a triangle of a leaf reaches into the half-space, twice: as the answer, and to end the search."""
     found = triangles_above(leaf, plane.n, plane.limit) != 0
     return found, found
 
 
-_walk = tree_walk(_enter, _look, Above, wp.bool)
+_walk = tree_walk(_enter, _look, HalfSpace, wp.bool)
 
 
 @wp.func
-def stands_above(tree: Accelerator, n: wp.vec3, limit: wp.float32, scratch: wp.uint64) -> wp.bool:
-    """Return whether a triangle of the tree has a corner x with x n of at least `limit`.
+def has_triangle_above(tree: Accelerator, n: wp.vec3, limit: wp.float32, scratch: wp.uint64) -> wp.bool:
+    """Return whether a triangle of the tree has a corner x whose dot product with n is at least `limit`.
 
     The result is True, too, if the limit on visits ends the search early.
     """
-    plane = Above()
+    plane = HalfSpace()
     plane.n = n
     plane.limit = limit
     found, spent = _walk(tree, plane, wp.bool(False), _VISITS, scratch)

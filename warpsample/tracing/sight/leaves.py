@@ -6,7 +6,7 @@ from warpsample.maths.memory import float_at, set_float
 from warpsample.maths.numerics import greater
 from warpsample.tracing.wide.layout import LEAF_BYTES, WIDTH
 from warpsample.tracing.wide.prepare import ray_in
-from warpsample.tracing.wide.query import any_of, nearest_of
+from warpsample.tracing.wide.query import any_triangle, nearest_triangle
 
 TRIANGLES = WIDTH
 """Largest number of triangles in a leaf."""
@@ -19,13 +19,13 @@ _LONGEST = LEAF_BYTES // 4
 
 @wp.func
 def clear_leaf(leaf: wp.uint64):
-    """Reset the longest extent of a leaf; the caller does not use lanes without triangles."""
+    """Set the longest extent of a leaf to 0; the triangles stay, but the caller does not use their lanes."""
     set_float(leaf, _LONGEST, 0.0)
 
 
 @wp.func
-def lengthen(leaf: wp.uint64, edge: wp.float32):
-    """Raise the longest extent of a leaf's triangles along an axis to at least `edge`."""
+def raise_extent(leaf: wp.uint64, edge: wp.float32):
+    """Raise the stored longest extent of a leaf's triangles along an axis to at least `edge`."""
     set_float(leaf, _LONGEST, greater(float_at(leaf, _LONGEST), edge))
 
 
@@ -37,24 +37,24 @@ def copy_triangle(source: wp.uint64, k: wp.int32, leaf: wp.uint64, lane: wp.int3
 
 
 @wp.func
-def keep_triangle(leaf: wp.uint64, lane: wp.int32, a: wp.vec3, b: wp.vec3, c: wp.vec3):
+def store_triangle(leaf: wp.uint64, lane: wp.int32, a: wp.vec3, b: wp.vec3, c: wp.vec3):
     """Store a triangle, without a face number, in a lane of a point's leaf."""
     for axis in range(3):
         set_float(leaf, axis * WIDTH + lane, a[axis])
         set_float(leaf, (3 + axis) * WIDTH + lane, b[axis])
         set_float(leaf, (6 + axis) * WIDTH + lane, c[axis])
-    lengthen(leaf, wp.max(wp.max(wp.max(a, b), c) - wp.min(wp.min(a, b), c)))
+    raise_extent(leaf, wp.max(wp.max(wp.max(a, b), c) - wp.min(wp.min(a, b), c)))
 
 
 @wp.func
 def any_in_leaf(leaf: wp.uint64, triangles: wp.int32, column: wp.uint64, reach: wp.float32) -> wp.int32:
     """Return the lane of some triangle in a mask that a prepared ray hits; -1 if it hits none."""
-    _reach, lane = any_of(leaf, triangles, ray_in(column), reach, float_at(leaf, _LONGEST))
+    _reach, lane = any_triangle(leaf, triangles, ray_in(column), reach, float_at(leaf, _LONGEST))
     return lane
 
 
 @wp.func
 def nearest_in_leaf(leaf: wp.uint64, triangles: wp.int32, column: wp.uint64, reach: wp.float32):
     """Return (distance, lane) of the nearest triangle in a mask that a prepared ray hits; (reach, -1) if it hits none."""
-    distance, lane = nearest_of(leaf, triangles, ray_in(column), reach, float_at(leaf, _LONGEST))
+    distance, lane = nearest_triangle(leaf, triangles, ray_in(column), reach, float_at(leaf, _LONGEST))
     return distance, lane

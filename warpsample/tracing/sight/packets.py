@@ -9,16 +9,16 @@ import warp as wp
 
 from warpsample.maths.memory import address_at, float_at, set_address
 from warpsample.maths.numerics import high_word, low_word, lowest_bit
-from warpsample.tracing.placement import far_off
+from warpsample.tracing.placement import is_far_off
 from warpsample.tracing.queries import CHUNK, REACH, Accelerator, column_of, direction_of
 from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint
 from warpsample.tracing.sight.sides import open_leaf, rays_passing, triangles_passed
-from warpsample.tracing.wide.candidates import entered, left_at
+from warpsample.tracing.wide.candidates import entry_distance, exit_distance
 from warpsample.tracing.wide.lanes import lanes_with
 from warpsample.tracing.wide.layout import NODE_BYTES, WIDTH, edge_in, leaf_at, link_in, node_at
 from warpsample.tracing.wide.prepare import ray_in
-from warpsample.tracing.wide.query import any_of
-from warpsample.tracing.wide.triangle import between_edges, plane_distance
+from warpsample.tracing.wide.query import any_triangle
+from warpsample.tracing.wide.triangle import is_between_edges, plane_distance
 
 _ROW = wp.constant(wp.uint64(4 * WIDTH))
 _ALL = wp.constant(wp.int32(2**WIDTH - 1))
@@ -54,7 +54,7 @@ def lowest_ray(rays: wp.uint64) -> wp.int32:
 
 
 @wp.func
-def _meets(leaf: wp.uint64, triangles: wp.int32, column: wp.uint64, reach: wp.float32) -> wp.bool:
+def _is_hit(leaf: wp.uint64, triangles: wp.int32, column: wp.uint64, reach: wp.float32) -> wp.bool:
     """Return whether a ray hits one of a leaf's triangles in a mask, by the test of single rays."""
     met = wp.bool(False)
     ray = ray_in(column)
@@ -62,12 +62,12 @@ def _meets(leaf: wp.uint64, triangles: wp.int32, column: wp.uint64, reach: wp.fl
         k = lowest_bit(triangles)
         triangles = triangles & (triangles - 1)
         distance = plane_distance(leaf, k, ray)
-        met = distance > 0.0 and distance < reach and between_edges(leaf, k, ray)
+        met = distance > 0.0 and distance < reach and is_between_edges(leaf, k, ray)
     return met
 
 
 @wp.func
-def _past_triangles(
+def _unblocked_by_triangles(
     leaf: wp.uint64, triangles: wp.int32, point: ShadingPoint, alive: wp.uint64, blocks: wp.int32
 ) -> wp.uint64:
     """Return the rays of `alive` that miss the triangles of a mask; vector lanes hold rays."""
@@ -84,19 +84,21 @@ def _past_triangles(
                 while maybe != NO_RAYS:
                     k = lowest_ray(maybe)
                     maybe = maybe & (maybe - _ONE)
-                    if _meets(leaf, 1 << t, column_of(point.chunk, k), point.reach):
+                    if _is_hit(leaf, 1 << t, column_of(point.chunk, k), point.reach):
                         alive = alive & (~ray_set(k))
     return alive
 
 
 @wp.func
-def _past_leaf(leaf: wp.uint64, edge: wp.float32, point: ShadingPoint, rays: wp.uint64, alive: wp.uint64) -> wp.uint64:
+def _unblocked_by_leaf(
+    leaf: wp.uint64, edge: wp.float32, point: ShadingPoint, rays: wp.uint64, alive: wp.uint64
+) -> wp.uint64:
     """Return `alive` without the rays of `rays` that hit a triangle of a leaf; vector lanes hold triangles.
 
     A single ray is tested without opening the leaf, which would not pay.
     """
     if (rays & (rays - _ONE)) == NO_RAYS:
-        _reach, triangle = any_of(leaf, _ALL, ray_in(column_of(point.chunk, lowest_ray(rays))), point.reach, edge)
+        _reach, triangle = any_triangle(leaf, _ALL, ray_in(column_of(point.chunk, lowest_ray(rays))), point.reach, edge)
         return wp.where(triangle >= 0, alive & (~rays), alive)
     open_leaf(leaf, point.o, point.reach, point.sides)
     while rays != NO_RAYS:
@@ -105,13 +107,13 @@ def _past_leaf(leaf: wp.uint64, edge: wp.float32, point: ShadingPoint, rays: wp.
         passed = triangles_passed(point.sides, direction_of(point.chunk, k))
         met = wp.where((passed >> WIDTH) & _ALL != 0, 1, 0)
         if met == 0 and passed != 0:
-            met = wp.where(_meets(leaf, passed & _ALL, column_of(point.chunk, k), point.reach), 1, 0)
+            met = wp.where(_is_hit(leaf, passed & _ALL, column_of(point.chunk, k), point.reach), 1, 0)
         alive = alive & (~(wp.uint64(met) << wp.uint64(k)))
     return alive
 
 
 @wp.func
-def _children_met(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.int32:
+def _children_hit(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.int32:
     """Return a mask of a node's children whose boxes some rays of a set hit.
 
     Two words per child in `scratch` receive the set of rays that hit the child's box.
@@ -127,7 +129,7 @@ def _children_met(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.i
         high_bit = wp.int32(high_word(bit))
         k = wp.int32(0)
         while k < WIDTH:
-            meets = wp.where(entered(node, ray, k) <= left_at(node, ray, reach, k), -1, 0)
+            meets = wp.where(entry_distance(node, ray, k) <= exit_distance(node, ray, reach, k), -1, 0)
             low[k] = low[k] | (meets & low_bit)
             high[k] = high[k] | (meets & high_bit)
             k += 1
@@ -143,14 +145,14 @@ def _children_met(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.i
 
 
 @wp.func
-def _rays_of(point: ShadingPoint, child: wp.int32) -> wp.uint64:
+def _rays_at_child(point: ShadingPoint, child: wp.int32) -> wp.uint64:
     """Return the set of rays that hit a child's box, as `_children_hit` stored it."""
     words = wp.array(ptr=point.scratch, shape=(2 * WIDTH,), dtype=wp.uint32)
     return (wp.uint64(words[WIDTH + child]) << wp.uint64(32)) | wp.uint64(words[child])
 
 
 @wp.func
-def _put(top: wp.uint64, node: wp.uint64, rays: wp.uint64) -> wp.uint64:
+def _push(top: wp.uint64, node: wp.uint64, rays: wp.uint64) -> wp.uint64:
     """Push a node and the set of rays that hit its box onto the stack; return the new top."""
     set_address(top, 0, node)
     set_address(top, 1, rays)
@@ -158,41 +160,39 @@ def _put(top: wp.uint64, node: wp.uint64, rays: wp.uint64) -> wp.uint64:
 
 
 @wp.func
-def _past_tree(tree: Accelerator, point: ShadingPoint, alive: wp.uint64) -> wp.uint64:
+def _unblocked_by_tree(tree: Accelerator, point: ShadingPoint, alive: wp.uint64) -> wp.uint64:
     """Return the rays of `alive` that hit nothing in the tree."""
     top = point.waiting
     for start in range(tree.starts):
-        top = _put(top, tree.start + wp.uint64(start) * wp.uint64(NODE_BYTES), alive)
+        top = _push(top, tree.start + wp.uint64(start) * wp.uint64(NODE_BYTES), alive)
     while top != point.waiting:
         top -= _ENTRY
         node = address_at(top, 0)
-        mask = _children_met(node, point, address_at(top, 1) & alive)
+        mask = _children_hit(node, point, address_at(top, 1) & alive)
         while mask != 0:
             child = lowest_bit(mask)
             mask = mask & (mask - 1)
-            rays = alive & _rays_of(point, child)
+            rays = alive & _rays_at_child(point, child)
             if rays != NO_RAYS:
                 link = link_in(node, child)
                 if link < 0:
-                    alive = _past_leaf(leaf_at(tree, ~link), edge_in(node, child), point, rays, alive)
+                    alive = _unblocked_by_leaf(leaf_at(tree, ~link), edge_in(node, child), point, rays, alive)
                 else:
-                    top = _put(top, node_at(tree, link), rays)
+                    top = _push(top, node_at(tree, link), rays)
     return alive
 
 
 @wp.func
-def blocked_together(
-    tree: Accelerator, point: ShadingPoint, local: wp.int32, rays: wp.uint64, length: wp.int32
-) -> wp.uint64:
+def blocked_rays(tree: Accelerator, point: ShadingPoint, local: wp.int32, rays: wp.uint64, length: wp.int32) -> wp.uint64:
     """Return the rays of a set that hit anything; the set holds some of the first `length` rays of a prepared chunk.
 
     `local` is that of `first_hit`. The rays of a distant point have separate origins and reaches, and are traced one by one.
     """
     alive = rays
     if local != 0:
-        alive = _past_triangles(point.opened + LOCAL_LEAF, local, point, alive, (length + WIDTH - 1) / WIDTH)
+        alive = _unblocked_by_triangles(point.opened + LOCAL_LEAF, local, point, alive, (length + WIDTH - 1) / WIDTH)
     left = alive
-    apart = far_off(point.position)
+    apart = is_far_off(point.position)
     while alive != NO_RAYS:
         these = alive
         if apart:
@@ -200,5 +200,5 @@ def blocked_together(
             point.reach = float_at(column_of(point.chunk, lowest_ray(alive)), REACH)
         alive = alive & (~these)
         if point.reach > 0.0:
-            left = left & (~these | _past_tree(tree, point, these))
+            left = left & (~these | _unblocked_by_tree(tree, point, these))
     return rays & (~left)

@@ -7,11 +7,11 @@ from warpsample.maths.memory import byte_at, set_float, vec3_at
 from warpsample.maths.numerics import ZERO, scaled_to_unit
 from warpsample.tracing.placement import (
     Placement,
+    distance_to_scene,
     local_origin,
     origin_offset,
     point_of,
     reach_along,
-    way_to_scene,
 )
 from warpsample.tracing.queries import CHUNK_FLOATS, REACH, column_of, set_origin, start_all
 from warpsample.tracing.sight.leaves import OWN_LEAF_FLOATS
@@ -99,7 +99,10 @@ def workspace_floats(own: int, chunk: int = CHUNK_FLOATS, searches: bool = True,
 
 @wp.func
 def point_in(workspace: wp.uint64, own: wp.int32, chunk: wp.int32) -> ShadingPoint:
-    """Return a point without a position, with the addresses of the parts of a workspace of `workspace_floats`."""
+    """Return a point with the addresses of the parts of a workspace; index, normal and position are not set yet.
+
+    The workspace has the size that `workspace_floats` returns.
+    """
     point = ShadingPoint()
     point.chunk = workspace
     point.own = point.chunk + wp.uint64(4 * chunk)
@@ -112,10 +115,10 @@ def point_in(workspace: wp.uint64, own: wp.int32, chunk: wp.int32) -> ShadingPoi
 
 
 @wp.func
-def turned(
+def orient_point(
     point: ShadingPoint, placement: Placement, normals: wp.uint64, active: wp.uint64, visit: wp.int64
 ) -> ShadingPoint:
-    """Return the point that is visited as number `visit`, with index, unit normal and status, but no position yet.
+    """Return the point that is visited as number `visit`, with its index, unit normal and status, but no position.
 
     normals: address of (P, 3) float32, of any length. active: address of (P,) uint8, or 0 if all points are active.
     """
@@ -132,7 +135,7 @@ def turned(
 
 @wp.func
 def _origin(placement: Placement, point: ShadingPoint, sides: wp.int32) -> wp.vec3:
-    """Return the start of the rays of a point, on the side of its face to which the normal points."""
+    """Return the start point of the rays of a point, on the side of its face to which the normal points."""
     if placement.starts != wp.uint64(0) and sides == 1:
         return vec3_at(placement.starts, point.index)
     side = vec3_at(placement.normals, point.index)
@@ -143,7 +146,7 @@ def _origin(placement: Placement, point: ShadingPoint, sides: wp.int32) -> wp.ve
 
 
 @wp.func
-def standing(point: ShadingPoint, placement: Placement, sides: wp.int32) -> ShadingPoint:
+def place_point(point: ShadingPoint, placement: Placement, sides: wp.int32) -> ShadingPoint:
     """Return a point of `orient_point` with position, ray origin and status, and fill its chunk with the origin.
 
     `sides`, 1 or 2, is the number of starts per point in the placement.
@@ -159,12 +162,12 @@ def standing(point: ShadingPoint, placement: Placement, sides: wp.int32) -> Shad
 
 
 @wp.func
-def bring_near(point: ShadingPoint, k: wp.int32, d: wp.vec3d):
+def move_ray_near(point: ShadingPoint, k: wp.int32, d: wp.vec3d):
     """Move the origin of the k-th ray of a distant point near the mesh, along the unit vector d.
 
     The reach becomes negative if the ray misses the mesh.
     """
-    ahead = way_to_scene(point.position, d)
+    ahead = distance_to_scene(point.position, d)
     set_origin(point.chunk, k, wp.vec3(point.position + ahead * d))
     reach = wp.where(ahead < ZERO, -1.0, wp.float32(wp.float64(point.reach) - ahead))
     set_float(column_of(point.chunk, k), REACH, reach)

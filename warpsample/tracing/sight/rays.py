@@ -5,15 +5,15 @@ import warp as wp
 from warpsample.directions.variates import LANES
 from warpsample.host.locks import once
 from warpsample.maths.memory import float_at
-from warpsample.tracing.placement import far_off, in_double
+from warpsample.tracing.placement import in_double, is_far_off
 from warpsample.tracing.queries import REACH, Accelerator, Glass, column_of, direction_of
 from warpsample.tracing.sight.leaves import any_in_leaf, nearest_in_leaf
-from warpsample.tracing.sight.packets import NO_RAYS, blocked_together, ray_set
-from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint, bring_near
+from warpsample.tracing.sight.packets import NO_RAYS, blocked_rays, ray_set
+from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint, move_ray_near
 from warpsample.tracing.wide.layout import face_in
 from warpsample.tracing.wide.prepare import prepare_wide, ray_in
 from warpsample.tracing.wide.query import wide_query
-from warpsample.tracing.wide.through import next_crossing, share_through
+from warpsample.tracing.wide.through import next_crossing, path_transmittance
 
 
 @wp.func
@@ -23,11 +23,11 @@ def whole_vectors(length: wp.int32) -> wp.int32:
 
 
 @wp.func
-def rays_from_afar(point: ShadingPoint, length: wp.int32):
+def move_rays_near(point: ShadingPoint, length: wp.int32):
     """Move the origins of the first rays of a chunk near the mesh, if the point is far from the mesh."""
-    if far_off(point.position):
+    if is_far_off(point.position):
         for k in range(length):
-            bring_near(point, k, in_double(direction_of(point.chunk, k)))
+            move_ray_near(point, k, in_double(direction_of(point.chunk, k)))
 
 
 @once
@@ -43,7 +43,7 @@ def prepare_rays(prepare: wp.Function = prepare_wide) -> wp.Function:
 
 @once
 def first_hit(any_hit: bool, query: wp.Function | None = None, wide: bool = True) -> wp.Function:
-    """Build a function (tree, point, local, k) -> (distance, face) of the nearest hit of the k-th prepared ray.
+    """Build a function (tree, point, local, k) -> (distance, face) of the nearest hit of the k-th ray of a prepared chunk.
 
     Without a hit or without reach the result is (inf, -1); with any_hit a hit gives (0, some face).
 
@@ -87,21 +87,21 @@ def first_hit(any_hit: bool, query: wp.Function | None = None, wide: bool = True
 
 
 @wp.func
-def through_glass_to(glass: Glass, point: ShadingPoint, k: wp.int32, distance: wp.float32) -> wp.float32:
+def glass_transmittance_to(glass: Glass, point: ShadingPoint, k: wp.int32, distance: wp.float32) -> wp.float32:
     """Return the transmittance of the translucent faces along the k-th prepared ray, up to a distance."""
     column = column_of(point.chunk, k)
     reach = wp.min(float_at(column, REACH), distance)
     share = wp.float32(1.0)
     if reach > 0.0:
-        share = share_through(glass, ray_in(column), reach, point.scratch)
+        share = path_transmittance(glass, ray_in(column), reach, point.scratch)
     return share
 
 
 @wp.func
-def next_through_glass(
+def next_glass_crossing(
     glass: Glass, point: ShadingPoint, k: wp.int32, before: wp.float32, after: wp.float32, after_face: wp.int32
 ):
-    """Return (distance, face) of the first translucent face that the k-th prepared ray crosses behind a given crossing.
+    """Return (distance, face) of the k-th ray's first crossing of a translucent face behind a given crossing.
 
     The result is (inf, -1) without a crossing before the distance `before`. The given crossing is that of `after_face` at
     distance `after`.
@@ -116,9 +116,9 @@ def next_through_glass(
 
 
 @wp.func
-def through_glass(glass: Glass, point: ShadingPoint, k: wp.int32) -> wp.float32:
+def glass_transmittance(glass: Glass, point: ShadingPoint, k: wp.int32) -> wp.float32:
     """Return the transmittance of the translucent faces along the k-th prepared ray."""
-    return through_glass_to(glass, point, k, wp.float32(wp.INF))
+    return glass_transmittance_to(glass, point, k, wp.float32(wp.INF))
 
 
 @once
@@ -132,7 +132,7 @@ def rays_blocked(query: wp.Function | None = None, wide: bool = True) -> wp.Func
         wide: whether to use the wide tree.
     """
     if wide:
-        return blocked_together
+        return blocked_rays
     hit = first_hit(any_hit=True, query=query, wide=wide)
 
     @wp.func

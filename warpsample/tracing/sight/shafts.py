@@ -53,14 +53,14 @@ def shaft_vectors(normals: np.ndarray, corners: np.ndarray) -> np.ndarray:
 
 @wp.func
 def corner_of(vectors: wp.uint64, i: wp.int32) -> wp.vec3:
-    """Return the unit direction of a shaft's i-th corner."""
+    """Return the unit direction of the i-th corner of a shaft (pyramid of directions)."""
     k = PLANES + i
     return wp.vec3(float_at(vectors, k), float_at(vectors, WIDTH + k), float_at(vectors, 2 * WIDTH + k))
 
 
 @wp.func
-def _start(point: ShadingPoint):
-    """Complete the shaft of a point from its vectors: set the horizon as the first plane, and the limits of all planes."""
+def _complete_shaft(point: ShadingPoint):
+    """Set the planes' limits of a point's shaft, and the point's horizon as the first plane."""
     rows = wp.array(ptr=point.shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     o = point.o
     n = point.n
@@ -79,7 +79,7 @@ def _start(point: ShadingPoint):
 
 @wp.func
 def aim_about(vectors: wp.uint64, point: ShadingPoint):
-    """Aim the shaft of a point by vectors given in the frame about the point's normal."""
+    """Compute the shaft (pyramid of directions) of a point from vectors in the frame about the point's normal."""
     given = wp.array(ptr=vectors, shape=(_VECTORS_FLOATS,), dtype=wp.float32)
     rows = wp.array(ptr=point.shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     frame = frame_about(point.n)
@@ -90,19 +90,19 @@ def aim_about(vectors: wp.uint64, point: ShadingPoint):
         rows[WIDTH + k] = v[1]
         rows[2 * WIDTH + k] = v[2]
         k += 1
-    _start(point)
+    _complete_shaft(point)
 
 
 @wp.func
 def aim_at(vectors: wp.uint64, point: ShadingPoint):
-    """Aim the shaft of a point by vectors given in the scene's coordinates."""
+    """Compute the shaft (pyramid of directions) of a point from vectors in the scene's coordinates."""
     given = wp.array(ptr=vectors, shape=(_VECTORS_FLOATS,), dtype=wp.float32)
     rows = wp.array(ptr=point.shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
     while k < _VECTORS_FLOATS:
         rows[k] = given[k]
         k += 1
-    _start(point)
+    _complete_shaft(point)
 
 
 @wp.struct
@@ -125,7 +125,7 @@ class Plane:
 
 
 @wp.func
-def _side(shaft: wp.uint64, i: wp.int32) -> Plane:
+def _plane(shaft: wp.uint64, i: wp.int32) -> Plane:
     """Return the i-th plane of a shaft."""
     rows = wp.array(ptr=shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     plane = Plane()
@@ -140,7 +140,7 @@ def _side(shaft: wp.uint64, i: wp.int32) -> Plane:
 
 
 @wp.func
-def _box_inside(node: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
+def _is_box_inside(node: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
     """Return 1 where some corner of the box of a node's k-th child is inside the plane, else 0."""
     x = wp.array(ptr=node + plane.x_row, shape=(WIDTH,), dtype=wp.float32)
     y = wp.array(ptr=node + plane.y_row, shape=(WIDTH,), dtype=wp.float32)
@@ -149,14 +149,14 @@ def _box_inside(node: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
 
 
 @wp.func
-def _inside(a: wp.vec3, b: wp.vec3, c: wp.vec3, plane: Plane, margin: wp.float32) -> wp.int32:
+def _is_triangle_inside(a: wp.vec3, b: wp.vec3, c: wp.vec3, plane: Plane, margin: wp.float32) -> wp.int32:
     """Return 1 where some corner of a triangle is inside the plane, else 0; corners are relative to the origin."""
     n = wp.vec3(plane.nx, plane.ny, plane.nz)
     return wp.where(greater(greater(wp.dot(a, n), wp.dot(b, n)), wp.dot(c, n)) >= -margin, 1, 0)
 
 
 @wp.func
-def _faced(a: wp.vec3, b: wp.vec3, c: wp.vec3, shaft: wp.uint64) -> wp.int32:
+def _is_facing(a: wp.vec3, b: wp.vec3, c: wp.vec3, shaft: wp.uint64) -> wp.int32:
     """Return 0 where all directions of the shaft move away from the plane of a triangle, else 1.
 
     The corners a, b and c are relative to the origin.
@@ -180,31 +180,33 @@ def _faced(a: wp.vec3, b: wp.vec3, c: wp.vec3, shaft: wp.uint64) -> wp.int32:
 
 @wp.func
 def boxes_in(node: wp.uint64, shaft: wp.uint64) -> wp.int32:
-    """Return a mask of a node's children whose boxes a ray of the shaft may hit."""
-    p = _side(shaft, 0)
-    q = _side(shaft, 1)
-    r = _side(shaft, 2)
-    s = _side(shaft, 3)
-    t = _side(shaft, 4)
+    """Return a mask of a node's children whose boxes rays of a shaft (pyramid of directions) may hit."""
+    p = _plane(shaft, 0)
+    q = _plane(shaft, 1)
+    r = _plane(shaft, 2)
+    s = _plane(shaft, 3)
+    t = _plane(shaft, 4)
     mask = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
-        inside = _box_inside(node, p, k) & _box_inside(node, q, k) & _box_inside(node, r, k) & _box_inside(node, s, k)
-        mask = mask | ((inside & _box_inside(node, t, k)) << k)
+        inside = (
+            _is_box_inside(node, p, k) & _is_box_inside(node, q, k) & _is_box_inside(node, r, k) & _is_box_inside(node, s, k)
+        )
+        mask = mask | ((inside & _is_box_inside(node, t, k)) << k)
         k += 1
     return mask
 
 
 @wp.func
 def triangles_in(leaf: wp.uint64, shaft: wp.uint64) -> wp.int32:
-    """Return a mask of a leaf's triangles that a ray of the shaft may hit."""
+    """Return a mask of a leaf's triangles that rays of a shaft (pyramid of directions) may hit."""
     o = vec3_at(shaft + wp.uint64(4 * _ORIGIN), 0)
     low = float_at(shaft, _LOW)
-    p = _side(shaft, 0)
-    q = _side(shaft, 1)
-    r = _side(shaft, 2)
-    s = _side(shaft, 3)
-    t = _side(shaft, 4)
+    p = _plane(shaft, 0)
+    q = _plane(shaft, 1)
+    r = _plane(shaft, 2)
+    s = _plane(shaft, 3)
+    t = _plane(shaft, 4)
     mask = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
@@ -212,8 +214,12 @@ def triangles_in(leaf: wp.uint64, shaft: wp.uint64) -> wp.int32:
         b = corner(leaf, 3, k, o)
         c = corner(leaf, 6, k, o)
         margin = _MARGIN * greater(greater(size_of(a), size_of(b)), size_of(c))
-        inside = _inside(a, b, c, p, low) & _inside(a, b, c, q, margin) & _inside(a, b, c, r, margin)
-        inside = inside & _inside(a, b, c, s, margin) & _inside(a, b, c, t, margin)
-        mask = mask | ((inside & _faced(a, b, c, shaft)) << k)
+        inside = (
+            _is_triangle_inside(a, b, c, p, low)
+            & _is_triangle_inside(a, b, c, q, margin)
+            & _is_triangle_inside(a, b, c, r, margin)
+        )
+        inside = inside & _is_triangle_inside(a, b, c, s, margin) & _is_triangle_inside(a, b, c, t, margin)
+        mask = mask | ((inside & _is_facing(a, b, c, shaft)) << k)
         k += 1
     return mask

@@ -42,7 +42,7 @@ def open_leaf(leaf: wp.uint64, o: wp.vec3, reach: wp.float32, sides: wp.uint64):
     """Open a leaf for the rays from o with a given reach: compute the rows of inward normals and limits."""
     # Let u = 2^-24, and A and E the greatest sums of absolute components of corners and of sides. A component of a normal is
     # rounded by 4 u of its two products, and a product with d by 3 u more: 7 u A E in all. The difference b - a, instead of
-    # b, makes the error relative to the side. The margin is 16 u A E; `between_edges` in float64 rounds by 2 u A 2^-22 at
+    # b, makes the error relative to the side. The margin is 16 u A E; `is_between_edges` in float64 rounds by 2 u A 2^-22 at
     # most. The sign of n . a, with n = (b - a) x (c - a), is the side of the plane on which the origin is. It is uncertain
     # within 11 u A E E: the triangle is then seen edge-on, and rays may pass it on either side. If a corner is beyond the
     # reach, no ray counts as a certain hit.
@@ -93,7 +93,7 @@ def open_leaf(leaf: wp.uint64, o: wp.vec3, reach: wp.float32, sides: wp.uint64):
 
 
 @wp.func
-def _verdict(
+def _classify_ray(
     d: wp.vec3, p: wp.vec3, q: wp.vec3, r: wp.vec3, sure: wp.float32, outside: wp.float32, behind: wp.float32
 ) -> wp.int32:
     """Return bit 31 if a ray may pass between the three sides of a triangle, and bit 30 if it certainly does."""
@@ -116,7 +116,7 @@ def triangles_passed(sides: wp.uint64, d: wp.vec3) -> wp.int32:
         p = wp.vec3(rows[k], rows[WIDTH + k], rows[2 * WIDTH + k])
         q = wp.vec3(rows[3 * WIDTH + k], rows[4 * WIDTH + k], rows[5 * WIDTH + k])
         r = wp.vec3(rows[6 * WIDTH + k], rows[7 * WIDTH + k], rows[8 * WIDTH + k])
-        met[k] = _verdict(d, p, q, r, rows[_SURE + k], rows[_OUTSIDE + k], rows[_BEHIND + k])
+        met[k] = _classify_ray(d, p, q, r, rows[_SURE + k], rows[_OUTSIDE + k], rows[_BEHIND + k])
         k += 1
     return lanes_with(met.ptr, 31) | (lanes_with(met.ptr, 30) << WIDTH)
 
@@ -139,6 +139,6 @@ def rays_passing(sides: wp.uint64, t: wp.int32, column: wp.uint64) -> wp.int32:
     k = wp.int32(0)
     while k < WIDTH:
         d = wp.vec3(rays[DIRECTION + k], rays[DIRECTION + CHUNK + k], rays[DIRECTION + 2 * CHUNK + k])
-        met[k] = _verdict(d, p, q, r, sure, outside, behind)
+        met[k] = _classify_ray(d, p, q, r, sure, outside, behind)
         k += 1
     return lanes_with(met.ptr, 31) | (lanes_with(met.ptr, 30) << WIDTH)

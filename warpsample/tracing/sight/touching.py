@@ -32,13 +32,13 @@ def _children_around(node: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
 
 
 @wp.func
-def _beside(a: wp.float32, b: wp.float32, c: wp.float32, r: wp.float32) -> wp.int32:
+def _is_near_zero(a: wp.float32, b: wp.float32, c: wp.float32, r: wp.float32) -> wp.int32:
     """Return 1 where the interval spanned by three coordinates is within r of 0, else 0."""
     return wp.where(lesser(lesser(a, b), c) <= r, 1, 0) & wp.where(greater(greater(a, b), c) >= -r, 1, 0)
 
 
 @wp.func
-def _triangles_touched(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
+def _triangles_near_point(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
     """Return a mask of a leaf's triangles that may be within r of a point."""
     touched = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
     k = wp.int32(0)
@@ -46,7 +46,7 @@ def _triangles_touched(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
         a = corner(leaf, 0, k, p)
         b = corner(leaf, 3, k, p)
         c = corner(leaf, 6, k, p)
-        near = _beside(a[0], b[0], c[0], r) & _beside(a[1], b[1], c[1], r) & _beside(a[2], b[2], c[2], r)
+        near = _is_near_zero(a[0], b[0], c[0], r) & _is_near_zero(a[1], b[1], c[1], r) & _is_near_zero(a[2], b[2], c[2], r)
         n = wp.cross(b - a, c - a)
         far = greater(greater(size_of(a), size_of(b)), size_of(c))
         # A component of the normal is rounded by 2^-23 of two edges, each within 2 far; then come products and sums.
@@ -80,7 +80,7 @@ def faces_touching(look: wp.Function, query_type: Any, answer_type: Any) -> wp.F
 
     @wp.func
     def look_into(leaf: wp.uint64, query: query_type, answer: answer_type):
-        touched = _triangles_touched(leaf, query.p, query.r)
+        touched = _triangles_near_point(leaf, query.p, query.r)
         for _ in range(wp.bit_count(touched)):
             answer = look(face_in(leaf, lowest_bit(touched)), query, answer)
             touched = touched & (touched - 1)

@@ -32,7 +32,7 @@ _LINE = 64
 
 @dataclass(frozen=True, eq=False)
 class WideTree:
-    """A topology with the contents of its nodes and leaves.
+    """The 16-wide tree: a topology with the contents of its nodes and leaves.
 
     Attributes:
         topology: links to the nodes' children, and the leaves' faces.
@@ -45,7 +45,7 @@ class WideTree:
     leaves: np.ndarray
 
     def accelerator(self) -> Any:
-        """Return the addresses of nodes and leaves; they are valid while this object lives."""
+        """Return the addresses of nodes and leaves, valid while this object lives."""
         return AcceleratorArgs(
             nodes=self.nodes.ctypes.data, leaves=self.leaves.ctypes.data, start=self.nodes.ctypes.data, starts=1
         )
@@ -61,7 +61,7 @@ def fill(topology: Topology, vertices: np.ndarray, faces: np.ndarray, workers: i
         workers: number of threads.
     """
     leaves, nodes = len(topology.faces), len(topology.links)
-    tree = WideTree(topology, _in_lines((nodes, 8, WIDTH)), _in_lines((leaves, 10, WIDTH)))
+    tree = WideTree(topology, _empty_aligned((nodes, 8, WIDTH)), _empty_aligned((leaves, 10, WIDTH)))
     leaf_boxes, node_boxes = np.empty((leaves, 2, 3), np.float32), np.empty((nodes, 2, 3), np.float32)
     edges = np.empty(leaves, np.float32)
     inputs = [a.ctypes.data for a in (topology.faces, vertices, faces, tree.leaves, leaf_boxes, edges)]
@@ -72,7 +72,7 @@ def fill(topology: Topology, vertices: np.ndarray, faces: np.ndarray, workers: i
     return tree
 
 
-def _in_lines(shape: tuple[int, ...]) -> np.ndarray:
+def _empty_aligned(shape: tuple[int, ...]) -> np.ndarray:
     """Return an uninitialised float32 array that starts at a cache line, so that no row of sixteen spans two lines."""
     size = 4 * int(np.prod(shape))
     raw = np.empty(size + _LINE, np.uint8)

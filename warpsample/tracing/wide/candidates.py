@@ -23,7 +23,7 @@ _SURELY = wp.constant(wp.int32(2**30))
 
 
 @wp.func
-def entered(node: wp.uint64, ray: Ray, k: wp.int32) -> wp.float32:
+def entry_distance(node: wp.uint64, ray: Ray, k: wp.int32) -> wp.float32:
     """Return the distance at which a ray enters the box of a node's k-th child, at least 0."""
     x = wp.array(ptr=node + ray.near_x, shape=(WIDTH,), dtype=wp.float32)
     y = wp.array(ptr=node + _ROW + ray.near_y, shape=(WIDTH,), dtype=wp.float32)
@@ -35,7 +35,7 @@ def entered(node: wp.uint64, ray: Ray, k: wp.int32) -> wp.float32:
 
 
 @wp.func
-def left_at(node: wp.uint64, ray: Ray, reach: wp.float32, k: wp.int32) -> wp.float32:
+def exit_distance(node: wp.uint64, ray: Ray, reach: wp.float32, k: wp.int32) -> wp.float32:
     """Return the distance at which a ray leaves the box of a node's k-th child, at most `reach`.
 
     The ray hits the box if this is not below `entry_distance`.
@@ -50,8 +50,8 @@ def left_at(node: wp.uint64, ray: Ray, reach: wp.float32, k: wp.int32) -> wp.flo
 
 
 @wp.func
-def boxes_met(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
-    """Return (mask of the children whose boxes the ray hits within `reach`, number of the nearest such child).
+def boxes_hit(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
+    """Return (mask of the children whose boxes the ray hits within `reach`, number of the nearest child in the mask).
 
     With flip = -1 the number is that of the farthest child. The boxes are padded by more than all rounding errors here
     (`boxes.PADDING`).
@@ -60,8 +60,8 @@ def boxes_met(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
     best = wp.int32(_NO_HIT)
     k = wp.int32(0)
     while k < WIDTH:
-        enter = entered(node, ray, k)
-        met = enter <= left_at(node, ray, reach, k)
+        enter = entry_distance(node, ray, k)
+        met = enter <= exit_distance(node, ray, reach, k)
         # The last bits of the distance hold the child's number, so that one minimum finds both.
         key = ((wp.cast(enter, wp.int32) & (~_CHILD)) | k) ^ flip
         best = wp.min(best, wp.where(met, key, _NO_HIT))
@@ -71,7 +71,7 @@ def boxes_met(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
 
 
 @wp.func
-def _flipped(x: wp.float32, sign: wp.int32) -> wp.float32:
+def _flip_sign(x: wp.float32, sign: wp.int32) -> wp.float32:
     """Return x, with its sign flipped where the sign bit of `sign` is set."""
     return wp.cast(wp.cast(x, wp.int32) ^ sign, wp.float32)
 
@@ -120,7 +120,7 @@ def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float3
         sum = u + v + w
         inside = greater(lesser(lesser(u, v), w), negative(greater(greater(u, v), w)))  # depth inside; below 0 outside
         weighted = fma(u, az, fma(v, bz, w * cz))
-        t = _flipped(weighted, (wp.cast(sum, wp.int32) & _SIGN) ^ backwards)
+        t = _flip_sign(weighted, (wp.cast(sum, wp.int32) & _SIGN) ^ backwards)
         before = lesser(t, fma(reach_along, wp.abs(sum), negative(t)))  # margin ahead of the origin and before reach
         six_r = fma(6.0, wp.abs(az), twelve_e)
         margin = (least * six_r) * six_r

@@ -49,8 +49,8 @@ class Ray:
 
 
 @wp.struct
-class Prepared:
-    """Values of a `Ray` as vectors, as `prepare_ray` computes them."""
+class PreparedRay:
+    """Values of a `Ray` as vectors: the result of `prepare_ray`."""
 
     inverse: wp.vec3
     shift: wp.vec3
@@ -61,13 +61,13 @@ class Prepared:
 
 
 @wp.func
-def _not_still(d: wp.float32) -> wp.float32:
+def _nonzero(d: wp.float32) -> wp.float32:
     """Return a direction's component d, or 2^-60 with the sign of d where d is smaller, so that its inverse is finite."""
     return wp.where(wp.abs(d) > _SLOWEST, d, wp.copysign(_SLOWEST, d))
 
 
 @wp.func
-def prepared(o: wp.vec3, d: wp.vec3) -> Prepared:
+def prepare_ray(o: wp.vec3, d: wp.vec3) -> PreparedRay:
     """Compute the values of a ray from the origin o along the unit vector d that box and triangle tests need.
 
     - inverse, shift: the ray hits the plane at x at distance x * inverse + shift.
@@ -77,16 +77,16 @@ def prepared(o: wp.vec3, d: wp.vec3) -> Prepared:
     - origin: coordinates of o on these three axes.
     - shear: the two shears, and the direction's component along the third axis.
     """
-    x = _not_still(d[0])
-    y = _not_still(d[1])
-    z = _not_still(d[2])
+    x = _nonzero(d[0])
+    y = _nonzero(d[1])
+    z = _nonzero(d[2])
     inverse_x = 1.0 / x
     inverse_y = 1.0 / y
     inverse_z = 1.0 / z
     to_y = wp.abs(y) > wp.abs(x)
     to_z = wp.abs(z) > greater(wp.abs(x), wp.abs(y))
     scale = wp.where(to_z, inverse_z, wp.where(to_y, inverse_y, inverse_x))
-    p = Prepared()
+    p = PreparedRay()
     p.inverse = wp.vec3(inverse_x, inverse_y, inverse_z)
     p.shift = wp.vec3(-o[0] * inverse_x, -o[1] * inverse_y, -o[2] * inverse_z)
     p.near = wp.vec3i(wp.where(x < 0.0, _UPPER, 0), wp.where(y < 0.0, _UPPER, 0), wp.where(z < 0.0, _UPPER, 0))
@@ -117,7 +117,7 @@ def prepare_wide(chunk: wp.uint64, length: wp.int32):
     while k < length:
         o = wp.vec3(rays[ORIGIN + k], rays[ORIGIN + CHUNK + k], rays[ORIGIN + 2 * CHUNK + k])
         d = wp.vec3(rays[DIRECTION + k], rays[DIRECTION + CHUNK + k], rays[DIRECTION + 2 * CHUNK + k])
-        p = prepared(o, d)
+        p = prepare_ray(o, d)
         rays[_INVERSE + k] = p.inverse[0]
         rays[_INVERSE + CHUNK + k] = p.inverse[1]
         rays[_INVERSE + 2 * CHUNK + k] = p.inverse[2]
@@ -140,7 +140,7 @@ def prepare_wide(chunk: wp.uint64, length: wp.int32):
 
 
 @wp.func
-def _ray(p: Prepared, direction: wp.uint64, rows_of_leaf: wp.uint64) -> Ray:
+def _ray(p: PreparedRay, direction: wp.uint64, rows_of_leaf: wp.uint64) -> Ray:
     """Return a `Ray` from its prepared values; `direction` and `rows_of_leaf` as in `Ray`."""
     ray = Ray()
     ray.inverse_x = p.inverse[0]
@@ -169,7 +169,7 @@ def _ray(p: Prepared, direction: wp.uint64, rows_of_leaf: wp.uint64) -> Ray:
 @wp.func
 def ray_in(column: wp.uint64) -> Ray:
     """Return the ray whose column begins at an address."""
-    p = Prepared()
+    p = PreparedRay()
     p.inverse = vector_in(column, _INVERSE)
     p.shift = vector_in(column, _SHIFT)
     p.near = wp.vec3i(int_at(column, _NEAR), int_at(column, _NEAR + CHUNK), int_at(column, _NEAR + 2 * CHUNK))
@@ -188,4 +188,4 @@ def ray_of(o: wp.vec3, d: wp.vec3, workspace: wp.array[wp.float32]) -> Ray:
     workspace[0] = d[0]
     workspace[WIDTH] = d[1]
     workspace[2 * WIDTH] = d[2]
-    return _ray(prepared(o, d), workspace.ptr, wp.uint64(1))
+    return _ray(prepare_ray(o, d), workspace.ptr, wp.uint64(1))

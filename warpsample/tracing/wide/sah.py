@@ -29,7 +29,7 @@ def _half_area(low: wp.vec3, high: wp.vec3) -> wp.float32:
 
 
 @wp.func
-def _passes(triangles: wp.int32) -> wp.float32:
+def _leaf_count(triangles: wp.int32) -> wp.float32:
     """Return the number of leaves needed for a number of triangles, as float32."""
     return wp.float32((triangles + WIDTH - 1) / WIDTH)
 
@@ -47,7 +47,7 @@ def centres(lower: wp.array[wp.vec4], upper: wp.array[wp.vec4], begin: wp.int32,
 
 
 @wp.func
-def _put(
+def _add_to_bin(
     k: wp.int32, low: wp.vec3, high: wp.vec3, lows: wp.array[wp.vec3], highs: wp.array[wp.vec3], counts: wp.array[wp.int32]
 ):
     """Extend the box of the k-th bin by a triangle's box, and count the triangle."""
@@ -80,9 +80,9 @@ def fill_bins(
         low = _xyz(lower[i])
         high = _xyz(upper[i])
         bin = wp.cw_mul(low + high - start, scale)
-        _put(wp.int32(bin[0]), low, high, lows, highs, counts)
-        _put(BINS + wp.int32(bin[1]), low, high, lows, highs, counts)
-        _put(2 * BINS + wp.int32(bin[2]), low, high, lows, highs, counts)
+        _add_to_bin(wp.int32(bin[0]), low, high, lows, highs, counts)
+        _add_to_bin(BINS + wp.int32(bin[1]), low, high, lows, highs, counts)
+        _add_to_bin(2 * BINS + wp.int32(bin[2]), low, high, lows, highs, counts)
 
 
 @wp.func
@@ -120,7 +120,7 @@ def best_split(
             count += counts[k]
             if count > 0 and count < triangles:
                 area = _half_area(low, high)
-                cost = area * _passes(count) + right[k + 1] * _passes(triangles - count)
+                cost = area * _leaf_count(count) + right[k + 1] * _leaf_count(triangles - count)
                 if cost < least:
                     least = cost
                     best = k

@@ -8,17 +8,17 @@ from warpsample.host.locks import once
 from warpsample.maths.memory import address_at, float_at, int_at
 from warpsample.maths.numerics import ONE, lowest_bit
 from warpsample.tracing.queries import Accelerator, Glass
-from warpsample.tracing.wide.candidates import boxes_met, triangles_near
+from warpsample.tracing.wide.candidates import boxes_hit, triangles_near
 from warpsample.tracing.wide.layout import NODE_BYTES, WIDTH, edge_in, face_in, leaf_at, link_in, node_at
 from warpsample.tracing.wide.prepare import Ray
-from warpsample.tracing.wide.triangle import crosses, plane_distance
-from warpsample.tracing.wide.walk import WAITING, put_aside
+from warpsample.tracing.wide.triangle import is_crossed, plane_distance
+from warpsample.tracing.wide.walk import STACK_ENTRY, push_node
 
-_NOT_LOOKED_AT = wp.constant(wp.int32(-1))
+_UNTESTED = wp.constant(wp.int32(-1))
 
 
 @wp.func
-def crossed(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32) -> wp.int32:
+def crossed_triangles(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32) -> wp.int32:
     """Return a mask of a leaf's triangles that a ray crosses within `reach`; `edge` is that of `triangles_near`."""
     near = triangles_near(leaf, ray, reach, edge)
     maybe = near & ((1 << WIDTH) - 1)
@@ -27,7 +27,7 @@ def crossed(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32) -> w
         k = lowest_bit(maybe)
         maybe = maybe & (maybe - 1)
         distance = plane_distance(leaf, k, ray)
-        if distance > 0.0 and distance < reach and (((near >> (WIDTH + k)) & 1) != 0 or crosses(leaf, k, ray)):
+        if distance > 0.0 and distance < reach and (((near >> (WIDTH + k)) & 1) != 0 or is_crossed(leaf, k, ray)):
             mask = mask | (1 << k)
     return mask
 
@@ -49,13 +49,13 @@ def through_walk(look: wp.Function, answer_type: Any) -> wp.Function:
     def walk(tree: Accelerator, ray: Ray, reach: wp.float32, answer: answer_type, scratch: wp.uint64):
         top = scratch
         for start in range(tree.starts):
-            top = put_aside(top, tree.start + wp.uint64(start) * wp.uint64(NODE_BYTES), _NOT_LOOKED_AT, 0.0)
+            top = push_node(top, tree.start + wp.uint64(start) * wp.uint64(NODE_BYTES), _UNTESTED, 0.0)
         while top != scratch:
-            top -= WAITING
+            top -= STACK_ENTRY
             node = address_at(top, 0)
             mask = int_at(top, 2)
-            if mask == _NOT_LOOKED_AT:
-                mask, _nearest = boxes_met(node, ray, reach, 0)
+            if mask == _UNTESTED:
+                mask, _nearest = boxes_hit(node, ray, reach, 0)
             below = wp.int32(0)
             while mask != 0 and below == 0:
                 child = lowest_bit(mask)
@@ -66,16 +66,16 @@ def through_walk(look: wp.Function, answer_type: Any) -> wp.Function:
                 else:
                     below = link
             if mask != 0:
-                top = put_aside(top, node, mask, 0.0)
+                top = push_node(top, node, mask, 0.0)
             if below != 0:
-                top = put_aside(top, node_at(tree, below), _NOT_LOOKED_AT, 0.0)
+                top = push_node(top, node_at(tree, below), _UNTESTED, 0.0)
         return answer
 
     return walk
 
 
 @wp.struct
-class Passed:
+class Transmission:
     """Transmittance of the faces crossed so far (0 to 1), and the address of all faces' transmittances, (F,) float32."""
 
     share: wp.float64
@@ -83,9 +83,9 @@ class Passed:
 
 
 @wp.func
-def _multiply(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Passed):
-    """Multiply the transmittance of a path by those of the triangles of a leaf that the ray crosses."""
-    mask = crossed(leaf, ray, reach, edge)
+def _multiply(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Transmission):
+    """Multiply the transmittance of a path by the transmittances of a leaf's triangles that the ray crosses."""
+    mask = crossed_triangles(leaf, ray, reach, edge)
     while mask != 0:
         k = lowest_bit(mask)
         mask = mask & (mask - 1)
@@ -93,16 +93,16 @@ def _multiply(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, fo
     return found
 
 
-_walk_through_glass = through_walk(_multiply, Passed)
+_walk_through_glass = through_walk(_multiply, Transmission)
 
 
 @wp.func
-def share_through(glass: Glass, ray: Ray, reach: wp.float32, scratch: wp.uint64) -> wp.float32:
+def path_transmittance(glass: Glass, ray: Ray, reach: wp.float32, scratch: wp.uint64) -> wp.float32:
     """Return the product of the transmittances of the translucent faces that a ray crosses within `reach`, from 0 to 1.
 
     The product is computed in float64, so that the order of the faces can change only its last float32 bit.
     """
-    passed = Passed()
+    passed = Transmission()
     passed.share = ONE
     passed.transmittance = glass.transmittance
     passed = _walk_through_glass(glass.tree, ray, reach, passed, scratch)
@@ -129,7 +129,7 @@ class Crossing:
 @wp.func
 def _first_of(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Crossing):
     """Update the first crossing behind the given one with the triangles of a leaf."""
-    mask = crossed(leaf, ray, reach, edge)
+    mask = crossed_triangles(leaf, ray, reach, edge)
     while mask != 0:
         k = lowest_bit(mask)
         mask = mask & (mask - 1)

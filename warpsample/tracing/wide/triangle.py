@@ -13,7 +13,7 @@ _THIRD = wp.constant(wp.int32(6 * WIDTH))
 
 
 @wp.func
-def _inside(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: wp.float64, cy: wp.float64) -> wp.bool:
+def _is_inside(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: wp.float64, cy: wp.float64) -> wp.bool:
     """Return whether the point (0, 0) is inside a triangle of the plane or on its edge."""
     u = cx * by - cy * bx
     v = ax * cy - ay * cx
@@ -43,7 +43,9 @@ def _side(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64) -> wp.
 
 
 @wp.func
-def _inside_once(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: wp.float64, cy: wp.float64) -> wp.bool:
+def _is_inside_once(
+    ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: wp.float64, cy: wp.float64
+) -> wp.bool:
     """Return whether the point (0, 0) is inside a triangle of the plane, with shared edges and corners counted once.
 
     On an edge or a corner the point counts as moved by the step of `_side`. So exactly one of the triangles around it
@@ -84,7 +86,7 @@ def plane_distance(leaf: wp.uint64, k: wp.int32, ray: Ray) -> wp.float32:
     return wp.float32((nx * x + ny * y + nz * z) / slope)
 
 
-def _between(inside: wp.Function) -> wp.Function:
+def _build_edge_test(inside: wp.Function) -> wp.Function:
     """Build a function (leaf, k, ray) -> bool: whether the ray's line passes between the edges of a triangle.
 
     The result depends on the float32 ray and triangle alone, whichever leaf holds the triangle. As in `triangles_near`, the
@@ -123,10 +125,10 @@ def _between(inside: wp.Function) -> wp.Function:
     return between
 
 
-between_edges: wp.Function = _between(_inside)
+is_between_edges: wp.Function = _build_edge_test(_is_inside)
 """Test (leaf, k, ray) -> bool that includes the edges: a ray at a shared edge hits both triangles, so at least one."""
 
-crosses: wp.Function = _between(_inside_once)
+is_crossed: wp.Function = _build_edge_test(_is_inside_once)
 """Test (leaf, k, ray) -> bool that counts a crossing at an edge or a corner like that of a ray just beside the edge.
 
 Such a ray crosses the surface once, or at a silhouette twice or never.

@@ -10,19 +10,19 @@ from warpsample.maths.numerics import lowest_bit
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.wide.layout import NODE_BYTES, leaf_at, link_in, node_at
 
-WAITING: wp.uint64 = wp.constant(wp.uint64(4 * 4))
+STACK_ENTRY: wp.uint64 = wp.constant(wp.uint64(4 * 4))
 """Bytes of one stack entry: the address of a node, a mask of its children, and the reach at which the mask was computed."""
 
-_NOT_LOOKED_AT = wp.constant(wp.int32(-1))
+_UNTESTED = wp.constant(wp.int32(-1))
 
 
 @wp.func
-def put_aside(top: wp.uint64, node: wp.uint64, mask: wp.int32, reach: wp.float32) -> wp.uint64:
+def push_node(top: wp.uint64, node: wp.uint64, mask: wp.int32, reach: wp.float32) -> wp.uint64:
     """Push a node onto the stack, with the children to visit and the reach of their box test; return the new top."""
     set_address(top, 0, node)
     set_int(top, 2, mask)
     set_float(top, 3, reach)
-    return top + WAITING
+    return top + STACK_ENTRY
 
 
 @once
@@ -43,13 +43,13 @@ def tree_walk(enter: wp.Function, look: wp.Function, query_type: Any, answer_typ
     def walk(tree: Accelerator, query: query_type, answer: answer_type, visits: wp.int32, scratch: wp.uint64):
         top = scratch
         for other in range(1, tree.starts):
-            top = put_aside(top, tree.start + wp.uint64(other) * wp.uint64(NODE_BYTES), _NOT_LOOKED_AT, 0.0)
+            top = push_node(top, tree.start + wp.uint64(other) * wp.uint64(NODE_BYTES), _UNTESTED, 0.0)
         node = tree.start
-        mask = _NOT_LOOKED_AT
+        mask = _UNTESTED
         spent = wp.bool(False)
         searching = tree.starts > 0
         while searching:
-            if mask == _NOT_LOOKED_AT:
+            if mask == _UNTESTED:
                 mask = enter(node, query)
             elif mask != 0:
                 child = lowest_bit(mask)
@@ -60,14 +60,14 @@ def tree_walk(enter: wp.Function, look: wp.Function, query_type: Any, answer_typ
                     answer, enough = look(leaf_at(tree, ~link), query, answer)
                 else:
                     if mask != 0:
-                        top = put_aside(top, node, mask, 0.0)
+                        top = push_node(top, node, mask, 0.0)
                     node = node_at(tree, link)
-                    mask = _NOT_LOOKED_AT
+                    mask = _UNTESTED
                 visits -= 1
                 spent = visits == 0 and not enough
                 searching = not (enough or spent)
             elif top != scratch:
-                top -= WAITING
+                top -= STACK_ENTRY
                 node = address_at(top, 0)
                 mask = int_at(top, 2)
             else:
