@@ -72,7 +72,7 @@ def _allowed_differences(rays: int) -> float:
 
 
 def judge_rays(thorough: bool) -> list[Verdict]:
-    """Test rays on every closed mesh, 10^6 inside and 10^5 at edges; return the verdicts. `thorough` multiplies both by ten."""
+    """Test rays on every closed mesh, 10^6 inside and 10^5 at edges (`thorough`: ten times that); return the verdicts."""
     count = 10_000_000 if thorough else 1_000_000
     meshes = closed_meshes()
     return [

@@ -1,4 +1,4 @@
-"""Faces in float64, as used to compute start points of rays: corners, normal, and a test whether a point touches the face."""
+"""Faces in float64 for the computation of start points: corners, normal, and a test whether a point touches the face."""
 
 import warp as wp
 
