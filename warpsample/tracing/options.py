@@ -12,13 +12,7 @@ from warpsample.tracing.tracers import WIDE, Tracer, tracer_of
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class RayOptions(CallOptions):
-    """Checked options shared by calls that cast rays, in addition to the fields of `CallOptions`.
-
-    Attributes:
-        sequence: low-discrepancy or random sequence of the rays.
-        skip: whether to leave out rays whose result is known beforehand.
-        tracer: tracer of the remaining rays.
-    """
+    """Checked options of a call that casts rays, see `RayKeywords` and `CallOptions`."""
 
     sequence: Sequence
     skip: bool = True

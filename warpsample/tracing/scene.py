@@ -208,10 +208,10 @@ def coarseness_of(scene: Scene, double: bool) -> float:
 
 
 def refit(mesh: Any, vertices: Any, *, workers: int | None = None) -> Mesh:
-    """Return a mesh with moved vertices, ready for tracing; several times as fast as building its tree from scratch.
+    """Return the mesh with moved vertices, several times as fast as a new tree takes.
 
-    Hits are those of a new tree, except for the choice among several faces at one distance. Tracing becomes slower the
-    farther the vertices have moved, since the tree keeps together the triangles that were close when it was built.
+    Rays get the same answers as from a new tree, except for the choice among faces at the same distance. They are slower the
+    further the vertices have moved, since the tree keeps its groups of triangles.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes; a tree that it has is used, one that it has not is built.

@@ -66,12 +66,10 @@ def trace(
     workers: int | None = None,
     progress: bool = False,
 ) -> Hits:
-    """Trace rays against a mesh and return their nearest hits, from either side of a face.
+    """Find the first face that each ray hits, from either side; faces with a transmittance dim the ray.
 
-    Faces with a transmittance above 0 are not hit; they attenuate the ray. A ray on an edge hits at least one of the faces
-    there. The result does not depend on the grouping of rays into calls or on the number of threads, in any bit. The
-    first call builds the tree, which is kept while the Mesh lives. To trace again, pass a Mesh (see `as_mesh`), not vertices
-    and faces. The very first call compiles for about 6 s; compiled kernels are cached on disk.
+    A ray on an edge hits at least one of the faces there. Other rays and the number of threads change no bit. A Mesh keeps
+    the tree that its first call builds. The first call compiles for about 6 s; compiled kernels are cached on disk.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.
@@ -92,9 +90,8 @@ def trace(
         tracer, workers, progress: see `RayOptions`.
 
     Returns:
-        hits with `distance`, at least 0, and `face`, of the directions' shape without the last axis. Without a hit they are
-        inf and -1, for an invalid ray NaN and -1. For a mesh with transmittances above 0, hits are those of opaque faces,
-        and `transmitted` is set.
+        distance, at least 0, inf without a hit and NaN for an invalid ray, and face, -1 for both, with the directions' shape
+        without the last axis. With a transmittance they are of opaque faces, and there is `transmitted`.
 
     Raises:
         TypeError, ValueError: an argument of a wrong type or value; the message names it.

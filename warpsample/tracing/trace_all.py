@@ -42,11 +42,10 @@ def trace_all(
 ) -> AllHits:
     """Find every face that each ray crosses, from either side.
 
-    No ray is restarted behind a hit, so that no face close to another hit is missed or found twice. At a shared edge or
-    corner a ray crosses the faces that a ray just beside it would cross: one face, or two or none at a silhouette. It does
-    not matter whether the faces share vertices or duplicate them. So a ray that leaves a closed mesh has an odd number of
-    hits, and a ray through it an even number. All coincident faces are found. Each ray is traced twice, to count hits and to
-    write them. The result does not depend on the number of threads, in any bit. Transmittances are ignored.
+    No ray stops and starts again, so none misses a hit near another one or finds it twice. A ray at an edge or a corner
+    crosses one of its faces, as a ray just beside it does; where the surface turns back along the ray, two or none. So rays
+    out of a closed mesh cross an odd number of faces, and rays through it an even one. Faces that coincide are all crossed.
+    The number of threads changes no bit. A transmittance of the mesh has no effect.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes.

@@ -13,10 +13,9 @@ from warpsample.tracing.scene import GLASS, coarseness_of, scene_of
 
 
 def tree(mesh: Any, *, device: Any = None, workers: int | None = None) -> Any:
-    """Build a kernel argument from a mesh, for `funcs.any_hit`, `funcs.nearest_hit` and `funcs.transmitted`.
+    """Return a mesh as a kernel argument, for `funcs.any_hit`, `funcs.nearest_hit` and `funcs.transmitted`.
 
-    It keeps its memory alive without the mesh. On the CPU, rays traverse the 16-wide tree of `trace`, with bit-identical
-    results. On CUDA they are traced by wp.Mesh.
+    The mesh may be deleted. On the CPU rays get the answers of `trace` bit for bit, elsewhere those of wp.Mesh.
 
     Args:
         mesh: a Mesh or whatever `as_mesh` takes; the tree that a Mesh has is used.
