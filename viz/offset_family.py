@@ -60,7 +60,7 @@ def panel(
     return SetPanel(
         title=title,
         points=moved[:, [0, -1]],
-        directions=routes.normalized(moved)[:, [0, -1]],
+        directions=routes.normalize(moved)[:, [0, -1]],
         edges=np.degrees(edges),
         observed=observed / (count * np.diff(edges)),
         angles=np.degrees(0.5 * (fine[1:] + fine[:-1])),

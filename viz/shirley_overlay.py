@@ -10,7 +10,7 @@ from warpsample.cli.terminal import FigureFile, Size, fail_plainly, show_or_save
 from warpsample.host.arguments import check_integer
 from warpsample.plotting import rendering
 from warpsample.plotting.overlay_sheet import overlay, overlay_sheet
-from warpsample.proof.routes import plus_normal
+from warpsample.proof.routes import add_normal
 
 PIXELS = 700  # of a picture's side
 
@@ -22,8 +22,8 @@ def directions(count: int, sequence: str, seed: int) -> dict[str, np.ndarray]:
     radius = np.cbrt(ws.sample_square("independent", 1, count, seed=seed)[0, :, :1].astype(np.float64))
     return {
         "cosine": ws.CosineHemisphere("polar").sample(u),
-        "sphere": plus_normal(sphere),
-        "ball": plus_normal(radius * sphere),
+        "sphere": add_normal(sphere),
+        "ball": add_normal(radius * sphere),
     }
 
 

@@ -116,5 +116,5 @@ def test_parts_of_a_ray_end_where_faces_stop_them(call):
 
 
 def test_tracers_that_know_no_glass_refuse_it():
-    with pytest.raises(ValueError, match="^tracer: got 'warp' for a mesh that light goes through, want 'wide', on the CPU$"):
+    with pytest.raises(ValueError, match="^tracer: got 'warp' for a mesh that transmits light, want 'wide' on the CPU$"):
         ws.sky_view_factor(cases.shells(0.5), cases.at_origin(2), 64, tracer="warp")

@@ -15,9 +15,9 @@ from warpsample.directions.samples import SamplesArgs
 from warpsample.directions.variates import CHUNK as VARIATES
 from warpsample.distributions.elementwise import FLAT_BLOCK
 from warpsample.tracing.given_rays import rays_of
-from warpsample.tracing.placement import placed
+from warpsample.tracing.placement import make_placement
 from warpsample.tracing.queries import CHUNK
-from warpsample.tracing.rays import hit_of, ray_kernel
+from warpsample.tracing.rays import build_hit_writer, ray_kernel
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.triples import Triples
 from warpsample.tracing.wide.prepare import prepare_wide
@@ -98,9 +98,9 @@ def test_rays(per_point):
     scene = scene_of(ws.as_mesh(([(0, 0, 0), (2, 0, 0), (0, 2, 0)], [(0, 1, 2)])))
     way = Triples.of(directions.reshape(-1, 3), "directions")
     start = Triples.of(origins.reshape(-1, 3) if per_point == 1 else origins, "origins")
-    rays = rays_of(placed(scene, start, np.inf), way, ws.Hits(distance, face, "wide"))
+    rays = rays_of(make_placement(scene, start, np.inf), way, ws.Hits(distance, face, "wide"))
     rays.per_task = CHUNK
     inputs = [rays, scene.tree(1).accelerator()]
-    launch_last(10, ray_kernel(prepare_wide, hit_of(wide_query(False))), inputs, -(-MANY // CHUNK))
+    launch_last(10, ray_kernel(prepare_wide, build_hit_writer(wide_query(False))), inputs, -(-MANY // CHUNK))
     assert (distance[-1], face[-1]) == (3.0, 0)
     assert np.isnan(distance[-10 * CHUNK : -1]).all()  # of zero directions

@@ -11,7 +11,7 @@ from warpsample.distributions.own import OwnDistribution, registered
 from warpsample.proof import twins
 from warpsample.proof.advice import advise
 from warpsample.proof.defects import Wrong
-from warpsample.proof.diagnosis import PARTS, Conflict, find_conflicts, smallest
+from warpsample.proof.diagnosis import PARTS, Conflict, find_conflicts, find_smallest_sets
 from warpsample.proof.evidence import Subject
 from warpsample.proof.verify import Verdict
 
@@ -64,7 +64,7 @@ def wrong_densities(name):
         "a factor of 2": lambda w: 2.0 * right.pdf(w),
         "a factor of 1.001": lambda w: 1.001 * right.pdf(w),
         "another lobe": other.pdf,
-        "per radian": lambda w: right.pdf(w) * np.hypot(w[..., 0], w[..., 1]),
+        "per radian": lambda w: right.pdf(w) * np.hypot(w[..., 0], w[..., 1], dtype=np.float64),
         "a small region": lambda w: right.pdf(w) * (1.0 + 0.5 * (np.arccos(w[..., 2]) < 0.02)),
         "waves of the same integral": lambda w: right.pdf(w) * (1.0 + 0.1 * np.sin(2.0 * np.arctan2(w[..., 1], w[..., 0]))),
     }
@@ -124,17 +124,17 @@ def subject_of():
 
 
 def named(subject):
-    return {tuple(part for part in PARTS if part in parts) for parts in smallest(find_conflicts(subject))}
+    return {tuple(part for part in PARTS if part in parts) for parts in find_smallest_sets(find_conflicts(subject))}
 
 
 def sentences(subject, *broken):
     """The advice, given laws that are broken."""
-    return advise([Verdict.of_error(law, "OnTrial()", 1.0) for law in broken], [subject])
+    return advise([Verdict.from_error(law, "OnTrial()", 1.0) for law in broken], [subject])
 
 
 def test_the_fewest_parts_that_explain_all_conflicts_are_wrong():
     def sets(*conflicts):
-        return [set(parts) for parts in smallest(Conflict(frozenset(parts), "") for parts in conflicts)]
+        return [set(parts) for parts in find_smallest_sets(Conflict(frozenset(parts), "") for parts in conflicts)]
 
     pairs = {frozenset(pair) for pair in combinations(set(PARTS) - {"support"}, 2)}
     for part in PARTS[:4] + PARTS[5:]:

@@ -84,7 +84,7 @@ def test_a_density_of_another_mass_is_an_error_and_not_a_chance_rejection():
     evidence = verify.Evidence(verify.Subject("right", RIGHT, RIGHT), every=64)
     wrong = defects.Wrong(pdf=lambda w: RIGHT.pdf(w) * np.float32(1.005))
     with pytest.raises(ValueError, match="pdf: its integral converges to 1.00500, want 1"):
-        laws.cells_p_value(wrong, evidence.some, evidence.edges)
+        laws.cells_p_value(wrong, evidence.first_directions, evidence.edges)
 
 
 def test_an_integral_that_does_not_converge_is_an_error():
@@ -111,7 +111,7 @@ def test_quadrature_knows_closed_integrals():
 def test_charts_go_there_and_back(case):
     chart = chart_of(case)
     w = case.sample(ws.sample_square("sobol", 1, 1000)[0]).astype(np.float64)
-    exact = w if case.measure == "per unit area" else routes.normalized(w)  # a chart of the sphere knows no length
+    exact = w if case.measure == "per unit area" else routes.normalize(w)  # a chart of the sphere knows no length
     # Angles up to 2 pi and their sines, each within the 4 ulp (4 * 2^-50) that NumPy's loops keep on any processor. float32
     # in any step would leave 1e-7.
     assert np.abs(chart.point(chart.polar(w), chart.azimuth(w)) - exact).max() <= 1e-14
@@ -165,10 +165,10 @@ def test_a_trial_without_trimesh_is_refused_before_any_work(monkeypatch):
     rays.closed_meshes.cache_clear()
     monkeypatch.setitem(sys.modules, "trimesh", None)
     with pytest.raises(ModuleNotFoundError, match=r"^the laws of rays need trimesh: pip install '\.\[test\]'$"):
-        run.trial()
+        run.list_tasks()
 
 
 def test_routes_reject_another_law(monkeypatch):
-    wrong = routes.Route("ball for sphere", RIGHT, lambda u: routes.plus_normal(routes.ball(u)), 3)
+    wrong = routes.Route("ball for sphere", RIGHT, lambda u: routes.add_normal(routes.ball(u)), 3)
     monkeypatch.setattr(routes, "ROUTES", (wrong,))
     assert laws_broken(routes.judge_routes()) == {"route, cells", "route, angle"}

@@ -93,7 +93,7 @@ def test_a_twin_is_two_functions(alone):
 
 def test_a_missing_twin_is_a_sentence_before_any_work(alone, call):
     ws.distributions.register(subclass())
-    for trial in (run.trial, lambda: run.trial("my_ggx")):
+    for trial in (run.list_tasks, lambda: run.list_tasks("my_ggx")):
         with pytest.raises(NotImplementedError, match=r"got MyGGX\(.*\), which has no twin to be judged by; write a second"):
             trial()
     status, out, err = call("verify", "--only", "my_ggx")
@@ -102,8 +102,8 @@ def test_a_missing_twin_is_a_sentence_before_any_work(alone, call):
 
 
 def test_only_takes_what_there_is(call, tmp_path):
-    assert [task.key for task in run.trial("ggx")] == cases("ggx")
-    assert [(task.kind, task.key) for name in ("sobol", "rays") for task in run.trial(name)] == [
+    assert [task.key for task in run.list_tasks("ggx")] == cases("ggx")
+    assert [(task.kind, task.key) for name in ("sobol", "rays") for task in run.list_tasks(name)] == [
         ("sequence", "sobol"),
         ("rays", "rays"),
     ]
@@ -119,7 +119,7 @@ def test_only_takes_what_there_is(call, tmp_path):
 
 def test_an_interrupt_prints_what_is_done(call, monkeypatch):
     def half(tasks, thorough):
-        yield tasks[0], [Verdict.of_error("finite", "Done()", 0.0)]
+        yield tasks[0], [Verdict.from_error("finite", "Done()", 0.0)]
         raise KeyboardInterrupt
 
     monkeypatch.setattr(run, "run", half)
@@ -133,14 +133,14 @@ def test_an_interrupt_prints_what_is_done(call, monkeypatch):
 def test_what_is_imprecise_is_told_apart_from_what_is_wrong():
     def told(**errors):
         verdicts = [
-            Verdict.of_error(law.replace("_", " "), "Mine(alpha=0.1)", value, limit=1e-6) for law, value in errors.items()
+            Verdict.from_error(law.replace("_", " "), "Mine(alpha=0.1)", value, limit=1e-6) for law, value in errors.items()
         ]
-        return " ".join(advise([*verdicts, Verdict.of_error("mass", "Right()", 0.0)]))
+        return " ".join(advise([*verdicts, Verdict.from_error("mass", "Right()", 0.0)]))
 
     assert told(direction=1e-4, tails=1.0).startswith("Mine is imprecise, not wrong: direction 1.0e-04 (at most 1.0e-06).")
-    assert "say so in the class: worst_angle = 2.0e-04." in told(direction=1e-4)
-    assert "nothing in the class can excuse" in told(direction=1e-4, sine=1.0)
+    assert "state the limits in the class: worst_angle = 2.0e-04." in told(direction=1e-4)
+    assert "No attribute of the class can excuse this" in told(direction=1e-4, sine=1.0)
     assert told(direction=0.5, cells=1.0).startswith("Mine breaks direction, cells, while all parts agree to 0.01")
     assert told(finite=3.0).startswith("Mine gives NaN, an infinity or density 0 at 3 values of u")
     assert told(outside=3.0).startswith("Mine has a density beyond its support, or at NaN: return 0 there")
-    assert advise([Verdict.of_error("mass", "Right()", 0.0)]) == []
+    assert advise([Verdict.from_error("mass", "Right()", 0.0)]) == []

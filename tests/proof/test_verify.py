@@ -19,7 +19,7 @@ from warpsample.proof.stress import judge_bad_normals, judge_indices, judge_norm
 def call(monkeypatch, capsys):
     """Runs `warpsample verify ...` on a few tasks in this process; returns (exit status, stdout, stderr)."""
     short = [TrialPart("case", ws.OffsetCircle()), TrialPart("case", ws.OffsetDisk())]
-    monkeypatch.setattr(run, "trial", lambda: list(short))
+    monkeypatch.setattr(run, "list_tasks", lambda: list(short))
     monkeypatch.setattr(run, "run", lambda tasks, thorough: ((task, task.verdicts(thorough)) for task in tasks))
 
     def verify_command(*arguments):
@@ -32,7 +32,7 @@ def call(monkeypatch, capsys):
 
 
 def test_the_trial_holds_every_case_sequence_and_route():
-    tasks = run.trial()
+    tasks = run.list_tasks()
     assert {task.key for task in tasks if task.kind == "case"} == set(verify.cases())
     assert {task.key for task in tasks if task.kind == "sequence"} == set(ws.sequences.names())
     assert {task.kind for task in tasks} == {"case", "sequence", "routes", "meshes", "rays"}
@@ -68,11 +68,13 @@ def test_an_unknown_defect_lists_the_known_ones(call):
 
 @pytest.mark.slow
 def test_power_names_the_laws_and_a_defect_that_nobody_catches(call, monkeypatch):
-    monkeypatch.setattr(run, "planted", lambda: [TrialPart("defect", "inverse with a swapped pair")])
+    monkeypatch.setattr(run, "defect_tasks", lambda: [TrialPart("defect", "inverse with a swapped pair")])
     status, out, _ = call("--power")
     assert status == 0
     assert "inverse with a swapped pair   round trip" in out
-    monkeypatch.setattr(run, "planted", lambda: [TrialPart("case", ws.OffsetCircle())])  # correct, so nothing catches it
+    monkeypatch.setattr(
+        run, "defect_tasks", lambda: [TrialPart("case", ws.OffsetCircle())]
+    )  # correct, so nothing catches it
     status, out, _ = call("--power")
     assert status == 1
     assert "nothing" in out
@@ -96,4 +98,4 @@ def test_tasks_run_in_processes_and_an_error_reaches_the_caller():
 
 
 def test_every_defect_can_be_planted():
-    assert [task.key for task in run.planted()] == defects.names()
+    assert [task.key for task in run.defect_tasks()] == defects.names()

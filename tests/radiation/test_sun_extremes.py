@@ -114,7 +114,7 @@ UP = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 1.0]])
         ({"disc": 180.0}, "disc: got 180.0, want a number from 0 to 45"),
         ({"disc": float("nan")}, "disc: got nan, want a number from 0 to 45"),
         ({"cosine": True}, "cosine: got True without weights, want weights, which it multiplies"),
-        ({"points": np.ones((2, 3))}, "points: got a NumPy array, want SurfacePoints, as sample_surface gives them"),
+        ({"points": np.ones((2, 3))}, "points: got a NumPy array, want SurfacePoints, such as the result of sample_surface"),
     ],
 )
 def test_bad_input_is_named(bunny, points, monkeypatch, wrong, said):

@@ -8,7 +8,7 @@ from sun_cases import mixed, unit, year
 
 from warpsample.radiation.sun.proofs import COVER_MARGIN, highest
 from warpsample.radiation.sun.suns import GROUP, SunTree
-from warpsample.tracing.sight.cover import covering
+from warpsample.tracing.sight.cover import covering_triangles
 from warpsample.tracing.sight.shafts import CORNERS, PLANES, VECTORS_BYTES
 from warpsample.tracing.wide.layout import LEAF_BYTES, WIDTH
 
@@ -122,7 +122,7 @@ def _cover(
 ):
     i = wp.tid()
     shaft = shafts.ptr + wp.uint64(i) * VECTORS_BYTES
-    masks[i] = covering(triangles.ptr + wp.uint64(i) * wp.uint64(LEAF_BYTES), shaft, origins[i], COVER_MARGIN)
+    masks[i] = covering_triangles(triangles.ptr + wp.uint64(i) * wp.uint64(LEAF_BYTES), shaft, origins[i], COVER_MARGIN)
     most[i] = highest(shaft, normals[i])
 
 

@@ -10,7 +10,7 @@ from meshes import BOX, SPHERE, random_rays, soup
 import warpsample as ws
 from warpsample.proof.rays import rays_inside
 from warpsample.tracing import order
-from warpsample.tracing.placement import placed
+from warpsample.tracing.placement import make_placement
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.triples import Triples
 
@@ -176,7 +176,7 @@ def test_points_are_visited_cell_by_cell(monkeypatch):
     grid = np.random.default_rng(1).permutation(grid).astype(np.float32)
     monkeypatch.setattr(order, "MANY_FACES", 1)
     scene = scene_of(BOX)
-    found = order.order_of(scene, placed(scene, Triples.of(grid, "a"), 1.0), 8, 1)
+    found = order.visiting_order(scene, make_placement(scene, Triples.of(grid, "a"), 1.0), 8, 1)
     assert sorted(found) == list(range(4096))
     assert (
         np.linalg.norm(np.diff(grid[found], axis=0), axis=1).mean()

@@ -22,10 +22,10 @@ from warpsample.tracing.queries import CHUNK_FLOATS, direction_of, vector_in
 from warpsample.tracing.sight.point import SIDES_FLOATS
 from warpsample.tracing.sight.sides import open_leaf, rays_passing, triangles_passed
 from warpsample.tracing.wide.boxes import PADDING
-from warpsample.tracing.wide.candidates import boxes_met, triangles_near
+from warpsample.tracing.wide.candidates import boxes_hit, triangles_near
 from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH
 from warpsample.tracing.wide.prepare import Ray, prepare_wide, ray_in
-from warpsample.tracing.wide.triangle import between_edges, plane_distance
+from warpsample.tracing.wide.triangle import is_between_edges, plane_distance
 
 
 @wp.kernel(enable_backward=False, module="unique")
@@ -33,7 +33,7 @@ def _boxes_met(nodes: wp.array2d[wp.float32], chunks: wp.array2d[wp.float32], re
     i = wp.tid()
     chunk = chunks.ptr + wp.uint64(i) * wp.uint64(4 * CHUNK_FLOATS)
     prepare_wide(chunk, 16)
-    mask, _ = boxes_met(nodes.ptr + wp.uint64(i) * wp.uint64(NODE_BYTES), ray_in(chunk), reach, 0)
+    mask, _ = boxes_hit(nodes.ptr + wp.uint64(i) * wp.uint64(NODE_BYTES), ray_in(chunk), reach, 0)
     masks[i] = mask
 
 
@@ -41,7 +41,7 @@ def _boxes_met(nodes: wp.array2d[wp.float32], chunks: wp.array2d[wp.float32], re
 def _met(leaf: wp.uint64, k: wp.int32, ray: Ray, reach: wp.float32) -> wp.float32:
     """The distance of a triangle that a ray meets, decided in float64; -1 if it does not."""
     distance = plane_distance(leaf, k, ray)
-    return wp.where(distance > 0.0 and distance < reach and between_edges(leaf, k, ray), distance, -1.0)
+    return wp.where(distance > 0.0 and distance < reach and is_between_edges(leaf, k, ray), distance, -1.0)
 
 
 @wp.kernel(enable_backward=False, module="unique")

@@ -8,7 +8,7 @@ import pytest
 import warp as wp
 
 from warpsample.tracing.builtin import builtin_any_query, builtin_query, prepare_builtin
-from warpsample.tracing.rays import hit_of, ray_kernel
+from warpsample.tracing.rays import build_hit_writer, ray_kernel
 from warpsample.tracing.wide.prepare import prepare_wide
 from warpsample.tracing.wide.query import wide_query
 
@@ -23,13 +23,13 @@ from warpsample.estimate.kernel import estimate_kernel
 from warpsample.estimate.slots import Slots
 from warpsample.estimate.weights import Weights, above, everywhere
 from warpsample.tracing.wide.prepare import prepare_wide
-from warpsample.tracing.rays import hit_of, ray_kernel
+from warpsample.tracing.rays import build_hit_writer, ray_kernel
 from warpsample.tracing.wide.query import wide_query
 several = wide_query(True, several=True)
 rays = (ws.sequences.get("fibonacci"), ws.CosineHemisphere("polar").about(), None, 0.0, True)
 for kernel in (
-    ray_kernel(prepare_wide, hit_of(wide_query(False))),
-    ray_kernel(prepare_wide, hit_of(wide_query(True))),
+    ray_kernel(prepare_wide, build_hit_writer(wide_query(False))),
+    ray_kernel(prepare_wide, build_hit_writer(wide_query(True))),
     estimate_kernel(Slots(*rays, everywhere, Weights, True, True, 1, prepare_wide, several, True, True)),
     estimate_kernel(Slots(*rays, above, Weights, False, False, 1, None, None, True, True)),
     horizon_kernel(),
@@ -67,9 +67,9 @@ def test_the_hot_loops_are_vectorised(tmp_path, child_environment):
 
 
 KERNELS = {
-    "wide": (prepare_wide, hit_of(wide_query(False))),
-    "warp": (prepare_builtin, hit_of(builtin_query)),
-    "warp, any": (prepare_builtin, hit_of(builtin_any_query)),
+    "wide": (prepare_wide, build_hit_writer(wide_query(False))),
+    "warp": (prepare_builtin, build_hit_writer(builtin_query)),
+    "warp, any": (prepare_builtin, build_hit_writer(builtin_any_query)),
 }
 
 

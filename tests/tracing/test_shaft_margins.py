@@ -7,7 +7,7 @@ from margin_cases import N, bits, launch, leaves, meets, nodes, on_cpu, places_o
 
 import warpsample as ws
 from warpsample.estimate.strata import strata_of
-from warpsample.tracing.sight.frontier import limit_of_boxes, triangles_above, visible
+from warpsample.tracing.sight.frontier import limit_of_boxes, triangles_above, visible_children
 from warpsample.tracing.sight.point import HORIZON_MARGIN, SHAFT_FLOATS, ShadingPoint
 from warpsample.tracing.sight.shafts import VECTORS_BYTES, aim_about, boxes_in, triangles_in
 from warpsample.tracing.wide.boxes import PADDING
@@ -30,7 +30,7 @@ def _above(
     o = origins[i]
     n = normals[i]
     limit = wp.dot(n, o) - low
-    seen, around = visible(nodes.ptr + wp.uint64(i) * wp.uint64(NODE_BYTES), o, n, limit_of_boxes(limit, n), reach)
+    seen, around = visible_children(nodes.ptr + wp.uint64(i) * wp.uint64(NODE_BYTES), o, n, limit_of_boxes(limit, n), reach)
     masks[i, 0] = seen
     masks[i, 1] = triangles_above(leaves.ptr + wp.uint64(i) * wp.uint64(LEAF_BYTES), n, limit)
     masks[i, 2] = around

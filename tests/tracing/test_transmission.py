@@ -147,5 +147,5 @@ def test_light_through_a_hundred_planes_and_rays_that_are_none():
 
 
 def test_tracers_that_know_no_glass_refuse_it():
-    with pytest.raises(ValueError, match="^tracer: got 'warp' for a mesh that light goes through, want 'wide', on the CPU$"):
+    with pytest.raises(ValueError, match="^tracer: got 'warp' for a mesh that transmits light, want 'wide' on the CPU$"):
         ws.trace(mixed(), np.zeros(3), np.ones((1, 3)), tracer="warp")

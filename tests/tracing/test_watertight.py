@@ -67,7 +67,7 @@ def test_points_that_start_on_their_face_are_found(monkeypatch):
 
     monkeypatch.setattr("warpsample.tracing.placed_points.set_starts", not_moved)
     broken = {v.law for v in judge_mesh("sphere", mesh, (0.0, 0.0, 0.0), 1 << 16, 64) if not v.passed}
-    assert "rays that meet their own face" in broken
+    assert "rays that hit their own face" in broken
 
 
 @pytest.mark.parametrize("tracer", ["wide", "warp"])

@@ -34,11 +34,11 @@ def verify_command(
     if module is not None:
         _load(module)
     try:
-        tasks = run.planted() if power else run.trial(only) if only else run.trial()
+        tasks = run.defect_tasks() if power else run.list_tasks(only) if only else run.list_tasks()
     except ValueError as error:
         raise error if module is not None else ValueError(f"{error}; --module brings one of your own") from None
     if plant is not None:
-        defects = {task.key: task for task in run.planted()}
+        defects = {task.key: task for task in run.defect_tasks()}
         tasks.append(look_up(defects, plant, "plant"))
     outcome: dict[Any, Any] = {}
     try:
@@ -67,7 +67,7 @@ def _tell(verdicts: list[Any], tasks: Iterable[Any], thorough: bool, *, single: 
 
     tables = console()
     (report.show_one if single else report.show)(verdicts, tables)
-    tables.print(run.extent(thorough))
+    tables.print(run.describe_sweep(thorough))
     for sentence in advice.advise(verdicts, run.subjects(tasks)):
         tables.print(f"\n{sentence}", markup=False, highlight=False)
 

@@ -13,7 +13,7 @@ from warpsample.maths.numerics import ZERO
 from warpsample.sequences.hashing import point_key
 from warpsample.tracing.placement import id_of
 from warpsample.tracing.queries import CHUNK_FLOATS, PREPARED, Accelerator
-from warpsample.tracing.sight.point import ShadingPoint, point_in, standing, turned, workspace_floats
+from warpsample.tracing.sight.point import ShadingPoint, orient_point, place_point, point_in, workspace_floats
 
 _ANYTHING = wp.constant(wp.float32(2.0**60))  # nothing is so low below a horizon
 
@@ -49,10 +49,10 @@ def _estimator(slots: Slots) -> wp.Function:
     @wp.func
     def estimate_point(lobes: Lobes, accelerator: Accelerator, data: struct, visit: wp.int64, workspace: ShadingPoint):
         """Stores the numbers of the point that is visited so many points after the first."""
-        point = turned(workspace, lobes.placement, lobes.normals, lobes.active, visit)
+        point = orient_point(workspace, lobes.placement, lobes.normals, lobes.active, visit)
         point.key = point_key(lobes.seed, id_of(lobes.placement, lobes.first_point, point.index))
         if wp.static(traced):
-            point = standing(point, lobes.placement, 1)
+            point = place_point(point, lobes.placement, 1)
             if wp.static(not upward):
                 point.low = _ANYTHING
         total = NOTHING

@@ -14,11 +14,11 @@ from warpsample.tracing.sight.packets import NO_RAYS, first_rays, ray_set, set_s
 from warpsample.tracing.sight.point import ShadingPoint
 from warpsample.tracing.sight.rays import (
     first_hit,
-    next_through_glass,
+    glass_transmittance,
+    move_rays_near,
+    next_glass_crossing,
     prepare_rays,
     rays_blocked,
-    rays_from_afar,
-    through_glass,
     whole_vectors,
 )
 
@@ -62,12 +62,12 @@ def _stopped_before(lobes: Lobes, point: ShadingPoint, k: wp.int32, distance: wp
     """(what faces that stop a part of the k-th ray occlude up to a distance, what is left of it there)."""
     occluded = wp.float32(0.0)
     left = wp.float32(1.0)
-    near, face = next_through_glass(lobes.glass, point, k, distance, 0.0, -1)
+    near, face = next_glass_crossing(lobes.glass, point, k, distance, 0.0, -1)
     while face >= 0:
         passed = left * float_at(lobes.glass.transmittance, face)
         occluded += (left - passed) * _fallen_off(lobes, point, k, near)
         left = passed
-        near, face = next_through_glass(lobes.glass, point, k, distance, near, face)
+        near, face = next_glass_crossing(lobes.glass, point, k, distance, near, face)
     return occluded, left
 
 
@@ -82,7 +82,7 @@ def share_of(slots: Slots) -> wp.Function:
         share = wp.float32(1.0)
         met = wp.bool(False)
         if wp.static(any_hit):
-            share = through_glass(lobes.glass, point, k)
+            share = glass_transmittance(lobes.glass, point, k)
             met = share < 1.0
         else:
             left = wp.float32(1.0)
@@ -161,7 +161,7 @@ def stratum_sum(slots: Slots) -> wp.Function:
             rays = weigh(lobe, data, point, length)
             left = rays
             if found != 0:
-                rays_from_afar(point, length)
+                move_rays_near(point, length)
                 prepare(tree, point, local, length)
                 cast += set_size(rays)
                 if wp.static(any_hit) and (found & stops) != 0:

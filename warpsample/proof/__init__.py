@@ -1,1 +1,1 @@
-"""The laws and twins that judge a sampler, and the defects that test the laws."""
+"""Tests of samplers: laws, second implementations (twins) to compare with, and planted defects that test the laws."""

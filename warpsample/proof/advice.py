@@ -1,11 +1,11 @@
-"""Advice on broken laws, in sentences: which part is wrong, what is merely imprecise, and what to do."""
+"""Advice on broken laws in sentences: the wrong part, the parts that are merely imprecise, and a way to mend each."""
 
 from collections.abc import Iterable, Iterator
 
-from warpsample.proof.diagnosis import WRONG, Conflict, find_conflicts, smallest
+from warpsample.proof.diagnosis import WRONG, Conflict, find_conflicts, find_smallest_sets
 from warpsample.proof.evidence import Subject
 from warpsample.proof.opinions import DENSITIES, MAPS
-from warpsample.proof.report import figure, name_of
+from warpsample.proof.report import format_figure, name_of
 from warpsample.proof.verify import LAWS, Verdict
 
 _ERRORS = {
@@ -14,7 +14,7 @@ _ERRORS = {
     "density": "worst_pdf",
     "round trip": "worst_round_trip",
 }
-_IMPRECISE = {*_ERRORS, "sine", "tails"}  # laws that lost digits alone may break
+_IMPRECISE = {*_ERRORS, "sine", "tails"}  # laws that may be broken by rounding errors alone
 _MOST_CASES = 3  # of one distribution: more cases seldom add evidence
 _MOST_TEXTS = 3
 _MEND = {
@@ -29,15 +29,15 @@ _MEND = {
 _JUDGED = {
     "density": {*DENSITIES},
     "round trip": {"inverse"},
-}  # parts of laws whose digits are worth no advice once they are wrong
+}  # parts by law: if one of these is wrong, advice on its precision is useless
 
 
 def advise(verdicts: Iterable[Verdict], subjects: Iterable[Subject] = ()) -> list[str]:
-    """Return the sentences about each distribution with a broken law.
+    """Return sentences of advice on each distribution with a broken law.
 
     Args:
-        verdicts: of any laws.
-        subjects: lobes and twins that were judged. Those with broken laws are searched for the wrong part.
+        verdicts: verdicts of any laws.
+        subjects: lobes and twins that were judged; those with broken laws are searched for the wrong part.
     """
     names = {law.name for law in LAWS}
     broken: dict[str, list[Verdict]] = {}
@@ -49,12 +49,13 @@ def advise(verdicts: Iterable[Verdict], subjects: Iterable[Subject] = ()) -> lis
 
 
 def _advise_one(verdicts: list[Verdict], known: dict[str, Subject]) -> Iterator[str]:
+    """Yield the sentences on one distribution, without its name at the beginning."""
     worst = {v.law: v for v in sorted(verdicts, key=lambda v: v.measured)}
     imprecise = [law for law in _ERRORS if law in worst and worst[law].measured <= WRONG]
-    only_digits = not worst.keys() - _IMPRECISE and not _far(worst)
+    only_digits = not worst.keys() - _IMPRECISE and not _large_errors(worst)
     names = list(dict.fromkeys(v.subject for v in verdicts if v.subject in known))[:_MOST_CASES]
     conflicts = [] if only_digits else [conflict for name in names for conflict in find_conflicts(known[name])]
-    sets = smallest(conflicts) if conflicts else []
+    sets = find_smallest_sets(conflicts) if conflicts else []
     suspects = frozenset().union(*sets)
     if "finite" in worst and not suspects & {*MAPS, "support"}:
         count = f"{worst['finite'].measured:,.0f}"
@@ -66,17 +67,17 @@ def _advise_one(verdicts: list[Verdict], known: dict[str, Subject]) -> Iterator[
     elif not worst.keys() & {"finite", "outside"} and not only_digits:
         yield _describe_unexplained(worst)
     imprecise = [law for law in imprecise if not suspects & _JUDGED.get(law, set())]
-    if imprecise and "direction" not in _far(worst) and "support" not in suspects:
+    if imprecise and "direction" not in _large_errors(worst) and "support" not in suspects:
         yield _describe_digits(worst, imprecise, alone=only_digits)
 
 
-def _far(worst: dict[str, Verdict]) -> set[str]:
-    """Return the laws of which the error is more than lost digits."""
+def _large_errors(worst: dict[str, Verdict]) -> set[str]:
+    """Return the laws whose error is too large to be a rounding error."""
     return {law for law in _ERRORS if law in worst and worst[law].measured > WRONG}
 
 
 def _name_parts(sets: list[frozenset[str]], conflicts: list[Conflict]) -> str:
-    """Name the parts that alone explain all conflicts."""
+    """Return a sentence that names the parts which alone explain all conflicts."""
     parts = _in_order(sets[0])
     same = len(parts) == 2 and set(parts) in ({*MAPS}, {*DENSITIES}) and all(c.parts != sets[0] for c in conflicts)
     error = f" The two agree: both have the same error, and {parts[0]} and twin must be mended." if same else ""
@@ -85,7 +86,7 @@ def _name_parts(sets: list[frozenset[str]], conflicts: list[Conflict]) -> str:
 
 
 def _list_choices(sets: list[frozenset[str]], conflicts: list[Conflict], subject: Subject) -> str:
-    """List the parts that may be wrong where the conflicts do not decide, and say how to decide."""
+    """Return sentences that list the parts that may be wrong, where the conflicts do not decide, and a way to decide."""
     choices = ", or ".join(f"the {' and the '.join(_in_order(parts))}" for parts in sets)
     more = [] if subject.sampler.symmetric else ["`_cdf` with symmetric = True, if the density depends on the angle alone"]
     more += [] if subject.sampler.maps.invert is not None else ["`invert`"]
@@ -106,11 +107,12 @@ _BETWEEN = {
 
 
 def _in_order(parts: Iterable[str]) -> list[str]:
+    """Return parts in the order of `_MEND`."""
     return [part for part in _MEND if part in parts]
 
 
 def _evidence(conflicts: list[Conflict]) -> str:
-    """Join the first result of each group of parts."""
+    """Return the first result of each group of parts, joined in one text."""
     texts: dict[frozenset[str], str] = {}
     for conflict in conflicts:
         texts.setdefault(conflict.parts, conflict.text)
@@ -118,6 +120,7 @@ def _evidence(conflicts: list[Conflict]) -> str:
 
 
 def _describe_unexplained(worst: dict[str, Verdict]) -> str:
+    """Return a sentence on broken laws that no conflict of parts explains."""
     laws = ", ".join(worst)
     return (
         f"breaks {laws}, while all parts agree to {WRONG:g} at 2^18 values of u: the error is small or rare. Look at the "
@@ -126,12 +129,14 @@ def _describe_unexplained(worst: dict[str, Verdict]) -> str:
 
 
 def _describe_digits(worst: dict[str, Verdict], laws: list[str], *, alone: bool) -> str:
-    """Describe the digits that float32 loses, and how to keep or to excuse them."""
-    what = ", ".join(f"{law} {figure(worst[law].measured)} (at most {figure(worst[law].limit)})" for law in laws)
-    fields = ", ".join(f"{_ERRORS[law]} = {figure(2.0 * worst[law].measured)}" for law in laws)
-    last = f"If fewer are enough, say so in the class: {fields}."
+    """Return sentences on lost digits of float32, with ways to keep or to excuse the digits."""
+    what = ", ".join(
+        f"{law} {format_figure(worst[law].measured)} (at most {format_figure(worst[law].limit)})" for law in laws
+    )
+    fields = ", ".join(f"{_ERRORS[law]} = {format_figure(2.0 * worst[law].measured)}" for law in laws)
+    last = f"If fewer digits are enough, state the limits in the class: {fields}."
     if "sine" in worst:
-        last = "Its sine is lost near the pole, which nothing in the class can excuse: narrow lobes need it."
+        last = "Its sine loses digits near the pole. No attribute of the class can excuse this: narrow lobes need the sine."
     return (
         f"is {'imprecise, not wrong' if alone else 'imprecise, too'}: {what}. Float32 loses digits in 1 - x, in "
         "sqrt(1 - z^2) and in wp.pow near 1; exp_double and log1p_double of warpsample.maths.exponentials keep them, as in "

@@ -1,4 +1,4 @@
-"""Wrong samplers, each with one defect that real samplers have had, to test the laws."""
+"""Wrong samplers to test the laws, each with one defect that real samplers have had."""
 
 from collections.abc import Callable
 from functools import partial
@@ -18,7 +18,7 @@ from warpsample.distributions.uniform_sphere import UniformSphere
 from warpsample.host.kernel_cache import load
 from warpsample.proof.evidence import Evidence, Subject, independent
 from warpsample.proof.mixing import POINTS, cells_of, judge_cells, judge_far_samples, judge_keys, keys_of
-from warpsample.proof.routes import plus_normal
+from warpsample.proof.routes import add_normal
 from warpsample.proof.streams import judge_stream
 from warpsample.proof.twins.sequences import pcg4d
 from warpsample.proof.verify import Verdict, judge
@@ -30,58 +30,71 @@ _F = np.float32
 
 
 class Wrong:
-    """A distribution with some of its functions replaced."""
+    """Distribution with some of its functions replaced."""
 
     def __init__(self, claims: Distribution = _RIGHT, **replaced: Callable[[np.ndarray], np.ndarray]):
-        """`replaced`: sample, pdf or invert."""
+        """Store a distribution and the functions that replace some of its functions.
+
+        Args:
+            claims: distribution that the sampler claims to be.
+            replaced: functions `sample`, `pdf` or `invert`, by name.
+        """
         self.claims = claims
         self.__dict__.update(replaced)
 
     def __getattr__(self, name: str) -> Any:
-        """All other attributes are those of the distribution."""
+        """Return the distribution's attribute for all names that are not replaced."""
         return getattr(self.claims, name)
 
 
 def _scaled_sphere(scale: float, u: np.ndarray) -> np.ndarray:
-    return plus_normal(scale * UniformSphere().sample(u).astype(np.float64)).astype(_F)
+    """Return normalised sums of the normal and a point of a sphere with the wrong radius, in place of the cosine lobe."""
+    return add_normal(scale * UniformSphere().sample(u).astype(np.float64)).astype(_F)
 
 
 def _short_normal(u: np.ndarray) -> np.ndarray:
-    return plus_normal(UniformSphere().sample(u).astype(np.float64) / 0.9).astype(_F)
+    """Return normalised sums of a normal of length 0.9 and a point of the unit sphere, in place of the cosine lobe."""
+    return add_normal(UniformSphere().sample(u).astype(np.float64) / 0.9).astype(_F)
 
 
 def _lifted_in_float32(u: np.ndarray) -> np.ndarray:
+    """Return directions of the cosine lobe with z = sqrt(1 - x^2 - y^2) computed in float32."""
     x, y = UniformDisk().sample(u).T
     return np.stack([x, y, np.sqrt(np.maximum(_F(1) - x * x - y * y, 0))], axis=-1)
 
 
 def _with_gap(u: np.ndarray) -> np.ndarray:
+    """Return directions of the cosine lobe with an azimuth gap of 1e-3 rad."""
     return _RIGHT.sample(np.stack([u[..., 0], (u[..., 1] * (1 - 1e-3 / (2 * np.pi))).astype(_F)], axis=-1))
 
 
 def _swapped_quadrant(u: np.ndarray) -> np.ndarray:
+    """Return directions of the cosine lobe with sine and cosine swapped in a quadrant of azimuths."""
     w = _RIGHT.sample(u)
     quadrant = (u[..., 1] >= 0.25) & (u[..., 1] < 0.5)
     w[quadrant, :2] = w[quadrant, 1::-1]
     return w
 
 
-def _changed(change: Callable[[np.ndarray, np.ndarray], None], u: np.ndarray) -> np.ndarray:
+def _with_change(change: Callable[[np.ndarray, np.ndarray], None], u: np.ndarray) -> np.ndarray:
+    """Return directions of the cosine lobe after an in-place change."""
     w = _RIGHT.sample(u)
     change(w, u)
     return w
 
 
 def _nan_in_the_middle(w: np.ndarray, u: np.ndarray) -> None:
+    """Replace the direction at the centre of the unit square by NaN."""
     w[(u == 0.5).all(axis=-1)] = np.nan
 
 
 def _one_below(w: np.ndarray, u: np.ndarray) -> None:
+    """Flip one direction in 10^5 to below the surface."""
     w[::100_000, 2] *= -1
 
 
 def _with_seam(u: np.ndarray) -> np.ndarray:
-    """The concentric disk with the angle of the first octant one percent short: it no longer meets the second."""
+    """Return points of the concentric disk with an error: azimuths in the first octant are one percent too small."""
     p = UniformDisk("concentric").sample(u)
     turns = DISK.azimuth(p)
     short = np.where(turns < 0.125, 0.01 * turns, 0.0)
@@ -90,7 +103,7 @@ def _with_seam(u: np.ndarray) -> np.ndarray:
 
 
 def _rough_beckmann(u: np.ndarray) -> np.ndarray:
-    """sin theta as sqrt(1 - cos^2 theta), in float32; cos theta and the azimuth are correct."""
+    """Return Beckmann normals with sin theta as sqrt(1 - cos^2 theta) in float32; cos theta and the azimuth are correct."""
     u = u.astype(np.float64)
     cosine = (1 / np.sqrt(1 - 1e-6 * np.log1p(-u[..., 0]))).astype(_F)
     circle = np.stack([f(2 * np.pi * u[..., 1]) for f in (np.cos, np.sin)]).astype(_F)
@@ -99,16 +112,18 @@ def _rough_beckmann(u: np.ndarray) -> np.ndarray:
 
 
 def _sine(w: np.ndarray) -> np.ndarray:
+    """Return the sine of the angle to +z; 0 for NaN."""
     return np.nan_to_num(np.sqrt(np.maximum(1 - w[..., 2] ** 2, 0)))
 
 
 def _on_grid(bits: int, points: int, count: int, seed: int) -> np.ndarray:
+    """Return independent variates rounded down to a grid of 2^-bits."""
     return np.floor(independent(points, count, seed) * _F(2**bits)) / _F(2**bits)
 
 
 @wp.kernel(enable_backward=False)
-def _built_in(seed: wp.int32, count: wp.int32, out: wp.array[wp.vec2]):
-    """Draws as in Warp's documentation: a state of 32 bits for each thread, all on one cycle."""
+def _builtin_kernel(seed: wp.int32, count: wp.int32, out: wp.array[wp.vec2]):
+    """Draw variates as in Warp's documentation: each thread has a state of 32 bits, and all states are on one cycle."""
     point = wp.tid()
     state = wp.rand_init(seed, point)
     for j in range(count):
@@ -116,29 +131,36 @@ def _built_in(seed: wp.int32, count: wp.int32, out: wp.array[wp.vec2]):
 
 
 def _built_in_generator(points: int, count: int, seed: int) -> np.ndarray:
-    load(_built_in, "cpu")
+    """Return the variates of Warp's own generator."""
+    load(_builtin_kernel, "cpu")
     out = wp.empty(points * count, dtype=wp.vec2, device="cpu")
-    wp.launch(_built_in, points, inputs=[seed % 2**31, count], outputs=[out], device="cpu")
+    wp.launch(_builtin_kernel, points, inputs=[seed % 2**31, count], outputs=[out], device="cpu")
     return out.numpy().reshape(points, count, 2)
 
 
 def _duplicated(points: int, count: int, seed: int) -> np.ndarray:
+    """Return independent variates in which one point in 10^5 repeats the stream of point 1."""
     u = independent(points, count, seed)
     u[::100_000] = u[1]
     return u
 
 
 def _one_stream_for_all_seeds(points: int, count: int, seed: int) -> np.ndarray:
+    """Return independent variates that ignore the seed."""
     return independent(points, count, 0)
 
 
 def _second_is_the_next_first(points: int, count: int, seed: int) -> np.ndarray:
+    """Return independent variates whose second coordinate is the next point's first coordinate."""
     u = sample_square("independent", points + 1, count, seed=seed)
     return np.stack([u[:-1, :, 0], u[1:, :, 0]], axis=-1)
 
 
 def _raw_words_as_key(seed: int, first: int, stream: int | None = None, sample: int = 0) -> np.ndarray:
-    """The words of seed, id, stream and sample as they are: pcg4d alone carries a bit only to higher ones, but once."""
+    """Return variates that pcg4d hashes from seed, id, stream and sample without premixing.
+
+    A single step of pcg4d then carries each bit only to higher bits.
+    """
     point = first + np.arange(POINTS, dtype=np.uint64)
     words = [point % 2**32, (point >> 32) ^ sample, seed % 2**32, (seed >> 32) ^ (0x9E3779B9 * (stream or 0) % 2**32)]
     x, y, _, _ = pcg4d(*(np.full(POINTS, word, np.uint64) for word in words))
@@ -146,20 +168,23 @@ def _raw_words_as_key(seed: int, first: int, stream: int | None = None, sample: 
 
 
 def _ids_of_32_bits(seed: int, first: int, stream: int | None = None, sample: int = 0) -> np.ndarray:
+    """Return independent variates of point ids without their upper 32 bits."""
     return cells_of("independent")(seed, first % 2**32, stream, sample)
 
 
 def _in_one_word(points: np.ndarray, run: tuple[int, ...]) -> np.ndarray:
-    """(N, 4) words of pcg4d, of whose arguments one alone varies."""
+    """Return (N, 4) words of pcg4d with one argument that varies and three constant words."""
     return np.stack(pcg4d(points, *(np.full(len(points), word, np.uint64) for word in run)), axis=1)
 
 
 def _ids_in_one_word(seed: int, streams: bool) -> np.ndarray:
+    """Return keys of points whose ids enter a single argument of pcg4d."""
     random = np.random.default_rng(1).integers(2**32, size=16 * POINTS, dtype=np.uint64)
     return keys_of(seed, streams) if streams else _in_one_word(random, run_words(seed, 0)[1:])
 
 
 def _samples_in_one_word() -> np.ndarray:
+    """Return words of samples whose numbers enter a single argument of pcg4d."""
     halves = 512 * np.arange(16 * POINTS, dtype=np.uint64)
     return _in_one_word(halves ^ halves >> np.uint64(16), run_words(1, 0)[1:]) >> np.uint64(8)
 
@@ -175,8 +200,8 @@ _SAMPLERS = {
     "sin and cos swapped in a quadrant": Wrong(sample=_swapped_quadrant),
     "x and y swapped": Wrong(sample=lambda u: _RIGHT.sample(u)[..., [1, 0, 2]]),
     "upside down": Wrong(sample=lambda u: _RIGHT.sample(u) * _F([1, 1, -1])),
-    "one in 10⁵ below the surface": Wrong(sample=partial(_changed, _one_below)),
-    "NaN at the centre of the square": Wrong(sample=partial(_changed, _nan_in_the_middle)),
+    "one in 10⁵ below the surface": Wrong(sample=partial(_with_change, _one_below)),
+    "NaN at the centre of the square": Wrong(sample=partial(_with_change, _nan_in_the_middle)),
     "length off by 4e-7": Wrong(sample=lambda u: _RIGHT.sample(u) * _F(1 + 4e-7)),
     "concentric map with a seam": Wrong(UniformDisk("concentric"), sample=_with_seam),
     "Beckmann's sin θ as √(1 − cos²θ)": Wrong(Beckmann(1e-3), sample=_rough_beckmann),
@@ -203,7 +228,7 @@ _SAMPLES = {"samples in one word of a hash": _samples_in_one_word}
 
 
 def names() -> list[str]:
-    """Names of all planted defects."""
+    """Return the names of all planted defects."""
     return [*_SAMPLERS, *_STREAMS, *_MIXERS, *_KEYS, *_SAMPLES]
 
 
@@ -214,7 +239,14 @@ def subject_of(name: str) -> Subject:
 
 
 def judge_defect(name: str, every: int = 16, draws: int = 1 << 22, points: int = 1_000_000) -> list[Verdict]:
-    """All laws for one defect. `every` and `draws`: see `Evidence`; `points`: for the laws of streams."""
+    """Test one planted defect by all laws that apply; return the verdicts.
+
+    Args:
+        name: name of the defect.
+        every: see `Evidence`.
+        draws: see `Evidence`.
+        points: number of points for the laws of streams.
+    """
     subject = subject_of(name)
     verdicts = judge(Evidence(subject, every, draws))
     verdicts += judge_cells(name, _MIXERS[name]) if name in _MIXERS else []

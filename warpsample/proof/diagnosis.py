@@ -1,8 +1,8 @@
-"""Find the parts of a lobe, or of its twin, that are wrong: the fewest parts that explain all disagreements.
+"""Search for the wrong parts of a lobe or of its twin: the fewest parts that explain all disagreements.
 
-Six parts describe one lobe: the map, the density, the inverse and the cdf of the class, and the two functions of the
-twin. A seventh, the declared support, limits all of them. Each check compares two parts, or one part with what holds for
-any lobe. A check that fails is a `Conflict`: at least one of its parts is wrong.
+Six parts describe one lobe: the map, the density, the inverse and the cdf of the class, and the two functions of the twin.
+A seventh part, the declared support, limits all others. Each check compares two parts, or one part with a property of every
+lobe. A check that fails is a `Conflict`: at least one of its parts is wrong.
 """
 
 from collections.abc import Iterable, Iterator
@@ -14,27 +14,32 @@ import numpy as np
 from warpsample.proof import laws
 from warpsample.proof.evidence import Subject
 from warpsample.proof.opinions import DENSITIES, MAPS, MARGIN, STEP, Opinions
-from warpsample.proof.report import figure
+from warpsample.proof.report import format_figure
 from warpsample.proof.verify import LEVEL
 from warpsample.statistics.charts import DISK
 
 PARTS = ("map", "density", "inverse", "cdf", "support", "twin's map", "twin's density")
-WRONG = 1e-2  # float32 loses digits, seldom all but two of them: a greater error is of another formula
-_SHARE = 1e-3  # of the variates: fewer invalid values are an edge that was forgotten
+WRONG = 1e-2  # float32 seldom loses all but two digits: a greater error comes from a wrong formula
+_SHARE = 1e-3  # fraction of the variates: a smaller fraction of invalid values is a forgotten edge case
 _MASS = 1e-4  # the limit of the law "mass"
 _CDF = 1e-3  # quadrature converges to 5e-5
-_MANY = 1000  # directions in the support, from which on a test has a meaning
+_MANY = 1000  # least number of directions in the support for a meaningful test
 
 
 @dataclass(frozen=True)
 class Conflict:
-    """A check that failed: the parts of which at least one is wrong, and the check's result in words."""
+    """A check that failed.
+
+    Attributes:
+        parts: parts of which at least one is wrong.
+        text: result of the check in words.
+    """
 
     parts: frozenset[str]
     text: str
 
 
-def smallest(conflicts: Iterable[Conflict]) -> list[frozenset[str]]:
+def find_smallest_sets(conflicts: Iterable[Conflict]) -> list[frozenset[str]]:
     """Return the smallest sets of parts that have a member in every conflict; several if the conflicts leave a choice."""
     wanted = {conflict.parts for conflict in conflicts}
     for size in range(len(PARTS) + 1):
@@ -45,22 +50,31 @@ def smallest(conflicts: Iterable[Conflict]) -> list[frozenset[str]]:
 
 
 def find_conflicts(subject: Subject) -> list[Conflict]:
-    """Run all checks on one lobe and its twin, and return those that failed."""
+    """Run all checks on one lobe and its twin, and return the failed checks."""
     o = Opinions(subject)
     with np.errstate(all="ignore"):
-        early = [Conflict(frozenset(parts), text) for parts, text in _support(o)]
-    if early:  # all other checks take the support as it is declared
+        early = [Conflict(frozenset(parts), text) for parts, text in _check_support(o)]
+    if early:  # all other checks rely on the declared support
         return early
-    checks = (_maps_alone, _densities_alone, _equal_maps, _equal_densities, _samples, _inverses, _cdfs, _polar)
+    checks = (
+        _check_maps,
+        _check_densities,
+        _compare_maps,
+        _compare_densities,
+        _compare_samples,
+        _check_inverse,
+        _check_cdf,
+        _check_polar,
+    )
     with np.errstate(all="ignore"):
         return [Conflict(frozenset(parts), text) for check in checks for parts, text in check(o)]
 
 
-Found = Iterator[tuple[set[str], str]]
+Conflicts = Iterator[tuple[set[str], str]]
 
 
-def _support(o: Opinions) -> Found:
-    """Accuse the declared support where both maps and the density agree on another one."""
+def _check_support(o: Opinions) -> Conflicts:
+    """Yield a conflict of the declared support if both maps and the density agree on another support."""
     beyond = [o.outside(part) for part in MAPS]
     if all(len(w) and (o.density("density", w) > 0.0).mean() > 0.5 for w in beyond):
         yield {"support"}, f"both maps leave it, {_reach(o, 'map')}, and the density is above 0 there"
@@ -73,10 +87,12 @@ def _support(o: Opinions) -> Found:
 
 
 def _reach(o: Opinions, part: str) -> str:
+    """Return in words the greatest angle of one map and the declared one."""
     return f"at {_angle(o, o.furthest(part))}, while `largest_angle` is {_angle(o, o.high)}"
 
 
-def _maps_alone(o: Opinions) -> Found:
+def _check_maps(o: Opinions) -> Conflicts:
+    """Yield a conflict of each map with directions that are invalid, not of unit length, or outside the support."""
     for part in MAPS:
         w = o.at_u[part]
         length = np.abs(np.linalg.norm(w, axis=-1) - 1.0) if o.chart is not DISK else np.abs(w).sum(axis=-1) * 0.0
@@ -88,7 +104,8 @@ def _maps_alone(o: Opinions) -> Found:
             yield {part}, f"the {part} leaves the support, {_reach(o, part)}, for {_percent(outside)} of u"
 
 
-def _densities_alone(o: Opinions) -> Found:
+def _check_densities(o: Opinions) -> Conflicts:
+    """Yield a conflict of each density that has invalid values or does not integrate to 1."""
     w = np.concatenate(list(o.draws.values()))[::16]
     for part in DENSITIES:
         pdf, masses = o.density(part, w), o.masses[part]
@@ -101,16 +118,18 @@ def _densities_alone(o: Opinions) -> Found:
             yield {part}, f"the {part} integrates to {_value(masses.sum())} over the support"
 
 
-def _equal_maps(o: Opinions) -> Found:
+def _compare_maps(o: Opinions) -> Conflicts:
+    """Yield a conflict of the two maps if their directions differ."""
     w, twin = (o.at_u[part] for part in MAPS)
     apart = np.linalg.norm(w - twin, axis=-1)
     if np.nanmax(apart, initial=0.0) > WRONG:
         at = _first_worst(apart)
-        text = f"the map and its twin differ by up to {figure(apart[at])}: at u = {_vector(o.u[at])} the map gives "
+        text = f"the map and its twin differ by up to {format_figure(apart[at])}: at u = {_vector(o.u[at])} the map gives "
         yield {*MAPS}, f"{text}{_vector(w[at])}, its twin {_vector(twin[at])}"
 
 
-def _equal_densities(o: Opinions) -> Found:
+def _compare_densities(o: Opinions) -> Conflicts:
+    """Yield a conflict of the two densities if their values differ."""
     for part in MAPS:
         w = o.at_u[part]
         kept = o.is_inside(w, -1e-4)
@@ -119,15 +138,15 @@ def _equal_densities(o: Opinions) -> Found:
         apart = np.nan_to_num(np.abs(pdf - twin) / np.maximum(np.abs(pdf), np.abs(twin)))
         if apart.max(initial=0.0) > WRONG:
             at = _first_worst(apart)
-            text = f"the density and its twin differ by up to {figure(apart[at])} of themselves: at w = {_vector(w[at])} "
+            text = f"the density and its twin differ by up to {_percent(apart[at])}: at w = {_vector(w[at])} "
             yield {*DENSITIES}, f"{text}the density is {_value(pdf[at])}, its twin {_value(twin[at])}"
             if part == "twin's map":
                 near = (apart > 0.5 * apart.max()) & (u > 4.0 * STEP).all(axis=-1) & (u < 1.0 - 4.0 * STEP).all(axis=-1)
-                yield from _fitting(o, u[near], pdf[near], twin[near])
+                yield from _compare_stretch(o, u[near], pdf[near], twin[near])
 
 
-def _fitting(o: Opinions, u: np.ndarray, *densities: np.ndarray) -> Found:
-    """Accuse a density that does not fit the stretch of the twin's map where the other density does."""
+def _compare_stretch(o: Opinions, u: np.ndarray, *densities: np.ndarray) -> Conflicts:
+    """Yield a conflict of the twin's map and the one density that does not fit the map's area stretch, if the other does."""
     if len(u) == 0:
         return
     stretch = o.stretch("twin's map", u)
@@ -141,7 +160,8 @@ def _fitting(o: Opinions, u: np.ndarray, *densities: np.ndarray) -> Found:
         )
 
 
-def _samples(o: Opinions) -> Found:
+def _compare_samples(o: Opinions) -> Conflicts:
+    """Yield a conflict of each map and density if the map's directions do not follow the density."""
     for density in DENSITIES:
         masses = o.masses[density]
         if masses is None or not masses.sum() > 0.0:
@@ -165,13 +185,15 @@ def _means(o: Opinions, *parts: str) -> str:
 
 
 def _cells(law: laws.Sampler, w: np.ndarray, edges: np.ndarray) -> float:
+    """Return the p-value of the chi-square test of directions against a density; 1 if the density's integral diverges."""
     try:
         return laws.cells_p_value(law, w, edges)
     except ValueError:
-        return 1.0  # a density of which the integral does not converge is a conflict of its own
+        return 1.0  # a density with a divergent integral is a separate conflict
 
 
-def _inverses(o: Opinions) -> Found:
+def _check_inverse(o: Opinions) -> Conflicts:
+    """Yield a conflict of the inverse and each map that the inverse does not undo."""
     if o.sampler.maps.invert is None:
         return
     for part in MAPS:
@@ -187,7 +209,8 @@ def _inverses(o: Opinions) -> Found:
             yield {part, "inverse"}, f"the inverse does not undo the {part}: it starts from u = {there}"
 
 
-def _cdfs(o: Opinions) -> Found:
+def _check_cdf(o: Opinions) -> Conflicts:
+    """Yield a conflict of the cdf alone, or of the cdf and each map or density that contradicts it."""
     if not o.sampler.symmetric:
         return
     cdf = np.asarray(o.sampler.cdf(o.edges), np.float64)
@@ -207,8 +230,11 @@ def _cdfs(o: Opinions) -> Found:
                 yield {part, "cdf"}, f"{text}, the cdf is {_value(cdf[at + 1])}"
 
 
-def _polar(o: Opinions) -> Found:
-    """Accuse a map that breaks `polar` where the other map keeps it: u[0] the cdf, u[1] the azimuth in turns."""
+def _check_polar(o: Opinions) -> Conflicts:
+    """Yield a conflict of the map that breaks the `polar` declaration, if the other map follows it.
+
+    With `polar`, u[0] is the cdf and u[1] the azimuth in turns.
+    """
     if not (o.sampler.symmetric and o.sampler.polar):
         return
     keeps = [_is_polar(o, o.at_u[part]) for part in MAPS]
@@ -218,6 +244,7 @@ def _polar(o: Opinions) -> Found:
 
 
 def _is_polar(o: Opinions, w: np.ndarray) -> bool:
+    """Return whether directions w at `u` have u[0] as the cdf and u[1] as the azimuth in turns."""
     both = [np.asarray(o.sampler.cdf(o.chart.polar(w)), np.float64)]
     both += [o.chart.azimuth(w)] if o.chart.azimuths > 1.0 else []
     apart = np.stack(both, axis=-1) - o.u[:, : len(both)]
@@ -225,21 +252,25 @@ def _is_polar(o: Opinions, w: np.ndarray) -> bool:
 
 
 def _first_worst(apart: np.ndarray) -> int:
-    """Return the first place of nearly the greatest error: the same on all processors."""
+    """Return the first index with nearly the greatest error, which is the same on all processors."""
     return int(np.argmax(apart >= 0.99 * np.nanmax(apart)))
 
 
 def _percent(share: float) -> str:
+    """Format a fraction as a percentage."""
     return f"{100.0 * share:.3g} %"
 
 
 def _value(number: float) -> str:
+    """Format a number with four digits."""
     return f"{number:.4g}"
 
 
 def _vector(values: np.ndarray) -> str:
+    """Format a vector with three digits per component."""
     return f"({', '.join(f'{value:.3g}' for value in values)})"
 
 
 def _angle(o: Opinions, a: float) -> str:
+    """Format a coordinate of the chart, as a radius or in degrees."""
     return f"radius {a:.3g}" if o.chart is DISK else f"{np.degrees(a):.3g}°"

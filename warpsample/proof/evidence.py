@@ -1,4 +1,4 @@
-"""The evidence for the laws, drawn once for each sampler: variates, directions, and the worst errors of a sweep."""
+"""Data that the laws evaluate, computed once for each sampler: variates, directions, and the worst errors of a sweep."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,16 +18,19 @@ _ROWS = 40
 
 
 def independent(points: int, count: int, seed: int) -> np.ndarray:
-    """(points, count, 2) float32 variates of the sequence that the statistics assume."""
+    """Return (points, count, 2) float32 variates of the independent sequence, which the statistics assume."""
     return sample_square("independent", points, count, seed=seed)
 
 
 @dataclass(frozen=True)
 class Subject:
-    """A sampler on trial, named for tables, and its twin, the distribution that it claims to be.
+    """A sampler to be judged, with its name in tables and its twin: the distribution that it claims to be.
 
-    It is that distribution itself, or a wrong sampler in its place (see `warpsample.statistics.charts.Sampler`); its
-    variates are of (points, count, seed): (points, count, 2) float32.
+    Attributes:
+        name: name in tables.
+        sampler: the distribution itself, or a wrong sampler in its place (see `warpsample.statistics.charts.Sampler`).
+        twin: distribution whose float64 implementation gives the exact values.
+        variates: function (points, count, seed) -> (points, count, 2) float32.
     """
 
     name: str
@@ -37,7 +40,7 @@ class Subject:
 
 
 class Evidence:
-    """Draws of one subject, made when a law first needs them."""
+    """Directions and errors of one subject, each computed when a law first needs the value."""
 
     subject: Subject
     sampler: Any
@@ -45,34 +48,40 @@ class Evidence:
     draws: int
 
     def __init__(self, subject: Subject, every: int = 1, draws: int = 1 << 22):
-        """`every`: the sweep takes every n-th variate. `draws`: number of independent directions, for statistics."""
+        """Store the subject and the effort.
+
+        Args:
+            subject: sampler to be judged.
+            every: the sweep takes every n-th variate.
+            draws: number of independent directions for statistics.
+        """
         self.subject, self.sampler, self.every, self.draws = subject, subject.sampler, every, draws
         self.chart: Chart = chart_of(subject.sampler)
 
     def draw(self, seed: int, draws: int) -> np.ndarray:
-        """Directions of independent variates, `draws` of them."""
+        """Return `draws` directions sampled with independent variates."""
         u = self.subject.variates(draws // _SAMPLES, _SAMPLES, seed)
         return self.sampler.sample(u.reshape(-1, 2))
 
     @cached_property
     def seed(self) -> int:
-        """A hash of the name, so that no two subjects share their random numbers."""
+        """Hash of the subject's name, so that no two subjects share random numbers."""
         return crc32(self.subject.name.encode())
 
     @cached_property
-    def many(self) -> np.ndarray:
-        """`draws` independent directions."""
+    def directions(self) -> np.ndarray:
+        """Independent directions, `draws` in number."""
         return self.draw(self.seed, self.draws)
 
     @cached_property
-    def some(self) -> np.ndarray:
-        """At most 2^20 of them."""
-        return self.many[:_CELL_DRAWS]
+    def first_directions(self) -> np.ndarray:
+        """The first independent directions, at most 2^20."""
+        return self.directions[:_CELL_DRAWS]
 
     @cached_property
     def angles(self) -> np.ndarray:
-        """The chart's coordinate a of `many`."""
-        return self.chart.polar(self.many)
+        """Polar coordinate a (angle or radius, see `Chart`) of each independent direction."""
+        return self.chart.polar(self.directions)
 
     @cached_property
     def edges(self) -> np.ndarray:
@@ -88,7 +97,7 @@ class Evidence:
 
     @cached_property
     def smooth(self) -> np.ndarray:
-        """(N, 2) points of the square, at least 2^-7 from its rim, away from seams and the kinks of the concentric map."""
+        """(N, 2) points of the unit square at least 2^-7 from its rim, off the seams and the kinks of the concentric map."""
         k = np.arange(4096)
         u = np.stack([(k + 0.5) / 4096, k * 0.618033988749895 % 1.0], axis=1) * (1 - 2**-6) + 2**-7
         a, b = np.abs(u - 0.5).T
@@ -96,13 +105,13 @@ class Evidence:
 
     @cached_property
     def stretch(self) -> tuple[float, float]:
-        """The result of `laws.area_stretch_error`."""
+        """Result of `laws.area_stretch_error`: greatest and mean error."""
         with np.errstate(all="ignore"):
             return laws.area_stretch_error(self.sampler, self.smooth)
 
     @cached_property
     def sweep(self) -> dict[str, float]:
-        """Worst errors over the corner grid and the variates, and the number of invalid values."""
+        """Worst errors over the corner grid and the sweep of variates, and the number of invalid values, keyed by kind."""
         found: dict[str, float] = {}
         for u in (laws.corner_grid(), *laws.all_variates(self.every)):
             for name, value in self._errors(u).items():
@@ -111,6 +120,7 @@ class Evidence:
         return found
 
     def _errors(self, u: np.ndarray) -> dict[str, float]:
+        """Return the worst errors and the number of invalid values at points u of the unit square, keyed by kind."""
         sampler, twin = self.sampler, self.subject.twin
         w, exact = sampler.sample(u), twins.directions(twin, u.astype(np.float64))
         pdf = sampler.pdf(w)
@@ -122,7 +132,7 @@ class Evidence:
         found["angle"] = laws.distance_error(wide, exact) if self.chart is DISK else laws.angle_error(wide, exact)
         if self.chart is SPHERE and sampler.symmetric:
             found["sine"] = laws.sine_error(wide, exact)
-        # At the sampled direction itself, so that the error of the direction does not count as one of the density.
+        # At the sampled direction, so that an error of the direction does not count as an error of the density.
         with np.errstate(all="ignore"):
             found["pdf"] = laws.density_error(pdf, twins.density(twin, wide))
         if sampler.maps.invert is not None:

@@ -1,7 +1,7 @@
-"""The laws that a sampler must obey, one function each: a measured error, or the p-value of a statistic.
+"""Laws that a sampler must obey, one function each: it returns a measured error, or the p-value of a statistical test.
 
-They judge distributions and arrays, not meshes, and assert nothing: `verify` and the tests compare. A wrong sampler may
-return anything, so NaN counts as the worst error.
+The functions take distributions and arrays, not meshes. They assert nothing; `verify` and the tests compare their results
+with limits. A wrong sampler may return anything, so NaN counts as the worst error.
 """
 
 from collections.abc import Iterator
@@ -14,13 +14,16 @@ from warpsample.statistics.histogram import histogram_test
 from warpsample.statistics.quadrature import cell_masses
 
 SLAB = 1 << 16  # float64 arrays of this length stay in a core's cache
-_SPREAD = 0x9E3779B1  # odd, so k -> k * _SPREAD mod 2^24 meets every value once
+_SPREAD = 0x9E3779B1  # odd, so k -> k * _SPREAD mod 2^24 takes every value once
 _COLUMNS = 16
-_LEAST_COUNT = 10.0  # expected in a cell that Pearson's test may use
+_LEAST_COUNT = 10.0  # least expected count of a cell in Pearson's test
 
 
 def corner_grid() -> np.ndarray:
-    """(N, 2) float32: all pairs of critical values of u: ends, middle, quarters, eighths and their neighbours."""
+    """Return (N, 2) float32 points: all pairs of critical values of u.
+
+    These are the ends, the middle, quarters, eighths, and their neighbours.
+    """
     edges = np.array(
         [0, 1, 2, 1 << 8, 1 << 16, GRID // 8, GRID // 4, 3 * GRID // 8, GRID // 2, 5 * GRID // 8, 3 * GRID // 4]
     )
@@ -30,9 +33,9 @@ def corner_grid() -> np.ndarray:
 
 
 def all_variates(every: int = 1) -> Iterator[np.ndarray]:
-    """Yields float32 slabs of up to 2^16 points whose coordinates each take every value of the 2^24 grid once.
+    """Yield float32 slabs of up to 2^16 points; each coordinate takes every value of the 2^24 grid once over all slabs.
 
-    Of these every n-th may be kept, and always the last of the grid.
+    With `every` above 1 only every n-th point is yielded, and always the last of the grid.
     """
     for start in range(0, GRID, SLAB * every):
         k = np.arange(start, min(start + SLAB * every, GRID), every, dtype=np.int64) + (every - 1)
@@ -40,47 +43,56 @@ def all_variates(every: int = 1) -> Iterator[np.ndarray]:
 
 
 def length_error(w: np.ndarray) -> float:
-    """Greatest abs(abs(w) - 1)."""
+    """Return the greatest absolute value of |w| - 1."""
     w = w.astype(np.float64)
     return worst(np.sqrt(_dot(w, w)) - 1.0)
 
 
 def angle_error(w: np.ndarray, twin: np.ndarray) -> float:
-    """Greatest angle in radians between directions and their float64 twins, from the component of w across the twin."""
+    """Return the greatest angle in radians between directions and their float64 twins.
+
+    It is computed from the component of w perpendicular to the twin, and is pi if some angle is 90 degrees or more.
+    """
     along = _dot(w, twin)
     across = w - along[..., None] * twin
     return worst(np.sqrt(_dot(across, across))) if (along > 0.0).all() else np.pi
 
 
 def distance_error(w: np.ndarray, twin: np.ndarray) -> float:
-    """Greatest distance between points and their float64 twins."""
+    """Return the greatest distance between points and their float64 twins."""
     difference = w - twin
     return worst(np.sqrt(_dot(difference, difference)))
 
 
 def sine_error(w: np.ndarray, twin: np.ndarray) -> float:
-    """Greatest relative error of sin theta, which matters for narrow lobes; w is float64."""
+    """Return the greatest relative error of sin theta, which matters for narrow lobes; w is float64."""
     exact = twin[..., 0] ** 2 + twin[..., 1] ** 2
     ratio = (w[..., 0] ** 2 + w[..., 1] ** 2) / np.maximum(exact, 1e-60)
-    return worst(np.sqrt(ratio) - (exact > 0.0))  # at the pole itself any sine is an error
+    return worst(np.sqrt(ratio) - (exact > 0.0))  # at the pole itself any nonzero sine is an error
 
 
 def density_error(pdf: np.ndarray, exact: np.ndarray) -> float:
-    """Greatest relative error of densities."""
+    """Return the greatest relative error of densities."""
     return worst(pdf.astype(np.float64) / exact - 1.0)
 
 
 def round_trip_error(back: np.ndarray, u: np.ndarray) -> float:
-    """Greatest difference of a coordinate of u after `sample` and `invert`, modulo 1 as azimuths are."""
+    """Return the greatest difference of a coordinate of u after `sample` and `invert`, modulo 1 as for azimuths."""
     difference = back.astype(np.float64) - u
     return worst(difference - np.round(difference))
 
 
 def area_stretch_error(sampler: Sampler, u: np.ndarray, step: float = 2.0**-11) -> tuple[float, float]:
-    """(greatest, mean) of pdf times the stretch of area, minus 1, at points u at least `step` inside a smooth part.
+    """Return (greatest, mean) error of the pdf times the area stretch of the map, which is 1 for a correct sampler.
 
-    The stretch is the area of the image of a square of side 2 step: on the sphere that of two spherical triangles, exact
-    for any curvature. The density is averaged over the square by Simpson's rule.
+    The stretch is the area of the image of a square of side 2 `step`, divided by the area of the square. On the sphere the
+    image is two spherical triangles, so that the area is exact for any curvature. The density is averaged over the square by
+    Simpson's rule.
+
+    Args:
+        sampler: sampler with a map and a density.
+        u: (N, 2) points of the unit square, at least `step` inside a smooth part of the map.
+        step: half the side of the square.
     """
     ring = step * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
     a, b, c, d = (sampler.sample((u + offset).astype(np.float32)).astype(np.float64) for offset in ring)
@@ -97,7 +109,7 @@ def area_stretch_error(sampler: Sampler, u: np.ndarray, step: float = 2.0**-11) 
 
 
 def density_outside(sampler: Sampler) -> float:
-    """Greatest density outside the support and at NaN; infinite if a density is NaN."""
+    """Return the greatest density outside the support and at NaN; infinite if a density is NaN."""
     chart, (low, high) = chart_of(sampler), support_of(sampler)
     away = np.linspace(1e-3, 1.0, 200) ** 2
     beyond = np.concatenate([high + (chart.high - high) * away, low + (chart.low - low) * away])
@@ -110,9 +122,12 @@ def density_outside(sampler: Sampler) -> float:
 
 
 def cells_p_value(sampler: Sampler, w: np.ndarray, edges: np.ndarray) -> float:
-    """Chi-square of independent w in cells of the chart: twice the smaller p-value of the full cells and of the others.
+    """Return the p-value of a chi-square test of independent directions w in cells of the chart.
 
-    A density whose integral is not within 1e-3 of 1, or does not converge, is a ValueError.
+    It is twice the smaller p-value of the cells with enough counts and of the sum of all other cells.
+
+    Raises:
+        ValueError: the integral of the density is not within 1e-3 of 1, or does not converge.
     """
     from scipy.stats import poisson
 
@@ -126,34 +141,37 @@ def cells_p_value(sampler: Sampler, w: np.ndarray, edges: np.ndarray) -> float:
         raise ValueError(f"pdf: its integral converges to {masses.sum():.5f}, want 1")
     expected = len(w) * masses
     lost = len(w) - observed.sum()  # NaN, or outside the chart
-    # Cells too empty for the test are judged together by Poisson's law: outside the support a single direction fails.
+    # Cells too empty for the test are added and compared with a Poisson distribution: outside the support one hit fails.
     full = expected >= _LEAST_COUNT
     rest = float(poisson.sf(observed[~full].sum() + lost - 1, max(expected[~full].sum(), 1e-30)))
     inside = expected[full] * (observed[full].sum() / expected[full].sum())
-    if inside.min() < 5.0:  # most directions are in cells that expect few: too few are left to compare
+    if inside.min() < 5.0:  # most directions are in nearly empty cells: too few remain for chi-square
         return rest
     return joint_p_value(histogram_test(observed[full], inside).p_value, rest)
 
 
 def mass_error(sampler: Sampler, edges: np.ndarray) -> float:
-    """Difference of the density's integral from 1."""
+    """Return the absolute difference between the density's integral and 1."""
     return worst(cell_masses(sampler, edges, _COLUMNS).sum() - 1.0)
 
 
 def angles_p_value(sampler: Sampler, a: np.ndarray) -> float:
-    """Kolmogorov-Smirnov test of independent coordinates a of the chart against their closed distribution function."""
+    """Return the p-value of a Kolmogorov-Smirnov test of coordinates a against their closed-form distribution function."""
     return uniform_p_value(sampler.cdf(a))
 
 
 def tails_p_value(sampler: Sampler, a: np.ndarray) -> float:
-    """Counts in the tails of probability `thinnest_tail` at the pole and at the far end; twice the smaller p-value."""
+    """Return the p-value of the counts in both tails of probability `thinnest_tail`: twice the smaller p-value of the two.
+
+    The tails are at the pole and at the far end of the coordinate a.
+    """
     low, high = (_quantile(sampler, p) for p in (sampler.thinnest_tail, 1.0 - sampler.thinnest_tail))
     near = count_p_value((a < low).sum(), len(a), float(sampler.cdf(low)))
     return joint_p_value(near, count_p_value((~(a <= high)).sum(), len(a), 1.0 - float(sampler.cdf(high))))
 
 
 def moments_p_value(sampler: Sampler, a: np.ndarray, edges: np.ndarray) -> float:
-    """Means of the chart's a and a^2 against their integrals under the density; twice the smaller p-value."""
+    """Return the p-value of the means of a and a^2 against their integrals under the density: twice the smaller one."""
     from scipy.stats import norm
 
     scale = np.abs(a).mean()
@@ -168,13 +186,16 @@ def moments_p_value(sampler: Sampler, a: np.ndarray, edges: np.ndarray) -> float
 
 
 def azimuth_p_value(w: np.ndarray) -> float:
-    """Rayleigh's test for one preferred azimuth: n R^2 of the mean unit vector is exponential (Mardia2000)."""
+    """Return the p-value of Rayleigh's test for one preferred azimuth.
+
+    Under a uniform azimuth, n R^2 of the mean unit vector is exponentially distributed (Mardia2000).
+    """
     turns = np.exp(2j * np.pi * DISK.azimuth(w))
     return _number(np.exp(-(np.abs(turns.mean()) ** 2) * len(turns)))
 
 
 def azimuth_gap_p_value(w: np.ndarray) -> float:
-    """The widest gap between the azimuths of independent directions: finds a missing sector, however thin.
+    """Return the p-value of the widest gap between azimuths of independent directions; it reveals any missing sector.
 
     n uniform points leave a gap above x turns somewhere with probability about n (1 - x)^(n - 1) (Whitworth1897).
     """
@@ -184,39 +205,39 @@ def azimuth_gap_p_value(w: np.ndarray) -> float:
 
 
 def count_p_value(observed: int, draws: int, probability: float) -> float:
-    """Two-sided p-value of a count of independent events of known probability."""
+    """Return the two-sided p-value of a count of independent events with known probability."""
     from scipy.stats import binomtest
 
     return float(binomtest(int(observed), int(draws), probability).pvalue)
 
 
 def uniform_p_value(values: np.ndarray) -> float:
-    """Kolmogorov-Smirnov p-value of independent values against the uniform distribution on (0, 1)."""
+    """Return the Kolmogorov-Smirnov p-value of independent values against the uniform distribution on (0, 1)."""
     from scipy.stats import kstest
 
     return _number(kstest(np.asarray(values, np.float64), "uniform", method="asymp").pvalue)
 
 
 def correlation_p_value(a: np.ndarray, b: np.ndarray) -> float:
-    """P-value of the sample correlation of independent uniform pairs."""
+    """Return the p-value of the sample correlation of independent pairs of uniform values."""
     from scipy.stats import norm
 
     return _number(2.0 * norm.sf(abs(np.corrcoef(a, b)[0, 1]) * np.sqrt(len(a))))
 
 
 def joint_p_value(*p_values: float) -> float:
-    """The smallest of several p-values times their number, at most 1 (Bonferroni): what all of them say together."""
+    """Return the combined p-value of several tests: the smallest times the number of tests, at most 1 (Bonferroni)."""
     return min(1.0, len(p_values) * min(p_values))
 
 
 def worst(errors: np.ndarray) -> float:
-    """Greatest magnitude; infinite if one is NaN, 0 if there are none."""
+    """Return the greatest absolute value; infinite if one is NaN, 0 for an empty array."""
     greatest = float(np.abs(errors).max(initial=0.0))
     return greatest if np.isfinite(greatest) else np.inf
 
 
 def _quantile(sampler: Sampler, probability: float) -> float:
-    """The value at which the distribution function reaches a probability, by bisection."""
+    """Return the coordinate at which the distribution function reaches a probability, by bisection."""
     low, high = support_of(sampler)
     for _ in range(80):
         middle = 0.5 * (low + high)
@@ -225,21 +246,22 @@ def _quantile(sampler: Sampler, probability: float) -> float:
 
 
 def _dot(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    return np.einsum("...i,...i", a, b)  # three times as fast as a sum over so short an axis
+    """Return the dot products along the last axis."""
+    return np.einsum("...i,...i", a, b)  # three times as fast as .sum(axis=-1) over an axis of 3
 
 
 def _number(p_value: float) -> float:
-    """The p-value; 0, which rejects, for NaN."""
+    """Return a p-value, or 0, which rejects, in place of NaN."""
     return float(p_value) if np.isfinite(p_value) else 0.0
 
 
 def _solid_angle(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
-    """Signed solid angle of spherical triangles. VanOosterom1983, equation 8."""
+    """Return the signed solid angle of spherical triangles with unit vectors as corners (VanOosterom1983, equation 8)."""
     volume = (a * np.cross(b - a, c - a)).sum(axis=-1)
     return 2.0 * np.arctan2(volume, 1.0 + (a * b).sum(axis=-1) + (b * c).sum(axis=-1) + (c * a).sum(axis=-1))
 
 
 def _triangle(a: np.ndarray, b: np.ndarray, c: np.ndarray) -> np.ndarray:
-    """Signed area of triangles in the plane."""
+    """Return the signed area of triangles in the plane."""
     first, second = b - a, c - a
     return 0.5 * (first[..., 0] * second[..., 1] - first[..., 1] * second[..., 0])

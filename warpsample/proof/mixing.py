@@ -1,8 +1,9 @@
-"""That every bit of a seed, an id, a stream's and a sample's number mixes: whatever differs, variates are independent.
+"""Tests that every bit of a seed, point id, stream number and sample number changes the variates independently.
 
-A pair of runs that differ in one bit is judged by a chi-square test of one variate of each of 2^16 points against the
-other, on 16 x 16 cells, and by the share of points at which each of the 24 bits of a variate changes, which is a half.
-The lowest bits of keys, and of samples far apart, are judged by themselves: no variate of one sample shows those of keys.
+Each pair of runs differs in one bit. A chi-square test compares one variate of each of 2^16 points between the two runs, on
+16 x 16 cells. A second test counts the points at which each of the 24 bits of a variate changes, which should be half of all
+points. The lowest bits of keys, and of samples far from each other, have separate tests, since no variate of one sample
+shows these bits of keys.
 """
 
 from collections.abc import Callable, Iterator
@@ -19,24 +20,27 @@ from warpsample.proof.verify import Verdict
 from warpsample.sequences.hashing import point_key, seed_for, stream_key
 
 Cells = Callable[..., np.ndarray]
-"""(seed, first point, stream or None, sample) -> (2, POINTS) integers below 2^24: a variate of consecutive points each."""
+"""Function (seed, first point, stream or None, sample) -> (2, POINTS) integers below 2^24, one variate per point."""
 
 Pair = tuple[np.ndarray, np.ndarray]
 
 POINTS = 1 << 16
-"""Points of a run. A shift by half of the range, a correlation of -1/2, is seen a thousand times as clearly as needed."""
+"""Number of points in a run.
+
+A shift by half of the range, with a correlation of -1/2, then gives a thousand times the signal needed.
+"""
 
 _SIDE, _BITS = 16, 24
-_SEED, _BASE = 0x0123456789ABCDEF, 0xFEDCBA9876540000  # ordinary ones; the base is a multiple of POINTS
+_SEED, _BASE = 0x0123456789ABCDEF, 0xFEDCBA9876540000  # ordinary seed and point id; the id is a multiple of POINTS
 _UNLIKELY = (6, 9492, 176047, 93987, 15790880)
-"""Seeds by which a word that all points share is even 19 times and more once pcg4d has stepped it, and an ordinary one."""
+"""Seeds for which a word shared by all points is divisible by 2^19 or more after a step of pcg4d, and an ordinary seed."""
 
 _PURPOSES = ("trial", "ground", "sky", "sun", "faces")
 
 
 @cache
 def _one_variate(name: str) -> wp.Kernel:
-    """A kernel that evaluates a sequence at given points, or at one stream of each, samples and counts."""
+    """Build a kernel that evaluates a sequence at given points or at one stream of each, for given samples and counts."""
     sequence = sequences.get(name)
     run_of, key_of, sample_of = sequence.run, sequence.key, sequence.sample
 
@@ -49,7 +53,7 @@ def _one_variate(name: str) -> wp.Kernel:
         count: wp.array[wp.uint32],
         out: wp.array[wp.vec2],
     ):
-        """Writes the point of the square that this thread stands for."""
+        """Write the variate of the point with this thread's index."""
         i = wp.tid()
         key = key_of(run_of(seed, high_word(point[i])), low_word(point[i]))
         if stream >= wp.int64(0):
@@ -61,7 +65,7 @@ def _one_variate(name: str) -> wp.Kernel:
 
 
 def grid_cells(name: str, seed: int, stream: int | None, *asked: np.ndarray) -> np.ndarray:
-    """(N, 2) points of a sequence as integers below 2^24; `asked`: (N,) point ids, samples and counts."""
+    """Return (N, 2) variates of a sequence as integers below 2^24; `asked` holds (N,) point ids, samples and counts."""
     columns = [
         wp.array(a, dtype=kind, device="cpu") for a, kind in zip(asked, (wp.uint64, wp.uint32, wp.uint32), strict=True)
     ]
@@ -72,10 +76,10 @@ def grid_cells(name: str, seed: int, stream: int | None, *asked: np.ndarray) -> 
 
 
 def cells_of(name: str) -> Cells:
-    """The variates of a sequence of the package."""
+    """Return a function (see `Cells`) that evaluates a sequence of the package."""
 
     def cells(seed: int, first: int, stream: int | None = None, sample: int = 0) -> np.ndarray:
-        """A variate of each of POINTS points as integers."""
+        """Return a variate of each of POINTS points as integers below 2^24."""
         points = np.uint64(first) + np.arange(POINTS, dtype=np.uint64)
         samples = np.full(POINTS, sample, np.uint32)
         return grid_cells(name, seed, stream, points, samples, samples + np.uint32(1)).T
@@ -84,7 +88,7 @@ def cells_of(name: str) -> Cells:
 
 
 def dependence_p_value(first: np.ndarray, second: np.ndarray) -> float:
-    """The smallest p-value of the tests of a pair, times their number."""
+    """Return the smallest p-value of the tests of a pair of runs, times the number of tests."""
     from scipy.special import chdtrc, erfc
 
     coarse = [cells >> (_BITS - 4) for cells in (first, second)]
@@ -97,12 +101,12 @@ def dependence_p_value(first: np.ndarray, second: np.ndarray) -> float:
 
 
 def _bits_set(octets: np.ndarray) -> np.ndarray:
-    """(8,) in how many numbers below 256 each bit is set."""
+    """Return the number of octets in which each of the eight bits is set, (8,); octets are integers below 256."""
     return np.bincount(octets, minlength=256) @ (np.arange(256)[:, None] >> np.arange(8) & 1)
 
 
 def seed_pairs(cells: Cells) -> Iterator[Pair]:
-    """Seeds that differ in one of 64 bits, that follow each other, and random ones."""
+    """Yield pairs of runs whose seeds differ in one of 64 bits, follow each other, or are random."""
     rng = np.random.default_rng(1)
     random = [tuple(map(int, rng.integers(2**64, size=2, dtype=np.uint64))) for _ in range(64)]
     for base in (0, _SEED):
@@ -112,7 +116,7 @@ def seed_pairs(cells: Cells) -> Iterator[Pair]:
 
 
 def point_pairs(cells: Cells) -> Iterator[Pair]:
-    """Ids that differ in one of 64 bits, that follow each other, and random ones."""
+    """Yield pairs of runs whose point ids differ in one of 64 bits, follow each other, or are random."""
     rng = np.random.default_rng(2)
     far = [(int(first) * POINTS, int(second) * POINTS) for first, second in rng.integers(2**48, size=(64, 2))]
     row = np.arange(POINTS)
@@ -125,7 +129,7 @@ def point_pairs(cells: Cells) -> Iterator[Pair]:
 
 
 def stream_pairs(cells: Cells) -> Iterator[Pair]:
-    """Streams of a point that differ in a bit, a stream and the point itself, and the seeds of inner purposes."""
+    """Yield pairs of runs with two streams of a point, a stream and its point, or the seeds of two internal purposes."""
     own = cells(_SEED, 0)
     streams = [cells(_SEED, 0, stream) for stream in (0, *(1 << bit for bit in range(32)))]
     yield from ((streams[0], stream) for stream in streams[1:])
@@ -136,7 +140,7 @@ def stream_pairs(cells: Cells) -> Iterator[Pair]:
 
 
 def sample_pairs(cells: Cells) -> Iterator[Pair]:
-    """Samples of a point whose numbers differ in one of 31 bits, for sequences of independent ones."""
+    """Yield pairs of runs whose sample numbers differ in one of 31 bits, for sequences with independent samples."""
     for base in (0, 0x2468ACE1):
         own = cells(_SEED, 0, sample=base)
         yield from ((own, cells(_SEED, 0, sample=base ^ (1 << bit))) for bit in range(31))
@@ -144,11 +148,11 @@ def sample_pairs(cells: Cells) -> Iterator[Pair]:
 
 @cache
 def _words() -> wp.Kernel:
-    """A kernel that writes the keys of points, or of the streams of one point."""
+    """Build a kernel that writes the keys of points, or of the streams of one point."""
 
     @wp.kernel(module="unique", enable_backward=False)
     def words(seed: wp.uint64, streams: wp.bool, out: wp.array[wp.vec4ui]):
-        """Writes the key that this thread stands for."""
+        """Write the key of the point or stream with this thread's index."""
         thread = wp.tid()
         if streams:
             out[thread] = stream_key(point_key(seed, wp.uint64(1)), wp.uint32(thread))
@@ -159,7 +163,7 @@ def _words() -> wp.Kernel:
 
 
 def keys_of(seed: int, streams: bool) -> np.ndarray:
-    """(16 POINTS, 4) words: the keys of points by a seed, or of the streams of one point."""
+    """Return the keys of 16 POINTS points for a seed, or of the streams of one point: (16 POINTS, 4) words."""
     load(_words(), "cpu")
     out = wp.empty(16 * POINTS, dtype=wp.vec4ui, device="cpu")
     wp.launch(_words(), 16 * POINTS, inputs=[seed, streams], outputs=[out], device="cpu")
@@ -167,14 +171,17 @@ def keys_of(seed: int, streams: bool) -> np.ndarray:
 
 
 def far_samples_of(name: str) -> np.ndarray:
-    """(16 POINTS, 4) integers below 2^24: the coordinates of two samples of one point, and 1,024 further of the next two."""
+    """Return two consecutive samples of one point at every 1,024th sample, as (16 POINTS, 4) integers below 2^24."""
     first = 1024 * np.arange(16 * POINTS)
     ones, most = np.ones_like(first), np.full_like(first, 2**31 - 1)
     return np.hstack([grid_cells(name, _SEED, None, ones, sample, most) for sample in (first, first + 1)])
 
 
 def low_bits_p_value(words: np.ndarray, bits: int) -> float:
-    """The p-value of the lowest bits of (N, K) words, of which all 2^(K bits) patterns come equally often."""
+    """Return the p-value of a chi-square test that all patterns of the lowest bits of (N, K) words are equally frequent.
+
+    There are 2^(K bits) patterns.
+    """
     from scipy.special import chdtrc
 
     patterns = (words.astype(np.int64) & ((1 << bits) - 1)) @ (1 << bits * np.arange(words.shape[1]))
@@ -184,15 +191,15 @@ def low_bits_p_value(words: np.ndarray, bits: int) -> float:
 
 
 def judge_keys(name: str, keys: Callable[[int, bool], np.ndarray] = keys_of) -> Verdict:
-    """The law for the keys by which points and streams are shifted and scrambled, by ordinary seeds and unlikely ones."""
+    """Test the keys that shift and scramble points and streams, for ordinary and unlikely seeds; return the verdict."""
     drawn = [keys(seed, streams) for streams in (False, True) for seed in _UNLIKELY]
     p_values = [low_bits_p_value(words[:, triple], 4) for words in drawn for triple in ((0, 1, 2), (1, 2, 3))]
-    return Verdict.of_chance("low bits of keys", name, min(1.0, len(p_values) * min(p_values)), f"{len(p_values)} sets")
+    return Verdict.from_p_value("low bits of keys", name, min(1.0, len(p_values) * min(p_values)), f"{len(p_values)} sets")
 
 
 def judge_far_samples(name: str, samples: np.ndarray) -> Verdict:
-    """The law for samples of one point that are far apart, for sequences of independent ones."""
-    return Verdict.of_chance("low bits of far samples", name, low_bits_p_value(samples, 3), f"{len(samples)} pairs")
+    """Test samples of one point that are far from each other, for sequences with independent samples; return the verdict."""
+    return Verdict.from_p_value("low bits of far samples", name, low_bits_p_value(samples, 3), f"{len(samples)} pairs")
 
 
 _LAWS = {"bits of seeds": seed_pairs, "bits of ids": point_pairs, "streams and purposes": stream_pairs}
@@ -200,16 +207,19 @@ _OF_RANDOM = {"bits of samples": sample_pairs}
 
 
 def judge_cells(name: str, cells: Cells, random: bool = True) -> list[Verdict]:
-    """The laws for any generator of variates; `random` are those whose samples of one point are independent, too."""
+    """Test any generator of variates for independence after a change of one bit; return the verdicts.
+
+    `random` states whether the samples of one point should be independent, too.
+    """
     verdicts = []
     for law, pairs in (_LAWS | (_OF_RANDOM if random else {})).items():
         p_values = [dependence_p_value(*pair) for pair in pairs(cells)]
-        verdicts.append(Verdict.of_chance(law, name, joint_p_value(*p_values), f"{len(p_values)} pairs"))
+        verdicts.append(Verdict.from_p_value(law, name, joint_p_value(*p_values), f"{len(p_values)} pairs"))
     return verdicts
 
 
 def judge_mixing(name: str) -> list[Verdict]:
-    """The laws for a sequence of the package."""
+    """Test a sequence of the package for independence after a change of one bit; return the verdicts."""
     random = sequences.get(name).random
     verdicts = [judge_keys(name), *judge_cells(name, cells_of(name), random)]
     return [*verdicts, judge_far_samples(name, far_samples_of(name))] if random else verdicts

@@ -1,4 +1,4 @@
-"""Answers of each part of a lobe and of its twin to the same questions, so that the parts can be compared in pairs."""
+"""Values of each part of a lobe and of its twin at the same arguments, so that the parts can be compared in pairs."""
 
 from collections.abc import Callable
 from functools import cached_property
@@ -14,20 +14,20 @@ from warpsample.statistics.quadrature import cell_masses
 MAPS = ("map", "twin's map")
 DENSITIES = ("density", "twin's density")
 COLUMNS = 16
-_EVERY = 64  # of the variates of the sweep: 2^18 remain
+_EVERY = 64  # every 64th variate of the sweep, which are 2^18
 _ROWS = 40
-MARGIN = 1e-3  # share of the support by which digits alone may leave it
+MARGIN = 1e-3  # fraction of the support's width by which rounding alone may leave the support
 STEP = 2.0**-16  # of central differences; a twin in float32 then errs by 4e-3
 
 
 class Density:
-    """A density in place of a distribution's own, for quadrature and tests."""
+    """Sampler with a replaced density, for quadrature and tests."""
 
     def __init__(self, sampler: Any, pdf: Callable[[np.ndarray], np.ndarray]):
         self.sampler, self.pdf = sampler, pdf
 
     def __getattr__(self, name: str) -> Any:
-        """Return the distribution's own attribute."""
+        """Return the distribution's attribute for all names except the density."""
         return getattr(self.sampler, name)
 
 
@@ -55,31 +55,31 @@ class Opinions:
         return np.asarray(pdf, np.float64)
 
     def is_inside(self, w: np.ndarray, margin: float = 0.0) -> np.ndarray:
-        """Return whether w is in the support, enlarged by a share of its width."""
+        """Return the mask of directions w in the support, enlarged by `margin` times its width."""
         a, margin = self.chart.polar(w), margin * (self.high - self.low)
         return (a >= self.low - margin) & (a <= self.high + margin)
 
     @cached_property
     def u(self) -> np.ndarray:
-        """(N, 2) variates: every 64th of the sweep, off the seams."""
+        """(N, 2) variates: every 64th of the sweep, away from seams."""
         u = np.concatenate(list(laws.all_variates(_EVERY)))
         return u[~self.sampler.seam(u)]
 
     @cached_property
     def at_u(self) -> dict[str, np.ndarray]:
-        """Directions of each map at `u`."""
+        """Directions of each map at `u`, keyed by part."""
         return {part: self.directions(part, self.u) for part in MAPS}
 
     @cached_property
     def draws(self) -> dict[str, np.ndarray]:
-        """Independent directions of each map that are finite and in the support."""
+        """Independent directions of each map that are finite and in the support, keyed by part."""
         u = self.subject.variates((1 << 20) // 16, 16, self._draws.seed).reshape(-1, 2)
         drawn = {part: self.directions(part, u) for part in MAPS}
         return {part: w[self.is_inside(w)] for part, w in drawn.items()}
 
     @cached_property
     def edges(self) -> np.ndarray:
-        """Edges of cells within the support: quantiles of both maps, and the ends of the support."""
+        """Edges of cells in the support: quantiles of both maps, and the ends of the support."""
         quantiles = np.arange(1, _ROWS) / _ROWS
         inner = [np.quantile(self.chart.polar(w), quantiles) for w in self.draws.values() if len(w)]
         bend = [np.pi / 2.0] if self.chart is SPHERE else []
@@ -91,11 +91,11 @@ class Opinions:
 
     @cached_property
     def masses(self) -> dict[str, np.ndarray | None]:
-        """Integrals of each density over the cells of the support; None if they do not converge."""
+        """Integrals of each density over the cells of the support, keyed by part; None in place of a divergent integral."""
         return {part: self.integrate(part, self.edges) for part in DENSITIES}
 
     def integrate(self, part: str, edges: np.ndarray, weight: int = 0) -> np.ndarray | None:
-        """Return the integrals of one density times a^weight over cells; None if they do not converge."""
+        """Return the integrals of one density times a^weight over cells; None if the quadrature does not converge."""
         try:
             return cell_masses(self.scaled(part), edges, COLUMNS if self.chart.azimuths > 1.0 else 1, weight)
         except ValueError:
@@ -110,7 +110,7 @@ class Opinions:
         return Density(self.sampler, lambda w: np.where(self.is_inside(w), self.density(part, w) / mass, 0.0))
 
     def mean_angle(self, part: str) -> float | None:
-        """Return the mean of the chart's coordinate a by one part; None if an integral does not converge."""
+        """Return the mean of the chart's coordinate a for one part; None if an integral does not converge."""
         if part in MAPS:
             return float(self.chart.polar(self.draws[part]).mean()) if len(self.draws[part]) else None
         masses, first = self.masses[part], self.integrate(part, self.edges, 1)

@@ -1,4 +1,4 @@
-"""Rays: none leaves a closed mesh, wherever it is aimed; both tracers and both queries agree."""
+"""Laws of rays: none leaves a closed mesh, wherever it is aimed, and both tracers and both queries agree."""
 
 from functools import cache
 
@@ -16,7 +16,11 @@ _PER_POINT = 64
 
 @cache
 def closed_meshes() -> dict[str, tuple[Mesh, tuple[float, float, float]]]:
-    """Closed meshes by name, with a point inside each; a ModuleNotFoundError without trimesh, which makes them."""
+    """Return closed meshes by name, each with a point inside.
+
+    Raises:
+        ModuleNotFoundError: trimesh, which generates the meshes, is not installed.
+    """
     try:
         from trimesh import creation
     except ModuleNotFoundError:
@@ -32,7 +36,10 @@ def closed_meshes() -> dict[str, tuple[Mesh, tuple[float, float, float]]]:
 
 
 def rays_inside(mesh: Mesh, count: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
-    """Rays in all directions, (P, 3) and (P, 64, 3), from just below the faces of a closed mesh, uniform by area."""
+    """Return origins (P, 3) and directions (P, 64, 3) of rays in all directions from just below the faces of a closed mesh.
+
+    The origins are uniform by area.
+    """
     points = sample_surface(mesh, count // _PER_POINT, seed=seed)
     below = 1e-5 * np.ptp(mesh.vertices, axis=0).max()
     directions = np.random.default_rng(seed).normal(size=(count // _PER_POINT, _PER_POINT, 3))
@@ -40,7 +47,10 @@ def rays_inside(mesh: Mesh, count: int, seed: int) -> tuple[np.ndarray, np.ndarr
 
 
 def rays_at_edges(mesh: Mesh, origin: tuple[float, float, float], count: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
-    """Rays (R, 3), (R, 3) from near `origin`: every second one at a vertex, the others at points on edges, in float64."""
+    """Return origins (R, 3) and directions (R, 3), float64, of rays from near `origin` towards edges and vertices.
+
+    Every second ray is aimed at a vertex, the others at points on edges.
+    """
     rng = np.random.default_rng(seed)
     face, corner = rng.integers(0, len(mesh.faces), count), rng.integers(0, 3, count)
     start, end = (mesh.vertices[mesh.faces[face, (corner + k) % 3]] for k in (0, 1))
@@ -49,11 +59,12 @@ def rays_at_edges(mesh: Mesh, origin: tuple[float, float, float], count: int, se
     return origins, start + share * (end - start) - origins
 
 
-def _most_apart(rays: int) -> float:
-    """How many rays may pass a silhouette's edge so near that the tracers' starts, a millionth apart, decide.
+def _allowed_differences(rays: int) -> float:
+    """Return the allowed number of rays on which the two tracers may differ.
 
-    On the torus these are 0.8 in a million (32 of 40 million, by 16 runs), on the others fewer; more by chance than this
-    are one in 10^7.
+    The tracers' ray starts are a millionth apart, which matters for rays close to the edge of a silhouette. On the torus
+    these are 0.8 in a million (32 of 40 million, in 16 runs), on the other meshes fewer. A correct build exceeds the
+    returned number with a probability of 10^-7.
     """
     from scipy.stats import poisson
 
@@ -61,7 +72,7 @@ def _most_apart(rays: int) -> float:
 
 
 def judge_rays(thorough: bool) -> list[Verdict]:
-    """Judges every closed mesh; if thorough with ten times as many rays: 10^7 inside, 10^6 at edges."""
+    """Test rays on every closed mesh, 10^6 inside and 10^5 at edges (`thorough`: ten times that); return the verdicts."""
     count = 10_000_000 if thorough else 1_000_000
     meshes = closed_meshes()
     return [
@@ -72,10 +83,14 @@ def judge_rays(thorough: bool) -> list[Verdict]:
 
 
 def judge_mesh(name: str, mesh: Mesh, origin: tuple[float, float, float], inside: int, at_edges: int) -> list[Verdict]:
-    """The laws of one closed mesh, faces outward.
+    """Test rays on one closed mesh with outward faces; return the verdicts.
 
-    So many rays start from just below it in all directions; others are aimed at edges and vertices from the origin, a point
-    inside.
+    Args:
+        name: name in tables.
+        mesh: closed mesh.
+        origin: point inside the mesh, from which rays are aimed at edges and vertices.
+        inside: number of rays in all directions from just below the surface.
+        at_edges: number of rays aimed at edges and vertices.
     """
     rays, aimed = rays_inside(mesh, inside, 1), rays_at_edges(mesh, origin, at_edges, 2)
     found = [trace(mesh, *rays, any_hit=any_hit, tracer="wide").face for any_hit in (False, True)]
@@ -85,15 +100,15 @@ def judge_mesh(name: str, mesh: Mesh, origin: tuple[float, float, float], inside
     points = sample_surface(mesh, inside // _PER_POINT, seed=3)
     cosines = sample_directions(points, _PER_POINT, seed=3).vectors
     wide, warp = (trace(mesh, points, cosines, tracer=tracer).face for tracer in ("wide", "warp"))
-    # Closer to the horizon the rounding of a direction decides on which side of its face a ray is.
+    # Closer to the horizon, the rounding of its direction decides on which side of its face a ray is.
     clear = (cosines * points.normal[:, None]).sum(axis=2) > 1e-5
     own = np.count_nonzero((wide == points.face[:, None]) & clear)
     differ = np.count_nonzero(((wide < 0) != (warp < 0)) & clear)
-    everywhere = f"of {inside:,} in all directions, by either query"
-    aimed_at = f"of {at_edges:,} at edges; wp.Mesh {through[1]:,}"
+    everywhere = f"of {inside:,} rays in all directions, by both queries"
+    aimed_at = f"of {at_edges:,} rays at edges; with wp.Mesh {through[1]:,}"
     return [
-        Verdict.of_error("rays that leave a closed mesh", name, escaped, note=everywhere),
-        Verdict.of_error("rays between two faces", name, through[0], note=aimed_at),
-        Verdict.of_error("rays that meet their own face", name, own, note="of surface points, outward"),
-        Verdict.of_error("tracers that differ", name, differ, limit=_most_apart(inside), note="wide and wp.Mesh"),
+        Verdict.from_error("rays that leave a closed mesh", name, escaped, note=everywhere),
+        Verdict.from_error("rays between two faces", name, through[0], note=aimed_at),
+        Verdict.from_error("rays that hit their own face", name, own, note="outward rays from surface points"),
+        Verdict.from_error("tracers that differ", name, differ, limit=_allowed_differences(inside), note="wide and wp.Mesh"),
     ]

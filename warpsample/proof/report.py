@@ -1,4 +1,4 @@
-"""Verdicts as tables: one for each law, and the table of distributions in their README."""
+"""Verdicts as tables: one table for each law, and the table of distributions in their README."""
 
 import re
 from collections.abc import Iterable
@@ -12,42 +12,42 @@ from warpsample.proof.verify import FAMILY_WISE, LAWS, LEVEL, Verdict
 _SUMMARIES = {
     **{law.name: law.summary for law in LAWS},
     "hostile normals, lost": "points without directions; normals on and near axes, near −z, of −0.0, 1e-45 to 3e38 long",
-    "hostile normals, unit length": "worst | |w| − 1 | about them, in the world's coordinates",
-    "hostile normals, direction": "worst angle in radians from float64 directions about them",
-    "hostile normals, density": "worst relative error of the density about them",
-    "bad normals": "rows that are not zeros with a status, and neighbours that have changed",
+    "hostile normals, unit length": "worst | |w| − 1 | of directions about these normals, in world coordinates",
+    "hostile normals, direction": "worst angle in radians from the float64 directions about these normals",
+    "hostile normals, density": "worst relative error of the density about these normals",
+    "bad normals": "rows of invalid normals that are not zero with a status, and neighbouring rows that have changed",
     "points on their face": "distance of sampled points from their triangle's plane",
     "points on faces without area": "points on degenerate faces and slivers, or not finite",
     "shares of the area": "Kolmogorov-Smirnov test of the face index of 10⁶ points",
     "indices": "greatest difference from exact integers, in cells of 2⁻²⁴",
     "bits of seeds": "seeds that differ in one of 64 bits, follow each other, or are random: chi-square, bits changed",
-    "bits of ids": "points whose ids do: the same tests",
+    "bits of ids": "point ids that differ in one of 64 bits, follow each other, or are random: the same tests",
     "bits of samples": "samples of one point whose numbers differ in one of 31 bits: the same tests",
     "low bits of keys": "the lowest four bits of three words of keys, over points and streams: chi-square",
     "low bits of far samples": "the lowest three bits of samples 1,024 from each other: chi-square",
-    "streams and purposes": "streams of a point that differ in one of 32 bits, and the seeds of trial, ground, sky and sun",
+    "streams and purposes": "streams of a point that differ in one of 32 bits, and seeds of internal purposes",
     "correlation of dimensions": "u[0] against u[1]",
     "correlation of points": "neighbouring point ids, each dimension against each",
     "correlation of seeds": "neighbouring seeds at the same point and sample",
     "correlation of samples": "neighbouring samples of one point",
     "uniform": "Kolmogorov-Smirnov test of each coordinate over points",
-    "repeats": "Poisson's law for equal pairs among 64 · 10⁶",
-    "shared streams": "points among 10⁶ that begin with another's two samples",
-    "frozen stream": "1 if the stream has changed",
-    "rays that leave a closed mesh": "of those from just below its faces in all directions, nearest or any hit",
-    "rays between two faces": "rays that leave a closed mesh when they are aimed at an edge or a vertex",
-    "rays that meet their own face": "rays outward from points of the surface",
+    "repeats": "number of equal pairs among 64 · 10⁶ samples, against a Poisson distribution",
+    "shared streams": "points among 10⁶ whose first two samples equal those of another point",
+    "frozen stream": "1 if the stream has changed since it was recorded",
+    "rays that leave a closed mesh": "rays that escape from just below its faces, in all directions, nearest or any hit",
+    "rays between two faces": "rays that escape from a closed mesh when aimed at an edge or a vertex",
+    "rays that hit their own face": "outward rays from surface points that hit the face they start on",
     "tracers that differ": "outward rays that hit something by only one of the wide tree and wp.Mesh",
-    "route, cells": "chi-square of directions drawn as in the source, against our density",
-    "route, angle": "Kolmogorov-Smirnov test of the same against our distribution function",
-    "route, azimuth": "Rayleigh's test of the same for a preferred azimuth",
+    "route, cells": "chi-square of directions drawn by the method of the source, against our density",
+    "route, angle": "Kolmogorov-Smirnov test of directions drawn by the method of the source, against our cdf",
+    "route, azimuth": "Rayleigh's test of directions drawn by the method of the source, for a preferred azimuth",
     "one map, two routes": "greatest distance between two formulas of one map, on the same variates",
     "one density, two routes": "greatest relative difference of two formulas of one density",
 }
 
 
 def show_one(verdicts: list[Verdict], console: Any) -> None:
-    """Prints one table, of few subjects: a row for each law that was tried on each distribution, its hardest case."""
+    """Print one table for few subjects: a row for each law and distribution, with the case closest to failing."""
     table = _table()
     for heading in ("law", "of", "cases", "measured", "limit"):
         table.add_column(heading, justify="left" if heading in ("law", "of") else "right")
@@ -59,11 +59,11 @@ def show_one(verdicts: list[Verdict], console: Any) -> None:
             row = _row(group)
             table.add_row(law, *row[:3], f"{limit}{row[3]}", *row[4:])
     console.print(table)
-    console.print(conclusion(verdicts))
+    console.print(summarize(verdicts))
 
 
 def show(verdicts: list[Verdict], console: Any) -> None:
-    """Prints a table for each law on a rich Console: the hardest case of each distribution, its limit, and the verdict."""
+    """Print a table for each law on a rich Console: each distribution's case closest to failing, its limit and verdict."""
     for law, summary in _SUMMARIES.items():
         table = _table()
         statistical = any(v.statistical for v in verdicts if v.law == law)
@@ -77,20 +77,21 @@ def show(verdicts: list[Verdict], console: Any) -> None:
         if table.row_count:
             console.print(f"[bold]{law}[/]: {summary}")
             console.print(table)
-    console.print(conclusion(verdicts))
+    console.print(summarize(verdicts))
 
 
-def conclusion(verdicts: list[Verdict]) -> str:
-    """A summary of the whole run."""
+def summarize(verdicts: list[Verdict]) -> str:
+    """Return a sentence that summarises all verdicts."""
     failed = sum(not v.passed for v in verdicts)
     statistics = sum(v.statistical for v in verdicts)
     return (
-        f"{len(verdicts):,} verdicts, {failed} broken. {statistics} are statistics that reject below {LEVEL:g}, "
+        f"{len(verdicts):,} verdicts, {failed} broken. {statistics} are statistical tests that reject below p = {LEVEL:g}, "
         f"so a correct build fails by chance in at most {FAMILY_WISE:g} of all runs."
     )
 
 
 def _table(title: str | None = None) -> Any:
+    """Return an empty rich table."""
     from rich import box
     from rich.table import Table
 
@@ -98,7 +99,7 @@ def _table(title: str | None = None) -> Any:
 
 
 def power_table(caught: dict[str, list[Verdict]]) -> Any:
-    """Which laws catch which planted defect, for a rich Console."""
+    """Return a rich table of the laws that catch each planted defect."""
     table = _table("Planted defects, and the laws that catch them")
     table.add_column("defect")
     table.add_column("caught by")
@@ -109,8 +110,8 @@ def power_table(caught: dict[str, list[Verdict]]) -> Any:
 
 
 def markdown(verdicts: list[Verdict]) -> str:
-    """The table of distributions in their README: their records, their worst errors over all cases, and their limits."""
-    measured = {law: _worst_byname_of(verdicts, law) for law in ("unit length", "direction", "density", "round trip")}
+    """Return the table of distributions for their README: properties, worst errors over all cases, and limits."""
+    measured = {law: _worst_by_name(verdicts, law) for law in ("unit length", "direction", "density", "round trip")}
     lines = [
         "| distribution | density | per | inverse | worst errors: length, direction, density, inverse | source |",
         "| --- | --- | --- | --- | --- | --- |",
@@ -124,15 +125,18 @@ def markdown(verdicts: list[Verdict]) -> str:
 
 
 def _signature(kind: type[Distribution]) -> str:
+    """Return the constructor of a distribution with the names of its parameters, as Markdown."""
     return f"`{kind.__name__}({', '.join(field.name for field in fields(kind))})`"
 
 
 def _inverse(kind: type[Distribution]) -> str:
+    """Return whether all, some or none of a distribution's cases have an inverse, as "yes", "in part" or "no"."""
     invertible = [case.maps.invert is not None for case in kind.cases()]
     return "yes" if all(invertible) else "in part" if any(invertible) else "no"
 
 
-def _worst_byname_of(verdicts: Iterable[Verdict], law: str) -> dict[str, float]:
+def _worst_by_name(verdicts: Iterable[Verdict], law: str) -> dict[str, float]:
+    """Return the worst measured error of one law, keyed by distribution."""
     worst: dict[str, float] = {}
     for v in verdicts:
         if v.law == law:
@@ -141,7 +145,7 @@ def _worst_byname_of(verdicts: Iterable[Verdict], law: str) -> dict[str, float]:
 
 
 def _groups(verdicts: Iterable[Verdict]) -> list[list[Verdict]]:
-    """Verdicts grouped by distribution, the hardest case of each first."""
+    """Return verdicts grouped by distribution, with the case closest to failing first in each group."""
     groups: dict[str, list[Verdict]] = {}
     for v in verdicts:
         groups.setdefault(name_of(v), []).append(v)
@@ -149,29 +153,31 @@ def _groups(verdicts: Iterable[Verdict]) -> list[list[Verdict]]:
 
 
 def name_of(v: Verdict) -> str:
-    """The class of a distribution, or the whole subject."""
+    """Return the class name of the distribution that a verdict is about, or the whole name of any other subject."""
     case = re.fullmatch(r"(\w+)\(.*\)", v.subject)
     return case[1] if case else v.subject
 
 
 def _slack(v: Verdict) -> float:
+    """Return a sort key that is smallest for the verdict closest to failing."""
     return v.measured if v.statistical else -v.measured / max(v.limit, 1e-300)
 
 
 def _row(group: list[Verdict]) -> list[str]:
+    """Return the table cells of a group of verdicts."""
     hardest = group[0]
     verdict = "[green]holds[/]" if all(v.passed for v in group) else "[red]BROKEN[/]"
     at = hardest.subject[len(name_of(hardest)) + 1 : -1] if len(group) > 1 and hardest.measured != 0.0 else ""
     return [
         name_of(hardest) if len(group) > 1 else hardest.subject.removesuffix("()"),
         str(len(group)),
-        figure(hardest.measured),
-        figure(hardest.limit),
+        format_figure(hardest.measured),
+        format_figure(hardest.limit),
         verdict,
         "; ".join(filter(None, (at, hardest.note))),
     ]
 
 
-def figure(value: float) -> str:
-    """A measured number as tables show it: two digits."""
+def format_figure(value: float) -> str:
+    """Format a measured number for tables, with two digits."""
     return f"{value:.2g}" if value == 0.0 or 1e-3 <= value < 1e3 else f"{value:.1e}"

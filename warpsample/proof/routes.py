@@ -1,7 +1,7 @@
-"""Second methods for the same distributions, named as in the sources, in float64 NumPy.
+"""Second methods to sample the same distributions, named as in the sources, in float64 NumPy.
 
-Chizhov2019 samples each offset set in two ways: a uniform point of the set, plus the normal, normalised; by inversion or by
-rejection. Here these judge the direct maps, and each other.
+Chizhov2019 samples each offset set in two ways: a uniform point of the set plus the normal, normalised; and by inversion or
+rejection. These methods are compared with the package's maps, and with each other.
 """
 
 from collections.abc import Callable
@@ -37,51 +37,57 @@ _TURN = 2.0 * np.pi
 
 
 def circle(turns: np.ndarray) -> np.ndarray:
-    """Points of the unit circle. Chizhov2019, section 3.4, with one u in sine and cosine, where the source prints two."""
+    """Return points of the unit circle (Chizhov2019, section 3.4), from a single variate.
+
+    The source prints two different variates in sine and cosine.
+    """
     return np.stack([np.sin(_TURN * turns), np.cos(_TURN * turns)], axis=-1)
 
 
 def disk(u: np.ndarray) -> np.ndarray:
-    """Points of the unit disk by inversion. Chizhov2019, section 3.2."""
+    """Return points of the unit disk by inversion (Chizhov2019, section 3.2)."""
     return np.sqrt(u[..., 1:2]) * circle(u[..., 0])
 
 
 def sphere(u: np.ndarray) -> np.ndarray:
-    """Points of the unit sphere by inversion."""
+    """Return points of the unit sphere by inversion."""
     z = 1.0 - 2.0 * u[..., 0:1]
     return np.concatenate([np.sqrt(1.0 - z * z) * circle(u[..., 1]), z], axis=-1)
 
 
 def ball(u: np.ndarray) -> np.ndarray:
-    """Points of the unit ball by inversion of the radius' distribution function, r^3; u has three coordinates."""
+    """Return points of the unit ball by inversion of the radius' distribution function r^3; u has three coordinates."""
     return np.cbrt(u[..., 2:3]) * sphere(u[..., :2])
 
 
-def by_rejection(u: np.ndarray) -> np.ndarray:
-    """The points of the cube [-1, 1]^k that lie in the unit ball; for k = 2 in the disk."""
+def points_in_ball(u: np.ndarray) -> np.ndarray:
+    """Return the points of the cube [-1, 1]^k that lie in the unit ball; for k = 2 in the unit disk."""
     points = 2.0 * u - 1.0
     return points[(points * points).sum(axis=-1) < 1.0]
 
 
-def normalized(v: np.ndarray) -> np.ndarray:
-    """The vectors scaled to unit length."""
+def normalize(v: np.ndarray) -> np.ndarray:
+    """Return vectors scaled to unit length."""
     return v / np.linalg.norm(v, axis=-1, keepdims=True)
 
 
 def mirrored_sphere(u: np.ndarray) -> np.ndarray:
-    """Points of the unit hemisphere, by mirroring the sphere."""
+    """Return points of the unit hemisphere, by mirroring the lower half of the sphere."""
     points = sphere(u)
     points[..., 2] = np.abs(points[..., 2])
     return points
 
 
-def plus_normal(points: np.ndarray) -> np.ndarray:
-    """The points plus the normal (the last axis), projected onto the unit circle or sphere."""
-    return normalized(points + np.eye(points.shape[-1])[-1])
+def add_normal(points: np.ndarray) -> np.ndarray:
+    """Return the points plus the normal (the last axis), projected onto the unit circle or sphere."""
+    return normalize(points + np.eye(points.shape[-1])[-1])
 
 
 def disk_by_inverted_distribution(u: np.ndarray) -> np.ndarray:
-    """The angle at which (theta + sin theta cos theta) / pi + 1/2 = u[0], by bisection. Chizhov2019, section 3.2."""
+    """Return directions at the angle theta with (theta + sin theta cos theta) / pi + 1/2 = u[0], by bisection.
+
+    Source: Chizhov2019, section 3.2.
+    """
     low, high = np.full(u.shape[:-1], -np.pi / 2.0), np.full(u.shape[:-1], np.pi / 2.0)
     for _ in range(52):
         middle = 0.5 * (low + high)
@@ -91,14 +97,21 @@ def disk_by_inverted_distribution(u: np.ndarray) -> np.ndarray:
 
 
 def variates(dimensions: int) -> np.ndarray:
-    """(N, dimensions) float64 independent variates at the middles of the grid's cells."""
+    """Return (N, dimensions) float64 independent variates at the centres of the grid's cells."""
     u = sample_square("independent", _DRAWS // 16, 16 * ((dimensions + 1) // 2), seed=7)
     return u.reshape(-1, 2 * ((dimensions + 1) // 2))[:, :dimensions].astype(np.float64) + 2.0**-25
 
 
 @dataclass(frozen=True)
 class Route:
-    """Another method to draw from a distribution, with independent variates of `dimensions` coordinates."""
+    """Another method to draw from a distribution.
+
+    Attributes:
+        name: name in tables.
+        to: distribution.
+        draw: function from independent variates to directions.
+        dimensions: number of variates per direction.
+    """
 
     name: str
     to: Distribution
@@ -107,47 +120,47 @@ class Route:
 
 
 ROUTES = (
-    Route("circle inverted, + normal", OffsetCircle(), lambda u: plus_normal(circle(u[:, 0]))),
-    Route("disk rejected, normalised, + normal", OffsetCircle(), lambda u: plus_normal(normalized(by_rejection(u)))),
-    Route("disk inverted, + normal", OffsetDisk(), lambda u: plus_normal(disk(u))),
-    Route("disk rejected, + normal", OffsetDisk(), lambda u: plus_normal(by_rejection(u))),
+    Route("circle inverted, + normal", OffsetCircle(), lambda u: add_normal(circle(u[:, 0]))),
+    Route("disk rejected, normalised, + normal", OffsetCircle(), lambda u: add_normal(normalize(points_in_ball(u)))),
+    Route("disk inverted, + normal", OffsetDisk(), lambda u: add_normal(disk(u))),
+    Route("disk rejected, + normal", OffsetDisk(), lambda u: add_normal(points_in_ball(u))),
     Route("numerically inverted distribution", OffsetDisk(), disk_by_inverted_distribution),
-    Route("ball inverted, + normal", OffsetBall(), lambda u: plus_normal(ball(u)), 3),
-    Route("ball rejected, + normal", OffsetBall(), lambda u: plus_normal(by_rejection(u)), 3),
-    Route("sphere inverted, + normal", CosineHemisphere(), lambda u: plus_normal(sphere(u))),
-    Route("ball rejected, normalised, + normal", CosineHemisphere(), lambda u: plus_normal(normalized(by_rejection(u))), 3),
-    Route("sphere of radius 1/2 + normal", OffsetSphere(0.5), lambda u: plus_normal(0.5 * sphere(u))),
-    Route("sphere of radius 2 + normal", OffsetSphere(2.0), lambda u: plus_normal(2.0 * sphere(u))),
-    Route("rejection", UniformDisk(), by_rejection),
+    Route("ball inverted, + normal", OffsetBall(), lambda u: add_normal(ball(u)), 3),
+    Route("ball rejected, + normal", OffsetBall(), lambda u: add_normal(points_in_ball(u)), 3),
+    Route("sphere inverted, + normal", CosineHemisphere(), lambda u: add_normal(sphere(u))),
+    Route("ball rejected, normalised, + normal", CosineHemisphere(), lambda u: add_normal(normalize(points_in_ball(u))), 3),
+    Route("sphere of radius 1/2 + normal", OffsetSphere(0.5), lambda u: add_normal(0.5 * sphere(u))),
+    Route("sphere of radius 2 + normal", OffsetSphere(2.0), lambda u: add_normal(2.0 * sphere(u))),
+    Route("rejection", UniformDisk(), points_in_ball),
     Route("the sphere's lower half mirrored", UniformHemisphere(), mirrored_sphere),
 )
 
 
 def _malley(u: np.ndarray) -> np.ndarray:
-    """The disk, lifted to the hemisphere. Cranberry2020, after equation 8."""
+    """Return points of the disk lifted to the hemisphere (Cranberry2020, after equation 8)."""
     x, y = np.sqrt(u[..., 0]) * np.stack([np.cos(_TURN * u[..., 1]), np.sin(_TURN * u[..., 1])])
     return np.stack([x, y, np.sqrt(1.0 - x * x - y * y)], axis=-1)
 
 
 def _half_acos(u: np.ndarray) -> np.ndarray:
-    """theta = acos(1 - 2u) / 2. Cranberry2020, equation 7."""
+    """Return directions at the angle theta = acos(1 - 2u) / 2 (Cranberry2020, equation 7)."""
     return spherical(np.arccos(1.0 - 2.0 * u[..., 0]) / 2.0, u[..., 1])
 
 
 def _keinert(count: int) -> np.ndarray:
-    """Points of the square that give the spherical Fibonacci sets of Keinert2014."""
+    """Return the points of the square that give the spherical Fibonacci sets of Keinert2014."""
     i = np.arange(count)
     return np.stack([(i + 0.5) / count, i * 0.6180339887498949 % 1.0], axis=1).astype(np.float32)
 
 
 def _point_by_point() -> dict[str, float]:
-    """Greatest distance between two formulas of the same map, on the same u."""
+    """Return the greatest distance between two formulas of the same map at the same u, keyed by name."""
     u = sample_square("sobol", 16, 4096, seed=8).reshape(-1, 2)
     wide, set_ = u.astype(np.float64), _keinert(4096)
-    shirley = plus_normal(UniformSphere().sample(u).astype(np.float64))
+    shirley = add_normal(UniformSphere().sample(u).astype(np.float64))
     polar = CosineHemisphere().sample
     whole, half = (polar_angle(d.sample(u).astype(np.float64)) for d in (UniformSphere(), CosineHemisphere("offset")))
-    fibonacci = plus_normal(UniformSphere().sample(set_).astype(np.float64))
+    fibonacci = add_normal(UniformSphere().sample(set_).astype(np.float64))
     return {
         "Malley's projection of the disk": laws.worst(_malley(wide) - polar(u)),
         "θ = acos(1 − 2u)/2": laws.worst(_half_acos(wide) - CosineHemisphere("inversion").sample(u)),
@@ -164,11 +177,11 @@ def _point_by_point() -> dict[str, float]:
 
 
 def _density_by_density() -> dict[str, float]:
-    """Greatest relative difference of two formulas of the same density, at the same directions."""
+    """Return the greatest relative difference of two formulas of the same density at the same directions, keyed by name."""
     u = sample_square("sobol", 16, 4096, seed=9).reshape(-1, 2)
 
     def difference(one: Any, other: Any) -> float:
-        """At directions that `other` samples."""
+        """Return the greatest relative difference at directions that `other` samples."""
         w = other.sample(u)
         return laws.density_error(one.pdf(w), other.pdf(w).astype(np.float64))
 
@@ -183,7 +196,7 @@ def _density_by_density() -> dict[str, float]:
 
 
 def judge_routes() -> list[Verdict]:
-    """The laws for the draws of each route, and the greatest differences of equal maps and densities."""
+    """Test the draws of each route, and the differences of equal maps and of equal densities; return the verdicts."""
     verdicts = []
     for route in ROUTES:
         w, name = route.draw(variates(route.dimensions)), f"{type(route.to).__name__} by {route.name}"
@@ -193,9 +206,9 @@ def judge_routes() -> list[Verdict]:
             "route, angle": laws.angles_p_value(route.to, chart_of(route.to).polar(w)),
             **({"route, azimuth": laws.azimuth_p_value(w)} if route.to.measure != "per radian" else {}),
         }
-        verdicts += [Verdict.of_chance(law, name, p_value) for law, p_value in p_values.items()]
+        verdicts += [Verdict.from_p_value(law, name, p_value) for law, p_value in p_values.items()]
     # Both maps are accurate to 2e-7, and the rounding of u moves a float64 formula by 6e-8 of a turn.
-    verdicts += [Verdict.of_error("one map, two routes", n, value, limit=5e-7) for n, value in _point_by_point().items()]
+    verdicts += [Verdict.from_error("one map, two routes", n, value, limit=5e-7) for n, value in _point_by_point().items()]
     return verdicts + [
-        Verdict.of_error("one density, two routes", n, v, limit=2e-6) for n, v in _density_by_density().items()
+        Verdict.from_error("one density, two routes", n, v, limit=2e-6) for n, v in _density_by_density().items()
     ]

@@ -1,4 +1,4 @@
-"""The whole trial of `warpsample verify`, each task in its own process."""
+"""All tasks of `warpsample verify`, each of which runs in a separate process."""
 
 import multiprocessing
 import os
@@ -16,28 +16,37 @@ from warpsample.proof import defects, mixing, rays, routes, streams, stress, ver
 from warpsample.proof.evidence import Subject
 from warpsample.proof.verify import Verdict
 
-_USUAL, _SLOW = 4, 16  # the sweep takes every n-th variate, unless it is thorough
+_USUAL, _SLOW = 4, 16  # the sweep takes every n-th variate, unless the run is thorough
 _SLOW_TWINS = ("visible_beckmann",)
 _MOST_PROCESSES = 8  # each uses up to 3 GB, and all cores for its kernels
 
 
 @dataclass(frozen=True)
 class TrialPart:
-    """A part of the trial: a case, a sequence, a defect, or one of the words "routes", "meshes" and "rays"."""
+    """Task of `warpsample verify`: the subject to be tested and its kind.
+
+    Attributes:
+        kind: kind of task: "case", "sequence", "defect", "routes", "meshes" or "rays".
+        key: distribution of a case, or name of a sequence or a defect; None for other kinds.
+    """
 
     kind: str
     key: Any = None
 
     def verdicts(self, thorough: bool = False) -> list[Verdict]:
-        """The verdicts of this task. `thorough`: see `run`."""
+        """Run the laws of this task and return the verdicts; `thorough` is that of `run`."""
         return _KINDS[self.kind](self.key, thorough)
 
 
-def trial(only: str | None = None) -> list[TrialPart]:
-    """All tasks, the longest first: every case, sequence, second route and hostile input, and the rays.
+def list_tasks(only: str | None = None) -> list[TrialPart]:
+    """Return all tasks, the longest first: every case and sequence, the second routes, hostile meshes, and rays.
 
-    Without the extra `test` it is a ModuleNotFoundError, before any work; so is a distribution without a twin a
-    NotImplementedError. `only`: the name of a distribution, of a sequence, or "meshes", "rays" or "routes".
+    Args:
+        only: name of a distribution or a sequence, or "meshes", "rays" or "routes"; None for all.
+
+    Raises:
+        ModuleNotFoundError: the extra `test` is not installed.
+        NotImplementedError: a distribution has no twin.
     """
     if only is not None:
         kind = look_up(_kinds_of_parts(), only, "only")
@@ -57,19 +66,19 @@ def trial(only: str | None = None) -> list[TrialPart]:
 
 
 def subjects(tasks: Iterable[TrialPart]) -> list[Subject]:
-    """Return the samplers and twins of those tasks that judge one lobe."""
+    """Return the samplers and twins of the tasks that judge one lobe."""
     found = [Subject(repr(task.key), task.key, task.key) for task in tasks if task.kind == "case"]
     return found + [defects.subject_of(task.key) for task in tasks if task.kind == "defect"]
 
 
 def _kinds_of_parts() -> dict[str, str]:
-    """The kind of task by what can be asked for by name."""
+    """Return the kind of task for each name that `only` accepts."""
     parts = dict.fromkeys(distributions.names(), "case") | dict.fromkeys(sequences.names(), "sequence")
     return parts | {kind: kind for kind in ("meshes", "rays", "routes")}
 
 
-def extent(thorough: bool) -> str:
-    """The extent of the sweep, in words."""
+def describe_sweep(thorough: bool) -> str:
+    """Return a sentence on the extent of the sweep."""
     if thorough:
         return "The sweep takes each of the 2^24 values of both coordinates."
     slow = " and ".join(_SLOW_TWINS)
@@ -78,22 +87,22 @@ def extent(thorough: bool) -> str:
     )
 
 
-def planted() -> list[TrialPart]:
-    """One task for each defect."""
+def defect_tasks() -> list[TrialPart]:
+    """Return one task for each planted defect."""
     return [TrialPart("defect", name) for name in defects.names()]
 
 
 def run(tasks: list[TrialPart], thorough: bool = False) -> Iterator[tuple[TrialPart, list[Verdict]]]:
-    """Yields tasks with their verdicts as they end, on one process for each core.
+    """Run tasks in one process per core, and yield each task with its verdicts when it ends.
 
-    A thorough run sweeps all 2^24 variates, not every fourth (with a twin that inverts by bisection, every 16th).
+    A thorough run sweeps all 2^24 variates, not every fourth, or every 16th for a twin that inverts by bisection.
     """
     context = multiprocessing.get_context("spawn")  # Warp's threads do not survive a fork
     workers = min(len(tasks), os.cpu_count() or 1, _MOST_PROCESSES)
-    with _deaf():
+    with _ignore_signals_in_children():
         pool = ProcessPoolExecutor(workers, context)
     try:
-        with _deaf():  # again: multiprocessing has since started its resource tracker, which unblocks SIGINT
+        with _ignore_signals_in_children():  # again: the resource tracker has unblocked SIGINT
             futures = {pool.submit(task.verdicts, thorough): task for task in tasks}
         for future in as_completed(futures):
             yield futures[future], future.result()
@@ -106,8 +115,11 @@ def run(tasks: list[TrialPart], thorough: bool = False) -> Iterator[tuple[TrialP
 
 
 @contextmanager
-def _deaf() -> Iterator[None]:
-    """Processes started within ignore a terminal's signals: the parent handles Ctrl-C, reports it once and ends them."""
+def _ignore_signals_in_children() -> Iterator[None]:
+    """Context manager: child processes started inside ignore the terminal's signals.
+
+    The parent process handles Ctrl-C, reports it once and ends its children.
+    """
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
@@ -119,16 +131,19 @@ def _deaf() -> Iterator[None]:
 
 
 def _judge_case(case: Distribution, thorough: bool) -> list[Verdict]:
+    """Test a distribution by all laws and return the verdicts; three-dimensional ones are also tested on hostile normals."""
     hostile = stress.judge_normals(case) if case.width == 3 else []
     every = 1 if thorough else _SLOW if case.name in _SLOW_TWINS else _USUAL
     return verify.judge_case(case, every=every) + hostile
 
 
 def _judge_sequence(name: str, thorough: bool) -> list[Verdict]:
+    """Test a sequence by all laws and return the verdicts."""
     return [*streams.judge_sequence(name), *mixing.judge_mixing(name), stress.judge_indices(name)]
 
 
 def _judge_meshes(key: None, thorough: bool) -> list[Verdict]:
+    """Test bad normals and hostile meshes and return the verdicts."""
     return [stress.judge_bad_normals(), *stress.judge_meshes()]
 
 

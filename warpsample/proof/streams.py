@@ -1,6 +1,6 @@
-"""The laws of the sequences, over points, samples and seeds; and their bits as an endless stream for test batteries.
+"""Laws of the sequences over points, samples and seeds, and a command that writes their bits as an endless stream.
 
-Run as `python -m warpsample.proof.streams independent | dieharder -a -g 200`.
+External test batteries read the stream: `python -m warpsample.proof.streams independent | dieharder -a -g 200`.
 """
 
 import hashlib
@@ -23,21 +23,24 @@ _SIDE = 128  # points, and samples of each, in a block of the endless stream
 
 
 def integers(u: np.ndarray) -> np.ndarray:
-    """Variates as integers of the 2^24 grid."""
+    """Convert variates to integers of the 2^24 grid."""
     return (u * np.float32(GRID)).astype("<u4", order="C")
 
 
 def digest(name: str) -> str:
-    """A hash of a part of the stream that crosses a multiple of 2^32 point ids."""
+    """Return a hash of a part of a sequence that crosses a multiple of 2^32 point ids."""
     cells = integers(sample_square(name, 257, 67, seed=12345, first_point=2**33 - 100))
     return hashlib.sha256(cells.astype(np.int64).tobytes()).hexdigest()[:16]
 
 
 def judge_stream(name: str, variates: Variates, points: int = 1_000_000, random: bool = True) -> list[Verdict]:
-    """Laws over points, samples and seeds, for (points, count, seed) -> (points, count, 2) float32.
+    """Test variates for independence over points, samples and seeds; return the verdicts.
 
-    Of so many points, each with 64 samples, no pair may repeat more than by chance; the samples of one point are to be
-    independent, too, if it is `random`.
+    Args:
+        name: name in tables.
+        variates: function (points, count, seed) -> (points, count, 2) float32.
+        points: number of points with 64 samples each, among which pairs may repeat only as often as by chance.
+        random: whether the samples of one point should be independent, too.
     """
     first, other = (variates(200_000, 4, seed).astype(np.float64) for seed in (3, 4))
     u = first[:, 1]
@@ -52,29 +55,31 @@ def judge_stream(name: str, variates: Variates, points: int = 1_000_000, random:
         for which, some in pairs.items()
         if some
     }
-    # One sample from each of many points is uniform, whatever those of one point share. Half a cell up, to a cell's middle.
+    # One sample from each of many points is uniform, even if the samples of a point are dependent. Half a cell is added to
+    # get the centres of the grid's cells.
     one_each = first[np.arange(len(first)), np.arange(len(first)) % 4] + 0.5 / GRID
     p_values["uniform"] = laws.joint_p_value(*(laws.uniform_p_value(one_each[:, axis]) for axis in (0, 1)))
     if random:
         p_values["repeats"] = repeats_p_value(variates, points)
-    verdicts = [Verdict.of_chance(law, name, p_value) for law, p_value in p_values.items()]
-    return [*verdicts, Verdict.of_error("shared streams", name, shared_streams(variates, points))]
+    verdicts = [Verdict.from_p_value(law, name, p_value) for law, p_value in p_values.items()]
+    return [*verdicts, Verdict.from_error("shared streams", name, shared_streams(variates, points))]
 
 
 def judge_sequence(name: str, points: int = 1_000_000) -> list[Verdict]:
-    """The laws for a sequence of the package, and that its stream has not changed."""
+    """Test a sequence of the package by the laws of streams, and that its values have not changed; return the verdicts."""
 
     def variates(points: int, samples: int, seed: int) -> np.ndarray:
         return sample_square(name, points, samples, seed=seed)
 
-    frozen = Verdict.of_error("frozen stream", name, digest(name) != frozen_digest(name), note=digest(name))
+    frozen = Verdict.from_error("frozen stream", name, digest(name) != frozen_digest(name), note=digest(name))
     return [*judge_stream(name, variates, points, sequences.get(name).random), frozen]
 
 
 def repeats_p_value(variates: Variates, points: int) -> float:
-    """Poisson's law for the number of equal pairs among points * 64 of 2 x 24 bits: n^2 / 2^49, 7 for a million points.
+    """Return the p-value of the number of equal pairs among 64 `points` samples of 2 x 24 bits.
 
-    A generator with a small state has too many, one that avoids repeats too few.
+    The number has a Poisson distribution with mean n^2 / 2^49, which is 7 for a million points. A generator with a small
+    state has too many equal pairs; one that avoids repeats has too few.
     """
     from scipy.stats import poisson
 
@@ -86,16 +91,17 @@ def repeats_p_value(variates: Variates, points: int) -> float:
 
 
 def shared_streams(variates: Variates, points: int) -> int:
-    """How many points begin with the same two samples as another one: 96 bits, which never agree by chance."""
+    """Return the number of points whose first two samples equal another point's; 96 bits never agree by chance."""
     cells = integers(variates(points, 64, 6)[:, :2]).astype(np.uint64).reshape(-1, 4)
     packed = np.stack([(cells[:, 0] << np.uint64(24)) | cells[:, 1], (cells[:, 2] << np.uint64(24)) | cells[:, 3]], axis=1)
     return points - len(np.unique(packed, axis=0))
 
 
 def emitted_bytes(name: str) -> Iterator[bytes]:
-    """Yields all 24 bits of each variate, low byte first: both dimensions over 128 points x 128 samples of seed 0, 1, 2, ...
+    """Yield all 24 bits of each variate, low byte first, as an endless stream.
 
-    A battery compares neighbours in its stream, so points and samples alternate as neighbours.
+    A block holds both dimensions of 128 points x 128 samples, for seed 0, 1, 2, and so on. A battery compares neighbours in
+    its stream. So the neighbours are samples of a point for even seeds, and points for odd seeds.
     """
     for seed in count():
         u = sample_square(name, points=_SIDE, count=_SIDE, seed=seed)
@@ -104,7 +110,7 @@ def emitted_bytes(name: str) -> Iterator[bytes]:
 
 
 def main() -> None:
-    """Writes the stream of the sequence named by the first argument to standard output, until the reader stops."""
+    """Write the stream of the sequence named by the first argument to standard output, until the reader stops."""
     if len(sys.argv) != 2 or sys.argv[1] not in sequences.names():
         sys.exit(f"usage: python -m warpsample.proof.streams {'|'.join(sequences.names())}")
     try:

@@ -1,4 +1,4 @@
-"""Hostile input: normals of all lengths and directions, ids and indices at the limits of words, bad and huge meshes."""
+"""Laws for hostile input: normals of any length and direction, ids and indices at word limits, bad and huge meshes."""
 
 from itertools import product
 
@@ -24,7 +24,10 @@ _SEEDS = [0, 1, 2**32, 2**64 - 1]
 
 
 def hostile_normals() -> np.ndarray:
-    """(N, 3) float32 of length 1e-45 to 3e38: axes, diagonals, vectors near them and near -z, with -0.0, and random ones."""
+    """Return (N, 3) float32 normals of length 1e-45 to 3e38: axes, diagonals, and normals close to axes and to -z.
+
+    They include components of -0.0, and random normals.
+    """
     signs = np.array(list(product((-1.0, -0.0, 0.0, 1.0), repeat=3)))
     beside = np.concatenate([axis + step * np.roll(axis, 1) for axis in np.eye(3) for step in (1e-30, 1e-8, 1e-7, -1e-4)])
     beside = np.concatenate([beside.reshape(-1, 3), -beside.reshape(-1, 3)])
@@ -38,7 +41,7 @@ def hostile_normals() -> np.ndarray:
 
 
 def exact_directions(distribution: Distribution, normals: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(P, n, 3) float64 twice: the twin's directions about the exact unit normals, and in their local frames."""
+    """Return the twin's directions about the exact unit normals and in the normals' local frames, each (P, n, 3) float64."""
     wide = normals.astype(np.float64)
     unit = wide / np.abs(wide).max(axis=1, keepdims=True)
     unit /= np.linalg.norm(unit, axis=1, keepdims=True)
@@ -48,12 +51,13 @@ def exact_directions(distribution: Distribution, normals: np.ndarray, u: np.ndar
         exact = total / np.linalg.norm(total, axis=-1, keepdims=True)
         return exact, np.einsum("nij,nsi->nsj", frames, exact)
     local = twins.directions(distribution, u.astype(np.float64))
-    # The density is that at the float32 direction: a narrow lobe changes by more than the limit over its rounding error.
+    # The density is evaluated at the float32 direction: in a narrow lobe, the direction's rounding error changes it too
+    # much.
     return np.einsum("nij,nsj->nsi", frames, local), distribution.sample(u).astype(np.float64)
 
 
 def judge_normals(distribution: Distribution) -> list[Verdict]:
-    """Unit length, angle and density of directions about hostile normals."""
+    """Test directions about hostile normals; return the verdicts on lost points, unit length, angle and density."""
     normals = hostile_normals()
     got = sample_directions(normals, _SAMPLES, distribution=distribution, sequence="independent", pdf=True)
     u = sample_square("independent", len(normals), _SAMPLES)
@@ -61,26 +65,31 @@ def judge_normals(distribution: Distribution) -> list[Verdict]:
     kept = np.ones(w.shape[:2], bool)
     angle, density, note = 5e-7, 2e-6, ""
     if distribution == CosineHemisphere("offset"):
-        # abs(n + s) = 2 pi pdf. Shorter sums are drawn anew, in a frame and from another hash.
+        # abs(n + s) = 2 pi pdf. For shorter sums the direction is drawn again, in a frame and from another hash.
         kept = 2.0 * np.pi * got.pdf > 2.0**-6 * 1.001
-        angle, density, note = 1.3e-5, 1.3e-5, "frame-free: n and s are each 1e-7 off, their sum as short as 2^-6"
+        angle, density, note = 1.3e-5, 1.3e-5, "frame-free: n and s have errors of 1e-7 each, their sum is as short as 2^-6"
     exact, local = exact_directions(distribution, normals, u)
     name = repr(distribution)
     lost = sum(n for status, n in got.counts().items() if status is not Status.OK)
     densities = twins.density(distribution, local)[kept]
     return [
-        Verdict.of_error("hostile normals, lost", name, lost),
+        Verdict.from_error("hostile normals, lost", name, lost),
         # The columns of the frame add 1e-7 to the 2e-7 of the local direction.
-        Verdict.of_error("hostile normals, unit length", name, laws.length_error(w), limit=2.5e-7),
-        Verdict.of_error("hostile normals, direction", name, laws.angle_error(w[kept], exact[kept]), limit=angle, note=note),
-        Verdict.of_error(
+        Verdict.from_error("hostile normals, unit length", name, laws.length_error(w), limit=2.5e-7),
+        Verdict.from_error(
+            "hostile normals, direction", name, laws.angle_error(w[kept], exact[kept]), limit=angle, note=note
+        ),
+        Verdict.from_error(
             "hostile normals, density", name, laws.density_error(got.pdf[kept], densities), limit=density, note=note
         ),
     ]
 
 
 def judge_bad_normals() -> Verdict:
-    """Normals without a direction give zero vectors, density 0 and a status, and do not change their neighbours."""
+    """Test that normals without a direction give zero vectors, density 0 and a status; return the verdict.
+
+    The directions of their neighbours must not change.
+    """
     nan, inf = np.nan, np.inf
     bad = [(0, 0, 0), (-0.0, 0, 0), (nan, 0, 1), (0, nan, 0), (inf, 0, 0), (0, -inf, 1), (inf, nan, 0)]
     want = [Status.ZERO_NORMAL] * 2 + [Status.NONFINITE_NORMAL] * 5
@@ -92,11 +101,14 @@ def judge_bad_normals() -> Verdict:
         alone = sample_directions(normals[1:2], count, first_point=1)
         wrong += int((got.status[::2] != want).sum()) + int(got.vectors[::2].any()) + int(got.pdf[::2].any())
         wrong += int((got.status[1::2] != 0).sum()) + int((got.vectors[1] != alone.vectors[0]).any())
-    return Verdict.of_error("bad normals", "zero, NaN, infinite", wrong, note="wrong rows or neighbours")
+    return Verdict.from_error("bad normals", "zero, NaN, infinite", wrong, note="wrong rows or neighbours")
 
 
 def judge_indices(name: str) -> Verdict:
-    """Point ids, sample indices, counts and seeds at the limits of 32 and 64 bits, against exact integers."""
+    """Test variates at the limits of 32- and 64-bit point ids, sample indices, counts and seeds; return the verdict.
+
+    The exact integers of the twins are the reference.
+    """
     asked = [(p, s, c) for p in _IDS for c in _COUNTS for s in {*_INDICES, c - 1} if s < c]
     columns = np.array(asked, np.uint64).T
     worst = 0
@@ -104,11 +116,11 @@ def judge_indices(name: str) -> Verdict:
         want = np.array([expected(name, seed=seed, point=p, sample=s, count=c) for p, s, c in asked])
         worst = max(worst, int(np.abs(grid_cells(name, seed, None, *columns) - want).max()))
     note = f"cells of 2^-24; ids to 2^64, indices to 2^31, {len(_SEEDS)} seeds"
-    return Verdict.of_error("indices", name, worst, limit=float(sequences.get(name).cells_off), note=note)
+    return Verdict.from_error("indices", name, worst, limit=float(sequences.get(name).cells_off), note=note)
 
 
 def judge_meshes() -> list[Verdict]:
-    """Points on meshes that are tiny, far away, full of bad faces, or huge."""
+    """Test points sampled on meshes that are tiny, far away, huge, or full of bad faces; return the verdicts."""
     corner = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], float)
     faces = np.array([(0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3)])
     verdicts = []
@@ -119,19 +131,19 @@ def judge_meshes() -> list[Verdict]:
         normal = np.cross(b - a, c - a)
         height = np.abs(((points.position - a) * normal).sum(axis=1)) / np.linalg.norm(normal, axis=1)
         ulps, edges = height.max() / np.spacing(scale + offset), f"edges of {scale:g} at {offset:g}"
-        verdicts.append(Verdict.of_error("points on their face", edges, ulps, limit=4.0, note="in float64 ulps"))
+        verdicts.append(Verdict.from_error("points on their face", edges, ulps, limit=4.0, note="in float64 ulps"))
     bad = np.concatenate([faces, [(0, 0, 1), (1, 1, 1), (0, 1, 4), (0, 1, 2)]])  # degenerate, a sliver, a duplicate
     points = sample_surface((np.concatenate([corner, [(0.5, 1e-300, 0.0)]]), bad), 100_000)
     on_bad = np.isin(points.face, (4, 5, 6)).sum() + (~np.isfinite(points.position)).sum()
-    verdicts.append(Verdict.of_error("points on faces without area", "degenerate faces and a sliver", on_bad))
+    verdicts.append(Verdict.from_error("points on faces without area", "degenerate faces and a sliver", on_bad))
     many = ten_million_faces()
     points = sample_surface(many, 1_000_000)
     p_value = laws.uniform_p_value((points.face + 0.5) / len(many.faces))
-    return [*verdicts, Verdict.of_chance("shares of the area", f"{len(many.faces):,} equal faces", p_value)]
+    return [*verdicts, Verdict.from_p_value("shares of the area", f"{len(many.faces):,} equal faces", p_value)]
 
 
 def ten_million_faces() -> Mesh:
-    """A flat square of 9,999,392 equal triangles."""
+    """Return a flat square of 9,999,392 equal triangles."""
     side = 2237
     x, y = (a.ravel() for a in np.meshgrid(np.arange(side), np.arange(side), indexing="ij"))
     first = (np.arange(side - 1)[:, None] * side + np.arange(side - 1)).ravel()

@@ -1,7 +1,7 @@
-"""Every law for every case of every distribution: the verdicts of `warpsample verify` and the tests.
+"""Verdicts of every law on every case of every distribution, for `warpsample verify` and the tests.
 
-Errors are compared with the limits in the record of each distribution. Statistics reject below LEVEL, so that correct
-samplers fail by chance in at most FAMILY_WISE of all runs, on any machine.
+Errors are compared with the limits in the record of each distribution. Statistical tests reject p-values below LEVEL, so
+that correct samplers fail by chance in at most FAMILY_WISE of all runs, on any machine.
 """
 
 from collections.abc import Callable, Iterable
@@ -23,10 +23,15 @@ LEVEL = FAMILY_WISE / MOST_STATISTICS
 
 @dataclass(frozen=True)
 class Verdict:
-    """The verdict of one law on one subject.
+    """Verdict of one law on one subject.
 
-    What was measured is a worst error, or a p-value if it is `statistical`; the limit is the greatest error allowed, or
-    LEVEL, the smallest p-value. The note says why there is no number, or what was left out.
+    Attributes:
+        law: name of the law.
+        subject: name of the subject.
+        measured: worst error, or p-value.
+        limit: greatest error allowed, or smallest p-value allowed, LEVEL.
+        statistical: whether `measured` is a p-value.
+        note: reason for a missing number, or exceptions from the law.
     """
 
     law: str
@@ -37,13 +42,13 @@ class Verdict:
     note: str = ""
 
     @classmethod
-    def of_error(cls, law: str, subject: str, measured: float, *, limit: float = 0.0, note: str = "") -> "Verdict":
-        """The verdict on a worst error or a number of failures, which may be `limit` at most."""
+    def from_error(cls, law: str, subject: str, measured: float, *, limit: float = 0.0, note: str = "") -> "Verdict":
+        """Return the verdict on a worst error or a number of failures, which may be at most `limit`."""
         return cls(law, subject, float(measured), limit, False, note)
 
     @classmethod
-    def of_chance(cls, law: str, subject: str, p_value: float, note: str = "") -> "Verdict":
-        """The verdict on a statistic, whose p-value must be at least LEVEL."""
+    def from_p_value(cls, law: str, subject: str, p_value: float, note: str = "") -> "Verdict":
+        """Return the verdict on a p-value, which must be at least LEVEL."""
         return cls(law, subject, p_value, LEVEL, True, note)
 
     @property
@@ -54,9 +59,15 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Law:
-    """A law: what it measures, its limit and when it applies; its summary is one line for tables.
+    """Law that samplers must obey.
 
-    The limit, the greatest error, is of the distribution that the subject claims to be; None for p-values.
+    Attributes:
+        name: name in tables.
+        summary: one line for tables.
+        measure: function that returns the error or the p-value from the evidence.
+        limit: function that returns the greatest error allowed for the distribution that the subject claims to be; None if
+            `measure` returns p-values.
+        applies: predicate of the samplers to which the law applies.
     """
 
     name: str
@@ -66,7 +77,7 @@ class Law:
     applies: Callable[[Any], bool] = lambda sampler: True
 
     def judge(self, evidence: Evidence) -> Verdict:
-        """The verdict; a law that cannot be evaluated counts as broken."""
+        """Test a subject by this law and return the verdict; a law that cannot be evaluated counts as broken."""
         note, subject = "", evidence.subject
         try:
             with np.errstate(all="ignore"):  # a wrong sampler may return anything
@@ -74,30 +85,34 @@ class Law:
         except ValueError as error:  # a density whose integral is not 1 or does not converge
             measured, note = 0.0 if self.limit is None else float("inf"), str(error)
         if self.limit is None:
-            return Verdict.of_chance(self.name, subject.name, measured, note)
-        return Verdict.of_error(self.name, subject.name, measured, limit=self.limit(subject.twin), note=note)
+            return Verdict.from_p_value(self.name, subject.name, measured, note)
+        return Verdict.from_error(self.name, subject.name, measured, limit=self.limit(subject.twin), note=note)
 
 
 def _fixed(limit: float) -> Callable[[Distribution], float]:
+    """Return a function that gives the same limit for all distributions."""
     return lambda distribution: limit
 
 
-def _closed(sampler: Any) -> bool:
+def _has_cdf(sampler: Any) -> bool:
+    """Return whether a sampler is symmetric about the axis and so has a closed-form distribution function."""
     return sampler.symmetric
 
 
-def _round_about(sampler: Any) -> bool:
+def _has_azimuth(sampler: Any) -> bool:
+    """Return whether a sampler is symmetric about the axis and has an azimuth."""
     return sampler.symmetric and sampler.measure != "per radian"
 
 
-def _invertible(sampler: Any) -> bool:
+def _has_inverse(sampler: Any) -> bool:
+    """Return whether a sampler has an inverse."""
     return sampler.maps.invert is not None
 
 
 LAWS = (
     Law(
         "finite",
-        "values of u that give NaN, an infinity or density 0, over the corners of the square and the sweep",
+        "number of u that give NaN, an infinity or density 0, over the corners of the square and the sweep",
         lambda e: e.sweep["broken"],
         _fixed(0.0),
     ),
@@ -110,7 +125,7 @@ LAWS = (
     ),
     Law(
         "direction",
-        "worst angle in radians from the float64 twin over the sweep; in the disk the distance",
+        "worst angle in radians from the float64 twin over the sweep; for disks the worst distance",
         lambda e: e.sweep["angle"],
         lambda d: d.worst_angle,
     ),
@@ -132,11 +147,11 @@ LAWS = (
         "worst distance from u to invert(sample(u)), away from stated seams",
         lambda e: e.sweep["round trip"],
         lambda d: d.worst_round_trip,
-        _invertible,
+        _has_inverse,
     ),
     Law(
         "outside",
-        "greatest density beyond the support, and at NaN",
+        "greatest density outside the support, and at NaN",
         lambda e: laws.density_outside(e.sampler),
         _fixed(0.0),
     ),
@@ -146,38 +161,38 @@ LAWS = (
         lambda e: laws.mass_error(e.sampler, e.edges),
         _fixed(1e-4),
     ),
-    # An error of 1e-7 in float32 directions at the ends of a side of 2^-10 gives 4e-4, curvature as much, and near the
-    # horizon of a view ten times that; both average out.
+    # An error of 1e-7 in float32 directions at the ends of a side of 2^-10 gives 4e-4. Curvature gives the same error, and
+    # ten times that near the horizon of a view. Both average out.
     Law(
         "stretch",
         "pdf times the stretch of area is 1: worst deviation",
         lambda e: e.stretch[0],
         lambda d: 1e-3 if d.symmetric else 5e-3,
-        lambda s: _invertible(s) and s.measure != "per radian",
+        lambda s: _has_inverse(s) and s.measure != "per radian",
     ),
     Law(
         "mean stretch",
         "pdf times the stretch of area is 1: mean deviation",
         lambda e: abs(e.stretch[1]),
         lambda d: 2e-5 if d.symmetric else 5e-5,
-        lambda s: _invertible(s) and s.measure != "per radian",
+        lambda s: _has_inverse(s) and s.measure != "per radian",
     ),
     Law(
         "cells",
-        "chi-square of 2²⁰ directions in cells of the support, and Poisson's law for all others",
-        lambda e: laws.cells_p_value(e.sampler, e.some, e.edges),
+        "chi-square of 2²⁰ directions in cells of the support, and a Poisson test of all other cells",
+        lambda e: laws.cells_p_value(e.sampler, e.first_directions, e.edges),
     ),
     Law(
         "angle",
         "Kolmogorov-Smirnov test of θ against its closed distribution function",
-        lambda e: laws.angles_p_value(e.sampler, e.angles[: len(e.some)]),
-        applies=_closed,
+        lambda e: laws.angles_p_value(e.sampler, e.angles[: len(e.first_directions)]),
+        applies=_has_cdf,
     ),
     Law(
         "tails",
-        "counts of 2²² directions in the last 10⁻⁵ at the pole and at the far end (offset spheres below 1: 10⁻²)",
+        "counts of 2²² directions in tails of probability 10⁻⁵ at the pole and the far end (offset spheres below 1: 10⁻²)",
         lambda e: laws.tails_p_value(e.sampler, e.angles),
-        applies=_closed,
+        applies=_has_cdf,
     ),
     Law(
         "moments",
@@ -187,20 +202,24 @@ LAWS = (
     Law(
         "azimuth",
         "Rayleigh's test for a preferred azimuth",
-        lambda e: laws.azimuth_p_value(e.many),
-        applies=_round_about,
+        lambda e: laws.azimuth_p_value(e.directions),
+        applies=_has_azimuth,
     ),
     Law(
         "azimuth gap",
         "the widest gap between the azimuths of 2²² directions",
-        lambda e: laws.azimuth_gap_p_value(e.many),
-        applies=_round_about,
+        lambda e: laws.azimuth_gap_p_value(e.directions),
+        applies=_has_azimuth,
     ),
 )
 
 
 def cases(only: str | None = None) -> list[Distribution]:
-    """Every case of every distribution, or of one; a NotImplementedError if one has no twin."""
+    """Return every case of every distribution, or of the distribution `only`.
+
+    Raises:
+        NotImplementedError: a distribution has no twin.
+    """
     names = distributions.names() if only is None else [only]
     found = [case for name in names for case in distributions.get(name).cases()]
     for case in found:
@@ -209,10 +228,10 @@ def cases(only: str | None = None) -> list[Distribution]:
 
 
 def judge(evidence: Evidence, which: Iterable[Law] = LAWS) -> list[Verdict]:
-    """All laws that apply to one subject."""
+    """Test one subject by all laws that apply to its sampler; return the verdicts."""
     return [law.judge(evidence) for law in which if law.applies(evidence.sampler)]
 
 
 def judge_case(case: Distribution, **effort: int) -> list[Verdict]:
-    """All laws for a distribution. `effort`: keywords of `Evidence`."""
+    """Test a distribution by all laws that apply; return the verdicts. `effort` holds keyword arguments of `Evidence`."""
     return judge(Evidence(Subject(repr(case), case, case), **effort))

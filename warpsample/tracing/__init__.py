@@ -1,7 +1,7 @@
-"""Rays against a mesh: where they come from, and two tracers that answer them.
+"""Tracing of rays against a mesh: placement of ray origins, and two tracers.
 
-`rays` reads a user's rays and writes the answers; what stands between is a *query*, a `wp.func` that takes a ray in the
-scene's own float32 coordinates. `wide` has those of a 16-wide tree (`build` splits it, `boxes` fills it), `builtin` those
-of wp.Mesh; `starts` says where the rays of points on the surface start; `scene` holds what either needs of a mesh, and
-`trace` is the call.
+`rays` reads the user's rays and writes the hits. In between is a *query*, a `wp.func` that traces one ray in the scene's
+float32 coordinates. `wide` has the queries of a 16-wide tree (`build` splits it, `boxes` fills it); `builtin` has those of
+wp.Mesh. `starts` computes where the rays of surface points start. `scene` holds a mesh's search structures, and `trace` is
+the public call.
 """

@@ -1,4 +1,4 @@
-"""Queries of wp.Mesh, which is the tracer on CUDA and a second, independent tracer on the CPU."""
+"""Queries of wp.Mesh: the tracer on CUDA, and a second, independent tracer on the CPU."""
 
 import warp as wp
 
@@ -7,12 +7,16 @@ from warpsample.tracing.queries import DIRECTION, ORIGIN, Accelerator, vector_in
 
 @wp.func
 def prepare_builtin(chunk: wp.uint64, length: wp.int32):
-    """Nothing to prepare."""
+    """Do nothing: wp.Mesh needs no prepared rows."""
 
 
 @wp.func
 def builtin_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
-    """The query of `wp.Mesh`, always for the nearest hit, since its any-hit query tells no face; visits are not known: 0."""
+    """Return (distance, face, 0, 0) of the nearest hit with wp.Mesh; (inf, -1, 0, 0) without one.
+
+    It also serves any-hit queries, since that of wp.Mesh returns no face. The zeros stand for the unknown numbers of visited
+    nodes and leaves.
+    """
     query = wp.mesh_query_ray(accelerator.mesh, vector_in(column, ORIGIN), vector_in(column, DIRECTION), reach)
     face = wp.int32(-1)
     distance = wp.float32(wp.INF)
@@ -24,7 +28,7 @@ def builtin_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32
 
 @wp.func
 def builtin_any_query(accelerator: Accelerator, column: wp.uint64, reach: wp.float32, scratch: wp.uint64):
-    """Whether anything is met: distance 0 and face 0 if so, inf and -1 if not; the built-in query tells no more."""
+    """Return (0, 0, 0, 0) if a ray hits anything, else (inf, -1, 0, 0); wp.Mesh provides neither distance nor face."""
     face = wp.int32(-1)
     distance = wp.float32(wp.INF)
     if wp.mesh_query_ray_anyhit(accelerator.mesh, vector_in(column, ORIGIN), vector_in(column, DIRECTION), reach):

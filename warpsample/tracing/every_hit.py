@@ -1,4 +1,4 @@
-"""Kernels that find every hit of rays: they count them first, and then write them where there is room, in order."""
+"""Kernels that find every hit of rays: one counts the hits, the other writes the hits of each ray in order."""
 
 import warp as wp
 
@@ -6,19 +6,19 @@ from warpsample.host.locks import once
 from warpsample.maths.memory import float_at, int_at, long_at, set_float, set_int
 from warpsample.maths.numerics import lowest_bit
 from warpsample.tracing.queries import REACH, Accelerator
-from warpsample.tracing.rays import Rays, in_units, ray_kernel
+from warpsample.tracing.rays import Rays, ray_kernel, user_distance
 from warpsample.tracing.wide.layout import face_in
 from warpsample.tracing.wide.prepare import Ray, prepare_wide, ray_in
-from warpsample.tracing.wide.through import crossed, through_walk
+from warpsample.tracing.wide.through import crossed_triangles, through_walk
 from warpsample.tracing.wide.triangle import plane_distance
 
 INVALID: wp.int32 = wp.constant(wp.int32(-1))
-"""The number of hits of a ray that is none."""
+"""Number of hits written for an invalid ray."""
 
 
 @wp.struct
-class Written:
-    """Addresses of a ray's distances, inside, and faces, and how many are there."""
+class HitList:
+    """Addresses of a ray's distances (in the scene's coordinates) and faces, and the number of hits written so far."""
 
     distance: wp.uint64
     face: wp.uint64
@@ -27,12 +27,14 @@ class Written:
 
 @wp.func
 def _count(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: wp.int32):
-    return found + wp.bit_count(crossed(leaf, ray, reach, edge))
+    """Add the number of a leaf's triangles that a ray crosses to the number found so far."""
+    return found + wp.bit_count(crossed_triangles(leaf, ray, reach, edge))
 
 
 @wp.func
-def _write(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Written):
-    mask = crossed(leaf, ray, reach, edge)
+def _write(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: HitList):
+    """Append the crossings of a ray with the triangles of a leaf to the ray's hits."""
+    mask = crossed_triangles(leaf, ray, reach, edge)
     while mask != 0:
         k = lowest_bit(mask)
         mask = mask & (mask - 1)
@@ -43,19 +45,19 @@ def _write(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found
 
 
 _walk_to_count = through_walk(_count, wp.int32)
-_walk_to_write = through_walk(_write, Written)
+_walk_to_write = through_walk(_write, HitList)
 
 
 @wp.func
-def _after(hits: Written, i: wp.int32, distance: wp.float32, face: wp.int32) -> wp.bool:
-    """Whether the i-th hit belongs behind one at that distance on that face."""
+def _is_after(hits: HitList, i: wp.int32, distance: wp.float32, face: wp.int32) -> wp.bool:
+    """Return whether the i-th hit belongs behind a hit at the given distance on the given face."""
     other = float_at(hits.distance, i)
     return other > distance or (other == distance and int_at(hits.face, i) > face)
 
 
 @wp.func
-def _sort(hits: Written):
-    """Brings hits into the order of their distances, and where these are equal of their faces: Shell's sort, in place."""
+def _sort(hits: HitList):
+    """Sort hits in place by distance, and at equal distance by face, with Shell's sort."""
     gap = wp.int32(1)
     while gap < hits.count / 3:
         gap = 3 * gap + 1
@@ -64,7 +66,7 @@ def _sort(hits: Written):
             distance = float_at(hits.distance, i)
             face = int_at(hits.face, i)
             j = i
-            while j >= gap and _after(hits, wp.max(j - gap, 0), distance, face):
+            while j >= gap and _is_after(hits, wp.max(j - gap, 0), distance, face):
                 set_float(hits.distance, j, float_at(hits.distance, j - gap))
                 set_int(hits.face, j, int_at(hits.face, j - gap))
                 j -= gap
@@ -75,6 +77,7 @@ def _sort(hits: Written):
 
 @wp.func
 def _count_hits(rays: Rays, accelerator: Accelerator, column: wp.uint64, ray: wp.int64, scratch: wp.uint64):
+    """Write the number of faces that a prepared ray crosses to its place in `rays.face`."""
     count = INVALID
     reach = float_at(column, REACH)
     if reach > 0.0:
@@ -86,25 +89,26 @@ def _count_hits(rays: Rays, accelerator: Accelerator, column: wp.uint64, ray: wp
 
 @wp.func
 def _write_hits(rays: Rays, accelerator: Accelerator, column: wp.uint64, ray: wp.int64, scratch: wp.uint64):
+    """Write the sorted distances and faces of all hits of a prepared ray."""
     reach = float_at(column, REACH)
     if reach > 0.0:
         first = wp.uint64(long_at(rays.first, ray)) * wp.uint64(4)
-        hits = Written()
+        hits = HitList()
         hits.distance = rays.distance + first
         hits.face = rays.face + first
         hits = _walk_to_write(accelerator, ray_in(column), reach, hits, scratch)
-        for i in range(hits.count):  # as the user gets them, so that what is equal to him is ordered by faces
-            set_float(hits.distance, i, in_units(rays, column, float_at(hits.distance, i)))
+        for i in range(hits.count):  # in the user's units, so that distances equal to the user are ordered by face
+            set_float(hits.distance, i, user_distance(rays, column, float_at(hits.distance, i)))
         _sort(hits)
 
 
 @once
 def counting_kernel() -> wp.Kernel:
-    """A kernel over rays that writes how many faces each crosses, in the place of its face; -1 for one that is invalid."""
+    """Build a kernel over rays that writes the number of faces each ray crosses to `face`; INVALID for an invalid ray."""
     return ray_kernel(prepare_wide, _count_hits)
 
 
 @once
 def writing_kernel() -> wp.Kernel:
-    """A kernel over rays that writes the hits of each from its `first` on, by distance and face."""
+    """Build a kernel over rays that writes each ray's hits from index `first` on, sorted by distance and face."""
     return ray_kernel(prepare_wide, _write_hits)

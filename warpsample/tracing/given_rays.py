@@ -1,4 +1,4 @@
-"""The origins and directions of a call, checked, and placed in the scene of a mesh."""
+"""Checked origins and directions of a call, and their placement in the scene of a mesh."""
 
 from dataclasses import dataclass
 from math import prod
@@ -11,7 +11,7 @@ from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.options import RayOptions
 from warpsample.tracing.placed_points import PlacedPoints
-from warpsample.tracing.placement import MOST_DISTANCE, PlacementArgs, placed
+from warpsample.tracing.placement import MOST_DISTANCE, PlacementArgs, make_placement
 from warpsample.tracing.rays import RaysArgs
 from warpsample.tracing.scene import scene_of
 from warpsample.tracing.triples import Triples
@@ -19,50 +19,55 @@ from warpsample.tracing.triples import Triples
 
 @dataclass(frozen=True, eq=False)
 class GivenRays:
-    """Rays as a caller gives them; it keeps the arrays that kernels read.
+    """Rays of a caller; it keeps alive the arrays that kernels read.
 
     Attributes:
-        mesh: what they may meet.
-        at: the points that they leave, or None where these are any origins.
-        start: the origins; without an axis where all rays have one.
-        way: the directions.
+        mesh: mesh to trace against.
+        points: surface points that the rays leave; None for free origins.
+        origins: origins; of shape (3,) where all rays share one.
+        directions: directions.
     """
 
     mesh: Mesh
-    at: PlacedPoints | None
-    start: Triples
-    way: Triples
+    points: PlacedPoints | None
+    origins: Triples
+    directions: Triples
 
     @classmethod
     def of(cls, mesh: Mesh, origins: Any, directions: Any) -> "GivenRays":
-        """The rays of two arguments.
+        """Check the origins and directions of a call, and return the rays.
 
         Raises:
-            TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
+            TypeError, ValueError: an argument of a wrong type or shape; the message names it.
         """
-        at = PlacedPoints(origins, mesh, "origins") if isinstance(origins, SurfacePoints) else None
-        start = Triples.of(origins, "origins", "(P, 3) or (3,)") if at is None else at.position
+        points = PlacedPoints(origins, mesh, "origins") if isinstance(origins, SurfacePoints) else None
+        checked = Triples.of(origins, "origins", "(P, 3) or (3,)") if points is None else points.position
         way = Triples.of(directions, "directions", "(P, 3) or (P, n, 3)")
-        _check_pair(start, way)
-        return cls(mesh, at, start, way)
+        _check_pair(checked, way)
+        return cls(mesh, points, checked, way)
 
     @property
     def count(self) -> int:
-        """How many rays."""
-        return prod(self.way.shape)
+        """Number of rays."""
+        return prod(self.directions.shape)
 
-    def placed(self, options: RayOptions, reach: float, hits: Any = None) -> RaysArgs:
-        """At least one ray in the scene of the mesh, with a reach in the user's units; `hits` as for `rays_of`."""
+    def place(self, options: RayOptions, reach: float, hits: Any = None) -> RaysArgs:
+        """Return the rays in the scene of the mesh; there must be at least one ray. `hits` is that of `rays_of`.
+
+        `reach` is the largest distance of a hit, in the user's units.
+        """
         reach = min(reach, MOST_DISTANCE)
         scene = scene_of(self.mesh, through=True)
-        placement = placed(scene, self.start, reach) if self.at is None else self.at.two_sided(options, reach)
-        return rays_of(placement, self.way, hits)
+        placement = (
+            make_placement(scene, self.origins, reach) if self.points is None else self.points.two_sided(options, reach)
+        )
+        return rays_of(placement, self.directions, hits)
 
 
 def rays_of(placement: PlacementArgs, directions: Triples, hits: Any = None) -> RaysArgs:
-    """The rays from placed points, and where the distances and faces of their hits go, if that is known by now.
+    """Return the rays from a placement, and the addresses of `hits.distance` and `hits.face` if `hits` is not None.
 
-    It holds addresses: the caller keeps the arrays.
+    The result holds addresses: the caller must keep the arrays.
     """
     return RaysArgs(
         placement=placement,
@@ -75,11 +80,12 @@ def rays_of(placement: PlacementArgs, directions: Triples, hits: Any = None) -> 
 
 
 def _check_pair(start: Triples, way: Triples) -> None:
+    """Raise ValueError if origins and directions differ in shape, in device, or in the kind of array."""
     if way.shape[: len(start.shape)] != start.shape or len(way.shape) - len(start.shape) > 1:
         rows = "".join(f"{size}, " for size in start.shape)
-        raise ValueError(f"directions: got shape {(*way.shape, 3)}, want ({rows}3) or ({rows}n, 3), as there are origins")
+        raise ValueError(f"directions: got shape {(*way.shape, 3)}, want ({rows}3) or ({rows}n, 3) to match the origins")
     if start.device != way.device or isinstance(start.owner, wp.array) != isinstance(way.owner, wp.array):
         raise ValueError(
             f"directions: got {kind_told(way.owner)} on {way.device}, "
-            f"want {kind_told(start.owner)} on {start.device}, as the origins are"
+            f"want {kind_told(start.owner)} on {start.device}, like the origins"
         )

@@ -1,4 +1,4 @@
-"""The options of calls that cast rays from points, checked once and passed as one record."""
+"""Options of calls that cast rays from points, checked once and passed as one record."""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -19,9 +19,9 @@ class RayOptions(CallOptions):
     tracer: Tracer = WIDE
 
     def check_through_glass(self) -> None:
-        """Refuses, by a ValueError, a tracer that does not know of light through faces."""
+        """Raise ValueError if the tracer does not support translucent faces."""
         if self.tracer is not WIDE:
-            raise ValueError(f"tracer: got {self.tracer.name!r} for a mesh that light goes through, want 'wide', on the CPU")
+            raise ValueError(f"tracer: got {self.tracer.name!r} for a mesh that transmits light, want 'wide' on the CPU")
 
     @classmethod
     def of(

@@ -1,4 +1,4 @@
-"""The order in which points are visited: along a Morton curve, unless the caller's order is coherent already."""
+"""Order in which points are visited: along a Morton curve, unless the caller's order is coherent already."""
 
 import numpy as np
 import warp as wp
@@ -10,19 +10,22 @@ from warpsample.tracing.placement import Placement, PlacementArgs, local_origin
 from warpsample.tracing.scene import Scene
 
 MANY_FACES = 1 << 18
-"""From which on the order of points matters: smaller trees are in the cache wherever a ray is."""
+"""Number of faces from which the order of points matters: the cache holds smaller trees whole."""
 
 _CELLS = 32  # along each axis: 15 bits, which NumPy sorts by radix in 20 ns a point
 _FEW_POINTS = 1 << 12
-_FEW_RAYS = 8  # of each point: to sort takes as long as to trace one, and saves a tenth
-_COHERENT = 0.25  # share of steps to another cell
+_FEW_RAYS = 8  # per point: sorting takes as long as tracing one ray per point, and saves a tenth of the time
+_COHERENT = 0.25  # largest fraction of consecutive points in different cells
 
 _LAST_CELL = wp.constant(wp.int32(_CELLS - 1))
 _HALF_CELLS = wp.constant(wp.float32(_CELLS / 2))
 
 
-def order_of(scene: Scene, placement: PlacementArgs, count: int, workers: int) -> np.ndarray | None:
-    """(P,) int64, the points with `count` rays each in the order of their cells; None where their own order is as good."""
+def visiting_order(scene: Scene, placement: PlacementArgs, count: int, workers: int) -> np.ndarray | None:
+    """Return the order of points by their cells, (P,) int64; None where sorting does not pay or their order is coherent.
+
+    `count` is the number of rays per point.
+    """
     points = placement.points
     if len(scene.faces) < MANY_FACES or points < _FEW_POINTS or count < _FEW_RAYS:
         return None
@@ -35,12 +38,13 @@ def order_of(scene: Scene, placement: PlacementArgs, count: int, workers: int) -
 
 @wp.func
 def _cell(x: wp.float32) -> wp.int32:
+    """Return the cell along one axis of a coordinate from -1 to 1, from 0 to 31."""
     return wp.clamp(wp.int32((x + 1.0) * _HALF_CELLS), 0, _LAST_CELL)
 
 
 @wp.func
 def _every_third(x: wp.int32) -> wp.int32:
-    """Five bits, two apart from each other."""
+    """Spread the five bits of a number, with two zero bits between neighbouring bits."""
     x = (x | (x << 8)) & 0x100F
     x = (x | (x << 4)) & 0x10C3
     return (x | (x << 2)) & 0x1249
@@ -48,7 +52,7 @@ def _every_third(x: wp.int32) -> wp.int32:
 
 @once
 def _point_cells() -> wp.Kernel:
-    """A kernel with a task for each point: the number on the curve of its cell of the mesh's box."""
+    """Build a kernel with one task per point that writes the Morton code of the point's cell in the mesh's box."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def point_cells(placement: Placement, cells: wp.uint64, first_task: wp.int64):

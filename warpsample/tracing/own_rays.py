@@ -1,16 +1,16 @@
-"""Rays in a kernel of one's own: a struct that stands for a mesh, and the functions that ask it."""
+"""Rays in user-defined kernels: a struct that represents a mesh, and the functions that trace rays against it."""
 
 from typing import Any
 
 import warp as wp
 
 from warpsample.maths.numerics import ONE, ZERO, direction_to_unit
-from warpsample.tracing.placement import MOST_DISTANCE, far_off, in_double, offset_within, way_to_scene
+from warpsample.tracing.placement import MOST_DISTANCE, distance_to_scene, in_double, is_far_off, offset_within
 from warpsample.tracing.queries import Accelerator, Glass
 from warpsample.tracing.wide.layout import SCRATCH
 from warpsample.tracing.wide.prepare import RAY_WORKSPACE, ray_of
 from warpsample.tracing.wide.query import wide_walk
-from warpsample.tracing.wide.through import share_through
+from warpsample.tracing.wide.through import path_transmittance
 
 _MOST_DISTANCE = wp.constant(wp.float32(MOST_DISTANCE))
 _walk_to_any = wide_walk(True)
@@ -19,12 +19,21 @@ _walk_to_nearest = wide_walk(False)
 
 @wp.struct
 class Tree:
-    """A mesh, ready for rays: what `warpsample.tree` makes, and a kernel takes as an argument.
+    """Mesh prepared for rays in a kernel; `warpsample.tree` builds it, and a kernel takes it as an argument.
 
-    nodes and leaves are the 16-wide tree of the opaque faces, on the CPU; mesh is the id of a wp.Mesh, elsewhere. A point
-    x of the user's is (x - centre) * scale inside, where the mesh is within 1 of 0 on each axis, and its extent. Of a mesh
-    that light goes through there are nodes and leaves of such faces, too, and the transmittances of all; else these are
-    empty.
+    A point x of the user is (x - centre) * scale in the tree's coordinates, where the mesh is within 1 of 0 on each axis.
+
+    Attributes:
+        nodes: nodes of the 16-wide tree of the opaque faces, on the CPU; empty on CUDA.
+        leaves: leaves of that tree.
+        mesh: id of a wp.Mesh on CUDA; 0 on the CPU.
+        centre: centre of the mesh in the user's coordinates.
+        scale: factor from the user's units to the tree's.
+        extent: distance that the mesh reaches from 0 on each axis, in the tree's coordinates.
+        coarseness: spacing of stored positions, in the tree's coordinates.
+        glass_nodes: nodes of the tree of the translucent faces; empty for a mesh of opaque faces.
+        glass_leaves: leaves of that tree.
+        transmittance: (F,) transmittances of all faces; empty for a mesh of opaque faces.
     """
 
     nodes: wp.array[wp.float32]
@@ -41,7 +50,14 @@ class Tree:
 
 @wp.struct
 class Local:
-    """A ray in the tree's coordinates: its origin, unit direction, reach, and how far it came before its origin."""
+    """Ray in the tree's coordinates, where the mesh is within 1 of 0.
+
+    Attributes:
+        o: origin.
+        d: unit direction.
+        reach: largest distance of a hit from o.
+        ahead: distance that the ray travelled from the user's origin to o.
+    """
 
     o: wp.vec3
     d: wp.vec3
@@ -51,17 +67,20 @@ class Local:
 
 @wp.func
 def _local(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32) -> Local:
-    """A ray of the user's; a reach of NaN if it is none, below 0 if it passes the mesh by."""
+    """Convert a ray of the user to the tree's coordinates.
+
+    The reach is NaN for an invalid ray, and below 0 if the ray misses the mesh.
+    """
     unit = direction_to_unit(direction)
     o = (origin - tree.centre) * tree.scale
     ray = Local()
     ray.d = wp.vec3(unit[0], unit[1], unit[2])
     reach = wp.float64(wp.where(max_distance > _MOST_DISTANCE, _MOST_DISTANCE, max_distance)) * tree.scale  # NaN stays
     ahead = ZERO
-    if far_off(o):
+    if is_far_off(o):
         w = in_double(direction)
         w = (ONE / wp.sqrt(wp.dot(w, w))) * w
-        ahead = way_to_scene(o, w)
+        ahead = distance_to_scene(o, w)
         o = wp.where(ahead < ZERO, o - o, o + ahead * w)
     ray.o = wp.vec3(o)
     ray.reach = wp.where(ahead < ZERO, -1.0, wp.float32(reach - ahead))
@@ -73,6 +92,7 @@ def _local(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.fl
 
 @wp.func
 def _accelerator(tree: Tree) -> Accelerator:
+    """Return the tree of the opaque faces."""
     accelerator = Accelerator()
     accelerator.nodes = tree.nodes.ptr
     accelerator.leaves = tree.leaves.ptr
@@ -83,6 +103,7 @@ def _accelerator(tree: Tree) -> Accelerator:
 
 @wp.func
 def _glass(tree: Tree) -> Glass:
+    """Return the tree of the translucent faces and all transmittances."""
     glass = Glass()
     glass.tree.nodes = tree.glass_nodes.ptr
     glass.tree.leaves = tree.glass_leaves.ptr
@@ -104,7 +125,7 @@ def _any_hit(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.
             words = wp.zeros(shape=(SCRATCH,), dtype=wp.int32)
             to = ray_of(ray.o, ray.d, workspace)
             _near, face, _nodes, _leaves = _walk_to_any(_accelerator(tree), to, ray.reach, words.ptr)
-            hit = face >= 0  # so that nobody computes how far away it is
+            hit = face >= 0  # not by the distance, so that the compiler drops its computation
     return hit
 
 
@@ -124,7 +145,7 @@ def _transmitted(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance:
             if face >= 0:
                 share = 0.0
             elif tree.transmittance.shape[0] > 0:
-                share = share_through(_glass(tree), to, ray.reach, words.ptr)
+                share = path_transmittance(_glass(tree), to, ray.reach, words.ptr)
     elif not (ray.reach <= 0.0):
         share = wp.float32(wp.NAN)
     return share
@@ -153,7 +174,7 @@ def _nearest_hit(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance:
     return distance, face
 
 
-# The walks read memory by its address, where no gradients are: the backward pass that Warp makes of them crashes.
+# The traversals read memory by address, where no gradients exist: the backward pass that Warp generates for them crashes.
 @wp.func_grad(_any_hit)
 def _no_gradient(tree: Tree, origin: wp.vec3d, direction: wp.vec3, max_distance: wp.float32, adj_hit: bool):
     pass
@@ -178,31 +199,31 @@ def _no_gradients(
 
 @wp.func
 def any_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32) -> bool:
-    """Return whether a ray meets an opaque face of the mesh before max_distance; False for an invalid ray.
+    """Return whether a ray hits an opaque face of the mesh before max_distance; False for an invalid ray.
 
     A ray is invalid if its direction is zero, if its direction or origin is infinite or NaN, or if its max_distance is NaN.
-    Under wp.Tape the answer is a constant.
+    Under wp.Tape the result is a constant.
 
     Args:
-        tree: of `warpsample.tree`.
+        tree: result of `warpsample.tree`.
         origin: vec3 or vec3d, in the mesh's coordinates; on the surface, see `offset_origin`.
-        direction: of any length.
-        max_distance: in units of the coordinates; wp.INF for no limit.
+        direction: vec3 of any length.
+        max_distance: largest distance of a hit, in units of the coordinates; wp.INF for no limit.
     """
     return _any_hit(tree, in_double(origin), direction, max_distance)
 
 
 @wp.func
 def nearest_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32):
-    """(distance, face) of the nearest opaque face before max_distance; (inf, -1) if none, (NaN, -1) for an invalid ray.
+    """Return (distance, face) of the nearest opaque face before max_distance; (inf, -1) without a hit.
 
-    The same rays are invalid as for `any_hit`. Under wp.Tape both are constants: no gradient goes through them.
+    An invalid ray (see `any_hit`) gives (NaN, -1). Under wp.Tape both are constants, without a gradient.
 
     Args:
-        tree: of `warpsample.tree`.
+        tree: result of `warpsample.tree`.
         origin: vec3 or vec3d, in the mesh's coordinates; on the surface, see `offset_origin`.
-        direction: of any length.
-        max_distance: in units of the coordinates; wp.INF for no limit.
+        direction: vec3 of any length.
+        max_distance: largest distance of a hit, in units of the coordinates; wp.INF for no limit.
     """
     distance, face = _nearest_hit(tree, in_double(origin), direction, max_distance)
     return distance, face
@@ -210,25 +231,25 @@ def nearest_hit(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.fl
 
 @wp.func
 def transmitted(tree: Tree, origin: Any, direction: wp.vec3, max_distance: wp.float32) -> wp.float32:
-    """The share of light that comes along a ray from max_distance: 0 behind an opaque face, NaN for an invalid ray.
+    """Return the fraction of light transmitted along a ray up to max_distance: 0 behind an opaque face.
 
-    The same rays are invalid as for `any_hit`. It is the product of the transmittances of all faces that the ray crosses.
-    Under wp.Tape it is a constant.
+    It is the product of the transmittances of all faces that the ray crosses; NaN for an invalid ray (see `any_hit`). Under
+    wp.Tape it is a constant.
 
     Args:
-        tree: of `warpsample.tree`.
+        tree: result of `warpsample.tree`.
         origin: vec3 or vec3d, in the mesh's coordinates; on the surface, see `offset_origin`.
-        direction: of any length.
-        max_distance: in units of the coordinates; wp.INF for no limit.
+        direction: vec3 of any length.
+        max_distance: length of the ray, in units of the coordinates; wp.INF for no limit.
     """
     return _transmitted(tree, in_double(origin), direction, max_distance)
 
 
 @wp.func
 def offset_origin(tree: Tree, position: Any, normal: wp.vec3) -> wp.vec3d:
-    """A point of the surface, moved off it along its unit normal by as much as keeps its rays from their own face.
+    """Return a surface point moved off the surface along its unit normal, so that its rays do not hit their own face.
 
-    That is two millionths of the mesh's extent along the normal. Turn the normal for rays into the mesh.
+    The distance is two millionths of the mesh's extent along the normal. Negate the normal for rays into the mesh.
     """
     away = offset_within(tree.extent, tree.coarseness, normal)
     return in_double(position) + (wp.float64(away) / tree.scale) * in_double(normal)

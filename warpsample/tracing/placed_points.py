@@ -1,4 +1,4 @@
-"""Points on a surface, placed in the scene of a mesh: once for all that a call casts from them."""
+"""Surface points placed in the scene of a mesh, once for all rays that a call casts from the points."""
 
 from math import inf
 from typing import Any
@@ -10,8 +10,8 @@ from warpsample.host.vectors import as_directions
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.options import RayOptions
-from warpsample.tracing.order import order_of
-from warpsample.tracing.placement import PlacementArgs, placed
+from warpsample.tracing.order import visiting_order
+from warpsample.tracing.placement import PlacementArgs, make_placement
 from warpsample.tracing.scene import Scene, scene_of
 from warpsample.tracing.starts import faces_and_normals, set_starts
 from warpsample.tracing.tracers import Tracer
@@ -19,16 +19,17 @@ from warpsample.tracing.triples import Triples
 
 
 class PlacedPoints:
-    """Points and the scene that their rays are traced in. It keeps the arrays whose addresses its placements hold.
+    """Surface points with the scene in which their rays are traced; it keeps alive all arrays of its placements.
 
     Attributes:
-        points: as they are given.
-        id: of the points, or None.
-        mesh: what they see; None where no ray is traced.
-        scene: of the mesh, or None.
-        position: of the points, as they are given.
-        normal: (P, 3) float32, the points' own, of any length.
-        side: (P, 3) float32, unit or zero, the normals of the faces that points lie on, else their own; None without a mesh.
+        points: points of the caller.
+        id: (P,) ids of the points, or None.
+        mesh: mesh to trace against; None if no ray is traced.
+        face: (P,) int32, face of each point, -1 if unknown; None without a mesh.
+        scene: scene of the mesh, or None.
+        position: positions of the caller.
+        normal: (P, 3) float32, normals of the caller, of any length.
+        side: (P, 3) float32, unit or zero: the normals of the points' faces, else the points' own; None without a mesh.
     """
 
     points: SurfacePoints
@@ -38,49 +39,60 @@ class PlacedPoints:
     side: np.ndarray | None
 
     def __init__(self, points: SurfacePoints, mesh: Mesh | None, argument: str = "points") -> None:
-        """Finds faces and normals; where rays start is found when a placement is asked for.
+        """Find faces and normals of the points; starts of rays are computed on first use.
 
         Raises:
-            ValueError: a face that the mesh has not; names the argument.
+            ValueError: a face number that the mesh does not have; the message names the argument.
         """
         self.points, self.id, self.mesh = points, points.id, mesh
         self.scene: Scene | None = scene_of(mesh, through=True) if mesh else None
         self.position: Triples = Triples.of(points.position, f"{argument}.position")
         self.normal: np.ndarray = as_directions(Triples.of(points.normal, f"{argument}.normal").owner)
         self.face, self.side = faces_and_normals(mesh, points, argument) if mesh else (None, None)
-        self._known: dict[tuple[Tracer, bool], tuple[PlacementArgs, np.ndarray | None]] = {}
+        self._placements: dict[tuple[Tracer, bool], tuple[PlacementArgs, np.ndarray | None]] = {}
 
     @classmethod
     def of(cls, mesh: Any, points: Any) -> "PlacedPoints":
-        """The points of a call, SurfacePoints on a mesh or whatever `as_mesh` takes.
+        """Check the points and the mesh of a call, and place the points.
+
+        Args:
+            mesh: Mesh, or any argument of `as_mesh`.
+            points: SurfacePoints.
 
         Raises:
-            TypeError, ValueError: one that cannot be used; names it, what it got and what it wants.
+            TypeError, ValueError: an argument of a wrong type or value; the message names it.
         """
         if not isinstance(points, SurfacePoints):
-            raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints, as sample_surface gives them")
+            raise TypeError(f"points: got {kind_told(points)}, want SurfacePoints, such as the result of sample_surface")
         return cls(points, as_mesh(mesh))
 
     def __len__(self) -> int:
-        """How many points."""
+        """Return the number of points."""
         return len(self.points)
 
     def facing(self, options: RayOptions, reach: float = inf) -> Any:
-        """The placement for rays as far as `reach`, in the user's units, on the side of each normal; at least one point."""
+        """Return the placement for rays on the side of each point's normal; at least one point is required.
+
+        `reach` is the largest distance of a hit, in the user's units.
+        """
         return self._placement(options, reach, self.normal)
 
     def two_sided(self, options: RayOptions, reach: float) -> Any:
-        """The placement for rays that leave on either side of each point's face, as those of `trace`; at least one point."""
+        """Return the placement for rays on either side of each point's face, as in `trace`; at least one point is required.
+
+        `reach` is the largest distance of a hit, in the user's units.
+        """
         return self._placement(options, reach, None)
 
     def order(self, placement: Any, count: int, workers: int) -> np.ndarray | None:
-        """(P,) int64, the order in which points with so many rays each are best visited; None if that is their own."""
-        return order_of(self.scene, placement, count, workers)
+        """Return the best order to visit points with `count` rays each, (P,) int64; None for the order of the caller."""
+        return visiting_order(self.scene, placement, count, workers)
 
     def _placement(self, options: RayOptions, reach: float, towards: np.ndarray | None) -> PlacementArgs:
+        """Return the placement with a given reach; starts of rays are computed once per tracer and set of sides."""
         key = options.tracer, towards is None
-        if key not in self._known:
-            placement = placed(self.scene, self.position, inf)
+        if key not in self._placements:
+            placement = make_placement(self.scene, self.position, inf)
             placement.normals = self.side.ctypes.data
             placement.ids = 0 if self.id is None else self.id.ctypes.data
             starts = set_starts(
@@ -92,7 +104,7 @@ class PlacedPoints:
                 tracer=options.tracer,
                 workers=options.workers,
             )
-            self._known[key] = placement, starts
-        placement = PlacementArgs.from_buffer_copy(self._known[key][0])
+            self._placements[key] = placement, starts
+        placement = PlacementArgs.from_buffer_copy(self._placements[key][0])
         placement.reach = reach * self.scene.scale
         return placement

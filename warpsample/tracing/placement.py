@@ -1,4 +1,4 @@
-"""Where points are in the scene's coordinates, and from where their rays start: shared by `trace` and the estimates."""
+"""Origins of rays in the scene's coordinates, and their offsets off the surface; shared by `trace` and the estimates."""
 
 from math import prod
 from typing import Any
@@ -13,13 +13,16 @@ from warpsample.tracing.scene import Scene, coarseness_of
 from warpsample.tracing.triples import Triples
 
 FURTHEST = 6.0
-"""From 0 on an axis; origins beyond come nearer first, in float64, so that float32 resolves the mesh."""
+"""Largest coordinate of an origin that is used directly.
+
+Rays from origins farther from 0 on any axis first advance towards the mesh in float64, so that float32 resolves the mesh.
+"""
 
 MOST_DISTANCE = float(np.finfo(np.float32).max)
-"""What is farther is not met: its distance would not be finite."""
+"""Largest distance of a hit, in the user's units: the largest finite float32."""
 
 OFFSET = 2.0**-19
-"""How far points are moved off their face along its normal, of how far the mesh reaches along it: 32 roundings."""
+"""Distance by which points are moved off their face, relative to the mesh's extent along the normal: 32 roundings."""
 
 _OFFSET = wp.constant(wp.float32(OFFSET))
 _FURTHEST = wp.constant(wp.float64(FURTHEST))
@@ -29,13 +32,26 @@ _LEAST_STEP = wp.constant(wp.float64(1e-150))
 
 @wp.struct
 class Placement:
-    """Scalars and addresses of `points` origins, float32, or float64 if `double_origins`.
+    """Scalars and addresses of `points` origins of rays.
 
-    A point x of the user's is (x - centre) * scale inside, where the mesh is within 1 of 0 on each axis, and its extent; a
-    distance t inside is t * unit, and reach is inside, too. coarseness: how far apart stored positions are, inside.
-    Optional, else 0: normals (P, 3) float32, unit, of the faces that origins are on; starts (P, sides, 3) float32, where
-    rays to these sides start, inside, else they are moved by `offset`; order (P,) int64, in which points are visited; ids
-    (P,) uint64, of the points in all calls.
+    A point x of the user is (x - centre) * scale in the scene's coordinates, where the mesh is within 1 of 0 on each axis. A
+    distance t in the scene is t * unit for the user. Addresses of optional arrays are 0 where the array is missing.
+
+    Attributes:
+        points: number P of origins.
+        double_origins: 1 for float64 origins, 0 for float32.
+        origins: address of (P, 3) origins in the user's coordinates.
+        normals: optional address of (P, 3) float32, unit normals of the faces that the origins are on.
+        starts: optional address of (P, sides, 3) float32, starts of rays to each side of the face in the scene's
+            coordinates. Without it, rays start at the origin moved by `origin_offset`.
+        order: optional address of (P,) int64, the order in which points are visited.
+        ids: optional address of (P,) uint64, global ids of the points, the same in all calls.
+        centre: centre of the scene in the user's coordinates.
+        scale: factor from the user's units to the scene's.
+        unit: factor from the scene's units to the user's.
+        reach: largest distance of a hit, in the scene's coordinates.
+        extent: distance that the mesh reaches from 0 on each axis, in the scene's coordinates.
+        coarseness: spacing of stored positions, in the scene's coordinates.
     """
 
     points: wp.int64
@@ -56,13 +72,16 @@ class Placement:
 PlacementArgs: Any = type(Placement().__ctype__())
 
 
-def placed(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:
-    """The placement of origins, without normals, starts and order; reach in the user's units. The caller keeps the array."""
+def make_placement(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:
+    """Return the placement of origins in a scene, without normals, starts and order; the caller must keep the array.
+
+    `reach` is in the user's units.
+    """
     return PlacementArgs(
         points=prod(origins.shape),
         double_origins=origins.double,
         origins=address_of(origins.owner),
-        centre=wp.vec3d(*scene.centre),  # not a tuple: Warp would tell an interrupt as a RuntimeError
+        centre=wp.vec3d(*scene.centre),  # not a tuple: Warp would report an interrupt as a RuntimeError
         scale=scene.scale,
         unit=1.0 / scene.scale,
         reach=reach * scene.scale,
@@ -73,13 +92,13 @@ def placed(scene: Scene, origins: Triples, reach: float) -> PlacementArgs:
 
 @wp.func
 def in_double(v: Any) -> wp.vec3d:
-    """A vector in float64."""
+    """Convert a vector to float64."""
     return wp.vec3d(wp.float64(v[0]), wp.float64(v[1]), wp.float64(v[2]))
 
 
 @wp.func
 def vector_in_double(address: wp.uint64, double: wp.int32, i: wp.int64) -> wp.vec3d:
-    """The i-th vector of an array of float32, or of float64 if `double` says so."""
+    """Return the i-th vector of an array as float64; the array is float64 if `double` is not 0, else float32."""
     if double != 0:
         return vec3d_at(address, i)
     return in_double(vec3_at(address, i))
@@ -87,15 +106,15 @@ def vector_in_double(address: wp.uint64, double: wp.int32, i: wp.int64) -> wp.ve
 
 @wp.func
 def unit_in_double(d: wp.vec3d, double: wp.int32) -> wp.vec3d:
-    """d / abs(d); NaN where d is zero or not finite."""
-    if double != 0:  # whose squares may over- or underflow
+    """Return the unit vector of d in float64; NaN where d is zero or not finite."""
+    if double != 0:  # squares of float64 components may over- or underflow
         d = d / wp.max(wp.max(wp.abs(d[0]), wp.abs(d[1])), wp.abs(d[2]))
     return (ONE / wp.sqrt(wp.dot(d, d))) * d
 
 
 @wp.func
 def point_of(placement: Placement, i: wp.int64) -> wp.int64:
-    """The point that is the i-th to be visited."""
+    """Return the index of the point that is visited as the i-th."""
     if placement.order == wp.uint64(0):
         return i
     return long_at(placement.order, i)
@@ -103,7 +122,7 @@ def point_of(placement: Placement, i: wp.int64) -> wp.int64:
 
 @wp.func
 def id_of(placement: Placement, first: wp.uint64, point: wp.int64) -> wp.uint64:
-    """The global id of a point: its own, or counted from that of the first."""
+    """Return the global id of a point: the one in the placement, or its index added to the id of the first point."""
     if placement.ids == wp.uint64(0):
         return first + wp.uint64(point)
     return address_at(placement.ids, point)
@@ -111,45 +130,51 @@ def id_of(placement: Placement, first: wp.uint64, point: wp.int64) -> wp.uint64:
 
 @wp.func
 def local_origin(placement: Placement, point: wp.int64) -> wp.vec3d:
-    """In the scene's coordinates: what large ones have in common goes in float64, before they are rounded."""
+    """Return the origin of a point in the scene's coordinates, in float64.
+
+    The centre is subtracted before rounding to float32, so that large coordinates keep their digits.
+    """
     return (vector_in_double(placement.origins, placement.double_origins, point) - placement.centre) * placement.scale
 
 
 @wp.func
 def extent_along(extent: wp.vec3, n: wp.vec3) -> wp.float32:
-    """How far what has that extent reaches along a normal, at most: what is rounded along it is rounded by 2^-24 of this."""
+    """Return an upper bound on the coordinate along a normal n of points within an extent.
+
+    Rounding along the normal is 2^-24 of this bound.
+    """
     return wp.abs(n[0]) * extent[0] + wp.abs(n[1]) * extent[1] + wp.abs(n[2]) * extent[2]
 
 
 @wp.func
 def reach_along(placement: Placement, n: wp.vec3, o: wp.vec3) -> wp.float32:
-    """How far the mesh and a point that may be outside of it reach along a normal, at most."""
+    """Return an upper bound on the coordinate along a normal of the mesh and of a point o that may be outside the mesh."""
     return extent_along(wp.max(placement.extent, wp.abs(o)), n)
 
 
 @wp.func
 def offset_within(extent: wp.vec3, coarseness: wp.float32, n: wp.vec3) -> wp.float32:
-    """The offset of a point with that normal in that extent: 32 roundings, and more where it is stored coarsely."""
+    """Return the offset of a point off a face with normal n: 32 roundings of the extent along n, plus the coarseness."""
     return _OFFSET * extent_along(extent, n) + coarseness
 
 
 @wp.func
 def origin_offset(placement: Placement, n: wp.vec3) -> wp.float32:
-    """How far points of a face with that normal are moved off it."""
+    """Return the distance by which points on a face with normal n are moved off the face."""
     return offset_within(placement.extent, placement.coarseness, n)
 
 
 @wp.func
-def far_off(o: wp.vec3d) -> wp.bool:
-    """Whether an origin is so far from the mesh that its rays are to be brought near."""
+def is_far_off(o: wp.vec3d) -> wp.bool:
+    """Return whether an origin is so far from the mesh that its rays must first advance towards the mesh in float64."""
     return wp.max(wp.max(wp.abs(o[0]), wp.abs(o[1])), wp.abs(o[2])) > _FURTHEST
 
 
 @wp.func
-def way_to_scene(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
-    """How far a ray that starts outside is from a cube around the scene; negative where it misses that.
+def distance_to_scene(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
+    """Return the distance along a ray from an origin outside to a cube around the scene; -1 where the ray misses the cube.
 
-    Or comes from so far away that float64 does not tell.
+    It is -1, too, where the origin is so far away that float64 cannot resolve the cube.
     """
     enter = ZERO
     leave = wp.float64(wp.INF)
@@ -159,4 +184,4 @@ def way_to_scene(o: wp.vec3d, d: wp.vec3d) -> wp.float64:
         half = wp.abs(_ENTRY * inverse)
         enter = wp.max(enter, middle - half)
         leave = wp.min(leave, middle + half)
-    return wp.where(enter < leave and not far_off(o + enter * d), enter, -ONE)
+    return wp.where(enter < leave and not is_far_off(o + enter * d), enter, -ONE)

@@ -1,6 +1,6 @@
-"""What a tracer's query is given: the addresses of a tree or a mesh, and a chunk of rays, prepared side by side.
+"""Arguments of a tracer's query: the addresses of a tree or a mesh, and a chunk of rays.
 
-A chunk is rows of float32, a column for each ray; the address of its column stands for a ray.
+A chunk consists of rows of float32, with one column per ray. The address of its column identifies a ray.
 """
 
 import warp as wp
@@ -8,10 +8,10 @@ import warp as wp
 from warpsample.maths.memory import float_at
 
 CHUNK = 64
-"""Rays that are prepared together: columns of rows of float32."""
+"""Number of rays in a chunk, which are prepared together: columns of the rows of float32."""
 
 ORIGIN, DIRECTION, REACH, AHEAD, PREPARED = (row * CHUNK for row in (0, 3, 6, 7, 8))
-"""Where rows start: origin and unit direction, 3 each; reach; how far the ray came before its origin; the tracer's own."""
+"""Float offsets of rows: origin (3), unit direction (3), reach, distance travelled before the origin, the tracer's rows."""
 
 CHUNK_FLOATS = PREPARED + 18 * CHUNK
 
@@ -20,7 +20,7 @@ CHUNK_FLOATS = PREPARED + 18 * CHUNK
 class Accelerator:
     """Addresses of a tree's nodes and leaves, or the id of a wp.Mesh.
 
-    Queries start from `starts` nodes, a few, from the address `start` on; without any, nothing is met.
+    Queries start from `starts` consecutive nodes at the address `start`. With starts = 0, rays hit nothing.
     """
 
     nodes: wp.uint64
@@ -35,7 +35,10 @@ AcceleratorArgs = type(Accelerator().__ctype__())
 
 @wp.struct
 class Glass:
-    """The tree of the faces that let some light through, and the address of the transmittances of all faces, float32."""
+    """Tree of the translucent faces, with a transmittance between 0 and 1, and the address of all faces' transmittances.
+
+    The transmittances are (F,) float32.
+    """
 
     tree: Accelerator
     transmittance: wp.uint64
@@ -46,25 +49,25 @@ GlassArgs = type(Glass().__ctype__())
 
 @wp.func
 def column_of(chunk: wp.uint64, k: wp.int32) -> wp.uint64:
-    """The address of the k-th ray's column."""
+    """Return the address of the k-th ray's column in a chunk of rays."""
     return chunk + wp.uint64(4 * k)
 
 
 @wp.func
 def vector_in(column: wp.uint64, row: wp.int32) -> wp.vec3:
-    """What is in a ray's column in three rows from one on."""
+    """Return the vector in the three rows from `row` on of a ray's column."""
     return wp.vec3(float_at(column, row), float_at(column, row + CHUNK), float_at(column, row + 2 * CHUNK))
 
 
 @wp.func
 def direction_of(chunk: wp.uint64, k: wp.int32) -> wp.vec3:
-    """The direction of the k-th ray."""
+    """Return the unit direction of the k-th ray of a chunk."""
     return vector_in(column_of(chunk, k), DIRECTION)
 
 
 @wp.func
 def set_direction(chunk: wp.uint64, k: wp.int32, d: wp.vec3):
-    """Writes the direction of the k-th ray."""
+    """Write the direction of the k-th ray of a chunk."""
     rows = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     rows[DIRECTION + k] = d[0]
     rows[DIRECTION + CHUNK + k] = d[1]
@@ -73,7 +76,7 @@ def set_direction(chunk: wp.uint64, k: wp.int32, d: wp.vec3):
 
 @wp.func
 def set_origin(chunk: wp.uint64, k: wp.int32, o: wp.vec3):
-    """Writes the origin of the k-th ray."""
+    """Write the origin of the k-th ray of a chunk."""
     rows = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     rows[ORIGIN + k] = o[0]
     rows[ORIGIN + CHUNK + k] = o[1]
@@ -82,7 +85,7 @@ def set_origin(chunk: wp.uint64, k: wp.int32, o: wp.vec3):
 
 @wp.func
 def start_all(chunk: wp.uint64, o: wp.vec3, reach: wp.float32):
-    """Lets all rays of a chunk start from one origin."""
+    """Set the origin and the reach of all rays of a chunk."""
     rows = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
     while k < CHUNK:

@@ -1,4 +1,4 @@
-"""The user's rays: brought into the scene's own float32 coordinates, traced, and answered in the user's coordinates."""
+"""Rays of the user: conversion to the scene's float32 coordinates, tracing, and conversion of hits to the user's units."""
 
 import warp as wp
 
@@ -7,16 +7,16 @@ from warpsample.host.engine import run
 from warpsample.host.locks import once
 from warpsample.maths.memory import float_at, set_float, set_int, vec3_at
 from warpsample.maths.numerics import ZERO, direction_to_unit
-from warpsample.tracing.order import order_of
+from warpsample.tracing.order import visiting_order
 from warpsample.tracing.placement import (
     Placement,
-    far_off,
+    distance_to_scene,
+    is_far_off,
     local_origin,
     origin_offset,
     point_of,
     unit_in_double,
     vector_in_double,
-    way_to_scene,
 )
 from warpsample.tracing.queries import (
     AHEAD,
@@ -35,19 +35,30 @@ from warpsample.tracing.tracers import Tracer
 from warpsample.tracing.wide.layout import SCRATCH
 from warpsample.tracing.wide.prepare import prepare_wide, ray_in
 from warpsample.tracing.wide.query import wide_query
-from warpsample.tracing.wide.through import share_through
+from warpsample.tracing.wide.through import path_transmittance
 
 RAY_WORK = 64
-"""Directions that take as long to sample as a ray to trace."""
+"""Cost of tracing a ray, in sampled directions."""
 
 
 @wp.struct
 class Rays:
-    """Scalars and addresses of `count` directions (P, count, 3) from each placed point: float32, or float64 as it says.
+    """Scalars and addresses of `count` directions (P, count, 3) for each point of a placement.
 
-    A task is `per_task` consecutive rays, at most CHUNK. distance, face (P, count): float32, int32. Optional, else 0: visits
-    (P, count, 2) int32, nodes and leaves; first (P, count) int64, where in distance and face the hits of a ray start;
-    transmitted (P, count) float32, by the faces of `glass`.
+    Addresses of optional arrays are 0 where the array is missing.
+
+    Attributes:
+        placement: origins of the rays.
+        count: number of rays per point.
+        per_task: number of consecutive rays in a task, at most CHUNK.
+        double_directions: 1 for float64 directions, 0 for float32.
+        directions: address of the directions.
+        distance: address of (P, count) float32 distances.
+        face: address of (P, count) int32 faces.
+        visits: optional address of (P, count, 2) int32, numbers of nodes and leaves visited.
+        first: optional address of (P, count) int64, index in distance and face of each ray's first hit.
+        transmitted: optional address of (P, count) float32, transmittance of the faces of `glass` along each ray.
+        glass: translucent faces.
     """
 
     placement: Placement
@@ -68,21 +79,21 @@ RaysArgs = type(Rays().__ctype__())
 
 @wp.func
 def _direction(rays: Rays, ray: wp.int64) -> wp.vec3:
-    """The direction of a ray; one of float64 is brought to unit length."""
+    """Return the direction of a ray in float32; float64 directions are scaled to unit length first."""
     if rays.double_directions == 0:
         return vec3_at(rays.directions, ray)
     return wp.vec3(unit_in_double(vector_in_double(rays.directions, 1, ray), 1))
 
 
 @wp.func
-def _read(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.uint64):
-    """A ray from o into its column."""
+def _load_ray(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.uint64):
+    """Write a ray from the origin o to its column of a chunk."""
     d = _direction(rays, ray)
     ahead = ZERO
-    if far_off(o):
+    if is_far_off(o):
         unit = unit_in_double(vector_in_double(rays.directions, rays.double_directions, ray), rays.double_directions)
-        ahead = way_to_scene(o, unit)
-        o = wp.where(ahead < ZERO, o - o, o + ahead * unit)  # of a ray that misses: 0, and NaN where that is not finite
+        ahead = distance_to_scene(o, unit)
+        o = wp.where(ahead < ZERO, o - o, o + ahead * unit)  # for a ray that misses: 0, or NaN if not finite
     start = wp.vec3(o)
     if rays.placement.normals != wp.uint64(0) and ahead == ZERO:
         n = vec3_at(rays.placement.normals, point)
@@ -99,7 +110,7 @@ def _read(rays: Rays, point: wp.int64, o: wp.vec3d, ray: wp.int64, column: wp.ui
 
 @wp.func
 def _normalize(chunk: wp.uint64, length: wp.int64):
-    """Unit directions; NaN as the reach of an invalid ray."""
+    """Scale the directions of a chunk to unit length, and set the reach of invalid rays to NaN."""
     rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
     while k < wp.int32(length):
@@ -115,14 +126,18 @@ def _normalize(chunk: wp.uint64, length: wp.int64):
 
 
 @wp.func
-def in_units(rays: Rays, column: wp.uint64, near: wp.float32) -> wp.float32:
-    """A distance along a ray in the user's units, from where the user lets it start."""
+def user_distance(rays: Rays, column: wp.uint64, near: wp.float32) -> wp.float32:
+    """Convert a distance along a ray to the user's units, measured from the user's origin of the ray."""
     return wp.float32((wp.float64(near) + wp.float64(float_at(column, AHEAD))) * rays.placement.unit)
 
 
 @once
-def hit_of(query: wp.Function) -> wp.Function:
-    """A function (rays, accelerator, column, ray, scratch) that writes what a prepared ray meets, by a tracer's query."""
+def build_hit_writer(query: wp.Function) -> wp.Function:
+    """Build a function (rays, accelerator, column, ray, scratch) that traces a prepared ray and writes its hit.
+
+    Args:
+        query: `face_query` of a `Tracer` with any_hit applied.
+    """
 
     @wp.func
     def write_hit(rays: Rays, accelerator: Accelerator, column: wp.uint64, ray: wp.int64, scratch: wp.uint64):
@@ -131,7 +146,7 @@ def hit_of(query: wp.Function) -> wp.Function:
         reach = float_at(column, REACH)
         if reach > 0.0:
             near, face, nodes, leaves = query(accelerator, column, reach, scratch)
-            distance = in_units(rays, column, near)
+            distance = user_distance(rays, column, near)
             if rays.visits != wp.uint64(0):
                 set_int(rays.visits, wp.int64(2) * ray, nodes)
                 set_int(rays.visits, wp.int64(2) * ray + wp.int64(1), leaves)
@@ -144,10 +159,10 @@ def hit_of(query: wp.Function) -> wp.Function:
 
 
 @once
-def hit_through_glass(any_hit: bool) -> wp.Function:
-    """What `hit_of` makes for the tree of the opaque faces, which also writes what the others let through up to the hit.
+def build_glass_hit_writer(any_hit: bool) -> wp.Function:
+    """Build a function like `build_hit_writer` that also writes the transmittance of translucent faces up to the hit.
 
-    With any_hit it is 0 where there is a hit: what comes from anywhere behind.
+    The hits are those of the opaque faces. With any_hit the transmittance is 0 where there is a hit.
     """
     query = wide_query(any_hit)
 
@@ -159,11 +174,11 @@ def hit_through_glass(any_hit: bool) -> wp.Function:
         reach = float_at(column, REACH)
         if reach > 0.0:
             near, face, _nodes, _leaves = query(accelerator, column, reach, scratch)
-            distance = in_units(rays, column, near)
+            distance = user_distance(rays, column, near)
             if wp.static(any_hit) and face >= 0:
                 share = 0.0
             else:
-                share = share_through(rays.glass, ray_in(column), wp.min(reach, near), scratch)
+                share = path_transmittance(rays.glass, ray_in(column), wp.min(reach, near), scratch)
         elif not (reach <= 0.0):
             distance = wp.float32(wp.NAN)
             share = wp.float32(wp.NAN)
@@ -176,11 +191,12 @@ def hit_through_glass(any_hit: bool) -> wp.Function:
 
 @once
 def ray_kernel(prepare: wp.Function, answer: wp.Function, size: int = CHUNK_FLOATS) -> wp.Kernel:
-    """A kernel over tasks of consecutive rays, in the placement's order; size: floats of a chunk.
+    """Build a kernel over tasks of consecutive rays, in the order of the placement.
 
     Args:
-        prepare: of a `Tracer`.
-        answer: (rays, accelerator, column, ray, scratch), as `hit_of` makes it: writes what a ray finds.
+        prepare: `prepare` of a `Tracer`.
+        answer: function (rays, accelerator, column, ray, scratch) that writes the result of a ray; see `build_hit_writer`.
+        size: number of float32 in a chunk.
     """
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
@@ -197,7 +213,7 @@ def ray_kernel(prepare: wp.Function, answer: wp.Function, size: int = CHUNK_FLOA
             if j == wp.int64(0):
                 point = point_of(rays.placement, row)
                 o = local_origin(rays.placement, point)
-            _read(rays, point, o, point * rays.count + j, floats.ptr + wp.uint64(4 * k))
+            _load_ray(rays, point, o, point * rays.count + j, floats.ptr + wp.uint64(4 * k))
             j += wp.int64(1)
             if j == rays.count:
                 j = wp.int64(0)
@@ -218,22 +234,23 @@ def ray_kernel(prepare: wp.Function, answer: wp.Function, size: int = CHUNK_FLOA
 
 
 def trace_rays(scene: Scene, rays: RaysArgs, *, tracer: Tracer, any_hit: bool, device: wp.Device, workers: int) -> None:
-    """Traces rays, placed in a scene and without order, in the order that suits it; counts visits if they say where.
+    """Trace rays placed in a scene and write their hits, after setting the order of the points.
 
-    With a place for what is transmitted, which only the wide tree tells, the hits are those of opaque faces.
+    It counts visits if `rays.visits` is set. If `rays.transmitted` is set, which only the wide tree supports, hits are those
+    of opaque faces.
     """
-    order = order_of(scene, rays.placement, rays.count, workers) if at_home(device) else None
+    order = visiting_order(scene, rays.placement, rays.count, workers) if at_home(device) else None
     rays.placement.order = 0 if order is None else order.ctypes.data
     if rays.transmitted:
-        kernel = ray_kernel(prepare_wide, hit_through_glass(any_hit))
+        kernel = ray_kernel(prepare_wide, build_glass_hit_writer(any_hit))
         rays.glass = scene.glass(workers)
     else:
-        kernel = ray_kernel(tracer.prepare, hit_of(tracer.face_query(any_hit)), tracer.floats)
+        kernel = ray_kernel(tracer.prepare, build_hit_writer(tracer.face_query(any_hit)), tracer.floats)
     launch_rays(kernel, tracer.accelerator(scene, device, workers), rays, device, workers)
 
 
 def launch_rays(kernel: wp.Kernel, accelerator: AcceleratorArgs, rays: RaysArgs, device: wp.Device, workers: int) -> None:
-    """Runs rays through a kernel of `ray_kernel`."""
+    """Launch a kernel built by `ray_kernel` on all rays."""
     total = rays.placement.points * rays.count
     rays.per_task = CHUNK if at_home(device) else 1  # on CUDA neighbouring threads then trace neighbouring rays
     run(kernel, -(-total // rays.per_task), [rays, accelerator], device, workers=workers, work=RAY_WORK * total)

@@ -1,4 +1,4 @@
-"""A mesh in the coordinates of its tracers, with their search structures, kept while the mesh lives."""
+"""Meshes in the coordinates of the tracers, with their search structures, kept while the mesh lives."""
 
 import warnings
 from copy import copy
@@ -19,43 +19,43 @@ from warpsample.tracing.wide.boxes import WideTree, fill
 from warpsample.tracing.wide.build import Topology, build, build_some
 
 ALL, OPAQUE, GLASS = "all", "opaque", "glass"
-"""Which faces are in a tree: all; those that stop all light; those that let some, but not all, through."""
+"""Sets of faces for a tree: all faces; opaque faces (transmittance 0); translucent faces (transmittance between 0 and 1)."""
 
 _NOTHING, _PART = 0, 1
-"""Of the light that falls on a face, what it lets through, among the numbers of `_kinds`."""
+"""Classes of faces in `_classify_faces`: opaque (transmittance 0), and translucent (between 0 and 1)."""
 
 SMALLEST = 1e-30
-"""Half size of a mesh that is traced: distances, which are float32, keep their digits."""
+"""Smallest half size of a mesh, in the user's units, for which float32 distances keep their digits."""
 
-_LEAST_EXTENT = 2.0**-16  # points of a plane across an axis are moved off it all the same
-_FAR = 16.0  # times as far as four fifths of the vertices: a part of its own, that the coordinates are not centred about
-_BLOCK = 1 << 18  # vertices that are placed together
-_LOOKED_AT = 4096  # vertices or faces that tell how a mesh is spread out
-_COARSE = 2.0**-16  # of the scene: edges no longer than that are lost in the offset of a point off its face
+_LEAST_EXTENT = 2.0**-16  # above 0, so that points of a plane normal to an axis are moved off the plane, too
+_FAR = 16.0  # if the mesh is this much larger than the box of four fifths of its vertices, that box is the centre
+_BLOCK = 1 << 18  # vertices per block in `_scaled_vertices`
+_LOOKED_AT = 4096  # number of sampled vertices or faces that represent the spread of a mesh
+_COARSE = 2.0**-16  # relative to the scene: shorter edges are lost in the offset of points off their face
 
 
 class Scene:
-    """A mesh moved to about the origin and scaled to within 1 of it, in float64 and then rounded to float32.
+    """A mesh moved and scaled in float64 to within 1 of the origin, then rounded to float32.
 
     Attributes:
-        centre: (3,) float64, of the mesh's box; where a few faces are far from all others, of the others' box.
-        scale: a power of two, so that scaling a mesh by one changes no digit.
-        extent: (3,), how far the mesh reaches from 0 on each axis, or a little more where that is next to nothing.
-        spread: (3,), the same without such far parts.
-        vertices: (V, 3) float32, (vertices - centre) * scale; 0 where no face uses one.
+        centre: (3,) float64, centre of the mesh's box; if a few faces are distant, centre of the box of most vertices.
+        scale: power of two, so that scaling the user's mesh by a power of two changes no digit.
+        extent: (3,), distance that the mesh reaches from 0 on each axis, at least 2^-16.
+        spread: (3,), the same distance without distant parts.
+        vertices: (V, 3) float32, (vertices - centre) * scale; 0 for unused vertices.
         faces: (F, 3) int32.
-        transmittance: (F,) float32 of the faces; None where all are opaque.
-        has_glass: whether some face lets a part of the light through, and not all.
+        transmittance: (F,) float32, transmittance of each face; None if all faces are opaque.
+        has_glass: whether some face is translucent, with a transmittance between 0 and 1.
 
     Raises:
         ValueError: the mesh is so small that float32 distances lose their digits.
 
     Warns:
-        UserWarning: most of the faces are too small for their distance from the centre.
+        UserWarning: most faces are too small for their distance from the centre.
     """
 
     def __init__(self, mesh: Mesh) -> None:
-        """Moves and scales the vertices; builds no tree yet."""
+        """Move and scale the vertices; no tree is built yet."""
         lower, upper = mesh.bounds
         middle = _main_part(mesh.vertices if mesh.used.all() else mesh.vertices[mesh.used])
         half = 0.5 * upper - 0.5 * lower
@@ -69,16 +69,19 @@ class Scene:
         self.extent: Any = np.maximum(reach * self.scale, _LEAST_EXTENT)
         spread = (near[1] - self.centre) * self.scale
         self.spread: Any = np.maximum(spread, _LEAST_EXTENT) if apart else self.extent
-        self.vertices: np.ndarray = read_only(self._placed(mesh))
+        self.vertices: np.ndarray = read_only(self._scaled_vertices(mesh))
         self.faces: np.ndarray = mesh.faces
-        self._take_light(mesh)
+        self._set_transmittance(mesh)
         self._topologies: dict[str, Topology] = {}
         self._trees: dict[str, WideTree] = {}
         self._builtin: dict[str, wp.Mesh] = {}
         self._warn_if_coarse(float(self.spread.max()))
 
-    def _placed(self, mesh: Mesh) -> np.ndarray:
-        """The vertices in float32, by blocks: what is between is float64."""
+    def _scaled_vertices(self, mesh: Mesh) -> np.ndarray:
+        """Return the vertices in the scene's coordinates, (V, 3) float32.
+
+        They are computed by blocks, since intermediate values are float64.
+        """
         placed = np.empty(mesh.vertices.shape, np.float32)
         for start in range(0, len(placed), _BLOCK):
             rows = slice(start, start + _BLOCK)
@@ -87,18 +90,19 @@ class Scene:
         return placed
 
     def _warn_if_coarse(self, spread: float) -> None:
+        """Warn if the median edge is lost in the offset of points off their faces."""
         some = self.vertices[self.faces[:: -(-len(self.faces) // _LOOKED_AT)]].astype(np.float64)
         edges = np.linalg.norm(some - np.roll(some, 1, axis=1), axis=2).max(axis=1)
         if 0.0 < np.median(edges) < _COARSE * spread:
             size, reach = float(np.median(edges)) / self.scale, spread / self.scale
             warnings.warn(
                 f"mesh: got faces of size {size:.3g} (median) within {reach:.3g} of their centre, where points are moved "
-                f"off their faces by about {reach * 2.0**-19:.2g}; trace parts that are far apart as meshes of their own",
+                f"off their faces by about {reach * 2.0**-19:.2g}; trace parts that are far apart as separate meshes",
                 stacklevel=2,
             )
 
     def tree(self, workers: int, which: str = ALL) -> WideTree:
-        """The 16-wide tree of all faces or of some, built at the first call, by whichever thread makes it."""
+        """Return the 16-wide tree of a set of faces (ALL, OPAQUE or GLASS); the first call builds it, in any thread."""
         if which not in self._trees:
             with making:
                 if which not in self._trees:
@@ -108,47 +112,50 @@ class Scene:
         return self._trees[which]
 
     def blockers(self, workers: int) -> WideTree:
-        """The tree of the faces that stop all light."""
+        """Return the tree of the opaque faces."""
         return self.tree(workers, ALL if self.transmittance is None else OPAQUE)
 
     def _topology(self, workers: int, which: str) -> Topology:
+        """Build the topology of the tree of a set of faces."""
         if which == ALL or self.transmittance is None:
             return build(self.vertices, self.faces, workers)
-        chosen = np.flatnonzero(_kinds(self.transmittance) == (_NOTHING if which == OPAQUE else _PART))
+        chosen = np.flatnonzero(_classify_faces(self.transmittance) == (_NOTHING if which == OPAQUE else _PART))
         return build_some(self.vertices, self.faces, chosen, workers)
 
     def glass(self, workers: int) -> Any:
-        """The faces of a mesh that transmits which let some light through, as rays ask them; valid while this lives."""
+        """Return the tree of the translucent faces and all transmittances for a kernel; valid while this object lives."""
         tree = self.tree(workers, GLASS).accelerator()
         return GlassArgs(tree=tree, transmittance=self.transmittance.ctypes.data)
 
-    def _take_light(self, mesh: Mesh) -> None:
+    def _set_transmittance(self, mesh: Mesh) -> None:
+        """Copy the transmittances of a mesh to this scene."""
         self.transmittance: np.ndarray | None = mesh.transmittance if mesh.transmits else None
-        self.has_glass: bool = mesh.transmits and bool((_kinds(mesh.transmittance) == _PART).any())
+        self.has_glass: bool = mesh.transmits and bool((_classify_faces(mesh.transmittance) == _PART).any())
 
-    def dimmed(self, mesh: Mesh) -> "Scene":
-        """The scene of a mesh of the same shape that lets other shares of light through; takes over the trees that stay."""
+    def with_transmittance(self, mesh: Mesh) -> "Scene":
+        """Return the scene of a mesh of the same shape with other transmittances, sharing the trees that stay the same."""
         scene = copy(self)
-        scene._take_light(mesh)
+        scene._set_transmittance(mesh)
         both = self.transmittance is not None and scene.transmittance is not None
-        stays = both and np.array_equal(_kinds(self.transmittance), _kinds(scene.transmittance))
+        stays = both and np.array_equal(_classify_faces(self.transmittance), _classify_faces(scene.transmittance))
         scene._trees = {which: tree for which, tree in self._trees.items() if stays or which == ALL}
         scene._topologies = {which: tree.topology for which, tree in scene._trees.items()}
         return scene
 
-    def moved(self, mesh: Mesh) -> "Scene":
-        """The scene of a mesh with the same faces; takes over the trees' topologies, if there are any."""
+    def with_vertices(self, mesh: Mesh) -> "Scene":
+        """Return the scene of a mesh with the same faces and moved vertices, which shares the topologies built so far."""
         scene = Scene(mesh)
         scene._topologies = dict(self._topologies)
         return scene
 
     def builtin(self, device: wp.Device) -> Any:
-        """The wp.Mesh on a device, built at the first call."""
+        """Return the wp.Mesh on a device as a kernel argument; the first call builds it."""
         if device.alias not in self._builtin:
             make(partial(self._build_builtin, device))
         return AcceleratorArgs(mesh=self._builtin[device.alias].id, starts=1)
 
     def _build_builtin(self, device: wp.Device) -> None:
+        """Build the wp.Mesh on a device, unless there is one."""
         if device.alias not in self._builtin:
             points = wp.array(self.vertices, dtype=wp.vec3, device=device)
             indices = wp.array(self.faces.ravel(), dtype=wp.int32, device=device)
@@ -159,23 +166,23 @@ _scenes: WeakKeyDictionary[Mesh, Scene] = WeakKeyDictionary()
 
 
 def _main_part(vertices: np.ndarray) -> np.ndarray:
-    """(2, 3): the box of four fifths of the vertices, on each axis by itself; of a sample of them."""
+    """Return the box of four fifths of the vertices on each axis, (2, 3), estimated from a sample of vertices."""
     return np.quantile(vertices[:: -(-len(vertices) // _LOOKED_AT)], [0.1, 0.9], axis=0)
 
 
-def _kinds(transmittance: np.ndarray) -> np.ndarray:
-    """(F,) int8, what each face lets through: nothing, a part, or all."""
+def _classify_faces(transmittance: np.ndarray) -> np.ndarray:
+    """Return the class of each face, (F,) int8: 0 opaque, 1 translucent, 2 fully transparent."""
     return (transmittance > 0.0).astype(np.int8) + (transmittance == 1.0)
 
 
 def check_opaque(mesh: Mesh, what: str) -> None:
-    """Refuses a mesh that light goes through, by a ValueError, for what does not take one."""
+    """Raise ValueError if a mesh has transmittances above 0; `what` names the call in the message."""
     if mesh.transmits:
-        raise ValueError(f"mesh: got one with a transmittance above 0, which {what} does not take; want opaque faces")
+        raise ValueError(f"mesh: got one with a transmittance above 0, which {what} does not support; want opaque faces")
 
 
 def scene_of(mesh: Mesh, *, through: bool = False) -> Scene:
-    """The scene of a mesh; the same one while the mesh lives, whichever threads ask.
+    """Return the scene of a mesh: the same object for all threads while the mesh lives.
 
     Args:
         mesh: any.
@@ -189,12 +196,12 @@ def scene_of(mesh: Mesh, *, through: bool = False) -> Scene:
             scene = _scenes.get(mesh)
             if scene is None:
                 known = None if mesh.like is None else _scenes.get(mesh.like)
-                scene = _scenes[mesh] = Scene(mesh) if known is None else known.dimmed(mesh)
+                scene = _scenes[mesh] = Scene(mesh) if known is None else known.with_transmittance(mesh)
     return scene
 
 
 def coarseness_of(scene: Scene, double: bool) -> float:
-    """Two spacings of the user's numbers at the mesh, in the scene's coordinates."""
+    """Return twice the floating-point spacing (ULP) of the user's coordinates at the mesh, in the scene's coordinates."""
     largest = np.max(np.abs(scene.centre)) + np.max(scene.spread) / scene.scale
     return 2.0 * float(np.spacing((np.float64 if double else np.float32)(largest))) * scene.scale
 
@@ -211,7 +218,7 @@ def refit(mesh: Any, vertices: Any, *, workers: int | None = None) -> Mesh:
         workers: Number of CPU threads, an integer. Default: None, the value of WARPSAMPLE_WORKERS or all cores.
 
     Returns:
-        the moved mesh; the one that was given stays as it is.
+        the mesh with moved vertices; the given mesh does not change.
 
     Raises:
         TypeError, ValueError: vertices that are not V finite points.
@@ -225,11 +232,11 @@ def refit(mesh: Any, vertices: Any, *, workers: int | None = None) -> Mesh:
     mesh, workers = as_mesh(mesh), check_workers(workers)
     vertices = as_real(vertices, "vertices")
     if vertices.shape != mesh.vertices.shape:
-        raise ValueError(f"vertices: got shape {vertices.shape}, want {mesh.vertices.shape}, that of the mesh's own")
+        raise ValueError(f"vertices: got shape {vertices.shape}, want {mesh.vertices.shape} as in the mesh")
     moved = replace(mesh, vertices=vertices)
     before = scene_of(mesh, through=True)
     before.tree(workers)
-    after = before.moved(moved)
+    after = before.with_vertices(moved)
     after.tree(workers)
     with making:
         _scenes[moved] = after

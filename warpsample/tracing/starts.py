@@ -1,10 +1,12 @@
-"""Where the rays of points on a surface start: a little in front of the face that a point lies on, and behind no other.
+"""Starts of the rays of surface points: a little in front of the point's own face, and not behind any other face.
 
-What lies on an edge or a corner sees what points of its own face just beside it see. So of the faces that touch a point,
-those that rise above its own are looked at: the start moves towards the middle of its own face, as little as brings it to
-that side of them. A face that stands across the point's own, as a wall in the middle of a floor, has the point on its front.
-The vertices of a field of heights are raised instead: beside a face as steep as a wall, a move towards the middle of another
-steep face leads down along it, and behind the others.
+A point on an edge or a corner sees the same as points of its own face just beside it. So the faces that touch a point and
+rise above its own face are searched. The start moves towards the centre of its own face, just far enough to be on the same
+side of these faces as the centre. If a face crosses the point's own face, like a wall in the middle of a floor, the start
+moves to the front of that face.
+
+The starts of a height field's vertices are raised vertically instead. Beside a face as steep as a wall, a move towards the
+centre of another steep face would lead down along that face and behind other faces.
 """
 
 import numpy as np
@@ -20,24 +22,26 @@ from warpsample.mesh.surface import SurfacePoints
 from warpsample.tracing.placement import PlacementArgs, in_double, local_origin
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.scene import Scene
-from warpsample.tracing.sight.contacts import FaceContact, look_around, own_face, standing_off, start_above, start_of
+from warpsample.tracing.sight.contacts import FaceContact, find_own_face, look_around, raise_start, start_above, start_of
 from warpsample.tracing.sight.facets import Contacts, ContactsArgs, corners_of, facet_of, with_normal
 from warpsample.tracing.tracers import Tracer
 from warpsample.tracing.wide.layout import SCRATCH
 
 
 def faces_and_normals(mesh: Mesh, points: SurfacePoints, argument: str = "origins") -> tuple[np.ndarray, np.ndarray]:
-    """(P,) int32, a copy of the points' faces; and (P, 3) float32, unit or zero, the normals of these, else the points' own.
+    """Return the faces of points, (P,) int32, and the normals of the faces, (P, 3) float32, unit or zero.
+
+    A point without a face has its own normal in place of the face's. Both arrays are copies.
 
     Raises:
-        ValueError: a face that the mesh has not; names the argument.
+        ValueError: a face number that the mesh does not have; the message names the argument.
     """
     face = np.array(points.face, np.int32, order="C")
     if face.size and not (face.min() >= -1 and face.max() < len(mesh.faces)):
         raise ValueError(
             f"{argument}: got points on faces {face.min()} to {face.max()}, want -1 (none) to {len(mesh.faces) - 1}"
         )
-    on_faces = bool((face >= 0).any())  # else the mesh makes no normals, which it would keep: 36 bytes a face
+    on_faces = bool((face >= 0).any())  # else skip the mesh's normals, which it would cache: 36 bytes a face
     normals = mesh.face_normals[face] if on_faces else np.zeros((len(face), 3), np.float32)
     alone = np.flatnonzero(face < 0)
     if len(alone):
@@ -56,19 +60,21 @@ def set_starts(
     tracer: Tracer,
     workers: int,
 ) -> np.ndarray | None:
-    """Tells a placement of points on faces where rays start; gives the starts (P, sides, 3) float32, for the caller to keep.
+    """Compute the start points of rays, set their address in a placement, and return them, (P, sides, 3) float32.
 
-    A tracer in whose tree other faces cannot be looked for has none: its points are moved off their faces as if the mesh
-    were as large in all directions, since wp.Mesh tells distances to needles that badly.
+    The caller must keep the array. A tracer without tree searches has no starts and returns None. Its points are moved off
+    their faces as if the mesh had the same extent in all directions, since the distances of wp.Mesh to needle-like faces are
+    that inexact.
 
     Args:
-        scene: what the points are on.
-        placement: their positions, and in `normals` the unit normals of their faces, their own where they lie on none.
-        face: (P,) int32, -1 where it is not known: then of those that touch a point the one that faces its normal best.
-        towards: (P, 3) float32, to which side of its face each looks; None for both, that of the normal first.
-        raised: (P,) bool, contiguous, as `SurfacePoints` has it, or None.
-        tracer: of the rays.
-        workers: threads.
+        scene: scene with the points on its surface.
+        placement: positions of the points, and in `normals` the unit normals of their faces, or the points' own normals.
+        face: (P,) int32, face of each point, -1 if unknown. Then the touching face that best matches the normal is used.
+        towards: (P, 3) float32, direction to the side of the face from which rays start; None for both sides, that of the
+            normal first.
+        raised: (P,) bool, contiguous, points whose starts are raised vertically (see `SurfacePoints`); None for none.
+        tracer: tracer of the rays.
+        workers: number of threads.
     """
     if not tracer.skips:
         placement.extent = wp.vec3(1.0, 1.0, 1.0)
@@ -81,7 +87,7 @@ def set_starts(
     contacts.vertices, contacts.triangles = scene.vertices.ctypes.data, scene.faces.ctypes.data
     contacts.spread, contacts.starts, contacts.sides = wp.vec3(*scene.spread), starts.ctypes.data, sides
     contacts.raised = 0 if raised is None else raised.ctypes.data
-    tree = scene.tree(workers).accelerator()  # of all faces: on which a point stands is no matter of light
+    tree = scene.tree(workers).accelerator()  # of all faces, as translucent faces can hold points, too
     run(_start_kernel(), placement.points, [contacts, tree], cpu(), workers=workers, work=16 * placement.points)
     placement.starts = starts.ctypes.data
     return starts
@@ -89,6 +95,7 @@ def set_starts(
 
 @wp.func
 def _is_raised(contacts: Contacts, i: wp.int64) -> wp.bool:
+    """Return whether the start of the i-th point is raised vertically."""
     raised = wp.bool(False)
     if contacts.raised != wp.uint64(0):
         raised = byte_at(contacts.raised, i) != wp.uint8(0)
@@ -97,12 +104,13 @@ def _is_raised(contacts: Contacts, i: wp.int64) -> wp.bool:
 
 @wp.func
 def _set_start(contacts: Contacts, i: wp.int64, side: wp.int32, start: wp.vec3):
+    """Write the start of the i-th point on one of its sides."""
     set_vec3(contacts.starts, i * wp.int64(contacts.sides) + wp.int64(side), start)
 
 
 @once
 def _start_kernel() -> wp.Kernel:
-    """A kernel with a task for each point."""
+    """Build a kernel with one task per point that computes the starts of the point's rays."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def find_starts(contacts: Contacts, tree: Accelerator, first_task: wp.int64):
@@ -125,17 +133,17 @@ def _start_kernel() -> wp.Kernel:
             return
         known = contact.own >= 0
         if known:
-            # The normal is from before the corners were rounded.
+            # This normal was computed before the corners were rounded to float32.
             contact.facet = with_normal(contacts, corners_of(contacts, contact.own), in_double(normal))
-        # First the search for its own face, if that is not known; then a start for each side.
+        # Step 0 searches for the point's own face, if it is unknown; each further step finds the start on one side.
         for step in range(wp.where(known, 1, 0), contacts.sides + 1):
             if step > 0 and contact.own >= 0:
-                contact = standing_off(contacts, contact, look, known)
+                contact = raise_start(contacts, contact, look, known)
             if wp.dot(look, look) > ZERO and (step == 0 or contact.own >= 0) and not contact.alone:
                 contact.alone = wp.bool(step > 0)
                 contact = look_around(contacts, tree, contact, look, step == 0, words.ptr)
             if step == 0:
-                contact.own = own_face(contact)
+                contact.own = find_own_face(contact)
                 if contact.own >= 0:
                     contact.facet = facet_of(contacts, contact.own)
             else:

@@ -1,4 +1,4 @@
-"""The call `trace`: it checks, chooses the tracer, and gives back the kind of arrays it was given."""
+"""The public call `trace`: checks arguments, chooses the tracer, and returns the kind of arrays that it received."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -22,21 +22,22 @@ from warpsample.tracing.options import RayOptions
 from warpsample.tracing.rays import RaysArgs, trace_rays
 from warpsample.tracing.scene import scene_of
 
-_BYTES_OF_POINT, _BYTES_OF_RAY = 24 + 12, 24 + 4 + 4  # on a device: origin, face's normal; direction, distance, face
+_BYTES_OF_POINT = 24 + 12  # on a device: origin, face's normal
+_BYTES_OF_RAY = 24 + 4 + 4  # on a device: direction, distance, face
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Hits(Summary):
-    """The hits of rays; NumPy or Warp arrays, as the rays were.
+    """Hits of rays, as NumPy or Warp arrays like the rays.
 
     Attributes:
-        distance: float32, one for each ray, in units of the mesh's coordinates: to the nearest face, or with any_hit to some
-            face; inf where there is none; NaN for an invalid ray (see `invalid`).
-        face: int32, the number of that face, -1 where there is none.
-        tracer: "wide" or "warp".
-        transmitted: float32, the share of light that gets to that face, the first that is opaque: the product of the
-            transmittances of those before it, each crossed once, also at an edge that they share. With any_hit 0 where
-            there is a hit. NaN for an invalid ray. None if all faces of the mesh are opaque.
+        distance: float32, distance of each ray to the nearest face, or with any_hit to some face, in mesh units; inf without
+            a hit, NaN for an invalid ray (see `invalid`).
+        face: int32, number of that face; -1 without a hit.
+        tracer: name of the tracer, "wide" or "warp".
+        transmitted: float32, fraction of light (0 to 1) that reaches that face, the first opaque one: the product of the
+            transmittances of the translucent faces before it. Each face counts once, also at a shared edge. With any_hit it
+            is 0 where there is a hit. NaN for an invalid ray. None if all faces of the mesh are opaque.
     """
 
     distance: Floats
@@ -46,7 +47,7 @@ class Hits(Summary):
 
     @cached_property
     def invalid(self) -> int:
-        """How many rays have a zero direction, or an origin or a direction that is not finite."""
+        """Number of rays with a zero direction, or with an origin or a direction that is not finite."""
         distance = self.distance.numpy() if isinstance(self.distance, wp.array) else self.distance
         return int(np.count_nonzero(np.isnan(distance)))
 
@@ -91,8 +92,8 @@ def trace(
         without the last axis. With a transmittance they are of opaque faces, and there is `transmitted`.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
-        MemoryError: more than is free.
+        TypeError, ValueError: an argument of a wrong type or value; the message names it.
+        MemoryError: the hits do not fit into free memory.
 
     Example:
         >>> mesh = ws.load_mesh("courtyard")
@@ -102,7 +103,7 @@ def trace(
     """
     mesh, any_hit = as_mesh(mesh), check_flag(any_hit, "any_hit")
     given = GivenRays.of(mesh, origins, directions)
-    way, rays = given.way, given.count
+    way, rays = given.directions, given.count
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
     how = {"device": device, "workers": workers, "progress": progress, "given": way.owner, "argument": "directions"}
     options = RayOptions.of(rays, tracer=tracer, **how)
@@ -116,7 +117,7 @@ def trace(
         return hits
     with bar(options.progress, "tracing rays"):
         scene = scene_of(mesh, through=True)
-        asked, memory = given.placed(options, reach, hits), options.memory
+        asked, memory = given.place(options, reach, hits), options.memory
         asked.transmitted = address_of(hits.transmitted) if mesh.transmits else 0
         for part in [asked] if memory.in_place else _parts(memory, asked, given, hits):
             trace_rays(scene, part, tracer=options.tracer, any_hit=any_hit, device=memory.device, workers=options.workers)
@@ -124,23 +125,23 @@ def trace(
 
 
 def _parts(memory: Memory, asked: RaysArgs, given: GivenRays, hits: Hits) -> Iterator[RaysArgs]:
-    """The rays of NumPy's arrays in parts, each on the device until the next is asked for."""
-    normals = None if given.at is None else given.at.side
+    """Yield the rays of NumPy arrays in parts; each part is on the device until the next one is requested."""
+    normals = None if given.points is None else given.points.side
     for points, rays in _blocks(memory, asked.placement.points, asked.count):
         with memory.loan() as loan:
             part = RaysArgs.from_buffer_copy(asked)
             part.placement.points = points.stop - points.start
             part.count = (rays.stop - rays.start) // part.placement.points
-            part.placement.origins = loan.put(given.start.owner.reshape(-1, 3), points)
+            part.placement.origins = loan.put(given.origins.owner.reshape(-1, 3), points)
             part.placement.normals = loan.put(normals, points)
-            part.directions = loan.put(given.way.owner.reshape(-1, 3), rays)
+            part.directions = loan.put(given.directions.owner.reshape(-1, 3), rays)
             part.distance = loan.output(hits.distance.reshape(-1), rays)
             part.face = loan.output(hits.face.reshape(-1), rays)
             yield part
 
 
 def _blocks(memory: Memory, points: int, count: int) -> Iterator[tuple[slice, slice]]:
-    """(points, their rays) that fit into memory: points with all their rays, or some of the rays of one."""
+    """Yield (slice of points, slice of rays) that fit into memory: points with all their rays, or some rays of one point."""
     size = _BYTES_OF_POINT + _BYTES_OF_RAY * count
     if memory.fits(size):
         yield from ((rows, slice(rows.start * count, rows.stop * count)) for rows in memory.parts(points, size))

@@ -1,4 +1,4 @@
-"""The call `trace_all`: every face that a ray crosses."""
+"""The public call `trace_all`: finds every face that a ray crosses."""
 
 from dataclasses import dataclass
 from math import inf
@@ -21,14 +21,14 @@ from warpsample.tracing.scene import scene_of
 
 @dataclass(frozen=True, eq=False, repr=False)
 class AllHits(Summary):
-    """Every hit of R rays, one ray after the other; NumPy or Warp arrays, as the rays were.
+    """Every hit of R rays, one ray after the other, as NumPy or Warp arrays like the rays.
 
     Attributes:
-        first: (R + 1,) int64: the hits of the i-th ray, in C order of the directions, are those from first[i] up to, and
-            without, first[i + 1].
-        distance: float32, one for each hit, in units of the mesh's coordinates, rising along each ray.
-        face: int32, the number of the face; rising where distances of a ray are equal.
-        invalid: how many rays have a zero direction, or an origin or a direction that is not finite; they have no hits.
+        first: (R + 1,) int64, index of each ray's first hit. Ray i, in C order of the directions, has the hits first[i] to
+            first[i + 1] - 1.
+        distance: float32, distance of each hit in mesh units, ascending along each ray.
+        face: int32, face number of each hit; ascending where distances of a ray are equal.
+        invalid: number of rays without hits because of a zero direction, or an origin or a direction that is not finite.
     """
 
     first: Array
@@ -59,8 +59,8 @@ def trace_all(
         the hits of each ray, sorted by distance and face.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
-        MemoryError: more than is free; the hits are counted first.
+        TypeError, ValueError: an argument of a wrong type or value; the message names it.
+        MemoryError: the hits, which are counted first, do not fit into free memory.
 
     Example:
         >>> mesh = ws.load_mesh("courtyard")
@@ -69,11 +69,11 @@ def trace_all(
         [4 0] [14. 26. 44. 56.]
     """
     given = GivenRays.of(as_mesh(mesh), origins, directions)
-    owner, rays = given.way.owner, given.count
-    if not given.way.device.is_cpu:
-        where = given.way.device
+    owner, rays = given.directions.owner, given.count
+    if not given.directions.device.is_cpu:
+        where = given.directions.device
         raise ValueError(
-            f"directions: got an array on {where}, want one in the CPU's memory: no other tracer finds all hits"
+            f"directions: got an array on {where}, want one in the CPU's memory: only the CPU's tracer finds all hits"
         )
     reach = inf if max_distance is None else check_number(max_distance, "max_distance", 0.0, inf)
     options = RayOptions.of(rays, tracer="wide", workers=workers)
@@ -86,12 +86,12 @@ def trace_all(
 
 
 def _hits(given: GivenRays, options: RayOptions, reach: float) -> AllHits:
-    """Every hit of the rays, in NumPy's arrays."""
+    """Return every hit of the rays as NumPy arrays."""
     if given.count == 0:
         return AllHits(np.zeros(1, np.int64), np.zeros(0, np.float32), np.zeros(0, np.int32), 0)
     rays, workers = given.count, options.workers
     accelerator = scene_of(given.mesh, through=True).tree(workers).accelerator()
-    asked = given.placed(options, reach)
+    asked = given.place(options, reach)
     counts, first = np.empty(rays, np.int32), np.zeros(rays + 1, np.int64)
     asked.face = counts.ctypes.data
     launch_rays(counting_kernel(), accelerator, asked, cpu(), workers)

@@ -1,4 +1,4 @@
-"""Which tracer answers for rays, and all that depends on it; `trace`, the estimates and the benchmarks ask once."""
+"""Choice between the tracers, the 16-wide tree and wp.Mesh, and the functions that each tracer provides."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,16 +18,18 @@ from warpsample.tracing.wide.query import wide_query
 
 @dataclass(frozen=True)
 class Tracer:
-    """A way to trace rays.
+    """Method to trace rays: query functions, and functions that prepare the data for the queries.
 
     Attributes:
-        name: what users call it by.
-        prepare: (chunk, rays): adds to the first rays of a chunk what a query needs.
-        face_query: any_hit -> (Accelerator, ray, reach, scratch) -> (distance, face, nodes, leaves) of one ray.
-        distance_query: the same, from several nodes; with any_hit it tells only whether something is met.
-        floats: of a chunk of rays with what is added to them.
-        accelerator: (scene, device, workers) -> what the queries search, of the opaque faces, built at the first call.
-        skips: whether its tree can be searched for what the rays of a point need not look at, and starts can be found in it.
+        name: name in the public argument `tracer`.
+        prepare: function (chunk, rays) that computes the derived rows of the first rays of a chunk.
+        floats: number of float32 in a chunk, with the derived rows.
+        face_query: function any_hit -> query (Accelerator, ray, reach, scratch) -> (distance, face, nodes, leaves).
+        distance_query: function any_hit -> query like that of `face_query`, from several start nodes. With any_hit, only
+            whether its distance is finite is defined.
+        accelerator: function (scene, device, workers) -> addresses that queries read, of the opaque faces. The first call
+            builds the tree.
+        skips: whether the tree supports searches other than rays, which find starts of rays and directions to skip.
     """
 
     name: str
@@ -48,31 +50,31 @@ WIDE = Tracer(
     lambda scene, _device, workers: scene.blockers(workers).accelerator(),
     skips=True,
 )
-"""The 16-wide tree, on the CPU."""
+"""Tracer by the 16-wide tree, on the CPU."""
 
 BUILTIN = Tracer(
     "warp",
     prepare_builtin,
     PREPARED,
-    lambda _any_hit: builtin_query,  # the built-in any-hit query tells no face
+    lambda _any_hit: builtin_query,  # the built-in any-hit query returns no face
     lambda any_hit: builtin_any_query if any_hit else builtin_query,
     lambda scene, device, _workers: scene.builtin(device),
     skips=False,
 )
-"""wp.Mesh, on any device."""
+"""Tracer by wp.Mesh, on any device."""
 
 TRACERS = {tracer.name: tracer for tracer in (WIDE, BUILTIN)}
 
 
 def tracer_of(name: Any, device: wp.Device) -> Tracer:
-    """The tracer to use on a device: by "auto" the wide tree on the CPU.
+    """Return the tracer of a name for a device; "auto" is the wide tree on the CPU and wp.Mesh on CUDA.
 
     Raises:
-        TypeError, ValueError: not a tracer, or not one for that device.
+        TypeError, ValueError: not the name of a tracer, or one that does not support the device.
     """
     check_choice(name, "tracer", ("auto", *TRACERS))
     if name == "wide" and not at_home(device):
-        raise ValueError(f"tracer: got 'wide' for rays on {device}, want 'warp' or 'auto': the wide tree is for the CPU")
+        raise ValueError(f"tracer: got 'wide' for rays on {device}, want 'warp' or 'auto': the wide tree needs the CPU")
     if name == "auto":
         return WIDE if at_home(device) else BUILTIN
     return TRACERS[name]

@@ -1,4 +1,4 @@
-"""The call `tree`: a mesh as an argument of a kernel of one's own."""
+"""The public call `tree`: a mesh as an argument of a user-defined kernel."""
 
 from typing import Any
 
@@ -26,7 +26,8 @@ def tree(mesh: Any, *, device: Any = None, workers: int | None = None) -> Any:
         a `funcs.Tree`.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; names it. A mesh that light goes through, for another device.
+        TypeError, ValueError: an argument of a wrong type or value; the message names it. A mesh with translucent faces, for
+            a device other than the CPU.
 
     Example:
         >>> tree = ws.tree(ws.load_mesh("courtyard"))
@@ -50,9 +51,10 @@ def tree(mesh: Any, *, device: Any = None, workers: int | None = None) -> Any:
         glass = scene.tree(workers, GLASS)
         made.glass_nodes, made.glass_leaves = _on_cpu(glass.nodes), _on_cpu(glass.leaves)
         made.transmittance = wp.array(scene.transmittance, dtype=wp.float32, device="cpu")
-    made.nodes.scene = scene  # which owns the memory: copies of a struct share its arrays, and nothing else
+    made.nodes.scene = scene  # owner of the memory: copies of a struct share only its arrays
     return made
 
 
 def _on_cpu(array: np.ndarray) -> wp.array:
+    """Return a view of an array as a flat float32 Warp array."""
     return wp.array(array.ravel(), dtype=wp.float32, device="cpu", copy=False)

@@ -1,4 +1,4 @@
-"""Points or directions as a caller gives them: float32 or float64, in the CPU's memory or on a CUDA device."""
+"""Points or directions of a caller: float32 or float64, in the CPU's memory or on a CUDA device."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -14,7 +14,14 @@ _DOUBLE = {np.float32: False, np.float64: True, wp.vec3: False, wp.vec3d: True, 
 
 @dataclass(frozen=True, eq=False)
 class Triples:
-    """An array of points or directions, as it is given: float32 or float64."""
+    """Array of points or directions of a caller.
+
+    Attributes:
+        owner: the array, contiguous.
+        shape: shape without the last axis of 3.
+        double: whether the numbers are float64.
+        device: device of the array.
+    """
 
     owner: Array
     shape: tuple[int, ...]
@@ -23,10 +30,10 @@ class Triples:
 
     @classmethod
     def of(cls, value: Any, argument: str, shape: str = "(..., 3)") -> "Triples":
-        """`value`, copied only where it is not contiguous.
+        """Check an array of triples and wrap it; it is copied only where it is not contiguous.
 
         Raises:
-            TypeError, ValueError: not triples of floating-point numbers; names the argument.
+            TypeError, ValueError: not triples of floating-point numbers; the message names the argument.
         """
         value = from_cuda(value, argument)
         if isinstance(value, wp.array):
@@ -37,7 +44,7 @@ class Triples:
                     "want vec3, vec3d, or float32 or float64 with a last axis of 3"
                 )
             if not value.is_contiguous:
-                raise ValueError(f"{argument}: got a wp.array that is not contiguous, want a contiguous one")
+                raise ValueError(f"{argument}: got a wp.array that is not contiguous, want a contiguous array")
             return cls(value, value.shape if vectors else value.shape[:-1], _DOUBLE[value.dtype], value.device)
         array = as_ndarray(value, argument)
         if array.dtype not in (np.float32, np.float64):
@@ -47,7 +54,7 @@ class Triples:
         return cls(np.ascontiguousarray(array), array.shape[:-1], _DOUBLE[array.dtype.type], cpu())
 
     def empty(self, dtype: Any) -> Array:
-        """Uninitialised numbers, one for each vector, of the same kind and in the same place."""
+        """Return an uninitialised array of one number per triple, of the same kind of array and on the same device."""
         if isinstance(self.owner, wp.array):
             return wp.empty(self.shape, dtype=wp.dtype_from_numpy(dtype), device=self.device)
         return np.empty(self.shape, dtype)

@@ -13,8 +13,8 @@ from warpsample.bench.scenes import build_rays
 from warpsample.host.arrays import cpu
 from warpsample.mesh.mesh import Mesh
 from warpsample.tracing.given_rays import rays_of
-from warpsample.tracing.placement import placed
-from warpsample.tracing.rays import hit_of, launch_rays, ray_kernel, trace_rays
+from warpsample.tracing.placement import make_placement
+from warpsample.tracing.rays import build_hit_writer, launch_rays, ray_kernel, trace_rays
 from warpsample.tracing.scene import Scene, scene_of
 from warpsample.tracing.trace import Hits, trace
 from warpsample.tracing.tracers import BUILTIN, WIDE
@@ -41,7 +41,7 @@ def count_visits(mesh: Mesh, kind: str, count: int, any_hit: bool) -> tuple[floa
     start, way = (Triples.of(array, "rays") for array in build_rays(mesh, kind, count))
     # A name keeps the arrays alive while `query` holds their addresses.
     hits = Hits(way.empty(np.float32), way.empty(np.int32), "wide")
-    query = rays_of(placed(scene, start, np.inf), way, hits)
+    query = rays_of(make_placement(scene, start, np.inf), way, hits)
     counts = np.zeros((*way.shape, 2), np.int32)
     query.visits = counts.ctypes.data
     trace_rays(scene, query, tracer=WIDE, any_hit=any_hit, device=way.device, workers=1)
@@ -61,11 +61,11 @@ def _warp_mesh(mesh: Mesh, kind: str, count: int) -> RayTool:
             return lambda: trace(mesh, *rays, tracer="warp", workers=workers).face.ravel() >= 0
         start, way = (Triples.of(array, "rays") for array in rays)
         accelerator = scene.builtin(way.device)
-        kernel = ray_kernel(BUILTIN.prepare, hit_of(BUILTIN.distance_query(True)))
+        kernel = ray_kernel(BUILTIN.prepare, build_hit_writer(BUILTIN.distance_query(True)))
 
         def work() -> np.ndarray:
             hits = Hits(way.empty(np.float32), way.empty(np.int32), "warp")
-            launch_rays(kernel, accelerator, rays_of(placed(scene, start, np.inf), way, hits), way.device, workers)
+            launch_rays(kernel, accelerator, rays_of(make_placement(scene, start, np.inf), way, hits), way.device, workers)
             return hits.face.ravel() >= 0
 
         return work

@@ -12,8 +12,8 @@ from warpsample.tracing.placement import Placement, id_of
 from warpsample.tracing.queries import CHUNK, CHUNK_FLOATS, Accelerator, set_direction
 from warpsample.tracing.sight.frontier import open_around
 from warpsample.tracing.sight.packets import NO_RAYS, first_rays, ray_set
-from warpsample.tracing.sight.point import ShadingPoint, point_in, standing, turned, workspace_floats
-from warpsample.tracing.sight.rays import prepare_rays, rays_blocked, rays_from_afar, whole_vectors
+from warpsample.tracing.sight.point import ShadingPoint, orient_point, place_point, point_in, workspace_floats
+from warpsample.tracing.sight.rays import move_rays_near, prepare_rays, rays_blocked, whole_vectors
 
 _LOW, _HIGH, _SINE, _ANYWHERE, _EAST, _NORTH = (wp.constant(wp.int32(row * CHUNK)) for row in range(6))
 _OWN = 6 * CHUNK
@@ -231,7 +231,7 @@ def _look_around(
     for ray in range(rows.per_azimuth):
         _aim(rows, point, whole_vectors(length), ray == rows.per_azimuth - 1, tilted)
         if anything:
-            rays_from_afar(point, length)
+            move_rays_near(point, length)
             _prepare(tree, point, local, length)
             blocked = _blocked(tree, point, local, first_rays(length), length)
         if ray < rows.per_azimuth - 1:
@@ -273,8 +273,8 @@ def horizon_kernel() -> wp.Kernel:
     def see_sky(rows: HorizonRows, tree: Accelerator, first_task: wp.int64):
         memory = wp.zeros(shape=(_FLOATS,), dtype=wp.float32)
         visit = first_task + wp.int64(wp.tid())
-        point = turned(point_in(memory.ptr, _OWN, CHUNK_FLOATS), rows.placement, rows.normals, wp.uint64(0), visit)
-        point = standing(point, rows.placement, 1)
+        point = orient_point(point_in(memory.ptr, _OWN, CHUNK_FLOATS), rows.placement, rows.normals, wp.uint64(0), visit)
+        point = place_point(point, rows.placement, 1)
         point.key = point_key(rows.seed, id_of(rows.placement, wp.uint64(0), point.index))
         sums = _Sums()
         variance = ZERO

@@ -1,7 +1,7 @@
 """Second implementations, the twins: every map, density and frame in float64 NumPy, written differently from the kernels.
 
-Where a record states a limit (a clamped edge, a blurred horizon), its twin does the same. Parameters are first rounded to
-float32, as the kernels take them. The twins of the sequences, in exact integers, are in `sequences`.
+Where a record states a limit (a clamped edge, a blurred horizon), its twin has the same limit. Parameters are first rounded
+to float32, as in the kernels. The module `sequences` has the twins of the sequences, in exact integers.
 """
 
 import numpy as np
@@ -17,7 +17,11 @@ _TWINS = {**shapes.TWINS, **microfacets.TWINS}
 
 
 def check_twin(distribution: Distribution) -> Twin:
-    """The functions (directions, density) of a distribution; a NotImplementedError says where to put them."""
+    """Return the twin of a distribution: its functions (directions, density).
+
+    Raises:
+        NotImplementedError: the distribution has no twin; the message explains how to add it.
+    """
     found = _TWINS.get(distribution.name)
     if found is None and distribution.name in user_distributions:
         found = user_distributions[distribution.name].twin
@@ -31,15 +35,15 @@ def check_twin(distribution: Distribution) -> Twin:
 
 
 def directions(distribution: Distribution, u: np.ndarray) -> np.ndarray:
-    """The exact value of `distribution.sample(u)`: (..., width) float64 for float64 u."""
+    """Return the exact value of `distribution.sample(u)`: (..., width) float64 for float64 u."""
     return check_twin(distribution)[0](distribution, u)
 
 
 def density(distribution: Distribution, w: np.ndarray) -> np.ndarray:
-    """The exact value of `distribution.pdf(w)` for w in the support: float64 for float64 w of about unit length."""
+    """Return the exact value of `distribution.pdf(w)`: float64, for float64 w in the support and of about unit length."""
     return check_twin(distribution)[1](distribution, w)
 
 
 def names() -> set[str]:
-    """The distributions of the package that have a twin."""
+    """Return the names of the package's distributions that have a twin."""
     return set(_TWINS)

@@ -1,4 +1,4 @@
-"""Shared by the twins, in float64: angles, unit vectors, frames about normals, and parameters as the kernels take them."""
+"""Functions shared by the float64 twins: angles, unit vectors, frames about normals, and parameters rounded to float32."""
 
 from collections.abc import Callable
 from typing import Any
@@ -7,22 +7,22 @@ import numpy as np
 
 TAU = 2.0 * np.pi
 BLUR = 2.0**-21
-"""The relative width in which the kernels clamp an edge or blur a horizon."""
+"""Relative width in which the kernels clamp an edge or blur a horizon."""
 
 
 def spherical(theta: np.ndarray, turns: np.ndarray) -> np.ndarray:
-    """Unit vectors from the angle to +z in radians and the azimuth in turns."""
+    """Return unit vectors from the angle to +z in radians and the azimuth in turns."""
     sine, azimuth = np.sin(theta), TAU * turns
     return np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), np.cos(theta)], axis=-1)
 
 
 def polar_angle(w: np.ndarray) -> np.ndarray:
-    """The angle to +z in radians."""
+    """Return the angle to +z in radians."""
     return np.arctan2(np.sqrt(w[..., 0] ** 2 + w[..., 1] ** 2), w[..., 2])
 
 
 def frames(n: np.ndarray) -> np.ndarray:
-    """(N, 3, 3) float64, columns tangent, bitangent, n: Duff2017."""
+    """Return the frames about unit normals, (N, 3, 3) float64 with columns tangent, bitangent, normal (Duff2017)."""
     x, y, z = n.T
     sign = np.copysign(1.0, z)
     a = -1.0 / (sign + z)
@@ -38,15 +38,15 @@ def frames(n: np.ndarray) -> np.ndarray:
 
 
 def parameter(distribution: Any, name: str) -> float:
-    """A scalar of a distribution, rounded to float32 as the kernels take it."""
+    """Return a scalar of a distribution rounded to float32, as the kernels use it."""
     return float(np.float32(getattr(distribution, name)))
 
 
 def by_theta(theta: Callable[[Any, np.ndarray], np.ndarray]) -> Callable[[Any, np.ndarray], np.ndarray]:
-    """A map with azimuth 2 pi u[1] and the angle theta(distribution, u[0])."""
+    """Build a map with azimuth 2 pi u[1] from a function (distribution, u[0]) that returns the angle to +z in radians."""
     return lambda d, u: spherical(theta(d, u[..., 0]), u[..., 1])
 
 
 def constant(value: float) -> Callable[[Any, np.ndarray], np.ndarray]:
-    """A density that is the same everywhere."""
+    """Build a density with the same value in all directions."""
     return lambda d, w: np.full(w.shape[:-1], value)

@@ -1,4 +1,4 @@
-"""Second implementations of the sequences, in exact integers and fractions, and the digests that their streams must keep."""
+"""Second implementations of the sequences in exact integers and fractions, and recorded digests of their streams."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -12,23 +12,23 @@ Key = tuple[int, int, int, int]
 
 
 def expected(name: str, *, seed: int, point: int, sample: int, count: int, stream: int | None = None) -> tuple[int, int]:
-    """Both coordinates of a sequence's point, or of one of its streams' points, in cells of 2^-24."""
+    """Return both coordinates of a sample of a point, or of one of the point's streams, in cells of 2^-24."""
     twin, own_key, _ = _TWINS[name]
     return twin(own_key(seed, point) if stream is None else _stream_key(seed, point, stream), sample, count)
 
 
 def frozen_digest(name: str) -> str:
-    """The value that `streams.digest` must have for a sequence."""
+    """Return the recorded value of `streams.digest` for a sequence."""
     return _TWINS[name][2]
 
 
 def names() -> set[str]:
-    """The sequences that have a twin."""
+    """Return the names of the sequences that have a twin."""
     return set(_TWINS)
 
 
 def pcg4d(x: int, y: int, z: int, w: int) -> Key:
-    """The hash of Jarzynski2020, listing 13."""
+    """Return the hash of four words by Jarzynski2020, listing 13."""
     v = [(a * 1664525 + 1013904223) & _MASK for a in (x, y, z, w)]
     for turn in range(2):
         for k, (i, j) in enumerate([(1, 3), (2, 0), (0, 1), (1, 2)]):
@@ -39,7 +39,7 @@ def pcg4d(x: int, y: int, z: int, w: int) -> Key:
 
 
 def philox4x32_10(counter: Sequence[int], key: Sequence[int]) -> list[int]:
-    """The counter-based generator of Salmon2011, table 2 and section 4.3."""
+    """Return four words of the counter-based generator of Salmon2011, table 2 and section 4.3."""
     x, key = list(counter), list(key)
     for _ in range(10):
         high_0, low_0 = divmod(0xD2511F53 * x[0], 2**32)
@@ -49,76 +49,87 @@ def philox4x32_10(counter: Sequence[int], key: Sequence[int]) -> list[int]:
     return x
 
 
-def _finalised(word: int) -> int:
-    """The finaliser of Appleby2016, fmix32."""
+def _finalize(word: int) -> int:
+    """Return a word after the finaliser fmix32 of Appleby2016."""
     for shift, factor in ((16, 0x85EBCA6B), (13, 0xC2B2AE35), (16, 1)):
         word = (word ^ (word >> shift)) * factor & _MASK
     return word
 
 
-def _swapped(word: int) -> int:
-    """A word whose halves have changed places."""
+def _swap_halves(word: int) -> int:
+    """Return a word with its two 16-bit halves exchanged."""
     return (word & 0xFFFF) << 16 | word >> 16
 
 
-def _keyed(run: Sequence[int], low: int) -> Key:
+def _combine(run: Sequence[int], low: int) -> Key:
+    """Combine the words of a run with the low word of a point id, or with a stream number, to four words."""
     x, y, z, w = run
-    x = _finalised(low ^ x)
-    return x, (y + _swapped(x)) & _MASK, (z + x) & _MASK, w
+    x = _finalize(low ^ x)
+    return x, (y + _swap_halves(x)) & _MASK, (z + x) & _MASK, w
 
 
-def _premixed(seed: int, point: int) -> Key:
-    return _keyed(philox4x32_10([point >> 32, 0, 0, 2], [seed & _MASK, seed >> 32]), point & _MASK)
+def _premixed_words(seed: int, point: int) -> Key:
+    """Return the four words of a run and a point before hashing."""
+    return _combine(philox4x32_10([point >> 32, 0, 0, 2], [seed & _MASK, seed >> 32]), point & _MASK)
 
 
-def _as_it_is(seed: int, point: int) -> Key:
+def _raw_words(seed: int, point: int) -> Key:
+    """Return the words of point id and seed unchanged."""
     return point & _MASK, point >> 32, seed & _MASK, seed >> 32
 
 
 def _key(seed: int, point: int) -> Key:
-    return pcg4d(*_premixed(seed, point))
+    """Return the four words of the key of a point, from seed and point id."""
+    return pcg4d(*_premixed_words(seed, point))
 
 
 def _stream_key(seed: int, point: int, stream: int) -> Key:
-    return pcg4d(*_keyed(_key(seed, point), stream))
+    """Return the four words of the key of a stream of a point."""
+    return pcg4d(*_combine(_key(seed, point), stream))
 
 
 def _half(words: Sequence[int], sample: int) -> tuple[int, int]:
-    """Two samples share four words."""
+    """Return the two variates of a sample from four words, which two samples share."""
     first = 2 * (sample & 1)
     return words[first] >> 8, words[first + 1] >> 8
 
 
 def _independent(key: Key, sample: int, count: int) -> tuple[int, int]:
+    """Return the variates of the sequence "independent", in cells of 2^-24."""
     half = sample >> 1
     half = (half ^ half >> 16) * 0x85EBCA6B & _MASK
     half ^= half >> 13
-    return _half(pcg4d(key[1] ^ half, key[0], key[2], (key[3] + _swapped(half)) & _MASK), sample)
+    return _half(pcg4d(key[1] ^ half, key[0], key[2], (key[3] + _swap_halves(half)) & _MASK), sample)
 
 
 def _philox(key: Key, sample: int, count: int) -> tuple[int, int]:
+    """Return the variates of the sequence "philox", in cells of 2^-24."""
     return _half(philox4x32_10([sample >> 1, key[0], key[1], 0], key[2:]), sample)
 
 
 def _rotation(sample: int, step: int, key: int) -> int:
+    """Return a sample of a rank-1 rotation sequence, shifted by a key, in cells of 2^-24."""
     return (((sample * step % 2**64) >> 32) + key & _MASK) >> 8
 
 
 def _r2(key: Key, sample: int, count: int) -> tuple[int, int]:
+    """Return the variates of the sequence "r2", in cells of 2^-24."""
     return _rotation(sample, 0xC13FA9A902A6328F, key[0]), _rotation(sample, 0x91E10DA5C79E7B1D, key[1])
 
 
 def _fibonacci(key: Key, sample: int, count: int) -> tuple[int, int]:
+    """Return the variates of the sequence "fibonacci", in cells of 2^-24."""
     along = (sample + Fraction(key[0], 2**32)) / count * _CELLS
     return min(int(along), _CELLS - 1), _rotation(sample, 0x9E3779B97F4A7C15, key[1])
 
 
-def _reversed(x: int) -> int:
+def _reverse_bits(x: int) -> int:
+    """Return a 32-bit word with its bits in reverse order."""
     return int(f"{x:032b}"[::-1], 2)
 
 
 def _owen(x: int, key: int) -> int:
-    """The hash of Vegdahl2021 on a bit-reversed word."""
+    """Return the hash of Vegdahl2021 of a bit-reversed word."""
     x ^= x * 0x3D20ADEA & _MASK
     x = (x + key) * ((key >> 16) | 1) & _MASK
     x ^= x * 0x05526C56 & _MASK
@@ -126,16 +137,20 @@ def _owen(x: int, key: int) -> int:
 
 
 def _sobol(key: Key, sample: int, count: int) -> tuple[int, int]:
-    """By direction numbers: in the second dimension each is v ^ (v >> 1) of the one before, from 1/2 on."""
-    index = _reversed(_owen(_reversed(sample), key[0]))
+    """Return the variates of the sequence "sobol", in cells of 2^-24, by direction numbers.
+
+    In the second dimension each direction number is v ^ (v >> 1) of the previous one, starting from 1/2.
+    """
+    index = _reverse_bits(_owen(_reverse_bits(sample), key[0]))
     second, direction = 0, 1 << 31
     for bit in range(32):
         second ^= direction if index >> bit & 1 else 0
         direction ^= direction >> 1
-    return _reversed(_owen(index, key[1])) >> 8, _reversed(_owen(_reversed(second), key[2])) >> 8
+    return _reverse_bits(_owen(index, key[1])) >> 8, _reverse_bits(_owen(_reverse_bits(second), key[2])) >> 8
 
 
 def _stratified(key: Key, sample: int, count: int) -> tuple[int, int]:
+    """Return the variates of the sequence "stratified", in cells of 2^-24."""
     rows = isqrt(count)
     short, long_rows = divmod(count, rows)
     in_long = long_rows * (short + 1)
@@ -146,12 +161,12 @@ def _stratified(key: Key, sample: int, count: int) -> tuple[int, int]:
     return min(int(u[0] * _CELLS), _CELLS - 1), min(int(u[1] * _CELLS), _CELLS - 1)
 
 
-# A change of a stream changes every result that users have stored: it must be intended.
+# A changed stream changes every result that users have stored, so a change must be intentional.
 _TWINS = {
     "fibonacci": (_fibonacci, _key, "9b6a304645396704"),
-    "independent": (_independent, _premixed, "3f50d8566dcc3184"),
-    "philox": (_philox, _as_it_is, "d0a7cbe4f6926d5d"),
+    "independent": (_independent, _premixed_words, "3f50d8566dcc3184"),
+    "philox": (_philox, _raw_words, "d0a7cbe4f6926d5d"),
     "r2": (_r2, _key, "1ef78d50553aa7c2"),
     "sobol": (_sobol, _key, "2c778d1aeb322b6f"),
-    "stratified": (_stratified, _premixed, "a0bc03828ed04ed8"),
+    "stratified": (_stratified, _premixed_words, "a0bc03828ed04ed8"),
 }

@@ -1,4 +1,4 @@
-"""Twins of the uniform, cosine and offset distributions, and of the lobes that depend on the angle alone."""
+"""Twins of the uniform, cosine and offset distributions, and of the lobes that depend on the angle to the normal alone."""
 
 from typing import Any
 
@@ -8,6 +8,7 @@ from warpsample.proof.twins.angles import BLUR, TAU, by_theta, constant, paramet
 
 
 def _cosine(d: Any, u: np.ndarray) -> np.ndarray:
+    """Return cosine-distributed directions of the hemisphere at u, by the distribution's method."""
     if d.method == "concentric":
         r, turns = _triangles(u)
         return spherical(np.arctan2(r, np.sqrt((1.0 - r) * (1.0 + r))), turns)
@@ -15,7 +16,7 @@ def _cosine(d: Any, u: np.ndarray) -> np.ndarray:
 
 
 def _triangles(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Radius and turns by Shirley1997, from the four triangles of the square, cells centred as in the kernel."""
+    """Return (radius, turns) of the concentric map by the square's four triangles, with u at cell centres (Shirley1997)."""
     a = 2.0 * u[..., 0] - 1.0 + 2.0**-24
     b = 2.0 * u[..., 1] - 1.0 + 2.0**-24
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -27,31 +28,36 @@ def _triangles(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _disk(d: Any, u: np.ndarray) -> np.ndarray:
+    """Return uniformly distributed points of the unit disk at u, by the distribution's method."""
     r, turns = _triangles(u) if d.method == "concentric" else (np.sqrt(u[..., 0]), u[..., 1])
     return r[..., None] * np.stack([np.cos(TAU * turns), np.sin(TAU * turns)], axis=-1)
 
 
 def _cone(d: Any, u: np.ndarray) -> np.ndarray:
+    """Return the angle to +z, in radians, of directions uniform in a cone at u."""
     return 2.0 * np.arcsin(np.sqrt(0.5 * u * parameter(d, "one_minus_cos")))
 
 
 def _offset_circle(d: Any, u: np.ndarray) -> np.ndarray:
+    """Return directions of the offset circle at u."""
     theta = (u[..., 0] - 0.5) * np.pi
     return np.stack([np.sin(theta), np.cos(theta)], axis=-1)
 
 
 def _offset_disk(d: Any, u: np.ndarray) -> np.ndarray:
+    """Return directions of the offset disk at u."""
     sine = np.sqrt(u[..., 0]) * np.cos(TAU * u[..., 1])
     return np.stack([sine, np.sqrt((1.0 - sine) * (1.0 + sine))], axis=-1)
 
 
 def _offset_sphere(d: Any, u: np.ndarray) -> np.ndarray:
+    """Return the angle to +z, in radians, of directions of the offset sphere at u."""
     rho, half = parameter(d, "rho"), np.arctan2(np.sqrt(u), np.sqrt(1.0 - u))
     return np.arctan2(rho * np.sin(2.0 * half), (1.0 - rho) + 2.0 * rho * np.cos(half) ** 2)
 
 
 def _offset_sphere_density(d: Any, w: np.ndarray) -> np.ndarray:
-    """The exact density: one formula if the surface point is outside of the sphere, one if it is inside."""
+    """Return the exact density: one formula if the surface point is outside the sphere, one if it is inside."""
     rho, theta = parameter(d, "rho"), polar_angle(w)
     if rho < 1.0:
         root = np.sqrt(np.maximum(rho**2 - np.sin(theta) ** 2, BLUR * rho**2))
@@ -61,20 +67,24 @@ def _offset_sphere_density(d: Any, w: np.ndarray) -> np.ndarray:
 
 
 def _power(d: Any, u: np.ndarray) -> np.ndarray:
+    """Return the angle to +z, in radians, of directions of the power-cosine lobe at u."""
     return 2.0 * np.arcsin(np.sqrt(-0.5 * np.expm1(np.log1p(-u) / (parameter(d, "exponent") + 1.0))))
 
 
 def _power_density(d: Any, w: np.ndarray) -> np.ndarray:
+    """Return the density of the power-cosine lobe, per steradian."""
     n = parameter(d, "exponent")
     return (n + 1.0) / TAU * np.exp(n * np.log1p(-2.0 * np.sin(0.5 * polar_angle(w)) ** 2))
 
 
 def _von_mises_fisher(d: Any, u: np.ndarray) -> np.ndarray:
+    """Return the angle to +z, in radians, of directions of the von Mises-Fisher lobe at u."""
     kappa = parameter(d, "kappa")
     return 2.0 * np.arcsin(np.sqrt(np.minimum(-np.log1p(u * np.expm1(-2.0 * kappa)) / (2.0 * kappa), 1.0)))
 
 
 def _von_mises_fisher_density(d: Any, w: np.ndarray) -> np.ndarray:
+    """Return the density of the von Mises-Fisher lobe, per steradian."""
     kappa = parameter(d, "kappa")
     return kappa / (TAU * -np.expm1(-2.0 * kappa)) * np.exp(-2.0 * kappa * np.sin(0.5 * polar_angle(w)) ** 2)
 
@@ -96,4 +106,4 @@ TWINS: dict[str, tuple[Any, Any]] = {
     "uniform_sphere": (by_theta(lambda d, u: 2.0 * np.arctan2(np.sqrt(u), np.sqrt(1.0 - u))), constant(0.5 / TAU)),
     "von_mises_fisher": (by_theta(_von_mises_fisher), _von_mises_fisher_density),
 }
-"""(map, density) by the name of the distribution."""
+"""Functions (map, density) of each twin, keyed by the distribution's name."""

@@ -23,7 +23,7 @@ from warpsample.tracing.placement import in_double
 from warpsample.tracing.queries import CHUNK, CHUNK_FLOATS, Accelerator, set_direction, set_origin, start_all
 from warpsample.tracing.sight.frontier import open_around
 from warpsample.tracing.sight.point import ShadingPoint, point_in, workspace_floats
-from warpsample.tracing.sight.rays import first_hit, prepare_rays, through_glass_to, whole_vectors
+from warpsample.tracing.sight.rays import first_hit, glass_transmittance_to, prepare_rays, whole_vectors
 
 _THREE = wp.constant(wp.float64(3.0))
 _REACH = wp.constant(wp.float32(2.0**60))  # of the scene's size
@@ -86,7 +86,7 @@ def _caster(glass: bool) -> wp.Function:
                 at = place + wp.int64(first + k)
                 set_int(rays.codes, at, _code(rays, face, queries.direction_of(point.chunk, k)))
                 if wp.static(glass):
-                    set_float(rays.weights, at, through_glass_to(rays.glass, point, k, distance))
+                    set_float(rays.weights, at, glass_transmittance_to(rays.glass, point, k, distance))
 
     return cast
 

@@ -6,7 +6,7 @@ from warpsample.host.locks import once
 from warpsample.maths.memory import int_at, set_byte
 from warpsample.radiation.exchange.face_rays import FaceRays, face_at, horizon_margin, lowest_start
 from warpsample.tracing.queries import Accelerator
-from warpsample.tracing.sight.frontier import stands_above
+from warpsample.tracing.sight.frontier import has_triangle_above
 from warpsample.tracing.sight.point import point_in, workspace_floats
 
 _FLOATS = workspace_floats(0, 0)
@@ -22,6 +22,6 @@ def open_kernel() -> wp.Kernel:
         row = first_task + wp.int64(wp.tid())
         f = face_at(rays, int_at(rays.rows, row))
         limit = wp.float32(lowest_start(f)) - horizon_margin(rays, f.n)
-        set_byte(opens, row, wp.where(stands_above(tree, f.n, limit, point_in(memory.ptr, 0, 0).scratch), 0, 1))
+        set_byte(opens, row, wp.where(has_triangle_above(tree, f.n, limit, point_in(memory.ptr, 0, 0).scratch), 0, 1))
 
     return find_open

@@ -12,7 +12,7 @@ from warpsample.sequences.hashing import point_key
 from warpsample.tracing.placement import id_of, in_double
 from warpsample.tracing.queries import CHUNK_FLOATS, Accelerator
 from warpsample.tracing.sight.frontier import open_around
-from warpsample.tracing.sight.point import ShadingPoint, point_in, standing, turned, workspace_floats
+from warpsample.tracing.sight.point import ShadingPoint, orient_point, place_point, point_in, workspace_floats
 from warpsample.tracing.sight.shafts import VECTORS_BYTES
 
 CONCENTRATION = 4.0
@@ -125,8 +125,8 @@ def sky_kernel(glass: bool = False) -> wp.Kernel:
     def fill_rows(sky: SkyRows, tree: Accelerator, first_task: wp.int64):
         memory = wp.zeros(shape=(_FLOATS,), dtype=wp.float32)
         task = first_task + wp.int64(wp.tid())
-        point = turned(point_in(memory.ptr, WEIGHTS, CHUNK_FLOATS), sky.placement, sky.normals, sky.active, task)
-        point = standing(point, sky.placement, 1)
+        point = orient_point(point_in(memory.ptr, WEIGHTS, CHUNK_FLOATS), sky.placement, sky.normals, sky.active, task)
+        point = place_point(point, sky.placement, 1)
         point.key = point_key(sky.seed, id_of(sky.placement, sky.first_point, point.index))
         tally = wp.vec4i(0)
         if point.status == 0:

@@ -13,7 +13,7 @@ from warpsample.tracing.placement import Placement
 from warpsample.tracing.queries import CHUNK, Accelerator, Glass, set_direction
 from warpsample.tracing.sight.packets import NO_RAYS, ray_set, set_size
 from warpsample.tracing.sight.point import ShadingPoint
-from warpsample.tracing.sight.rays import prepare_rays, rays_blocked, rays_from_afar, through_glass, whole_vectors
+from warpsample.tracing.sight.rays import glass_transmittance, move_rays_near, prepare_rays, rays_blocked, whole_vectors
 
 WEIGHTS = 2 * CHUNK
 """Floats for the weights of a chunk's rays; a chunk more than there are, as all loops run over whole vectors."""
@@ -129,7 +129,7 @@ def _to_highest(sky: SkyRows, tree: Accelerator, point: ShadingPoint, local: wp.
     w = highest(n, patch)
     d = w[0] * frame[0] + w[1] * frame[1] + w[2] * frame[2]
     set_direction(point.chunk, 0, wp.vec3(d))
-    rays_from_afar(point, 1)
+    move_rays_near(point, 1)
     _prepare(tree, point, local, 1)
 
 
@@ -161,7 +161,7 @@ def patch_sum(glass: bool) -> wp.Function:
         for at in range(0, 2 * per_replicate, CHUNK):
             length = wp.min(CHUNK, 2 * per_replicate - at)
             _spread(sky, point, slope, k, per_replicate, at, whole_vectors(length))
-            rays_from_afar(point, length)
+            move_rays_near(point, length)
             _prepare(tree, point, local, length)
             rays = _weighing_anything(point, length)
             blocked = _blocked(tree, point, local, rays, length)
@@ -171,7 +171,7 @@ def patch_sum(glass: bool) -> wp.Function:
                     weight = wp.float64(float_at(point.own, i))
                     seen = wp.where((blocked & ray_set(i)) != NO_RAYS, ZERO, weight)
                     if wp.static(glass) and seen > ZERO:
-                        seen *= wp.float64(through_glass(sky.glass, point, i))
+                        seen *= wp.float64(glass_transmittance(sky.glass, point, i))
                     in_first = at + i < per_replicate
                     free += seen
                     all += weight
@@ -184,7 +184,7 @@ def patch_sum(glass: bool) -> wp.Function:
             _to_highest(sky, tree, point, local, n, patch)
             share = wp.where(_blocked(tree, point, local, ray_set(0), 1) != NO_RAYS, ZERO, ONE)
             if wp.static(glass) and share > ZERO:
-                share = wp.float64(through_glass(sky.glass, point, 0))
+                share = wp.float64(glass_transmittance(sky.glass, point, 0))
         else:
             share = free / all
             # The replicates' deviations from the share add up to 0: one is half of their difference.

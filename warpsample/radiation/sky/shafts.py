@@ -6,7 +6,7 @@ import warp as wp
 from warpsample.host.locks import once
 from warpsample.radiation.sky.patches import SkyPatches
 from warpsample.tracing.queries import Accelerator, Glass
-from warpsample.tracing.sight.cover import covering
+from warpsample.tracing.sight.cover import covering_triangles
 from warpsample.tracing.sight.point import ShadingPoint
 from warpsample.tracing.sight.search import EMPTY, OCCUPIED, search_shaft
 from warpsample.tracing.sight.shafts import aim_at, shaft_vectors
@@ -71,10 +71,10 @@ def looker(glass: bool) -> wp.Function:
         found = search_shaft(tree, point, local)
         known = wp.where(found.state == EMPTY, OPEN, UNKNOWN)
         if found.state == OCCUPIED:
-            if (covering(found.leaf, point.shaft, point.o, _INSIDE) & found.triangles) != 0:
+            if (covering_triangles(found.leaf, point.shaft, point.o, _INSIDE) & found.triangles) != 0:
                 known = CLOSED
                 filled = found.leaf
-            elif filled != wp.uint64(0) and covering(filled, point.shaft, point.o, _INSIDE) != 0:
+            elif filled != wp.uint64(0) and covering_triangles(filled, point.shaft, point.o, _INSIDE) != 0:
                 known = CLOSED
         if wp.static(glass) and known == OPEN:
             known = wp.where(search_shaft(among.tree, point, 0).state == EMPTY, OPEN, UNKNOWN)

@@ -21,8 +21,8 @@ from warpsample.radiation.sun.view import CAST, OWN_FLOATS, PROVEN, Suns, View, 
 from warpsample.sequences.hashing import point_key
 from warpsample.tracing.placement import id_of
 from warpsample.tracing.queries import CHUNK_FLOATS, Accelerator, direction_of
-from warpsample.tracing.sight.point import point_in, standing, turned, workspace_floats
-from warpsample.tracing.sight.rays import through_glass
+from warpsample.tracing.sight.point import orient_point, place_point, point_in, workspace_floats
+from warpsample.tracing.sight.rays import glass_transmittance
 
 _FLOATS = workspace_floats(OWN_FLOATS)
 _TALLIES = 3
@@ -67,7 +67,7 @@ def _left_of(glass: bool) -> wp.Function:
         """The share that the k-th prepared ray gets through the faces that let some through, if there are any."""
         share = wp.float32(1.0)
         if wp.static(glass):
-            share = through_glass(suns.glass, view.point, k)
+            share = glass_transmittance(suns.glass, view.point, k)
         return share
 
     return left
@@ -201,8 +201,8 @@ def sun_kernel(disc: bool, glass: bool = False) -> wp.Kernel:
     def each_point(suns: Suns, accelerator: Accelerator, first_task: wp.int64):
         memory = wp.zeros(shape=(_FLOATS,), dtype=wp.float32)
         task = first_task + wp.int64(wp.tid())
-        point = turned(point_in(memory.ptr, OWN_FLOATS, CHUNK_FLOATS), suns.placement, suns.normals, suns.active, task)
-        point = standing(point, suns.placement, 2)
+        point = orient_point(point_in(memory.ptr, OWN_FLOATS, CHUNK_FLOATS), suns.placement, suns.normals, suns.active, task)
+        point = place_point(point, suns.placement, 2)
         if wp.static(disc):
             point.key = point_key(suns.seed, id_of(suns.placement, suns.first_point, point.index))
         view = view_of(point)

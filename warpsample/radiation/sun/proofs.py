@@ -5,9 +5,9 @@ import warp as wp
 from warpsample.host.locks import once
 from warpsample.maths.numerics import greater
 from warpsample.radiation.sun.view import Suns, View, known_triangles
-from warpsample.tracing.placement import far_off
+from warpsample.tracing.placement import is_far_off
 from warpsample.tracing.queries import Accelerator
-from warpsample.tracing.sight.cover import covering
+from warpsample.tracing.sight.cover import covering_triangles
 from warpsample.tracing.sight.frontier import open_around
 from warpsample.tracing.sight.search import EMPTY, search_shaft
 from warpsample.tracing.sight.shafts import CORNERS, aim_at, corner_of, triangles_in
@@ -27,7 +27,7 @@ COVER_MARGIN: wp.float32 = wp.constant(wp.float32(2.0**-19))
 @wp.func
 def opened(suns: Suns, tree: Accelerator, view: View):
     """(the point, the tree as its rays see it); the tree is opened around the point if anything may be skipped."""
-    view.skips = suns.skip != 0 and not far_off(view.point.position)
+    view.skips = suns.skip != 0 and not is_far_off(view.point.position)
     if view.skips:
         tree, local, _opened = open_around(tree, view.point)
         view.local = local
@@ -50,7 +50,7 @@ def darkened(view: View, vectors: wp.uint64) -> wp.bool:
     if known == 0:
         return False
     return (
-        covering(view.known, vectors, view.point.o, COVER_MARGIN) & known
+        covering_triangles(view.known, vectors, view.point.o, COVER_MARGIN) & known
     ) != 0  # within reach: coordinates are below 1e36
 
 

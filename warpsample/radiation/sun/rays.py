@@ -9,10 +9,10 @@ from warpsample.radiation.sun.suns import GROUP
 from warpsample.radiation.sun.view import CAST, KNOWN, NEXT, REMEMBERED, Suns, View, add, known_triangles, word
 from warpsample.sequences.fibonacci import fibonacci_sample
 from warpsample.sequences.hashing import stream_key
-from warpsample.tracing.placement import far_off, in_double, unit_in_double, vector_in_double
+from warpsample.tracing.placement import in_double, is_far_off, unit_in_double, vector_in_double
 from warpsample.tracing.queries import REACH, Accelerator, column_of, direction_of, set_direction
-from warpsample.tracing.sight.leaves import TRIANGLES, any_in_leaf, keep_triangle
-from warpsample.tracing.sight.point import bring_near
+from warpsample.tracing.sight.leaves import TRIANGLES, any_in_leaf, store_triangle
+from warpsample.tracing.sight.point import move_ray_near
 from warpsample.tracing.sight.rays import first_hit, prepare_rays
 
 DISC_RAYS = 16
@@ -48,9 +48,9 @@ def aim_at_group(suns: Suns, seen: Accelerator, view: View, group: wp.int32):
     k = wp.int32(0)
     while k < GROUP:  # a range of 16 would be unrolled, and take seconds to compile
         set_direction(view.point.chunk, k, sun_of(suns, group, k))
-        if far_off(view.point.position):
+        if is_far_off(view.point.position):
             given = vector_in_double(suns.directions, suns.double_directions, wp.int64(sun_number(suns, group, k)))
-            bring_near(view.point, k, unit_in_double(given, suns.double_directions))
+            move_ray_near(view.point, k, unit_in_double(given, suns.double_directions))
         k += 1
     _prepare(seen, view.point, view.local, GROUP)
 
@@ -66,9 +66,9 @@ def aim_at_disc(suns: Suns, seen: Accelerator, view: View, column: wp.int32, sun
         u = fibonacci_sample(key, wp.uint32(k), wp.uint32(DISC_RAYS))
         set_direction(chunk, k, to_world(frame, square_to_uniform_cone(u, suns.one_minus_cos)))
         k += 1
-    if far_off(view.point.position):
+    if is_far_off(view.point.position):
         for i in range(DISC_RAYS):
-            bring_near(view.point, i, unit_in_double(in_double(direction_of(chunk, i)), 0))
+            move_ray_near(view.point, i, unit_in_double(in_double(direction_of(chunk, i)), 0))
     _prepare(seen, view.point, view.local, DISC_RAYS)
 
 
@@ -79,7 +79,7 @@ def _remember(suns: Suns, view: View, face: wp.int32):
     lane = word(view, NEXT)
     a = vec3_at(suns.vertices, corners[0])
     b = vec3_at(suns.vertices, corners[1])
-    keep_triangle(view.known, lane, a, b, vec3_at(suns.vertices, corners[2]))
+    store_triangle(view.known, lane, a, b, vec3_at(suns.vertices, corners[2]))
     set_int(view.words, NEXT, (lane + 1) % TRIANGLES)
     set_int(view.words, KNOWN, wp.min(word(view, KNOWN) + 1, TRIANGLES))
 

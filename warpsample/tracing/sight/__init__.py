@@ -1,6 +1,6 @@
-"""What a point sees: the one way by which estimates, sky, suns and faces ask the tree.
+"""Visibility from a point: tree searches and rays, shared by estimates, sky, suns and view factors.
 
-A kernel makes a `ShadingPoint` (`point`), opens the tree around it (`frontier`), asks what is in shafts of directions before
-it casts rays (`shafts`, `search`, `cover`), and traces those that are left, a chunk at a time (`rays`), together where any
-hit will do (`packets`).
+A kernel makes a `ShadingPoint` (`point`) and opens the tree around the point (`frontier`). It searches shafts, which are
+pyramids of directions, before it casts rays (`shafts`, `search`, `cover`). It traces the remaining rays one chunk at a time
+(`rays`), as one packet where any hit is enough (`packets`).
 """

@@ -1,30 +1,43 @@
-"""The contact of a point among the faces that touch it, and where its rays start from there (see `starts`)."""
+"""Contact of a point with the faces that touch it, and the resulting starts of the point's rays (see `starts`)."""
 
 import warp as wp
 
 from warpsample.maths.numerics import HALF, ONE, TWO, ZERO
 from warpsample.tracing.placement import OFFSET, origin_offset
 from warpsample.tracing.queries import Accelerator
-from warpsample.tracing.sight.facets import NOWHERE, Contacts, Facet, facet_of, touches, with_normal, within
+from warpsample.tracing.sight.facets import NOWHERE, Contacts, Facet, facet_of, inward_distance, is_touching, with_normal
 from warpsample.tracing.sight.touching import faces_touching
 
 _TWICE = wp.constant(wp.float32(2.0 * OFFSET))
 _THIRD = wp.constant(wp.float64(1.0 / 3.0))
 _RAISED = wp.constant(wp.float64(OFFSET))
 _TENTH = wp.constant(wp.float64(0.1))
-_SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # cosine of two normals that are one, rounded to float32
-_THIN = wp.constant(wp.int32(-2))  # the face of a point that lies on none but those without a normal
+_SAME = wp.constant(wp.float64(1.0 - 2.0**-20))  # least cosine between equal normals that are rounded to float32
+_THIN = wp.constant(wp.int32(-2))  # face number of a point that lies only on faces too thin to have a normal
 
 
 @wp.struct
 class FaceContact:
-    """Where a point sits.
+    """A point, its face, and the state of the search for the start of its rays.
 
-    p: its position. own: its face, below 0 if none is known. facet: that. side: 1 where it looks from the front, else -1.
-    alone: whether no other face is near it. o: an offset above its face. moved: how far from p. inwards: how far the start
-    moves towards the middle of the face, as a share. aside: off faces across it. In search of a face: of those whose normals
-    are along the direction in which the point looks, the one with the greatest cosine; of those against it, likewise; and of
-    all, the sum of cosines times areas.
+    The last five fields are the state of the search for the point's own face, by the cosine of each touching face's normal
+    to the point's direction of view.
+
+    Attributes:
+        p: position of the point.
+        own: number of the point's own face; below 0 if unknown.
+        facet: the point's own face.
+        side: 1 if the point looks from the front of its face, else -1.
+        alone: whether no other face is near the point.
+        o: position moved off the own face.
+        moved: distance between p and o.
+        inwards: move of the start towards the centre of the face, as a fraction of the way.
+        aside: displacement of the start off faces that cross the own face.
+        along: face with the greatest cosine, among cosines of at least 0; -1 if none.
+        best_along: that cosine.
+        against: face with the smallest cosine, among cosines of at most 0; -1 if none.
+        best_against: that cosine, negated.
+        ahead: sum over all touching faces of cosine times twice the area.
     """
 
     p: wp.vec3d
@@ -44,8 +57,11 @@ class FaceContact:
 
 
 @wp.func
-def _settled(contact: FaceContact, other: Facet) -> FaceContact:
-    """The contact, brought to its own side of another facet that touches the point."""
+def _move_off_facet(contact: FaceContact, other: Facet) -> FaceContact:
+    """Return the contact with the start point moved off another facet that touches the point, if needed.
+
+    The start point ends on the same side of that facet as the centre of the point's own face.
+    """
     own = contact.facet
     up = contact.side * own.n
     rises = wp.max(wp.max(wp.dot(up, other.a - own.a), wp.dot(up, other.b - own.a)), wp.dot(up, other.c - own.a))
@@ -53,7 +69,7 @@ def _settled(contact: FaceContact, other: Facet) -> FaceContact:
     b = wp.dot(other.n, own.b - other.a)
     c = wp.dot(other.n, own.c - other.a)
     across = wp.max(wp.max(a, b), c) > other.offset and wp.min(wp.min(a, b), c) < -other.offset
-    across = across and within(own, contact.p) > own.slack  # and not at an edge of its face
+    across = across and inward_distance(own, contact.p) > own.slack  # and the point is not at an edge
     gain = (a + b + c) * _THIRD - wp.dot(other.n, contact.p - other.a)
     side = wp.where(across, contact.side, wp.copysign(ONE, gain))
     height = side * wp.dot(other.n, contact.o - other.a)
@@ -66,8 +82,11 @@ def _settled(contact: FaceContact, other: Facet) -> FaceContact:
 
 
 @wp.func
-def _better(cosine: wp.float64, face: wp.int32, best: wp.float64, known: wp.int32) -> wp.bool:
-    """Whether a face is to be preferred to the one known; of equal ones the first, in whichever order they are looked at."""
+def _is_better(cosine: wp.float64, face: wp.int32, best: wp.float64, known: wp.int32) -> wp.bool:
+    """Return whether a face is a better candidate than the best so far: greater cosine, or equal cosine and lower number.
+
+    The cosine must be at least 0. The result does not depend on the order in which faces are visited.
+    """
     return cosine >= ZERO and (known < 0 or cosine > best or (cosine == best and face < known))
 
 
@@ -75,31 +94,36 @@ def _better(cosine: wp.float64, face: wp.int32, best: wp.float64, known: wp.int3
 def _look_at_other(
     contacts: Contacts, contact: FaceContact, face: wp.int32, look: wp.vec3d, searching: wp.bool
 ) -> FaceContact:
-    """The contact after a look at another face that may touch the point: as its own, or else as one beside it."""
+    """Return the contact updated by a face other than the point's own face, if that face touches the point."""
     facet = facet_of(contacts, face)
     if wp.dot(facet.n, facet.n) == ZERO:
         if contact.own == -1:
             contact.own = _THIN
-    elif touches(facet, contact.p, contact.moved):
+    elif is_touching(facet, contact.p, contact.moved):
         if searching:
             cosine = wp.dot(facet.n, look)
             contact.ahead += cosine * facet.area
-            if _better(cosine, face, contact.best_along, contact.along):
+            if _is_better(cosine, face, contact.best_along, contact.along):
                 contact.best_along = cosine
                 contact.along = face
-            if _better(-cosine, face, contact.best_against, contact.against):
+            if _is_better(-cosine, face, contact.best_against, contact.against):
                 contact.best_against = -cosine
                 contact.against = face
         else:
-            contact = _settled(contact, facet)
+            contact = _move_off_facet(contact, facet)
     return contact
 
 
 @wp.struct
 class Around:
-    """What is asked of the faces around a point: where it is, how near they are, the direction in which it looks.
+    """Query for the faces around a point.
 
-    searching: whether the face that the point is of is searched for, else those beside it are looked at.
+    Attributes:
+        contacts: points and faces of the scene.
+        p: position of the point.
+        r: largest distance of a face.
+        look: direction of view.
+        searching: True to search for the point's own face, False to move the start off neighbouring faces.
     """
 
     contacts: Contacts
@@ -111,7 +135,7 @@ class Around:
 
 @wp.func
 def _look_at(face: wp.int32, around: Around, contact: FaceContact) -> FaceContact:
-    """The contact after a look at a face that may touch the point."""
+    """Return the contact updated by one face that may touch the point; the point's own face is skipped."""
     if face != contact.own:
         contact.alone = wp.bool(False)
         contact = _look_at_other(around.contacts, contact, face, around.look, around.searching)
@@ -125,7 +149,10 @@ _look_around = faces_touching(_look_at, Around, FaceContact)
 def look_around(
     contacts: Contacts, tree: Accelerator, contact: FaceContact, look: wp.vec3d, searching: wp.bool, scratch: wp.uint64
 ) -> FaceContact:
-    """The contact after a look at all faces that touch the point."""
+    """Return the contact (search state of a point) updated by all faces that touch the point.
+
+    `searching` is True to search for the point's own face, False to move the start off neighbouring faces.
+    """
     extent = contacts.placement.extent
     around = Around()
     around.contacts = contacts
@@ -137,10 +164,11 @@ def look_around(
 
 
 @wp.func
-def own_face(contact: FaceContact) -> wp.int32:
-    """The face that a point is of, found by its normal: that of the face, or the sum of several by area, or the opposite.
+def find_own_face(contact: FaceContact) -> wp.int32:
+    """Return the number of the face on which a point lies, found by the point's normal; below 0 if there is none.
 
-    The sum at the tip of a spike is against some of the faces that it is of. Below 0 if there is none.
+    The point's normal may be the normal of the face, the area-weighted sum of several faces' normals, or the opposite of
+    either. At the tip of a spike, such a sum points against the normals of some of the faces.
     """
     along = contact.best_along > _SAME
     against = contact.best_against > _SAME
@@ -152,8 +180,8 @@ def own_face(contact: FaceContact) -> wp.int32:
 
 
 @wp.func
-def standing_off(contacts: Contacts, contact: FaceContact, look: wp.vec3d, known: wp.bool) -> FaceContact:
-    """The contact an offset above its face, to the side to which the point looks."""
+def raise_start(contacts: Contacts, contact: FaceContact, look: wp.vec3d, known: wp.bool) -> FaceContact:
+    """Return the contact with the start point of the rays one offset above the point's own face, on the side of `look`."""
     own = contact.facet
     contact.side = wp.copysign(ONE, wp.dot(own.n, look))
     contact.inwards = ZERO
@@ -162,7 +190,7 @@ def standing_off(contacts: Contacts, contact: FaceContact, look: wp.vec3d, known
     away = wp.clamp(own.offset - height, ZERO, TWO * own.offset)
     way = contact.side * own.n
     steep = wp.dot(way, look)
-    if not known and steep > _TENTH and away > ZERO:  # a vertex: along its normal, above all faces if none is in the way
+    if not known and steep > _TENTH and away > ZERO:  # a vertex moves along its normal, which is above all its faces
         way = look
         away = wp.max(away / steep, with_normal(contacts, own, look).offset)
     contact.o = contact.p + away * way
@@ -172,10 +200,11 @@ def standing_off(contacts: Contacts, contact: FaceContact, look: wp.vec3d, known
 
 @wp.func
 def start_above(contacts: Contacts, p: wp.vec3d, look: wp.vec3d) -> wp.vec3:
-    """Return the start straight above a vertex p of a field of heights, or straight below if `look` points down.
+    """Return the start straight above a vertex p of a height field, or straight below if `look` points down.
 
-    It keeps x and y, which round as those of the vertex in the mesh, and is farther above the vertex than z rounds. So it is
-    above all faces of the vertex, even those as steep as a wall: `plane_distance` decides that in float64.
+    The start keeps x and y, which are rounded like those of the vertex in the mesh. Its height above the vertex exceeds the
+    rounding of z. So it is above all faces of the vertex, even those as steep as a wall: `plane_distance` decides in
+    float64.
     """
     most = wp.max(wp.abs(p[2]), wp.float64(contacts.spread[2]))
     height = wp.float64(contacts.placement.coarseness) + _RAISED * most
@@ -184,7 +213,7 @@ def start_above(contacts: Contacts, p: wp.vec3d, look: wp.vec3d) -> wp.vec3:
 
 @wp.func
 def start_of(contacts: Contacts, contact: FaceContact, look: wp.vec3d) -> wp.vec3:
-    """Where the rays of a contact start: where it is, if it is on no face."""
+    """Return the start point of the rays of a contact; for a point on no face, the point itself."""
     if contact.own == _THIN:
         towards = wp.vec3(look)
         return wp.vec3(contact.p) + origin_offset(contacts.placement, towards) * towards

@@ -1,4 +1,4 @@
-"""Whether one triangle covers a shaft: then all its rays meet something, and none needs to be cast."""
+"""Test whether one triangle covers a shaft: then all rays of the shaft hit something, and none needs to be cast."""
 
 import warp as wp
 
@@ -6,12 +6,15 @@ from warpsample.maths.numerics import lesser
 from warpsample.tracing.sight.shafts import corner_of
 from warpsample.tracing.wide.layout import WIDTH, corner, size_of
 
-_FLAT = wp.constant(wp.float32(2.0**-40))  # times the cubed distance: float64 tells a height by 2^-50 of it
+_FLAT = wp.constant(wp.float32(2.0**-40))  # relative to the cubed distance; float64 resolves a height to 2^-50 of it
 
 
 @wp.func
 def _least(e: wp.vec3, p: wp.vec3, q: wp.vec3, r: wp.vec3, s: wp.vec3, sign: wp.float32) -> wp.float32:
-    """How far the corners are on the inner side of a plane through the point and an edge, at least."""
+    """Return the smallest dot product of the shaft's four corners p, q, r, s with sign * e.
+
+    The vector e is normal to a plane through the point and an edge of the triangle.
+    """
     return lesser(
         lesser(sign * wp.dot(e, p), sign * wp.dot(e, q)),
         lesser(sign * wp.dot(e, r), sign * wp.dot(e, s)),
@@ -19,12 +22,13 @@ def _least(e: wp.vec3, p: wp.vec3, q: wp.vec3, r: wp.vec3, s: wp.vec3, sign: wp.
 
 
 @wp.func
-def covering(leaf: wp.uint64, vectors: wp.uint64, o: wp.vec3, margin: wp.float32) -> wp.int32:
-    """Mask of the triangles of a leaf that each ray of a shaft from o meets, whatever is rounded.
+def covering_triangles(leaf: wp.uint64, vectors: wp.uint64, o: wp.vec3, margin: wp.float32) -> wp.int32:
+    """Return a mask of a leaf's triangles that all rays of a shaft (pyramid of directions) from o hit, despite rounding.
 
-    The corners' directions, and so all between them, are sums of those of the triangle's corners with positive weights.
-    The margin is of an angle, by which the shaft must be within the triangle: at least 2^-20, for a corner's rounding by
-    2^-24 of its distance, and 16 of 2^-24 of products and sums, and what the rays' directions are rounded by.
+    The directions of the corners, and so all directions between them, are sums of the directions of the triangle's corners
+    with positive weights. `margin` is the angle in radians by which the shaft must be inside the triangle. It must be at
+    least 2^-20 plus the rounding error of the rays' directions. The 2^-20 cover the rounding of a corner by 2^-24 of its
+    distance, and of products and sums by 16 times 2^-24.
     """
     p = corner_of(vectors, 0)
     q = corner_of(vectors, 1)

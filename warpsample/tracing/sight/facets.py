@@ -1,4 +1,4 @@
-"""A face in float64, as the starts of rays see it: its corners, its normal, and which points touch it."""
+"""Faces in float64 for the computation of start points: corners, normal, and a test whether a point touches the face."""
 
 import warp as wp
 
@@ -9,18 +9,23 @@ from warpsample.tracing.placement import OFFSET, Placement, in_double
 _OFFSET = wp.constant(wp.float64(OFFSET))
 
 NOWHERE: wp.vec3d = wp.constant(wp.vec3d(0.0, 0.0, 0.0))
+"""Zero vector: the normal of a face that is too thin to have one."""
 
 
 @wp.struct
 class Contacts:
-    """Scalars and addresses of points on the faces of a scene.
+    """Scalars and addresses of points on the faces of a scene, for the computation of ray starts.
 
-    placement: of the points; its `normals` are those of their faces, and their own where they lie on none.
-    towards: (P, 3) float32, directions to the side of the face from which a point looks; 0: both sides, `normals` first.
-    face: (P,) int32, -1 where it is not known.
-    vertices, triangles: (V, 3) float32 and (F, 3) int32 of the scene. spread: its extent without parts that are far apart.
-    raised: (P,) bool, points whose rays start straight above or below them, as `SurfacePoints` has it; 0: none.
-    starts: (P, sides, 3) float32, where rays start; in the scene's coordinates. sides: 1 or 2.
+    Attributes:
+        placement: placement of the points. Its `normals` are those of the points' faces, or the points' own without a face.
+        towards: address of (P, 3) float32, direction to the side from which rays start; 0 for both sides, `normals` first.
+        face: address of (P,) int32, face of each point, -1 if unknown.
+        raised: address of (P,) bool, points whose starts are raised vertically, as in `SurfacePoints`; 0 for none.
+        vertices: address of the scene's (V, 3) float32 vertices.
+        triangles: address of the scene's (F, 3) int32 faces.
+        spread: extent of the scene without distant parts.
+        starts: address of (P, sides, 3) float32 for the starts, in the scene's coordinates.
+        sides: number of starts per point, 1 or 2.
     """
 
     placement: Placement
@@ -39,9 +44,14 @@ ContactsArgs = type(Contacts().__ctype__())
 
 @wp.struct
 class Facet:
-    """A face: its corners, unit normal (0 if it is too thin to have one) and twice its area.
+    """One face of the scene.
 
-    offset: how far points of it are moved off it. slack: how far beside it they may be, since its corners are rounded.
+    Attributes:
+        a, b, c: corners.
+        n: unit normal; zero if the face is too thin to have one.
+        area: twice the area.
+        offset: distance by which points of the face are moved off it.
+        slack: distance outside the edges at which a point still touches the face, since corners are rounded.
     """
 
     a: wp.vec3d
@@ -55,7 +65,10 @@ class Facet:
 
 @wp.func
 def with_normal(contacts: Contacts, facet: Facet, n: wp.vec3d) -> Facet:
-    """A facet with that unit normal, along which points are moved off it by 32 roundings of its corners."""
+    """Return a facet with the unit normal n, and with its offset and slack computed from n.
+
+    The offset and the slack are 32 roundings of the corners plus the coarseness of stored positions.
+    """
     spread = in_double(contacts.spread)
     facet.n = n
     facet.offset = wp.float64(contacts.placement.coarseness)
@@ -69,7 +82,7 @@ def with_normal(contacts: Contacts, facet: Facet, n: wp.vec3d) -> Facet:
 
 @wp.func
 def corners_of(contacts: Contacts, face: wp.int32) -> Facet:
-    """A face without its normal."""
+    """Return a facet with the corners of a face, without a normal."""
     corners = vec3i_at(contacts.triangles, face)
     facet = Facet()
     facet.a = in_double(vec3_at(contacts.vertices, corners[0]))
@@ -80,7 +93,7 @@ def corners_of(contacts: Contacts, face: wp.int32) -> Facet:
 
 @wp.func
 def facet_of(contacts: Contacts, face: wp.int32) -> Facet:
-    """A face with its normal, which is 0 where the face is thinner than its offset."""
+    """Return a facet with corners and normal of a face; the normal is zero where the face is thinner than its offset."""
     facet = corners_of(contacts, face)
     n = wp.cross(facet.b - facet.a, facet.c - facet.a)
     facet.area = wp.length(n)
@@ -94,20 +107,20 @@ def facet_of(contacts: Contacts, face: wp.int32) -> Facet:
 
 @wp.func
 def _inwards(facet: Facet, start: wp.vec3d, end: wp.vec3d, p: wp.vec3d) -> wp.float64:
-    """How far a point of a facet's plane is on the inner side of an edge."""
+    """Return the signed distance of a point in a facet's plane from an edge, positive on the inner side."""
     edge = end - start
     return wp.dot(wp.cross(edge, p - start), facet.n) / wp.length(edge)
 
 
 @wp.func
-def within(facet: Facet, p: wp.vec3d) -> wp.float64:
-    """How far a point of a facet's plane is on the inner side of all its edges."""
+def inward_distance(facet: Facet, p: wp.vec3d) -> wp.float64:
+    """Return the smallest signed distance of a point in a facet's plane from the facet's edges; positive inside."""
     first = wp.min(_inwards(facet, facet.a, facet.b, p), _inwards(facet, facet.b, facet.c, p))
     return wp.min(first, _inwards(facet, facet.c, facet.a, p))
 
 
 @wp.func
-def touches(facet: Facet, p: wp.vec3d, moved: wp.float64) -> wp.bool:
-    """Whether a point is as near to a facet as two offsets, or may be brought as near by a move."""
+def is_touching(facet: Facet, p: wp.vec3d, moved: wp.float64) -> wp.bool:
+    """Return whether a point is within two offsets of a facet, or may come that close by a move of length `moved`."""
     near = wp.abs(wp.dot(facet.n, p - facet.a)) <= TWO * facet.offset + moved
-    return near and within(facet, p) >= -facet.slack - moved
+    return near and inward_distance(facet, p) >= -facet.slack - moved

@@ -1,16 +1,17 @@
-"""The nodes at which the rays of one point start: the tree without what is around the point or below its horizon.
+"""Start nodes for the rays of one point: the tree without the part around the point and the part below the point's horizon.
 
-All rays from a point on a surface would open the same nodes and leaves around it. So these are opened once: their other
-children become nodes of the point's own, which its rays start from, and the few triangles around the point that reach
-above its horizon become its local leaf. What is below the horizon or out of reach is left out. No ray gets another answer.
+All rays from a point on a surface would open the same nodes and leaves around the point. So these are opened once for all
+rays. The other children of the opened nodes become start nodes of the point's rays, the *frontier*. The few triangles around
+the point that reach above its horizon become its *local leaf*. Parts below the horizon or out of reach are left out. No ray
+gets a different answer.
 """
 
 import warp as wp
 
 from warpsample.maths.numerics import fma, greater, lowest_bit
-from warpsample.tracing.placement import far_off
+from warpsample.tracing.placement import is_far_off
 from warpsample.tracing.queries import Accelerator
-from warpsample.tracing.sight.leaves import clear_leaf, copy_triangle, lengthen
+from warpsample.tracing.sight.leaves import clear_leaf, copy_triangle, raise_extent
 from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint
 from warpsample.tracing.wide.boxes import PADDING
 from warpsample.tracing.wide.layout import (
@@ -31,28 +32,31 @@ _PADDING = wp.constant(wp.float32(PADDING))
 _NOWHERE = wp.constant(wp.float32(2.0**60))
 _MOST_ENTRIES = wp.constant(wp.int32(MOST_STARTS * WIDTH))
 _MOST_OPENED = 2 * WIDTH
-_VISITS = wp.constant(wp.int32(256))  # nodes and leaves that are looked into: as long as a few dozen rays take
+_VISITS = wp.constant(wp.int32(256))  # limit on nodes and leaves to look into: the time of a few dozen rays
 _ANYWHERE = wp.constant(wp.float32(wp.INF))
 
 
 @wp.func
-def _beyond(low: wp.float32, high: wp.float32, x: wp.float32) -> wp.float32:
-    """From x to an interval; 0 inside."""
+def _distance_to_interval(low: wp.float32, high: wp.float32, x: wp.float32) -> wp.float32:
+    """Return the distance from x to the interval from low to high; 0 inside."""
     return greater(greater(low - x, x - high), 0.0)
 
 
 @wp.func
 def limit_of_boxes(limit: wp.float32, n: wp.vec3) -> wp.float32:
-    """The limit along a normal for boxes, which are padded, from that for the triangles in them, which are not."""
+    """Return the limit along a normal for padded boxes that is equivalent to a limit for the triangles inside."""
     return limit + _PADDING * (wp.abs(n[0]) + wp.abs(n[1]) + wp.abs(n[2]))
 
 
 @wp.func
-def visible(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: wp.float32):
-    """Masks of the children that reach above the horizon and into reach, and of those whose boxes the origin is in."""
+def visible_children(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: wp.float32):
+    """Return (mask of the children above the horizon and within reach, mask of the children whose boxes contain the origin).
+
+    A child is above the horizon if its box has a point x with x n of at least `limit`.
+    """
     rows = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
     links = wp.array(ptr=node + wp.uint64(4 * LINKS), shape=(WIDTH,), dtype=wp.int32)
-    visible = wp.int32(0)
+    visible_children = wp.int32(0)
     around = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
@@ -60,19 +64,19 @@ def visible(node: wp.uint64, o: wp.vec3, n: wp.vec3, limit: wp.float32, reach: w
         y = wp.where(n[1] > 0.0, rows[4 * WIDTH + k], rows[WIDTH + k])
         z = wp.where(n[2] > 0.0, rows[5 * WIDTH + k], rows[2 * WIDTH + k])
         above = wp.where(fma(x, n[0], fma(y, n[1], z * n[2])) >= limit, 1, 0)
-        dx = _beyond(rows[k], rows[3 * WIDTH + k], o[0])
-        dy = _beyond(rows[WIDTH + k], rows[4 * WIDTH + k], o[1])
-        dz = _beyond(rows[2 * WIDTH + k], rows[5 * WIDTH + k], o[2])
+        dx = _distance_to_interval(rows[k], rows[3 * WIDTH + k], o[0])
+        dy = _distance_to_interval(rows[WIDTH + k], rows[4 * WIDTH + k], o[1])
+        dz = _distance_to_interval(rows[2 * WIDTH + k], rows[5 * WIDTH + k], o[2])
         apart = wp.sqrt(fma(dx, dx, fma(dy, dy, dz * dz)))
-        visible = visible | ((above & wp.where(apart < reach, 1, 0) & wp.where(links[k] != 0, 1, 0)) << k)
+        visible_children = visible_children | ((above & wp.where(apart < reach, 1, 0) & wp.where(links[k] != 0, 1, 0)) << k)
         around = around | (wp.where(apart == 0.0, 1, 0) << k)
         k += 1
-    return visible, around
+    return visible_children, around
 
 
 @wp.func
 def triangles_above(leaf: wp.uint64, n: wp.vec3, limit: wp.float32) -> wp.int32:
-    """Mask of the leaf's triangles that reach above the horizon."""
+    """Return a mask of a leaf's triangles with a corner above the horizon: its dot product with n is at least `limit`."""
     mask = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
@@ -82,8 +86,8 @@ def triangles_above(leaf: wp.uint64, n: wp.vec3, limit: wp.float32) -> wp.int32:
 
 
 @wp.func
-def _take_over(node: wp.uint64, child: wp.int32, nodes: wp.uint64, entry: wp.int32):
-    """Makes a child of a node the entry-th of the point's own nodes."""
+def _copy_child(node: wp.uint64, child: wp.int32, nodes: wp.uint64, entry: wp.int32):
+    """Copy a child of a node to the entry with the given number among the point's start nodes."""
     source = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
     target = wp.array(ptr=nodes + wp.uint64(entry / WIDTH) * wp.uint64(NODE_BYTES), shape=(_NODE_FLOATS,), dtype=wp.float32)
     lane = entry % WIDTH
@@ -96,16 +100,19 @@ def _take_over(node: wp.uint64, child: wp.int32, nodes: wp.uint64, entry: wp.int
 
 
 @wp.func
-def _take_apart(
+def _copy_to_local_leaf(
     leaf: wp.uint64, n: wp.vec3, limit: wp.float32, edge: wp.float32, local: wp.uint64, triangles: wp.int32
 ) -> wp.int32:
-    """How many triangles are in the local leaf with those of a leaf that the point is in; -1 if they do not fit."""
+    """Copy a leaf's triangles above the horizon to the local leaf; return the new number of triangles there.
+
+    If they do not fit, nothing is copied and the result is -1.
+    """
     met = triangles_above(leaf, n, limit)
     count = wp.bit_count(met)
     if triangles + count > WIDTH:
         return -1
     if count > 0:
-        lengthen(local, edge)
+        raise_extent(local, edge)
     for _ in range(count):
         copy_triangle(leaf, lowest_bit(met), local, triangles)
         met = met & (met - 1)
@@ -115,10 +122,11 @@ def _take_apart(
 
 @wp.func
 def _frontier(tree: Accelerator, point: ShadingPoint):
-    """(nodes to start from, triangles in the local leaf): the rays of a point above its horizon meet nothing else.
+    """Return (number of start nodes, number of triangles in the local leaf) for the rays of a point.
 
-    Their cosines to its normal are at least 2^-12, as the cosine lobe's are. With neither, nothing is above. -1 nodes: there
-    was no room for all, and rays are to start from the root.
+    Rays above the point's horizon hit nothing else; their cosines to the normal must be at least 2^-12, as in the cosine
+    lobe. If both numbers are 0, nothing is above the horizon. The first is -1 if there was no room, so that rays start at
+    the root.
     """
     local = point.opened + LOCAL_LEAF
     clear_leaf(local)
@@ -134,7 +142,7 @@ def _frontier(tree: Accelerator, point: ShadingPoint):
         if waits > 0:
             waits -= 1
             node = node_at(tree, waiting[waits])
-            seen, around = visible(node, point.o, n, box_limit, point.reach)
+            seen, around = visible_children(node, point.o, n, box_limit, point.reach)
             for _ in range(wp.bit_count(seen)):
                 child = lowest_bit(seen)
                 seen = seen & (seen - 1)
@@ -143,7 +151,7 @@ def _frontier(tree: Accelerator, point: ShadingPoint):
                 if ((around >> child) & 1) != 0:
                     if link < 0:
                         leaf = leaf_at(tree, ~link)
-                        apart = _take_apart(leaf, n, limit, edge_in(node, child), local, triangles)
+                        apart = _copy_to_local_leaf(leaf, n, limit, edge_in(node, child), local, triangles)
                         triangles = wp.max(triangles, apart)
                     elif waits < WIDTH:
                         waiting[waits] = link
@@ -151,7 +159,7 @@ def _frontier(tree: Accelerator, point: ShadingPoint):
                         apart = 0
                 if apart < 0:
                     if entries < _MOST_ENTRIES:
-                        _take_over(node, child, point.opened, entries)
+                        _copy_child(node, child, point.opened, entries)
                     entries += 1
     starts = (entries + WIDTH - 1) / WIDTH
     if entries > _MOST_ENTRIES or waits > 0:
@@ -161,13 +169,13 @@ def _frontier(tree: Accelerator, point: ShadingPoint):
 
 @wp.func
 def open_around(tree: Accelerator, point: ShadingPoint):
-    """(the tree as the point's rays see it, mask of the triangles in its local leaf, whether it was opened).
+    """Return (tree for the rays of a point, mask of the triangles in its local leaf, whether the tree was opened).
 
-    Not opened, it is the whole tree: where the point is far off, or where there is no room for all that is around it.
+    The whole tree is returned unopened for a distant point, and where there is no room for all parts around the point.
     """
     local = wp.int32(0)
     opened = wp.bool(False)
-    if not far_off(point.position):
+    if not is_far_off(point.position):
         starts, around = _frontier(tree, point)
         opened = starts >= 0
         if opened:
@@ -178,34 +186,37 @@ def open_around(tree: Accelerator, point: ShadingPoint):
 
 
 @wp.struct
-class Above:
-    """A plane, above which x n is at least the limit."""
+class HalfSpace:
+    """Half-space of all points whose dot product with n is at least `limit`."""
 
     n: wp.vec3
     limit: wp.float32
 
 
 @wp.func
-def _enter(node: wp.uint64, plane: Above):
-    """Mask of the children whose boxes reach above the plane."""
-    mask, _around = visible(node, wp.vec3(0.0), plane.n, limit_of_boxes(plane.limit, plane.n), _ANYWHERE)
+def _enter(node: wp.uint64, plane: HalfSpace):
+    """Return a mask of the children whose boxes reach into the half-space."""
+    mask, _around = visible_children(node, wp.vec3(0.0), plane.n, limit_of_boxes(plane.limit, plane.n), _ANYWHERE)
     return mask
 
 
 @wp.func
-def _look(leaf: wp.uint64, plane: Above, found: wp.bool):
-    """(whether a triangle reaches above the plane, whether that is enough)."""
+def _look(leaf: wp.uint64, plane: HalfSpace, found: wp.bool):
+    """Return whether a triangle of a leaf reaches into the half-space, twice: as the answer, and to end the search."""
     found = triangles_above(leaf, plane.n, plane.limit) != 0
     return found, found
 
 
-_walk = tree_walk(_enter, _look, Above, wp.bool)
+_walk = tree_walk(_enter, _look, HalfSpace, wp.bool)
 
 
 @wp.func
-def stands_above(tree: Accelerator, n: wp.vec3, limit: wp.float32, scratch: wp.uint64) -> wp.bool:
-    """Whether a triangle reaches as far along n as the limit, or so many visits do not tell."""
-    plane = Above()
+def has_triangle_above(tree: Accelerator, n: wp.vec3, limit: wp.float32, scratch: wp.uint64) -> wp.bool:
+    """Return whether a triangle of the tree has a corner x whose dot product with n is at least `limit`.
+
+    The result is True, too, if the limit on visits ends the search early.
+    """
+    plane = HalfSpace()
     plane.n = n
     plane.limit = limit
     found, spent = _walk(tree, plane, wp.bool(False), _VISITS, scratch)

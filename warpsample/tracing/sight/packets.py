@@ -1,29 +1,29 @@
-"""The rays of one point all together against the tree: which of them meet anything.
+"""Any-hit queries for all rays of one point together: which of the rays hit anything.
 
-They leave from one origin, so that the planes through the origin and the sides of a triangle serve all of them: a leaf is
-opened once for all rays that meet its box. What float32 does not decide is decided as for single rays: no ray gets another
-answer. A set of rays is a mask of 64 bits, one for each ray of a chunk.
+All rays of a packet leave from one origin. So the planes through the origin and the sides of a triangle are the same for
+all rays, and each leaf is opened once for all rays that hit its box. Where float32 does not decide, the test of single rays
+does: no ray gets a different answer. A set of rays is a mask of 64 bits, one for each ray of a chunk.
 """
 
 import warp as wp
 
 from warpsample.maths.memory import address_at, float_at, set_address
 from warpsample.maths.numerics import high_word, low_word, lowest_bit
-from warpsample.tracing.placement import far_off
+from warpsample.tracing.placement import is_far_off
 from warpsample.tracing.queries import CHUNK, REACH, Accelerator, column_of, direction_of
 from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint
 from warpsample.tracing.sight.sides import open_leaf, rays_passing, triangles_passed
-from warpsample.tracing.wide.candidates import entered, left_at
+from warpsample.tracing.wide.candidates import entry_distance, exit_distance
 from warpsample.tracing.wide.lanes import lanes_with
 from warpsample.tracing.wide.layout import NODE_BYTES, WIDTH, edge_in, leaf_at, link_in, node_at
 from warpsample.tracing.wide.prepare import ray_in
-from warpsample.tracing.wide.query import any_of
-from warpsample.tracing.wide.triangle import between_edges, plane_distance
+from warpsample.tracing.wide.query import any_triangle
+from warpsample.tracing.wide.triangle import is_between_edges, plane_distance
 
 _ROW = wp.constant(wp.uint64(4 * WIDTH))
 _ALL = wp.constant(wp.int32(2**WIDTH - 1))
 _ENTRY = wp.constant(wp.uint64(16))
-"""Bytes of what waits on the stack: the address of a node, and the rays that meet its box."""
+"""Bytes of one stack entry: the address of a node, and the set of rays that hit its box."""
 
 NO_RAYS: wp.uint64 = wp.constant(wp.uint64(0))
 _ONE = wp.constant(wp.uint64(1))
@@ -31,46 +31,46 @@ _ONE = wp.constant(wp.uint64(1))
 
 @wp.func
 def first_rays(length: wp.int32) -> wp.uint64:
-    """The set of the first rays of a chunk."""
+    """Return the set of the first `length` rays of a chunk."""
     return wp.where(length > 0, (~NO_RAYS) >> wp.uint64((CHUNK - length) % CHUNK), NO_RAYS)
 
 
 @wp.func
 def set_size(rays: wp.uint64) -> wp.int32:
-    """How many rays a set has."""
+    """Return the number of rays in a set."""
     return wp.int32(wp.bit_count(rays))
 
 
 @wp.func
 def ray_set(k: wp.int32) -> wp.uint64:
-    """The set of the k-th ray."""
+    """Return the set that holds only the k-th ray."""
     return _ONE << wp.uint64(k)
 
 
 @wp.func
 def lowest_ray(rays: wp.uint64) -> wp.int32:
-    """The first ray of a set that has some."""
+    """Return the index of the first ray in a non-empty set."""
     return wp.int32(wp.bit_count((rays & (~rays + _ONE)) - _ONE))
 
 
 @wp.func
-def _meets(leaf: wp.uint64, triangles: wp.int32, column: wp.uint64, reach: wp.float32) -> wp.bool:
-    """Whether a ray meets one of these triangles, as single rays decide it."""
+def _is_hit(leaf: wp.uint64, triangles: wp.int32, column: wp.uint64, reach: wp.float32) -> wp.bool:
+    """Return whether a ray hits one of a leaf's triangles in a mask, by the test of single rays."""
     met = wp.bool(False)
     ray = ray_in(column)
     while triangles != 0 and not met:
         k = lowest_bit(triangles)
         triangles = triangles & (triangles - 1)
         distance = plane_distance(leaf, k, ray)
-        met = distance > 0.0 and distance < reach and between_edges(leaf, k, ray)
+        met = distance > 0.0 and distance < reach and is_between_edges(leaf, k, ray)
     return met
 
 
 @wp.func
-def _past_triangles(
+def _unblocked_by_triangles(
     leaf: wp.uint64, triangles: wp.int32, point: ShadingPoint, alive: wp.uint64, blocks: wp.int32
 ) -> wp.uint64:
-    """The rays alive that pass these triangles of a leaf; rays in lanes."""
+    """Return the rays of `alive` that miss the triangles of a mask; vector lanes hold rays."""
     open_leaf(leaf, point.o, point.reach, point.sides)
     while triangles != 0:
         t = lowest_bit(triangles)
@@ -84,16 +84,21 @@ def _past_triangles(
                 while maybe != NO_RAYS:
                     k = lowest_ray(maybe)
                     maybe = maybe & (maybe - _ONE)
-                    if _meets(leaf, 1 << t, column_of(point.chunk, k), point.reach):
+                    if _is_hit(leaf, 1 << t, column_of(point.chunk, k), point.reach):
                         alive = alive & (~ray_set(k))
     return alive
 
 
 @wp.func
-def _past_leaf(leaf: wp.uint64, edge: wp.float32, point: ShadingPoint, rays: wp.uint64, alive: wp.uint64) -> wp.uint64:
-    """The rays alive without those of `rays` that a leaf stops; triangles in lanes. To open it does not pay for one ray."""
+def _unblocked_by_leaf(
+    leaf: wp.uint64, edge: wp.float32, point: ShadingPoint, rays: wp.uint64, alive: wp.uint64
+) -> wp.uint64:
+    """Return `alive` without the rays of `rays` that hit a triangle of a leaf; vector lanes hold triangles.
+
+    A single ray is tested without opening the leaf, which would not pay.
+    """
     if (rays & (rays - _ONE)) == NO_RAYS:
-        _reach, triangle = any_of(leaf, _ALL, ray_in(column_of(point.chunk, lowest_ray(rays))), point.reach, edge)
+        _reach, triangle = any_triangle(leaf, _ALL, ray_in(column_of(point.chunk, lowest_ray(rays))), point.reach, edge)
         return wp.where(triangle >= 0, alive & (~rays), alive)
     open_leaf(leaf, point.o, point.reach, point.sides)
     while rays != NO_RAYS:
@@ -102,14 +107,17 @@ def _past_leaf(leaf: wp.uint64, edge: wp.float32, point: ShadingPoint, rays: wp.
         passed = triangles_passed(point.sides, direction_of(point.chunk, k))
         met = wp.where((passed >> WIDTH) & _ALL != 0, 1, 0)
         if met == 0 and passed != 0:
-            met = wp.where(_meets(leaf, passed & _ALL, column_of(point.chunk, k), point.reach), 1, 0)
+            met = wp.where(_is_hit(leaf, passed & _ALL, column_of(point.chunk, k), point.reach), 1, 0)
         alive = alive & (~(wp.uint64(met) << wp.uint64(k)))
     return alive
 
 
 @wp.func
-def _children_met(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.int32:
-    """Mask of the children whose boxes some of these rays meet; in `scratch`, two words for each child: which of them."""
+def _children_hit(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.int32:
+    """Return a mask of a node's children whose boxes some rays of a set hit.
+
+    Two words per child in `scratch` receive the set of rays that hit the child's box.
+    """
     reach = point.reach
     low = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
     high = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
@@ -121,7 +129,7 @@ def _children_met(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.i
         high_bit = wp.int32(high_word(bit))
         k = wp.int32(0)
         while k < WIDTH:
-            meets = wp.where(entered(node, ray, k) <= left_at(node, ray, reach, k), -1, 0)
+            meets = wp.where(entry_distance(node, ray, k) <= exit_distance(node, ray, reach, k), -1, 0)
             low[k] = low[k] | (meets & low_bit)
             high[k] = high[k] | (meets & high_bit)
             k += 1
@@ -137,56 +145,54 @@ def _children_met(node: wp.uint64, point: ShadingPoint, rays: wp.uint64) -> wp.i
 
 
 @wp.func
-def _rays_of(point: ShadingPoint, child: wp.int32) -> wp.uint64:
-    """The rays that were found at a child."""
+def _rays_at_child(point: ShadingPoint, child: wp.int32) -> wp.uint64:
+    """Return the set of rays that hit a child's box, as `_children_hit` stored it."""
     words = wp.array(ptr=point.scratch, shape=(2 * WIDTH,), dtype=wp.uint32)
     return (wp.uint64(words[WIDTH + child]) << wp.uint64(32)) | wp.uint64(words[child])
 
 
 @wp.func
-def _put(top: wp.uint64, node: wp.uint64, rays: wp.uint64) -> wp.uint64:
-    """The new top of the stack, with a node that some rays are to look into."""
+def _push(top: wp.uint64, node: wp.uint64, rays: wp.uint64) -> wp.uint64:
+    """Push a node and the set of rays that hit its box onto the stack; return the new top."""
     set_address(top, 0, node)
     set_address(top, 1, rays)
     return top + _ENTRY
 
 
 @wp.func
-def _past_tree(tree: Accelerator, point: ShadingPoint, alive: wp.uint64) -> wp.uint64:
-    """The rays alive that meet nothing from the nodes on from which they start."""
+def _unblocked_by_tree(tree: Accelerator, point: ShadingPoint, alive: wp.uint64) -> wp.uint64:
+    """Return the rays of `alive` that hit nothing in the tree."""
     top = point.waiting
     for start in range(tree.starts):
-        top = _put(top, tree.start + wp.uint64(start) * wp.uint64(NODE_BYTES), alive)
+        top = _push(top, tree.start + wp.uint64(start) * wp.uint64(NODE_BYTES), alive)
     while top != point.waiting:
         top -= _ENTRY
         node = address_at(top, 0)
-        mask = _children_met(node, point, address_at(top, 1) & alive)
+        mask = _children_hit(node, point, address_at(top, 1) & alive)
         while mask != 0:
             child = lowest_bit(mask)
             mask = mask & (mask - 1)
-            rays = alive & _rays_of(point, child)
+            rays = alive & _rays_at_child(point, child)
             if rays != NO_RAYS:
                 link = link_in(node, child)
                 if link < 0:
-                    alive = _past_leaf(leaf_at(tree, ~link), edge_in(node, child), point, rays, alive)
+                    alive = _unblocked_by_leaf(leaf_at(tree, ~link), edge_in(node, child), point, rays, alive)
                 else:
-                    top = _put(top, node_at(tree, link), rays)
+                    top = _push(top, node_at(tree, link), rays)
     return alive
 
 
 @wp.func
-def blocked_together(
-    tree: Accelerator, point: ShadingPoint, local: wp.int32, rays: wp.uint64, length: wp.int32
-) -> wp.uint64:
-    """Those of a set of the first rays of a prepared chunk that meet something; `local` as for `first_hit`.
+def blocked_rays(tree: Accelerator, point: ShadingPoint, local: wp.int32, rays: wp.uint64, length: wp.int32) -> wp.uint64:
+    """Return the rays of a set that hit anything; the set holds some of the first `length` rays of a prepared chunk.
 
-    Rays of a point that is far off start here and there, with reaches of their own: they are sets of one.
+    `local` is that of `first_hit`. The rays of a distant point have separate origins and reaches, and are traced one by one.
     """
     alive = rays
     if local != 0:
-        alive = _past_triangles(point.opened + LOCAL_LEAF, local, point, alive, (length + WIDTH - 1) / WIDTH)
+        alive = _unblocked_by_triangles(point.opened + LOCAL_LEAF, local, point, alive, (length + WIDTH - 1) / WIDTH)
     left = alive
-    apart = far_off(point.position)
+    apart = is_far_off(point.position)
     while alive != NO_RAYS:
         these = alive
         if apart:
@@ -194,5 +200,5 @@ def blocked_together(
             point.reach = float_at(column_of(point.chunk, lowest_ray(alive)), REACH)
         alive = alive & (~these)
         if point.reach > 0.0:
-            left = left & (~these | _past_tree(tree, point, these))
+            left = left & (~these | _unblocked_by_tree(tree, point, these))
     return rays & (~left)

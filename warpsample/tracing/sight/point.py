@@ -1,4 +1,4 @@
-"""A shading point as its rays see it: where it is, where they start, and the workspace of the kernel that looks from it."""
+"""Shading point: position, start of its rays, and the workspace of the kernel that traces them."""
 
 import warp as wp
 
@@ -7,53 +7,64 @@ from warpsample.maths.memory import byte_at, set_float, vec3_at
 from warpsample.maths.numerics import ZERO, scaled_to_unit
 from warpsample.tracing.placement import (
     Placement,
+    distance_to_scene,
     local_origin,
     origin_offset,
     point_of,
     reach_along,
-    way_to_scene,
 )
 from warpsample.tracing.queries import CHUNK_FLOATS, REACH, column_of, set_origin, start_all
 from warpsample.tracing.sight.leaves import OWN_LEAF_FLOATS
 from warpsample.tracing.wide.layout import MOST_DEPTH, MOST_STARTS, NODE_BYTES, SCRATCH, WIDTH
 
 NONFINITE_POSITION = 4
-"""The status of a point that is nowhere; `directions.samples` has the others that a point may have."""
+"""Status of a point whose position is not finite; `directions.samples` has the other statuses."""
 
 HORIZON_MARGIN: wp.float32 = wp.constant(wp.float32(2.0**-20))
-"""Times `placement.reach_along` the normal: what is lower than this below the origin's horizon plane is below it for sure.
+"""Rounding margin of heights above a point's horizon plane, relative to `placement.reach_along` the normal.
 
-A height's three products and sums, and the coordinates and the normal's components in them, are rounded to 2^-21.4 of that.
-An origin that is moved off the surface by `placement.origin_offset`, of 2^-19, thus has its own face, and all in its plane,
-below itself.
+A geometry lower than this below the origin's horizon plane is certainly below it. The three products and sums of a height,
+and the coordinates and normal components in them, are rounded by 2^-21.4 of the reach. The origin is moved off the surface
+by `placement.origin_offset`, 2^-19 of it. So its own face, and all faces in the same plane, are below the horizon.
 """
 
 SHAFT_FLOATS = 5 * WIDTH
-"""float32 numbers of a shaft: see `shafts`."""
+"""Number of float32 in a shaft; see `shafts`."""
 
 SIDES_FLOATS = 12 * WIDTH
-"""float32 numbers of an opened leaf: see `sides`."""
+"""Number of float32 in an opened leaf; see `sides`."""
 
 LOCAL_LEAF: wp.uint64 = wp.constant(wp.uint64(MOST_STARTS * NODE_BYTES))
-"""Where a point's local leaf is, in bytes from its first node on."""
+"""Byte offset of a point's local leaf from its first start node."""
 
-_ROW = 16  # parts of the workspace start at multiples of as many floats
+_ROW = 16  # parts of the workspace start at multiples of this number of floats
 _OPENED_FLOATS = -(-(MOST_STARTS * NODE_BYTES // 4 + OWN_LEAF_FLOATS) // _ROW) * _ROW
 _PACKET_FLOATS = SIDES_FLOATS + 4 * (MOST_STARTS + (WIDTH - 1) * MOST_DEPTH)
-"""Of an opened leaf, and of nodes that wait: of each, all children may take its place, and one of these is opened next."""
+"""Number of float32 for packets: an opened leaf, and a stack on which up to 16 children replace a node at each level."""
 
 _SCRATCH_FLOATS = -(-SCRATCH // _ROW) * _ROW
 
 
 @wp.struct
 class ShadingPoint:
-    """A point, and the addresses of memory to work in.
+    """Point with the state of its rays, and addresses of the kernel's workspace.
 
-    index: its row in the arrays of the call. status: 0, or why nothing is seen from it. key: of its random numbers.
-    n: its unit normal. position: in the scene's coordinates. o: where its rays start. low: what is lower than this below
-    the horizon of o is below it. reach: of its rays.
-    chunk: of rays. own: what the kernel asked for. shaft: the one that is aimed. opened: the nodes that rays start from, and
-    the local leaf. scratch: nodes that wait. sides, waiting: of packets, an opened leaf, and nodes with rays that wait.
+    Attributes:
+        index: row of the point in the arrays of the call.
+        status: 0, or the reason why nothing is traced from the point.
+        key: key of the point's random numbers.
+        n: unit normal.
+        position: position in the scene's coordinates.
+        o: start of the rays, in the scene's coordinates.
+        low: rounding margin of heights: geometry lower than this below the horizon of o is certainly below it.
+        reach: largest distance of a hit, in the scene's coordinates.
+        chunk: address of the chunk of rays.
+        own: address of the part of the workspace that the kernel asked for.
+        shaft: address of the shaft that is aimed.
+        opened: address of the start nodes of the rays, followed by the local leaf.
+        scratch: address of the stack of nodes.
+        sides: address of the leaf opened for packets.
+        waiting: address of the stack of nodes with sets of rays, for packets.
     """
 
     index: wp.int64
@@ -74,14 +85,24 @@ class ShadingPoint:
 
 
 def workspace_floats(own: int, chunk: int = CHUNK_FLOATS, searches: bool = True, packets: bool = False) -> int:
-    """float32 numbers of the workspace of a kernel: a multiple of 16 of its own, a chunk, what searches and packets need."""
+    """Return the number of float32 in the workspace of a kernel.
+
+    Args:
+        own: number of float32 for the kernel's own use, a multiple of 16.
+        chunk: number of float32 in a chunk.
+        searches: whether to include shafts, start nodes and the stack of searches.
+        packets: whether to include the memory for packets.
+    """
     searching = SHAFT_FLOATS + _OPENED_FLOATS + _SCRATCH_FLOATS if searches else 0
     return chunk + own + searching + (_PACKET_FLOATS if packets else 0)
 
 
 @wp.func
 def point_in(workspace: wp.uint64, own: wp.int32, chunk: wp.int32) -> ShadingPoint:
-    """A point that is nowhere yet, with the addresses of a workspace of `workspace_floats`."""
+    """Return a point with the addresses of the parts of a workspace; index, normal and position are not set yet.
+
+    The workspace has the size that `workspace_floats` returns.
+    """
     point = ShadingPoint()
     point.chunk = workspace
     point.own = point.chunk + wp.uint64(4 * chunk)
@@ -94,12 +115,12 @@ def point_in(workspace: wp.uint64, own: wp.int32, chunk: wp.int32) -> ShadingPoi
 
 
 @wp.func
-def turned(
+def orient_point(
     point: ShadingPoint, placement: Placement, normals: wp.uint64, active: wp.uint64, visit: wp.int64
 ) -> ShadingPoint:
-    """The point in the workspace that is visited so many points after the first, with its normal; it is nowhere yet.
+    """Return the point that is visited as number `visit`, with its index, unit normal and status, but no position.
 
-    normals: address of (P, 3) float32, of any length; active: of (P,) uint8, or 0 where all points count.
+    normals: address of (P, 3) float32, of any length. active: address of (P,) uint8, or 0 if all points are active.
     """
     point.index = point_of(placement, visit)
     normal = vec3_at(normals, point.index)
@@ -114,7 +135,7 @@ def turned(
 
 @wp.func
 def _origin(placement: Placement, point: ShadingPoint, sides: wp.int32) -> wp.vec3:
-    """Where the rays of a point start, to the side of its normal."""
+    """Return the start point of the rays of a point, on the side of its face to which the normal points."""
     if placement.starts != wp.uint64(0) and sides == 1:
         return vec3_at(placement.starts, point.index)
     side = vec3_at(placement.normals, point.index)
@@ -125,8 +146,11 @@ def _origin(placement: Placement, point: ShadingPoint, sides: wp.int32) -> wp.ve
 
 
 @wp.func
-def standing(point: ShadingPoint, placement: Placement, sides: wp.int32) -> ShadingPoint:
-    """A point of `turned` where it is, with the origin of its rays; `sides`, 1 or 2: of the starts in the placement."""
+def place_point(point: ShadingPoint, placement: Placement, sides: wp.int32) -> ShadingPoint:
+    """Return a point of `orient_point` with position, ray origin and status, and fill its chunk with the origin.
+
+    `sides`, 1 or 2, is the number of starts per point in the placement.
+    """
     point.position = local_origin(placement, point.index)
     point.o = _origin(placement, point, sides)
     point.low = HORIZON_MARGIN * reach_along(placement, point.n, point.o)
@@ -138,9 +162,12 @@ def standing(point: ShadingPoint, placement: Placement, sides: wp.int32) -> Shad
 
 
 @wp.func
-def bring_near(point: ShadingPoint, k: wp.int32, d: wp.vec3d):
-    """Lets the k-th ray of a point that is far off, along d, start near the mesh; without reach if it passes the mesh."""
-    ahead = way_to_scene(point.position, d)
+def move_ray_near(point: ShadingPoint, k: wp.int32, d: wp.vec3d):
+    """Move the origin of the k-th ray of a distant point near the mesh, along the unit vector d.
+
+    The reach becomes negative if the ray misses the mesh.
+    """
+    ahead = distance_to_scene(point.position, d)
     set_origin(point.chunk, k, wp.vec3(point.position + ahead * d))
     reach = wp.where(ahead < ZERO, -1.0, wp.float32(wp.float64(point.reach) - ahead))
     set_float(column_of(point.chunk, k), REACH, reach)

@@ -1,41 +1,38 @@
-"""The rays of a point, a chunk at a time: prepared together, then each asked what it meets.
-
-`rays_blocked` asks for all together whether they meet anything.
-"""
+"""Rays of a point, one chunk at a time: prepared together, then traced one by one or, by `rays_blocked`, as a packet."""
 
 import warp as wp
 
 from warpsample.directions.variates import LANES
 from warpsample.host.locks import once
 from warpsample.maths.memory import float_at
-from warpsample.tracing.placement import far_off, in_double
+from warpsample.tracing.placement import in_double, is_far_off
 from warpsample.tracing.queries import REACH, Accelerator, Glass, column_of, direction_of
 from warpsample.tracing.sight.leaves import any_in_leaf, nearest_in_leaf
-from warpsample.tracing.sight.packets import NO_RAYS, blocked_together, ray_set
-from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint, bring_near
+from warpsample.tracing.sight.packets import NO_RAYS, blocked_rays, ray_set
+from warpsample.tracing.sight.point import LOCAL_LEAF, ShadingPoint, move_ray_near
 from warpsample.tracing.wide.layout import face_in
 from warpsample.tracing.wide.prepare import prepare_wide, ray_in
 from warpsample.tracing.wide.query import wide_query
-from warpsample.tracing.wide.through import next_crossing, share_through
+from warpsample.tracing.wide.through import next_crossing, path_transmittance
 
 
 @wp.func
 def whole_vectors(length: wp.int32) -> wp.int32:
-    """How many directions are written for so many rays: whole vectors, as all loops over a chunk run."""
+    """Round a number of rays up to whole vectors: loops over a chunk need all directions of their last vector."""
     return (length + LANES - 1) / LANES * LANES
 
 
 @wp.func
-def rays_from_afar(point: ShadingPoint, length: wp.int32):
-    """Lets the first rays of a chunk start near the mesh, where the point is far off."""
-    if far_off(point.position):
+def move_rays_near(point: ShadingPoint, length: wp.int32):
+    """Move the origins of the first rays of a chunk near the mesh, if the point is far from the mesh."""
+    if is_far_off(point.position):
         for k in range(length):
-            bring_near(point, k, in_double(direction_of(point.chunk, k)))
+            move_ray_near(point, k, in_double(direction_of(point.chunk, k)))
 
 
 @once
 def prepare_rays(prepare: wp.Function = prepare_wide) -> wp.Function:
-    """A function (tree, point, local, rays) that prepares the first rays of a chunk that has directions, for a tracer."""
+    """Build a function (tree, point, local, rays) that prepares the first rays of a chunk with directions for a tracer."""
 
     @wp.func
     def prepare_chunk(tree: Accelerator, point: ShadingPoint, local: wp.int32, length: wp.int32):
@@ -46,10 +43,14 @@ def prepare_rays(prepare: wp.Function = prepare_wide) -> wp.Function:
 
 @once
 def first_hit(any_hit: bool, query: wp.Function | None = None, wide: bool = True) -> wp.Function:
-    """A function (tree, point, local, k) -> (distance, face) of the nearest face that the k-th prepared ray meets.
+    """Build a function (tree, point, local, k) -> (distance, face) of the nearest hit of the k-th ray of a prepared chunk.
 
-    inf and -1 if it meets none or has no reach; with any_hit 0 and some face. By the query of the wide tree, or another;
-    if it is `wide`, the triangles in the mask `local` of the local leaf are tried first.
+    Without a hit or without reach the result is (inf, -1); with any_hit a hit gives (0, some face).
+
+    Args:
+        any_hit: whether any hit is enough.
+        query: query of the tracer, by default that of the wide tree.
+        wide: whether the point has a local leaf. Its triangles in the mask `local` are then tested first.
     """
     query = query or wide_query(any_hit, several=True)
 
@@ -76,7 +77,7 @@ def first_hit(any_hit: bool, query: wp.Function | None = None, wide: bool = True
                             face = face_in(leaf, lane)
             if tree.starts > 0 and (wp.static(not any_hit) or not (distance < wp.INF)):
                 met, other, _nodes, _leaves = query(tree, column, reach, point.scratch)
-                if wp.static(any_hit):  # so that nobody computes how far away it is
+                if wp.static(any_hit):  # not the distance, so that the compiler drops its computation
                     met = wp.where(other >= 0, 0.0, wp.float32(wp.INF))
                 distance = wp.min(distance, met)
                 face = wp.where(other >= 0, other, face)
@@ -86,23 +87,24 @@ def first_hit(any_hit: bool, query: wp.Function | None = None, wide: bool = True
 
 
 @wp.func
-def through_glass_to(glass: Glass, point: ShadingPoint, k: wp.int32, distance: wp.float32) -> wp.float32:
-    """The share of light of the k-th prepared ray that gets, through faces that let some through, as far as a distance."""
+def glass_transmittance_to(glass: Glass, point: ShadingPoint, k: wp.int32, distance: wp.float32) -> wp.float32:
+    """Return the transmittance of the translucent faces along the k-th prepared ray, up to a distance."""
     column = column_of(point.chunk, k)
     reach = wp.min(float_at(column, REACH), distance)
     share = wp.float32(1.0)
     if reach > 0.0:
-        share = share_through(glass, ray_in(column), reach, point.scratch)
+        share = path_transmittance(glass, ray_in(column), reach, point.scratch)
     return share
 
 
 @wp.func
-def next_through_glass(
+def next_glass_crossing(
     glass: Glass, point: ShadingPoint, k: wp.int32, before: wp.float32, after: wp.float32, after_face: wp.int32
 ):
-    """(distance, face) of what the k-th prepared ray crosses first, before a distance and behind another crossing.
+    """Return (distance, face) of the k-th ray's first crossing of a translucent face behind a given crossing.
 
-    Of the faces that let some light through; (inf, -1) if there is none.
+    The result is (inf, -1) without a crossing before the distance `before`. The given crossing is that of `after_face` at
+    distance `after`.
     """
     column = column_of(point.chunk, k)
     reach = wp.min(float_at(column, REACH), before)
@@ -114,19 +116,23 @@ def next_through_glass(
 
 
 @wp.func
-def through_glass(glass: Glass, point: ShadingPoint, k: wp.int32) -> wp.float32:
-    """The share of light that the k-th prepared ray gets through the faces that let some through."""
-    return through_glass_to(glass, point, k, wp.float32(wp.INF))
+def glass_transmittance(glass: Glass, point: ShadingPoint, k: wp.int32) -> wp.float32:
+    """Return the transmittance of the translucent faces along the k-th prepared ray."""
+    return glass_transmittance_to(glass, point, k, wp.float32(wp.INF))
 
 
 @once
 def rays_blocked(query: wp.Function | None = None, wide: bool = True) -> wp.Function:
-    """A function (tree, point, local, rays, length) -> those of a set of prepared rays that meet something, with any hit.
+    """Build a function (tree, point, local, rays, length) -> set of the prepared rays in `rays` that hit anything.
 
-    The set is of the first `length` of a chunk. They go together through the wide tree, by another query one by one.
+    The set holds some of the first `length` rays of a chunk. With the wide tree they are traced together.
+
+    Args:
+        query: any-hit query of another tracer, which traces the rays one by one.
+        wide: whether to use the wide tree.
     """
     if wide:
-        return blocked_together
+        return blocked_rays
     hit = first_hit(any_hit=True, query=query, wide=wide)
 
     @wp.func

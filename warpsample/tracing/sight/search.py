@@ -1,4 +1,4 @@
-"""The search for what is in a shaft that is aimed from a point: nothing, some triangles, or more than a few visits tell."""
+"""Search for triangles in the shaft of a point: the result is none, some, or undecided after a limited number of visits."""
 
 import warp as wp
 
@@ -9,17 +9,20 @@ from warpsample.tracing.wide.walk import tree_walk
 
 EMPTY: wp.int32 = wp.constant(wp.int32(0))
 OCCUPIED: wp.int32 = wp.constant(wp.int32(1))
-UNTOLD: wp.int32 = wp.constant(wp.int32(2))
-"""What is known of a shaft: none of its rays meets anything; there are triangles that one may meet; neither."""
+UNDECIDED: wp.int32 = wp.constant(wp.int32(2))
+"""State of a shaft: no ray of it hits anything; it contains triangles that a ray may hit; undecided."""
 
-_VISITS = wp.constant(wp.int32(32))  # nodes and leaves that are looked into: as long as five rays take
+_VISITS = wp.constant(wp.int32(32))  # limit on nodes and leaves to look into: the time of five rays
 
 
 @wp.struct
 class InShaft:
-    """What is found in a shaft.
+    """Result of a search in a shaft.
 
-    state: EMPTY, OCCUPIED or UNTOLD. leaf: address of the leaf in which triangles were found. triangles: their mask.
+    Attributes:
+        state: EMPTY, OCCUPIED or UNDECIDED.
+        leaf: address of the first leaf with triangles in the shaft.
+        triangles: mask of these triangles.
     """
 
     state: wp.int32
@@ -29,7 +32,7 @@ class InShaft:
 
 @wp.func
 def _look(leaf: wp.uint64, shaft: wp.uint64, found: InShaft):
-    """(what is found, with a leaf; whether that is enough)."""
+    """Return (search result of a leaf, whether the leaf has triangles in the shaft)."""
     found.leaf = leaf
     found.triangles = triangles_in(leaf, shaft)
     return found, found.triangles != 0
@@ -40,7 +43,10 @@ _walk = tree_walk(boxes_in, _look, wp.uint64, InShaft)
 
 @wp.func
 def search_shaft(tree: Accelerator, point: ShadingPoint, local: wp.int32) -> InShaft:
-    """What is in the shaft that is aimed from a point; first looked into are the triangles `local` of its local leaf."""
+    """Search the tree for triangles in the shaft (pyramid of directions) of a point.
+
+    The triangles `local` of the point's local leaf are tested first.
+    """
     found = InShaft()
     if local != 0:
         found.leaf = point.opened + LOCAL_LEAF
@@ -48,11 +54,11 @@ def search_shaft(tree: Accelerator, point: ShadingPoint, local: wp.int32) -> InS
     spent = wp.bool(False)
     if found.triangles == 0 and tree.starts > 0:
         found, spent = _walk(tree, point.shaft, found, _VISITS, point.scratch)
-    found.state = wp.where(found.triangles != 0, OCCUPIED, wp.where(spent, UNTOLD, EMPTY))
+    found.state = wp.where(found.triangles != 0, OCCUPIED, wp.where(spent, UNDECIDED, EMPTY))
     return found
 
 
 @wp.func
 def in_local_leaf(found: InShaft, point: ShadingPoint) -> wp.int32:
-    """Mask of the triangles of the local leaf that are in the shaft."""
+    """Return a mask of the triangles of the point's local leaf that a search found in the shaft."""
     return wp.where(found.leaf == point.opened + LOCAL_LEAF, found.triangles, 0)

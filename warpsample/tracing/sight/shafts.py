@@ -1,10 +1,12 @@
-"""Shafts: pyramids of directions from one point, against the tree. One that meets nothing needs no ray.
+"""Shafts: pyramids of directions from one point, tested against the tree. A shaft that contains nothing needs no ray.
 
-A box or a triangle is outside of a shaft if all its corners are outside of one of the shaft's planes; a triangle also if the
-whole shaft moves away from its plane. What is neither may still be missed by all rays: these tests err to that side only.
+A box or a triangle is outside a shaft if all its corners are outside one of the shaft's planes. A triangle is also outside
+if all directions of the shaft move away from its plane. The tests are conservative: rays may still miss a box or a triangle
+that is not found to be outside, but never hit one that is.
 
-A shaft is five rows of sixteen float32: x, y, z of its planes' inward normals and then of its corners' unit directions; the
-planes' limits for boxes; the origin, and how far below the horizon what is in it may be. The first plane is the horizon.
+A shaft is five rows of sixteen float32. The first three hold x, y, z of the inward normals of its planes, then of the unit
+directions of its corners. The fourth holds the planes' limits for boxes. The fifth holds the origin, and the tolerance below
+the horizon. The first plane is the horizon.
 """
 
 import numpy as np
@@ -18,10 +20,10 @@ from warpsample.tracing.sight.point import SHAFT_FLOATS, ShadingPoint
 from warpsample.tracing.wide.layout import WIDTH, corner, size_of
 
 PLANES, CORNERS = 5, 4
-"""How many planes and corners a shaft has."""
+"""Numbers of planes and corners of a shaft."""
 
 VECTORS_BYTES: wp.uint64 = wp.constant(wp.uint64(4 * 3 * WIDTH))
-"""Bytes of what is known of a shaft without its point: its vectors, see `shaft_vectors`."""
+"""Bytes of a shaft's vectors (see `shaft_vectors`): the part of a shaft that does not depend on the point."""
 
 _VECTORS_FLOATS = 3 * WIDTH
 _ROW = wp.constant(wp.uint64(4 * WIDTH))
@@ -29,15 +31,19 @@ _UPPER = wp.constant(wp.uint64(3 * 4 * WIDTH))
 _ORIGIN = 4 * WIDTH
 _LOW = 4 * WIDTH + 3
 _MARGIN = wp.constant(wp.float32(2.0**-19))
-"""Times the distance of what is compared: a direction is rounded by 2^-20.4 (its variates' stratum, sine and frame), a
-shaft's plane by 2^-22, and a corner in the test of a ray by 2^-22."""
+"""Margin of the tests, relative to the distance of the corner.
+
+A direction is rounded by 2^-20.4 (stratum of its variates, sine and frame), a plane of a shaft by 2^-22, and a corner in the
+test of a ray by 2^-22.
+"""
 
 
 def shaft_vectors(normals: np.ndarray, corners: np.ndarray) -> np.ndarray:
-    """(..., 3, 16) float32 rows of the vectors of shafts, for `aim_about` or `aim_at`, from (..., 4, 3) each.
+    """Return the vectors of shafts, (..., 3, 16) float32 rows for `aim_about` or `aim_at`.
 
-    They are the inward normals of their sides, the point's horizon being another, and the unit directions between which all
-    others are.
+    Args:
+        normals: (..., 4, 3), inward unit normals of the four sides. The fifth plane is the point's horizon.
+        corners: (..., 4, 3), unit directions of the corners, between which all directions of the shaft lie.
     """
     vectors = np.zeros((*normals.shape[:-2], WIDTH, 3))
     vectors[..., 1:PLANES, :] = normals
@@ -47,14 +53,14 @@ def shaft_vectors(normals: np.ndarray, corners: np.ndarray) -> np.ndarray:
 
 @wp.func
 def corner_of(vectors: wp.uint64, i: wp.int32) -> wp.vec3:
-    """The direction of a shaft's i-th corner."""
+    """Return the unit direction of the i-th corner of a shaft (pyramid of directions)."""
     k = PLANES + i
     return wp.vec3(float_at(vectors, k), float_at(vectors, WIDTH + k), float_at(vectors, 2 * WIDTH + k))
 
 
 @wp.func
-def _start(point: ShadingPoint):
-    """Starts the vectors of a point's shaft from there: its first plane becomes the horizon, and all get their limits."""
+def _complete_shaft(point: ShadingPoint):
+    """Set the planes' limits of a point's shaft, and the point's horizon as the first plane."""
     rows = wp.array(ptr=point.shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     o = point.o
     n = point.n
@@ -63,7 +69,7 @@ def _start(point: ShadingPoint):
         # Directions are rounded by 2^-20.4, at 7 from the point by 2^-17.6; boxes are padded by 2^-17 along each axis.
         rows[3 * WIDTH + k] = wp.dot(wp.vec3(rows[k], rows[WIDTH + k], rows[2 * WIDTH + k]), o)
         k += 1
-    # The horizon, exactly; boxes are padded, what is in them is not.
+    # The horizon's limit compensates the padding of boxes, so that boxes are tested as closely as the triangles inside.
     rows[3 * WIDTH] = limit_of_boxes(wp.dot(n, o) - point.low, n)
     for axis in range(3):
         rows[axis * WIDTH] = n[axis]
@@ -73,7 +79,7 @@ def _start(point: ShadingPoint):
 
 @wp.func
 def aim_about(vectors: wp.uint64, point: ShadingPoint):
-    """Aims a shaft from a point: vectors in the frame about its normal."""
+    """Compute the shaft (pyramid of directions) of a point from vectors in the frame about the point's normal."""
     given = wp.array(ptr=vectors, shape=(_VECTORS_FLOATS,), dtype=wp.float32)
     rows = wp.array(ptr=point.shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     frame = frame_about(point.n)
@@ -84,24 +90,30 @@ def aim_about(vectors: wp.uint64, point: ShadingPoint):
         rows[WIDTH + k] = v[1]
         rows[2 * WIDTH + k] = v[2]
         k += 1
-    _start(point)
+    _complete_shaft(point)
 
 
 @wp.func
 def aim_at(vectors: wp.uint64, point: ShadingPoint):
-    """Aims a shaft from a point: vectors in the scene's coordinates."""
+    """Compute the shaft (pyramid of directions) of a point from vectors in the scene's coordinates."""
     given = wp.array(ptr=vectors, shape=(_VECTORS_FLOATS,), dtype=wp.float32)
     rows = wp.array(ptr=point.shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     k = wp.int32(0)
     while k < _VECTORS_FLOATS:
         rows[k] = given[k]
         k += 1
-    _start(point)
+    _complete_shaft(point)
 
 
 @wp.struct
 class Plane:
-    """A side of a shaft: x nx + y ny + z nz is at least the limit inside; and the rows that lie farthest inwards."""
+    """Side of a shaft.
+
+    Attributes:
+        nx, ny, nz: inward normal; a point (x, y, z) is inside if x nx + y ny + z nz is at least `limit`.
+        limit: limit for the corners of boxes.
+        x_row, y_row, z_row: byte offsets in a node of the box coordinates that lie farthest inwards.
+    """
 
     nx: wp.float32
     ny: wp.float32
@@ -113,8 +125,8 @@ class Plane:
 
 
 @wp.func
-def _side(shaft: wp.uint64, i: wp.int32) -> Plane:
-    """The i-th plane."""
+def _plane(shaft: wp.uint64, i: wp.int32) -> Plane:
+    """Return the i-th plane of a shaft."""
     rows = wp.array(ptr=shaft, shape=(SHAFT_FLOATS,), dtype=wp.float32)
     plane = Plane()
     plane.nx = rows[i]
@@ -128,8 +140,8 @@ def _side(shaft: wp.uint64, i: wp.int32) -> Plane:
 
 
 @wp.func
-def _box_inside(node: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
-    """1 where some corner of the k-th box is inside of the plane."""
+def _is_box_inside(node: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
+    """Return 1 where some corner of the box of a node's k-th child is inside the plane, else 0."""
     x = wp.array(ptr=node + plane.x_row, shape=(WIDTH,), dtype=wp.float32)
     y = wp.array(ptr=node + plane.y_row, shape=(WIDTH,), dtype=wp.float32)
     z = wp.array(ptr=node + plane.z_row, shape=(WIDTH,), dtype=wp.float32)
@@ -137,15 +149,18 @@ def _box_inside(node: wp.uint64, plane: Plane, k: wp.int32) -> wp.int32:
 
 
 @wp.func
-def _inside(a: wp.vec3, b: wp.vec3, c: wp.vec3, plane: Plane, margin: wp.float32) -> wp.int32:
-    """1 where some corner, seen from the origin, is inside of the plane."""
+def _is_triangle_inside(a: wp.vec3, b: wp.vec3, c: wp.vec3, plane: Plane, margin: wp.float32) -> wp.int32:
+    """Return 1 where some corner of a triangle is inside the plane, else 0; corners are relative to the origin."""
     n = wp.vec3(plane.nx, plane.ny, plane.nz)
     return wp.where(greater(greater(wp.dot(a, n), wp.dot(b, n)), wp.dot(c, n)) >= -margin, 1, 0)
 
 
 @wp.func
-def _faced(a: wp.vec3, b: wp.vec3, c: wp.vec3, shaft: wp.uint64) -> wp.int32:
-    """0 where all of the shaft moves away from the plane of a triangle, its corners seen from the origin."""
+def _is_facing(a: wp.vec3, b: wp.vec3, c: wp.vec3, shaft: wp.uint64) -> wp.int32:
+    """Return 0 where all directions of the shaft move away from the plane of a triangle, else 1.
+
+    The corners a, b and c are relative to the origin.
+    """
     e = b - a
     f = c - a
     n = wp.cross(e, f)
@@ -165,31 +180,33 @@ def _faced(a: wp.vec3, b: wp.vec3, c: wp.vec3, shaft: wp.uint64) -> wp.int32:
 
 @wp.func
 def boxes_in(node: wp.uint64, shaft: wp.uint64) -> wp.int32:
-    """Mask of the children whose boxes a ray of the shaft may meet."""
-    p = _side(shaft, 0)
-    q = _side(shaft, 1)
-    r = _side(shaft, 2)
-    s = _side(shaft, 3)
-    t = _side(shaft, 4)
+    """Return a mask of a node's children whose boxes rays of a shaft (pyramid of directions) may hit."""
+    p = _plane(shaft, 0)
+    q = _plane(shaft, 1)
+    r = _plane(shaft, 2)
+    s = _plane(shaft, 3)
+    t = _plane(shaft, 4)
     mask = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
-        inside = _box_inside(node, p, k) & _box_inside(node, q, k) & _box_inside(node, r, k) & _box_inside(node, s, k)
-        mask = mask | ((inside & _box_inside(node, t, k)) << k)
+        inside = (
+            _is_box_inside(node, p, k) & _is_box_inside(node, q, k) & _is_box_inside(node, r, k) & _is_box_inside(node, s, k)
+        )
+        mask = mask | ((inside & _is_box_inside(node, t, k)) << k)
         k += 1
     return mask
 
 
 @wp.func
 def triangles_in(leaf: wp.uint64, shaft: wp.uint64) -> wp.int32:
-    """Mask of the triangles that a ray of the shaft may meet."""
+    """Return a mask of a leaf's triangles that rays of a shaft (pyramid of directions) may hit."""
     o = vec3_at(shaft + wp.uint64(4 * _ORIGIN), 0)
     low = float_at(shaft, _LOW)
-    p = _side(shaft, 0)
-    q = _side(shaft, 1)
-    r = _side(shaft, 2)
-    s = _side(shaft, 3)
-    t = _side(shaft, 4)
+    p = _plane(shaft, 0)
+    q = _plane(shaft, 1)
+    r = _plane(shaft, 2)
+    s = _plane(shaft, 3)
+    t = _plane(shaft, 4)
     mask = wp.int32(0)
     k = wp.int32(0)
     while k < WIDTH:
@@ -197,8 +214,12 @@ def triangles_in(leaf: wp.uint64, shaft: wp.uint64) -> wp.int32:
         b = corner(leaf, 3, k, o)
         c = corner(leaf, 6, k, o)
         margin = _MARGIN * greater(greater(size_of(a), size_of(b)), size_of(c))
-        inside = _inside(a, b, c, p, low) & _inside(a, b, c, q, margin) & _inside(a, b, c, r, margin)
-        inside = inside & _inside(a, b, c, s, margin) & _inside(a, b, c, t, margin)
-        mask = mask | ((inside & _faced(a, b, c, shaft)) << k)
+        inside = (
+            _is_triangle_inside(a, b, c, p, low)
+            & _is_triangle_inside(a, b, c, q, margin)
+            & _is_triangle_inside(a, b, c, r, margin)
+        )
+        inside = inside & _is_triangle_inside(a, b, c, s, margin) & _is_triangle_inside(a, b, c, t, margin)
+        mask = mask | ((inside & _is_facing(a, b, c, shaft)) << k)
         k += 1
     return mask

@@ -1,10 +1,12 @@
-"""A leaf as the rays from one origin see it: its triangles' sides, and which rays pass between them.
+"""Leaf opened for the rays from one origin: the planes through the origin and the triangles' sides, and tests of rays.
 
-A ray d from the origin passes inside of the side from a to b where d . (a x (b - a)) > 0, a and b seen from the origin, if
-the triangle is turned so that the origin is behind it; then the ray goes towards its plane as well, without a division.
+Let corners a and b be relative to the origin. A ray with direction d passes inside the side from a to b where
+d . (a x (b - a)) > 0, if the triangle is oriented so that the origin is behind it. Then the ray also goes towards the
+triangle's plane, so that no division is needed.
 
-An opened leaf is rows of sixteen float32, a lane for each triangle: x, y, z of three inward normals; from where on a ray is
-inside of them for sure, and from where on it may be; and up to where it may be inside of them all from the other side.
+An opened leaf has rows of sixteen float32, one lane per triangle. Nine rows hold x, y, z of three inward normals. Three rows
+hold limits on the products with d: the one above which a ray is certainly inside, the one above which it may be inside, and
+the one below which it may be inside all sides from the other face of the triangle.
 """
 
 import warp as wp
@@ -27,7 +29,7 @@ _SURELY = wp.constant(wp.int32(2**30))
 
 @wp.func
 def _cross(a: wp.vec3, b: wp.vec3) -> wp.vec3:
-    """a x b, each component by one product and one fma."""
+    """Return a x b, with one product and one fma per component."""
     return wp.vec3(
         fma(a[1], b[2], negative(a[2] * b[1])),
         fma(a[2], b[0], negative(a[0] * b[2])),
@@ -37,15 +39,17 @@ def _cross(a: wp.vec3, b: wp.vec3) -> wp.vec3:
 
 @wp.func
 def open_leaf(leaf: wp.uint64, o: wp.vec3, reach: wp.float32, sides: wp.uint64):
-    """Opens a leaf for the rays from o that go as far as the reach."""
-    # With u = 2^-24, and A and E the greatest sums of components of corners and of sides: a component of a normal is rounded
-    # by 4 u of its two products, and a product with d by 3 u more, 7 u A E in all. The difference b - a, not b, keeps that a
-    # share of the side. The margin is 16 u A E; `between_edges` itself, in float64, rounds by 2 u A 2^-22 at most.
-    # n . a, with n = (b - a) x (c - a), tells to 11 u A E E on which side the origin is: where not, the triangle is seen
-    # from the edge, and rays may pass it to either side. What has a corner beyond the reach is met for sure by none.
+    """Open a leaf for the rays from o with a given reach: compute the rows of inward normals and limits."""
+    # Let u = 2^-24, and A and E the greatest sums of absolute components of corners and of sides. A component of a normal is
+    # rounded by 4 u of its two products, and a product with d by 3 u more: 7 u A E in all. The difference b - a, instead of
+    # b, makes the error relative to the side. The margin is 16 u A E; `is_between_edges` in float64 rounds by 2 u A 2^-22 at
+    # most. The sign of n . a, with n = (b - a) x (c - a), is the side of the plane on which the origin is. It is uncertain
+    # within 11 u A E E: the triangle is then seen edge-on, and rays may pass it on either side. If a corner is beyond the
+    # reach, no ray counts as a certain hit.
     rows = wp.array(ptr=sides, shape=(SIDES_FLOATS,), dtype=wp.float32)
     given = wp.array(ptr=leaf, shape=(_CORNER_FLOATS,), dtype=wp.float32)
-    local = wp.zeros(shape=(_CORNER_FLOATS,), dtype=wp.float32)  # what is stored may alias the leaf: no vectors then
+    # A copy of the leaf: stores to `rows` may alias the leaf, which would prevent vectorisation.
+    local = wp.zeros(shape=(_CORNER_FLOATS,), dtype=wp.float32)
     corners = wp.array(ptr=local.ptr, shape=(_CORNER_FLOATS,), dtype=wp.float32)
     i = wp.int32(0)
     while i < _CORNER_FLOATS:
@@ -89,10 +93,10 @@ def open_leaf(leaf: wp.uint64, o: wp.vec3, reach: wp.float32, sides: wp.uint64):
 
 
 @wp.func
-def _verdict(
+def _classify_ray(
     d: wp.vec3, p: wp.vec3, q: wp.vec3, r: wp.vec3, sure: wp.float32, outside: wp.float32, behind: wp.float32
 ) -> wp.int32:
-    """Bit 31: the ray may pass between the three sides; bit 30: it does."""
+    """Return bit 31 if a ray may pass between the three sides of a triangle, and bit 30 if it certainly does."""
     u = fma(p[0], d[0], fma(p[1], d[1], p[2] * d[2]))
     v = fma(q[0], d[0], fma(q[1], d[1], q[2] * d[2]))
     w = fma(r[0], d[0], fma(r[1], d[1], r[2] * d[2]))
@@ -104,7 +108,7 @@ def _verdict(
 
 @wp.func
 def triangles_passed(sides: wp.uint64, d: wp.vec3) -> wp.int32:
-    """Mask of an opened leaf's triangles that a ray may meet, and from bit 16 on of those that it meets for sure."""
+    """Return a mask of an opened leaf's triangles: bits 0 to 15 for possible hits of a ray, bits 16 to 31 for sure hits."""
     rows = wp.array(ptr=sides, shape=(SIDES_FLOATS,), dtype=wp.float32)
     met = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
     k = wp.int32(0)
@@ -112,14 +116,17 @@ def triangles_passed(sides: wp.uint64, d: wp.vec3) -> wp.int32:
         p = wp.vec3(rows[k], rows[WIDTH + k], rows[2 * WIDTH + k])
         q = wp.vec3(rows[3 * WIDTH + k], rows[4 * WIDTH + k], rows[5 * WIDTH + k])
         r = wp.vec3(rows[6 * WIDTH + k], rows[7 * WIDTH + k], rows[8 * WIDTH + k])
-        met[k] = _verdict(d, p, q, r, rows[_SURE + k], rows[_OUTSIDE + k], rows[_BEHIND + k])
+        met[k] = _classify_ray(d, p, q, r, rows[_SURE + k], rows[_OUTSIDE + k], rows[_BEHIND + k])
         k += 1
     return lanes_with(met.ptr, 31) | (lanes_with(met.ptr, 30) << WIDTH)
 
 
 @wp.func
 def rays_passing(sides: wp.uint64, t: wp.int32, column: wp.uint64) -> wp.int32:
-    """Mask of the sixteen rays from a column on that may meet the t-th triangle, and from bit 16 on of those that do."""
+    """Return a mask of sixteen rays: bits 0 to 15 for possible hits of the t-th triangle, bits 16 to 31 for certain hits.
+
+    The rays are those of a chunk from the column at `column` on.
+    """
     rows = wp.array(ptr=sides, shape=(SIDES_FLOATS,), dtype=wp.float32)
     rays = wp.array(ptr=column, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     p = wp.vec3(rows[t], rows[WIDTH + t], rows[2 * WIDTH + t])
@@ -132,6 +139,6 @@ def rays_passing(sides: wp.uint64, t: wp.int32, column: wp.uint64) -> wp.int32:
     k = wp.int32(0)
     while k < WIDTH:
         d = wp.vec3(rays[DIRECTION + k], rays[DIRECTION + CHUNK + k], rays[DIRECTION + 2 * CHUNK + k])
-        met[k] = _verdict(d, p, q, r, sure, outside, behind)
+        met[k] = _classify_ray(d, p, q, r, sure, outside, behind)
         k += 1
     return lanes_with(met.ptr, 31) | (lanes_with(met.ptr, 30) << WIDTH)

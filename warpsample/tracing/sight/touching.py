@@ -1,4 +1,4 @@
-"""The faces that touch a point, or are within a little of it: a few too many, never one too few."""
+"""Search for the faces that touch a point or are close to it; it may find a few more faces, but misses none."""
 
 from typing import Any
 
@@ -17,7 +17,7 @@ _NODE_FLOATS = NODE_BYTES // 4
 
 @wp.func
 def _children_around(node: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
-    """Mask of the children whose boxes are as near to a point as r along each axis."""
+    """Return a mask of the children whose boxes are within r of a point along each axis."""
     rows = wp.array(ptr=node, shape=(_NODE_FLOATS,), dtype=wp.float32)
     links = wp.array(ptr=node + wp.uint64(4 * LINKS), shape=(WIDTH,), dtype=wp.int32)
     near = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
@@ -32,21 +32,21 @@ def _children_around(node: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
 
 
 @wp.func
-def _beside(a: wp.float32, b: wp.float32, c: wp.float32, r: wp.float32) -> wp.int32:
-    """1 where 0 is between three coordinates, or as near to them as r."""
+def _is_near_zero(a: wp.float32, b: wp.float32, c: wp.float32, r: wp.float32) -> wp.int32:
+    """Return 1 where the interval spanned by three coordinates is within r of 0, else 0."""
     return wp.where(lesser(lesser(a, b), c) <= r, 1, 0) & wp.where(greater(greater(a, b), c) >= -r, 1, 0)
 
 
 @wp.func
-def _triangles_touched(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
-    """Mask of the triangles that may be as near to a point as r."""
+def _triangles_near_point(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
+    """Return a mask of a leaf's triangles that may be within r of a point."""
     touched = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
     k = wp.int32(0)
     while k < WIDTH:
         a = corner(leaf, 0, k, p)
         b = corner(leaf, 3, k, p)
         c = corner(leaf, 6, k, p)
-        near = _beside(a[0], b[0], c[0], r) & _beside(a[1], b[1], c[1], r) & _beside(a[2], b[2], c[2], r)
+        near = _is_near_zero(a[0], b[0], c[0], r) & _is_near_zero(a[1], b[1], c[1], r) & _is_near_zero(a[2], b[2], c[2], r)
         n = wp.cross(b - a, c - a)
         far = greater(greater(size_of(a), size_of(b)), size_of(c))
         # A component of the normal is rounded by 2^-23 of two edges, each within 2 far; then come products and sums.
@@ -62,34 +62,35 @@ def _triangles_touched(leaf: wp.uint64, p: wp.vec3, r: wp.float32) -> wp.int32:
 
 
 @once
-def faces_touching(look: wp.Function, asked: Any, answer: Any) -> wp.Function:
-    """A function (tree, what is asked, answer so far, scratch) -> answer, after a look at each face that touches a point.
+def faces_touching(look: wp.Function, query_type: Any, answer_type: Any) -> wp.Function:
+    """Build a function (tree, query, answer, scratch) -> answer that calls `look` for each face that touches a point.
 
-    A few that are beside it are looked at, too.
+    It also calls `look` for a few faces close to the point.
 
     Args:
-        look: (face, what is asked, answer so far) -> answer.
-        asked: the type of what is asked, with the point `p`, vec3, and how near `r` is to it.
-        answer: that of the answer.
+        look: function (face, query, answer) -> answer.
+        query_type: type of the query, a struct with the fields `p`, vec3, the point, and `r`, the largest distance of a
+            face.
+        answer_type: type of the answer.
     """
 
     @wp.func
-    def enter(node: wp.uint64, what: asked):
-        return _children_around(node, what.p, what.r)
+    def enter(node: wp.uint64, query: query_type):
+        return _children_around(node, query.p, query.r)
 
     @wp.func
-    def look_into(leaf: wp.uint64, what: asked, found: answer):
-        touched = _triangles_touched(leaf, what.p, what.r)
+    def look_into(leaf: wp.uint64, query: query_type, answer: answer_type):
+        touched = _triangles_near_point(leaf, query.p, query.r)
         for _ in range(wp.bit_count(touched)):
-            found = look(face_in(leaf, lowest_bit(touched)), what, found)
+            answer = look(face_in(leaf, lowest_bit(touched)), query, answer)
             touched = touched & (touched - 1)
-        return found, wp.bool(False)
+        return answer, wp.bool(False)
 
-    walk = tree_walk(enter, look_into, asked, answer)
+    walk = tree_walk(enter, look_into, query_type, answer_type)
 
     @wp.func
-    def look_around(tree: Accelerator, what: asked, found: answer, scratch: wp.uint64):
-        found, _spent = walk(tree, what, found, 0, scratch)
-        return found
+    def look_around(tree: Accelerator, query: query_type, answer: answer_type, scratch: wp.uint64):
+        answer, _spent = walk(tree, query, answer, 0, scratch)
+        return answer
 
     return look_around

@@ -1,1 +1,1 @@
-"""The 16-wide tree: its layout in memory, how it is built, and how rays traverse it."""
+"""The 16-wide tree: layout in memory, construction, and traversal by rays."""

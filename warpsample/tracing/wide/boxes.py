@@ -1,4 +1,4 @@
-"""Fills a tree's nodes and leaves from the vertices: when it is built, and again when the vertices have moved."""
+"""Contents of a tree's nodes and leaves, computed from vertices after building and again when the vertices have moved."""
 
 from dataclasses import dataclass
 from itertools import pairwise
@@ -16,11 +16,11 @@ from warpsample.tracing.wide.build import Topology
 from warpsample.tracing.wide.layout import LEAF_BYTES, NODE_BYTES, WIDTH
 
 PADDING = 2.0**-17
-"""By which boxes are larger than what is in them, on each side; the mesh is within 1 of 0, ray origins within 6.
+"""Enlargement of boxes on each side, in the tree's coordinates, where the mesh is within 1 of 0 and ray origins within 6.
 
-A plane's distance is rounded in the direction's inverse, in its product with the origin and in the sum: by 2^-24 of 7, 6 and
-7, seen along the axis. A corner of a triangle is rounded by 2^-24 of 7 in each of three steps, so a triangle is met that far
-beside itself. Together that is 2^-18.6.
+The distance of a plane is rounded in the direction's inverse, in its product with the origin, and in the sum: along the
+axis, by 2^-24 of 7, 6 and 7. A corner of a triangle is rounded by 2^-24 of 7 in each of three steps, so that a ray may hit
+a triangle at that distance beside it. The sum of these errors is 2^-18.6.
 """
 
 _PADDING = wp.constant(wp.float32(PADDING))
@@ -32,12 +32,12 @@ _LINE = 64
 
 @dataclass(frozen=True, eq=False)
 class WideTree:
-    """A topology, and the contents of its nodes and leaves.
+    """The 16-wide tree: a topology with the contents of its nodes and leaves.
 
     Attributes:
-        topology: the nodes' children and the leaves' faces.
-        nodes: (nodes, 8, 16) float32, as `layout` has them.
-        leaves: (leaves, 10, 16) float32.
+        topology: links to the nodes' children, and the leaves' faces.
+        nodes: (nodes, 8, 16) float32, in the layout of the module `layout`.
+        leaves: (leaves, 10, 16) float32, likewise.
     """
 
     topology: Topology
@@ -45,16 +45,23 @@ class WideTree:
     leaves: np.ndarray
 
     def accelerator(self) -> Any:
-        """Its addresses, valid while this lives."""
+        """Return the addresses of nodes and leaves, valid while this object lives."""
         return AcceleratorArgs(
             nodes=self.nodes.ctypes.data, leaves=self.leaves.ctypes.data, start=self.nodes.ctypes.data, starts=1
         )
 
 
 def fill(topology: Topology, vertices: np.ndarray, faces: np.ndarray, workers: int) -> WideTree:
-    """The tree of triangles: vertices (V, 3) float32, within 1 of 0, faces (F, 3) int32 and their topology."""
+    """Fill a tree with boxes and triangles.
+
+    Args:
+        topology: tree of the faces.
+        vertices: (V, 3) float32, within 1 of 0.
+        faces: (F, 3) int32.
+        workers: number of threads.
+    """
     leaves, nodes = len(topology.faces), len(topology.links)
-    tree = WideTree(topology, _in_lines((nodes, 8, WIDTH)), _in_lines((leaves, 10, WIDTH)))
+    tree = WideTree(topology, _empty_aligned((nodes, 8, WIDTH)), _empty_aligned((leaves, 10, WIDTH)))
     leaf_boxes, node_boxes = np.empty((leaves, 2, 3), np.float32), np.empty((nodes, 2, 3), np.float32)
     edges = np.empty(leaves, np.float32)
     inputs = [a.ctypes.data for a in (topology.faces, vertices, faces, tree.leaves, leaf_boxes, edges)]
@@ -65,8 +72,8 @@ def fill(topology: Topology, vertices: np.ndarray, faces: np.ndarray, workers: i
     return tree
 
 
-def _in_lines(shape: tuple[int, ...]) -> np.ndarray:
-    """Uninitialised float32 that starts at a cache line: so no row of sixteen lies across two."""
+def _empty_aligned(shape: tuple[int, ...]) -> np.ndarray:
+    """Return an uninitialised float32 array that starts at a cache line, so that no row of sixteen spans two lines."""
     size = 4 * int(np.prod(shape))
     raw = np.empty(size + _LINE, np.uint8)
     start = -raw.ctypes.data % _LINE
@@ -75,7 +82,7 @@ def _in_lines(shape: tuple[int, ...]) -> np.ndarray:
 
 @once
 def _fill_leaves() -> wp.Kernel:
-    """A kernel with a task for each leaf: its rows of corners, its box and its longest side."""
+    """Build a kernel with one task per leaf that writes the leaf's rows, its box, and its longest extent along an axis."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def fill_leaves(
@@ -95,8 +102,8 @@ def _fill_leaves() -> wp.Kernel:
         high = wp.vec3(-_NOWHERE)
         longest = wp.float32(0.0)
         k = wp.int32(0)
-        while k < WIDTH:  # `range` would be unrolled, and takes the compiler four times as long
-            a = wp.vec3(wp.NAN)  # no ray meets it
+        while k < WIDTH:  # the compiler would unroll `range` and take four times as long
+            a = wp.vec3(wp.NAN)  # no ray hits an empty lane
             b = a
             c = a
             if mine[k] >= 0:
@@ -124,7 +131,7 @@ def _fill_leaves() -> wp.Kernel:
 
 @once
 def _fill_nodes() -> wp.Kernel:
-    """A kernel with a task for each node of a level: its rows, from its children's boxes, and its own box."""
+    """Build a kernel with one task per node of a level that writes the node's rows and box from the children's boxes."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def fill_nodes(

@@ -1,7 +1,7 @@
-"""Builds the tree: triangles are put into leaves and leaves below nodes, by the surface-area heuristic.
+"""Construction of the tree: assigns triangles to leaves and leaves to nodes by the surface-area heuristic.
 
-Level by level, a task for each node: it starts as one range of triangles, and the child with the largest box is split in two
-until there are sixteen.
+The tree is built level by level, with one task for each node. A node starts as one range of triangles. The child with the
+largest box is split in two until there are sixteen children.
 """
 
 from dataclasses import dataclass, replace
@@ -17,20 +17,23 @@ from warpsample.tracing.wide.layout import WIDTH
 from warpsample.tracing.wide.sah import ALL_BINS, BINS, MOST_BINS, best_split, centres, fill_bins, partition
 
 SAH_LEVELS = 14
-"""Deeper nodes halve their ranges by count, so that no arrangement of triangles makes the tree deeper than 22 nodes."""
+"""Number of levels split by the surface-area heuristic.
+
+Deeper nodes halve their ranges by count, so that no arrangement of triangles makes the tree deeper than 22 nodes.
+"""
 
 
-_BLOCK = 1 << 14  # leaves whose faces are looked up together
+_BLOCK = 1 << 14  # leaves per block in `_leaf_faces`
 
 
 @dataclass(frozen=True, eq=False)
 class Topology:
-    """A tree without boxes.
+    """Tree without boxes.
 
     Attributes:
-        links: (nodes, 16) int32, what is below: a node's number, ~number of a leaf, or 0 for nothing.
-        levels: where each level starts among the nodes, and their number.
-        faces: (leaves, 16) int32, the faces of the mesh in a leaf; -1 where there are fewer.
+        links: (nodes, 16) int32, links to children: a node number, ~number of a leaf, or 0 for no child.
+        levels: number of the first node of each level, followed by the number of nodes.
+        faces: (leaves, 16) int32, face numbers of the mesh in each leaf; -1 in empty lanes.
     """
 
     links: np.ndarray
@@ -39,7 +42,7 @@ class Topology:
 
 
 def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
-    """The tree of triangles: vertices (V, 3) float32, faces (F, 3) int32."""
+    """Build the topology of a tree over all triangles, from vertices (V, 3) float32 and faces (F, 3) int32."""
     count = len(faces)
     lower, upper = np.empty((count, 4), np.float32), np.empty((count, 4), np.float32)
     inputs = [a.ctypes.data for a in (vertices, faces, lower, upper)]
@@ -69,15 +72,18 @@ def build(vertices: np.ndarray, faces: np.ndarray, workers: int) -> Topology:
 
 
 def build_some(vertices: np.ndarray, faces: np.ndarray, chosen: np.ndarray, workers: int) -> Topology:
-    """The tree of some triangles: what `build` takes, and the numbers of the faces; without any, one that no ray meets."""
+    """Build the topology of a tree over chosen faces; arguments as for `build`, and the numbers of the chosen faces.
+
+    Without any face the tree has one empty leaf, which no ray hits.
+    """
     if len(chosen) == 0:
         return Topology(np.array([[~0, *[0] * (WIDTH - 1)]], np.int32), [0, 1], np.full((1, WIDTH), -1, np.int32))
-    made = build(vertices, np.ascontiguousarray(faces[chosen]), workers)
-    return replace(made, faces=np.where(made.faces >= 0, chosen[made.faces], -1).astype(np.int32))
+    topology = build(vertices, np.ascontiguousarray(faces[chosen]), workers)
+    return replace(topology, faces=np.where(topology.faces >= 0, chosen[topology.faces], -1).astype(np.int32))
 
 
 def _leaf_faces(order: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """(leaves, 16) int32 from ranges of the ordered faces; -1 beyond their ends."""
+    """Return the (leaves, 16) int32 faces of leaves, from ranges of the sorted faces; -1 in empty lanes."""
     faces = np.empty((len(begin), WIDTH), np.int32)
     for start in range(0, len(faces), _BLOCK):
         rows = slice(start, start + _BLOCK)
@@ -88,7 +94,10 @@ def _leaf_faces(order: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.nda
 
 @once
 def _triangle_boxes() -> wp.Kernel:
-    """A kernel with a task for each triangle: its lower corner with the bits of its number, and its upper corner."""
+    """Build a kernel with one task per triangle that writes the lower and upper corner of the triangle's box.
+
+    The fourth component of the lower corner holds the bits of the face number.
+    """
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def triangle_boxes(vertices: wp.uint64, faces: wp.uint64, lower: wp.uint64, upper: wp.uint64, first_task: wp.int64):
@@ -115,7 +124,7 @@ def _largest(
     ends: wp.array[wp.int32],
     areas: wp.array[wp.float32],
 ) -> wp.int32:
-    """The child to be split next, of those with more triangles than a leaf holds; -1 if none has."""
+    """Return the child to split next: the largest one with more triangles than a leaf holds, or -1 if there is none."""
     largest = wp.int32(-1)
     most = wp.float32(-1.0)
     for k in range(children):
@@ -129,7 +138,7 @@ def _largest(
 
 @once
 def _split_nodes() -> wp.Kernel:
-    """A kernel with a task for each node of a level: the ranges of its children, and which of the sixteen there are."""
+    """Build a kernel with one task per node of a level that writes the triangle ranges of children and marks used ones."""
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
     def split_nodes(

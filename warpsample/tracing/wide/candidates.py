@@ -1,4 +1,4 @@
-"""A ray against the sixteen boxes of a node and the sixteen triangles of a leaf: the two hot loops."""
+"""Tests of a ray against the sixteen boxes of a node and the sixteen triangles of a leaf: the two hot loops."""
 
 import warp as wp
 
@@ -12,19 +12,19 @@ _UPPER = wp.constant(wp.uint64(3 * WIDTH * 4))
 _LEAF_FLOATS = 9 * WIDTH
 _SECOND = wp.constant(wp.int32(3 * WIDTH))
 _THIRD = wp.constant(wp.int32(6 * WIDTH))
-_NO_HIT = wp.constant(wp.int32(0x7F800000))  # the bits of infinity: bits of floats above 0 are ordered as they are
+_NO_HIT = wp.constant(wp.int32(0x7F800000))  # bits of infinity; positive floats and their bits have one order
 _CHILD = wp.constant(wp.int32(WIDTH - 1))
 _LEAST = wp.constant(wp.float32(384 * 2.0**-24 / 6**2))
 _LEAST_EDGE = wp.constant(wp.float32(2.0**-19))
-_FURTHEST = wp.constant(wp.float32(64.0))  # farther than anything is from any origin; infinity times 0 would be NaN
+_FURTHEST = wp.constant(wp.float32(64.0))  # above any distance between an origin and the mesh; infinity times 0 would be NaN
 _SIGN = wp.constant(wp.int32(-(2**31)))
-_MAYBE = _SIGN  # bit 31, which the compiler asks for in one instruction
+_MAYBE = _SIGN  # bit 31, which the compiler tests in one instruction
 _SURELY = wp.constant(wp.int32(2**30))
 
 
 @wp.func
-def entered(node: wp.uint64, ray: Ray, k: wp.int32) -> wp.float32:
-    """How far away a ray enters the box of a node's k-th child, at least 0."""
+def entry_distance(node: wp.uint64, ray: Ray, k: wp.int32) -> wp.float32:
+    """Return the distance at which a ray enters the box of a node's k-th child, at least 0."""
     x = wp.array(ptr=node + ray.near_x, shape=(WIDTH,), dtype=wp.float32)
     y = wp.array(ptr=node + _ROW + ray.near_y, shape=(WIDTH,), dtype=wp.float32)
     z = wp.array(ptr=node + _ROW + _ROW + ray.near_z, shape=(WIDTH,), dtype=wp.float32)
@@ -35,8 +35,11 @@ def entered(node: wp.uint64, ray: Ray, k: wp.int32) -> wp.float32:
 
 
 @wp.func
-def left_at(node: wp.uint64, ray: Ray, reach: wp.float32, k: wp.int32) -> wp.float32:
-    """How far away it leaves that box, at most as far as the reach; it meets the box if that is not before it enters."""
+def exit_distance(node: wp.uint64, ray: Ray, reach: wp.float32, k: wp.int32) -> wp.float32:
+    """Return the distance at which a ray leaves the box of a node's k-th child, at most `reach`.
+
+    The ray hits the box if this is not below `entry_distance`.
+    """
     x = wp.array(ptr=node + _UPPER - ray.near_x, shape=(WIDTH,), dtype=wp.float32)
     y = wp.array(ptr=node + _UPPER + _ROW - ray.near_y, shape=(WIDTH,), dtype=wp.float32)
     z = wp.array(ptr=node + _UPPER + _ROW + _ROW - ray.near_z, shape=(WIDTH,), dtype=wp.float32)
@@ -47,18 +50,19 @@ def left_at(node: wp.uint64, ray: Ray, reach: wp.float32, k: wp.int32) -> wp.flo
 
 
 @wp.func
-def boxes_met(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
-    """(mask of the children whose boxes the ray meets within reach, the nearest of them; the farthest with flip = -1).
+def boxes_hit(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
+    """Return (mask of the children whose boxes the ray hits within `reach`, number of the nearest child in the mask).
 
-    The boxes are larger than what is in them by more than all rounding here (`boxes.PADDING`).
+    With flip = -1 the number is that of the farthest child. The boxes are padded by more than all rounding errors here
+    (`boxes.PADDING`).
     """
     hit = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
     best = wp.int32(_NO_HIT)
     k = wp.int32(0)
     while k < WIDTH:
-        enter = entered(node, ray, k)
-        met = enter <= left_at(node, ray, reach, k)
-        # The child's number in the last bits of its distance: one minimum tells both.
+        enter = entry_distance(node, ray, k)
+        met = enter <= exit_distance(node, ray, reach, k)
+        # The last bits of the distance hold the child's number, so that one minimum finds both.
         key = ((wp.cast(enter, wp.int32) & (~_CHILD)) | k) ^ flip
         best = wp.min(best, wp.where(met, key, _NO_HIT))
         hit[k] = wp.where(met, -1, 0)
@@ -67,26 +71,27 @@ def boxes_met(node: wp.uint64, ray: Ray, reach: wp.float32, flip: wp.int32):
 
 
 @wp.func
-def _flipped(x: wp.float32, sign: wp.int32) -> wp.float32:
-    """x or -x, by a sign bit."""
+def _flip_sign(x: wp.float32, sign: wp.int32) -> wp.float32:
+    """Return x, with its sign flipped where the sign bit of `sign` is set."""
     return wp.cast(wp.cast(x, wp.int32) ^ sign, wp.float32)
 
 
 @wp.func
 def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32) -> wp.int32:
-    """Mask of the leaf's triangles that the ray may meet within reach, and from bit 16 on of those that it meets for sure.
+    """Return a mask of a leaf's triangles: bits 0 to 15 for possible hits within `reach`, bits 16 to 31 for certain hits.
 
-    Edge functions of the triangles sheared onto the ray (Woop2013), in float32, by more than whose rounding a triangle must
-    be missed, or met for sure. `between_edges` and `plane_distance` tell of others. `edge` is the longest side, seen along
-    an axis, of what is in the leaf.
+    The test uses the edge functions of the triangles sheared onto the ray (Woop2013), in float32. A triangle is a certain
+    miss or a certain hit where an edge function exceeds its own rounding error. `is_between_edges` and `plane_distance`
+    decide the remaining triangles. `edge` is the longest extent of the leaf's triangles along an axis.
     """
-    # Distances are those along the ray's longest axis, a share of 3^-0.5 to 1. With u = 2^-24, e = edge and r as far as a
-    # corner and 2 e: a sheared corner is rounded by 4 u r, and that of a triangle that is met is within 2 e. So an edge
-    # function is rounded by 48 u r e, their sum weighted by the distances by 181 u r e r, and reach times their sum by 172.
-    # The margin is 384 u r e r, for the edge functions times 6 r: one minimum tells how far within both the ray is. Of what
-    # is met for sure a corner is within 8^0.5 e: farther away there is nothing but rounding; all are within 4.9 e, where
-    # rounding is up to twice as large. What is smaller than 16 u r is lost in the rounding of its corners, and counts as so
-    # large; no corner is farther from 0 than 1.
+    # Distances here are measured along the ray's longest axis: 3^-0.5 to 1 times the distance along the ray. Let u = 2^-24,
+    # e = edge, and r = distance of a corner + 2 e. A sheared corner is rounded by 4 u r. If the ray hits the triangle, the
+    # sheared corners are within 2 e. So an edge function is rounded by 48 u r e, the sum of edge functions weighted by
+    # distances by 181 u r e r, and reach times their sum by 172 u r e r. The margin is 384 u r e r. It is compared with the
+    # edge functions times 6 r, so that one minimum covers the edges and the distances. A triangle counts as a certain hit
+    # only if a corner is within 8^0.5 e: farther away the edge functions are rounding alone. All its corners are then within
+    # 4.9 e, where rounding is up to twice as large. A triangle smaller than 16 u r is lost in the rounding of its corners
+    # and counts as 16 u r large. No corner is farther than 1 from 0.
     edge = greater(edge, _LEAST_EDGE * (1.0 + wp.abs(ray.origin_along)))
     reach_along = lesser(reach, _FURTHEST) * wp.abs(ray.share_along)
     backwards = (wp.cast(ray.share_along, wp.int32) ^ _SIGN) & _SIGN
@@ -99,7 +104,7 @@ def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float3
     met = wp.zeros(shape=(WIDTH,), dtype=wp.int32)
     k = wp.int32(0)
     while k < WIDTH:
-        # From the corners to the origin: a register less its row is one instruction, the row less a register two.
+        # Origin minus corner: a register minus a row in memory is one instruction, the reverse is two.
         az = ray.origin_along - along[k]
         bz = ray.origin_along - along[_SECOND + k]
         cz = ray.origin_along - along[_THIRD + k]
@@ -113,10 +118,10 @@ def triangles_near(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float3
         v = fma(ax, cy, negative(ay * cx))
         w = fma(bx, ay, negative(by * ax))
         sum = u + v + w
-        inside = greater(lesser(lesser(u, v), w), negative(greater(greater(u, v), w)))  # by how much, if it is
+        inside = greater(lesser(lesser(u, v), w), negative(greater(greater(u, v), w)))  # depth inside; below 0 outside
         weighted = fma(u, az, fma(v, bz, w * cz))
-        t = _flipped(weighted, (wp.cast(sum, wp.int32) & _SIGN) ^ backwards)
-        before = lesser(t, fma(reach_along, wp.abs(sum), negative(t)))  # by how much it is ahead, and within reach
+        t = _flip_sign(weighted, (wp.cast(sum, wp.int32) & _SIGN) ^ backwards)
+        before = lesser(t, fma(reach_along, wp.abs(sum), negative(t)))  # margin ahead of the origin and before reach
         six_r = fma(6.0, wp.abs(az), twelve_e)
         margin = (least * six_r) * six_r
         within = lesser(six_r * inside, before)

@@ -1,4 +1,4 @@
-"""From a row of sixteen numbers, which a loop fills all at once, to a mask of sixteen bits."""
+"""Conversion of a row of sixteen numbers, filled by one vectorised loop, to a mask of sixteen bits."""
 
 import warp as wp
 
@@ -18,8 +18,8 @@ import warp as wp
 #endif
 """)
 def lanes_with(row: wp.uint64, bit: wp.int32) -> wp.int32:
-    """Mask of those of the sixteen int32 at an address in which that bit, from 0 to 31, is set.
+    """Return a 16-bit mask of the int32 numbers at an address that have the given bit (0 to 31) set.
 
-    Native because Warp has no such builtin: a loop that gathers the bits folds the register four times. This is one
-    instruction of AVX-512, and the row never gets into memory; AVX2 packs the numbers to bytes first.
+    The function is native because Warp has no such builtin, and a loop that gathers the bits folds the register four times.
+    With AVX-512 this is one instruction, and the row stays in a register; AVX2 packs the numbers to bytes first.
     """

@@ -1,11 +1,12 @@
-"""How a tree and the scratch space of a query lie in memory.
+"""Memory layout of the tree's nodes and leaves, and of the scratch space of a query.
 
-Rows of sixteen float32 fill one AVX-512 register or two of AVX2:
+Each row holds sixteen float32, which fill one AVX-512 register or two AVX2 registers.
 
-- a node is eight: the children's lower x, y, z, upper x, y, z, their links (below 0 to a leaf, ~link; 0 none), and the
-  longest side, along an axis, of the triangles in a leaf;
-- a leaf is ten: x, y, z of its triangles' first corners, of the second, of the third, and the faces' numbers; where there
-  is no triangle, NaN and -1.
+- A node has eight rows: the children's lower x, y, z and upper x, y, z, their links, and their edges. A link is the number
+  of a node, ~number of a leaf (below 0), or 0 for no child. An edge is the longest extent of a leaf's triangles along an
+  axis.
+- A leaf has ten rows: x, y, z of its triangles' first, second and third corners, and the face numbers. Empty lanes hold NaN
+  and face number -1.
 """
 
 import warp as wp
@@ -15,58 +16,58 @@ from warpsample.maths.numerics import fma, greater
 from warpsample.tracing.queries import Accelerator
 
 WIDTH = 16
-"""Children of a node, triangles of a leaf."""
+"""Number of children of a node, and of triangles in a leaf."""
 
 NODE_BYTES = 8 * WIDTH * 4
 LEAF_BYTES = 10 * WIDTH * 4
 _LEAF_FLOATS = LEAF_BYTES // 4
 
 LINKS, EDGES, FACES = 6 * WIDTH, 7 * WIDTH, 9 * WIDTH
-"""Where rows start: of links and of longest sides in a node, of faces' numbers in a leaf."""
+"""Float offsets of rows: links and edges in a node, face numbers in a leaf."""
 
 MOST_DEPTH = 24
-"""Nodes from the root to a leaf, at most; `build` keeps to it."""
+"""Largest number of nodes on a path from the root to a leaf; `build` guarantees this limit."""
 
 SCRATCH = 4 * (MOST_DEPTH + 3)
-"""int32 words that a query needs: nodes that wait."""
+"""Number of int32 words that a query needs for its stack of waiting nodes."""
 
 MOST_STARTS = 4
-"""Nodes that the rays of a point start from."""
+"""Largest number of nodes from which the rays of a point start."""
 
 
 @wp.func
 def node_at(accelerator: Accelerator, i: wp.int32) -> wp.uint64:
-    """The address of the i-th node."""
+    """Return the address of the i-th node."""
     return accelerator.nodes + wp.uint64(i) * wp.uint64(NODE_BYTES)
 
 
 @wp.func
 def leaf_at(accelerator: Accelerator, i: wp.int32) -> wp.uint64:
-    """The address of the i-th leaf."""
+    """Return the address of the i-th leaf."""
     return accelerator.leaves + wp.uint64(i) * wp.uint64(LEAF_BYTES)
 
 
 @wp.func
 def link_in(node: wp.uint64, k: wp.int32) -> wp.int32:
-    """Where a node's k-th child is: the number of a node, or ~ that of a leaf; 0 if there is none."""
+    """Return the link to a node's k-th child: a node number, ~number of a leaf, or 0 for no child."""
     return int_at(node, LINKS + k)
 
 
 @wp.func
 def edge_in(node: wp.uint64, k: wp.int32) -> wp.float32:
-    """The longest side, along an axis, of the triangles in a node's k-th child, a leaf."""
+    """Return the longest extent along an axis of the triangles in a node's k-th child, which must be a leaf."""
     return float_at(node, EDGES + k)
 
 
 @wp.func
 def face_in(leaf: wp.uint64, k: wp.int32) -> wp.int32:
-    """The number of the face that a leaf's k-th triangle is."""
+    """Return the face number of a leaf's k-th triangle."""
     return int_at(leaf, FACES + k)
 
 
 @wp.func
 def highest_corner(leaf: wp.uint64, k: wp.int32, nx: wp.float32, ny: wp.float32, nz: wp.float32) -> wp.float32:
-    """How far the corners of a leaf's k-th triangle reach along a vector."""
+    """Return the largest dot product of a triangle's three corners with the vector (nx, ny, nz)."""
     rows = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     a = fma(rows[k], nx, fma(rows[WIDTH + k], ny, rows[2 * WIDTH + k] * nz))
     b = fma(rows[3 * WIDTH + k], nx, fma(rows[4 * WIDTH + k], ny, rows[5 * WIDTH + k] * nz))
@@ -76,13 +77,16 @@ def highest_corner(leaf: wp.uint64, k: wp.int32, nx: wp.float32, ny: wp.float32,
 
 @wp.func
 def size_of(v: wp.vec3) -> wp.float32:
-    """The sum of a vector's components, in magnitude: at least its length."""
+    """Return the sum of the absolute components of a vector, an upper bound on the vector's length."""
     return wp.abs(v[0]) + wp.abs(v[1]) + wp.abs(v[2])
 
 
 @wp.func
 def corner(leaf: wp.uint64, first_row: wp.int32, k: wp.int32, o: wp.vec3) -> wp.vec3:
-    """A corner of a leaf's k-th triangle, seen from the origin: so that it is rounded by a share of its distance."""
+    """Return a corner of a leaf's k-th triangle relative to the point o.
+
+    The rounding error is relative to the distance between the two.
+    """
     rows = wp.array(ptr=leaf, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     at = first_row * WIDTH + k
     return wp.vec3(rows[at] - o[0], rows[at + WIDTH] - o[1], rows[at + 2 * WIDTH] - o[2])

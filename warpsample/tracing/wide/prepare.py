@@ -1,4 +1,4 @@
-"""Prepares rays for the loops over nodes and leaves: rows of a chunk, filled for all of its rays at once."""
+"""Preparation of rays for the loops over nodes and leaves: derived rows of a chunk, computed in one loop over its rays."""
 
 import warp as wp
 
@@ -10,7 +10,7 @@ from warpsample.tracing.wide.layout import WIDTH
 _INVERSE, _SHIFT, _NEAR, _ORIGIN, _SHEAR, _AXES = (PREPARED + row * CHUNK for row in range(0, 18, 3))
 
 RAY_WORKSPACE = 2 * WIDTH + 1
-"""float32 numbers that a ray without a chunk needs."""
+"""Number of float32 that a single ray without a chunk needs as workspace."""
 
 _DIRECTION_BYTES = wp.constant(wp.uint64(4 * DIRECTION))
 _ROWS_OF_LEAF = wp.constant(wp.uint64(CHUNK // WIDTH))
@@ -20,9 +20,10 @@ _SLOWEST = wp.constant(wp.float32(2.0**-60))
 
 @wp.struct
 class Ray:
-    """What the loops over a node's and a leaf's rows need of a ray: a column of `prepare_wide`'s rows.
+    """One ray as the loops over boxes and triangles read it: a column of the rows that `prepare_wide` fills.
 
-    direction: the address of its unit direction's x; rows_of_leaf: how far from there y is, and z from y, in rows of a leaf.
+    See `prepare_ray` for the values. direction: address of the unit direction's x. rows_of_leaf: distance in memory from x
+    to y, and from y to z, in rows of a leaf.
     """
 
     inverse_x: wp.float32
@@ -48,8 +49,8 @@ class Ray:
 
 
 @wp.struct
-class Prepared:
-    """The numbers of a `Ray` in vectors, as rays are prepared side by side."""
+class PreparedRay:
+    """Values of a `Ray` as vectors: the result of `prepare_ray`."""
 
     inverse: wp.vec3
     shift: wp.vec3
@@ -60,29 +61,32 @@ class Prepared:
 
 
 @wp.func
-def _not_still(d: wp.float32) -> wp.float32:
-    """d, or a step so small along that axis that it cannot be seen, whose inverse is finite."""
+def _nonzero(d: wp.float32) -> wp.float32:
+    """Return a direction's component d, or 2^-60 with the sign of d where d is smaller, so that its inverse is finite."""
     return wp.where(wp.abs(d) > _SLOWEST, d, wp.copysign(_SLOWEST, d))
 
 
 @wp.func
-def prepared(o: wp.vec3, d: wp.vec3) -> Prepared:
-    """A ray from o along the unit vector d.
+def prepare_ray(o: wp.vec3, d: wp.vec3) -> PreparedRay:
+    """Compute the values of a ray from the origin o along the unit vector d that box and triangle tests need.
 
-    A plane at x is met at x * inverse + shift. near: bytes from an axis' lower row to that of the planes met first. axes:
-    bytes to the rows of three axes: first, second, and along, the direction's longest; the others are sheared along that
-    until the ray is that axis (Woop2013). origin: the origin's coordinates on them.
+    - inverse, shift: the ray hits the plane at x at distance x * inverse + shift.
+    - near: byte offset, for each axis, from the row of lower planes to the row of the planes that the ray hits first.
+    - axes: byte offsets in a leaf of the rows of three axes: first, second and along. "along" is the longest component of
+      the direction. The first and second axes are sheared along it until the ray is parallel to that axis (Woop2013).
+    - origin: coordinates of o on these three axes.
+    - shear: the two shears, and the direction's component along the third axis.
     """
-    x = _not_still(d[0])
-    y = _not_still(d[1])
-    z = _not_still(d[2])
+    x = _nonzero(d[0])
+    y = _nonzero(d[1])
+    z = _nonzero(d[2])
     inverse_x = 1.0 / x
     inverse_y = 1.0 / y
     inverse_z = 1.0 / z
     to_y = wp.abs(y) > wp.abs(x)
     to_z = wp.abs(z) > greater(wp.abs(x), wp.abs(y))
     scale = wp.where(to_z, inverse_z, wp.where(to_y, inverse_y, inverse_x))
-    p = Prepared()
+    p = PreparedRay()
     p.inverse = wp.vec3(inverse_x, inverse_y, inverse_z)
     p.shift = wp.vec3(-o[0] * inverse_x, -o[1] * inverse_y, -o[2] * inverse_z)
     p.near = wp.vec3i(wp.where(x < 0.0, _UPPER, 0), wp.where(y < 0.0, _UPPER, 0), wp.where(z < 0.0, _UPPER, 0))
@@ -106,14 +110,14 @@ def prepared(o: wp.vec3, d: wp.vec3) -> Prepared:
 
 @wp.func
 def prepare_wide(chunk: wp.uint64, length: wp.int32):
-    """Fills the other rows of a chunk's first rays, all at once."""
+    """Compute the derived rows of the first rays of a chunk, in one vectorised loop."""
     rays = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.float32)
     offsets = wp.array(ptr=chunk, shape=(CHUNK_FLOATS,), dtype=wp.int32)
     k = wp.int32(0)
     while k < length:
         o = wp.vec3(rays[ORIGIN + k], rays[ORIGIN + CHUNK + k], rays[ORIGIN + 2 * CHUNK + k])
         d = wp.vec3(rays[DIRECTION + k], rays[DIRECTION + CHUNK + k], rays[DIRECTION + 2 * CHUNK + k])
-        p = prepared(o, d)
+        p = prepare_ray(o, d)
         rays[_INVERSE + k] = p.inverse[0]
         rays[_INVERSE + CHUNK + k] = p.inverse[1]
         rays[_INVERSE + 2 * CHUNK + k] = p.inverse[2]
@@ -136,8 +140,8 @@ def prepare_wide(chunk: wp.uint64, length: wp.int32):
 
 
 @wp.func
-def _ray(p: Prepared, direction: wp.uint64, rows_of_leaf: wp.uint64) -> Ray:
-    """A prepared ray whose direction is there."""
+def _ray(p: PreparedRay, direction: wp.uint64, rows_of_leaf: wp.uint64) -> Ray:
+    """Return a `Ray` from its prepared values; `direction` and `rows_of_leaf` as in `Ray`."""
     ray = Ray()
     ray.inverse_x = p.inverse[0]
     ray.inverse_y = p.inverse[1]
@@ -164,8 +168,8 @@ def _ray(p: Prepared, direction: wp.uint64, rows_of_leaf: wp.uint64) -> Ray:
 
 @wp.func
 def ray_in(column: wp.uint64) -> Ray:
-    """The ray whose column begins at that address."""
-    p = Prepared()
+    """Return the ray whose column begins at an address."""
+    p = PreparedRay()
     p.inverse = vector_in(column, _INVERSE)
     p.shift = vector_in(column, _SHIFT)
     p.near = wp.vec3i(int_at(column, _NEAR), int_at(column, _NEAR + CHUNK), int_at(column, _NEAR + 2 * CHUNK))
@@ -177,8 +181,11 @@ def ray_in(column: wp.uint64) -> Ray:
 
 @wp.func
 def ray_of(o: wp.vec3, d: wp.vec3, workspace: wp.array[wp.float32]) -> Ray:
-    """One ray, without a chunk: the same numbers. Its direction is kept in `workspace`, of RAY_WORKSPACE."""
+    """Prepare one ray for tracing, with the same values as in a chunk.
+
+    The direction is stored in `workspace`, of RAY_WORKSPACE float32.
+    """
     workspace[0] = d[0]
     workspace[WIDTH] = d[1]
     workspace[2 * WIDTH] = d[2]
-    return _ray(prepared(o, d), workspace.ptr, wp.uint64(1))
+    return _ray(prepare_ray(o, d), workspace.ptr, wp.uint64(1))

@@ -1,4 +1,4 @@
-"""Traverses the tree: a ray visits the children whose boxes it meets; those left over wait on a stack."""
+"""Tree traversal by one ray: it visits the children whose boxes the ray hits, and stores the remaining ones on a stack."""
 
 import warp as wp
 
@@ -6,18 +6,21 @@ from warpsample.host.locks import once
 from warpsample.maths.memory import address_at, int_at
 from warpsample.maths.numerics import lowest_bit
 from warpsample.tracing.queries import Accelerator
-from warpsample.tracing.wide.candidates import boxes_met, triangles_near
+from warpsample.tracing.wide.candidates import boxes_hit, triangles_near
 from warpsample.tracing.wide.layout import NODE_BYTES, WIDTH, edge_in, face_in, leaf_at, link_in, node_at
 from warpsample.tracing.wide.prepare import Ray, ray_in
-from warpsample.tracing.wide.triangle import between_edges, plane_distance
-from warpsample.tracing.wide.walk import WAITING, put_aside
+from warpsample.tracing.wide.triangle import is_between_edges, plane_distance
+from warpsample.tracing.wide.walk import STACK_ENTRY, push_node
 
 _ALL = wp.constant(wp.int32(2**WIDTH - 1))
 
 
 @wp.func
-def nearest_of(leaf: wp.uint64, lanes: wp.int32, ray: Ray, reach: wp.float32, edge: wp.float32):
-    """(distance, lane in the leaf) of the nearest triangle met, of those in the mask `lanes`; (reach, -1) if none is."""
+def nearest_triangle(leaf: wp.uint64, lanes: wp.int32, ray: Ray, reach: wp.float32, edge: wp.float32):
+    """Return (distance, lane) of the nearest triangle of a leaf that the ray hits, among the lanes in a mask.
+
+    Without a hit the result is (reach, -1).
+    """
     found = triangles_near(leaf, ray, reach, edge)
     met = found & lanes
     nearest = wp.int32(-1)
@@ -25,18 +28,19 @@ def nearest_of(leaf: wp.uint64, lanes: wp.int32, ray: Ray, reach: wp.float32, ed
         triangle = lowest_bit(met)
         met = met & (met - 1)
         distance = plane_distance(leaf, triangle, ray)
-        # Selected, not branched: which of a leaf's triangles comes first cannot be foreseen, whether one is sure can.
+        # wp.where instead of a branch: the processor cannot predict which triangle is nearest, only whether a hit is
+        # certain.
         nearer = wp.where(distance > 0.0, 1, 0) & wp.where(distance < reach, 1, 0)
         if (nearer & ~(found >> (WIDTH + triangle))) != 0:
-            nearer = wp.where(between_edges(leaf, triangle, ray), 1, 0)
+            nearer = wp.where(is_between_edges(leaf, triangle, ray), 1, 0)
         reach = wp.where(nearer != 0, distance, reach)
         nearest = wp.where(nearer != 0, triangle, nearest)
     return reach, nearest
 
 
 @wp.func
-def any_of(leaf: wp.uint64, lanes: wp.int32, ray: Ray, reach: wp.float32, edge: wp.float32):
-    """(reach, lane in the leaf) of some triangle that is met, of those in the mask `lanes`; (reach, -1) if none is."""
+def any_triangle(leaf: wp.uint64, lanes: wp.int32, ray: Ray, reach: wp.float32, edge: wp.float32):
+    """Return (reach, lane) of some triangle of a leaf that the ray hits, among the lanes in a mask; (reach, -1) if none."""
     found = triangles_near(leaf, ray, reach, edge) & (lanes | (lanes << WIDTH))
     triangle = wp.int32(-1)
     if found != 0:
@@ -48,23 +52,23 @@ def any_of(leaf: wp.uint64, lanes: wp.int32, ray: Ray, reach: wp.float32, edge: 
         for _ in range(wp.bit_count(met)):
             if triangle < 0:
                 distance = plane_distance(leaf, lowest_bit(met), ray)
-                if distance > 0.0 and distance < reach and between_edges(leaf, lowest_bit(met), ray):
+                if distance > 0.0 and distance < reach and is_between_edges(leaf, lowest_bit(met), ray):
                     triangle = lowest_bit(met)
             met = met & (met - 1)
     return reach, triangle
 
 
 @wp.func
-def _nearest_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.float32):  # noqa: ARG001  (as the other)
-    """(distance, face) of a triangle met, at the reach; (inf, -1) below 0."""
+def _nearest_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.float32):  # noqa: ARG001  (signature shared)
+    """Return (distance, face) of a triangle at distance `reach`; (inf, -1) if `triangle` is below 0."""
     if triangle < 0:
         return wp.float32(wp.INF), wp.int32(-1)
     return reach, face_in(leaf, triangle)
 
 
 @wp.func
-def _any_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.float32):  # noqa: ARG001  (likewise)
-    """(distance, face) of a triangle that is met somewhere before the reach; (inf, -1) below 0."""
+def _any_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.float32):  # noqa: ARG001  (signature shared)
+    """Return (distance, face) of a triangle that the ray hits; (inf, -1) if `triangle` is below 0."""
     if triangle < 0:
         return wp.float32(wp.INF), wp.int32(-1)
     face = face_in(leaf, triangle)
@@ -72,56 +76,59 @@ def _any_answer(leaf: wp.uint64, triangle: wp.int32, ray: Ray, reach: wp.float32
 
 
 @wp.func
-def _take_up(ray: Ray, reach: wp.float32, top: wp.uint64, bottom: wp.uint64):
-    """(node, mask, top): the last node that waits and the children within reach by now; mask 0 if none is left."""
+def _pop_node(ray: Ray, reach: wp.float32, top: wp.uint64, bottom: wp.uint64):
+    """Return (node, mask, top): the waiting node on top of the stack and its children within the present reach.
+
+    Nodes without such children are skipped; the mask is 0 if no node is left.
+    """
     node = wp.uint64(0)
     mask = wp.int32(0)
     while mask == 0 and top != bottom:
-        top -= WAITING
+        top -= STACK_ENTRY
         node = address_at(top, 0)
         mask = int_at(top, 2)
         if int_at(top, 3) != wp.cast(reach, wp.int32):
-            still, _ = boxes_met(node, ray, reach, 0)
+            still, _ = boxes_hit(node, ray, reach, 0)
             mask = mask & still
     return node, mask, top
 
 
 @wp.func
-def _begin_at_one(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
-    """(node, mask of its children that are met, the one to be visited first, top of the empty stack)."""
-    mask, child = boxes_met(accelerator.start, ray, reach, flip)
+def _start_at_one(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
+    """Return (node, mask of its children that the ray hits, child to visit first, top of the empty stack)."""
+    mask, child = boxes_hit(accelerator.start, ray, reach, flip)
     return accelerator.start, mask, child, scratch
 
 
 @wp.func
-def _begin_at_several(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
-    """What `_begin_at_one` gives, with the other nodes to start from on the stack."""
+def _start_at_several(accelerator: Accelerator, ray: Ray, reach: wp.float32, flip: wp.int32, scratch: wp.uint64):
+    """Return the values of `_start_at_one` for the first start node, with the other start nodes on the stack."""
     top = scratch
     node = accelerator.start
-    mask, child = boxes_met(node, ray, reach, flip)
+    mask, child = boxes_hit(node, ray, reach, flip)
     for other in range(1, accelerator.starts):
-        top = put_aside(top, node + wp.uint64(other) * wp.uint64(NODE_BYTES), -1, -1.0)
+        top = push_node(top, node + wp.uint64(other) * wp.uint64(NODE_BYTES), -1, -1.0)
     if mask == 0:
-        node, mask, top = _take_up(ray, reach, top, scratch)
+        node, mask, top = _pop_node(ray, reach, top, scratch)
         child = lowest_bit(mask)
     return node, mask, child, top
 
 
 @once
 def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
-    """A query (Accelerator, Ray, reach, scratch) -> (distance or inf, face or -1, nodes, leaves visited).
+    """Build a query (Accelerator, Ray, reach, scratch) -> (distance or inf, face or -1, nodes visited, leaves visited).
 
-    In the tree's coordinates; origins are within 6 of 0 on each axis, reaches above 0. `scratch` is the address of
-    SCRATCH words.
+    Distances are in the tree's coordinates. Origins must be within 6 of 0 on each axis, and reaches above 0. `scratch` is
+    the address of SCRATCH words.
 
     Args:
-        any_hit: stops at the first triangle found, not the nearest. Of several children the farthest is visited first: near
-            the surface that a ray leaves from it meets many boxes and no triangle.
-        several: whether there may be several nodes to start from; 5 % slower.
+        any_hit: whether the query stops at the first triangle found instead of the nearest. It then visits the farthest
+            child first: near the surface that it leaves, a ray hits many boxes and no triangle.
+        several: whether there may be several start nodes; 5 % slower.
     """
     flip = -1 if any_hit else 0
-    begin = _begin_at_several if several else _begin_at_one
-    look_into, answer = (any_of, _any_answer) if any_hit else (nearest_of, _nearest_answer)
+    begin = _start_at_several if several else _start_at_one
+    look_into, answer = (any_triangle, _any_answer) if any_hit else (nearest_triangle, _nearest_answer)
 
     @wp.func
     def walk(accelerator: Accelerator, ray: Ray, reach: wp.float32, scratch: wp.uint64):
@@ -146,20 +153,20 @@ def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
                         mask = 0
                         top = scratch
                     if mask != 0:
-                        still, child = boxes_met(node, ray, reach, flip)
+                        still, child = boxes_hit(node, ray, reach, flip)
                         mask = mask & still
             else:
                 visited += 1
                 inner = node_at(accelerator, link)
-                below, child = boxes_met(inner, ray, reach, flip)
+                below, child = boxes_hit(inner, ray, reach, flip)
                 if below != 0:
                     if mask != 0:
-                        top = put_aside(top, node, mask, reach)
+                        top = push_node(top, node, mask, reach)
                     node = inner
                     mask = below
             if below == 0:
                 if mask == 0:
-                    node, mask, top = _take_up(ray, reach, top, scratch)
+                    node, mask, top = _pop_node(ray, reach, top, scratch)
                 child = lowest_bit(mask)
         nearest, face = answer(hit_leaf, hit, ray, reach)
         return nearest, face, visited, visited_leaves
@@ -169,7 +176,7 @@ def wide_walk(any_hit: bool, several: bool = False) -> wp.Function:
 
 @once
 def wide_query(any_hit: bool, several: bool = False) -> wp.Function:
-    """A query (Accelerator, column, reach, scratch): `wide_walk` by the ray in a column of a prepared chunk's rows."""
+    """Build a query (Accelerator, column, reach, scratch) for a ray in a column of a prepared chunk; see `wide_walk`."""
     walk = wide_walk(any_hit, several)
 
     @wp.func

@@ -1,6 +1,6 @@
 """One split of a range of triangles by the binned surface-area heuristic (Wald2007).
 
-Triangles are counted by the sixteen, since that many cost as much as one.
+The heuristic counts leaves instead of triangles, since testing sixteen triangles takes as long as testing one.
 """
 
 import warp as wp
@@ -17,24 +17,26 @@ _MOST_COST = wp.constant(wp.float32(3e38))
 
 @wp.func
 def _xyz(v: wp.vec4) -> wp.vec3:
+    """Return the first three components of a vector."""
     return wp.vec3(v[0], v[1], v[2])
 
 
 @wp.func
 def _half_area(low: wp.vec3, high: wp.vec3) -> wp.float32:
+    """Return half the surface area of a box."""
     d = high - low
     return d[0] * d[1] + d[1] * d[2] + d[2] * d[0]
 
 
 @wp.func
-def _passes(triangles: wp.int32) -> wp.float32:
-    """Leaves that many triangles fill."""
+def _leaf_count(triangles: wp.int32) -> wp.float32:
+    """Return the number of leaves needed for a number of triangles, as float32."""
     return wp.float32((triangles + WIDTH - 1) / WIDTH)
 
 
 @wp.func
 def centres(lower: wp.array[wp.vec4], upper: wp.array[wp.vec4], begin: wp.int32, end: wp.int32):
-    """The box of the boxes' centres, times two."""
+    """Return (lower, upper) corner of the bounding box of the triangles' box centres, multiplied by two."""
     low = wp.vec3(LARGE)
     high = wp.vec3(-LARGE)
     for i in range(begin, end):
@@ -45,9 +47,10 @@ def centres(lower: wp.array[wp.vec4], upper: wp.array[wp.vec4], begin: wp.int32,
 
 
 @wp.func
-def _put(
+def _add_to_bin(
     k: wp.int32, low: wp.vec3, high: wp.vec3, lows: wp.array[wp.vec3], highs: wp.array[wp.vec3], counts: wp.array[wp.int32]
 ):
+    """Extend the box of the k-th bin by a triangle's box, and count the triangle."""
     lows[k] = wp.min(lows[k], low)
     highs[k] = wp.max(highs[k], high)
     counts[k] = counts[k] + 1
@@ -65,7 +68,10 @@ def fill_bins(
     highs: wp.array[wp.vec3],
     counts: wp.array[wp.int32],
 ):
-    """Boxes and counts of the triangles whose centres are in a bin, sixteen bins to an axis."""
+    """Compute the box and the triangle count of each bin, from the triangles whose box centres are in the bin.
+
+    There are sixteen bins per axis: BINS times the axis plus the bin along the axis.
+    """
     for k in range(ALL_BINS):
         lows[k] = wp.vec3(LARGE)
         highs[k] = wp.vec3(-LARGE)
@@ -74,9 +80,9 @@ def fill_bins(
         low = _xyz(lower[i])
         high = _xyz(upper[i])
         bin = wp.cw_mul(low + high - start, scale)
-        _put(wp.int32(bin[0]), low, high, lows, highs, counts)
-        _put(BINS + wp.int32(bin[1]), low, high, lows, highs, counts)
-        _put(2 * BINS + wp.int32(bin[2]), low, high, lows, highs, counts)
+        _add_to_bin(wp.int32(bin[0]), low, high, lows, highs, counts)
+        _add_to_bin(BINS + wp.int32(bin[1]), low, high, lows, highs, counts)
+        _add_to_bin(2 * BINS + wp.int32(bin[2]), low, high, lows, highs, counts)
 
 
 @wp.func
@@ -87,13 +93,16 @@ def best_split(
     counts: wp.array[wp.int32],
     right: wp.array[wp.float32],
 ):
-    """(last bin of the left part among all axes' bins or -1, half areas of the left and of the right part)."""
+    """Return (last bin of the left part, half area of the left part, half area of the right part) of the cheapest split.
+
+    The bin is numbered among the bins of all axes; it is -1 if no split separates the triangles.
+    """
     best = wp.int32(-1)
     least = wp.float32(_MOST_COST)
     left_area = wp.float32(0.0)
     right_area = wp.float32(0.0)
     first = wp.int32(0)
-    while first < ALL_BINS:  # `range` would be unrolled, and takes the compiler twice as long
+    while first < ALL_BINS:  # the compiler would unroll `range` and take twice as long
         low = wp.vec3(LARGE)
         high = wp.vec3(-LARGE)
         k = first + BINS - 1
@@ -111,7 +120,7 @@ def best_split(
             count += counts[k]
             if count > 0 and count < triangles:
                 area = _half_area(low, high)
-                cost = area * _passes(count) + right[k + 1] * _passes(triangles - count)
+                cost = area * _leaf_count(count) + right[k + 1] * _leaf_count(triangles - count)
                 if cost < least:
                     least = cost
                     best = k
@@ -132,7 +141,7 @@ def partition(
     scale: wp.float32,
     last_bin: wp.int32,
 ) -> wp.int32:
-    """Brings the triangles of the bins up to last_bin to the front; returns where the others begin."""
+    """Move the triangles of bins up to `last_bin` to the front of a range, and return the start of the other triangles."""
     low = begin
     high = end - 1
     while low <= high:

@@ -1,4 +1,4 @@
-"""Rays that go on behind what they meet: every leaf in their way is looked into, every triangle that they cross is found."""
+"""Tree traversal by rays that no hit stops: the walk searches every leaf on the way and finds every triangle crossed."""
 
 from typing import Any
 
@@ -8,18 +8,18 @@ from warpsample.host.locks import once
 from warpsample.maths.memory import address_at, float_at, int_at
 from warpsample.maths.numerics import ONE, lowest_bit
 from warpsample.tracing.queries import Accelerator, Glass
-from warpsample.tracing.wide.candidates import boxes_met, triangles_near
+from warpsample.tracing.wide.candidates import boxes_hit, triangles_near
 from warpsample.tracing.wide.layout import NODE_BYTES, WIDTH, edge_in, face_in, leaf_at, link_in, node_at
 from warpsample.tracing.wide.prepare import Ray
-from warpsample.tracing.wide.triangle import crosses, plane_distance
-from warpsample.tracing.wide.walk import WAITING, put_aside
+from warpsample.tracing.wide.triangle import is_crossed, plane_distance
+from warpsample.tracing.wide.walk import STACK_ENTRY, push_node
 
-_NOT_LOOKED_AT = wp.constant(wp.int32(-1))
+_UNTESTED = wp.constant(wp.int32(-1))
 
 
 @wp.func
-def crossed(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32) -> wp.int32:
-    """Mask of the triangles of a leaf that a ray crosses within reach; `edge` as for `triangles_near`."""
+def crossed_triangles(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32) -> wp.int32:
+    """Return a mask of a leaf's triangles that a ray crosses within `reach`; `edge` is that of `triangles_near`."""
     near = triangles_near(leaf, ray, reach, edge)
     maybe = near & ((1 << WIDTH) - 1)
     mask = wp.int32(0)
@@ -27,63 +27,65 @@ def crossed(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32) -> w
         k = lowest_bit(maybe)
         maybe = maybe & (maybe - 1)
         distance = plane_distance(leaf, k, ray)
-        if distance > 0.0 and distance < reach and (((near >> (WIDTH + k)) & 1) != 0 or crosses(leaf, k, ray)):
+        if distance > 0.0 and distance < reach and (((near >> (WIDTH + k)) & 1) != 0 or is_crossed(leaf, k, ray)):
             mask = mask | (1 << k)
     return mask
 
 
 @once
-def through_walk(look: wp.Function, answer: Any) -> wp.Function:
-    """A function (Accelerator, ray, reach, answer so far, scratch) -> answer, of a ray that nothing stops.
+def through_walk(look: wp.Function, answer_type: Any) -> wp.Function:
+    """Build a function (Accelerator, ray, reach, answer, scratch) -> answer that collects all triangles a ray crosses.
 
-    In the tree's coordinates. `scratch` is the address of SCRATCH words.
+    Rays are in the tree's coordinates. `answer` is the answer so far. `scratch` is the address of SCRATCH words.
 
     Args:
-        look: (leaf, ray, reach, longest side in the leaf, answer so far) -> answer, asked of each leaf whose box the ray
-            meets, in an order that is a function of the ray and the tree.
-        answer: the type of the answer.
+        look: function (leaf, ray, reach, edge, answer) -> answer, called for each leaf whose box the ray hits. `edge` is the
+            longest extent of the leaf's triangles along an axis. The order of the leaves depends on the ray and the tree
+            alone.
+        answer_type: type of the answer.
     """
 
     @wp.func
-    def walk(tree: Accelerator, ray: Ray, reach: wp.float32, found: answer, scratch: wp.uint64):
+    def walk(tree: Accelerator, ray: Ray, reach: wp.float32, answer: answer_type, scratch: wp.uint64):
         top = scratch
         for start in range(tree.starts):
-            top = put_aside(top, tree.start + wp.uint64(start) * wp.uint64(NODE_BYTES), _NOT_LOOKED_AT, 0.0)
+            top = push_node(top, tree.start + wp.uint64(start) * wp.uint64(NODE_BYTES), _UNTESTED, 0.0)
         while top != scratch:
-            top -= WAITING
+            top -= STACK_ENTRY
             node = address_at(top, 0)
             mask = int_at(top, 2)
-            if mask == _NOT_LOOKED_AT:
-                mask, _nearest = boxes_met(node, ray, reach, 0)
+            if mask == _UNTESTED:
+                mask, _nearest = boxes_hit(node, ray, reach, 0)
             below = wp.int32(0)
             while mask != 0 and below == 0:
                 child = lowest_bit(mask)
                 mask = mask & (mask - 1)
                 link = link_in(node, child)
                 if link < 0:
-                    found = look(leaf_at(tree, ~link), ray, reach, edge_in(node, child), found)
+                    answer = look(leaf_at(tree, ~link), ray, reach, edge_in(node, child), answer)
                 else:
                     below = link
             if mask != 0:
-                top = put_aside(top, node, mask, 0.0)
+                top = push_node(top, node, mask, 0.0)
             if below != 0:
-                top = put_aside(top, node_at(tree, below), _NOT_LOOKED_AT, 0.0)
-        return found
+                top = push_node(top, node_at(tree, below), _UNTESTED, 0.0)
+        return answer
 
     return walk
 
 
 @wp.struct
-class Passed:
-    """The share of light that is left of a ray so far, and the address of the faces' transmittances."""
+class Transmission:
+    """Transmittance of the faces crossed so far (0 to 1), and the address of all faces' transmittances, (F,) float32."""
 
     share: wp.float64
     transmittance: wp.uint64
 
 
 @wp.func
-def _multiply(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Passed):
-    mask = crossed(leaf, ray, reach, edge)
+def _multiply(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Transmission):
+    """Multiply the transmittance of a path by the transmittances of a leaf's triangles that the ray crosses."""
+    mask = crossed_triangles(leaf, ray, reach, edge)
     while mask != 0:
         k = lowest_bit(mask)
         mask = mask & (mask - 1)
@@ -91,16 +93,16 @@ def _multiply(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, fo
     return found
 
 
-_walk_through_glass = through_walk(_multiply, Passed)
+_walk_through_glass = through_walk(_multiply, Transmission)
 
 
 @wp.func
-def share_through(glass: Glass, ray: Ray, reach: wp.float32, scratch: wp.uint64) -> wp.float32:
-    """The product of the transmittances of what a ray crosses within reach, of the faces that let some light through.
+def path_transmittance(glass: Glass, ray: Ray, reach: wp.float32, scratch: wp.uint64) -> wp.float32:
+    """Return the product of the transmittances of the translucent faces that a ray crosses within `reach`, from 0 to 1.
 
-    It is multiplied in float64, so that only its last bit may know in which order.
+    The product is computed in float64, so that the order of the faces can change only its last float32 bit.
     """
-    passed = Passed()
+    passed = Transmission()
     passed.share = ONE
     passed.transmittance = glass.transmittance
     passed = _walk_through_glass(glass.tree, ray, reach, passed, scratch)
@@ -109,9 +111,13 @@ def share_through(glass: Glass, ray: Ray, reach: wp.float32, scratch: wp.uint64)
 
 @wp.struct
 class Crossing:
-    """The first crossing of a ray behind another one: its distance and face, by which those at one distance are ordered.
+    """First crossing of a ray behind a given crossing; crossings are ordered by distance, then by face number.
 
-    after, after_face: the other one.
+    Attributes:
+        distance: distance of the first crossing found so far, inf before one is found.
+        face: face of that crossing, -1 before one is found.
+        after: distance of the given crossing.
+        after_face: face of the given crossing.
     """
 
     distance: wp.float32
@@ -122,7 +128,8 @@ class Crossing:
 
 @wp.func
 def _first_of(leaf: wp.uint64, ray: Ray, reach: wp.float32, edge: wp.float32, found: Crossing):
-    mask = crossed(leaf, ray, reach, edge)
+    """Update the first crossing behind the given one with the triangles of a leaf."""
+    mask = crossed_triangles(leaf, ray, reach, edge)
     while mask != 0:
         k = lowest_bit(mask)
         mask = mask & (mask - 1)
@@ -142,7 +149,10 @@ _walk_to_next = through_walk(_first_of, Crossing)
 def next_crossing(
     tree: Accelerator, ray: Ray, reach: wp.float32, after: wp.float32, after_face: wp.int32, scratch: wp.uint64
 ):
-    """(distance, face) of the first crossing within reach behind that of `after_face` at `after`; (inf, -1) without one."""
+    """Return (distance, face) of the first crossing within `reach` behind the crossing of `after_face` at distance `after`.
+
+    Without one the result is (inf, -1).
+    """
     found = Crossing()
     found.distance = wp.float32(wp.INF)
     found.face = -1

@@ -1,4 +1,4 @@
-"""Which triangle a ray meets, and where: decided in float64, from the ray and the triangle alone."""
+"""Intersection of a ray with one triangle in float64; the result depends on the ray and the triangle alone."""
 
 import warp as wp
 
@@ -13,8 +13,8 @@ _THIRD = wp.constant(wp.int32(6 * WIDTH))
 
 
 @wp.func
-def _inside(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: wp.float64, cy: wp.float64) -> wp.bool:
-    """Whether 0 is in a triangle of the plane or on its edge."""
+def _is_inside(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: wp.float64, cy: wp.float64) -> wp.bool:
+    """Return whether the point (0, 0) is inside a triangle of the plane or on its edge."""
     u = cx * by - cy * bx
     v = ax * cy - ay * cx
     w = bx * ay - by * ax
@@ -23,14 +23,14 @@ def _inside(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: 
 
 @wp.func
 def _side(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64) -> wp.int32:
-    """On which side of the line from a to b in the plane 0 is, 1 or -1: the exact sign of a x b; 0 only if a is b.
+    """Return 1 or -1 for the side of the line from a to b on which the point (0, 0) lies: the exact sign of a x b.
 
-    Where that is 0 it is the sign for 0 moved by an infinitesimal step along the first axis, and one infinitely smaller
-    along the second. From b to a it is the opposite.
+    Where a x b is 0, the point counts as moved by an infinitesimal step along the first axis and an infinitely smaller one
+    along the second. The line from b to a gives the opposite sign. The result is 0 only if a equals b.
     """
     p = ax * by
     q = ay * bx
-    if p == q:  # the products are rounded; what was lost decides
+    if p == q:  # the products are rounded: their rounding errors decide
         p = fma_double(ax, by, -p)
         q = fma_double(ay, bx, -q)
     if p == q:
@@ -43,21 +43,27 @@ def _side(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64) -> wp.
 
 
 @wp.func
-def _inside_once(ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: wp.float64, cy: wp.float64) -> wp.bool:
-    """Whether 0 is in a triangle of the plane; of those that share an edge or a corner at 0, in one on either side of it."""
+def _is_inside_once(
+    ax: wp.float64, ay: wp.float64, bx: wp.float64, by: wp.float64, cx: wp.float64, cy: wp.float64
+) -> wp.bool:
+    """Return whether the point (0, 0) is inside a triangle of the plane, with shared edges and corners counted once.
+
+    On an edge or a corner the point counts as moved by the step of `_side`. So exactly one of the triangles around it
+    contains it.
+    """
     side = _side(ax, ay, bx, by)
     return side != 0 and side == _side(bx, by, cx, cy) and side == _side(cx, cy, ax, ay)
 
 
 @wp.func
 def _direction(ray: Ray, row: wp.uint64) -> wp.float64:
-    """A ray's direction along an axis, which is told by the offset of its row in a leaf."""
+    """Return the component of a ray's direction along an axis; `row` is the byte offset of the axis' row in a leaf."""
     return wp.float64(float_at(ray.direction + row * ray.rows_of_leaf, 0))
 
 
 @wp.func
 def plane_distance(leaf: wp.uint64, k: wp.int32, ray: Ray) -> wp.float32:
-    """From a ray's origin to the plane of a triangle of a leaf; inf or NaN where the ray is parallel to it."""
+    """Return the distance along a ray to the plane of a leaf's k-th triangle; inf or NaN where the ray is parallel."""
     first = wp.array(ptr=leaf + ray.first, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     second = wp.array(ptr=leaf + ray.second, shape=(_LEAF_FLOATS,), dtype=wp.float32)
     along = wp.array(ptr=leaf + ray.along, shape=(_LEAF_FLOATS,), dtype=wp.float32)
@@ -80,13 +86,17 @@ def plane_distance(leaf: wp.uint64, k: wp.int32, ray: Ray) -> wp.float32:
     return wp.float32((nx * x + ny * y + nz * z) / slope)
 
 
-def _between(inside: wp.Function) -> wp.Function:
-    """A function (leaf, k, ray) -> whether the ray's line passes between the edges of a triangle, by a test of 0 in a plane.
+def _build_edge_test(inside: wp.Function) -> wp.Function:
+    """Build a function (leaf, k, ray) -> bool: whether the ray's line passes between the edges of a triangle.
 
-    A function of the float32 ray and triangle alone, whichever leaf it is in. As `triangles_near`, in float64, where the
-    differences of coordinates are exact: on which side of an edge a ray passes is told by the ray and the edge, not by how
-    far away the edge ends. Rounding is monotonic: the sign of a difference of two rounded products is that of their
-    difference, or 0. The two triangles at an edge compute it from the same numbers.
+    The result depends on the float32 ray and triangle alone, whichever leaf holds the triangle. As in `triangles_near`, the
+    triangle is sheared onto the ray, but in float64, where differences of coordinates are exact. So the ray and an edge
+    alone determine the side on which the ray passes, not the distance to the edge's ends. Rounding is monotonic: the sign of
+    a difference of two rounded products is the sign of the exact difference, or 0. The two triangles at an edge compute the
+    sign from the same numbers.
+
+    Args:
+        inside: function (ax, ay, bx, by, cx, cy) -> bool: whether the point (0, 0) is in a triangle of the plane.
     """
 
     @wp.func
@@ -115,8 +125,11 @@ def _between(inside: wp.Function) -> wp.Function:
     return between
 
 
-between_edges: wp.Function = _between(_inside)
-"""Or meets one of them: 0 counts as inside of both triangles at an edge, so that a ray there meets at least one."""
+is_between_edges: wp.Function = _build_edge_test(_is_inside)
+"""Test (leaf, k, ray) -> bool that includes the edges: a ray at a shared edge hits both triangles, so at least one."""
 
-crosses: wp.Function = _between(_inside_once)
-"""A ray at an edge or a corner crosses the surface as one just beside it does: once, or at a silhouette twice or never."""
+is_crossed: wp.Function = _build_edge_test(_is_inside_once)
+"""Test (leaf, k, ray) -> bool that counts a crossing at an edge or a corner like that of a ray just beside the edge.
+
+Such a ray crosses the surface once, or at a silhouette twice or never.
+"""

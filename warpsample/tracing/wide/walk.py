@@ -1,4 +1,4 @@
-"""The walk over the tree that whatever is no ray takes, and the stack of nodes that wait, which rays have too."""
+"""Tree traversal for searches that are not rays, and the stack of waiting nodes that rays use, too."""
 
 from typing import Any
 
@@ -10,67 +10,68 @@ from warpsample.maths.numerics import lowest_bit
 from warpsample.tracing.queries import Accelerator
 from warpsample.tracing.wide.layout import NODE_BYTES, leaf_at, link_in, node_at
 
-WAITING: wp.uint64 = wp.constant(wp.uint64(4 * 4))
-"""Bytes of a node that waits on the stack: its address, a mask of its children, and the reach they were found with."""
+STACK_ENTRY: wp.uint64 = wp.constant(wp.uint64(4 * 4))
+"""Bytes of one stack entry: the address of a node, a mask of its children, and the reach at which the mask was computed."""
 
-_NOT_LOOKED_AT = wp.constant(wp.int32(-1))
+_UNTESTED = wp.constant(wp.int32(-1))
 
 
 @wp.func
-def put_aside(top: wp.uint64, node: wp.uint64, mask: wp.int32, reach: wp.float32) -> wp.uint64:
-    """The new top of the stack of nodes that wait, with the children to be visited and the reach they were found with."""
+def push_node(top: wp.uint64, node: wp.uint64, mask: wp.int32, reach: wp.float32) -> wp.uint64:
+    """Push a node onto the stack, with the children to visit and the reach of their box test; return the new top."""
     set_address(top, 0, node)
     set_int(top, 2, mask)
     set_float(top, 3, reach)
-    return top + WAITING
+    return top + STACK_ENTRY
 
 
 @once
-def tree_walk(enter: wp.Function, look: wp.Function, asked: Any, answer: Any) -> wp.Function:
-    """A function (Accelerator, what is asked, answer so far, visits, scratch) -> (answer, whether the visits did not do).
+def tree_walk(enter: wp.Function, look: wp.Function, query_type: Any, answer_type: Any) -> wp.Function:
+    """Build a function (Accelerator, query, answer, visits, scratch) -> (answer, exhausted) that searches the tree.
 
-    `visits` is how many nodes and leaves are looked into at most, 0 for all; `scratch` the address of SCRATCH words.
+    `answer` is the answer so far. `visits` is the largest number of nodes and leaves to look into, 0 for no limit.
+    `exhausted` is True where that limit ended the search. `scratch` is the address of SCRATCH words.
 
     Args:
-        enter: (node, what is asked) -> mask of the children to be visited.
-        look: (leaf, what is asked, answer so far) -> (answer, whether that is enough).
-        asked: the type of what is asked.
-        answer: that of the answer.
+        enter: function (node, query) -> mask of the children to visit.
+        look: function (leaf, query, answer) -> (answer, bool: True to end the search).
+        query_type: type of the query.
+        answer_type: type of the answer.
     """
 
     @wp.func
-    def walk(tree: Accelerator, what: asked, found: answer, visits: wp.int32, scratch: wp.uint64):
+    def walk(tree: Accelerator, query: query_type, answer: answer_type, visits: wp.int32, scratch: wp.uint64):
         top = scratch
         for other in range(1, tree.starts):
-            top = put_aside(top, tree.start + wp.uint64(other) * wp.uint64(NODE_BYTES), _NOT_LOOKED_AT, 0.0)
+            top = push_node(top, tree.start + wp.uint64(other) * wp.uint64(NODE_BYTES), _UNTESTED, 0.0)
         node = tree.start
-        mask = _NOT_LOOKED_AT
+        mask = _UNTESTED
         spent = wp.bool(False)
         searching = tree.starts > 0
         while searching:
-            if mask == _NOT_LOOKED_AT:
-                mask = enter(node, what)
+            if mask == _UNTESTED:
+                mask = enter(node, query)
             elif mask != 0:
                 child = lowest_bit(mask)
                 mask = mask & (mask - 1)
                 link = link_in(node, child)
                 enough = wp.bool(False)
                 if link < 0:
-                    found, enough = look(leaf_at(tree, ~link), what, found)
+                    answer, enough = look(leaf_at(tree, ~link), query, answer)
                 else:
                     if mask != 0:
-                        top = put_aside(top, node, mask, 0.0)
+                        top = push_node(top, node, mask, 0.0)
                     node = node_at(tree, link)
-                    mask = _NOT_LOOKED_AT
+                    mask = _UNTESTED
                 visits -= 1
                 spent = visits == 0 and not enough
                 searching = not (enough or spent)
             elif top != scratch:
-                top -= WAITING
+                top -= STACK_ENTRY
                 node = address_at(top, 0)
                 mask = int_at(top, 2)
             else:
                 searching = wp.bool(False)
-        return found, spent
+        return answer, spent
 
     return walk
