@@ -113,7 +113,7 @@ def test_the_same_command_gives_the_same_bytes(call, scene):
 def test_an_interrupt_leaves_the_old_file(call, scene, monkeypatch):
     """As the last thing is made, when the new file is begun already."""
     output = baked(call, scene)[0]
-    whole, png = output.read_bytes(), texture_bake.png_of
+    whole, png = output.read_bytes(), texture_bake.encode_png
     made = []
 
     def once(image, depth):
@@ -122,7 +122,7 @@ def test_an_interrupt_leaves_the_old_file(call, scene, monkeypatch):
             raise KeyboardInterrupt
         return png(image, depth)
 
-    monkeypatch.setattr(texture_bake, "png_of", once)
+    monkeypatch.setattr(texture_bake, "encode_png", once)
     status, _, _ = call("bake", scene, "-o", output, "--texture", 32, *RAYS)
     assert (status, len(made)) == (130, 2)
     assert output.read_bytes() == whole

@@ -8,7 +8,7 @@ import trimesh
 
 import warpsample as ws
 from warpsample.texture import unwrapping
-from warpsample.texture.charts import charts_of
+from warpsample.texture.charts import label_charts
 
 SPHERE = trimesh.creation.icosphere(3)
 
@@ -25,7 +25,7 @@ def test_charts_fit_and_keep_their_distance(mesh, size):
     t = ws.texture_points(split, uv, size)
     assert (t.report.overlapped, t.report.outside, t.report.zero_area) == (0, 0, 0)
     chart = np.full(size * size, -1)
-    chart[t.texel] = charts_of(uv)[t.face]
+    chart[t.texel] = label_charts(uv)[t.face]
     chart = chart.reshape(size, size)
     assert len(np.unique(chart)) > 4
     for step in range(1, padding - 1):  # texels that are covered reach up to 1 beyond each chart

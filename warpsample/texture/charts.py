@@ -5,7 +5,7 @@ import numpy as np
 from warpsample.host.making import imported
 
 
-def charts_of(corners: np.ndarray) -> np.ndarray:
+def label_charts(corners: np.ndarray) -> np.ndarray:
     """(F,) int32, the chart of each face, from 0 on; those of faces without coordinates say nothing.
 
     `corners` are (F, 3, k) float64: coordinates, and what else corners must have alike to hang together.

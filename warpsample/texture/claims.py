@@ -37,7 +37,7 @@ class Claims:
     overlapping: np.ndarray
 
 
-def claims_of(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int], samples: int, memory: Memory) -> Claims:
+def claim_points(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int], samples: int, memory: Memory) -> Claims:
     """Who claims which texels of an image of so many columns and rows.
 
     Args:
@@ -45,31 +45,31 @@ def claims_of(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int], sa
         usable: (F,) bool, which of them have texels.
         size: columns and rows.
         samples: of each texel. One is at its centre, or at the point of a face that is nearest to it; of several those
-            count that are within a face, or the first one if none is.
+            count that are centre_counts a face, or the first one if none is.
         memory: where the kernels run.
     """
     texels = size[0] * size[1]
     check_memory(texels * (_BYTES + 4 * samples), f"an image of {size[0]} x {size[1]} texels", "take fewer texels")
-    nearest, within = np.zeros(texels, np.uint64), np.zeros(texels, np.int32)
+    nearest, centre_counts = np.zeros(texels, np.uint64), np.zeros(texels, np.int32)
     owners = np.zeros(texels * samples if samples > 1 else 0, np.uint32)
     marks = np.zeros(len(corners), np.int32)
-    boxes, tasks, rows = _tasks(corners, usable, size)
+    boxes, tasks, rows = _split_into_tasks(corners, usable, size)
     with memory.loan() as loan:
-        own = loan.put(corners), loan.put(boxes), loan.put(tasks), rows
+        shared_inputs = loan.put(corners), loan.put(boxes), loan.put(tasks), rows
         with memory.loan() as inner:
-            found = [inner.output(array, zero=True) if array.size else 0 for array in (nearest, owners, within)]
-            inputs = [*own, *size, samples, len(corners), _SEED, *found]
+            outputs = [inner.output(array, zero=True) if array.size else 0 for array in (nearest, owners, centre_counts)]
+            inputs = [*shared_inputs, *size, samples, len(corners), _SEED, *outputs]
             if len(tasks):  # one thread: Warp's atomics are none on the CPU
                 run(claim_texels(), len(tasks), inputs, memory.device, workers=1, work=texels * samples)
-        overlapped = int(np.count_nonzero(within > 1))
+        overlapped = int(np.count_nonzero(centre_counts > 1))
         if overlapped:
-            inputs = [*own, size[0], loan.put(within), loan.output(marks, zero=True)]
+            inputs = [*shared_inputs, size[0], loan.put(centre_counts), loan.output(marks, zero=True)]
             run(mark_overlaps(), len(tasks), inputs, memory.device, workers=1, work=texels)
-    id, face = _points(nearest, owners, samples, len(corners))
+    id, face = _list_points(nearest, owners, samples, len(corners))
     return Claims(id, face, int(np.count_nonzero(nearest)), overlapped, marks > 0)
 
 
-def weights_of(
+def compute_weights(
     corners: np.ndarray, id: np.ndarray, face: np.ndarray, width: int, *, samples: int, memory: Memory, workers: int
 ) -> np.ndarray:
     """(P, 3) float64, the weights of the corners of the faces at points of `Claims`."""
@@ -81,7 +81,7 @@ def weights_of(
     return weights
 
 
-def _tasks(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int]) -> tuple[np.ndarray, np.ndarray, int]:
+def _split_into_tasks(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int]) -> tuple[np.ndarray, np.ndarray, int]:
     """The boxes of faces as `claim_texels` has them, of texels with a centre nearer than 1; its tasks; rows of a task."""
     most = np.array(size, np.float64)
     with np.errstate(invalid="ignore"):
@@ -98,7 +98,7 @@ def _tasks(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int]) -> tu
     return boxes, np.stack([face, boxes[face, 2] + rows * part], axis=1).astype(np.int32), rows
 
 
-def _points(nearest: np.ndarray, owners: np.ndarray, samples: int, faces: int) -> tuple[np.ndarray, np.ndarray]:
+def _list_points(nearest: np.ndarray, owners: np.ndarray, samples: int, faces: int) -> tuple[np.ndarray, np.ndarray]:
     """Ids and faces of all points, from what the faces have claimed."""
     texel = np.flatnonzero(nearest)
     face = (np.uint64(_LAST_FACE) - (nearest[texel] & np.uint64(_LAST_FACE))).astype(np.int32)

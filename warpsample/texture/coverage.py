@@ -13,7 +13,7 @@ from warpsample.sequences.sobol import sobol
 _ZERO = wp.constant(wp.float64(0.0))
 _ONE = wp.constant(wp.float64(1.0))
 _HALF = wp.constant(wp.float64(0.5))
-_STRICTLY = wp.constant(wp.float64(1e-6))  # of a texel: within it two faces share an edge, and do not overlap
+_STRICTLY = wp.constant(wp.float64(1e-6))  # of a texel: centre_counts it two faces share an edge, and do not overlap
 _FARTHEST = wp.constant(wp.uint64(0x7F800000))  # above the bits of every finite float32
 _LAST_FACE = wp.constant(wp.uint64(0xFFFFFFFF))
 _WORD = wp.constant(wp.uint64(32))
@@ -35,13 +35,13 @@ class Triangle:
 
 
 @wp.func
-def _inward(start: wp.vec2d, end: wp.vec2d, turn: wp.float64) -> wp.vec2d:
+def _inward_normal(start: wp.vec2d, end: wp.vec2d, turn: wp.float64) -> wp.vec2d:
     d = end - start
     return wp.vec2d(-turn * d[1], turn * d[0])
 
 
 @wp.func
-def triangle_at(corners: wp.uint64, face: wp.int32) -> Triangle:
+def read_triangle(corners: wp.uint64, face: wp.int32) -> Triangle:
     """A face of corners (F, 3, 2) float64, of either winding."""
     view = wp.array(ptr=corners + wp.uint64(face) * wp.uint64(48), shape=(3,), dtype=wp.vec2d)
     t = Triangle()
@@ -51,25 +51,25 @@ def triangle_at(corners: wp.uint64, face: wp.int32) -> Triangle:
     u = t.b - t.a
     v = t.c - t.a
     turn = wp.where(u[0] * v[1] - u[1] * v[0] < _ZERO, -_ONE, _ONE)
-    t.ab = _inward(t.a, t.b, turn)
-    t.bc = _inward(t.b, t.c, turn)
-    t.ca = _inward(t.c, t.a, turn)
+    t.ab = _inward_normal(t.a, t.b, turn)
+    t.bc = _inward_normal(t.b, t.c, turn)
+    t.ca = _inward_normal(t.c, t.a, turn)
     return t
 
 
 @wp.func
-def edges_at(t: Triangle, p: wp.vec2d) -> wp.vec3d:
+def edge_values(t: Triangle, p: wp.vec2d) -> wp.vec3d:
     """How far a point is inside of each edge, times the edge's length; of the edges opposite to a, b and c."""
     return wp.vec3d(wp.dot(t.bc, p - t.b), wp.dot(t.ca, p - t.c), wp.dot(t.ab, p - t.a))
 
 
 @wp.func
-def _least(e: wp.vec3d) -> wp.float64:
+def _smallest(e: wp.vec3d) -> wp.float64:
     return wp.min(e[0], wp.min(e[1], e[2]))
 
 
 @wp.func
-def _spans(e: wp.vec3d, t: Triangle, half: wp.float64) -> wp.bool:
+def _is_near(e: wp.vec3d, t: Triangle, half: wp.float64) -> wp.bool:
     """Whether no edge has the square of that half width about a point outside; the caller has compared the boxes."""
     return (
         e[0] + half * (wp.abs(t.bc[0]) + wp.abs(t.bc[1])) > _ZERO
@@ -79,12 +79,12 @@ def _spans(e: wp.vec3d, t: Triangle, half: wp.float64) -> wp.bool:
 
 
 @wp.func
-def _strictly_within(e: wp.vec3d, t: Triangle) -> wp.bool:
+def _is_strictly_inside(e: wp.vec3d, t: Triangle) -> wp.bool:
     return e[0] > _STRICTLY * wp.length(t.bc) and e[1] > _STRICTLY * wp.length(t.ca) and e[2] > _STRICTLY * wp.length(t.ab)
 
 
 @wp.func
-def _along(start: wp.vec2d, end: wp.vec2d, p: wp.vec2d) -> wp.float64:
+def _project_on_edge(start: wp.vec2d, end: wp.vec2d, p: wp.vec2d) -> wp.float64:
     """Where between two corners a point is nearest, from 0 to 1."""
     d = end - start
     length = wp.dot(d, d)
@@ -94,32 +94,32 @@ def _along(start: wp.vec2d, end: wp.vec2d, p: wp.vec2d) -> wp.float64:
 
 
 @wp.func
-def _squared(start: wp.vec2d, end: wp.vec2d, s: wp.float64, p: wp.vec2d) -> wp.float64:
+def _squared_distance(start: wp.vec2d, end: wp.vec2d, s: wp.float64, p: wp.vec2d) -> wp.float64:
     d = start + s * (end - start) - p
     return wp.dot(d, d)
 
 
 @wp.func
-def nearest_on(t: Triangle, e: wp.vec3d, p: wp.vec2d) -> wp.vec4d:
+def find_nearest(t: Triangle, e: wp.vec3d, p: wp.vec2d) -> wp.vec4d:
     """The weights of a, b and c at the point of a face nearest to p, and the square of its distance."""
-    if _least(e) >= _ZERO:
+    if _smallest(e) >= _ZERO:
         sum = e[0] + e[1] + e[2]
         return wp.vec4d(e[0] / sum, e[1] / sum, e[2] / sum, _ZERO)
-    s = _along(t.a, t.b, p)
-    found = wp.vec4d(_ONE - s, s, _ZERO, _squared(t.a, t.b, s, p))
-    s = _along(t.b, t.c, p)
-    squared = _squared(t.b, t.c, s, p)
+    s = _project_on_edge(t.a, t.b, p)
+    found = wp.vec4d(_ONE - s, s, _ZERO, _squared_distance(t.a, t.b, s, p))
+    s = _project_on_edge(t.b, t.c, p)
+    squared = _squared_distance(t.b, t.c, s, p)
     if squared < found[3]:
         found = wp.vec4d(_ZERO, _ONE - s, s, squared)
-    s = _along(t.c, t.a, p)
-    squared = _squared(t.c, t.a, s, p)
+    s = _project_on_edge(t.c, t.a, p)
+    squared = _squared_distance(t.c, t.a, s, p)
     if squared < found[3]:
         found = wp.vec4d(s, _ZERO, _ONE - s, squared)
     return found
 
 
 @wp.func
-def _key(squared: wp.float64, face: wp.int32) -> wp.uint64:
+def _claim_key(squared: wp.float64, face: wp.int32) -> wp.uint64:
     """Larger for what is nearer, and of what is equally near for the lower face; never 0."""
     near = _FARTHEST - wp.uint64(wp.cast(wp.float32(squared), wp.uint32))
     return (near << _WORD) | (_LAST_FACE - wp.uint64(face))
@@ -140,9 +140,9 @@ def claim_texels() -> wp.Kernel:
     """A kernel with a task for some rows of the box of a face, in which it claims what it reaches.
 
     The addresses are of `corners` (F, 3, 2) float64, `boxes` (F, 4) int32, first and last column, then rows, each last one
-    not within, `tasks` (T, 2) int32, face and first row, and of what is 0 before: `nearest` (texels,) uint64, keys of the
+    not centre_counts, `tasks` (T, 2) int32, face and first row, and of what is 0 before: `nearest` (texels,) uint64, keys of the
     faces that a bilinear lookup reads each texel for; `owners` (texels, samples) uint32, one more than the number of faces
-    less the lowest that has a sample, or no address; `within` (texels,) int32, how many faces have the centre inside.
+    less the lowest that has a sample, or no address; `centre_counts` (texels,) int32, how many faces have the centre inside.
     """
 
     @wp.kernel(module="unique", enable_backward=False, grid_stride=False)
@@ -158,7 +158,7 @@ def claim_texels() -> wp.Kernel:
         seed: wp.uint64,
         nearest: wp.uint64,
         owners: wp.uint64,
-        within: wp.uint64,
+        centre_counts: wp.uint64,
         first_task: wp.int64,
     ):
         task = first_task + wp.int64(wp.tid())
@@ -166,9 +166,9 @@ def claim_texels() -> wp.Kernel:
         first = int_at(tasks, task * wp.int64(2) + wp.int64(1))
         texels = width * height
         keys = wp.array(ptr=nearest, shape=(texels,), dtype=wp.uint64)
-        counts = wp.array(ptr=within, shape=(texels,), dtype=wp.int32)
-        held = wp.array(ptr=owners, shape=(texels * samples,), dtype=wp.uint32)
-        t = triangle_at(corners, face)
+        counts = wp.array(ptr=centre_counts, shape=(texels,), dtype=wp.int32)
+        owner_keys = wp.array(ptr=owners, shape=(texels * samples,), dtype=wp.uint32)
+        t = read_triangle(corners, face)
         left = int_at(boxes, wp.int64(4) * wp.int64(face))
         right = int_at(boxes, wp.int64(4) * wp.int64(face) + wp.int64(1))
         last = int_at(boxes, wp.int64(4) * wp.int64(face) + wp.int64(3))
@@ -176,16 +176,16 @@ def claim_texels() -> wp.Kernel:
             for x in range(left, right):
                 texel = y * width + x
                 p = wp.vec2d(wp.float64(x) + _HALF, wp.float64(y) + _HALF)
-                e = edges_at(t, p)
-                if _spans(e, t, _ONE):
-                    found = nearest_on(t, e, p)
-                    wp.atomic_max(keys, texel, _key(found[3], face))
-                    if _strictly_within(e, t):
+                e = edge_values(t, p)
+                if _is_near(e, t, _ONE):
+                    found = find_nearest(t, e, p)
+                    wp.atomic_max(keys, texel, _claim_key(found[3], face))
+                    if _is_strictly_inside(e, t):
                         wp.atomic_add(counts, texel, 1)
-                    if samples > 1 and _spans(e, t, _HALF):
+                    if samples > 1 and _is_near(e, t, _HALF):
                         for k in range(samples):
-                            if _least(edges_at(t, sample_at(seed, texel, width, k, samples))) >= _ZERO:
-                                wp.atomic_max(held, texel * samples + k, wp.uint32(faces - face))
+                            if _smallest(edge_values(t, sample_at(seed, texel, width, k, samples))) >= _ZERO:
+                                wp.atomic_max(owner_keys, texel * samples + k, wp.uint32(faces - face))
 
     return claim_texels
 
@@ -201,23 +201,23 @@ def mark_overlaps() -> wp.Kernel:
         tasks: wp.uint64,
         rows: wp.int32,
         width: wp.int32,
-        within: wp.uint64,
+        centre_counts: wp.uint64,
         marks: wp.uint64,
         first_task: wp.int64,
     ):
         task = first_task + wp.int64(wp.tid())
         face = int_at(tasks, task * wp.int64(2))
         first = int_at(tasks, task * wp.int64(2) + wp.int64(1))
-        t = triangle_at(corners, face)
+        t = read_triangle(corners, face)
         left = int_at(boxes, wp.int64(4) * wp.int64(face))
         right = int_at(boxes, wp.int64(4) * wp.int64(face) + wp.int64(1))
         last = int_at(boxes, wp.int64(4) * wp.int64(face) + wp.int64(3))
         found = wp.int32(0)
         for y in range(first, wp.min(first + rows, last)):
             for x in range(left, right):
-                if int_at(within, y * width + x) > 1:
-                    e = edges_at(t, wp.vec2d(wp.float64(x) + _HALF, wp.float64(y) + _HALF))
-                    if _strictly_within(e, t):
+                if int_at(centre_counts, y * width + x) > 1:
+                    e = edge_values(t, wp.vec2d(wp.float64(x) + _HALF, wp.float64(y) + _HALF))
+                    if _is_strictly_inside(e, t):
                         found = wp.int32(1)
         if found == 1:
             view = wp.array(ptr=marks + wp.uint64(face) * wp.uint64(4), shape=(1,), dtype=wp.int32)
@@ -248,8 +248,8 @@ def weigh_corners() -> wp.Kernel:
         id = wp.array(ptr=ids + wp.uint64(i) * wp.uint64(8), shape=(1,), dtype=wp.uint64)[0]
         texel = wp.int32(id / wp.uint64(samples))
         p = sample_at(seed, texel, width, wp.int32(id % wp.uint64(samples)), samples)
-        t = triangle_at(corners, int_at(faces, i))
-        found = nearest_on(t, edges_at(t, p), p)
+        t = read_triangle(corners, int_at(faces, i))
+        found = find_nearest(t, edge_values(t, p), p)
         view = wp.array(ptr=weights + wp.uint64(i) * wp.uint64(24), shape=(1,), dtype=wp.vec3d)
         view[0] = wp.vec3d(found[0], found[1], found[2])
 

@@ -38,7 +38,7 @@ _CLAMP, _LINEAR, _LINEAR_MIPMAP = 33071, 9729, 9987
 
 
 @contextmanager
-def editing(path: Path) -> Iterator[None]:
+def convert_read_errors(path: Path) -> Iterator[None]:
     """Wraps what reads a file to be edited: whatever is wrong with it is one ValueError that names it."""
     with naming_file("mesh", path, "a glTF file to be edited"):
         try:
@@ -73,11 +73,11 @@ class GlbFile:
         self.tree: dict[str, Any] = json.loads(json.dumps(self.part.content, allow_nan=False))  # as deep as it could be read
         self._chunks, self._size, self._rest = [bytes(chunk)], len(chunk), b""
         if is_binary:
-            self._rest = _after(path, len(chunk))
+            self._rest = _read_trailing_bytes(path, len(chunk))
             if "uri" in self.tree.setdefault("buffers", [{"byteLength": 0}])[0]:
                 raise ValueError("buffers[0] is not in the file itself, want one whose data are")
         else:
-            self._take_in(path)
+            self._embed_files(path)
 
     def add_vertices(self, array: np.ndarray, **more: Any) -> int:
         """The number of a new accessor of (V,) or (V, k) numbers of vertices, of rows of whole 4 bytes."""
@@ -118,7 +118,7 @@ class GlbFile:
 
     def write(self, file: BinaryIO) -> None:
         """Writes the whole: a length of more than 32 bits is a ValueError."""
-        self._put(b"")  # a part is of whole 4 bytes
+        self._append_bytes(b"")  # a part is of whole 4 bytes
         self.tree["buffers"][0]["byteLength"] = self._size
         text = json.dumps(self.tree, separators=(",", ":"), allow_nan=False).encode()
         text += b" " * (-len(text) % 4)
@@ -132,7 +132,7 @@ class GlbFile:
 
     def write_data(self, data: BinaryIO) -> None:
         """Write all data, as the file beside a .gltf holds them."""
-        self._put(b"")  # the same as in a .glb
+        self._append_bytes(b"")  # the same as in a .glb
         data.writelines(self._chunks)
 
     def text_naming(self, name: str) -> bytes:
@@ -140,14 +140,14 @@ class GlbFile:
         self.tree["buffers"][0] |= {"byteLength": self._size, "uri": quote(name)}
         return json.dumps(self.tree, separators=(",", ":"), allow_nan=False).encode()
 
-    def check_apart(self) -> None:
+    def check_no_trailing_bytes(self) -> None:
         """Refuses, by a ValueError, a .glb with parts that a .gltf has no place for."""
         if self._rest:
             raise ValueError(f"it has {len(self._rest):,} bytes after its data, which a .gltf has no place for, want a .glb")
 
-    def _take_in(self, path: Path) -> None:
+    def _embed_files(self, path: Path) -> None:
         """Makes one buffer of all, and takes in the pictures of other files that a .glb may hold."""
-        starts = [self._put(bytes(buffer)) for buffer in self.data.buffers]
+        starts = [self._append_bytes(bytes(buffer)) for buffer in self.data.buffers]
         self.tree["buffers"] = [{**self.tree.get("buffers", [{}])[0], "byteLength": 0}]  # with what is said of the first
         self.tree["buffers"][0].pop("uri", None)
         for view in self.tree.get("bufferViews", []):
@@ -164,7 +164,7 @@ class GlbFile:
                 del image["uri"]
                 image |= {"mimeType": kind, "bufferView": self._add_view(content, {})}
 
-    def _put(self, content: bytes) -> int:
+    def _append_bytes(self, content: bytes) -> int:
         """Where in the buffer some bytes begin from now on: at a whole number of four."""
         before = -self._size % 4
         self._chunks += [b"\0" * before, content]
@@ -180,7 +180,7 @@ class GlbFile:
         return self._append("accessors", {"bufferView": view, **kind, "count": len(array), **more})
 
     def _add_view(self, content: bytes, more: dict[str, Any]) -> int:
-        view = {"buffer": 0, "byteOffset": self._put(content), "byteLength": len(content), **more}
+        view = {"buffer": 0, "byteOffset": self._append_bytes(content), "byteLength": len(content), **more}
         return self._append("bufferViews", view)
 
     def _append(self, key: str, item: dict[str, Any]) -> int:
@@ -189,7 +189,7 @@ class GlbFile:
         return len(items) - 1
 
 
-def _after(path: Path, chunk: int) -> bytes:
+def _read_trailing_bytes(path: Path, chunk: int) -> bytes:
     """What follows the first two parts of a file, of which the second has so many bytes."""
     with path.open("rb") as file:
         size = int.from_bytes(file.read(20)[12:16], "little")

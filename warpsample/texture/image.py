@@ -13,7 +13,7 @@ _BLOCK = 1 << 22  # points that are summed at a time
 
 
 def check_gutter(gutter: Any, argument: str = "gutter") -> float:
-    """How far an image is filled, in texels; infinite for "all"."""
+    """How far an image is fill_texels, in texels; infinite for "all"."""
     if isinstance(gutter, str) and gutter == "all":
         return np.inf
     return float(check_integer(gutter, argument, 0, _MOST_GUTTER, "'all' or a whole number of at least 0"))
@@ -81,12 +81,12 @@ class TexelRows:
         single = np.flatnonzero(count == 1)
         if len(single):
             alone, _ = self.means(width, lambda rows, _: own[rows])
-            around = np.sqrt(_pooled(squares, count, single, columns))
+            around = np.sqrt(_pool_variance(squares, count, single, columns))
             errors[single] = np.fmax(alone[single], around)
         return errors
 
 
-def _pooled(squares: np.ndarray, count: np.ndarray, texels: np.ndarray, columns: int) -> np.ndarray:
+def _pool_variance(squares: np.ndarray, count: np.ndarray, texels: np.ndarray, columns: int) -> np.ndarray:
     """Return the variance (n, C) within texels, pooled over the 3 x 3 around some; over all texels where these have none.
 
     Args:
@@ -110,7 +110,7 @@ def _pooled(squares: np.ndarray, count: np.ndarray, texels: np.ndarray, columns:
     return np.where(freedom > 0, total / np.maximum(freedom, 1), whole)
 
 
-def filled(
+def fill_texels(
     found: np.ndarray, covered: np.ndarray, charts: Callable[[], np.ndarray], size: tuple[int, int], gutter: float
 ) -> np.ndarray:
     """(H, W, C) float32: an image whose texels without a number get that of the nearest one that has.
@@ -129,9 +129,9 @@ def filled(
     if lost.any():
         _fill_charts(source, lost, has, charts().reshape(height, width))
         rest = lost & ~has[source]
-        source[rest] = _nearest(has.reshape(height, width)).ravel()[rest]
+        source[rest] = _find_nearest(has.reshape(height, width)).ravel()[rest]
     if gutter and covered.any() and not covered.all():
-        near = _nearest(covered.reshape(height, width), gutter).ravel()
+        near = _find_nearest(covered.reshape(height, width), gutter).ravel()
         source = np.where(covered, source, source[near])
     image = found[source].astype(np.float32)
     image[~has[source]] = 0.0
@@ -148,13 +148,13 @@ def _fill_charts(source: np.ndarray, lost: np.ndarray, has: np.ndarray, charts: 
         own = charts[box] == chart
         if (own & has[box]).any():
             rows, columns = np.nonzero(own & lost[box])
-            near = _nearest(own & has[box])[rows, columns]
+            near = _find_nearest(own & has[box])[rows, columns]
             across = box[1].stop - box[1].start
             at = (rows + box[0].start) * width + columns + box[1].start
             source[at] = (near // across + box[0].start) * width + near % across + box[1].start
 
 
-def _nearest(known: np.ndarray, most: float = np.inf) -> np.ndarray:
+def _find_nearest(known: np.ndarray, most: float = np.inf) -> np.ndarray:
     """(H, W): the number of the nearest texel that is known, by the distance of centres; beyond `most` of each itself."""
     transform = imported("scipy.ndimage").distance_transform_edt
     if not known.any():

@@ -10,7 +10,7 @@ from warpsample.host.making import imported
 from warpsample.mesh.mesh import Mesh
 from warpsample.mesh.surface import SurfacePoints
 from warpsample.sequences.hashing import seed_for
-from warpsample.texture.charts import charts_of
+from warpsample.texture.charts import label_charts
 from warpsample.texture.texture_points import TexturePoints
 from warpsample.tracing.trace_all import trace_all
 
@@ -68,7 +68,7 @@ class Closed:
         np.minimum.at(lower, body[body >= 0], corners.min(axis=1))
         np.maximum.at(upper, body[body >= 0], corners.max(axis=1))
         origin, cells = lower.min(axis=0), _CELLS / (upper.max(axis=0) - lower.min(axis=0))
-        ends = [_cells_of(lower, origin, cells), _cells_of(upper, origin, cells) + 1]
+        ends = [_locate_cells(lower, origin, cells), _locate_cells(upper, origin, cells) + 1]
         counts = np.zeros((_CELLS + 1,) * 3, np.int32)
         for sides in product((0, 1), repeat=3):  # the corners of each box, whose sums from the first cell on are the counts
             at = tuple(ends[side][:, axis] for axis, side in enumerate(sides))
@@ -77,16 +77,16 @@ class Closed:
             np.cumsum(counts, axis=axis, out=counts)
         return origin, cells, counts[:-1, :-1, :-1]
 
-    def _near(self, position: np.ndarray, own: np.ndarray) -> np.ndarray:
+    def _find_candidates(self, position: np.ndarray, own: np.ndarray) -> np.ndarray:
         """The rows of the points in a cell with another body than their own."""
         if not len(self.bodies[1]):
             return np.zeros(0, np.int64)
         origin, cells, counts = self._grid
         place = (position - origin) * cells
-        count = counts[tuple(_cells_of(position, origin, cells).T)] - (own >= 0)
+        count = counts[tuple(_locate_cells(position, origin, cells).T)] - (own >= 0)
         return np.flatnonzero(((place >= -1e-6) & (place <= _CELLS + 1e-6)).all(axis=1) & (count > 0))
 
-    def around(
+    def count_bodies(
         self, points: SurfacePoints, face: np.ndarray, workers: int | None = None
     ) -> tuple[np.ndarray, np.ndarray, int]:
         """Count the closed bodies around points, their own left out, by the parity of crossings.
@@ -102,22 +102,24 @@ class Closed:
         """
         nested, unsure = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.bool_)
         own = np.where(face >= 0, self.bodies[0][face], -1)
-        rows = self._near(np.asarray(points.position), own)
+        rows = self._find_candidates(np.asarray(points.position), own)
         if not len(rows):
             return nested, unsure, 0
         some, own = points.take(rows), own[rows]
         directions = sample_directions(some, _RAYS, seed=_SEED, sequence="sobol", workers=workers).vectors
-        first, second = (self._nested(some, directions[:, ray], own, workers) for ray in (0, 1))
+        first, second = (self._count_by_parity(some, directions[:, ray], own, workers) for ray in (0, 1))
         nested[rows], unsure[rows] = first, (first != second).any(axis=1)
         doubt = np.flatnonzero(unsure[rows])
         if len(doubt):
-            third = self._nested(some.take(doubt), directions[doubt, 2], own[doubt], workers)
+            third = self._count_by_parity(some.take(doubt), directions[doubt, 2], own[doubt], workers)
             nested[rows[doubt]] = np.median([first[doubt], second[doubt], third], axis=0)
         return nested, unsure, 2 * len(rows) + len(doubt)
 
-    def _nested(self, points: SurfacePoints, way: np.ndarray, own: np.ndarray, workers: int | None) -> np.ndarray:
+    def _count_by_parity(
+        self, points: SurfacePoints, directions: np.ndarray, own: np.ndarray, workers: int | None
+    ) -> np.ndarray:
         """(P, 2) how many bodies of either kind each ray leaves: it crosses their faces an odd number of times."""
-        hits = trace_all(self.mesh, points, np.ascontiguousarray(way), workers=workers)
+        hits = trace_all(self.mesh, points, np.ascontiguousarray(directions), workers=workers)
         body, outward = self.bodies
         ray, met = np.repeat(np.arange(len(points)), np.diff(hits.first)), body[hits.face]
         counted = (met >= 0) & (met != own[ray])
@@ -127,7 +129,7 @@ class Closed:
         return np.stack([np.bincount(kind, minlength=len(points)) for kind in kinds], axis=1).astype(np.int32)
 
 
-def _cells_of(position: np.ndarray, origin: np.ndarray, cells: np.ndarray) -> np.ndarray:
+def _locate_cells(position: np.ndarray, origin: np.ndarray, cells: np.ndarray) -> np.ndarray:
     """(P, 3) the cells of a grid in which points are, or to which they are nearest."""
     return np.clip((position - origin) * cells, 0, _CELLS - 1).astype(np.int64)
 
@@ -145,7 +147,7 @@ class Enclosed:
         """Nothing is known yet of the points."""
         self.rays = 0
         self._closed, self._points = closed, points
-        self._nested, self._source = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.bool_)
+        self._depths, self._source = np.zeros((len(points), 2), np.int32), np.zeros(len(points), np.bool_)
 
     def add(self, first: int, texels: SurfacePoints, places: SurfacePoints, workers: int | None) -> None:
         """Look around `places`, whose numbers the points from `first` on get: `texels` themselves without a finer mesh."""
@@ -154,17 +156,17 @@ class Enclosed:
         self._source[rows] = (np.asarray(texels.barycentric) > _WITHIN).all(axis=1)
         for start in range(0, len(texels), _BLOCK):
             block = slice(start, start + _BLOCK)
-            nested, unsure, rays = self._closed.around(places.take(block), face[block], workers)
+            nested, unsure, rays = self._closed.count_bodies(places.take(block), face[block], workers)
             rows = slice(first + start, first + start + len(nested))
-            self._nested[rows], self.rays = nested, self.rays + rays
+            self._depths[rows], self.rays = nested, self.rays + rays
             self._source[rows] &= ~unsure
 
     @property
     def inside(self) -> np.ndarray:
         """(P,) bool: the points inside a closed body."""
-        return self._nested[:, 0] > 0
+        return self._depths[:, 0] > 0
 
-    def buried(self, usable: np.ndarray) -> np.ndarray:
+    def find_buried(self, usable: np.ndarray) -> np.ndarray:
         """(P,) bool: the points that are inside more bodies than another point of their chart, from which they are filled.
 
         Charts wholly inside the same bodies are in a room. A chart that a hollow body cuts is looked at in parts, one in
@@ -176,9 +178,9 @@ class Enclosed:
         """
         if not self.inside.any():
             return np.zeros(len(usable), np.bool_)
-        depth, hollow = self._nested.T
+        depth, hollow = self._depths.T
         mesh, corners = self._points.mesh, self._points.corners
-        chart = charts_of(np.concatenate([corners, mesh.vertices[mesh.faces]], axis=2))  # those that overlap are apart
+        chart = label_charts(np.concatenate([corners, mesh.vertices[mesh.faces]], axis=2))  # those that overlap are apart
         group = chart[self._points.face] * (int(hollow.max()) + 1) + hollow
         least = np.full(int(group.max()) + 1, np.iinfo(np.int32).max, np.int32)
         source = self._source & usable

@@ -7,7 +7,7 @@ from typing import Any
 
 from warpsample.host.json_tree import Part
 from warpsample.texture.glb_file import GlbFile
-from warpsample.texture.primitives import Primitive, naming
+from warpsample.texture.primitives import Primitive, list_material_references
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Slot:
     optional: bool = True
     directed: bool = False
 
-    def holder(self, material: Part) -> Part | None:
+    def find_holder(self, material: Part) -> Part | None:
         """What of a material holds such a picture; None if it is not there."""
         for key in self.within:
             if key not in material:
@@ -36,12 +36,12 @@ class Slot:
             material = material.part(key)
         return material
 
-    def known(self, material: Part) -> Part | None:
+    def find_info(self, material: Part) -> Part | None:
         """What a material says of such a picture; None if it has none."""
-        holder = self.holder(material)
+        holder = self.find_holder(material)
         return holder.part(self.key) if holder is not None and self.key in holder else None
 
-    def put(self, material: dict[str, Any], info: dict[str, Any], more: dict[str, Any]) -> None:
+    def set_info(self, material: dict[str, Any], info: dict[str, Any], more: dict[str, Any]) -> None:
         """Says of a material that it has such a picture, and more beside it."""
         for key in self.within:
             material = material.setdefault(key, {})
@@ -53,12 +53,12 @@ _BENT_NORMALS = Slot("map of bent normals", "bentNormalTexture", ("extras",), di
 """The standard has no place for it, but for what is of a file's own."""
 THICKNESS = Slot("thickness", "thicknessTexture", ("extensions", "KHR_materials_volume"), optional=False)
 _NORMALS = Slot("normal map", "normalTexture", directed=True)
-_OF_QUANTITIES = {"bent-normals": _BENT_NORMALS, "thickness": THICKNESS, "normals": _NORMALS}
+_SLOTS_BY_QUANTITY = {"bent-normals": _BENT_NORMALS, "thickness": THICKNESS, "normals": _NORMALS}
 
 
-def slot_of(quantity: str) -> Slot:
+def slot_for_quantity(quantity: str) -> Slot:
     """What a picture of a quantity is to a material: of all others it is its occlusion."""
-    return _OF_QUANTITIES.get(quantity, OCCLUSION)
+    return _SLOTS_BY_QUANTITY.get(quantity, OCCLUSION)
 
 
 def add_texture(
@@ -72,28 +72,34 @@ def add_texture(
     The picture is read as it is, without a transform of another texture.
     """
     numbers = sorted({number for one in group for number in one.materials})
-    name = name_of(file, group)
+    name = name_group(file, group)
     texture = {"index": file.add_picture(png, f"{name} {slot.name}"), **info}
     if not numbers:
         made = file.add_material({"name": name})
         for one in group:
-            _primitive(file, one)["material"] = made
+            _primitive_json(file, one)["material"] = made
         numbers = [made]
     else:
         for number in numbers:
-            if _is_shared(file, group, number):
-                _copy(file, group, number)
-        numbers = sorted({part.content["material"] for one in group for part in naming(Part(_primitive(file, one)))})
+            if _is_used_elsewhere(file, group, number):
+                _copy_material(file, group, number)
+        numbers = sorted(
+            {
+                part.content["material"]
+                for one in group
+                for part in list_material_references(Part(_primitive_json(file, one)))
+            }
+        )
     for number in numbers:
         material = file.tree["materials"][number]
-        if not slot.optional and slot.holder(Part(material)) is None:
+        if not slot.optional and slot.find_holder(Part(material)) is None:
             continue
-        if slot.known(Part(material)) is not None:
+        if slot.find_info(Part(material)) is not None:
             yield f"the {slot.name} of material {material.get('name', number)!r} is replaced"
-        slot.put(material, dict(texture), more)
+        slot.set_info(material, dict(texture), more)
 
 
-def name_of(file: GlbFile, group: list[Primitive]) -> str:
+def name_group(file: GlbFile, group: list[Primitive]) -> str:
     """What a group is called: by its first material, or by its first mesh if it has none."""
     for one in group:
         for number in one.materials:
@@ -101,25 +107,27 @@ def name_of(file: GlbFile, group: list[Primitive]) -> str:
     return group[0].name
 
 
-def _primitive(file: GlbFile, one: Primitive) -> dict[str, Any]:
+def _primitive_json(file: GlbFile, one: Primitive) -> dict[str, Any]:
     found: dict[str, Any] = file.tree["meshes"][one.mesh]["primitives"][one.number]
     return found
 
 
-def _is_shared(file: GlbFile, group: list[Primitive], number: int) -> bool:
+def _is_used_elsewhere(file: GlbFile, group: list[Primitive], number: int) -> bool:
     """Whether a material is also of primitives that are not of the group that all placed ones with it are."""
     own = {(one.mesh, one.number) for one in group}
     for mesh, part in enumerate(file.part.parts("meshes")):
         for i, primitive in enumerate(part.parts("primitives")):
-            if (mesh, i) not in own and any(named.content["material"] == number for named in naming(primitive)):
+            if (mesh, i) not in own and any(
+                named.content["material"] == number for named in list_material_references(primitive)
+            ):
                 return True
     return False
 
 
-def _copy(file: GlbFile, group: list[Primitive], number: int) -> None:
+def _copy_material(file: GlbFile, group: list[Primitive], number: int) -> None:
     """Gives a group a copy of a material of its own."""
     made = file.add_material(json.loads(json.dumps(file.tree["materials"][number])))
     for one in group:
-        for named in naming(Part(_primitive(file, one))):
+        for named in list_material_references(Part(_primitive_json(file, one))):
             if named.content["material"] == number:
                 named.content["material"] = made

@@ -20,22 +20,22 @@ _FEW = 0.01  # of the points: a face that is all but flat in space has small tex
 _TRANSMITS, _UNLIT = "KHR_materials_transmission", "KHR_materials_unlit"
 
 
-def notes_on(tree: Part, primitives: list[Primitive], picture: str | None = None) -> Iterator[str]:
+def describe_materials(tree: Part, primitives: list[Primitive], picture: str | None = None) -> Iterator[str]:
     """Sentences on meshes with morph targets, and on materials: unlit, with two sides."""
     materials = tree.parts("materials")
     used = [materials[number] for number in sorted({number for one in primitives for number in one.materials})]
-    morphed = named(one.name for one in primitives if _is_morphed(tree, one))
+    morphed = join_names(one.name for one in primitives if _is_morphed(tree, one))
     if morphed:
         yield f"morph targets are left out, though the file gives them weights: {morphed}"
-    unlit = named(_name(one) for one in used if _has(one, _UNLIT))
+    unlit = join_names(_name(one) for one in used if _has(one, _UNLIT))
     if unlit and picture is not None:
         yield f"viewers show no {picture} on materials that are unlit: {unlit}"
-    doubled = named(_name(one) for one in used if one.flag("doubleSided"))
+    doubled = join_names(_name(one) for one in used if one.flag("doubleSided"))
     if doubled:
         yield f"of materials with two sides the numbers are those of the front: {doubled}"
 
 
-def notes_on_light(tree: Part, primitives: list[Primitive], transmittance: np.ndarray | None) -> Iterator[str]:
+def describe_light(tree: Part, primitives: list[Primitive], transmittance: np.ndarray | None) -> Iterator[str]:
     """Return sentences on how much light passes through the faces of materials: transparent ones, and those with a share.
 
     Args:
@@ -58,7 +58,7 @@ def notes_on_light(tree: Part, primitives: list[Primitive], transmittance: np.nd
         low, high = min(part.min(initial=1.0) for part in found), max(part.max(initial=0.0) for part in found)
         if high > 0.0:
             yield f"faces of {name!r} pass {_percent(low, high)} of the light"
-    blocking = named(name for name in transparent if not any(part.max(initial=0.0) for part in shares[name]))
+    blocking = join_names(name for name in transparent if not any(part.max(initial=0.0) for part in shares[name]))
     if blocking:
         yield f"transparent materials that block all light, as --transmittance gives them no share: {blocking}"
 
@@ -91,14 +91,14 @@ def describe_coarse_texels(points: TexturePoints, traced: Mesh) -> str | None:
     )
 
 
-def left_behind(path: Path, tree: dict[str, Any], output: Path) -> Iterator[str]:
+def describe_missing_files(path: Path, tree: dict[str, Any], output: Path) -> Iterator[str]:
     """A sentence on the files that a tree names, as they lie beside `path` and not beside what is written."""
-    files = named(uris_of(Part(tree)))
+    files = join_names(uris_of(Part(tree)))
     if files and path.parent.resolve() != output.parent.resolve():
         yield f"{output.name} wants these files beside it: {files}"
 
 
-def named(names: Iterable[str]) -> str:
+def join_names(names: Iterable[str]) -> str:
     """Names in a sentence, each once; "" for none."""
     return ", ".join(dict.fromkeys(map(repr, names)))
 

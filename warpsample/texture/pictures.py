@@ -16,7 +16,7 @@ DEPTHS = tuple(_WHITE)
 """Bits of a number in a .png."""
 
 
-def png_of(image: np.ndarray, depth: int) -> bytes:
+def encode_png(image: np.ndarray, depth: int) -> bytes:
     """The bytes of a .png of (H, W) numbers from 0 to 1, linear and rounded; beyond these, cut.
 
     Vectors, (H, W, 3), are colours of 8 bits: each stands for its direction, from -1 to 1; one of length 0 for +z.
@@ -27,13 +27,13 @@ def png_of(image: np.ndarray, depth: int) -> bytes:
     white, kind = _WHITE[depth]
     levels = np.floor(np.clip(image.astype(np.float64), 0.0, 1.0) * white + 0.5).astype(kind)
     stream = BytesIO()
-    library("PIL.Image", "a .png needs Pillow").fromarray(levels).save(stream, "PNG", compress_level=9)
+    import_library("PIL.Image", "a .png needs Pillow").fromarray(levels).save(stream, "PNG", compress_level=9)
     return stream.getvalue()
 
 
-def exr_of(layers: Mapping[str, np.ndarray]) -> bytes:
+def encode_exr(layers: Mapping[str, np.ndarray]) -> bytes:
     """The bytes of an .exr of float32 images by the names of their layers: (H, W) is Y, (H, W, 3) R, G and B."""
-    openexr = library("OpenEXR", "an .exr needs OpenEXR")
+    openexr = import_library("OpenEXR", "an .exr needs OpenEXR")
     channels = {}
     for layer, image in layers.items():
         prefix = f"{layer}." if layer else ""
@@ -41,7 +41,7 @@ def exr_of(layers: Mapping[str, np.ndarray]) -> bytes:
         names = "RGB" if image.ndim == 3 else "Y"
         channels |= {prefix + name: np.ascontiguousarray(one, np.float32) for name, one in zip(names, split, strict=True)}
     header = {"compression": openexr.ZIP_COMPRESSION, "type": openexr.scanlineimage}
-    with TemporaryDirectory() as folder:  # the library writes into files only
+    with TemporaryDirectory() as folder:  # the import_library writes into files only
         path = Path(folder, "image.exr")
         try:
             openexr.File(header, channels).write(str(path))
@@ -51,15 +51,15 @@ def exr_of(layers: Mapping[str, np.ndarray]) -> bytes:
 
 
 def check_library(suffix: str) -> None:
-    """Refuses a suffix of a file for which a library is missing, before anything is computed."""
+    """Refuses a suffix of a file for which a import_library is missing, before anything is computed."""
     if suffix in (".png", ".glb", ".gltf"):
-        library("PIL.Image", f"a texture in a {suffix} needs Pillow")
+        import_library("PIL.Image", f"a texture in a {suffix} needs Pillow")
     elif suffix == ".exr":
-        library("OpenEXR", "an .exr needs OpenEXR")
+        import_library("OpenEXR", "an .exr needs OpenEXR")
 
 
-def library(name: str, what: str) -> ModuleType:
-    """A library of pictures; where it is missing, `what` needs it and how to install it."""
+def import_library(name: str, what: str) -> ModuleType:
+    """A import_library of pictures; where it is missing, `what` needs it and how to install it."""
     try:
         return imported(name)
     except ModuleNotFoundError:

@@ -46,7 +46,7 @@ class Primitive:
     others: list["Primitive"] = field(default_factory=list)
 
 
-def primitives_of(tree: Part, data: Data) -> list[Primitive]:
+def list_primitives(tree: Part, data: Data) -> list[Primitive]:
     """The primitives that the scene places, each once, in the order of their first places."""
     known = tree.parts("materials")
     faces, vertices = 0, 0
@@ -59,7 +59,7 @@ def primitives_of(tree: Part, data: Data) -> list[Primitive]:
         mesh = tree.parts("meshes")[one.mesh]
         name = mesh.text("name") if "name" in mesh else mesh.path
         own = triangles[:, ::-1] if volume < 0.0 else triangles
-        materials = [part.index("material", known) for part in naming(one.primitive)]
+        materials = [part.index("material", known) for part in list_material_references(one.primitive)]
         size = {"mirrored": volume < 0.0, "scale": np.cbrt(abs(volume)), "node": int(one.node.path[len("nodes[") : -1])}
         made = Primitive(one.mesh, one.number, one.primitive, name, *rows, own, materials=materials, **size)
         first = found.setdefault((one.mesh, one.number), made)
@@ -68,7 +68,7 @@ def primitives_of(tree: Part, data: Data) -> list[Primitive]:
     return list(found.values())
 
 
-def sharing(primitives: list[Primitive]) -> Iterator[list[Primitive]]:
+def group_by_material(primitives: list[Primitive]) -> Iterator[list[Primitive]]:
     """The primitives by groups, of which no two share a material; those without one are a group."""
     group_of: dict[Any, list[Primitive]] = {}
     for one in primitives:
@@ -79,7 +79,7 @@ def sharing(primitives: list[Primitive]) -> Iterator[list[Primitive]]:
     yield from {id(group): group for group in group_of.values()}.values()
 
 
-def naming(primitive: Part) -> list[Part]:
+def list_material_references(primitive: Part) -> list[Part]:
     """What names a material of a primitive as its member "material": itself, and each of its variants."""
     found = [primitive] if "material" in primitive else []
     if "extensions" in primitive and _VARIANTS in primitive.part("extensions"):

@@ -36,7 +36,7 @@ class TextureReport:
     named: Mapping[str, tuple[str, ...]]
 
 
-def face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:
+def find_face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:
     """(F,) bool for each of outside, zero_area, mirrored and without_uv: which faces (F, 3, 2) float64 are that."""
     finite = np.isfinite(uv).all(axis=(1, 2))
     uv = np.where(finite[:, None, None], uv, 0.0)
@@ -53,14 +53,14 @@ def face_flaws(uv: np.ndarray) -> dict[str, np.ndarray]:
     }
 
 
-def report_on(mesh: Mesh, covered: int, overlapped: int, flaws: Mapping[str, np.ndarray]) -> TextureReport:
+def build_report(mesh: Mesh, covered: int, overlapped: int, flaws: Mapping[str, np.ndarray]) -> TextureReport:
     """The report on texels of a mesh; `flaws` are (F,) bool by name, those of "overlapped" among them."""
     counts = {name: int(np.count_nonzero(faces)) for name, faces in flaws.items() if name != "overlapped"}
-    named = {name: _parts_of(mesh, faces) for name, faces in flaws.items()}
+    named = {name: _list_parts(mesh, faces) for name, faces in flaws.items()}
     return TextureReport(covered=covered, overlapped=overlapped, **counts, named=MappingProxyType(named))
 
 
-def _parts_of(mesh: Mesh, faces: np.ndarray) -> tuple[str, ...]:
+def _list_parts(mesh: Mesh, faces: np.ndarray) -> tuple[str, ...]:
     """The names of the parts that some faces are of, each once, in the order of the parts."""
     if mesh.part is None:
         return ()

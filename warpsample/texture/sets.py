@@ -8,7 +8,7 @@ import numpy as np
 
 from warpsample.mesh.files.uv import LAST_SET, SUFFIXES, load_uv
 from warpsample.mesh.mesh import Mesh
-from warpsample.texture.report import face_flaws
+from warpsample.texture.report import find_face_flaws
 from warpsample.texture.texture_points import TexturePoints, texture_points
 
 UV_CHOICES = ("auto", "0", "1", "new")
@@ -50,7 +50,7 @@ class ChosenSet:
     points: TexturePoints | None = None
     passed: tuple[str, ...] = ()
 
-    def told(self, which: str) -> str:
+    def describe(self, which: str) -> str:
         """The name of the coordinates, with the reasons for not taking the sets before them."""
         return which + (f" ({'; '.join(self.passed)})" if self.passed else "")
 
@@ -77,7 +77,7 @@ class Texels:
         normals = how.normals if how.high is None else "smooth"  # of the rays to it
         return texture_points(self.mesh, own, how.size, samples=how.samples, normals=normals, corner_normals=self.normals)
 
-    def chosen(self, rows: list[slice], name: str, *, first: int | None = None, lenient: bool = False) -> "ChosenSet":
+    def choose_set(self, rows: list[slice], name: str, *, first: int | None = None, lenient: bool = False) -> "ChosenSet":
         """Choose the set for some faces, as the run asks for; one without points where they are to get new coordinates.
 
         Of "auto" it is `first`, the one that these faces have a picture of that kind by, if that lies within the image and
@@ -93,7 +93,7 @@ class Texels:
             number = int(self.how.uv)
             if not self._has(number, rows):
                 raise ValueError(f"--uv: got {number}, and not all faces of {name!r} have the set {number} of coordinates")
-            found = self.by(number, rows)
+            found = self.points_by_set(number, rows)
             if not len(found):
                 raise ValueError(
                     f"--uv: got {number}, by which {name!r} has no texels: its faces are flat or beyond the image"
@@ -103,8 +103,8 @@ class Texels:
         passed: list[str] = []
         for number in dict.fromkeys([*([] if first is None else [first]), *range(LAST_SET + 1)]):
             if self._has(number, rows):
-                found = self.by(number, rows)
-                why = self._flaw(number, rows, found, may_overlap=number == first)
+                found = self.points_by_set(number, rows)
+                why = self._describe_flaw(number, rows, found, may_overlap=number == first)
                 if why is None:
                     return ChosenSet(number, found, tuple(passed))
                 passed.append(f"set {number} is passed over: {why}")
@@ -112,7 +112,7 @@ class Texels:
                     within = within or ChosenSet(number, found)
         return within if lenient and within else ChosenSet(passed=tuple(passed))
 
-    def _flaw(self, number: int, rows: list[slice], found: TexturePoints, *, may_overlap: bool) -> str | None:
+    def _describe_flaw(self, number: int, rows: list[slice], found: TexturePoints, *, may_overlap: bool) -> str | None:
         """Describe why "auto" does not take a set; None if it does."""
         report = found.report
         if report.outside:
@@ -125,28 +125,28 @@ class Texels:
         return "faces have no area in it" if self._is_flat(number, rows) else None
 
     def _has(self, number: int, rows: Iterable[slice]) -> bool:
-        uv = self._set(number)
+        uv = self._read_set(number)
         return uv is not None and all(np.isfinite(uv[some]).all() for some in rows)
 
     def _is_flat(self, number: int, rows: Iterable[slice]) -> bool:
         """Whether faces that have an area in space have none in the image."""
-        uv, areas = self._set(number), self.mesh.face_areas
+        uv, areas = self._read_set(number), self.mesh.face_areas
         assert uv is not None
-        return any((face_flaws(uv[some])["zero_area"] & (areas[some] > 0.0)).any() for some in rows)
+        return any((find_face_flaws(uv[some])["zero_area"] & (areas[some] > 0.0)).any() for some in rows)
 
-    def by(self, number: int, rows: list[slice]) -> TexturePoints:
+    def points_by_set(self, number: int, rows: list[slice]) -> TexturePoints:
         """The texels of some faces by a set that they have."""
-        uv = self._set(number)
+        uv = self._read_set(number)
         assert uv is not None
         return self.points(uv, rows)
 
-    def _set(self, number: int) -> np.ndarray | None:
+    def _read_set(self, number: int) -> np.ndarray | None:
         """All coordinates of a set; None from the first on that no face has."""
         while len(self._sets) <= number and (not self._sets or self._sets[-1] is not None):
-            self._sets.append(self._read(len(self._sets)))
+            self._sets.append(self._load_set(len(self._sets)))
         return self._sets[number] if number < len(self._sets) else None
 
-    def _read(self, number: int) -> np.ndarray | None:
+    def _load_set(self, number: int) -> np.ndarray | None:
         if self.path.suffix.lower() not in SUFFIXES:
             return None
         try:

@@ -1,4 +1,4 @@
-"""The normals by which texels are shaded, and where their points are lifted to."""
+"""The normals by which texels are shade_points, and where their points are lifted to."""
 
 import numpy as np
 
@@ -11,7 +11,7 @@ NORMALS = ("face", "smooth", "lifted")
 _LIFTED = 1e-9  # of the mesh's diagonal: below, it is rounding
 
 
-def corner_normals_of(mesh: Mesh, given: object) -> np.ndarray:
+def compute_corner_normals(mesh: Mesh, given: object) -> np.ndarray:
     """(F, 3, 3) float64 unit normals of the corners: those given, or of the vertices; of the face where there is none."""
     if given is None:
         normals = mesh.vertex_normals[mesh.faces].astype(np.float64)
@@ -27,7 +27,7 @@ def corner_normals_of(mesh: Mesh, given: object) -> np.ndarray:
     return flat.reshape(-1, 3, 3).astype(np.float64)
 
 
-def shaded(
+def shade_points(
     mesh: Mesh, corner_normals: np.ndarray | None, face: np.ndarray, weights: np.ndarray, normals: str
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Positions (P, 3) float64, normals (P, 3) float32 and faces (P,) of points with these weights of the corners of faces.

@@ -12,7 +12,7 @@ from warpsample.host.json_tree import Part
 from warpsample.mesh.files.gltf import opened, placed_primitives, read_corners, surface
 from warpsample.mesh.files.gltf_data import Data
 from warpsample.mesh.files.uv import LAST_SET
-from warpsample.texture.pictures import library
+from warpsample.texture.pictures import import_library
 
 _SIDE = 8192  # of the whole picture, which graphics cards take
 _TRANSFORM = "KHR_texture_transform"
@@ -26,7 +26,7 @@ class ShownOcclusion:
     uv: np.ndarray
 
 
-def shown_occlusion(path: Path) -> ShownOcclusion | None:
+def read_occlusion(path: Path) -> ShownOcclusion | None:
     """The occlusion of the faces that `load_mesh` reads, white for those that have none within their picture.
 
     Tiles that repeat and those that the file transforms are white, too.
@@ -43,16 +43,16 @@ def shown_occlusion(path: Path) -> ShownOcclusion | None:
         faces, infos = [], []
         for placed in placed_primitives(tree):
             faces.append(len(surface(placed.primitive, data)[1]))
-            infos.append(_info(tree, placed.primitive))
+            infos.append(_read_occlusion_info(tree, placed.primitive))
         kinds = list(dict.fromkeys(info for info in infos if info is not None))
         if not kinds:
             return None
-        pictures = [_picture(tree, data, path, image, strength) for image, _, strength in kinds]
+        pictures = [_read_grey_levels(tree, data, path, image, strength) for image, _, strength in kinds]
     kind = np.repeat([-1 if info is None else kinds.index(info) for info in infos], faces)
-    return _joined(pictures, kind, [read_corners(path, f"TEXCOORD_{number}") for _, number, _ in kinds])
+    return _join_pictures(pictures, kind, [read_corners(path, f"TEXCOORD_{number}") for _, number, _ in kinds])
 
 
-def _info(tree: Part, primitive: Part) -> tuple[int, int, float] | None:
+def _read_occlusion_info(tree: Part, primitive: Part) -> tuple[int, int, float] | None:
     """The image, the set of coordinates and the strength of a primitive's occlusion."""
     if "material" not in primitive:
         return None
@@ -68,16 +68,16 @@ def _info(tree: Part, primitive: Part) -> tuple[int, int, float] | None:
     return texture.index("source", tree.parts("images")), info.whole("texCoord", 0, LAST_SET), strength
 
 
-def _picture(tree: Part, data: Data, path: Path, image: int, strength: float) -> np.ndarray:
+def _read_grey_levels(tree: Part, data: Data, path: Path, image: int, strength: float) -> np.ndarray:
     """(H, W) float64, what of a picture is seen: 1 + strength * (red - 1)."""
     content = data.picture(tree.parts("images")[image], path)
-    with library("PIL.Image", "pictures need Pillow").open(BytesIO(content)) as opened_picture:
+    with import_library("PIL.Image", "pictures need Pillow").open(BytesIO(content)) as opened_picture:
         pixels = np.array(opened_picture if opened_picture.mode.startswith("I;16") else opened_picture.convert("RGB"))
     red = (pixels if pixels.ndim == 2 else pixels[..., 0]) / np.iinfo(pixels.dtype).max
     return 1.0 + strength * (red - 1.0)
 
 
-def _joined(pictures: list[np.ndarray], kind: np.ndarray, sets: list[np.ndarray]) -> ShownOcclusion:
+def _join_pictures(pictures: list[np.ndarray], kind: np.ndarray, sets: list[np.ndarray]) -> ShownOcclusion:
     """All pictures on one, row by row, framed by their edges; after the last a white one, for faces of the kind -1."""
     columns = ceil(sqrt(len(pictures) + 1))
     side = min(max(max(picture.shape) for picture in pictures), _SIDE // columns - 2)

@@ -8,7 +8,7 @@ import numpy as np
 from warpsample.host.making import imported
 from warpsample.mesh.files.gltf import read_corners
 from warpsample.mesh.mesh import Mesh, unit_or_zero
-from warpsample.texture.shading import corner_normals_of
+from warpsample.texture.shading import compute_corner_normals
 
 _NEXT, _PREVIOUS = [1, 2, 0], [2, 0, 1]  # corners of a face
 _LEAST = 1e-3  # sine of the angle between a normal and a tangent that is of use
@@ -32,18 +32,18 @@ class Frames:
             rows: the faces of each part that is shaded on its own.
         """
         has_some = path.suffix.lower() in (".glb", ".gltf")
-        normals = corner_normals_of(mesh, read_corners(path, "NORMAL") if has_some else None)
+        normals = compute_corner_normals(mesh, read_corners(path, "NORMAL") if has_some else None)
         tangents = np.full((len(uv), 3, 4), np.nan)
         for some in rows:
             face = np.arange(len(uv))[some]
             face = face[np.isfinite(uv[face]).all(axis=(1, 2))]
-            tangents[face] = tangents_of(mesh.vertices[mesh.faces[face]], normals[face], uv[face])
+            tangents[face] = compute_tangents(mesh.vertices[mesh.faces[face]], normals[face], uv[face])
         if has_some:
             given = read_corners(path, "TANGENT")
             tangents = np.where(np.isfinite(given), given, tangents)
         return cls(normals, tangents)
 
-    def into(self, vectors: np.ndarray, face: np.ndarray, weights: np.ndarray) -> np.ndarray:
+    def to_components(self, vectors: np.ndarray, face: np.ndarray, weights: np.ndarray) -> np.ndarray:
         """(P, 3) components of vectors (P, 3) along tangent, bitangent and normal, at places on faces.
 
         The three are interpolated by the weights of the corners, (P, 3), and of unit length, as viewers have them. Where
@@ -60,7 +60,7 @@ class Frames:
         return np.linalg.solve(frame, vectors[..., None].astype(np.float64))[..., 0]
 
 
-def tangents_of(position: np.ndarray, normal: np.ndarray, uv: np.ndarray) -> np.ndarray:
+def compute_tangents(position: np.ndarray, normal: np.ndarray, uv: np.ndarray) -> np.ndarray:
     """Tangents (F, 3, 4) of the corners of faces, as glTF has them: the last number is the sign of the bitangent.
 
     At each corner it is the mean of the tangents of the faces that share its position, normal and coordinates, and hang
@@ -75,26 +75,26 @@ def tangents_of(position: np.ndarray, normal: np.ndarray, uv: np.ndarray) -> np.
     """
     rows = np.concatenate([position, normal, uv], axis=2).reshape(-1, 8) + 0.0  # + 0.0: -0 is 0
     vertex = np.unique(rows, axis=0, return_inverse=True)[1].reshape(-1, 3)
-    own, upright, flat = _of_faces(position, uv)
-    upright = _settled(upright, flat, vertex)
-    groups = _groups(vertex, upright)
-    towards, away = (_level(position[:, i] - position, normal) for i in (_NEXT, _PREVIOUS))
+    own, upright, flat = _compute_u_directions(position, uv)
+    upright = _spread_orientation(upright, flat, vertex)
+    groups = _group_corners(vertex, upright)
+    towards, away = (_remove_normal_part(position[:, i] - position, normal) for i in (_NEXT, _PREVIOUS))
     angle = np.arccos(np.clip((towards * away).sum(axis=2), -1.0, 1.0))
     weight = np.where(flat[:, None], 0.0, angle)[..., None]
-    added = (weight * _level(own[:, None], normal)).reshape(-1, 3)
+    added = (weight * _remove_normal_part(own[:, None], normal)).reshape(-1, 3)
     sums = np.stack([np.bincount(groups, column) for column in added.T], axis=1)
     tangent = unit_or_zero(sums)[groups].reshape(-1, 3, 3).astype(np.float64)
     sign = np.where(upright, 1.0, -1.0)
     return np.concatenate([tangent, np.broadcast_to(sign[:, None, None], (len(uv), 3, 1))], axis=2)
 
 
-def _level(vectors: np.ndarray, normal: np.ndarray) -> np.ndarray:
+def _remove_normal_part(vectors: np.ndarray, normal: np.ndarray) -> np.ndarray:
     """(F, 3, 3) unit vectors without their part along the normal; 0 of those along it."""
     rest = vectors - (vectors * normal).sum(axis=2, keepdims=True) * normal
     return unit_or_zero(rest.reshape(-1, 3)).reshape(rest.shape).astype(np.float64)
 
 
-def _of_faces(position: np.ndarray, uv: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _compute_u_directions(position: np.ndarray, uv: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(F, 3) the direction of u in each face; (F,) bool: the image is not mirrored there, and it tells nothing."""
     (ax, ay), (bx, by) = (uv[:, 1] - uv[:, 0]).T, (uv[:, 2] - uv[:, 0]).T
     first, second = position[:, 1] - position[:, 0], position[:, 2] - position[:, 0]
@@ -104,7 +104,7 @@ def _of_faces(position: np.ndarray, uv: np.ndarray) -> tuple[np.ndarray, np.ndar
     return np.sign(area)[:, None] * along, area < 0.0, flat
 
 
-def _meetings(vertex: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _pair_edges(vertex: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Pairs of edges, (E,) 3 * face + the first corner of each, that two faces share and go along in either direction."""
     start, end = vertex.ravel(), vertex[:, _NEXT].ravel()
     count = int(vertex.max(initial=0)) + 1
@@ -117,9 +117,9 @@ def _meetings(vertex: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return order[met], other[held[met]]
 
 
-def _settled(upright: np.ndarray, flat: np.ndarray, vertex: np.ndarray) -> np.ndarray:
+def _spread_orientation(upright: np.ndarray, flat: np.ndarray, vertex: np.ndarray) -> np.ndarray:
     """(F,) bool: which faces are not mirrored; those that tell nothing are as one that they meet, from face to face."""
-    one, other = (edges // 3 for edges in _meetings(vertex))
+    one, other = (edges // 3 for edges in _pair_edges(vertex))
     upright, open_ = upright.copy(), flat.copy()
     while len(found := np.flatnonzero(open_[one] & ~open_[other])[::-1]):
         upright[one[found]] = upright[other[found]]
@@ -127,9 +127,9 @@ def _settled(upright: np.ndarray, flat: np.ndarray, vertex: np.ndarray) -> np.nd
     return upright
 
 
-def _groups(vertex: np.ndarray, upright: np.ndarray) -> np.ndarray:
+def _group_corners(vertex: np.ndarray, upright: np.ndarray) -> np.ndarray:
     """(3F,) the number of the group of each corner."""
-    one, other = _meetings(vertex)
+    one, other = _pair_edges(vertex)
     alike = upright[one // 3] == upright[other // 3]
     one, other = one[alike], other[alike]
     after = [edges - edges % 3 + (edges + 1 - edges // 3 * 3) % 3 for edges in (one, other)]

@@ -14,11 +14,11 @@ from warpsample.host.options import CallOptions, explained_by
 from warpsample.host.summary import Summary
 from warpsample.mesh.mesh import Mesh, as_mesh
 from warpsample.mesh.surface import SurfacePoints
-from warpsample.texture.charts import charts_of
-from warpsample.texture.claims import MOST_TEXELS, claims_of, weights_of
-from warpsample.texture.image import TexelRows, check_gutter, filled
-from warpsample.texture.report import TextureReport, face_flaws, report_on
-from warpsample.texture.shading import NORMALS, corner_normals_of, shaded
+from warpsample.texture.charts import label_charts
+from warpsample.texture.claims import MOST_TEXELS, claim_points, compute_weights
+from warpsample.texture.image import TexelRows, check_gutter, fill_texels
+from warpsample.texture.report import TextureReport, build_report, find_face_flaws
+from warpsample.texture.shading import NORMALS, compute_corner_normals, shade_points
 
 _MOST_SAMPLES = 1024
 _MOST_SIDE = 1 << 16
@@ -93,18 +93,18 @@ class TexturePoints(Summary):
             raise TypeError(f"rows: got {told(rows)}, want a slice")
         id, face = np.ascontiguousarray(self.id[rows]), np.ascontiguousarray(self.face[rows])
         how = {"samples": self.samples, "memory": self.options.memory, "workers": self.options.workers}
-        weights = weights_of(self.corners, id, face, self.size[0], **how)
-        position, normal, on = shaded(self.mesh, self.corner_normals, face, weights, self.normals)
+        weights = compute_weights(self.corners, id, face, self.size[0], **how)
+        position, normal, on = shade_points(self.mesh, self.corner_normals, face, weights, self.normals)
         return SurfacePoints(position, normal, on, weights, id)
 
     def image(self, values: Any, *, gutter: Any = "all") -> np.ndarray:
         """The image of numbers at the points: of each texel the mean of its points.
 
-        Texels none of whose points has a finite number are filled from the nearest texel of the same chart that has one.
+        Texels none of whose points has a finite number are fill_texels from the nearest texel of the same chart that has one.
 
         Args:
             values: (P,) or (P, C) numbers, NaN of points that have none.
-            gutter: how far from the texels that faces reach the others are filled from the nearest one of these: "all", or
+            gutter: how far from the texels that faces reach the others are fill_texels from the nearest one of these: "all", or
                 a whole number of texels. What is left is 0.
 
         Returns:
@@ -133,7 +133,7 @@ class TexturePoints(Summary):
             gutter: as of `image`.
 
         Returns:
-            (H, W) or (H, W, C) float32; a texel that is filled has the error of the one it is filled from.
+            (H, W) or (H, W, C) float32; a texel that is fill_texels has the error of the one it is fill_texels from.
 
         Raises:
             TypeError, ValueError: errors or a gutter that cannot be used.
@@ -167,13 +167,13 @@ class TexturePoints(Summary):
         return rows
 
     def _image(self, found: np.ndarray, rows: np.ndarray, gutter: Any) -> np.ndarray:
-        made = filled(found, self._texel_rows.covered, self._charts, self.size, check_gutter(gutter))
+        made = fill_texels(found, self._texel_rows.covered, self._charts, self.size, check_gutter(gutter))
         return made if rows.ndim == 2 else made[..., 0]
 
     def _charts(self) -> np.ndarray:
         """(texels,) int32: the chart that each texel is of, -1 of none."""
         charts = np.full(self.size[0] * self.size[1], -1, np.int32)
-        charts[self.texel[::-1]] = charts_of(self.corners)[self.face[::-1]]
+        charts[self.texel[::-1]] = label_charts(self.corners)[self.face[::-1]]
         return charts
 
 
@@ -230,11 +230,11 @@ def texture_points(
     size = check_size(size, samples)
     check_choice(normals, "normals", NORMALS)
     unused = normals == "face"
-    turned = None if unused and corner_normals is None else corner_normals_of(mesh, corner_normals)
+    turned = None if unused and corner_normals is None else compute_corner_normals(mesh, corner_normals)
     options = CallOptions.of(1, device=device, workers=workers)
-    flaws, corners = face_flaws(uv), uv * np.array(size, np.float64)
-    claims = claims_of(corners, ~(flaws["without_uv"] | flaws["zero_area"]), size, samples, options.memory)
-    report = report_on(mesh, claims.covered, claims.overlapped, flaws | {"overlapped": claims.overlapping})
+    flaws, corners = find_face_flaws(uv), uv * np.array(size, np.float64)
+    claims = claim_points(corners, ~(flaws["without_uv"] | flaws["zero_area"]), size, samples, options.memory)
+    report = build_report(mesh, claims.covered, claims.overlapped, flaws | {"overlapped": claims.overlapping})
     turned = None if unused else turned
     return TexturePoints(mesh, corners, size, samples, normals, turned, claims.id, claims.face, report, options)
 

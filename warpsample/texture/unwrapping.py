@@ -13,7 +13,7 @@ from warpsample.host.making import missing
 from warpsample.mesh.apart import REFUSED, answer_of
 from warpsample.mesh.mesh import Mesh, as_mesh
 
-Charted = tuple[np.ndarray, np.ndarray, np.ndarray]
+MeshCharts = tuple[np.ndarray, np.ndarray, np.ndarray]
 """Of a mesh: (V2,) the vertex that each new one is, (F, 3) new vertices of its faces, and (V2, 2) their coordinates."""
 
 PADDING = 4
@@ -50,11 +50,11 @@ def unwrap(mesh: Any, size: int, *, padding: int = PADDING) -> tuple[Mesh, np.nd
     mesh = as_mesh(mesh)
     size = check_integer(size, "size", 1, _MOST_SIDE)
     padding = check_integer(padding, "padding", 0, 64)
-    ((vertex, faces, uv),) = charted([(mesh.vertices, mesh.faces)], size, padding)
+    ((vertex, faces, uv),) = unwrap_meshes([(mesh.vertices, mesh.faces)], size, padding)
     return replace(mesh, vertices=mesh.vertices[vertex], faces=faces), uv[faces]
 
 
-def charted(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int) -> list[Charted]:
+def unwrap_meshes(parts: list[tuple[np.ndarray, np.ndarray]], size: int, padding: int) -> list[MeshCharts]:
     """Charts of several meshes, vertices and faces, in one image; coordinates are told in shares of it."""
     if find_spec("xatlas") is None:
         raise missing("new texture coordinates need xatlas", "xatlas")

@@ -11,17 +11,17 @@ from warpsample.host.json_tree import Part
 from warpsample.mesh.holes import Outlines
 
 DEPTHS = {"MultiSurface": 1, "CompositeSurface": 1, "Solid": 2, "MultiSolid": 3, "CompositeSolid": 3}
-"""How deep the lists of faces are nested in the boundaries, by the type of the geometry."""
+"""How deep the lists of faces are nest_values in the boundaries, by the type of the geometry."""
 
 
-def outlines_of(geometry: Part, vertices: int) -> Outlines:
+def read_outlines(geometry: Part, vertices: int) -> Outlines:
     """The faces of a geometry whose corners are some of so many vertices.
 
     Boundaries of another depth and corners that are no vertex are a ValueError or a TypeError.
     """
     at = geometry.at("boundaries")
-    faces = [face or [[]] for face in _faces(geometry)]
-    rings = [_list(ring, at, "a ring, a list of vertices") for face in faces for ring in face]
+    faces = [face or [[]] for face in _read_faces(geometry)]
+    rings = [_check_list(ring, at, "a ring, a list of vertices") for face in faces for ring in face]
     corners = list(chain.from_iterable(rings))
     others = [corner for corner in corners if type(corner) is not int] if set(map(type, corners)) - {int} else []
     if others:
@@ -38,19 +38,19 @@ def outlines_of(geometry: Part, vertices: int) -> Outlines:
     return Outlines(held, sizes, np.array([len(face) for face in faces], np.int64))
 
 
-def semantics_of(geometry: Part, surfaces: int) -> np.ndarray:
+def read_semantics(geometry: Part, surfaces: int) -> np.ndarray:
     """(N,) int32: which of so many semantic objects each face is of; -1 where it is of none."""
     semantics = geometry.part("semantics")
     depth, at = DEPTHS[geometry.text("type")], semantics.at("values")
-    numbers = _numbers(semantics.content.get("values"), geometry.values("boundaries"), depth, at)
+    numbers = _flatten_values(semantics.content.get("values"), geometry.values("boundaries"), depth, at)
     wrong = [n for n in numbers if n is not None and not (type(n) is int and 0 <= n < surfaces)]
     if wrong:
         raise ValueError(f"{at}: got {told(wrong[0])}, want null or the number of one of the {surfaces} surfaces")
     return np.array([-1 if n is None else n for n in numbers], np.int32)
 
 
-def nested(numbers: Sequence[int | None], boundaries: list[Any], depth: int) -> list[Any]:
-    """A number for each face, nested as the faces are in the boundaries: `values` of a semantics."""
+def nest_values(numbers: Sequence[int | None], boundaries: list[Any], depth: int) -> list[Any]:
+    """A number for each face, nest_values as the faces are in the boundaries: `values` of a semantics."""
     left = iter(numbers)
 
     def filled(part: list[Any], levels: int) -> list[Any]:
@@ -59,20 +59,20 @@ def nested(numbers: Sequence[int | None], boundaries: list[Any], depth: int) -> 
     return filled(boundaries, depth)
 
 
-def _faces(geometry: Part) -> list[list[Any]]:
+def _read_faces(geometry: Part) -> list[list[Any]]:
     at, found = geometry.at("boundaries"), geometry.values("boundaries")
     for _ in range(DEPTHS[geometry.text("type")] - 1):
-        found = [item for part in found for item in _list(part, at, "a list of faces")]
-    return [_list(face, at, "a face, a list of rings") for face in found]
+        found = [item for part in found for item in _check_list(part, at, "a list of faces")]
+    return [_check_list(face, at, "a face, a list of rings") for face in found]
 
 
-def _list(value: Any, at: str, wants: str) -> list[Any]:
+def _check_list(value: Any, at: str, wants: str) -> list[Any]:
     if type(value) is not list:
         raise TypeError(f"{at}: got {told(value)}, want {wants}")
     return value
 
 
-def _numbers(values: Any, boundaries: Sequence[Any], depth: int, at: str) -> list[Any]:
+def _flatten_values(values: Any, boundaries: Sequence[Any], depth: int, at: str) -> list[Any]:
     """A number or None for each face, flat; None at any level is None for all below it."""
     if values is None:
         values = [None] * len(boundaries)
@@ -81,4 +81,4 @@ def _numbers(values: Any, boundaries: Sequence[Any], depth: int, at: str) -> lis
     if depth == 1:
         return values
     parts = zip(values, boundaries, strict=True)
-    return list(chain.from_iterable(_numbers(value, part, depth - 1, at) for value, part in parts))
+    return list(chain.from_iterable(_flatten_values(value, part, depth - 1, at) for value, part in parts))

@@ -24,7 +24,7 @@ def as_lod(value: Any, argument: str) -> float:
     return float(value)
 
 
-def surfaced(thing: Part, templates: list[Part]) -> list[Choice]:
+def list_surface_geometries(thing: Part, templates: list[Part]) -> list[Choice]:
     """The geometries of an object that have surfaces."""
     made = []
     for number, placed in enumerate(thing.parts("geometry")):
@@ -38,7 +38,7 @@ def surfaced(thing: Part, templates: list[Part]) -> list[Choice]:
     return made
 
 
-def chosen(found: list[Choice], thing: Part, lod: float | None) -> list[Choice]:
+def choose_geometries(found: list[Choice], thing: Part, lod: float | None) -> list[Choice]:
     """Those of one LoD, by default the highest that is no footprint.
 
     Many files have the same faces as surfaces and as a solid: the ones with semantics are taken, or else the solids.
@@ -54,8 +54,8 @@ def chosen(found: list[Choice], thing: Part, lod: float | None) -> list[Choice]:
     return kinds[best] + kinds[INSTANCE]
 
 
-def coarser(objects: dict[str, Part], taken: dict[str, list[Choice]], above: dict[str, list[str]]) -> set[str]:
-    """The objects whose geometry is a coarser one of the same, as parts of them have a finer one: the two are not traced."""
+def find_superseded(objects: dict[str, Part], taken: dict[str, list[Choice]], above: dict[str, list[str]]) -> set[str]:
+    """The objects whose geometry is a find_superseded one of the same, as parts of them have a finer one: the two are not traced."""
     levels = {name: found[0][2] for name, found in taken.items() if found}
     return {
         parent
@@ -66,7 +66,7 @@ def coarser(objects: dict[str, Part], taken: dict[str, list[Choice]], above: dic
     }
 
 
-def ancestors(objects: dict[str, Part], name: str) -> list[str]:
+def list_ancestors(objects: dict[str, Part], name: str) -> list[str]:
     """The parents of an object, theirs, and so on, as far as the document has them, each once.
 
     One that is its own ancestor, or has more than a hundred, is a ValueError.

@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from warpsample.city.cityjson.choosing import as_lod
-from warpsample.city.cityjson.context import with_context
-from warpsample.city.cityjson.documents import rewritten
+from warpsample.city.cityjson.context import append_context
+from warpsample.city.cityjson.documents import rewrite_content
 from warpsample.city.cityjson.example import example_content
 from warpsample.city.cityjson.gathering import Gathered, Geometry, gather
 from warpsample.city.cityjson.kinds import GROUND
 from warpsample.city.cityjson.placing import spread_points
-from warpsample.city.cityjson.surfaces import CitySurfaces, Rows, surfaces_of, warn_of_overlaps
+from warpsample.city.cityjson.surfaces import CitySurfaces, Rows, tabulate_surfaces, warn_of_overlaps
 from warpsample.city.cityjson.writing import ERROR, Editor
 from warpsample.host.arguments import check_file, check_flag, check_seed, naming_file, told
 from warpsample.host.arrays import as_real
@@ -156,7 +156,7 @@ class City(Summary):
         target = _check_target(path, self.path)
         columns = _check_results(results, len(self.surfaces))
         editor = Editor(self.geometries, self.surfaces, self.rows, columns, split=self.split)
-        write_bytes(target, rewritten(self.content, editor.edit))
+        write_bytes(target, rewrite_content(self.content, editor.edit))
 
 
 def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False, context: Any = None) -> City:
@@ -215,7 +215,7 @@ def load_city(path: str | PathLike[str], *, lod: Any = None, split: bool = False
         got = "none" if lod is None else f"{lod:g}"
         raise ValueError(f"lod: got {got}, want one of those that {str(path)!r} has surfaces of: {there}")
     found.units.warn(path, points)
-    return _city(found, points * found.units.metres, path, content, split=split, context=context)
+    return _build_city(found, points * found.units.metres, path, content, split=split, context=context)
 
 
 def _check_target(path: Any, source: Path) -> Path:
@@ -240,12 +240,12 @@ def _check_results(results: Any, count: int) -> dict[str, np.ndarray]:
     return columns
 
 
-def _city(found: Gathered, points: np.ndarray, path: Path, content: bytes, *, split: bool, context: Any) -> City:
+def _build_city(found: Gathered, points: np.ndarray, path: Path, content: bytes, *, split: bool, context: Any) -> City:
     parts = ([getattr(each, name) for each in found.outlines] for name in ("corners", "sizes", "rings"))
     outlines = Outlines(*map(np.concatenate, parts))
-    surfaces, rows = surfaces_of(found, points, outlines, split)
+    surfaces, rows = tabulate_surfaces(found, points, outlines, split)
     triangles, owner = outlines.triangles(points)
-    vertices, faces = with_context(points, triangles, context, found.units)
+    vertices, faces = append_context(points, triangles, context, found.units)
     surface = np.full(len(faces), -1, np.int32)
     surface[: len(owner)] = rows.row[owner]
     mesh = Mesh(vertices, faces, surface, surfaces.names)

@@ -14,12 +14,12 @@ GROUND_PLANE = "ground"
 _REACH = 20.0  # of the plane beyond the city, in its diagonals; scenes keep their digits for what is not so far
 
 
-def with_context(points: np.ndarray, faces: np.ndarray, context: Any, units: Units) -> tuple[np.ndarray, np.ndarray]:
+def append_context(points: np.ndarray, faces: np.ndarray, context: Any, units: Units) -> tuple[np.ndarray, np.ndarray]:
     """Vertices in metres and faces of a city with those of a context after them; None is none."""
     if context is None:
         return points, faces
     if isinstance(context, str) and context == GROUND_PLANE:
-        corners, squares = _plane(points[np.unique(faces)])
+        corners, squares = _make_plane(points[np.unique(faces)])
     elif hasattr(context, "grid") and hasattr(context, "mesh"):  # a RasterSurface, without importing its room
         _check_map(context.grid, units)
         corners, squares = context.mesh.vertices * context.grid.metres, context.mesh.faces
@@ -46,7 +46,7 @@ def _check_map(grid: Any, units: Units) -> None:
             )
 
 
-def _plane(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _make_plane(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """A level square through the lowest point, so large that a wall sees hardly anything but it below the horizon."""
     low, high = points.min(axis=0), points.max(axis=0)
     reach = _REACH * np.linalg.norm(high - low)

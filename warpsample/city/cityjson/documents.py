@@ -21,33 +21,33 @@ def read_each(content: bytes, read: Callable[[int, Part], None]) -> None:
     Damaged JSON, other objects and other versions are a ValueError, as are those that `read` raises and its TypeErrors; in a
     sequence they name the line.
     """
-    lines, number = _lines(content), 0
+    lines, number = _split_lines(content), 0
     for at, line in enumerate(lines, 1):
         if line.strip():
             try:
-                read(number, _checked(parsed(line), _FEATURE if number else _HEAD))
+                read(number, _check_header(parsed(line), _FEATURE if number else _HEAD))
             except (ValueError, TypeError) as error:
                 raise ValueError(f"line {at}: {error}" if len(lines) > 1 else str(error)) from None
             number += 1
 
 
-def rewritten(content: bytes, edit: Callable[[int, dict[str, Any]], None]) -> bytes:
+def rewrite_content(content: bytes, edit: Callable[[int, dict[str, Any]], None]) -> bytes:
     """The file with its objects changed by `edit`, (number of the object, the object), and else the same JSON.
 
     Members keep their order and numbers their spelling; there is no white space between them.
     """
     made, number = [], 0
-    for line in _lines(content):
+    for line in _split_lines(content):
         text = line.strip()
         if text:
-            made.append(_edited(text, lambda found, number=number: edit(number, found)) + line[len(line.rstrip()) :])
+            made.append(_edit_text(text, lambda found, number=number: edit(number, found)) + line[len(line.rstrip()) :])
             number += 1
         else:
             made.append(line)
     return b"\n".join(made)
 
 
-def _lines(content: bytes) -> list[bytes]:
+def _split_lines(content: bytes) -> list[bytes]:
     """The lines of a sequence, the first of which is not empty; or all as one."""
     first, _, rest = content.partition(b"\n")
     try:
@@ -57,7 +57,7 @@ def _lines(content: bytes) -> list[bytes]:
     return [first, *rest.split(b"\n")] if is_sequence else [content]
 
 
-def _checked(tree: Part, kind: str) -> Part:
+def _check_header(tree: Part, kind: str) -> Part:
     found = tree.text("type")
     if found != kind:
         raise ValueError(f"its type is {found!r}, want {kind!r}")
@@ -66,20 +66,20 @@ def _checked(tree: Part, kind: str) -> Part:
     return tree
 
 
-class _Spelt:
+class _SpelledNumber:
     """A number that Python would spell otherwise."""
 
     def __init__(self, text: str) -> None:
         self.text = text
 
 
-def _as_spelt(text: str) -> float | _Spelt:
+def _parse_float(text: str) -> float | _SpelledNumber:
     number = float(text)
-    return number if repr(number) == text else _Spelt(text)
+    return number if repr(number) == text else _SpelledNumber(text)
 
 
-def _edited(text: bytes, edit: Callable[[dict[str, Any]], None]) -> bytes:
-    found = json.loads(text, parse_float=_as_spelt)
+def _edit_text(text: bytes, edit: Callable[[dict[str, Any]], None]) -> bytes:
+    found = json.loads(text, parse_float=_parse_float)
     edit(found)
     mark = secrets.token_hex(16)  # around the numbers, as JSON's encoder writes no text as it is
     options = {"separators": (",", ":"), "ensure_ascii": text.isascii()}

@@ -27,13 +27,13 @@ def example_content(path: str | PathLike[str]) -> bytes | None:
     semantics = {"surfaces": [{"type": name} for name in BY_NORMAL[:2]], "values": values}
     faces = mesh.faces[:, None, :]
     objects = {
-        "ground": {"type": "LandUse", "geometry": [_geometry(faces[ground])]},
-        "buildings": {"type": "Building", "geometry": [_geometry(faces[~ground]) | {"semantics": semantics}]},
+        "ground": {"type": "LandUse", "geometry": [_multi_surface(faces[ground])]},
+        "buildings": {"type": "Building", "geometry": [_multi_surface(faces[~ground]) | {"semantics": semantics}]},
     }
     whole = {"type": "CityJSON", "version": "2.0", "transform": {"scale": [_STEP] * 3, "translate": [0.0] * 3}}
     vertices = np.rint(mesh.vertices / _STEP).astype(int).tolist()
     return json.dumps(whole | {"CityObjects": objects, "vertices": vertices}).encode()
 
 
-def _geometry(faces: np.ndarray) -> dict[str, object]:
+def _multi_surface(faces: np.ndarray) -> dict[str, object]:
     return {"type": "MultiSurface", "lod": "1", "boundaries": faces.tolist()}

@@ -5,8 +5,15 @@ from functools import cached_property
 
 import numpy as np
 
-from warpsample.city.cityjson.boundaries import outlines_of, semantics_of
-from warpsample.city.cityjson.choosing import INSTANCE, Choice, ancestors, chosen, coarser, surfaced
+from warpsample.city.cityjson.boundaries import read_outlines, read_semantics
+from warpsample.city.cityjson.choosing import (
+    INSTANCE,
+    Choice,
+    choose_geometries,
+    find_superseded,
+    list_ancestors,
+    list_surface_geometries,
+)
 from warpsample.city.cityjson.documents import read_each
 from warpsample.city.cityjson.units import Units
 from warpsample.host.arguments import told
@@ -105,14 +112,14 @@ class Head:
     def outlines(self, template: Part) -> Outlines:
         """The faces of a template; they are read once."""
         if template.path not in self._outlines:
-            self._outlines[template.path] = outlines_of(template, len(self.template_points))
+            self._outlines[template.path] = read_outlines(template, len(self.template_points))
         return self._outlines[template.path]
 
     @cached_property
     def template_points(self) -> np.ndarray:
         """(V, 3) float64, their vertices."""
         found = self.tree.part("geometry-templates")
-        return _numbers(found.content.get("vertices-templates"), found.at("vertices-templates"))
+        return _read_rows(found.content.get("vertices-templates"), found.at("vertices-templates"))
 
     @cached_property
     def transform(self) -> np.ndarray:
@@ -120,7 +127,7 @@ class Head:
         if "transform" not in self.tree and self.tree.text("version").startswith("1.0"):
             return np.float64([(1, 1, 1), (0, 0, 0)])
         found = self.tree.part("transform")
-        scale, translate = (_numbers([found.content.get(key)], found.at(key))[0] for key in ("scale", "translate"))
+        scale, translate = (_read_rows([found.content.get(key)], found.at(key))[0] for key in ("scale", "translate"))
         if not (scale > 0.0).all():
             raise ValueError(f"{found.at('scale')}: got {scale.tolist()}, want numbers above 0")
         return np.stack([scale, translate])
@@ -128,7 +135,7 @@ class Head:
     def points(self, tree: Part) -> np.ndarray:
         """(V, 3) float64, the vertices of a document in world coordinates."""
         scale, translate = self.transform
-        return _numbers(tree.values("vertices"), tree.at("vertices")) * scale + translate
+        return _read_rows(tree.values("vertices"), tree.at("vertices")) * scale + translate
 
 
 def gather(content: bytes, lod: float | None) -> Gathered:
@@ -149,11 +156,11 @@ def _add_document(found: Gathered, head: Head, tree: Part, number: int, lod: flo
     points = head.points(tree)
     first = found.place(points)
     objects = tree.members("CityObjects")
-    above = {name: ancestors(objects, name) for name in objects}
-    choices = {name: surfaced(thing, head.templates) for name, thing in objects.items()}
+    above = {name: list_ancestors(objects, name) for name in objects}
+    choices = {name: list_surface_geometries(thing, head.templates) for name, thing in objects.items()}
     found.lods |= {own for each in choices.values() for _, _, own in each}
-    taken = {name: chosen(choices[name], thing, lod) for name, thing in objects.items()}
-    left_out = coarser(objects, taken, above) if lod is None else set()
+    taken = {name: choose_geometries(choices[name], thing, lod) for name, thing in objects.items()}
+    left_out = find_superseded(objects, taken, above) if lod is None else set()
     for name, thing in objects.items():
         if thing.content.get("attributes") is not None:
             thing.part("attributes")
@@ -178,17 +185,17 @@ def _add_geometry(found: Gathered, head: Head, place: _Place, choice: Choice) ->
     placed, first = place.thing.parts("geometry")[number], place.first
     is_instance = placed.text("type") == INSTANCE
     if is_instance:
-        outlines, copies = _instance(placed, head.outlines(geometry), head.template_points, place.points)
+        outlines, copies = _place_template(placed, head.outlines(geometry), head.template_points, place.points)
         first = found.place(copies)
     else:
-        outlines = outlines_of(geometry, len(place.points))
+        outlines = read_outlines(geometry, len(place.points))
     kind, faces = place.thing.text("type"), len(outlines.rings)
-    types, semantics = _semantics(geometry, faces)
+    types, semantics = _read_types(geometry, faces)
     shape = Geometry(place.document, place.name, kind, place.above, number, lod, types, is_instance, faces)
     found.add(shape, outlines, semantics, first)
 
 
-def _semantics(geometry: Part, faces: int) -> tuple[list[str], np.ndarray]:
+def _read_types(geometry: Part, faces: int) -> tuple[list[str], np.ndarray]:
     if geometry.content.get("semantics") is None:
         return [], np.full(faces, -1, np.int32)
     surfaces = geometry.part("semantics").parts("surfaces")
@@ -196,23 +203,25 @@ def _semantics(geometry: Part, faces: int) -> tuple[list[str], np.ndarray]:
         surface.indices("children", surfaces)
         if "parent" in surface:
             surface.index("parent", surfaces)
-    return [surface.text("type") for surface in surfaces], semantics_of(geometry, len(surfaces))
+    return [surface.text("type") for surface in surfaces], read_semantics(geometry, len(surfaces))
 
 
-def _instance(placed: Part, outlines: Outlines, template: np.ndarray, points: np.ndarray) -> tuple[Outlines, np.ndarray]:
+def _place_template(
+    placed: Part, outlines: Outlines, template: np.ndarray, points: np.ndarray
+) -> tuple[Outlines, np.ndarray]:
     """The faces of a template where an object has it, and their vertices; mirrored ones are turned inside out again."""
-    matrix = _matrix(placed)
+    matrix = _read_matrix(placed)
     anchors = placed.indices("boundaries", points)
     if len(anchors) != 1:
         raise ValueError(f"{placed.at('boundaries')}: got {told(anchors)}, want one vertex")
     used, corners = np.unique(outlines.corners, return_inverse=True)
     if np.linalg.det(matrix[:3, :3]) < 0.0:
-        corners = _reversed(corners, outlines.sizes)
+        corners = _reverse_rings(corners, outlines.sizes)
     copies = template[used] @ matrix[:3, :3].T + matrix[:3, 3] + points[anchors[0]]
     return Outlines(corners, outlines.sizes, outlines.rings), copies
 
 
-def _matrix(placed: Part) -> np.ndarray:
+def _read_matrix(placed: Part) -> np.ndarray:
     key = "transformationMatrix"
     matrix = placed.reals(key, np.eye(4).ravel().tolist()).reshape(4, 4)
     if not np.array_equal(matrix[3], (0.0, 0.0, 0.0, 1.0)):
@@ -220,13 +229,13 @@ def _matrix(placed: Part) -> np.ndarray:
     return matrix
 
 
-def _reversed(corners: np.ndarray, sizes: np.ndarray) -> np.ndarray:
+def _reverse_rings(corners: np.ndarray, sizes: np.ndarray) -> np.ndarray:
     """The corners with each ring the other way round."""
     ends = np.cumsum(sizes)
     return corners[np.repeat(2 * ends - sizes, sizes) - 1 - np.arange(len(corners))]
 
 
-def _numbers(rows: object, at: str) -> np.ndarray:
+def _read_rows(rows: object, at: str) -> np.ndarray:
     """(n, 3) float64 of lists of three finite numbers."""
     wants = "lists of three numbers"
     if type(rows) is not list or any(type(row) is not list or len(row) != 3 for row in rows):

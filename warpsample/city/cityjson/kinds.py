@@ -15,7 +15,7 @@ def is_built(kind: str) -> bool:
     return kind not in _NOT_BUILT
 
 
-def by_normal(crosses: np.ndarray) -> np.ndarray:
+def classify_by_normal(crosses: np.ndarray) -> np.ndarray:
     """(N,) the number in BY_NORMAL of faces with these normals, (N, 3) of any length; without one they are walls."""
     length = np.linalg.norm(crosses, axis=1)
     return np.select([crosses[:, 2] > _STEEP * length, crosses[:, 2] < -_STEEP * length], [0, 2], 1)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from warpsample.city.cityjson.gathering import Gathered
-from warpsample.city.cityjson.kinds import BY_NORMAL, by_normal, is_built
+from warpsample.city.cityjson.kinds import BY_NORMAL, classify_by_normal, is_built
 from warpsample.host.arguments import told
 from warpsample.host.tables import frame_of
 from warpsample.mesh.holes import Outlines
@@ -79,11 +79,11 @@ class Rows:
     row: np.ndarray
 
 
-def surfaces_of(found: Gathered, points: np.ndarray, outlines: Outlines, split: bool) -> tuple[CitySurfaces, Rows]:
+def tabulate_surfaces(found: Gathered, points: np.ndarray, outlines: Outlines, split: bool) -> tuple[CitySurfaces, Rows]:
     """The surfaces of what was gathered, in the order of the file; one for each polygon if they are to be split."""
     geometry = np.repeat(np.arange(len(found.geometries)), [len(each.rings) for each in found.outlines])
     semantic = np.concatenate(found.semantics)
-    types, kind = _types(found, geometry, semantic, by_normal(outlines.crosses(points)[outlines.outer]))
+    types, kind = _classify_polygons(found, geometry, semantic, classify_by_normal(outlines.crosses(points)[outlines.outer]))
     row, first = np.arange(len(kind)), np.arange(len(kind))
     if not split:
         _, first, row = np.unique(np.stack([geometry, semantic, kind]), axis=1, return_index=True, return_inverse=True)
@@ -120,7 +120,9 @@ def warn_of_overlaps(path: Path, objects: np.ndarray, covered: np.ndarray, areas
         )
 
 
-def _types(found: Gathered, geometry: np.ndarray, semantic: np.ndarray, facing: np.ndarray) -> tuple[list[str], np.ndarray]:
+def _classify_polygons(
+    found: Gathered, geometry: np.ndarray, semantic: np.ndarray, facing: np.ndarray
+) -> tuple[list[str], np.ndarray]:
     """The names of all types, and (P,) which of them each polygon has."""
     names = {name: number for number, name in enumerate((*BY_NORMAL, ""))}
     starts = np.cumsum([0, *(len(one.types) for one in found.geometries)])
