@@ -57,7 +57,8 @@ def test_a_mesh_that_ends_xatlas_is_told(monkeypatch):
     """As a sphere of 81,920 triangles does: github.com/jpcy/xatlas/issues/146."""
     monkeypatch.setattr(unwrapping, "_PROGRAM", "import os, signal; os.kill(os.getpid(), signal.SIGSEGV)")
     with pytest.raises(
-        ValueError, match=r"^mesh: got one on which xatlas ended with -11, want coordinates by another program$"
+        ValueError,
+        match=r"^mesh: got a mesh on which xatlas ended with -11, want texture coordinates made by another program$",
     ):
         ws.unwrap(SPHERE, 64)
 

@@ -1,4 +1,4 @@
-"""What a run bakes: an image for each group of primitives that share materials, by which texture coordinates."""
+"""Images to bake: one for each group of primitives that share materials, with texture coordinates for each."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -22,28 +22,28 @@ from warpsample.texture.unwrapping import PADDING, unwrap
 
 _FLAWS = {
     "overlapped": "overlapping texels, which show one of several faces",
-    "outside": "faces beyond the image, of which it shows a part",
+    "outside": "faces partly or wholly outside the image",
     "zero_area": "faces without an area in the image",
     "mirrored": "mirrored faces",
 }
 _REFUSED = ("overlapped", "outside", "zero_area")
 SCENES = (".glb", ".gltf")
-"""Suffixes of the files whose materials get pictures."""
+"""Suffixes of files whose materials receive the pictures."""
 
-_MOST_NAMES = 5  # of meshes that are told for a flaw
+_MOST_NAMES = 5  # most meshes named per flaw
 
 
 @dataclass(frozen=True, eq=False)
 class TextureJob:
-    """An image that a run bakes.
+    """Image to bake, with its texels.
 
     Attributes:
-        name: of the material that it is for, or of the file.
-        points: its texels.
-        set: the number of the texture coordinates that it is by; of new ones the number that they get.
-        coordinates: which coordinates these are, and which sets of the file are not taken.
-        group: the primitives that it is for; none where it is for a whole file.
-        remake: makes the texels of the group's primitives at other places.
+        name: name of the material, or of the file.
+        points: texels as points on the mesh.
+        set: number of the set of texture coordinates; for new coordinates, the number that the set gets.
+        coordinates: description of the coordinates, and of sets of the file that are not used.
+        group: primitives that show the image; empty for an image of a whole file.
+        remake: function that returns the texels of the same primitives at other places.
     """
 
     name: str
@@ -54,7 +54,7 @@ class TextureJob:
     remake: Callable[[list[Primitive]], TexturePoints] | None = None
 
     def at_other_places(self) -> Iterator["TextureJob"]:
-        """Yield the same picture for each other place of the primitives; texels are made one place at a time."""
+        """Yield this job for each further place of its primitives; texels are computed one place at a time."""
         for place in range(max((len(one.others) for one in self.group), default=0)):
             group = [one.others[place] for one in self.group if place < len(one.others)]
             assert self.remake is not None
@@ -62,12 +62,12 @@ class TextureJob:
 
     @property
     def rows(self) -> list[slice]:
-        """The faces that it is of, by primitives."""
+        """Slices of the mesh's faces, one for each primitive."""
         return [one.faces for one in self.group] or [slice(len(self.points.mesh.faces))]
 
     @property
     def scales(self) -> np.ndarray:
-        """(F,) float64, how long the units of the primitives are that faces are of; 1 for others."""
+        """(F,) float64, length of a unit of each face's primitive in the scene; 1 for faces of other primitives."""
         found = np.ones(len(self.points.mesh.faces))
         for one in self.group:
             found[one.faces] = one.scale
@@ -77,12 +77,19 @@ class TextureJob:
 def plan_jobs(
     path: Path, mesh: Mesh, how: TextureOptions, output: str, slot: Slot
 ) -> tuple[list[TextureJob], GlbFile | None]:
-    """All images of a run into a file with such a suffix; and the .glb that they go into, which has new coordinates by now.
+    """Return all images to bake for an output file, and the edited .glb if the output is a scene.
 
-    `slot` is what they are to its materials.
+    New texture coordinates are already added to the .glb.
+
+    Args:
+        path: file with the mesh.
+        mesh: mesh as `load_mesh` reads it.
+        how: options of the texture.
+        output: suffix of the output file.
+        slot: place of the image in a material.
 
     Raises:
-        ValueError: coordinates that cannot be used, or with `strict` such that are flawed.
+        ValueError: the coordinates cannot be used, or have flaws and `how.strict` is set.
     """
     jobs, file = (
         _plan_scene_jobs(path, mesh, how, slot) if output in SCENES else ([_plan_file_job(path, mesh, how, output)], None)
@@ -94,7 +101,7 @@ def plan_jobs(
 
 
 def describe_flaws(job: TextureJob, names: Sequence[str] = tuple(_FLAWS)) -> Iterator[str]:
-    """What is wrong with the coordinates of a job, in phrases with the names of the meshes."""
+    """Yield phrases on flaws of a job's coordinates, with the names of the meshes concerned."""
     report = job.points.report
     for name in names:
         count, parts = getattr(report, name), report.named[name]
@@ -104,7 +111,7 @@ def describe_flaws(job: TextureJob, names: Sequence[str] = tuple(_FLAWS)) -> Ite
 
 
 def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) -> tuple[list[TextureJob], GlbFile]:
-    """An image for each group of primitives that share materials."""
+    """Return a job for each group of primitives that share materials, and the .glb with new coordinates added."""
     with convert_read_errors(path):
         file = GlbFile(path)
         check_extensions(file.part)
@@ -112,12 +119,12 @@ def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) ->
         texels = Texels(path, mesh, how, _read_corner_normals(path, mesh, how))
     if not slotted:
         raise ValueError(
-            f"--quantity: got {slot.name} for {path.name!r}, none of whose materials has {slot.within[-1]}, which holds a "
-            f"{slot.key}, want a file with it, or an .exr or .npz as --output"
+            f"--quantity: got {slot.name} for {path.name!r}, whose materials lack {slot.within[-1]}, the parent of "
+            f"{slot.key}, want a file with that glTF extension, or an .exr or .npz as --output"
         )
     groups = [group for group in slotted if not is_flat(mesh, group)]
     if not groups:
-        raise ValueError("mesh: got faces without an area, want some that have one")
+        raise ValueError("mesh: got only faces without an area, want at least one face with an area")
     jobs = []
     for group in groups:
         rows, name = [one.faces for one in group if not is_flat(mesh, [one])], name_group(file, group)
@@ -134,19 +141,19 @@ def _plan_scene_jobs(path: Path, mesh: Mesh, how: TextureOptions, slot: Slot) ->
             jobs.append(TextureJob(name, texels.points(uv, rows), number, label, faced, remake))
         else:
             own = f"TEXCOORD_{found.number}"
-            able = [one for one in group if own in one.part.part("attributes")]  # flat ones may have none
+            able = [one for one in group if own in one.part.part("attributes")]  # flat primitives may lack the set
             remake = partial(_make_points_by_set, texels, found.number)
             jobs.append(TextureJob(name, found.points, found.number, found.describe(f"set {found.number}"), able, remake))
     return jobs, file
 
 
 def _make_points_by_set(texels: Texels, number: int, group: list[Primitive]) -> TexturePoints:
-    """Return the texels of primitives at some places, by a set of the file."""
+    """Return the texels of primitives, by a set of coordinates of the file."""
     return texels.points_by_set(number, [one.faces for one in group])
 
 
 def _make_points_by_new_uv(texels: Texels, uv: np.ndarray, first: list[Primitive], group: list[Primitive]) -> TexturePoints:
-    """Return the texels of primitives at other places, by new coordinates of the `first` places."""
+    """Return the texels of `group` by new coordinates `uv`, which were computed for the same primitives in `first`."""
     known = {(one.mesh, one.number): one for one in first}
     own = np.full(uv.shape, np.nan)
     for one in group:
@@ -156,12 +163,12 @@ def _make_points_by_new_uv(texels: Texels, uv: np.ndarray, first: list[Primitive
 
 
 def is_flat(mesh: Mesh, group: list[Primitive]) -> bool:
-    """Whether no face of a group has an area in space: there is nothing to show it a picture on."""
+    """Return whether all faces of a group of primitives have zero area in space."""
     return not any(mesh.face_areas[one.faces].any() for one in group)
 
 
 def _groups_with_slot(file: GlbFile, slot: Slot) -> Iterator[list[Primitive]]:
-    """The groups of primitives whose materials have a place for such a picture, or get one."""
+    """Yield the groups of primitives whose materials have the slot, or can get the slot."""
     materials = file.part.parts("materials")
     for group in group_by_material(list_primitives(file.part, file.data)):
         if slot.optional or any(
@@ -171,7 +178,7 @@ def _groups_with_slot(file: GlbFile, slot: Slot) -> Iterator[list[Primitive]]:
 
 
 def _plan_file_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> TextureJob:
-    """One image for all faces of a file."""
+    """Return the job of one image for all faces of a file."""
     texels, rows = Texels(path, mesh, how, _read_corner_normals(path, mesh, how)), [slice(None)]
     found = texels.choose_set(rows, path.name, lenient=output != ".npz")
     if found.points is not None:
@@ -186,14 +193,14 @@ def _plan_file_job(path: Path, mesh: Mesh, how: TextureOptions, output: str) -> 
 
 
 def _read_corner_normals(path: Path, mesh: Mesh, how: TextureOptions) -> np.ndarray | None:
-    """The normals of corners that points are turned by; None where faces or vertices tell."""
+    """Return the corner normals (F, 3, 3) used for points, or None to use normals of faces or vertices."""
     if how.high is not None:
         return average_normals(mesh)
     return read_corners(path, "NORMAL") if how.normals != "face" and path.suffix.lower() in SCENES else None
 
 
 def _find_set(file: GlbFile, group: list[Primitive], slot: Slot) -> int | None:
-    """The set by which the materials of a group have such a picture already, or else an occlusion."""
+    """Return the number of the set that a group's materials use for the slot, or else for occlusion; None without one."""
     materials = file.part.parts("materials")
     numbers = [number for one in group for number in one.materials]
     known = [kind.find_info(materials[number]) for kind in (slot, OCCLUSION) for number in numbers]
@@ -202,7 +209,7 @@ def _find_set(file: GlbFile, group: list[Primitive], slot: Slot) -> int | None:
 
 
 def _read_set_number(info: Part) -> int:
-    """The set of coordinates that a material shows a picture by: that of a transform comes first."""
+    """Return the number of the set used by a texture info; a KHR_texture_transform overrides it."""
     number = info.whole("texCoord", 0, LAST_SET)
     if "extensions" in info and "KHR_texture_transform" in info.part("extensions"):
         number = info.part("extensions").part("KHR_texture_transform").whole("texCoord", number, LAST_SET)
@@ -210,7 +217,11 @@ def _read_set_number(info: Part) -> int:
 
 
 def square_side(size: tuple[int, int]) -> int:
-    """The side of a square_side image, which new coordinates are made for."""
+    """Return the side of a square image, in texels; new texture coordinates need a square.
+
+    Raises:
+        ValueError: width and height differ.
+    """
     if size[0] != size[1]:
         raise ValueError(f"--texture: got {size[0]}x{size[1]} for new texture coordinates, want a square")
     return size[0]

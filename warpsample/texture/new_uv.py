@@ -1,4 +1,4 @@
-"""New texture coordinates of primitives of a .glb: their vertices are split, and all that belongs to these follows."""
+"""New texture coordinates for primitives of a .glb: vertices at chart borders are split, with all their attributes."""
 
 from itertools import count as count_up
 from typing import Any
@@ -13,21 +13,24 @@ from warpsample.texture.unwrapping import PADDING, MeshCharts, unwrap_meshes
 
 
 def charts_for(group: list[Primitive], mesh: Mesh, size: int) -> list[MeshCharts]:
-    """Charts of a group of primitives, as `load_mesh` places them, in one image of so many texels."""
+    """Compute charts of the primitives of a group in one square image of `size` texels.
+
+    Positions are those of `load_mesh`, at the first place of each primitive.
+    """
     return unwrap_meshes([(mesh.vertices[one.vertices], one.triangles) for one in group], size, PADDING)
 
 
 def add_uv(file: GlbFile, group: list[Primitive], charts: list[MeshCharts], count: int) -> tuple[int, np.ndarray]:
-    """Gives a group of primitives the coordinates of their charts, in a set that none of them has.
+    """Add the coordinates of charts to a group of primitives, as a set that none of the primitives has yet.
 
     Args:
-        file: to be edited.
-        group: of primitives that share materials.
-        charts: theirs.
-        count: of the faces of the mesh in which they are placed.
+        file: file to edit.
+        group: primitives that share materials.
+        charts: charts of each primitive.
+        count: number of faces of the mesh that contains the primitives.
 
     Returns:
-        the number of the set, and (F, 3, 2) float64, NaN of the faces of others.
+        the number of the set; and (F, 3, 2) float64 coordinates, NaN for faces of other primitives.
     """
     used = {name for one in group for name in one.part.part("attributes").content}
     number = next(number for number in count_up() if f"TEXCOORD_{number}" not in used)
@@ -39,7 +42,10 @@ def add_uv(file: GlbFile, group: list[Primitive], charts: list[MeshCharts], coun
 
 
 def _split_vertices(file: GlbFile, one: Primitive, charts: MeshCharts, number: int) -> None:
-    """Rewrites a primitive by the vertex that each new one is; sets below `number` that it has not are the new one, too."""
+    """Rewrite a primitive with the split vertices and the new coordinates as set `number`.
+
+    The sets below `number` that the primitive lacks get the new coordinates, too, since glTF numbers sets without gaps.
+    """
     primitive: dict[str, Any] = file.tree["meshes"][one.mesh]["primitives"][one.number]
     vertex, faces, uv = charts
     primitive["attributes"] = _gather_attributes(file, one.part.part("attributes"), vertex)
@@ -53,12 +59,12 @@ def _split_vertices(file: GlbFile, one: Primitive, charts: MeshCharts, number: i
 
 
 def _gather_attributes(file: GlbFile, attributes: Part, vertex: np.ndarray) -> dict[str, int]:
-    """The accessors of a primitive's attributes, of other vertices."""
+    """Append the attributes of selected vertices to the file; return the new accessors by attribute."""
     return {name: file.add_like(*_gather_rows(file, attributes, name, vertex)) for name in attributes.content}
 
 
 def _gather_rows(file: GlbFile, attributes: Part, name: str, vertex: np.ndarray) -> tuple[Part, np.ndarray]:
     accessor, array = file.data.rows(attributes, name)
     if vertex.max(initial=0) >= len(array):
-        raise ValueError(f"{attributes.at(name)}: got {len(array):,} of them, want one for each vertex")
+        raise ValueError(f"{attributes.at(name)}: got {len(array):,} values, want one for each vertex")
     return accessor, array[vertex]

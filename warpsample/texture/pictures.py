@@ -1,4 +1,4 @@
-"""Images of numbers as files: .png by Pillow, .exr by OpenEXR."""
+"""Encoding of images as .png, by Pillow, and as .exr, by OpenEXR."""
 
 from collections.abc import Mapping
 from io import BytesIO
@@ -13,13 +13,15 @@ from warpsample.host.making import imported, missing
 
 _WHITE = {8: (255.0, np.uint8), 16: (65535.0, np.uint16)}
 DEPTHS = tuple(_WHITE)
-"""Bits of a number in a .png."""
+"""Bits per channel of a .png."""
 
 
 def encode_png(image: np.ndarray, depth: int) -> bytes:
-    """The bytes of a .png of (H, W) numbers from 0 to 1, linear and rounded; beyond these, cut.
+    """Return the bytes of a .png of an (H, W) image, linear, clipped to [0, 1] and rounded to `depth` bits.
 
-    Vectors, (H, W, 3), are colours of 8 bits: each stands for its direction, from -1 to 1; one of length 0 for +z.
+    An image (H, W, 3) holds vectors: each direction is stored as a colour of 8 bits, 0.5 + 0.5 * component. Vectors of
+    length 0
+    are stored as +z.
     """
     if image.ndim == 3:
         length = np.linalg.norm(image.astype(np.float64), axis=2, keepdims=True)
@@ -32,7 +34,11 @@ def encode_png(image: np.ndarray, depth: int) -> bytes:
 
 
 def encode_exr(layers: Mapping[str, np.ndarray]) -> bytes:
-    """The bytes of an .exr of float32 images by the names of their layers: (H, W) is Y, (H, W, 3) R, G and B."""
+    """Return the bytes of a float32 .exr with one or more layers.
+
+    Args:
+        layers: images by layer name. An (H, W) image is channel Y; an (H, W, 3) image is channels R, G and B.
+    """
     openexr = import_library("OpenEXR", "an .exr needs OpenEXR")
     channels = {}
     for layer, image in layers.items():
@@ -41,17 +47,17 @@ def encode_exr(layers: Mapping[str, np.ndarray]) -> bytes:
         names = "RGB" if image.ndim == 3 else "Y"
         channels |= {prefix + name: np.ascontiguousarray(one, np.float32) for name, one in zip(names, split, strict=True)}
     header = {"compression": openexr.ZIP_COMPRESSION, "type": openexr.scanlineimage}
-    with TemporaryDirectory() as folder:  # the import_library writes into files only
+    with TemporaryDirectory() as folder:  # OpenEXR writes to files only
         path = Path(folder, "image.exr")
         try:
             openexr.File(header, channels).write(str(path))
         except RuntimeError as error:
-            raise WriteError(f"a copy of the picture cannot be written into {folder}: {error}") from None
+            raise WriteError(f"the picture cannot be written to the temporary folder {folder}: {error}") from None
         return path.read_bytes()
 
 
 def check_library(suffix: str) -> None:
-    """Refuses a suffix of a file for which a import_library is missing, before anything is computed."""
+    """Raise an error if the library for a file suffix is missing, before any work."""
     if suffix in (".png", ".glb", ".gltf"):
         import_library("PIL.Image", f"a texture in a {suffix} needs Pillow")
     elif suffix == ".exr":
@@ -59,7 +65,11 @@ def check_library(suffix: str) -> None:
 
 
 def import_library(name: str, what: str) -> ModuleType:
-    """A import_library of pictures; where it is missing, `what` needs it and how to install it."""
+    """Return an imported image library.
+
+    Raises:
+        ModuleNotFoundError: the library is missing; the message starts with `what` and names the install command.
+    """
     try:
         return imported(name)
     except ModuleNotFoundError:

@@ -1,4 +1,4 @@
-"""The occlusion that the materials of a glTF file have, as one picture for all faces: what the viewer shows."""
+"""Occlusion textures of a glTF file, joined into one picture for the viewer."""
 
 from dataclasses import dataclass
 from io import BytesIO
@@ -14,28 +14,33 @@ from warpsample.mesh.files.gltf_data import Data
 from warpsample.mesh.files.uv import LAST_SET
 from warpsample.texture.pictures import import_library
 
-_SIDE = 8192  # of the whole picture, which graphics cards take
+_SIDE = 8192  # largest side of the joined picture, in texels: graphics cards accept this size
 _TRANSFORM = "KHR_texture_transform"
 
 
 @dataclass(frozen=True, eq=False)
 class ShownOcclusion:
-    """A picture of grey levels, (H, W) uint8, and by which coordinates (F, 3, 2), v down, the faces of a mesh show it."""
+    """Joined occlusion picture of a mesh.
+
+    Attributes:
+        picture: (H, W) uint8, grey levels.
+        uv: (F, 3, 2) float64, texture coordinates of the faces in the picture, v downward.
+    """
 
     picture: np.ndarray
     uv: np.ndarray
 
 
 def read_occlusion(path: Path) -> ShownOcclusion | None:
-    """The occlusion of the faces that `load_mesh` reads, white for those that have none within their picture.
+    """Read the occlusion textures of a glTF file, for the faces that `load_mesh` reads.
 
-    Tiles that repeat and those that the file transforms are white, too.
+    Faces without occlusion are white, and so are faces with coordinates outside the image or with a texture transform.
 
     Returns:
-        the picture; None of a file that has no such thing.
+        the joined picture; None for a file of another type or without an occlusion texture.
 
     Raises:
-        ValueError: a file that cannot be read, or a picture in it.
+        ValueError: the file or a picture in it cannot be read.
     """
     if path.suffix.lower() not in (".glb", ".gltf"):
         return None
@@ -53,7 +58,7 @@ def read_occlusion(path: Path) -> ShownOcclusion | None:
 
 
 def _read_occlusion_info(tree: Part, primitive: Part) -> tuple[int, int, float] | None:
-    """The image, the set of coordinates and the strength of a primitive's occlusion."""
+    """Return the image, the set of coordinates and the strength of a primitive's occlusion; None without occlusion."""
     if "material" not in primitive:
         return None
     materials, textures = tree.parts("materials"), tree.parts("textures")
@@ -69,7 +74,7 @@ def _read_occlusion_info(tree: Part, primitive: Part) -> tuple[int, int, float] 
 
 
 def _read_grey_levels(tree: Part, data: Data, path: Path, image: int, strength: float) -> np.ndarray:
-    """(H, W) float64, what of a picture is seen: 1 + strength * (red - 1)."""
+    """Return the (H, W) float64 occlusion that viewers show for a picture: 1 + strength * (red - 1)."""
     content = data.picture(tree.parts("images")[image], path)
     with import_library("PIL.Image", "pictures need Pillow").open(BytesIO(content)) as opened_picture:
         pixels = np.array(opened_picture if opened_picture.mode.startswith("I;16") else opened_picture.convert("RGB"))
@@ -78,7 +83,10 @@ def _read_grey_levels(tree: Part, data: Data, path: Path, image: int, strength: 
 
 
 def _join_pictures(pictures: list[np.ndarray], kind: np.ndarray, sets: list[np.ndarray]) -> ShownOcclusion:
-    """All pictures on one, row by row, framed by their edges; after the last a white one, for faces of the kind -1."""
+    """Join all pictures into one, in rows of a grid; faces of kind -1 get a white picture at the end.
+
+    Each picture is framed by copies of its edge texels.
+    """
     columns = ceil(sqrt(len(pictures) + 1))
     side = min(max(max(picture.shape) for picture in pictures), _SIDE // columns - 2)
     pitch = side + 2

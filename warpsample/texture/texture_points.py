@@ -1,4 +1,4 @@
-"""Texels as points on a mesh: `texture_points`, by which every number at points becomes an image."""
+"""Texels as points on a mesh, and images of values at the points: `texture_points`."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -26,19 +26,19 @@ _MOST_SIDE = 1 << 16
 
 @dataclass(frozen=True, eq=False, repr=False)
 class TexturePoints(Summary):
-    """The texels of a texture as points on a mesh, and images of what is known at them.
+    """Texels of a texture as points on a mesh, with methods that turn values at the points into images.
 
     Attributes:
-        mesh: that they are on.
-        corners: (F, 3, 2) float64, the texture coordinates of its faces in texels, v downward.
-        size: width and height of the image, in texels.
-        samples: points of each texel, at most.
-        normals: "face", "smooth" or "lifted".
-        corner_normals: (F, 3, 3) float64, of which the last two are made; None for the first.
-        id: (P,) uint64, ascending: the texel times the number of samples, plus the sample's number.
-        face: (P,) int32, the face that each point is on.
-        report: counts of texels, and of faces that have none or share some.
-        options: where points are computed.
+        mesh: mesh of the points.
+        corners: (F, 3, 2) float64, texture coordinates of the face corners in texels, v downward.
+        size: width and height of the image in texels.
+        samples: largest number of points per texel.
+        normals: normals of the points: "face", "smooth" or "lifted".
+        corner_normals: (F, 3, 3) float64, corner normals for "smooth" and "lifted"; None for "face".
+        id: (P,) uint64, point numbers in ascending order: texel * samples + sample.
+        face: (P,) int32, the face of each point.
+        report: counts of texels, and of faces with flawed coordinates.
+        options: device and number of threads for the computation of points.
     """
 
     mesh: Mesh
@@ -53,35 +53,35 @@ class TexturePoints(Summary):
     options: CallOptions
 
     def __len__(self) -> int:
-        """How many points."""
+        """Return the number of points."""
         return len(self.id)
 
     @property
     def texel(self) -> np.ndarray:
-        """(P,) int64, the texel of each point: row * width + column."""
+        """(P,) int64, texel of each point: row * width + column."""
         return (self.id // np.uint64(self.samples)).astype(np.int64)
 
     @property
     def covered(self) -> np.ndarray:
-        """(H, W) bool: the texels that have a point, without those that images fill around them."""
+        """(H, W) bool, texels with at least one point, without texels that images fill."""
         return self._texel_rows.covered.reshape(self.size[1], self.size[0])
 
     @once_property
     def points(self) -> SurfacePoints:
-        """All points, with `id`, by which random numbers are drawn: those of a texel depend on nothing but its number."""
+        """Compute all points, with `id`: the random numbers of a texel depend only on the texel's number."""
         return self.take(slice(None))
 
     def take(self, rows: slice) -> SurfacePoints:
-        """The points of some rows, made when they are asked for: a large image is computed part by part.
+        """Compute the points of some rows; use it to process a large image part by part.
 
         Args:
-            rows: a slice of the P points.
+            rows: slice of the P points.
 
         Returns:
-            position and barycentric float64, normal, face (-1 of points that are lifted) and id.
+            points with position and barycentric (float64), normal, face (-1 for lifted points) and id.
 
         Raises:
-            TypeError: no slice.
+            TypeError: `rows` is not a slice.
 
         Example:
             >>> triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
@@ -98,20 +98,21 @@ class TexturePoints(Summary):
         return SurfacePoints(position, normal, on, weights, id)
 
     def image(self, values: Any, *, gutter: Any = "all") -> np.ndarray:
-        """The image of numbers at the points: of each texel the mean of its points.
+        """Return the image of values at the points; each texel has the mean of its points' values.
 
-        Texels none of whose points has a finite number are fill_texels from the nearest texel of the same chart that has one.
+        A texel without a finite value is filled from the nearest texel of the same chart with one.
 
         Args:
-            values: (P,) or (P, C) numbers, NaN of points that have none.
-            gutter: how far from the texels that faces reach the others are fill_texels from the nearest one of these: "all", or
-                a whole number of texels. What is left is 0.
+            values: (P,) or (P, C) numbers, NaN for points without a value.
+            gutter: fill distance for texels without points, from the nearest texel with points: "all", or a whole number of
+                texels.
+                Texels farther away are 0.
 
         Returns:
-            (H, W) or (H, W, C) float32, the first row at v = 0.
+            (H, W) or (H, W, C) float32, with the first row at v = 0.
 
         Raises:
-            TypeError, ValueError: numbers or a gutter that cannot be used.
+            TypeError, ValueError: `values` or `gutter` is invalid.
 
         Example:
             >>> triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
@@ -124,19 +125,21 @@ class TexturePoints(Summary):
         return self._image(self._texel_rows.means(flat.shape[1], lambda rows, _: flat[rows])[0], values, gutter)
 
     def image_error(self, errors: Any, *, gutter: Any = "all") -> np.ndarray:
-        """The image of the standard errors of what `image` shows.
+        """Return the image of the standard errors of the values that `image` shows.
 
         Args:
-            errors: the `Estimate` at the points; of one sample a texel also its standard errors, (P,) or (P, C). With
-                several samples the errors are of the differences between a texel's values, and rather too large:
-                samples are stratified. A texel with one sample takes the differences of the texels around it.
-            gutter: as of `image`.
+            errors: the `Estimate` at the points. With one sample per texel, the standard errors (P,) or (P, C) are accepted,
+                too.
+                With several samples, the errors come from the spread of a texel's values. Such errors are somewhat too
+                    large, since
+                samples are stratified. A texel with one value uses the spread in the surrounding texels.
+            gutter: fill distance, as in `image`.
 
         Returns:
-            (H, W) or (H, W, C) float32; a texel that is fill_texels has the error of the one it is fill_texels from.
+            (H, W) or (H, W, C) float32. A filled texel has the error of its source texel.
 
         Raises:
-            TypeError, ValueError: errors or a gutter that cannot be used.
+            TypeError, ValueError: `errors` or `gutter` is invalid.
 
         Example:
             >>> triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
@@ -152,7 +155,9 @@ class TexturePoints(Summary):
             values = self._rows(errors.value, "errors").reshape(flat.shape)
             made = self._texel_rows.errors(values, flat, self.size[0])
         else:
-            raise TypeError(f"errors: got {told(errors)}, want the Estimate: of {self.samples} samples the values tell")
+            raise TypeError(
+                f"errors: got {told(errors)}, want the Estimate with its values: errors of {self.samples} samples need them"
+            )
         return self._image(made, own, gutter)
 
     @property
@@ -171,7 +176,7 @@ class TexturePoints(Summary):
         return made if rows.ndim == 2 else made[..., 0]
 
     def _charts(self) -> np.ndarray:
-        """(texels,) int32: the chart that each texel is of, -1 of none."""
+        """Return the (texels,) int32 chart of each texel, -1 without one."""
         charts = np.full(self.size[0] * self.size[1], -1, np.int32)
         charts[self.texel[::-1]] = label_charts(self.corners)[self.face[::-1]]
         return charts
@@ -189,34 +194,38 @@ def texture_points(
     device: Any = None,
     workers: int | None = None,
 ) -> TexturePoints:
-    """The texels of a texture as points on a mesh, at which everything that takes points is computed.
+    """Return the texels of a texture as points on a mesh, for use with every function that takes points.
 
-    A texel gets a point if a bilinear lookup on the surface reads it: if its centre is nearer than 1 texel to a face, along
-    either axis. The point is where the centre is, or, if that is outside, the nearest point of a face; of several faces at
-    the same distance the one of the lowest number has it. The id of a point is a number of its texel, so that the random
-    numbers of a texel depend on nothing else.
+    A texel gets a point if a bilinear lookup on the surface reads the texel. The condition is that the texel's centre is
+    nearer
+    than 1 texel to a face along both axes. The point is at the centre or, if the centre is outside all faces, at the nearest
+    point of a face. Among faces at the same distance, the one with the lowest number is taken. The id of a point, and so its
+    random numbers, depends only on the texel.
 
     Args:
-        mesh: a Mesh or whatever `as_mesh` takes.
-        uv: (F, 3, 2) texture coordinates of the corners of its faces, u to the right and v down from the upper left corner
-            of the image, as `load_uv` gives them; NaN of faces that have none.
+        mesh: a Mesh, or anything that `as_mesh` accepts.
+        uv: (F, 3, 2) texture coordinates of face corners, as from `load_uv`: u to the right and v down from the upper left
+            corner of the image. NaN for faces without coordinates.
         size: width and height of the image in texels, or one number for both.
-        samples: how many points a texel gets. Of one, values are those at its centre; of several, means over the part of it
-            that faces cover: they are stratified over the texel, and those outside of all faces are left out. Rays of
-            each point are by as many fewer, for the same work.
-        normals: "face" for the normals of the faces; "smooth" for those of their corners, interpolated, by which dark bands
-            appear where the faces are few; "lifted" for the same at points moved to where the smooth surface would be.
-        corner_normals: (F, 3, 3) of the corners of faces, of any length; by default those of the vertices.
+        samples: points per texel, 1 to 1024. With one, a value is that at the texel's centre. With several, it is the mean
+            over
+            the part of the texel that faces cover: samples are stratified over the texel, and samples outside all faces are
+                left
+            out. Use fewer rays per point for the same work.
+        normals: "face" for normals of faces; "smooth" for interpolated corner normals, which make dark bands on coarse
+            meshes;
+            "lifted" for interpolated normals at points moved to the smooth surface.
+        corner_normals: (F, 3, 3) normals of face corners, of any length. Default: vertex normals of the mesh.
         device, workers: see `CallOptions`.
 
     Returns:
-        the points, and what makes images of numbers at them.
+        the points, with methods that make images of values at the points.
 
     Raises:
-        TypeError, ValueError: an argument that cannot be used; names it, what it got and what it wants.
-        MemoryError: more than is free.
+        TypeError, ValueError: an argument is invalid; the message names it.
+        MemoryError: the image needs more memory than is free.
 
-    Source: Hasselgren2005 for what a face reaches; Hanika2021 for the lift.
+    Source: Hasselgren2005 for the coverage test; Hanika2021 for lifted points.
 
     Example:
         >>> triangle = ws.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
@@ -248,17 +257,19 @@ def _check_uv(uv: Any, faces: int) -> np.ndarray:
 
 
 def check_samples(samples: Any, argument: str = "samples") -> int:
-    """Points of a texel."""
+    """Return the checked number of points per texel."""
     return check_integer(samples, argument, 1, _MOST_SAMPLES)
 
 
 def check_size(size: Any, samples: int, argument: str = "size") -> tuple[int, int]:
-    """Width and height of an image of so many samples a texel."""
+    """Return the checked width and height of an image with `samples` samples per texel."""
     wants = f"a whole number from 1 to {_MOST_SIDE}, or two, width and height"
     both = size if isinstance(size, Sequence) and not isinstance(size, str | bytes) else (size, size)
     if len(both) != 2:
         raise ValueError(f"{argument}: got {told(size)}, want {wants}")
     width, height = (check_integer(side, argument, 1, _MOST_SIDE, wants) for side in both)
     if width * height * samples > MOST_TEXELS:
-        raise ValueError(f"{argument}: got {told(size)} by {samples} samples a texel, want at most {MOST_TEXELS:,} in all")
+        raise ValueError(
+            f"{argument}: got {told(size)} with {samples} samples per texel, want at most {MOST_TEXELS:,} samples in all"
+        )
     return width, height

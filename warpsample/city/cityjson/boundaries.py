@@ -1,4 +1,4 @@
-"""The faces of a CityJSON geometry, and the semantic object that each of them belongs to."""
+"""Faces of a CityJSON geometry, and the semantic object of each face."""
 
 from collections.abc import Sequence
 from itertools import chain
@@ -11,13 +11,18 @@ from warpsample.host.json_tree import Part
 from warpsample.mesh.holes import Outlines
 
 DEPTHS = {"MultiSurface": 1, "CompositeSurface": 1, "Solid": 2, "MultiSolid": 3, "CompositeSolid": 3}
-"""How deep the lists of faces are nest_values in the boundaries, by the type of the geometry."""
+"""Depth of nested lists above a face in the boundaries, by type of geometry."""
 
 
 def read_outlines(geometry: Part, vertices: int) -> Outlines:
-    """The faces of a geometry whose corners are some of so many vertices.
+    """Return the outlines of a geometry's faces.
 
-    Boundaries of another depth and corners that are no vertex are a ValueError or a TypeError.
+    Args:
+        geometry: JSON of the geometry.
+        vertices: number of vertices that the corners refer to.
+
+    Raises:
+        TypeError, ValueError: the boundaries are not nested as the type requires, or a corner is not a vertex number.
     """
     at = geometry.at("boundaries")
     faces = [face or [[]] for face in _read_faces(geometry)]
@@ -25,13 +30,15 @@ def read_outlines(geometry: Part, vertices: int) -> Outlines:
     corners = list(chain.from_iterable(rings))
     others = [corner for corner in corners if type(corner) is not int] if set(map(type, corners)) - {int} else []
     if others:
-        raise TypeError(f"{at}: got the corner {told(others[0])}, want whole numbers, {geometry.text('type')}'s depth")
+        raise TypeError(
+            f"{at}: got the corner {told(others[0])}, want whole numbers, nested as deep as in a {geometry.text('type')}"
+        )
     if corners and not 0 <= min(corners) <= max(corners) < vertices:
         wrong = min(corners) if min(corners) < 0 else max(corners)
-        raise ValueError(f"{at}: got the vertex {told(wrong)}, want one of the {vertices:,} that there are")
+        raise ValueError(f"{at}: got the vertex {told(wrong)}, want one of the {vertices:,} vertices, counted from 0")
     sizes = np.array([len(ring) - (len(ring) > 1 and ring[0] == ring[-1]) for ring in rings], np.int64)
     held = np.array(corners, np.int64)
-    if sizes.sum() < len(held):  # a ring is closed, against the specification
+    if sizes.sum() < len(held):  # some rings repeat their first corner, against the specification
         held = np.array(
             [corner for ring, size in zip(rings, sizes.tolist(), strict=True) for corner in ring[:size]], np.int64
         )
@@ -39,7 +46,15 @@ def read_outlines(geometry: Part, vertices: int) -> Outlines:
 
 
 def read_semantics(geometry: Part, surfaces: int) -> np.ndarray:
-    """(N,) int32: which of so many semantic objects each face is of; -1 where it is of none."""
+    """Return the (N,) int32 semantic object of each face, -1 without one.
+
+    Args:
+        geometry: JSON of the geometry.
+        surfaces: number of semantic objects.
+
+    Raises:
+        ValueError: the values do not have the shape of the boundaries, or are not numbers of semantic objects.
+    """
     semantics = geometry.part("semantics")
     depth, at = DEPTHS[geometry.text("type")], semantics.at("values")
     numbers = _flatten_values(semantics.content.get("values"), geometry.values("boundaries"), depth, at)
@@ -50,7 +65,7 @@ def read_semantics(geometry: Part, surfaces: int) -> np.ndarray:
 
 
 def nest_values(numbers: Sequence[int | None], boundaries: list[Any], depth: int) -> list[Any]:
-    """A number for each face, nest_values as the faces are in the boundaries: `values` of a semantics."""
+    """Return one number for each face, nested as the boundaries are: the `values` of a semantics object."""
     left = iter(numbers)
 
     def filled(part: list[Any], levels: int) -> list[Any]:
@@ -73,11 +88,11 @@ def _check_list(value: Any, at: str, wants: str) -> list[Any]:
 
 
 def _flatten_values(values: Any, boundaries: Sequence[Any], depth: int, at: str) -> list[Any]:
-    """A number or None for each face, flat; None at any level is None for all below it."""
+    """Return a flat list of one number or None for each face; None at an outer level stands for None at all faces below."""
     if values is None:
         values = [None] * len(boundaries)
     if type(values) is not list or len(values) != len(boundaries):
-        raise ValueError(f"{at}: got {told(values)}, want null or {len(boundaries)} of them, as the boundaries have")
+        raise ValueError(f"{at}: got {told(values)}, want null or a list of {len(boundaries)}, as in the boundaries")
     if depth == 1:
         return values
     parts = zip(values, boundaries, strict=True)

@@ -1,6 +1,6 @@
-"""The JSON texts of a CityJSON file: one, or in a sequence (CityJSONSeq) one on each line.
+"""JSON documents of a CityJSON file: a single one, or one per line of a sequence (CityJSONSeq).
 
-A text is read twice: for its surfaces, and again, if results are written, with each number as it is spelt there.
+A document is parsed once to read its surfaces. It is parsed again to write results, keeping the spelling of each number.
 """
 
 import json
@@ -16,10 +16,11 @@ _VERSION = re.compile(r"[12]\.\d")
 
 
 def read_each(content: bytes, read: Callable[[int, Part], None]) -> None:
-    """Calls `read` with each object of a file, (its number, the object): the CityJSON, then the features of a sequence.
+    """Call `read(number, document)` for each document: the CityJSON head, then the features of a sequence.
 
-    Damaged JSON, other objects and other versions are a ValueError, as are those that `read` raises and its TypeErrors; in a
-    sequence they name the line.
+    Raises:
+        ValueError: a document is damaged or has another type or version, or `read` raises a TypeError or ValueError. For a
+            sequence, the message names the line.
     """
     lines, number = _split_lines(content), 0
     for at, line in enumerate(lines, 1):
@@ -32,9 +33,9 @@ def read_each(content: bytes, read: Callable[[int, Part], None]) -> None:
 
 
 def rewrite_content(content: bytes, edit: Callable[[int, dict[str, Any]], None]) -> bytes:
-    """The file with its objects changed by `edit`, (number of the object, the object), and else the same JSON.
+    """Return the file's bytes with each document changed by `edit(number, document)`.
 
-    Members keep their order and numbers their spelling; there is no white space between them.
+    Members keep their order and numbers their spelling; white space between members is removed.
     """
     made, number = [], 0
     for line in _split_lines(content):
@@ -48,7 +49,7 @@ def rewrite_content(content: bytes, edit: Callable[[int, dict[str, Any]], None])
 
 
 def _split_lines(content: bytes) -> list[bytes]:
-    """The lines of a sequence, the first of which is not empty; or all as one."""
+    """Return the lines of a sequence, which begins with a non-empty line, or the whole content as one item."""
     first, _, rest = content.partition(b"\n")
     try:
         is_sequence = bool(first.strip() and rest.strip() and json.loads(first))
@@ -67,7 +68,7 @@ def _check_header(tree: Part, kind: str) -> Part:
 
 
 class _SpelledNumber:
-    """A number that Python would spell otherwise."""
+    """Number whose text differs from Python's representation."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -81,10 +82,10 @@ def _parse_float(text: str) -> float | _SpelledNumber:
 def _edit_text(text: bytes, edit: Callable[[dict[str, Any]], None]) -> bytes:
     found = json.loads(text, parse_float=_parse_float)
     edit(found)
-    mark = secrets.token_hex(16)  # around the numbers, as JSON's encoder writes no text as it is
+    mark = secrets.token_hex(16)  # marks numbers in the output, since the JSON encoder cannot write raw text
     options = {"separators": (",", ":"), "ensure_ascii": text.isascii()}
     try:
         made = json.dumps(found, default=lambda number: f"{mark}{number.text}", **options)
-    except RecursionError:  # which is reached sooner by a call from further down
+    except RecursionError:  # the limit is reached earlier than in parsing, since the stack is deeper here
         raise ValueError("its JSON is nested too deeply") from None
     return re.sub(f'"{mark}([^"]*)"', r"\1", made).encode("utf-8", "backslashreplace")

@@ -1,4 +1,4 @@
-"""Results as attributes in a CityJSON file, of surfaces and of objects; all else stays as it is."""
+"""Results as attributes in a CityJSON file, on surfaces and on city objects; everything else stays the same."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from copy import deepcopy
@@ -13,19 +13,19 @@ from warpsample.city.cityjson.kinds import ROOF, WALL
 from warpsample.city.cityjson.surfaces import CitySurfaces, Rows
 
 _SUFFIXES = {ROOF: "_roof", WALL: "_wall", "": ""}
-"""What the names of results end in on an object, by the type of the surfaces that it has; of other types it has none."""
+"""Suffixes of the results of city objects, by type of surface. Surfaces of other types are not summarized on objects."""
 _PER_AREA = "_m2"
-_DIGITS = 7  # that a float32 has
+_DIGITS = 7  # significant digits of a float32
 
 ERROR = "_error"
-"""What the name of errors ends in, after that of their values."""
+"""Suffix of the name of standard errors."""
 
 Results = Mapping[str, np.ndarray]
-"""Numbers of the surfaces by the name of the attribute; NaN where there is none. Errors are named after their values."""
+"""Numbers of the surfaces by name of the attribute, NaN without a result. Errors have the suffix "_error"."""
 
 
 class Editor:
-    """Puts results of surfaces into the objects of the file that they were read from."""
+    """Writer of surfaces' results into the documents of the file from which the surfaces were read."""
 
     geometries: Sequence[Geometry]
     surfaces: CitySurfaces
@@ -35,7 +35,7 @@ class Editor:
     def __init__(
         self, geometries: Sequence[Geometry], surfaces: CitySurfaces, rows: Rows, results: Results, *, split: bool
     ) -> None:
-        """Takes the results, and where the surfaces stand."""
+        """Store the results, with totals added, and the positions of the surfaces."""
         self.geometries, self.surfaces, self.rows, self.split = geometries, surfaces, rows, split
         self.results: Results = dict(add_totals(results, surfaces.area))
         self.numbers: dict[int, list[int]] = {}
@@ -44,7 +44,7 @@ class Editor:
         self.starts: Any = np.searchsorted(rows.geometry, np.arange(len(geometries) + 1)).tolist()
 
     def edit(self, number: int, document: dict[str, Any]) -> None:
-        """Changes one document of the file."""
+        """Add the results to one document of the file, in place."""
         below: dict[str, list[int]] = {}
         for at in self.numbers.get(number, ()):
             geometry, held = self.geometries[at], range(self.starts[at], self.starts[at + 1])
@@ -70,7 +70,7 @@ class Editor:
         return dict(_format_finite({name: column[row] for name, column in self.results.items()}))
 
     def _object_attributes(self, held: np.ndarray) -> Iterator[tuple[str, float]]:
-        """The attributes of an object from the surfaces that it and those below it have."""
+        """Yield the attributes of a city object: means and areas over the surfaces of the object and its descendants."""
         kinds = self.surfaces.type[held]
         for kind, end in _SUFFIXES.items():
             for name, column in self.results.items():
@@ -87,7 +87,7 @@ class Editor:
 
 
 def add_totals(results: Results, areas: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:
-    """The columns, and of those that are per m2 the sums over the area."""
+    """Yield all columns and, for columns per m2, the integrals over the surfaces' areas."""
     for name, column in results.items():
         yield name, column
         plain, end = (name.removesuffix(ERROR), ERROR) if name.endswith(ERROR) else (name, "")
@@ -96,12 +96,12 @@ def add_totals(results: Results, areas: np.ndarray) -> Iterator[tuple[str, np.nd
 
 
 def _format_finite(cells: Mapping[str, float]) -> Iterator[tuple[str, float]]:
-    """Those that are numbers, to as many digits as they have."""
+    """Yield the finite numbers, rounded to 7 significant digits."""
     return ((name, float(f"{value:.{_DIGITS}g}")) for name, value in cells.items() if isfinite(value))
 
 
 def _split_semantics(geometry: dict[str, Any], semantic: list[int], types: list[str]) -> list[int | None]:
-    """Gives each face that has a type a semantic object of its own, and says its number."""
+    """Give each face with a type its own semantic object, in place; return the object of each face, None without a type."""
     old = (geometry.get("semantics") or {}).get("surfaces", [])
     made: list[dict[str, Any]] = []
     renamed: dict[int, list[int]] = {}
@@ -111,7 +111,7 @@ def _split_semantics(geometry: dict[str, Any], semantic: list[int], types: list[
         if kind:
             renamed.setdefault(was, []).append(len(made))
             made.append({"type": kind} if was < 0 else deepcopy(old[was]))
-    for was in sorted(set(range(len(old))) - set(renamed)):  # without a face, as the parent of others
+    for was in sorted(set(range(len(old))) - set(renamed)):  # semantic objects without a face, such as parents
         renamed[was] = [len(made)]
         made.append(old[was])
     for surface in made:
