@@ -20,7 +20,7 @@ _LAST_FACE = 0xFFFFFFFF
 
 @dataclass(frozen=True, eq=False)
 class Claims:
-    """Assignment of an image's texels to faces, as points.
+    """Points of an image's texels, with the texel, sample and face of each point.
 
     Attributes:
         id: (P,) uint64, point numbers in ascending order: (row * width + column) * samples + sample.
@@ -38,7 +38,7 @@ class Claims:
 
 
 def claim_points(corners: np.ndarray, usable: np.ndarray, size: tuple[int, int], samples: int, memory: Memory) -> Claims:
-    """Assign the texels of an image to the faces that a bilinear lookup reads each texel for.
+    """Find the texels that a bilinear lookup on the faces reads, and return their points with a face each.
 
     With one sample, a point is at the texel's centre, or at the nearest point of a face. With several samples, a texel has a
     point for each sample inside a face, or for its first sample if none is inside.

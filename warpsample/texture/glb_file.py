@@ -70,9 +70,8 @@ class GlbFile:
         for key in _LISTS:
             self.part.parts(key)  # checks the type of each list that may grow
         check_finite(self.part)
-        self.tree: dict[str, Any] = json.loads(
-            json.dumps(self.part.content, allow_nan=False)
-        )  # a copy; cannot recurse too deeply, as the file was parsed
+        # a copy by text: the file was parsed, so that its nesting is not too deep
+        self.tree: dict[str, Any] = json.loads(json.dumps(self.part.content, allow_nan=False))
         self._chunks, self._size, self._rest = [bytes(chunk)], len(chunk), b""
         if is_binary:
             self._rest = _read_trailing_bytes(path, len(chunk))
@@ -158,9 +157,8 @@ class GlbFile:
     def _embed_files(self, path: Path) -> None:
         """Join all buffers into one and embed external pictures of the types that a .glb can hold."""
         starts = [self._append_bytes(bytes(buffer)) for buffer in self.data.buffers]
-        self.tree["buffers"] = [
-            {**self.tree.get("buffers", [{}])[0], "byteLength": 0}
-        ]  # keeps the name and extras of the first buffer
+        # the name and extras of the first buffer are kept
+        self.tree["buffers"] = [{**self.tree.get("buffers", [{}])[0], "byteLength": 0}]
         self.tree["buffers"][0].pop("uri", None)
         for view in self.tree.get("bufferViews", []):
             view["byteOffset"] = view.get("byteOffset", 0) + starts[view["buffer"]]

@@ -71,9 +71,7 @@ class Closed:
         origin, cells = lower.min(axis=0), _CELLS / (upper.max(axis=0) - lower.min(axis=0))
         ends = [_locate_cells(lower, origin, cells), _locate_cells(upper, origin, cells) + 1]
         counts = np.zeros((_CELLS + 1,) * 3, np.int32)
-        for sides in product(
-            (0, 1), repeat=3
-        ):  # differences at the corners of each box, whose cumulative sums are the counts
+        for sides in product((0, 1), repeat=3):  # differences at box corners, whose cumulative sums are the counts
             at = tuple(ends[side][:, axis] for axis, side in enumerate(sides))
             np.add.at(counts, at, (-1) ** sum(sides))
         for axis in range(3):
@@ -122,7 +120,10 @@ class Closed:
     def _count_by_parity(
         self, points: SurfacePoints, directions: np.ndarray, own: np.ndarray, workers: int | None
     ) -> np.ndarray:
-        """Return the (P, 2) number of bodies of either kind whose faces each ray crosses an odd number of times."""
+        """Return the (P, 2) number of outward-facing and inward-facing bodies around each point.
+
+        A body counts if the ray crosses its faces an odd number of times; a point's own body does not count.
+        """
         hits = trace_all(self.mesh, points, np.ascontiguousarray(directions), workers=workers)
         body, outward = self.bodies
         ray, met = np.repeat(np.arange(len(points)), np.diff(hits.first)), body[hits.face]
@@ -193,9 +194,8 @@ class Enclosed:
             return np.zeros(len(usable), np.bool_)
         depth, hollow = self._depths.T
         mesh, corners = self._points.mesh, self._points.corners
-        chart = label_charts(
-            np.concatenate([corners, mesh.vertices[mesh.faces]], axis=2)
-        )  # with positions: overlapping charts get different numbers
+        # positions are included, so that overlapping charts get different numbers
+        chart = label_charts(np.concatenate([corners, mesh.vertices[mesh.faces]], axis=2))
         group = chart[self._points.face] * (int(hollow.max()) + 1) + hollow
         least = np.full(int(group.max()) + 1, np.iinfo(np.int32).max, np.int32)
         source = self._source & usable

@@ -200,7 +200,7 @@ def _read_corner_normals(path: Path, mesh: Mesh, how: TextureOptions) -> np.ndar
 
 
 def _find_set(file: GlbFile, group: list[Primitive], slot: Slot) -> int | None:
-    """Return the number of the set that a group's materials use for the slot, or else for occlusion; None without one."""
+    """Return the texture-coordinate set that a group's materials use for the slot, or else for occlusion, or None."""
     materials = file.part.parts("materials")
     numbers = [number for one in group for number in one.materials]
     known = [kind.find_info(materials[number]) for kind in (slot, OCCLUSION) for number in numbers]
@@ -209,7 +209,7 @@ def _find_set(file: GlbFile, group: list[Primitive], slot: Slot) -> int | None:
 
 
 def _read_set_number(info: Part) -> int:
-    """Return the number of the set used by a texture info; a KHR_texture_transform overrides it."""
+    """Return the number of the texture-coordinate set used by a glTF texture info; a KHR_texture_transform overrides it."""
     number = info.whole("texCoord", 0, LAST_SET)
     if "extensions" in info and "KHR_texture_transform" in info.part("extensions"):
         number = info.part("extensions").part("KHR_texture_transform").whole("texCoord", number, LAST_SET)

@@ -49,7 +49,10 @@ def rewrite_content(content: bytes, edit: Callable[[int, dict[str, Any]], None])
 
 
 def _split_lines(content: bytes) -> list[bytes]:
-    """Return the lines of a sequence, which begins with a non-empty line, or the whole content as one item."""
+    """Return the lines of a sequence, or the content of any other file as one item.
+
+    A sequence has several lines, and its first line is a JSON document.
+    """
     first, _, rest = content.partition(b"\n")
     try:
         is_sequence = bool(first.strip() and rest.strip() and json.loads(first))

@@ -88,7 +88,7 @@ class Gathered:
         return self._offset - len(points)
 
     def add(self, geometry: Geometry, outlines: Outlines, semantics: np.ndarray, first: int) -> None:
-        """Append a geometry whose corners count from the vertex `first`.
+        """Append a geometry with corners numbered relative to the vertex `first`.
 
         Raises:
             MemoryError: the triangles of all geometries would need more memory than is free.
